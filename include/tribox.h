@@ -1,0 +1,173 @@
+/*
+ * tribox - do these triangles overlap this axis-aligned box?
+ *
+ * The separating-axis test of T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing" (2001), asked of very many triangles at
+ * once: thirteen axes, structure of arrays, one kernel per instruction set, chosen at run time.
+ *
+ * What every function keeps
+ *   Closed sets   Triangle and box contain their borders: touching is overlap. A degenerate triangle is the segment or the point
+ *                 that it is. Vertex order and winding never change an EXACT answer.
+ *   Units         Any one length unit for triangles and boxes alike. There is no tolerance anywhere: no length is "small".
+ *   NaN, inf      A triangle with a NaN or infinite coordinate overlaps nothing; that is no error.
+ *   Errors        Come back as a tribox_status; on an error nothing is written. The library never prints, exits or allocates.
+ *   Threads       Every function is pure and re-entrant: no locks, no state but the once-chosen kernel. Any number of threads may
+ *                 call at once on shared input. Threads that share a mask should own whole words of it.
+ *   Environment   The caller's rounding mode and flush-to-zero setting change no answer and are restored on return.
+ *   Memory        No alignment or padding is asked for; nothing is read outside the streams or written outside the mask. The mask
+ *                 and the report overlap no stream.
+ *   Not promised  FAST and CONSERVATIVE masks may differ between kernels, and tribox_report.undecided between kernels and
+ *                 versions. EXACT masks never differ.
+ */
+#ifndef TRIBOX_H
+#define TRIBOX_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TRIBOX_VERSION_MAJOR 0
+#define TRIBOX_VERSION_MINOR 1
+#define TRIBOX_VERSION_PATCH 0
+
+#if defined(_WIN32) && defined(TRIBOX_SHARED_BUILD)
+#define TRIBOX_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(TRIBOX_SHARED)
+#define TRIBOX_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define TRIBOX_API __attribute__((visibility("default")))
+#else
+#define TRIBOX_API
+#endif
+
+/**
+ * A closed axis-aligned box: touching it counts as overlapping it. Index: 0 is x, 1 is y, 2 is z.
+ * lo == hi makes it a rectangle, a segment or a point; lo > hi on any axis is the empty box, which nothing overlaps.
+ */
+typedef struct tribox_box {
+    float lo[3]; /* the lower bound on each axis, part of the box */
+    float hi[3]; /* the upper bound on each axis, part of the box */
+} tribox_box;
+
+/**
+ * A triangle soup as nine streams (structure of arrays). Index: vertex first, then triangle.
+ * Streams of `count` floats each, any alignment; they may be NULL when count is 0.
+ */
+typedef struct tribox_soup {
+    const float *x[3]; /* x[v][i]: the x of vertex v (0, 1, 2) of triangle i */
+    const float *y[3]; /* y[v][i]: the y of the same vertex */
+    const float *z[3]; /* z[v][i]: the z of the same vertex */
+    size_t count;      /* triangles in the soup */
+} tribox_soup;
+
+/**
+ * Boxes as six streams (structure of arrays). Index: axis first, then box.
+ * Streams of `count` floats each, any alignment; they may be NULL when count is 0.
+ */
+typedef struct tribox_boxes {
+    const float *lo[3]; /* lo[a][i]: the lower bound of box i on axis a */
+    const float *hi[3]; /* hi[a][i]: its upper bound */
+    size_t count;       /* boxes */
+} tribox_boxes;
+
+/** What a call answers about itself. Everything but TRIBOX_OK means that nothing was written. */
+typedef enum tribox_status {
+    TRIBOX_OK = 0,
+    TRIBOX_BAD_ARGUMENT, /* a pointer that must not be NULL is; a count that overflows */
+    TRIBOX_BAD_BOX,      /* a bound is NaN or infinite */
+    TRIBOX_BAD_GRID,     /* a grid that is not finite, not positive, too large, or too fine for float */
+    TRIBOX_BAD_OPTION,   /* an unknown accuracy, axis set or order */
+    TRIBOX_NO_KERNEL,    /* an unknown kernel name, or one this processor cannot run */
+    TRIBOX_NO_MEMORY
+} tribox_status;
+
+/** One English sentence for a status: what is wrong, without a full stop. Static storage; never NULL. */
+TRIBOX_API const char *tribox_status_text(tribox_status status);
+
+/** How right an answer has to be. */
+typedef enum tribox_accuracy {
+    TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
+    TRIBOX_CONSERVATIVE, /* never misses an overlap; may report one that is not, within a proved error bound */
+    TRIBOX_FAST          /* single precision: errs within a stated bound of contact, for |coordinate| <= 2^40 only */
+} tribox_accuracy;
+
+/**
+ * The paper's three groups of axes (section 2, its bullets 1, 2 and 3): 3 box normals, 1 triangle plane, 9 edge cross products.
+ * Leaving groups out answers "no chosen axis separates": cheaper, never misses, reports more.
+ */
+enum {
+    TRIBOX_AXES_BOX = 1,   /* bullet 1: the triangle's bounding box against the box */
+    TRIBOX_AXES_PLANE = 2, /* bullet 2: the triangle's plane against the box */
+    TRIBOX_AXES_EDGES = 4, /* bullet 3: the cross products of box edges and triangle edges */
+    TRIBOX_AXES_ALL = 7
+};
+
+/** Options of a call. Zero-initialised they are the defaults: exact, all thirteen axes, the best order and kernel. */
+typedef struct tribox_options {
+    tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
+    unsigned axes;            /* a union of TRIBOX_AXES_*; 0 for all */
+    unsigned order;     /* 123, 132, 213, 231, 312 or 321: the order of the groups, which changes no answer; 0 for the default */
+    const char *kernel; /* "scalar", "sse2", "avx2", "avx512" or "neon"; NULL for the best this processor runs */
+} tribox_options;
+
+/** What a call counted. */
+typedef struct tribox_report {
+    size_t overlapping; /* set bits in the mask */
+    size_t undecided;   /* pairs left to a slower stage: a measure of cost, may differ between kernels (0 for FAST) */
+} tribox_report;
+
+/** How many 64-bit words a mask of `count` bits takes: (count + 63) / 64, for every count without overflow. */
+TRIBOX_API size_t tribox_mask_words(size_t count);
+
+/**
+ * Tells for each triangle of a soup whether it overlaps one box.
+ * Bit i % 64 of mask[i / 64] is set when triangle i overlaps the box; bits past count are zero.
+ *
+ * soup: nine streams of soup->count floats. Streams that an earlier axis made needless are not even loaded.
+ * box: finite bounds, or TRIBOX_BAD_BOX; the empty box (lo > hi on an axis) is overlapped by nothing.
+ * options: NULL for the defaults.
+ * mask: tribox_mask_words(soup->count) words, all of them written; NULL when only the counts are wanted.
+ * report: written on TRIBOX_OK; NULL when not wanted.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup, box or a stream of a non-empty soup is NULL, or count floats exceed the address
+ * space), TRIBOX_BAD_BOX, TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
+ */
+TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
+                                        uint64_t *mask, tribox_report *report);
+
+/**
+ * Counts the triangles of a soup that have a NaN or infinite coordinate. They overlap nothing, in every call; the batch calls do
+ * not look for them, since they need not even load what an earlier axis made needless.
+ *
+ * soup: nine streams of soup->count floats; NULL, or NULL streams, count as an empty soup.
+ * first: receives the lowest index of such a triangle, or the soup's count if there is none; NULL when not wanted.
+ */
+TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first);
+
+/**
+ * Tells for each of many boxes whether one triangle overlaps it: the inner loop of octree and grid builders.
+ * Bit i % 64 of mask[i / 64] is set when the triangle overlaps box i; bits past count are zero.
+ *
+ * triangle: triangle[v][a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
+ * boxes: six streams of boxes->count floats. An empty box, or one with a NaN or infinite bound, overlaps nothing; it is no error.
+ * options, mask, report: as for tribox_overlap, with boxes->count in place of soup->count.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (triangle, boxes or a stream of a non-empty set is NULL, or count floats exceed the
+ * address space), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
+ */
+TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
+                                              uint64_t *mask, tribox_report *report);
+
+/**
+ * The name of the kernel that a call with these options runs, spelt as in tribox_options.kernel; options may be NULL.
+ * NULL if none can: an unknown name, or one this processor cannot run. Static storage.
+ */
+TRIBOX_API const char *tribox_kernel_name(const tribox_options *options);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

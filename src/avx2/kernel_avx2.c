@@ -1,0 +1,4 @@
+#include "avx2/vec_avx2.h"
+#define KERNEL avx2
+#include "kernel/axes.h"
+#include "kernel/batch.h"

@@ -1,0 +1,38 @@
+/* vec_avx2.h - eight lanes of AVX2 with FMA. kernel/README.md defines the words. */
+#if !defined(__AVX2__) || !defined(__FMA__)
+#error "compile this file with AVX2 and FMA"
+#endif
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <immintrin.h>
+#include <stdint.h>
+
+#include "kernel.h"
+
+#define V_LANES 8
+#define V_FUSED 1 /* v_fma and v_fms round once */
+
+typedef __m256 vnum;
+typedef __m256 vmask;
+
+TRIBOX_INLINE vnum v_load(const float *p) { return _mm256_loadu_ps(p); }
+TRIBOX_INLINE vnum v_splat(float a) { return _mm256_set1_ps(a); }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm256_add_ps(a, b); }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm256_sub_ps(a, b); }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm256_mul_ps(a, b); }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm256_fmadd_ps(a, b, c); }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm256_fmsub_ps(a, b, c); }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm256_min_ps(a, b); }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm256_max_ps(a, b); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return _mm256_and_ps(_mm256_set1_ps(-0.0f), a); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, sign); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm256_or_ps(a, b); }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_ps(a, b); }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_ps(b, a); }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm256_movemask_ps(a); }
+
+#endif

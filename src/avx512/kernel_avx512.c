@@ -1,0 +1,4 @@
+#include "avx512/vec_avx512.h"
+#define KERNEL avx512
+#include "kernel/axes.h"
+#include "kernel/batch.h"

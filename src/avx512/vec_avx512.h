@@ -1,0 +1,41 @@
+/* vec_avx512.h - sixteen lanes of AVX-512F; the masks live in mask registers. kernel/README.md defines the words. */
+#if !defined(__AVX512F__)
+#error "compile this file with AVX-512F"
+#endif
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <immintrin.h>
+#include <stdint.h>
+
+#include "kernel.h"
+
+#define V_LANES 16
+#define V_FUSED 1 /* v_fma and v_fms round once */
+
+typedef __m512 vnum;
+typedef __mmask16 vmask;
+
+TRIBOX_INLINE __m512i avx512_bits(vnum a) { return _mm512_castps_si512(a); }
+TRIBOX_INLINE vnum avx512_float(__m512i a) { return _mm512_castsi512_ps(a); }
+
+TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_loadu_ps(p); }
+TRIBOX_INLINE vnum v_splat(float a) { return _mm512_set1_ps(a); }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_ps(a, b); }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm512_sub_ps(a, b); }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm512_mul_ps(a, b); }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm512_fmadd_ps(a, b, c); }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm512_fmsub_ps(a, b, c); }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm512_min_ps(a, b); }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm512_max_ps(a, b); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return avx512_float(_mm512_and_si512(avx512_bits(a), _mm512_set1_epi32(0x7fffffff))); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return avx512_float(_mm512_andnot_si512(_mm512_set1_epi32(0x7fffffff), avx512_bits(a))); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return avx512_float(_mm512_xor_si512(avx512_bits(a), avx512_bits(sign))); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+#endif

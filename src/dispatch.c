@@ -1,0 +1,57 @@
+/* dispatch.c - which kernel runs: the widest that this processor and operating system can, or the one that was named. */
+#include "dispatch.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#if defined(__AVX__)
+#error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"
+#endif
+
+extern const tribox_kernel tribox_kernel_scalar;
+static bool runs_anywhere(void) { return true; }
+
+/* __builtin_cpu_supports asks CPUID, and XGETBV for the registers that the operating system has to save. */
+#if defined(TRIBOX_X86)
+extern const tribox_kernel tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512;
+static bool runs_sse2(void) { return __builtin_cpu_supports("sse2"); }
+static bool runs_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+static bool runs_avx512(void) { return __builtin_cpu_supports("avx512f"); }
+#endif
+
+static const struct {
+    const tribox_kernel *kernel;
+    bool (*runs_here)(void);
+} table[] = {
+#if defined(TRIBOX_X86)
+    {&tribox_kernel_avx512, runs_avx512},
+    {&tribox_kernel_avx2, runs_avx2},
+    {&tribox_kernel_sse2, runs_sse2},
+#endif
+    {&tribox_kernel_scalar, runs_anywhere},
+};
+
+size_t tribox_kernel_count(void) { return sizeof table / sizeof table[0]; }
+
+const tribox_kernel *tribox_kernel_at(size_t i) { return table[i].kernel; }
+
+bool tribox_kernel_runs_here(size_t i)
+{
+#if defined(TRIBOX_X86)
+    __builtin_cpu_init();
+#endif
+    return table[i].runs_here();
+}
+
+const tribox_kernel *tribox_kernel_find(const char *name)
+{
+    /* Two threads may both choose on first use: they choose the same. */
+    static _Atomic(const tribox_kernel *) best;
+    const tribox_kernel *kernel = name ? NULL : atomic_load_explicit(&best, memory_order_relaxed);
+    for (size_t i = 0; !kernel && i < tribox_kernel_count(); i++)
+        if ((!name || !strcmp(name, table[i].kernel->name)) && tribox_kernel_runs_here(i))
+            kernel = table[i].kernel;
+    if (!name)
+        atomic_store_explicit(&best, kernel, memory_order_relaxed);
+    return kernel;
+}

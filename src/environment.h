@@ -1,0 +1,54 @@
+/* environment.h - round to nearest, keep subnormal numbers, raise no trap; once a public call. Flush-to-zero breaks every answer. */
+#ifndef TRIBOX_ENVIRONMENT_H
+#define TRIBOX_ENVIRONMENT_H
+
+#include <stdint.h>
+
+#if defined(__SSE2__) || defined(_M_X64)
+#include <xmmintrin.h>
+
+typedef unsigned tribox_environment;
+
+static inline tribox_environment tribox_environment_enter(void)
+{
+    const tribox_environment callers = _mm_getcsr();
+    _mm_setcsr(0x1F80); /* nearest, no FTZ, no DAZ, all exceptions masked */
+    return callers;
+}
+
+static inline void tribox_environment_leave(tribox_environment callers) { _mm_setcsr(callers); }
+
+#elif defined(__aarch64__)
+
+typedef uint64_t tribox_environment;
+
+static inline tribox_environment tribox_environment_enter(void)
+{
+    tribox_environment callers;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(callers)::"memory");
+    __asm__ volatile("msr fpcr, %0" ::"r"((uint64_t)0) : "memory");
+    return callers;
+}
+
+static inline void tribox_environment_leave(tribox_environment callers)
+{
+    __asm__ volatile("msr fpcr, %0" ::"r"(callers) : "memory");
+}
+
+#else
+#include <fenv.h>
+
+typedef fenv_t tribox_environment;
+
+static inline tribox_environment tribox_environment_enter(void)
+{
+    tribox_environment callers;
+    feholdexcept(&callers);
+    fesetround(FE_TONEAREST);
+    return callers;
+}
+
+static inline void tribox_environment_leave(tribox_environment callers) { fesetenv(&callers); }
+
+#endif
+#endif

@@ -1,0 +1,49 @@
+/* exact.h - one triangle and one box, settled for certain. No allocation, no library. Knows nothing of batches or grids. */
+#ifndef TRIBOX_EXACT_H
+#define TRIBOX_EXACT_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+
+/* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? */
+typedef struct tribox_pair {
+    float u[3][3];
+    tribox_box box;
+} tribox_pair;
+
+/* Whether all nine coordinates of the triangle are finite. */
+bool tribox_triangle_is_finite(const float u[3][3]);
+
+/*
+ * Whether no axis of the chosen groups separates a finite triangle and a box with finite lo <= hi.
+ * Every later stage is asked only what the one before left undecided: the numbers themselves, double, integers.
+ */
+bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes);
+
+/* The stages, each for itself. Where the axes have BOX, they rely on the box normals not separating. */
+
+typedef enum tribox_verdict { TRIBOX_APART, TRIBOX_OVERLAPPING, TRIBOX_UNDECIDED } tribox_verdict;
+
+bool tribox_apart_on_box_normals(const tribox_pair *pair);
+tribox_verdict tribox_exact_double(const tribox_pair *pair, unsigned axes);
+
+/* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units. Vertices, then lo, then hi. */
+typedef struct tribox_integers {
+    int32_t odd[15];
+    int shift[15];
+    int bits; /* every number is below 2^bits units */
+} tribox_integers;
+
+tribox_integers tribox_integers_of(const tribox_pair *pair);
+
+/* What each width of integer can carry: 3 * bits + 8 for the plane's slack, and the sign. */
+enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39, TRIBOX_LIMBS_BITS = 277 };
+
+bool tribox_exact_int64(const tribox_integers *in, unsigned axes);
+#if defined(__SIZEOF_INT128__)
+bool tribox_exact_int128(const tribox_integers *in, unsigned axes);
+#endif
+bool tribox_exact_limbs(const tribox_integers *in, unsigned axes);
+
+#endif

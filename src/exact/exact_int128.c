@@ -1,0 +1,10 @@
+#include "exact.h"
+#if defined(__SIZEOF_INT128__)
+__extension__ typedef __int128 vnum;
+#include "exact/num_integer.h"
+#include "kernel/axes.h"
+#define EXACT_IN_INTEGERS tribox_exact_int128
+#include "exact/integers.h"
+#else
+typedef int translation_unit_is_not_empty;
+#endif

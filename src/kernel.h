@@ -1,0 +1,56 @@
+/*
+ * What a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
+ *
+ * A walk answers whole words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap, and `open`,
+ * the lanes that it leaves to a slower stage. A lane is in at most one of the two.
+ */
+#ifndef TRIBOX_KERNEL_H
+#define TRIBOX_KERNEL_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "tribox.h"
+
+#if defined(__FAST_MATH__)
+#error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+#error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0); on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#endif
+
+#if defined(__GNUC__)
+#define TRIBOX_INLINE static inline __attribute__((always_inline))
+#else
+#define TRIBOX_INLINE static inline
+#endif
+
+/*
+ * A sequence is the groups of axes in the order in which they are tested, one decimal digit each, by the number of the paper's
+ * bullet: 1 the box normals, 2 the plane, 3 the edges. 312 tests the edges first; 13 leaves the plane out.
+ */
+#define TRIBOX_FOR_EACH_SEQUENCE(X) X(1) X(2) X(3) X(12) X(13) X(21) X(23) X(31) X(32) X(123) X(132) X(213) X(231) X(312) X(321)
+
+enum {
+#define TRIBOX_SEQUENCE_INDEX(sequence) TRIBOX_SEQUENCE_##sequence,
+    TRIBOX_FOR_EACH_SEQUENCE(TRIBOX_SEQUENCE_INDEX)
+#undef TRIBOX_SEQUENCE_INDEX
+        TRIBOX_SEQUENCES
+};
+
+/* Triangles [64 * word, 64 * (word + words)) of the soup, all of them present, against one box. */
+typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit,
+                              uint64_t *open);
+
+/* One triangle against boxes [64 * word, 64 * (word + words)), all of them present. */
+typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, uint64_t *hit,
+                               uint64_t *open);
+
+typedef struct tribox_kernel {
+    const char *name; /* as in tribox_options.kernel */
+    unsigned lanes;   /* triangles in a vector: a divisor of 64 */
+    tribox_soup_walk *soup_fast[TRIBOX_SEQUENCES];
+    tribox_boxes_walk *boxes_fast[TRIBOX_SEQUENCES];
+} tribox_kernel;
+
+#endif

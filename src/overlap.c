@@ -1,0 +1,239 @@
+/* overlap.c - many pairs: check the input, run the kernel, settle what it left open. */
+#include <math.h>
+#include <string.h>
+
+#include "environment.h"
+#include "exact.h"
+#include "plan.h"
+
+/* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
+enum { BLOCK_WORDS = 64 };
+
+size_t tribox_mask_words(size_t count) { return count / 64 + (count % 64 != 0); }
+
+/* The pairs of a call: a soup and a box, or a triangle and boxes. */
+typedef struct pairs {
+    const tribox_soup *soup; /* NULL for a triangle and boxes */
+    const tribox_box *box;
+    const float (*triangle)[3];
+    const tribox_boxes *boxes;
+    size_t count;
+} pairs;
+
+static bool are_floats_addressable(size_t count) { return count <= PTRDIFF_MAX / sizeof(float); }
+
+static bool has_streams(const tribox_soup *soup)
+{
+    for (int v = 0; v < 3; v++)
+        if (!soup->x[v] || !soup->y[v] || !soup->z[v])
+            return false;
+    return true;
+}
+
+static tribox_pair pair_at(const pairs *p, size_t i)
+{
+    tribox_pair pair;
+    if (p->soup) {
+        for (int j = 0; j < 3; j++) {
+            pair.u[j][0] = p->soup->x[j][i];
+            pair.u[j][1] = p->soup->y[j][i];
+            pair.u[j][2] = p->soup->z[j][i];
+        }
+        pair.box = *p->box;
+        return pair;
+    }
+    memcpy(pair.u, p->triangle, sizeof pair.u);
+    for (int a = 0; a < 3; a++) {
+        pair.box.lo[a] = p->boxes->lo[a][i];
+        pair.box.hi[a] = p->boxes->hi[a][i];
+    }
+    return pair;
+}
+
+static void walk_whole_words(const pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
+{
+    /* EXACT and CONSERVATIVE: the kernel rejects on the box normals, and the rest is open. */
+    const bool is_fast = plan->accuracy == TRIBOX_FAST;
+    const unsigned sequence = is_fast ? plan->sequence : TRIBOX_SEQUENCE_1;
+    if (!is_fast && !(plan->axes & TRIBOX_AXES_BOX)) {
+        memset(hit, 0, words * sizeof *hit);
+        memset(open, 0xff, words * sizeof *open);
+        return;
+    }
+    if (p->soup)
+        plan->kernel->soup_fast[sequence](p->soup, p->box, word, words, hit, open);
+    else
+        plan->kernel->boxes_fast[sequence](p->triangle, p->boxes, word, words, hit, open);
+    for (size_t w = 0; !is_fast && w < words; w++) {
+        open[w] |= hit[w];
+        hit[w] = 0;
+    }
+}
+
+/* The last count % 64 pairs, in a word of their own whose other lanes are zeros: nothing is read past the caller's streams. */
+static void walk_tail(const pairs *p, const tribox_plan *plan, uint64_t *hit, uint64_t *open)
+{
+    float scratch[9][64] = {{0}};
+    const size_t tail = p->count % 64, first = p->count - tail;
+    tribox_soup soup = {.count = 64};
+    tribox_boxes boxes = {.count = 64};
+    for (int k = 0; k < 3; k++) {
+        if (p->soup) {
+            memcpy(scratch[k], p->soup->x[k] + first, tail * sizeof(float));
+            memcpy(scratch[3 + k], p->soup->y[k] + first, tail * sizeof(float));
+            memcpy(scratch[6 + k], p->soup->z[k] + first, tail * sizeof(float));
+        } else {
+            memcpy(scratch[k], p->boxes->lo[k] + first, tail * sizeof(float));
+            memcpy(scratch[3 + k], p->boxes->hi[k] + first, tail * sizeof(float));
+        }
+        soup.x[k] = boxes.lo[k] = scratch[k];
+        soup.y[k] = boxes.hi[k] = scratch[3 + k];
+        soup.z[k] = scratch[6 + k];
+    }
+    pairs word = *p;
+    word.soup = p->soup ? &soup : NULL;
+    word.boxes = p->soup ? NULL : &boxes;
+    walk_whole_words(&word, plan, 0, 1, hit, open);
+    *hit &= ~(~UINT64_C(0) << tail);
+    *open &= ~(~UINT64_C(0) << tail);
+}
+
+static int count_bits(uint64_t word)
+{
+    int count = 0;
+    for (; word; word &= word - 1)
+        count++;
+    return count;
+}
+
+static int lowest_bit(uint64_t word) { return count_bits((word & (~word + 1)) - 1); }
+
+/* The lanes of one word that the kernel left open, settled one by one. Returns those that overlap; *undecided counts the finite. */
+static uint64_t settle(const pairs *p, const tribox_plan *plan, size_t word, uint64_t open, size_t *undecided)
+{
+    uint64_t overlapping = 0;
+    for (; open; open &= open - 1) {
+        const int lane = lowest_bit(open);
+        const tribox_pair pair = pair_at(p, 64 * word + (size_t)lane);
+        if (!tribox_triangle_is_finite(pair.u))
+            continue;
+        ++*undecided;
+        overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << lane;
+    }
+    return overlapping;
+}
+
+static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, tribox_report *report)
+{
+    const size_t words = tribox_mask_words(p->count);
+    tribox_report counts = {0, 0};
+    for (size_t word = 0; word < words; word += BLOCK_WORDS) {
+        uint64_t hit[BLOCK_WORDS], open[BLOCK_WORDS];
+        const size_t block = words - word < BLOCK_WORDS ? words - word : BLOCK_WORDS;
+        const size_t whole = word + block <= p->count / 64 ? block : block - 1;
+        walk_whole_words(p, plan, word, whole, hit, open);
+        if (whole < block)
+            walk_tail(p, plan, hit + whole, open + whole);
+        for (size_t w = 0; w < block; w++) {
+            if (open[w])
+                hit[w] |= settle(p, plan, word + w, open[w], &counts.undecided);
+            counts.overlapping += (size_t)count_bits(hit[w]);
+        }
+        if (mask)
+            memcpy(mask + word, hit, block * sizeof *mask);
+    }
+    if (plan->accuracy == TRIBOX_FAST)
+        counts.undecided = 0;
+    if (report)
+        *report = counts;
+}
+
+static void answer_none(size_t count, uint64_t *mask, tribox_report *report)
+{
+    if (mask)
+        memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
+    if (report)
+        *report = (tribox_report){0, 0};
+}
+
+tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t *mask,
+                             tribox_report *report)
+{
+    if (!soup || !box || !are_floats_addressable(soup->count) || (soup->count && !has_streams(soup)))
+        return TRIBOX_BAD_ARGUMENT;
+    for (int a = 0; a < 3; a++)
+        if (!isfinite(box->lo[a]) || !isfinite(box->hi[a]))
+            return TRIBOX_BAD_BOX;
+    tribox_plan plan;
+    const tribox_status status = tribox_plan_make(options, &plan);
+    if (status)
+        return status;
+
+    const tribox_environment callers = tribox_environment_enter();
+    if (box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2])
+        answer_none(soup->count, mask, report);
+    else
+        answer(&(pairs){.soup = soup, .box = box, .count = soup->count}, &plan, mask, report);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
+
+tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
+                                   uint64_t *mask, tribox_report *report)
+{
+    if (!triangle || !boxes || !are_floats_addressable(boxes->count))
+        return TRIBOX_BAD_ARGUMENT;
+    for (int a = 0; boxes->count && a < 3; a++)
+        if (!boxes->lo[a] || !boxes->hi[a])
+            return TRIBOX_BAD_ARGUMENT;
+    tribox_plan plan;
+    const tribox_status status = tribox_plan_make(options, &plan);
+    if (status)
+        return status;
+
+    const tribox_environment callers = tribox_environment_enter();
+    if (!tribox_triangle_is_finite(triangle))
+        answer_none(boxes->count, mask, report);
+    else
+        answer(&(pairs){.triangle = triangle, .boxes = boxes, .count = boxes->count}, &plan, mask, report);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
+
+size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
+{
+    static const tribox_box no_box;
+    const size_t count = soup && has_streams(soup) ? soup->count : 0;
+    size_t found = 0, lowest = count;
+    for (size_t i = count; i-- > 0;) {
+        const tribox_pair pair = pair_at(&(pairs){.soup = soup, .box = &no_box}, i);
+        if (!tribox_triangle_is_finite(pair.u)) {
+            found++;
+            lowest = i;
+        }
+    }
+    if (first)
+        *first = lowest;
+    return found;
+}
+
+const char *tribox_status_text(tribox_status status)
+{
+    switch (status) {
+    case TRIBOX_OK:
+        return "success";
+    case TRIBOX_BAD_ARGUMENT:
+        return "a required pointer is NULL, or a count exceeds the address space";
+    case TRIBOX_BAD_BOX:
+        return "a bound of the box is NaN or infinite";
+    case TRIBOX_BAD_GRID:
+        return "the grid is not finite, not positive, too large, or too fine for float";
+    case TRIBOX_BAD_OPTION:
+        return "unknown accuracy, axis set or order of the axes";
+    case TRIBOX_NO_KERNEL:
+        return "unknown kernel name, or a kernel that this processor cannot run";
+    case TRIBOX_NO_MEMORY:
+        return "out of memory";
+    }
+    return "unknown status";
+}

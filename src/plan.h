@@ -1,0 +1,17 @@
+/* plan.h - what the options of a call come to. */
+#ifndef TRIBOX_PLAN_H
+#define TRIBOX_PLAN_H
+
+#include "kernel.h"
+
+typedef struct tribox_plan {
+    const tribox_kernel *kernel;
+    tribox_accuracy accuracy;
+    unsigned axes;     /* never 0 */
+    unsigned sequence; /* an index TRIBOX_SEQUENCE_* */
+} tribox_plan;
+
+/* TRIBOX_OK, TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL; options may be NULL. */
+tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan);
+
+#endif

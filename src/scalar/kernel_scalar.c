@@ -1,0 +1,4 @@
+#include "scalar/vec_scalar.h"
+#define KERNEL scalar
+#include "kernel/axes.h"
+#include "kernel/batch.h"

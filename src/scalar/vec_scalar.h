@@ -1,0 +1,50 @@
+/* vec_scalar.h - one lane. This is the definition of every word; kernel/README.md tells the rest. */
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "kernel.h"
+
+#define V_LANES 1
+#define V_FUSED 0 /* v_fma and v_fms round twice */
+
+typedef float vnum;
+typedef bool vmask;
+
+TRIBOX_INLINE uint32_t scalar_bits(float a)
+{
+    uint32_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    return bits;
+}
+
+TRIBOX_INLINE float scalar_float(uint32_t bits)
+{
+    float a;
+    memcpy(&a, &bits, sizeof a);
+    return a;
+}
+
+TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
+TRIBOX_INLINE vnum v_splat(float a) { return a; }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return a * b + c; }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
+TRIBOX_INLINE vnum v_abs(vnum a) { return scalar_float(scalar_bits(a) & 0x7fffffffu); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return scalar_float(scalar_bits(a) & 0x80000000u); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return scalar_float(scalar_bits(a) ^ scalar_bits(sign)); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+#endif

@@ -1,0 +1,4 @@
+#include "sse/vec_sse2.h"
+#define KERNEL sse2
+#include "kernel/axes.h"
+#include "kernel/batch.h"

@@ -1,0 +1,38 @@
+/* vec_sse2.h - four lanes of SSE2, the baseline of x86-64. kernel/README.md defines the words. */
+#if !defined(__SSE2__)
+#error "compile this file with SSE2"
+#endif
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <emmintrin.h>
+#include <stdint.h>
+
+#include "kernel.h"
+
+#define V_LANES 4
+#define V_FUSED 0 /* v_fma and v_fms round twice */
+
+typedef __m128 vnum;
+typedef __m128 vmask;
+
+TRIBOX_INLINE vnum v_load(const float *p) { return _mm_loadu_ps(p); }
+TRIBOX_INLINE vnum v_splat(float a) { return _mm_set1_ps(a); }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_ps(a, b); }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm_sub_ps(a, b); }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm_mul_ps(a, b); }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm_sub_ps(_mm_mul_ps(a, b), c); }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm_min_ps(a, b); }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_ps(a, b); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return _mm_and_ps(_mm_set1_ps(-0.0f), a); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, sign); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_ps(a, b); }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_ps(a, b); }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_ps(b, a); }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_ps(a); }
+
+#endif
