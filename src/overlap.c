@@ -98,23 +98,24 @@ static void walk_tail(const pairs *p, const tribox_plan *plan, uint64_t *hit, ui
     *open &= ~(~UINT64_C(0) << tail);
 }
 
-static int count_bits(uint64_t word)
+/* In parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
+static unsigned count_bits(uint64_t word)
 {
-    int count = 0;
-    for (; word; word &= word - 1)
-        count++;
-    return count;
+    word -= word >> 1 & UINT64_C(0x5555555555555555);
+    word = (word & UINT64_C(0x3333333333333333)) + (word >> 2 & UINT64_C(0x3333333333333333));
+    word = (word + (word >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
+    return (unsigned)(word * UINT64_C(0x0101010101010101) >> 56);
 }
 
-static int lowest_bit(uint64_t word) { return count_bits((word & (~word + 1)) - 1); }
+static unsigned lowest_bit(uint64_t word) { return count_bits((word & (~word + 1)) - 1); }
 
 /* The lanes of one word that the kernel left open, settled one by one. Returns those that overlap; *undecided counts the finite. */
 static uint64_t settle(const pairs *p, const tribox_plan *plan, size_t word, uint64_t open, size_t *undecided)
 {
     uint64_t overlapping = 0;
     for (; open; open &= open - 1) {
-        const int lane = lowest_bit(open);
-        const tribox_pair pair = pair_at(p, 64 * word + (size_t)lane);
+        const unsigned lane = lowest_bit(open);
+        const tribox_pair pair = pair_at(p, 64 * word + lane);
         if (!tribox_triangle_is_finite(pair.u))
             continue;
         ++*undecided;
@@ -137,7 +138,7 @@ static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, trib
         for (size_t w = 0; w < block; w++) {
             if (open[w])
                 hit[w] |= settle(p, plan, word + w, open[w], &counts.undecided);
-            counts.overlapping += (size_t)count_bits(hit[w]);
+            counts.overlapping += count_bits(hit[w]);
         }
         if (mask)
             memcpy(mask + word, hit, block * sizeof *mask);

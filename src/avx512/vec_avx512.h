@@ -31,8 +31,11 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm512_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return avx512_float(_mm512_and_si512(avx512_bits(a), _mm512_set1_epi32(0x7fffffff))); }
 TRIBOX_INLINE vnum v_sign(vnum a) { return avx512_float(_mm512_andnot_si512(_mm512_set1_epi32(0x7fffffff), avx512_bits(a))); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return avx512_float(_mm512_xor_si512(avx512_bits(a), avx512_bits(sign))); }
+TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return avx512_float(_mm512_and_si512(avx512_bits(a), avx512_bits(b))); }
+TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
 
+TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi32_mask(avx512_bits(a), _mm512_setzero_si512()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }

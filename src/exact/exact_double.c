@@ -12,14 +12,17 @@ tribox_verdict tribox_exact_double(const tribox_pair *pair, unsigned axes)
 {
     lane_triangle t;
     lane_box box;
+    lane_shape s;
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
             t.u[j][a] = pair->u[j][a];
         box.lo[a] = pair->box.lo[a];
         box.hi[a] = pair->box.hi[a];
+        box.H[a] = box.hi[a] - box.lo[a];
+        shape_axis(&s, &t, &box, a);
     }
+    shape_normal(&s);
     const bool has_box = axes & TRIBOX_AXES_BOX;
-    const lane_shape s = shape_of(&t, &box);
     const lane_bounds bound = bounds_of(&t, &box);
     const double *const F = bound.F;
     bool is_certain = true;

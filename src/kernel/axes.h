@@ -9,7 +9,7 @@
  *
  *   paper                               here
  *   u_j   vertices as given             t->u[j][a], vertex j, axis a
- *   v_j   vertices about the centre     s->V[j][a] = 2 v_j: doubled, and formed from lo and hi, so that no centre is rounded
+ *   v_j   vertices about the centre     s->V[j][a] = (u - lo) - (hi - u) = 2 v_j: doubled, and no centre is rounded
  *   h     half lengths of the box       s->H[a] = 2 h_a = hi - lo
  *   f_j   edges v_(j+1) - v_j           s->f[j][a], from u, not from v: nothing is lost far from the origin
  *   n     f_0 x f_1                     s->n[a]
@@ -20,10 +20,12 @@
  * A negative slack separates; touching is slack zero, and overlap.
  *
  * Deviations from the paper:
- * - The box is lo, hi and not centre, half: bullet 1 compares the numbers of the input themselves and is exact.
+ * - The box is lo, hi and not centre, half: bullet 1 compares the numbers of the input themselves and is exact, as the sign of a
+ *   rounded difference is the sign of the difference.
  * - Of the two sides of an edge axis only the outer one is tested: the sign of n_i tells which. One sign serves the three edges of
  *   a projection, and the sign of zero is plus or minus, never zero; then the test is complete for degenerate triangles and flat
  *   boxes too. It needs bullet 1 beside it; without bullet 1 the two-sided test serves.
+ * - An edge is projected by either of its ends, so vertices 0 and 1 serve all three edges, and vertex 2 needs no V.
  *
  * This text is included after a vocabulary (the words v_ and m_); kernel/README.md defines them.
  */
@@ -36,41 +38,49 @@ typedef struct lane_triangle {
 /* A box in lanes. */
 typedef struct lane_box {
     vnum lo[3], hi[3];
+    vnum H[3]; /* hi - lo */
 } lane_box;
 
-/* What the plane and the edge axes share of a triangle and a box. */
+/* What the axes share of a triangle and a box. */
 typedef struct lane_shape {
-    vnum V[3][3]; /* V[j][a]: vertex j about the centre of the box, doubled */
-    vnum H[3];    /* H[a]: the lengths of the box */
-    vnum f[3][3]; /* f[j][a]: edge from vertex j to vertex j + 1 */
-    vnum n[3];    /* the normal f_0 x f_1 */
+    vnum below[3][3]; /* below[j][a] = u - lo: negative where vertex j lies below the box */
+    vnum above[3][3]; /* above[j][a] = hi - u: negative where it lies above */
+    vnum V[2][3];     /* V[j][a]: vertex j about the centre of the box, doubled */
+    vnum H[3];        /* the lengths of the box */
+    vnum f[3][3];     /* f[j][a]: edge from vertex j to vertex j + 1 */
+    vnum n[3];        /* the normal f_0 x f_1 */
 } lane_shape;
 
 TRIBOX_INLINE vnum lane_min3(vnum a, vnum b, vnum c) { return v_min(v_min(a, b), c); }
-
 TRIBOX_INLINE vnum lane_max3(vnum a, vnum b, vnum c) { return v_max(v_max(a, b), c); }
 
-TRIBOX_INLINE lane_shape shape_of(const lane_triangle *t, const lane_box *box)
+/* The part of a shape that needs one axis only: a caller may load x, y and z as it needs them. */
+TRIBOX_INLINE void shape_axis(lane_shape *s, const lane_triangle *t, const lane_box *box, int a)
 {
-    lane_shape s;
-    for (int a = 0; a < 3; a++) {
-        s.H[a] = v_sub(box->hi[a], box->lo[a]);
-        for (int j = 0; j < 3; j++) {
-            s.V[j][a] = v_fms(v_splat(2), v_sub(t->u[j][a], box->lo[a]), s.H[a]);
-            s.f[j][a] = v_sub(t->u[(j + 1) % 3][a], t->u[j][a]);
-        }
+    s->H[a] = box->H[a];
+    for (int j = 0; j < 3; j++) {
+        s->below[j][a] = v_sub(t->u[j][a], box->lo[a]);
+        s->above[j][a] = v_sub(box->hi[a], t->u[j][a]);
+        s->f[j][a] = v_sub(t->u[(j + 1) % 3][a], t->u[j][a]);
     }
-    for (int i = 0; i < 3; i++) {
-        const int a = (i + 1) % 3, b = (i + 2) % 3;
-        s.n[i] = v_fms(s.f[0][a], s.f[1][b], v_mul(s.f[0][b], s.f[1][a]));
-    }
-    return s;
+    for (int j = 0; j < 2; j++)
+        s->V[j][a] = v_sub(s->below[j][a], s->above[j][a]);
 }
 
-/* Bullet 1, axis e_a. The only lines that read the axis a alone: a caller may load x, y and z as it needs them. */
-TRIBOX_INLINE vmask apart_on_box_normal(vnum u0, vnum u1, vnum u2, vnum lo, vnum hi)
+/* The rest of it, once all three axes are there. */
+TRIBOX_INLINE void shape_normal(lane_shape *s)
 {
-    return m_or(v_gt(lane_min3(u0, u1, u2), hi), v_gt(lo, lane_max3(u0, u1, u2)));
+    for (int i = 0; i < 3; i++) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        s->n[i] = v_fms(s->f[0][a], s->f[1][b], v_mul(s->f[0][b], s->f[1][a]));
+    }
+}
+
+/* Bullet 1, axis e_a: the sign bits tell which lanes are apart, all three vertices below the box or all three above it. */
+TRIBOX_INLINE vnum apart_on_box_normal(const lane_shape *s, int a)
+{
+    return v_either(v_both(v_both(s->below[0][a], s->below[1][a]), s->below[2][a]),
+                    v_both(v_both(s->above[0][a], s->above[1][a]), s->above[2][a]));
 }
 
 /* Bullet 2, axis n: R - |d|, with d = n . V_0 and R the reach of the box along n. */
@@ -88,8 +98,8 @@ TRIBOX_INLINE vnum plane_slack(const lane_shape *s, vnum reach)
 /* Bullet 3, axis a_ij = e_i x f_j: where edge j and the box lie in the projection along e_i. */
 TRIBOX_INLINE vnum edge_projection(const lane_shape *s, int i, int j)
 {
-    const int a = (i + 1) % 3, b = (i + 2) % 3;
-    return v_fms(s->V[j][a], s->f[j][b], v_mul(s->V[j][b], s->f[j][a]));
+    const int a = (i + 1) % 3, b = (i + 2) % 3, end = j == 1;
+    return v_fms(s->V[end][a], s->f[j][b], v_mul(s->V[end][b], s->f[j][a]));
 }
 
 /* The reach of the box on a_ij, added to `to`. */

@@ -1,9 +1,9 @@
 /*
- * The walks: a soup against one box, or one triangle against many boxes, in words of 64.
+ * The walks: a soup against one box, or one triangle against many boxes, in words of 64, each in packets of V_LANES.
  *
  * A walk is one text whose sequence of groups (kernel.h) is a constant: every instance below keeps only its own tests. Where the
- * box normals come first they are asked of a whole word, one axis at a time, and the streams of the next axis are loaded only if a
- * lane is left. The other groups are asked of packets of V_LANES, and of those only where a lane is left.
+ * box normals come first, x is loaded and asked, then y, then z, each only if a lane is left: far from the box a soup costs the
+ * traffic of one axis. Between the other groups a packet is left as soon as it has no lane.
  */
 
 #define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
@@ -22,15 +22,6 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
     return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
 }
 
-TRIBOX_INLINE void load_triangle(lane_triangle *t, const tribox_soup *soup, size_t at)
-{
-    for (int j = 0; j < 3; j++) {
-        t->u[j][0] = v_load(soup->x[j] + at);
-        t->u[j][1] = v_load(soup->y[j] + at);
-        t->u[j][2] = v_load(soup->z[j] + at);
-    }
-}
-
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
 {
     for (int j = 0; j < 3; j++)
@@ -38,141 +29,127 @@ TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
             t->u[j][a] = v_splat(triangle[j][a]);
 }
 
-TRIBOX_INLINE void load_box(lane_box *box, const tribox_boxes *boxes, size_t at)
+/*
+ * The bounds on one axis. A zero lower bound is -0 and a zero upper bound +0 here, so that u - lo and hi - u are +0, and not
+ * negative, for every zero u.
+ */
+TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
 {
-    for (int a = 0; a < 3; a++) {
-        box->lo[a] = v_load(boxes->lo[a] + at);
-        box->hi[a] = v_load(boxes->hi[a] + at);
-    }
+    const vnum zero = v_splat(0.0f), minus_zero = v_splat(-0.0f);
+    box->lo[a] = v_flip(v_sub(zero, lo), minus_zero);
+    box->hi[a] = v_add(hi, zero);
+    box->H[a] = v_sub(hi, lo);
 }
 
 TRIBOX_INLINE void splat_box(lane_box *box, const tribox_box *from)
 {
-    for (int a = 0; a < 3; a++) {
-        box->lo[a] = v_splat(from->lo[a]);
-        box->hi[a] = v_splat(from->hi[a]);
-    }
+    for (int a = 0; a < 3; a++)
+        set_bounds(box, a, v_splat(from->lo[a]), v_splat(from->hi[a]));
 }
 
-/* Bullet 1 on axis a for a word of triangles: the lanes that are not apart. */
-TRIBOX_INLINE uint64_t word_on_box_normal(const float *const stream[3], size_t at, vnum lo, vnum hi)
+/* The lanes whose box has a point on this axis: finite bounds, lo <= hi. */
+TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
 {
-    uint64_t apart = 0;
-    for (int lane = 0; lane < 64; lane += V_LANES) {
-        const size_t i = at + (size_t)lane;
-        apart |= m_bits(apart_on_box_normal(v_load(stream[0] + i), v_load(stream[1] + i), v_load(stream[2] + i), lo, hi)) << lane;
-    }
-    return ~apart;
+    const vnum infinite = v_splat(INFINITY);
+    return m_andnot(m_and(v_gt(infinite, v_abs(lo)), v_gt(infinite, v_abs(hi))), v_gt(lo, hi));
 }
 
-/* The same for a word of boxes. An empty box, and one with a bound that is NaN or infinite, is apart from everything. */
-TRIBOX_INLINE uint64_t word_of_boxes_on_axis(const float *lo, const float *hi, size_t at, vnum least, vnum most, bool is_axis_asked)
+TRIBOX_INLINE void load_axis(lane_triangle *t, const tribox_soup *soup, size_t at, int a)
 {
-    uint64_t left = 0;
-    for (int lane = 0; lane < 64; lane += V_LANES) {
-        const vnum l = v_load(lo + at + lane), h = v_load(hi + at + lane);
-        const vmask finite = m_and(v_gt(v_splat(INFINITY), v_abs(l)), v_gt(v_splat(INFINITY), v_abs(h)));
-        vmask apart = v_gt(l, h);
-        if (is_axis_asked)
-            apart = m_or(apart, m_or(v_gt(least, h), v_gt(l, most)));
-        left |= m_bits(m_andnot(finite, apart)) << lane;
-    }
-    return left;
+    const float *const *const stream = a == 0 ? soup->x : a == 1 ? soup->y : soup->z;
+    for (int j = 0; j < 3; j++)
+        t->u[j][a] = v_load(stream[j] + at);
 }
 
 /* The lanes that one group separates. */
-TRIBOX_INLINE vmask apart_on_group(unsigned group, const lane_triangle *t, const lane_box *box, const lane_shape *s, vnum reach,
-                                   bool is_box_asked)
+TRIBOX_INLINE vmask apart_on_group(unsigned group, const lane_shape *s, vnum reach, bool is_box_asked)
 {
     const vnum zero = v_splat(0);
-    vmask apart = v_gt(zero, zero);
     if (group == 1)
-        for (int a = 0; a < 3; a++)
-            apart = m_or(apart, apart_on_box_normal(t->u[0][a], t->u[1][a], t->u[2][a], box->lo[a], box->hi[a]));
+        return m_signs(v_either(v_either(apart_on_box_normal(s, 0), apart_on_box_normal(s, 1)), apart_on_box_normal(s, 2)));
     if (group == 2)
-        apart = v_gt(zero, plane_slack(s, reach));
-    if (group == 3)
-        apart =
-            is_box_asked
-                ? v_gt(zero, lane_min3(edges_slack(s, 0), edges_slack(s, 1), edges_slack(s, 2)))
-                : v_gt(zero, lane_min3(edges_slack_both_sides(s, 0), edges_slack_both_sides(s, 1), edges_slack_both_sides(s, 2)));
-    return apart;
+        return v_gt(zero, plane_slack(s, reach));
+    if (is_box_asked)
+        return v_gt(zero, lane_min3(edges_slack(s, 0), edges_slack(s, 1), edges_slack(s, 2)));
+    return v_gt(zero, lane_min3(edges_slack_both_sides(s, 0), edges_slack_both_sides(s, 1), edges_slack_both_sides(s, 2)));
 }
+
+/* The pairs of a walk: a soup and one box, or, soup being NULL, one triangle and boxes. What there is one of stays in t or box. */
+typedef struct lane_pairs {
+    const tribox_soup *soup;
+    const tribox_boxes *boxes;
+    lane_triangle t;
+    lane_box box;
+} lane_pairs;
 
 /*
- * FAST for one packet, of whose lanes `left` have survived so far: *hit and *open as of kernel.h, moved to the packet's place.
- * A lane whose reach along n is not finite may hold a NaN or an infinity, which min and max lose; such lanes are left open. Where
- * the plane is not asked, the sum of the nine coordinates tells.
+ * FAST for the packet at pair `at`: the lanes that overlap, and in *open those that may hold a NaN or an infinity, which min and
+ * max lose. The reach of the box along n is finite only where all coordinates are; where the plane is not asked, their sum tells.
  */
-TRIBOX_INLINE void packet_fast(const lane_triangle *t, const lane_box *box, unsigned sequence, int done, uint64_t left, int lane,
-                               uint64_t *hit, uint64_t *open)
+TRIBOX_INLINE uint64_t packet_fast(lane_pairs *p, size_t at, unsigned sequence, uint64_t *open)
 {
-    const lane_shape s = shape_of(t, box);
-    const vnum reach = plane_reach(&s);
-    for (int k = done; k < 3 && group_at(sequence, k); k++) {
-        left &= ~m_bits(apart_on_group(group_at(sequence, k), t, box, &s, reach, sequence_has(sequence, 1)));
+    lane_shape s;
+    uint64_t left = LANES_ALL;
+    const bool is_box_first = group_at(sequence, 0) == 1;
+    for (int a = 0; a < 3; a++) {
+        if (p->soup) {
+            load_axis(&p->t, p->soup, at, a);
+        } else {
+            const vnum lo = v_load(p->boxes->lo[a] + at), hi = v_load(p->boxes->hi[a] + at);
+            left &= m_bits(has_points(lo, hi));
+            set_bounds(&p->box, a, lo, hi);
+        }
+        shape_axis(&s, &p->t, &p->box, a);
+        if (is_box_first)
+            left &= ~m_bits(m_signs(apart_on_box_normal(&s, a)));
         if (!left)
-            return;
+            return *open = 0;
     }
-    vnum witness = reach;
+    shape_normal(&s);
+    vnum reach = plane_reach(&s);
+    for (int k = is_box_first; k < 3 && group_at(sequence, k); k++) {
+        left &= ~m_bits(apart_on_group(group_at(sequence, k), &s, reach, sequence_has(sequence, 1)));
+        if (!left)
+            return *open = 0;
+    }
     if (!sequence_has(sequence, 2)) {
-        witness = v_add(v_add(t->u[0][0], t->u[0][1]), t->u[0][2]);
-        for (int j = 1; j < 3; j++)
-            witness = v_add(witness, v_add(v_add(t->u[j][0], t->u[j][1]), t->u[j][2]));
-        witness = v_abs(witness);
+        reach = v_splat(0);
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                reach = v_add(reach, p->t.u[j][a]);
+        reach = v_abs(reach);
     }
-    const uint64_t finite = m_bits(v_gt(v_splat(INFINITY), witness));
-    *hit |= (left & finite) << lane;
-    *open |= (left & ~finite) << lane;
+    const uint64_t finite = m_bits(v_gt(v_splat(INFINITY), reach));
+    *open = left & ~finite;
+    return left & finite;
 }
 
-TRIBOX_INLINE void walk_soup(const tribox_soup *soup, const tribox_box *one, size_t word, size_t words, uint64_t *hit,
+TRIBOX_INLINE void walk(lane_pairs *p, size_t word, size_t words, uint64_t *hit, uint64_t *open, unsigned sequence)
+{
+    for (size_t w = 0; w < words; w++) {
+        hit[w] = open[w] = 0;
+        for (int lane = 0; lane < 64; lane += V_LANES) {
+            uint64_t packet_open;
+            hit[w] |= packet_fast(p, 64 * (word + w) + (size_t)lane, sequence, &packet_open) << lane;
+            open[w] |= packet_open << lane;
+        }
+    }
+}
+
+TRIBOX_INLINE void walk_soup(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit,
                              uint64_t *open, unsigned sequence)
 {
-    lane_box box;
-    splat_box(&box, one);
-    const float *const *const stream[3] = {soup->x, soup->y, soup->z};
-    const int done = group_at(sequence, 0) == 1;
-    for (size_t w = 0; w < words; w++) {
-        const size_t at = 64 * (word + w);
-        uint64_t left = ~UINT64_C(0), word_hit = 0, word_open = 0;
-        for (int a = 0; done && left && a < 3; a++)
-            left &= word_on_box_normal(stream[a], at, box.lo[a], box.hi[a]);
-        for (int lane = 0; left && lane < 64; lane += V_LANES) {
-            if (!(left >> lane & LANES_ALL))
-                continue;
-            lane_triangle t;
-            load_triangle(&t, soup, at + (size_t)lane);
-            packet_fast(&t, &box, sequence, done, left >> lane & LANES_ALL, lane, &word_hit, &word_open);
-        }
-        hit[w] = word_hit;
-        open[w] = word_open;
-    }
+    lane_pairs p = {.soup = soup};
+    splat_box(&p.box, box);
+    walk(&p, word, words, hit, open, sequence);
 }
 
 TRIBOX_INLINE void walk_boxes(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, uint64_t *hit,
                               uint64_t *open, unsigned sequence)
 {
-    lane_triangle t;
-    splat_triangle(&t, triangle);
-    const bool is_box_asked = sequence_has(sequence, 1);
-    const int done = group_at(sequence, 0) == 1;
-    for (size_t w = 0; w < words; w++) {
-        const size_t at = 64 * (word + w);
-        uint64_t left = ~UINT64_C(0), word_hit = 0, word_open = 0;
-        for (int a = 0; left && a < 3; a++)
-            left &= word_of_boxes_on_axis(boxes->lo[a], boxes->hi[a], at, lane_min3(t.u[0][a], t.u[1][a], t.u[2][a]),
-                                          lane_max3(t.u[0][a], t.u[1][a], t.u[2][a]), is_box_asked);
-        for (int lane = 0; left && lane < 64; lane += V_LANES) {
-            if (!(left >> lane & LANES_ALL))
-                continue;
-            lane_box box;
-            load_box(&box, boxes, at + (size_t)lane);
-            packet_fast(&t, &box, sequence, done, left >> lane & LANES_ALL, lane, &word_hit, &word_open);
-        }
-        hit[w] = word_hit;
-        open[w] = word_open;
-    }
+    lane_pairs p = {.boxes = boxes};
+    splat_triangle(&p.t, triangle);
+    walk(&p, word, words, hit, open, sequence);
 }
 
 #define WALKS(sequence) \
