@@ -1,8 +1,8 @@
 /*
  * What a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
  *
- * A walk answers whole words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap, and `open`,
- * the lanes that it leaves to a slower stage. A lane is in at most one of the two.
+ * A walk answers whole words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy
+ * asked, and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
  */
 #ifndef TRIBOX_KERNEL_H
 #define TRIBOX_KERNEL_H
@@ -21,8 +21,10 @@
 
 #if defined(__GNUC__)
 #define TRIBOX_INLINE static inline __attribute__((always_inline))
+#define TRIBOX_NOINLINE __attribute__((noinline))
 #else
 #define TRIBOX_INLINE static inline
+#define TRIBOX_NOINLINE
 #endif
 
 /*
@@ -38,6 +40,8 @@ enum {
         TRIBOX_SEQUENCES
 };
 
+enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
+
 /* Triangles [64 * word, 64 * (word + words)) of the soup, all of them present, against one box. */
 typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit,
                               uint64_t *open);
@@ -49,8 +53,8 @@ typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *b
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
-    tribox_soup_walk *soup_fast[TRIBOX_SEQUENCES];
-    tribox_boxes_walk *boxes_fast[TRIBOX_SEQUENCES];
+    tribox_soup_walk *soup[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
+    tribox_boxes_walk *boxes[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
 } tribox_kernel;
 
 #endif

@@ -52,22 +52,10 @@ static tribox_pair pair_at(const pairs *p, size_t i)
 
 static void walk_whole_words(const pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
 {
-    /* EXACT and CONSERVATIVE: the kernel rejects on the box normals, and the rest is open. */
-    const bool is_fast = plan->accuracy == TRIBOX_FAST;
-    const unsigned sequence = is_fast ? plan->sequence : TRIBOX_SEQUENCE_1;
-    if (!is_fast && !(plan->axes & TRIBOX_AXES_BOX)) {
-        memset(hit, 0, words * sizeof *hit);
-        memset(open, 0xff, words * sizeof *open);
-        return;
-    }
     if (p->soup)
-        plan->kernel->soup_fast[sequence](p->soup, p->box, word, words, hit, open);
+        plan->kernel->soup[plan->accuracy][plan->sequence](p->soup, p->box, word, words, hit, open);
     else
-        plan->kernel->boxes_fast[sequence](p->triangle, p->boxes, word, words, hit, open);
-    for (size_t w = 0; !is_fast && w < words; w++) {
-        open[w] |= hit[w];
-        hit[w] = 0;
-    }
+        plan->kernel->boxes[plan->accuracy][plan->sequence](p->triangle, p->boxes, word, words, hit, open);
 }
 
 /* The last count % 64 pairs, in a word of their own whose other lanes are zeros: nothing is read past the caller's streams. */

@@ -83,6 +83,16 @@ TRIBOX_INLINE vnum apart_on_box_normal(const lane_shape *s, int a)
                     v_both(v_both(s->above[0][a], s->above[1][a]), s->above[2][a]));
 }
 
+/* A vertex in the closed box is a common point, whatever the axes. The sign bits tell which lanes have none. */
+TRIBOX_INLINE vnum has_no_vertex_inside(const lane_shape *s)
+{
+    vnum outside[3];
+    for (int j = 0; j < 3; j++)
+        outside[j] = v_either(v_either(v_either(s->below[j][0], s->below[j][1]), v_either(s->below[j][2], s->above[j][0])),
+                              v_either(s->above[j][1], s->above[j][2]));
+    return v_both(v_both(outside[0], outside[1]), outside[2]);
+}
+
 /* Bullet 2, axis n: R - |d|, with d = n . V_0 and R the reach of the box along n. */
 TRIBOX_INLINE vnum plane_reach(const lane_shape *s)
 {

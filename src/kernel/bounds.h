@@ -1,13 +1,19 @@
 /*
- * The error bounds of CONSERVATIVE and EXACT, in the arithmetic of the vocabulary: unit roundoff V_UNIT, and V_ETA, V_TAU against
- * underflow (zero where nothing can underflow). Proofs: doc of the slacks in axes.h, and README "Why the answers may be trusted".
+ * The error bounds of CONSERVATIVE and EXACT, in the arithmetic of the vocabulary: unit roundoff u = V_UNIT, and V_ETA, V_TAU
+ * against underflow (zero where nothing can underflow).
  *
  * With F_a the extent of the triangle on axis a and m_a = max(max_j u_ja - lo_a, hi_a - min_j u_ja), the farthest that triangle
  * and box reach from each other on that axis:
  *   edges of projection i   |error of a slack| <= 2 K u B_i + eta,   B_i = F_a m_b + F_b m_a,   K = 16 one-sided, 32 two-sided
  *   plane                   |error of a slack| <= 2 24 u S + eta,    S = sum over i of (F_a F_b + tau) m_i
- * The factor 2 stands for the doubled units. Seven roundings a monomial and the sign of n make 15 u, rounded up to 16; the plane
- * has 22 u, rounded up to 24. They hold with fused operations, without them and under any contraction.
+ * The factor 2 stands for the doubled units. Counting roundings a monomial, the worst of fused and not: an edge axis has 7 u B'
+ * (B' = 2 B_i: 5 for products with V or H, 2 for V itself), and a sign of n_i that rounding turned costs 8 u B' more, as then
+ * |n_i| <= 8 u F_a F_b; 15 u, rounded up to 16. The plane has 11 u times |n| <= 2 F_a F_b: 22 u, rounded up to 24. At most ten
+ * products underflow, each by 2^-150, which eta covers; tau covers an n that underflows and then meets a large V.
+ *
+ * A slack beyond its bound has the sign of the true slack. A negative one separates. All of them positive is overlap if besides
+ * every F_a is 0 or at least 2^-55: a turned sign of n_i then still leaves a slack below 9 u B' on some edge, which the bound
+ * exceeds. The extents come from the input: from rounded V they could all vanish.
  */
 
 typedef struct lane_bounds {
@@ -43,3 +49,34 @@ TRIBOX_INLINE lane_bounds bounds_of(const lane_triangle *t, const lane_box *box)
 
 /* The bound on the two-sided slacks is twice that of the one-sided ones; it may count eta twice. */
 TRIBOX_INLINE vnum both_sides_bound(const lane_bounds *bound, int i) { return v_add(bound->edges[i], bound->edges[i]); }
+
+/*
+ * One bound for all nine edge axes and one for the plane, cheaper and coarser: from the sum of the extents alone. It needs the box
+ * normals in the axis set, and holds for the lanes that they leave, as there m_a <= F_a + H_a. With s = F_x + F_y + F_z <= sigma
+ * and h the longest side of the box:
+ *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h)
+ * sigma is the sum over the axes of |f_0a| + |f_1a|, which no NaN and no infinity can leave. 17 for 16 and 51 for 48 stand for the
+ * roundings of these lines, so that they are never below the bounds of lane_bounds.
+ */
+typedef struct lane_margin {
+    vmask holds; /* finite, and small enough that no product overflows */
+    vmask wide;  /* every extent is at least 2^-55 */
+    vnum edges, plane;
+} lane_margin;
+
+TRIBOX_INLINE lane_margin margin_of(const lane_shape *s)
+{
+    vnum sum[3];
+    for (int a = 0; a < 3; a++)
+        sum[a] = v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a]));
+    const vnum h = lane_max3(s->H[0], s->H[1], s->H[2]);
+    const vnum sigma = v_add(v_add(sum[0], sum[1]), sum[2]);
+    const vnum edges = v_fma(sigma, v_splat(17 * V_UNIT), v_mul(h, v_splat(34 * V_UNIT)));
+    const vnum plane = v_fma(sigma, v_splat(51 * V_UNIT / 9), v_mul(h, v_splat(51 * V_UNIT / 3)));
+    return (lane_margin){
+        .holds = v_gt(v_sub(v_splat(0x1p38f), h), sigma),
+        .wide = v_gt(lane_min3(sum[0], sum[1], sum[2]), v_splat(0x1p-54f)),
+        .edges = v_fma(sigma, edges, v_splat(V_ETA)),
+        .plane = v_fma(sigma, v_fma(sigma, plane, v_splat(0x1p-126f)), v_fma(h, v_splat(0x1p-125f), v_splat(V_ETA))),
+    };
+}

@@ -1,0 +1,235 @@
+/*
+ * packet.h - one packet of V_LANES pairs at one accuracy and in one sequence of groups, both constants.
+ *
+ * FAST takes the sign of a slack for its truth. CONSERVATIVE and EXACT compare it with its error bound (bounds.h), the coarse one
+ * first and the finer one only for a packet that has a lane left over.
+ */
+
+#define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
+
+/* The k-th group of a sequence, 0 past its end. */
+TRIBOX_INLINE unsigned group_at(unsigned sequence, int k)
+{
+    const int length = sequence > 99 ? 3 : sequence > 9 ? 2 : 1;
+    for (int drop = length - 1 - k; drop > 0; drop--)
+        sequence /= 10;
+    return k < length ? sequence % 10 : 0;
+}
+
+TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
+{
+    return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
+}
+
+/* Group 1, 2, 3 is bit 0, 1, 2 of the axes. */
+TRIBOX_INLINE unsigned axes_of(unsigned sequence)
+{
+    return (sequence_has(sequence, 1) ? TRIBOX_AXES_BOX : 0) | (sequence_has(sequence, 2) ? TRIBOX_AXES_PLANE : 0) |
+           (sequence_has(sequence, 3) ? TRIBOX_AXES_EDGES : 0);
+}
+
+TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
+{
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            t->u[j][a] = v_splat(triangle[j][a]);
+}
+
+/*
+ * The bounds on one axis. A zero lower bound is -0 and a zero upper bound +0 here, so that u - lo and hi - u are +0, and not
+ * negative, for every zero u.
+ */
+TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
+{
+    const vnum zero = v_splat(0.0f), minus_zero = v_splat(-0.0f);
+    box->lo[a] = v_flip(v_sub(zero, lo), minus_zero);
+    box->hi[a] = v_add(hi, zero);
+    box->H[a] = v_sub(hi, lo);
+}
+
+TRIBOX_INLINE void splat_box(lane_box *box, const tribox_box *from)
+{
+    for (int a = 0; a < 3; a++)
+        set_bounds(box, a, v_splat(from->lo[a]), v_splat(from->hi[a]));
+}
+
+/* The lanes whose box has a point on this axis: finite bounds, lo <= hi. */
+TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
+{
+    const vnum infinite = v_splat(INFINITY);
+    return m_andnot(m_and(v_gt(infinite, v_abs(lo)), v_gt(infinite, v_abs(hi))), v_gt(lo, hi));
+}
+
+/* The pairs of a walk: a soup and one box, or one triangle and boxes. What there is one of stays in t or box. */
+typedef struct lane_pairs {
+    const tribox_soup *soup;   /* used if is_soup, */
+    const tribox_boxes *boxes; /* used if not; the constant is passed beside the struct */
+    lane_triangle t;
+    lane_box box;
+} lane_pairs;
+
+/* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on the box normal. */
+TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, bool is_soup, size_t at, int a, bool is_normal_asked, uint64_t left, lane_shape *s)
+{
+    if (is_soup) {
+        const float *const *const stream = a == 0 ? p->soup->x : a == 1 ? p->soup->y : p->soup->z;
+        for (int j = 0; j < 3; j++)
+            p->t.u[j][a] = v_load(stream[j] + at);
+    } else {
+        const vnum lo = v_load(p->boxes->lo[a] + at), hi = v_load(p->boxes->hi[a] + at);
+        left &= m_bits(has_points(lo, hi));
+        set_bounds(&p->box, a, lo, hi);
+    }
+    shape_axis(s, &p->t, &p->box, a);
+    return is_normal_asked ? left & ~m_bits(m_signs(apart_on_box_normal(s, a))) : left;
+}
+
+TRIBOX_INLINE vmask apart_on_box_normals(const lane_shape *s)
+{
+    return m_signs(v_either(v_either(apart_on_box_normal(s, 0), apart_on_box_normal(s, 1)), apart_on_box_normal(s, 2)));
+}
+
+TRIBOX_INLINE vnum all_edges_slack(const lane_shape *s, bool is_box_asked)
+{
+    return is_box_asked ? lane_min3(edges_slack(s, 0), edges_slack(s, 1), edges_slack(s, 2))
+                        : lane_min3(edges_slack_both_sides(s, 0), edges_slack_both_sides(s, 1), edges_slack_both_sides(s, 2));
+}
+
+/*
+ * Lanes without NaN and infinity, which min and max lose: the reach of the box along n is finite only where all coordinates are.
+ * Where the plane is not asked, the sum of the coordinates tells the same for less.
+ */
+TRIBOX_INLINE uint64_t finite_lanes(const lane_triangle *t, unsigned sequence, vnum reach)
+{
+    if (!sequence_has(sequence, 2)) {
+        reach = v_splat(0);
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                reach = v_add(reach, t->u[j][a]);
+    }
+    return m_bits(v_gt(v_splat(INFINITY), v_abs(reach)));
+}
+
+/* FAST: the lanes of `left` that the signs of one group's slacks do not separate. */
+TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is_box_asked, vnum reach, uint64_t left)
+{
+    if (group == 1)
+        left &= ~m_bits(apart_on_box_normals(s));
+    if (group == 2)
+        left &= ~m_bits(v_gt(v_splat(0), plane_slack(s, reach)));
+    if (group == 3)
+        left &= ~m_bits(v_gt(v_splat(0), all_edges_slack(s, is_box_asked)));
+    return left;
+}
+
+/* CONSERVATIVE and EXACT: the same where the slack is beyond the coarse bound; *sure keeps the lanes beyond it on the good side. */
+TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, const lane_margin *margin, vnum reach, uint64_t left,
+                                      vmask *sure)
+{
+    if (group == 1)
+        return left & ~m_bits(apart_on_box_normals(s));
+    if (group != 2 && group != 3)
+        return left;
+    const vnum slack = group == 2 ? plane_slack(s, reach) : all_edges_slack(s, true);
+    const vnum error = group == 2 ? margin->plane : margin->edges;
+    *sure = m_and(*sure, v_gt(slack, error));
+    return left & ~m_bits(m_and(margin->holds, v_gt(v_splat(0), v_add(slack, error))));
+}
+
+/*
+ * What the coarse bound leaves: the lanes `rest`, none of which the box normals separate if these are asked, by the finer bounds.
+ * Rare, so it is one function for all sequences, and loads the packet again.
+ */
+static TRIBOX_NOINLINE uint64_t packet_by_bounds(lane_pairs p, bool is_soup, size_t at, unsigned axes, tribox_accuracy accuracy,
+                                                 uint64_t rest, uint64_t *open)
+{
+    const bool is_box_asked = axes & TRIBOX_AXES_BOX;
+    const vnum zero = v_splat(0);
+    const vmask none = v_gt(zero, zero), all = v_gt(v_splat(1), zero);
+    lane_shape s;
+    for (int a = 0; a < 3; a++)
+        load_axis(&p, is_soup, at, a, false, rest, &s);
+    shape_normal(&s);
+    const vnum reach = plane_reach(&s);
+    const lane_bounds bound = bounds_of(&p.t, &p.box);
+    vmask apart = none, close = none, flat = none;
+    for (int a = 0; is_box_asked && a < 3; a++)
+        flat = m_or(flat, m_andnot(all, v_gt(bound.F[a], zero)));
+
+    for (int i = 0; (axes & TRIBOX_AXES_EDGES) && i < 3; i++) {
+        const vnum slack = is_box_asked ? edges_slack(&s, i) : edges_slack_both_sides(&s, i);
+        const vnum error = is_box_asked ? bound.edges[i] : both_sides_bound(&bound, i);
+        vmask is_close = m_andnot(all, v_gt(slack, error));
+        if (is_box_asked) { /* redundant where the triangle is flat in this projection; not to be certified where it is tiny */
+            is_close = m_and(is_close, m_and(v_gt(bound.F[(i + 1) % 3], zero), v_gt(bound.F[(i + 2) % 3], zero)));
+            is_close = m_or(is_close, m_andnot(v_gt(bound.F[i], zero), v_gt(bound.F[i], v_splat(0x1p-55f))));
+        }
+        apart = m_or(apart, v_gt(zero, v_add(slack, error)));
+        close = m_or(close, is_close);
+    }
+    if (axes & TRIBOX_AXES_PLANE) { /* redundant where the triangle is flat on an axis */
+        const vnum slack = plane_slack(&s, reach);
+        apart = m_or(apart, v_gt(zero, v_add(slack, bound.plane)));
+        close = m_or(close, m_andnot(m_andnot(all, v_gt(slack, bound.plane)), flat));
+    }
+    if (accuracy == TRIBOX_CONSERVATIVE)
+        close = none;
+    else
+        close = m_and(close, m_signs(has_no_vertex_inside(&s)));
+
+    const uint64_t in_range = m_bits(v_gt(v_splat(0x1p120f), v_add(bound.size, reach)));
+    const uint64_t hit = rest & in_range & ~m_bits(m_or(apart, close));
+    *open = rest & ~(in_range & m_bits(apart)) & ~hit;
+    return hit;
+}
+
+/* The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage. */
+TRIBOX_INLINE uint64_t packet(lane_pairs *p, bool is_soup, size_t at, unsigned sequence, tribox_accuracy accuracy, uint64_t *open)
+{
+    const unsigned second = group_at(sequence, 1), third = group_at(sequence, 2);
+    const bool is_box_asked = sequence_has(sequence, 1), is_box_first = group_at(sequence, 0) == 1;
+    const unsigned first = is_box_first ? 0 : group_at(sequence, 0); /* the box normals are asked while loading */
+    lane_shape s;
+    *open = 0;
+    uint64_t left = load_axis(p, is_soup, at, 0, is_box_first, LANES_ALL, &s);
+    if (!left)
+        return 0;
+    left = load_axis(p, is_soup, at, 1, is_box_first, left, &s);
+    if (!left)
+        return 0;
+    left = load_axis(p, is_soup, at, 2, is_box_first, left, &s);
+    if (!left)
+        return 0;
+    shape_normal(&s);
+    const vnum reach = plane_reach(&s);
+
+    if (accuracy == TRIBOX_FAST) {
+        left = left_by_sign(&s, first, is_box_asked, reach, left);
+        if (!left)
+            return 0;
+        left = left_by_sign(&s, second, is_box_asked, reach, left);
+        if (!left)
+            return 0;
+        left = left_by_sign(&s, third, is_box_asked, reach, left);
+        const uint64_t finite = finite_lanes(&p->t, sequence, reach);
+        *open = left & ~finite;
+        return left & finite;
+    }
+
+    uint64_t hit = 0;
+    if (is_box_asked) {
+        const lane_margin margin = margin_of(&s);
+        vmask sure = accuracy == TRIBOX_EXACT ? m_and(margin.holds, margin.wide) : margin.holds;
+        left = left_by_margin(&s, first, &margin, reach, left, &sure);
+        if (!left)
+            return 0;
+        left = left_by_margin(&s, second, &margin, reach, left, &sure);
+        if (!left)
+            return 0;
+        left = left_by_margin(&s, third, &margin, reach, left, &sure);
+        hit = left & m_bits(sure);
+    }
+    if (left != hit)
+        hit |= packet_by_bounds(*p, is_soup, at, axes_of(sequence), accuracy, left & ~hit, open);
+    return hit;
+}
