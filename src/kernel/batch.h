@@ -6,45 +6,31 @@
  * soup costs the traffic of one axis. Between the other groups a packet is left as soon as it has no lane.
  */
 
-TRIBOX_INLINE void walk(lane_pairs *p, bool is_soup, size_t word, size_t words, uint64_t *hit, uint64_t *open, unsigned sequence,
+TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t words, uint64_t *hit, uint64_t *open, unsigned sequence,
                         tribox_accuracy accuracy)
 {
+    lane_pairs p;
+    start_pairs(&p, from);
     for (size_t w = 0; w < words; w++) {
         hit[w] = open[w] = 0;
         for (int lane = 0; lane < 64; lane += V_LANES) {
             uint64_t packet_open;
-            hit[w] |= packet(p, is_soup, 64 * (word + w) + (size_t)lane, sequence, accuracy, &packet_open) << lane;
+            hit[w] |= packet(&p, from, 64 * (word + w) + (size_t)lane, sequence, accuracy, &packet_open) << lane;
             open[w] |= packet_open << lane;
         }
     }
-}
-
-TRIBOX_INLINE void walk_soup(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit,
-                             uint64_t *open, unsigned sequence, tribox_accuracy accuracy)
-{
-    lane_pairs p = {.soup = soup};
-    splat_box(&p.box, box);
-    walk(&p, true, word, words, hit, open, sequence, accuracy);
-}
-
-TRIBOX_INLINE void walk_boxes(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, uint64_t *hit,
-                              uint64_t *open, unsigned sequence, tribox_accuracy accuracy)
-{
-    lane_pairs p = {.boxes = boxes};
-    splat_triangle(&p.t, triangle);
-    walk(&p, false, word, words, hit, open, sequence, accuracy);
 }
 
 #define WALKS(name, accuracy, sequence) \
     static void name##_soup_##sequence(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit, \
                                        uint64_t *open) \
     { \
-        walk_soup(soup, box, word, words, hit, open, sequence, accuracy); \
+        walk(&(lane_source){.is_soup = true, .soup = soup, .box = box}, word, words, hit, open, sequence, accuracy); \
     } \
     static void name##_boxes_##sequence(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, \
                                         uint64_t *hit, uint64_t *open) \
     { \
-        walk_boxes(triangle, boxes, word, words, hit, open, sequence, accuracy); \
+        walk(&(lane_source){.is_soup = false, .triangle = triangle, .boxes = boxes}, word, words, hit, open, sequence, accuracy); \
     }
 #define EXACT_WALKS(sequence) WALKS(exact, TRIBOX_EXACT, sequence)
 #define CONSERVATIVE_WALKS(sequence) WALKS(conservative, TRIBOX_CONSERVATIVE, sequence)

@@ -52,11 +52,12 @@ TRIBOX_INLINE vnum both_sides_bound(const lane_bounds *bound, int i) { return v_
 
 /*
  * One bound for all nine edge axes and one for the plane, cheaper and coarser: from the sum of the extents alone. It needs the box
- * normals in the axis set, and holds for the lanes that they leave, as there m_a <= F_a + H_a. With s = F_x + F_y + F_z <= sigma
- * and h the longest side of the box:
- *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h)
- * sigma is the sum over the axes of |f_0a| + |f_1a|, which no NaN and no infinity can leave. 17 for 16 and 51 for 48 stand for the
- * roundings of these lines, so that they are never below the bounds of lane_bounds.
+ * normals in the axis set, and holds for the lanes that they leave, as there m_a <= F_a + H_a. With s = F_x + F_y + F_z, h the
+ * longest side of the box, and the geometric means at their largest:
+ *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h) <= s / 3 (s s / 2 + s h) + tau (s + 3 h)
+ * so the bound on the plane, 48 u S, is at most s times the bound on the edges, 32 u B_i, with room for the roundings of these
+ * lines; 34 for 32 makes room in the other. Neither is ever below the finer bound. sigma >= s is the sum over the axes of
+ * |f_0a| + |f_1a|, which no NaN and no infinity can leave.
  */
 typedef struct lane_margin {
     vmask holds; /* finite, and small enough that no product overflows */
@@ -64,19 +65,34 @@ typedef struct lane_margin {
     vnum edges, plane;
 } lane_margin;
 
-TRIBOX_INLINE lane_margin margin_of(const lane_shape *s)
+/* The terms of a margin that come from the box alone. */
+typedef struct lane_box_margin {
+    vnum most;  /* of sigma */
+    vnum edges; /* of the coefficient of sigma */
+    vnum eta;   /* of the plane, with what tau comes to */
+} lane_box_margin;
+
+TRIBOX_INLINE lane_box_margin box_margin_of(const lane_box *box)
+{
+    const vnum h = lane_max3(box->H[0], box->H[1], box->H[2]);
+    return (lane_box_margin){
+        .most = v_sub(v_splat(0x1p38f), h),
+        .edges = v_mul(h, v_splat(34 * V_UNIT)),
+        .eta = v_fma(h, v_splat(0x1p-125f), v_splat(V_ETA)),
+    };
+}
+
+TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *box)
 {
     vnum sum[3];
     for (int a = 0; a < 3; a++)
         sum[a] = v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a]));
-    const vnum h = lane_max3(s->H[0], s->H[1], s->H[2]);
     const vnum sigma = v_add(v_add(sum[0], sum[1]), sum[2]);
-    const vnum edges = v_fma(sigma, v_splat(17 * V_UNIT), v_mul(h, v_splat(34 * V_UNIT)));
-    const vnum plane = v_fma(sigma, v_splat(51 * V_UNIT / 9), v_mul(h, v_splat(51 * V_UNIT / 3)));
+    const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box->edges), v_splat(V_ETA));
     return (lane_margin){
-        .holds = v_gt(v_sub(v_splat(0x1p38f), h), sigma),
+        .holds = v_gt(box->most, sigma),
         .wide = v_gt(lane_min3(sum[0], sum[1], sum[2]), v_splat(0x1p-54f)),
-        .edges = v_fma(sigma, edges, v_splat(V_ETA)),
-        .plane = v_fma(sigma, v_fma(sigma, plane, v_splat(0x1p-126f)), v_fma(h, v_splat(0x1p-125f), v_splat(V_ETA))),
+        .edges = edges,
+        .plane = v_fma(sigma, edges, box->eta),
     };
 }

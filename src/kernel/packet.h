@@ -60,23 +60,42 @@ TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
     return m_andnot(m_and(v_gt(infinite, v_abs(lo)), v_gt(infinite, v_abs(hi))), v_gt(lo, hi));
 }
 
-/* The pairs of a walk: a soup and one box, or one triangle and boxes. What there is one of stays in t or box. */
+/* Where the pairs of a walk come from: a soup and one box, or, if not is_soup, one triangle and boxes. */
+typedef struct lane_source {
+    bool is_soup;
+    const tribox_soup *soup;
+    const tribox_box *box;
+    const float (*triangle)[3];
+    const tribox_boxes *boxes;
+} lane_source;
+
+/* A packet of pairs. What a walk has one of is set once; the rest is loaded axis by axis. */
 typedef struct lane_pairs {
-    const tribox_soup *soup;   /* used if is_soup, */
-    const tribox_boxes *boxes; /* used if not; the constant is passed beside the struct */
     lane_triangle t;
     lane_box box;
+    lane_box_margin margin;
 } lane_pairs;
 
-/* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on the box normal. */
-TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, bool is_soup, size_t at, int a, bool is_normal_asked, uint64_t left, lane_shape *s)
+TRIBOX_INLINE void start_pairs(lane_pairs *p, const lane_source *from)
 {
-    if (is_soup) {
-        const float *const *const stream = a == 0 ? p->soup->x : a == 1 ? p->soup->y : p->soup->z;
+    if (from->is_soup) {
+        splat_box(&p->box, from->box);
+        p->margin = box_margin_of(&p->box);
+    } else {
+        splat_triangle(&p->t, from->triangle);
+    }
+}
+
+/* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on the box normal. */
+TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const lane_source *from, size_t at, int a, bool is_normal_asked, uint64_t left,
+                                 lane_shape *s)
+{
+    if (from->is_soup) {
+        const float *const *const stream = a == 0 ? from->soup->x : a == 1 ? from->soup->y : from->soup->z;
         for (int j = 0; j < 3; j++)
             p->t.u[j][a] = v_load(stream[j] + at);
     } else {
-        const vnum lo = v_load(p->boxes->lo[a] + at), hi = v_load(p->boxes->hi[a] + at);
+        const vnum lo = v_load(from->boxes->lo[a] + at), hi = v_load(from->boxes->hi[a] + at);
         left &= m_bits(has_points(lo, hi));
         set_bounds(&p->box, a, lo, hi);
     }
@@ -140,15 +159,17 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, const
  * What the coarse bound leaves: the lanes `rest`, none of which the box normals separate if these are asked, by the finer bounds.
  * Rare, so it is one function for all sequences, and loads the packet again.
  */
-static TRIBOX_NOINLINE uint64_t packet_by_bounds(lane_pairs p, bool is_soup, size_t at, unsigned axes, tribox_accuracy accuracy,
+static TRIBOX_NOINLINE uint64_t packet_by_bounds(const lane_source *from, size_t at, unsigned axes, tribox_accuracy accuracy,
                                                  uint64_t rest, uint64_t *open)
 {
     const bool is_box_asked = axes & TRIBOX_AXES_BOX;
     const vnum zero = v_splat(0);
     const vmask none = v_gt(zero, zero), all = v_gt(v_splat(1), zero);
+    lane_pairs p;
     lane_shape s;
+    start_pairs(&p, from);
     for (int a = 0; a < 3; a++)
-        load_axis(&p, is_soup, at, a, false, rest, &s);
+        load_axis(&p, from, at, a, false, rest, &s);
     shape_normal(&s);
     const vnum reach = plane_reach(&s);
     const lane_bounds bound = bounds_of(&p.t, &p.box);
@@ -184,20 +205,21 @@ static TRIBOX_NOINLINE uint64_t packet_by_bounds(lane_pairs p, bool is_soup, siz
 }
 
 /* The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage. */
-TRIBOX_INLINE uint64_t packet(lane_pairs *p, bool is_soup, size_t at, unsigned sequence, tribox_accuracy accuracy, uint64_t *open)
+TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at, unsigned sequence, tribox_accuracy accuracy,
+                              uint64_t *open)
 {
     const unsigned second = group_at(sequence, 1), third = group_at(sequence, 2);
     const bool is_box_asked = sequence_has(sequence, 1), is_box_first = group_at(sequence, 0) == 1;
     const unsigned first = is_box_first ? 0 : group_at(sequence, 0); /* the box normals are asked while loading */
     lane_shape s;
     *open = 0;
-    uint64_t left = load_axis(p, is_soup, at, 0, is_box_first, LANES_ALL, &s);
+    uint64_t left = load_axis(p, from, at, 0, is_box_first, LANES_ALL, &s);
     if (!left)
         return 0;
-    left = load_axis(p, is_soup, at, 1, is_box_first, left, &s);
+    left = load_axis(p, from, at, 1, is_box_first, left, &s);
     if (!left)
         return 0;
-    left = load_axis(p, is_soup, at, 2, is_box_first, left, &s);
+    left = load_axis(p, from, at, 2, is_box_first, left, &s);
     if (!left)
         return 0;
     shape_normal(&s);
@@ -218,7 +240,9 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, bool is_soup, size_t at, unsigned s
 
     uint64_t hit = 0;
     if (is_box_asked) {
-        const lane_margin margin = margin_of(&s);
+        if (!from->is_soup)
+            p->margin = box_margin_of(&p->box);
+        const lane_margin margin = margin_of(&s, &p->margin);
         vmask sure = accuracy == TRIBOX_EXACT ? m_and(margin.holds, margin.wide) : margin.holds;
         left = left_by_margin(&s, first, &margin, reach, left, &sure);
         if (!left)
@@ -230,6 +254,6 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, bool is_soup, size_t at, unsigned s
         hit = left & m_bits(sure);
     }
     if (left != hit)
-        hit |= packet_by_bounds(*p, is_soup, at, axes_of(sequence), accuracy, left & ~hit, open);
+        hit |= packet_by_bounds(from, at, axes_of(sequence), accuracy, left & ~hit, open);
     return hit;
 }
