@@ -12,12 +12,14 @@ TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t words, uint
     lane_pairs p;
     start_pairs(&p, from);
     for (size_t w = 0; w < words; w++) {
-        hit[w] = open[w] = 0;
+        uint64_t word_hit = 0, word_open = 0; /* in registers: the compiler must not fear that they alias the streams */
         for (int lane = 0; lane < 64; lane += V_LANES) {
             uint64_t packet_open;
-            hit[w] |= packet(&p, from, 64 * (word + w) + (size_t)lane, sequence, accuracy, &packet_open) << lane;
-            open[w] |= packet_open << lane;
+            word_hit |= packet(&p, from, 64 * (word + w) + (size_t)lane, sequence, accuracy, &packet_open) << lane;
+            word_open |= packet_open << lane;
         }
+        hit[w] = word_hit;
+        open[w] = word_open;
     }
 }
 

@@ -1,0 +1,33 @@
+/* measure.h - times contestants against each other on one scene: interleaved in rounds, in a fresh order each round. */
+#ifndef BENCH_MEASURE_H
+#define BENCH_MEASURE_H
+
+#include "contest.h"
+#include "random.h"
+
+typedef struct effort {
+    size_t rounds;  /* measured rounds at most; one more is run first and dropped */
+    double seconds; /* start no further round after this long, but measure at least MEASURE_LEAST */
+} effort;
+
+enum { MEASURE_LEAST = 5, MEASURE_MOST = 1000 };
+
+/** ns[c][r]: nanoseconds per triangle of contestant c in round r. Pairs in one round were measured within the same moments. */
+typedef struct samples {
+    size_t contestants, rounds;
+    double ns[CONTESTANTS_MAX][MEASURE_MOST];
+} samples;
+
+/** Each sample repeats the pass until it lasts 2 ms or more. mask: room for the scene's mask. */
+void measure(const contestant *list, size_t count, const scene *at, effort how, generator *order, uint64_t *mask, samples *taken);
+
+typedef struct spread {
+    double least, lower_quartile, median, upper_quartile;
+} spread;
+
+spread measure_spread(const samples *taken, size_t of);
+
+/** The ratio of two contestants, taken pair by pair within the rounds: the time of `of` over that of `to`. */
+spread measure_ratio(const samples *taken, size_t of, size_t to);
+
+#endif

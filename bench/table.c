@@ -1,0 +1,146 @@
+#include "table.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* The baseline is always the first in the list (ratios.c sees to it). */
+enum { BASELINE = 0 };
+
+/* FAST of the same kernel, or the contestant itself if there is none in this run. */
+static size_t fast_of(const result *r, size_t c)
+{
+    const contestant *const one = &r->list[c];
+    for (size_t f = 0; one->kind == CONTESTANT_KERNEL && f < r->taken->contestants; f++) {
+        const contestant *const other = &r->list[f];
+        if (other->kind == CONTESTANT_KERNEL && other->options.accuracy == TRIBOX_FAST &&
+            !strcmp(one->options.kernel, other->options.kernel))
+            return f;
+    }
+    return c;
+}
+
+static double percent(size_t part, size_t of) { return 100 * (double)part / (double)of; }
+
+void table_begin(const run *r)
+{
+    printf("processor  %s%s\n", r->on.processor, r->on.is_virtual ? ", virtual" : "");
+    printf("compiler   %s\n", r->on.compiler);
+    printf("flags      %s\n", r->on.flags);
+    printf("commit     %s\n", r->on.commit);
+    printf("command   ");
+    for (int i = 0; i < r->argc; i++)
+        printf(" %s", r->argv[i]);
+    printf("\nseed       %llu\n", (unsigned long long)r->seed);
+    printf("limits     one thread, not pinned; wall-clock time, no hardware counters; one process");
+    if (r->on.is_virtual)
+        printf("; a virtual machine, whose host may be shared");
+    if (r->on.load >= 0)
+        printf("; load average %.2f before the start", r->on.load);
+    printf("\n");
+}
+
+/* The baseline's least time over the contestant's: what is left of a ratio where other work disturbs most rounds. */
+static double speed_by_least(const result *r, size_t c)
+{
+    return measure_spread(r->taken, BASELINE).least / measure_spread(r->taken, c).least;
+}
+
+static void print_row(const result *r, size_t c)
+{
+    const size_t count = r->at->soup.count, fast = fast_of(r, c);
+    const spread time = measure_spread(r->taken, c), speed = measure_ratio(r->taken, BASELINE, c);
+    char slower[16] = "-", undecided[16] = "-";
+    if (fast != c)
+        snprintf(slower, sizeof slower, "%.2f", measure_ratio(r->taken, c, fast).median);
+    if (r->list[c].kind == CONTESTANT_KERNEL)
+        snprintf(undecided, sizeof undecided, "%.4f", percent(r->scores[c].undecided, count));
+    printf("%-20s %8.3f %8.3f   %7.2f  [%6.2f, %6.2f] %7.2f %10s %10s", r->list[c].name, time.median, time.least, speed.median,
+           speed.lower_quartile, speed.upper_quartile, speed_by_least(r, c), slower, undecided);
+    if (r->list[c].kind == CONTESTANT_LOADS)
+        printf(" %9s %9s\n", "-", "-");
+    else
+        printf(" %9zu %9zu\n", r->scores[c].overlapping, r->scores[c].differing);
+}
+
+/* A quiet machine repeats the baseline to a few percent. */
+static void warn_if_disturbed(const result *r)
+{
+    const spread time = measure_spread(r->taken, BASELINE);
+    if (time.median > 1.1 * time.least)
+        printf("disturbed: the baseline's median is %.0f %% above its least; trust the column 'by least', or run again\n",
+               100 * (time.median / time.least - 1));
+}
+
+void table_scene(const result *r)
+{
+    const size_t count = r->at->soup.count;
+    printf("\nscene %s: %zu triangles (%.3g MB), %s; box [%g, %g]^3; %zu rounds\n", r->at->name, count, 36e-6 * (double)count,
+           r->at->what, (double)r->at->box.lo[0], (double)r->at->box.hi[0], r->taken->rounds);
+    printf("%-20s %17s   %-33s %10s %10s %9s %9s\n", "", "ns per triangle", "times baseline's speed", "times own", "undecided", "",
+           "unlike");
+    printf("%-20s %8s %8s   %7s  %-16s %7s %10s %10s %9s %9s\n", "contestant", "median", "least", "median", "[quartiles]",
+           "by least", "fast's ns", "percent", "overlaps", "EXACT");
+    for (size_t c = 0; c < r->taken->contestants; c++)
+        print_row(r, c);
+    warn_if_disturbed(r);
+    fflush(stdout);
+}
+
+static void json_string(const char *text)
+{
+    putchar('"');
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\')
+            putchar('\\');
+        putchar((unsigned char)*text < ' ' ? ' ' : *text);
+    }
+    putchar('"');
+}
+
+void json_begin(const run *r)
+{
+    printf("{\"processor\": ");
+    json_string(r->on.processor);
+    printf(", \"virtual\": %s, \"load_average\": %.2f", r->on.is_virtual ? "true" : "false", r->on.load);
+    printf(",\n \"compiler\": ");
+    json_string(r->on.compiler);
+    printf(", \"flags\": ");
+    json_string(r->on.flags);
+    printf(", \"commit\": ");
+    json_string(r->on.commit);
+    printf(",\n \"command\": [");
+    for (int i = 0; i < r->argc; i++) {
+        printf(i ? ", " : "");
+        json_string(r->argv[i]);
+    }
+    printf("],\n \"seed\": %llu,\n \"scenes\": [", (unsigned long long)r->seed);
+}
+
+static void json_spread(const char *name, spread s)
+{
+    printf(", \"%s\": {\"least\": %.6g, \"lower_quartile\": %.6g, \"median\": %.6g, \"upper_quartile\": %.6g}", name, s.least,
+           s.lower_quartile, s.median, s.upper_quartile);
+}
+
+void json_scene(const result *r, bool is_first)
+{
+    printf("%s\n  {\"scene\": \"%s\", \"triangles\": %zu, \"rounds\": %zu, \"contestants\": [", is_first ? "" : ",", r->at->name,
+           r->at->soup.count, r->taken->rounds);
+    for (size_t c = 0; c < r->taken->contestants; c++) {
+        const size_t fast = fast_of(r, c);
+        printf("%s\n   {\"name\": \"%s\"", c ? "," : "", r->list[c].name);
+        json_spread("ns_per_triangle", measure_spread(r->taken, c));
+        json_spread("baseline_over_it", measure_ratio(r->taken, BASELINE, c));
+        printf(", \"baseline_over_it_by_least\": %.6g", speed_by_least(r, c));
+        if (fast != c)
+            json_spread("over_own_fast", measure_ratio(r->taken, c, fast));
+        if (r->list[c].kind != CONTESTANT_LOADS)
+            printf(", \"undecided\": %zu, \"overlapping\": %zu, \"not_as_exact\": %zu", r->scores[c].undecided,
+                   r->scores[c].overlapping, r->scores[c].differing);
+        printf("}");
+    }
+    printf("]}");
+    fflush(stdout);
+}
+
+void json_end(void) { printf("\n ]}\n"); }
