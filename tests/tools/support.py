@@ -1,0 +1,75 @@
+"""Runs the program tribox and looks at what it returns; the tests of all areas share it."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+UNIT_BOX = "-0.5,-0.5,-0.5,0.5,0.5,0.5"
+
+
+def program():
+    return os.environ["TRIBOX_PROGRAM"]
+
+
+class Result:
+    def __init__(self, code, stdout, stderr):
+        self.code, self.stdout, self.stderr = code, stdout, stderr
+
+
+def run(*arguments, stdin=b"", env=None):
+    """Runs tribox with these arguments to its end."""
+    done = subprocess.run([program(), *arguments], input=stdin, capture_output=True, timeout=120,
+                          env=None if env is None else {**os.environ, **env})
+    return Result(done.returncode, done.stdout.decode(), done.stderr.decode())
+
+
+class TestCase(unittest.TestCase):
+    """A test with a folder of its own for the files that it writes."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, content):
+        path = os.path.join(self.folder, name)
+        with open(path, "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def succeed(self, *arguments, **how):
+        """Runs tribox, which has to succeed in silence, and returns its standard output."""
+        result = run(*arguments, **how)
+        self.assertEqual((result.code, result.stderr), (0, ""), arguments)
+        return result.stdout
+
+    def succeed_with_note(self, pattern, *arguments, **how):
+        """The same where one line of a note or warning is due."""
+        result = run(*arguments, **how)
+        self.assertEqual(result.code, 0, result.stderr)
+        self.assert_one_line(result.stderr, pattern)
+        return result.stdout
+
+    def fail_with(self, code, pattern, *arguments, **how):
+        """Runs tribox, which has to print nothing but one line on standard error."""
+        result = run(*arguments, **how)
+        self.assertEqual(result.code, code, (arguments, result.stderr))
+        self.assertEqual(result.stdout, "", arguments)
+        self.assert_one_line(result.stderr, pattern)
+
+    def assert_one_line(self, stderr, pattern):
+        self.assertRegex(stderr, pattern)
+        self.assertRegex(stderr, r"\Atribox[^\n]*: [^\n]+\n\Z")
+
+    def overlap(self, mesh, box, *options):
+        """The answer about one box as JSON, its list included."""
+        return json.loads(self.succeed("overlap", mesh, "--box", box, "--list", "--json", *options))
+
+
+def main():
+    """The program is the last argument; others go to unittest."""
+    os.environ["TRIBOX_PROGRAM"] = os.path.abspath(sys.argv.pop())
+    unittest.main()

@@ -1,0 +1,93 @@
+"""Files that are no mesh, or only part of one: one clear line each, and never an answer."""
+
+import os
+
+import meshes
+import support
+
+TRIANGLES = meshes.lattice_triangles(20, seed=4)
+
+
+class BadMeshes(support.TestCase):
+    def refuse(self, path, pattern):
+        for arguments in (("--box", support.UNIT_BOX), ("--box", support.UNIT_BOX, "--list"), ("--boxes", "-", "--json")):
+            self.fail_with(1, r"^tribox overlap: [^\n]*%s: %s" % (os.path.basename(path), pattern),
+                           "overlap", path, *arguments, stdin=b"0 0 0 1 1 1\n")
+
+    def test_no_file(self):
+        self.refuse(os.path.join(self.folder, "missing.ply"), "cannot open the mesh file: No such file")
+        self.refuse(self.folder, "is a directory; give a mesh file")
+        self.refuse("/dev/null", "is no regular file")
+        self.refuse(self.write("empty.obj", ""), "the file is empty")
+
+    def test_unreadable(self):
+        path = self.write("secret.ply", meshes.ply_binary(TRIANGLES))
+        os.chmod(path, 0)
+        if os.access(path, os.R_OK):
+            self.skipTest("this user may read every file")
+        self.refuse(path, "cannot open the mesh file: Permission denied")
+
+    def test_no_mesh(self):
+        for name in ("notes.txt", "notes.obj", "notes.gltf", "notes.ply", "no_ending"):
+            self.refuse(self.write(name, "hello\n"), "not a mesh that libassimp can read, or a damaged one")
+        self.refuse(self.write("notes.stl", "hello\n"), "truncated, or no STL file")
+        self.refuse(self.write("notes.off", "OFF\n"), "truncated, or no text")
+        for name in ("bytes.ply", "bytes.stl", "bytes.obj", "bytes.off", "bytes.glb"):
+            self.refuse(self.write(name, bytes(range(256)) * 40), ".")
+
+    def test_no_triangles(self):
+        for content in ("v 0 0 0\nv 1 1 1\n", "v 0 0 0\nv 1 1 1\nl 1 2\n", "v 0 0 0\nv 1 1 1\np 1 2\n"):
+            self.refuse(self.write("points.obj", content), "no triangles in it")
+        self.refuse(self.write("points.ply", meshes.ply_header("ascii", 2, 0) + b"0 0 0\n1 1 1\n"), "no triangles in it")
+
+    def test_vertices_that_are_not_there(self):
+        vertices = b"0 0 0\n1 0 0\n0 1 0\n"
+        self.refuse(self.write("far.ply", meshes.ply_header("ascii", 3, 2) + vertices + b"3 0 1 2\n3 0 1 3\n"),
+                    "damaged: face 1 refers to vertex 3, the mesh has 3")
+        self.refuse(self.write("negative.ply", meshes.ply_header("ascii", 3, 1) + vertices + b"3 0 1 -1\n"), "damaged: face 0 .*-1")
+        self.refuse(self.write("far.off", b"OFF\n3 1 0\n" + vertices + b"3 0 1 3\n"), "damaged: face 0 refers to vertex 3")
+        self.refuse(self.write("negative.off", b"OFF\n3 1 0\n" + vertices + b"3 0 -1 2\n"), "damaged: face 0 refers to vertex -1")
+        self.refuse(self.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "not a mesh that libassimp can read, or a damaged")
+
+    def test_strips_of_ply(self):
+        content = meshes.ply_header("ascii", 4, 1, element="tristrips") + b"0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n"
+        self.refuse(self.write("strips.ply", content), "has triangle strips")
+
+    def test_header_of_ply(self):
+        whole = meshes.ply_ascii(TRIANGLES)
+        for old, new in ((b"property float x", b"property number x"), (b"list uchar int", b"list uchar"),
+                         (b"element vertex 60", b"element vertex many"), (b"format ascii", b"format morse")):
+            self.refuse(self.write("header.ply", whole.replace(old, new)), "not a sound PLY file: '.*' in its header makes no sense")
+
+
+class TruncatedMeshes(support.TestCase):
+    """Cut at every place that a reader could stumble over; the last byte of a text is a line end, without which it is whole."""
+
+    def refuse_cuts(self, name, least_missing, pattern):
+        whole = meshes.FORMATS[name](TRIANGLES)
+        self.assertEqual(self.overlap(self.write(name, whole), support.UNIT_BOX)["triangles"], len(TRIANGLES))
+        sizes = set(range(4, len(whole) - least_missing, 97)) | set(range(len(whole) - least_missing - 30, len(whole) - least_missing + 1))
+        for size in sizes:
+            path = self.write(name, whole[:size])
+            self.fail_with(1, r"^tribox overlap: [^\n]*%s: %s" % (name, pattern), "overlap", path, "--box", support.UNIT_BOX)
+
+    def test_ply(self):
+        for name in ("little.ply", "big.ply", "cr_lf.ply", "cr.ply"):
+            self.refuse_cuts(name, 1, "truncated: ")
+        self.refuse_cuts("ascii.ply", 3, "truncated: ")
+
+    def test_stl(self):
+        self.refuse_cuts("binary.stl", 1, "truncated, or no STL file")
+        self.refuse_cuts("solid.stl", 1, "(truncated|no triangles|not a mesh)")
+        self.refuse_cuts("ascii.stl", 14, "(truncated|not a mesh)")
+
+    def test_off(self):
+        self.refuse_cuts("text.off", 4, "(truncated|not a mesh)")
+
+    def test_gltf(self):
+        self.refuse_cuts("text.gltf", 1, "not a mesh")
+        self.refuse_cuts("binary.glb", 1, "not a mesh")
+
+
+if __name__ == "__main__":
+    support.main()

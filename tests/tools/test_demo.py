@@ -1,0 +1,108 @@
+"""tribox info and tribox demo."""
+
+import json
+import os
+import pty
+import re
+import subprocess
+
+import support
+
+ACCURACIES = ["fast", "conservative", "exact"]
+
+
+class Info(support.TestCase):
+    def test_json(self):
+        info = json.loads(self.succeed("info", "--json"))
+        self.assertEqual(sorted(info), ["default_kernel", "kernels", "processor", "version"])
+        self.assertEqual(info["kernels"][0], info["default_kernel"])
+        self.assertEqual(info["kernels"][-1], "scalar")
+        self.assertTrue(info["processor"])
+
+    def test_text(self):
+        info = json.loads(self.succeed("info", "--json"))
+        fields = dict(re.split(r"  +", line, maxsplit=1) for line in self.succeed("info").splitlines())
+        self.assertEqual(fields, {"version": info["version"], "processor": info["processor"],
+                                  "kernels": " ".join(info["kernels"]), "default kernel": info["default_kernel"]})
+
+
+class Demo(support.TestCase):
+    def expected_rows(self):
+        kernels = json.loads(self.succeed("info", "--json"))["kernels"]
+        return [("paper", None)] + [(kernel, accuracy) for kernel in kernels for accuracy in ACCURACIES]
+
+    def check_scene(self, scene):
+        rows = scene["rows"]
+        self.assertEqual([(row["kernel"], row["accuracy"]) for row in rows], self.expected_rows())
+        exact = {row["overlapping"] for row in rows if row["accuracy"] == "exact"}
+        self.assertEqual(len(exact), 1)
+        self.assertTrue(0 < min(exact) < scene["triangles"])
+        for row in rows:
+            if row["accuracy"] == "exact":
+                self.assertEqual(row["unlike_exact"], 0)
+            if row["accuracy"] == "conservative":
+                self.assertEqual(row["overlapping"] - row["unlike_exact"], min(exact))
+            self.assertLess(row["unlike_exact"], scene["triangles"] / 1000)
+            self.assertGreater(row["ns_per_triangle"], 0)
+            self.assertAlmostEqual(row["ns_per_triangle"] * row["million_triangles_per_second"] / 1000, 1, places=3)
+            self.assertAlmostEqual(row["ns_per_triangle"] * row["times_paper"] / rows[0]["ns_per_triangle"], 1, places=3)
+
+    def test_json(self):
+        demo = json.loads(self.succeed("demo", "--quick", "--json"))
+        self.assertEqual([scene["triangles"] for scene in demo["scenes"]], [100000, 200000])
+        self.assertEqual(demo["rounds"], 3)
+        for scene in demo["scenes"]:
+            self.check_scene(scene)
+
+    def test_text(self):
+        text = self.succeed("demo", "--quick")
+        self.assertLessEqual(max(map(len, text.splitlines())), 100)
+        self.assertRegex(text, r"\A[\x20-\x7e\n]*\Z")
+        rows = re.findall(r"(?m)^(\w+) +(-|fast|conservative|exact)((?: +[\d.]+){5})$", text)
+        expected = [(kernel, accuracy or "-") for kernel, accuracy in self.expected_rows()]
+        self.assertEqual([row[:2] for row in rows], 2 * expected)
+        self.assertEqual({row[2].split()[-1] for row in rows if row[1] == "exact"}, {"0"})
+        self.assertEqual(len({len(line) for line in text.splitlines() if re.match(r"kernel +accuracy|paper +-", line)}), 1)
+
+    def test_picture(self):
+        text = self.succeed("demo", "--quick")
+        picture = [line for line in text.splitlines() if re.fullmatch(r"[ .:\-=+*#]+", line)]
+        self.assertEqual(len(picture), 24)
+        self.assertLessEqual(max(map(len, picture)), 60)
+        self.assertGreater("".join(picture).count("#"), 20)
+        self.assertGreater("".join(picture).count("*"), 20)
+
+    def test_answers_repeat(self):
+        def found(demo):
+            return [[(row["overlapping"], row["unlike_exact"]) for row in scene["rows"]] for scene in demo["scenes"]]
+        runs = [json.loads(self.succeed("demo", "--quick", "--json")) for _ in range(2)]
+        self.assertEqual(found(runs[0]), found(runs[1]))
+
+    def on_terminal(self, **env):
+        """What demo prints to a terminal, line ends made plain."""
+        leader, follower = pty.openpty()
+        plain = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
+        process = subprocess.Popen([support.program(), "demo", "--quick"], stdout=follower, env={**plain, **env})
+        os.close(follower)
+        text = b""
+        try:
+            while True:
+                part = os.read(leader, 65536)
+                if not part:
+                    break
+                text += part
+        except OSError:
+            pass  # Linux ends a terminal without a writer so
+        os.close(leader)
+        self.assertEqual(process.wait(), 0)
+        return text
+
+    def test_bold_on_a_terminal_only(self):
+        self.assertEqual(self.on_terminal(TERM="xterm").count(b"\x1b[1m"), 4)
+        self.assertNotIn(b"\x1b", self.on_terminal(TERM="dumb"))
+        self.assertNotIn(b"\x1b", self.on_terminal(TERM="xterm", NO_COLOR="1"))
+        self.assertNotIn(b"\x1b", self.on_terminal())
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,143 @@
+"""Help, version, and every way of writing a wrong command line."""
+
+import json
+
+import meshes
+import support
+
+COMMANDS = ("overlap", "info", "demo")
+OPTIONS = {
+    "overlap": ["--box", "--boxes", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
+    "info": ["--json", "--help"],
+    "demo": ["--quick", "--json", "--help"],
+}
+
+
+class Help(support.TestCase):
+    def check(self, text):
+        self.assertRegex(text, r"(?m)^Usage: tribox ")
+        self.assertIn("Exit codes:", text)
+        self.assertIn("Example", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 100)
+
+    def test_program(self):
+        text = self.succeed("--help")
+        self.check(text)
+        for command in COMMANDS:
+            self.assertRegex(text, r"(?m)^  %s " % command)
+        self.assertEqual(self.succeed("-h"), text)
+
+    def test_commands(self):
+        for command in COMMANDS:
+            text = self.succeed(command, "--help")
+            self.check(text)
+            for option in OPTIONS[command]:
+                self.assertRegex(text, r"(?m)^  %s " % option)
+            self.assertEqual(self.succeed(command, "-h"), text)
+
+    def test_wins_over_what_is_missing(self):
+        self.assertEqual(self.succeed("overlap", "--list", "--help"), self.succeed("overlap", "--help"))
+
+    def test_version(self):
+        version = json.loads(self.succeed("info", "--json"))["version"]
+        self.assertRegex(version, r"\A\d+\.\d+\.\d+\Z")
+        self.assertEqual(self.succeed("--version"), "tribox %s\n" % version)
+
+
+class WrongCommandLine(support.TestCase):
+    def test_program(self):
+        self.fail_with(2, r"^tribox: no command given; see 'tribox --help'")
+        self.fail_with(2, r"^tribox: 'overlay' is not a command;", "overlay")
+        self.fail_with(2, r"^tribox: unknown option '--quick';", "--quick", "demo")
+
+    def test_unknown_options(self):
+        for command in COMMANDS:
+            for option in ("--colour", "-x", "--js", "--colour=red", "--jsonl"):
+                self.fail_with(2, r"^tribox %s: unknown option '%s'; see 'tribox %s --help'" % (command, option, command),
+                               command, option)
+
+    def test_given_twice(self):
+        self.fail_with(2, "option --json is given twice", "info", "--json", "--json")
+        self.fail_with(2, "option --box is given twice", "overlap", "m.obj", "--box", "0,0,0,1,1,1", "--box=0,0,0,1,1,1")
+
+    def test_values(self):
+        for option in ("--box", "--boxes", "--accuracy", "--axes", "--order", "--kernel"):
+            self.fail_with(2, "option %s needs a value" % option, "overlap", "m.obj", option)
+        for command, option in (("overlap", "--list"), ("overlap", "--json"), ("info", "--json"), ("demo", "--quick")):
+            self.fail_with(2, "option %s takes no value" % option, command, option + "=yes")
+
+    def test_operands(self):
+        self.fail_with(2, "no mesh file given", "overlap", "--box", support.UNIT_BOX)
+        self.fail_with(2, "'b.obj' is one file too many", "overlap", "a.obj", "b.obj", "--box", support.UNIT_BOX)
+        self.fail_with(2, "'a.obj' is too much", "info", "a.obj")
+        self.fail_with(2, "'a.obj' is too much", "demo", "a.obj")
+
+    def test_box_or_boxes(self):
+        self.fail_with(2, "no box given", "overlap", "a.obj")
+        self.fail_with(2, "exclude each other", "overlap", "a.obj", "--box", support.UNIT_BOX, "--boxes", "-")
+        self.fail_with(2, "--list with --boxes needs --json", "overlap", "a.obj", "--boxes", "-", "--list")
+
+    def test_words(self):
+        def wrong(option, *values):
+            for value in values:
+                self.fail_with(2, r"^tribox overlap: %s: '.*' is none of .*; see 'tribox overlap --help'" % option,
+                               "overlap", "a.obj", "--box", support.UNIT_BOX, option, value)
+        wrong("--accuracy", "", "Exact", "exactly", "e")
+        wrong("--axes", "", "box,", ",box", "box,planes", "box plane", "all")
+        wrong("--order", "", "0", "12", "1234", "322", "3 1 2")
+        wrong("--kernel", "", "AVX2", "avx", "best")
+
+    def test_kernel_of_another_processor(self):
+        here = json.loads(self.succeed("info", "--json"))["kernels"]
+        for kernel in {"avx512", "avx2", "sse2", "neon", "scalar"} - set(here):
+            self.fail_with(1, "--kernel: this processor cannot run %s; 'tribox info' lists" % kernel,
+                           "overlap", "a.obj", "--box", support.UNIT_BOX, "--kernel", kernel)
+
+    def test_box_numbers(self):
+        def wrong(box, pattern):
+            self.fail_with(2, r"^tribox overlap: --box: " + pattern, "overlap", "a.obj", "--box", box)
+        wrong("", "number 1 of 6 is missing")
+        wrong("1,2,3", "3 numbers where 6 are needed; give LX,LY,LZ,HX,HY,HZ")
+        wrong("1", "1 number where 6")
+        wrong("1,2,3,4,5,6,7", "more than 6 numbers")
+        wrong("1,2,,4,5,6", "number 3 of 6 is missing")
+        wrong("1,2,3,4,5,6,", "more than 6 numbers")
+        wrong(",1,2,3,4,5,6", "number 1 of 6 is missing")
+        wrong("1,2,x,4,5,6", r"'x' \(number 3 of 6\) is not a number; write it like")
+        wrong("1,2,3m,4,5,6", r"'3m' \(number 3 of 6\) is not a number")
+        wrong("1,2,1e,4,5,6", r"'1e' \(number 3 of 6\) is not a number")
+        wrong("1;2;3;4;5;6", r"'1;2;3;4;5;6' \(number 1 of 6\) is not a number")
+        wrong("1,2,nan,4,5,6", r"'nan' \(number 3 of 6\) is not finite")
+        wrong("-inf,2,3,4,5,6", r"'-inf' \(number 1 of 6\) is not finite")
+        wrong("1,2,3,4,5,1e39", r"'1e39' \(number 6 of 6\) is too large for float, which ends at 3\.40282347e\+38")
+        wrong("1,2,3,4,-3.5e38,5", r"'-3\.5e38' \(number 5 of 6\) is too large for float")
+        wrong("1,1e-46,3,4,5,6", r"'1e-46' \(number 2 of 6\) is too small for float; give 0 or at least 1\.4e-45")
+        wrong("--list", r"'--list' \(number 1 of 6\) is not a number")
+
+
+class RightCommandLine(support.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.obj", meshes.obj([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
+
+    def count(self, *arguments):
+        return json.loads(self.succeed("overlap", *arguments, "--json"))["overlapping"]
+
+    def test_forms(self):
+        for box in ("0,0,0,1,1,1", "0 0 0 1 1 1", " 0, 0 ,0\t1,1,1 ", "0,0,0,1e0,+1,0x1p0", "-0,0,0,1.,1.0,100e-2"):
+            self.assertEqual(self.count(self.mesh, "--box", box), 1, box)
+        self.assertEqual(self.count("--box=-1,-1,-1,1,1,1", self.mesh), 1)
+        self.assertRegex(self.succeed("overlap", "--box", "-1,-1,-1,1,1,1", "--", self.mesh), "overlapping  1 ")
+
+    def test_ends_of_the_float_range(self):
+        self.assertEqual(self.count(self.mesh, "--box", "-3.4028235e38,-1,-1,3.4028235e38,1,1"), 1)
+        self.assertEqual(self.count(self.mesh, "--box", "1.4e-45,1.4e-45,0,1,1,1"), 1)
+
+    def test_empty_box_is_noted(self):
+        text = self.succeed_with_note("note: --box: the lower bound 2 exceeds the upper bound 1 on the y axis: an empty box",
+                                      "overlap", self.mesh, "--box", "0,2,0,1,1,1", "--json")
+        self.assertEqual(json.loads(text)["overlapping"], 0)
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,15 @@
+/* cmd.h - the commands of the program. Each takes the arguments behind its name and returns an exit_code. */
+#ifndef CMD_H
+#define CMD_H
+
+#include "tribox.h"
+
+#define CMD_TEXT_OF(number) #number
+#define CMD_TEXT(number) CMD_TEXT_OF(number)
+#define CMD_VERSION CMD_TEXT(TRIBOX_VERSION_MAJOR) "." CMD_TEXT(TRIBOX_VERSION_MINOR) "." CMD_TEXT(TRIBOX_VERSION_PATCH)
+
+int cmd_overlap(int count, char **arguments);
+int cmd_info(int count, char **arguments);
+int cmd_demo(int count, char **arguments);
+
+#endif

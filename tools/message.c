@@ -1,0 +1,47 @@
+/* message.c - messages of the program, each one line on standard error behind the name of the command. */
+#include "message.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+static const char *command_name;
+
+void message_set_command(const char *command) { command_name = command; }
+
+static void print_program(FILE *file) { fprintf(file, "tribox%s%s", command_name ? " " : "", command_name ? command_name : ""); }
+
+static void print_line(const char *format, va_list values, const char *end)
+{
+    print_program(stderr);
+    fputs(": ", stderr);
+    vfprintf(stderr, format, values);
+    fputs(end, stderr);
+}
+
+void message_say(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    print_line(format, values, "\n");
+    va_end(values);
+}
+
+int message_failure(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    print_line(format, values, "\n");
+    va_end(values);
+    return EXIT_CODE_FAILURE;
+}
+
+int message_usage(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    print_line(format, values, "; see '");
+    va_end(values);
+    print_program(stderr);
+    fputs(" --help'\n", stderr);
+    return EXIT_CODE_USAGE;
+}

@@ -1,0 +1,30 @@
+/* message.h - what the program says beside its answers, one line each on standard error, and what it returns. */
+#ifndef MESSAGE_H
+#define MESSAGE_H
+
+#if defined(__GNUC__)
+#define MESSAGE_FORMAT __attribute__((format(printf, 1, 2)))
+#else
+#define MESSAGE_FORMAT
+#endif
+
+/* What the program returns to its caller; part of its documented interface. */
+enum exit_code {
+    EXIT_CODE_OK = 0,
+    EXIT_CODE_FAILURE = 1, /* a file, memory or the processor refused */
+    EXIT_CODE_USAGE = 2    /* the command line itself is wrong */
+};
+
+/* Names the running command in every later message; NULL for the program itself. */
+void message_set_command(const char *command);
+
+/* A line that changes nothing about the exit code: a warning or a note. */
+MESSAGE_FORMAT void message_say(const char *format, ...);
+
+/* The line of a failure. Returns EXIT_CODE_FAILURE. */
+MESSAGE_FORMAT int message_failure(const char *format, ...);
+
+/* The line of a wrong command line, which ends in where to read on. Returns EXIT_CODE_USAGE. */
+MESSAGE_FORMAT int message_usage(const char *format, ...);
+
+#endif
