@@ -19,11 +19,15 @@
 #error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0); on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
-#if defined(__GNUC__)
+/* Unoptimised builds do not force it: with every word inlined and nothing folded a kernel takes gcc half a minute. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define TRIBOX_INLINE static inline __attribute__((always_inline))
-#define TRIBOX_NOINLINE __attribute__((noinline))
 #else
 #define TRIBOX_INLINE static inline
+#endif
+#if defined(__GNUC__)
+#define TRIBOX_NOINLINE __attribute__((noinline))
+#else
 #define TRIBOX_NOINLINE
 #endif
 

@@ -1,0 +1,14 @@
+#!/bin/sh
+# From a clone on a Debian machine to the sum of all tests: packages, build with every optional part, run.
+# Arguments go to `meson setup`; BUILD names the build directory, CC and CXX the compilers.
+set -eu
+cd "$(dirname "$0")/.."
+tools/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
+    libassimp-dev libcmocka-dev libgmp-dev libembree-dev libbenchmark-dev
+build=${BUILD:-build-tests}
+test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled "$@"
+meson compile -C "$build"
+status=0
+meson test -C "$build" --no-rebuild --print-errorlogs || status=$?
+python3 tests/sum.py "$build/meson-logs/testlog.json"
+exit "$status"

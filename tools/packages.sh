@@ -1,0 +1,17 @@
+#!/bin/sh
+# Installs Debian packages that are not there yet: packages.sh NAME ...
+set -eu
+missing=
+for package; do
+    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
+done
+test -n "$missing" || exit 0
+if ! command -v apt-get >/dev/null; then
+    echo "these packages, by their Debian names, are needed:$missing" >&2
+    exit 1
+fi
+sudo=
+test "$(id -u)" = 0 || sudo=sudo
+$sudo apt-get update -qq
+# shellcheck disable=SC2086
+DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends $missing >/dev/null
