@@ -1,29 +1,17 @@
-/* exact.c - the stages of one pair: the numbers themselves, then double with its error bound, then integers wide enough. */
+/* exact.c - one pair in integers that are wide enough for its numbers: the last stage, which decides everything. */
 #include "exact.h"
 
-#include <math.h>
 #include <string.h>
+
+#include "finite.h"
 
 bool tribox_triangle_is_finite(const float u[3][3])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            if (!isfinite(u[j][a]))
+            if (!tribox_is_finite(u[j][a]))
                 return false;
     return true;
-}
-
-bool tribox_apart_on_box_normals(const tribox_pair *pair)
-{
-    const float(*const u)[3] = pair->u;
-    const tribox_box *const box = &pair->box;
-    for (int a = 0; a < 3; a++) {
-        if (u[0][a] > box->hi[a] && u[1][a] > box->hi[a] && u[2][a] > box->hi[a])
-            return true;
-        if (u[0][a] < box->lo[a] && u[1][a] < box->lo[a] && u[2][a] < box->lo[a])
-            return true;
-    }
-    return false;
 }
 
 /* A non-zero finite float as odd * 2^exponent; zero as 0 * 2^0. */
@@ -67,7 +55,7 @@ tribox_integers tribox_integers_of(const tribox_pair *pair)
     return in;
 }
 
-static bool overlap_in_integers(const tribox_pair *pair, unsigned axes)
+bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes)
 {
     const tribox_integers in = tribox_integers_of(pair);
     if (in.bits <= TRIBOX_INT64_BITS)
@@ -77,12 +65,4 @@ static bool overlap_in_integers(const tribox_pair *pair, unsigned axes)
         return tribox_exact_int128(&in, axes);
 #endif
     return tribox_exact_limbs(&in, axes);
-}
-
-bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes)
-{
-    if ((axes & TRIBOX_AXES_BOX) && tribox_apart_on_box_normals(pair))
-        return false;
-    const tribox_verdict verdict = tribox_exact_double(pair, axes);
-    return verdict == TRIBOX_UNDECIDED ? overlap_in_integers(pair, axes) : verdict == TRIBOX_OVERLAPPING;
 }

@@ -1,4 +1,4 @@
-/* exact.h - one triangle and one box, settled for certain. No allocation, no library. Knows nothing of batches or grids. */
+/* exact.h - one triangle and one box, settled in integers. No allocation, no library. Knows nothing of batches or grids. */
 #ifndef TRIBOX_EXACT_H
 #define TRIBOX_EXACT_H
 
@@ -16,17 +16,10 @@ typedef struct tribox_pair {
 bool tribox_triangle_is_finite(const float u[3][3]);
 
 /*
- * Whether no axis of the chosen groups separates a finite triangle and a box with finite lo <= hi.
- * Every later stage is asked only what the one before left undecided: the numbers themselves, double, integers.
+ * Whether no axis of the chosen groups separates, in integers: for a finite triangle and a box with finite lo <= hi, and where the
+ * axes have BOX, a pair that the box normals do not separate.
  */
 bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes);
-
-/* The stages, each for itself. Where the axes have BOX, they rely on the box normals not separating. */
-
-typedef enum tribox_verdict { TRIBOX_APART, TRIBOX_OVERLAPPING, TRIBOX_UNDECIDED } tribox_verdict;
-
-bool tribox_apart_on_box_normals(const tribox_pair *pair);
-tribox_verdict tribox_exact_double(const tribox_pair *pair, unsigned axes);
 
 /* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units. Vertices, then lo, then hi. */
 typedef struct tribox_integers {

@@ -31,6 +31,9 @@
 #define TRIBOX_NOINLINE
 #endif
 
+/* The bits of a packet, all set: of V_LANES, which a vocabulary defines. */
+#define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
+
 /*
  * A sequence is the groups of axes in the order in which they are tested, one decimal digit each, by the number of the paper's
  * bullet: 1 the box normals, 2 the plane, 3 the edges. 312 tests the edges first; 13 leaves the plane out.
@@ -54,11 +57,27 @@ typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, si
 typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, uint64_t *hit,
                                uint64_t *open);
 
+/*
+ * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order u_00 u_01 .. u_22, lo, hi (u_ja is
+ * axis a of vertex j). All are finite, and none is apart on a box normal if these are asked.
+ */
+enum { TRIBOX_BATCH = 64 };
+typedef struct tribox_batch {
+    float number[15][TRIBOX_BATCH];
+} tribox_batch;
+
+/*
+ * The first `count` pairs of a batch, in double: the bits of those that overlap, and in *open of those that double cannot decide.
+ * is_exact: ties may be decided by what happens to be exact, since something exact will decide them all.
+ */
+typedef uint64_t tribox_settle(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
+
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_soup_walk *soup[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_boxes_walk *boxes[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
+    tribox_settle *settle;
 } tribox_kernel;
 
 #endif

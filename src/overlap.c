@@ -1,9 +1,9 @@
 /* overlap.c - many pairs: check the input, run the kernel, settle what it left open. */
-#include <math.h>
 #include <string.h>
 
 #include "environment.h"
 #include "exact.h"
+#include "finite.h"
 #include "plan.h"
 
 /* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
@@ -97,19 +97,80 @@ static unsigned count_bits(uint64_t word)
 
 static unsigned lowest_bit(uint64_t word) { return count_bits((word & (~word + 1)) - 1); }
 
-/* The lanes of one word that the kernel left open, settled one by one. Returns those that overlap; *undecided counts the finite. */
-static uint64_t settle(const pairs *p, const tribox_plan *plan, size_t word, uint64_t open, size_t *undecided)
+/* Pairs that the walks left open, gathered until they fill a batch. */
+typedef struct gathering {
+    tribox_batch batch;
+    size_t lane[TRIBOX_BATCH]; /* of pair i of the batch, counted from the start of the block */
+    unsigned count;
+} gathering;
+
+static void put(gathering *g, unsigned i, const tribox_pair *pair)
 {
-    uint64_t overlapping = 0;
-    for (; open; open &= open - 1) {
-        const unsigned lane = lowest_bit(open);
-        const tribox_pair pair = pair_at(p, 64 * word + lane);
-        if (!tribox_triangle_is_finite(pair.u))
-            continue;
-        ++*undecided;
-        overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << lane;
+    for (int k = 0; k < 9; k++)
+        g->batch.number[k][i] = pair->u[k / 3][k % 3];
+    for (int a = 0; a < 3; a++) {
+        g->batch.number[9 + a][i] = pair->box.lo[a];
+        g->batch.number[12 + a][i] = pair->box.hi[a];
     }
-    return overlapping;
+}
+
+static tribox_pair take(const gathering *g, unsigned i)
+{
+    tribox_pair pair;
+    for (int k = 0; k < 9; k++)
+        pair.u[k / 3][k % 3] = g->batch.number[k][i];
+    for (int a = 0; a < 3; a++) {
+        pair.box.lo[a] = g->batch.number[9 + a][i];
+        pair.box.hi[a] = g->batch.number[12 + a][i];
+    }
+    return pair;
+}
+
+/* Settles what is gathered: the double stage of the kernel, then, except for CONSERVATIVE, integers. */
+static void settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
+{
+    uint64_t open;
+    const tribox_pair last = take(g, g->count - 1);
+    for (unsigned i = g->count; i % 8; i++) /* so that no lane of a packet holds what was never written */
+        put(g, i, &last);
+    const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
+    uint64_t overlapping = plan->kernel->settle(&g->batch, g->count, plan->axes, is_exact, &open);
+    if (!is_exact)
+        overlapping |= open;
+    else
+        for (; open; open &= open - 1) {
+            const unsigned i = lowest_bit(open);
+            const tribox_pair pair = take(g, i);
+            overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
+        }
+    for (; overlapping; overlapping &= overlapping - 1) {
+        const size_t lane = g->lane[lowest_bit(overlapping)];
+        hit[lane / 64] |= UINT64_C(1) << lane % 64;
+    }
+    g->count = 0;
+}
+
+/* Settles the open lanes of a block and adds those that overlap to its hits. Returns how many there were with finite numbers. */
+static size_t settle_block(const pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open, uint64_t *hit)
+{
+    gathering g;
+    size_t undecided = 0;
+    g.count = 0;
+    for (size_t w = 0; w < words; w++)
+        for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
+            const size_t lane = 64 * w + lowest_bit(rest);
+            const tribox_pair pair = pair_at(p, 64 * word + lane);
+            if (!tribox_triangle_is_finite(pair.u))
+                continue;
+            undecided++;
+            put(&g, g.count, &pair);
+            g.lane[g.count++] = lane;
+            if (g.count == TRIBOX_BATCH)
+                settle(&g, plan, hit);
+        }
+    if (g.count)
+        settle(&g, plan, hit);
+    return undecided;
 }
 
 static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, tribox_report *report)
@@ -123,11 +184,9 @@ static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, trib
         walk_whole_words(p, plan, word, whole, hit, open);
         if (whole < block)
             walk_tail(p, plan, hit + whole, open + whole);
-        for (size_t w = 0; w < block; w++) {
-            if (open[w])
-                hit[w] |= settle(p, plan, word + w, open[w], &counts.undecided);
+        counts.undecided += settle_block(p, plan, word, block, open, hit);
+        for (size_t w = 0; w < block; w++)
             counts.overlapping += count_bits(hit[w]);
-        }
         if (mask)
             memcpy(mask + word, hit, block * sizeof *mask);
     }
@@ -151,7 +210,7 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
     if (!soup || !box || !are_floats_addressable(soup->count) || (soup->count && !has_streams(soup)))
         return TRIBOX_BAD_ARGUMENT;
     for (int a = 0; a < 3; a++)
-        if (!isfinite(box->lo[a]) || !isfinite(box->hi[a]))
+        if (!tribox_is_finite(box->lo[a]) || !tribox_is_finite(box->hi[a]))
             return TRIBOX_BAD_BOX;
     tribox_plan plan;
     const tribox_status status = tribox_plan_make(options, &plan);

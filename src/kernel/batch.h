@@ -52,6 +52,10 @@ TRIBOX_FOR_EACH_SEQUENCE(FAST_WALKS)
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
+#define SETTLE_SYMBOL_(name) tribox_settle_##name
+#define SETTLE_SYMBOL(name) SETTLE_SYMBOL_(name)
+
+tribox_settle SETTLE_SYMBOL(KERNEL);
 extern const tribox_kernel KERNEL_SYMBOL(KERNEL);
 const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
     .name = KERNEL_STRING(KERNEL),
@@ -62,4 +66,5 @@ const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
     .boxes = {[TRIBOX_EXACT] = {TRIBOX_FOR_EACH_SEQUENCE(EXACT_BOXES)},
               [TRIBOX_CONSERVATIVE] = {TRIBOX_FOR_EACH_SEQUENCE(CONSERVATIVE_BOXES)},
               [TRIBOX_FAST] = {TRIBOX_FOR_EACH_SEQUENCE(FAST_BOXES)}},
+    .settle = SETTLE_SYMBOL(KERNEL),
 };

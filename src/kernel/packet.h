@@ -1,11 +1,9 @@
 /*
  * packet.h - one packet of V_LANES pairs at one accuracy and in one sequence of groups, both constants.
  *
- * FAST takes the sign of a slack for its truth. CONSERVATIVE and EXACT compare it with its error bound (bounds.h), the coarse one
- * first and the finer one only for a packet that has a lane left over.
+ * FAST takes the sign of a slack for its truth. CONSERVATIVE and EXACT compare it with its error bound (bounds.h), and leave a lane
+ * that has a slack within it to the settling stage.
  */
-
-#define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
 
 /* The k-th group of a sequence, 0 past its end. */
 TRIBOX_INLINE unsigned group_at(unsigned sequence, int k)
@@ -19,13 +17,6 @@ TRIBOX_INLINE unsigned group_at(unsigned sequence, int k)
 TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 {
     return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
-}
-
-/* Group 1, 2, 3 is bit 0, 1, 2 of the axes. */
-TRIBOX_INLINE unsigned axes_of(unsigned sequence)
-{
-    return (sequence_has(sequence, 1) ? TRIBOX_AXES_BOX : 0) | (sequence_has(sequence, 2) ? TRIBOX_AXES_PLANE : 0) |
-           (sequence_has(sequence, 3) ? TRIBOX_AXES_EDGES : 0);
 }
 
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
@@ -69,7 +60,7 @@ typedef struct lane_source {
     const tribox_boxes *boxes;
 } lane_source;
 
-/* A packet of pairs. What a walk has one of is set once; the rest is loaded axis by axis. */
+/* A packet of pairs. What a walk has one of is set once. */
 typedef struct lane_pairs {
     lane_triangle t;
     lane_box box;
@@ -141,7 +132,7 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
     return left;
 }
 
-/* CONSERVATIVE and EXACT: the same where the slack is beyond the coarse bound; *sure keeps the lanes beyond it on the good side. */
+/* CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *sure keeps the lanes beyond it on the good side. */
 TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, const lane_margin *margin, vnum reach, uint64_t left,
                                       vmask *sure)
 {
@@ -153,55 +144,6 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, const
     const vnum error = group == 2 ? margin->plane : margin->edges;
     *sure = m_and(*sure, v_gt(slack, error));
     return left & ~m_bits(m_and(margin->holds, v_gt(v_splat(0), v_add(slack, error))));
-}
-
-/*
- * What the coarse bound leaves: the lanes `rest`, none of which the box normals separate if these are asked, by the finer bounds.
- * Rare, so it is one function for all sequences, and loads the packet again.
- */
-static TRIBOX_NOINLINE uint64_t packet_by_bounds(const lane_source *from, size_t at, unsigned axes, tribox_accuracy accuracy,
-                                                 uint64_t rest, uint64_t *open)
-{
-    const bool is_box_asked = axes & TRIBOX_AXES_BOX;
-    const vnum zero = v_splat(0);
-    const vmask none = v_gt(zero, zero), all = v_gt(v_splat(1), zero);
-    lane_pairs p;
-    lane_shape s;
-    start_pairs(&p, from);
-    for (int a = 0; a < 3; a++)
-        load_axis(&p, from, at, a, false, rest, &s);
-    shape_normal(&s);
-    const vnum reach = plane_reach(&s);
-    const lane_bounds bound = bounds_of(&p.t, &p.box);
-    vmask apart = none, close = none, flat = none;
-    for (int a = 0; is_box_asked && a < 3; a++)
-        flat = m_or(flat, m_andnot(all, v_gt(bound.F[a], zero)));
-
-    for (int i = 0; (axes & TRIBOX_AXES_EDGES) && i < 3; i++) {
-        const vnum slack = is_box_asked ? edges_slack(&s, i) : edges_slack_both_sides(&s, i);
-        const vnum error = is_box_asked ? bound.edges[i] : both_sides_bound(&bound, i);
-        vmask is_close = m_andnot(all, v_gt(slack, error));
-        if (is_box_asked) { /* redundant where the triangle is flat in this projection; not to be certified where it is tiny */
-            is_close = m_and(is_close, m_and(v_gt(bound.F[(i + 1) % 3], zero), v_gt(bound.F[(i + 2) % 3], zero)));
-            is_close = m_or(is_close, m_andnot(v_gt(bound.F[i], zero), v_gt(bound.F[i], v_splat(0x1p-55f))));
-        }
-        apart = m_or(apart, v_gt(zero, v_add(slack, error)));
-        close = m_or(close, is_close);
-    }
-    if (axes & TRIBOX_AXES_PLANE) { /* redundant where the triangle is flat on an axis */
-        const vnum slack = plane_slack(&s, reach);
-        apart = m_or(apart, v_gt(zero, v_add(slack, bound.plane)));
-        close = m_or(close, m_andnot(m_andnot(all, v_gt(slack, bound.plane)), flat));
-    }
-    if (accuracy == TRIBOX_CONSERVATIVE)
-        close = none;
-    else
-        close = m_and(close, m_signs(has_no_vertex_inside(&s)));
-
-    const uint64_t in_range = m_bits(v_gt(v_splat(0x1p120f), v_add(bound.size, reach)));
-    const uint64_t hit = rest & in_range & ~m_bits(m_or(apart, close));
-    *open = rest & ~(in_range & m_bits(apart)) & ~hit;
-    return hit;
 }
 
 /* The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage. */
@@ -243,7 +185,7 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
         if (!from->is_soup)
             p->margin = box_margin_of(&p->box);
         const lane_margin margin = margin_of(&s, &p->margin);
-        vmask sure = accuracy == TRIBOX_EXACT ? m_and(margin.holds, margin.wide) : margin.holds;
+        vmask sure = accuracy == TRIBOX_EXACT && sequence_has(sequence, 3) ? margin.sound : margin.holds;
         left = left_by_margin(&s, first, &margin, reach, left, &sure);
         if (!left)
             return 0;
@@ -253,7 +195,6 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
         left = left_by_margin(&s, third, &margin, reach, left, &sure);
         hit = left & m_bits(sure);
     }
-    if (left != hit)
-        hit |= packet_by_bounds(from, at, axes_of(sequence), accuracy, left & ~hit, open);
+    *open = left & ~hit;
     return hit;
 }

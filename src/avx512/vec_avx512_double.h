@@ -1,0 +1,50 @@
+/* vec_avx512_double.h - eight lanes of double. */
+#if !defined(__AVX512F__)
+#error "compile this file with AVX-512F"
+#endif
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <immintrin.h>
+#include <stdint.h>
+
+#include "exactness.h"
+#include "kernel.h"
+
+#define V_LANES 8
+#define V_FUSED 1 /* v_fma and v_fms round once */
+#define V_UNIT 0x1p-53
+#define V_ETA 0.0 /* float input leaves double room: nothing overflows or underflows */
+#define V_TAU 0.0
+
+typedef __m512d vnum;
+typedef __mmask8 vmask;
+
+TRIBOX_INLINE __m512i avx512_bits(vnum a) { return _mm512_castpd_si512(a); }
+TRIBOX_INLINE vnum avx512_double(__m512i a) { return _mm512_castsi512_pd(a); }
+TRIBOX_INLINE __m512i avx512_minus_zero(void) { return _mm512_set1_epi64(INT64_MIN); }
+
+TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_cvtps_pd(_mm256_loadu_ps(p)); }
+TRIBOX_INLINE vnum v_splat(double a) { return _mm512_set1_pd(a); }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_pd(a, b); }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm512_sub_pd(a, b); }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm512_mul_pd(a, b); }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm512_fmadd_pd(a, b, c); }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm512_fmsub_pd(a, b, c); }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm512_min_pd(a, b); }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm512_max_pd(a, b); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return avx512_double(_mm512_andnot_si512(avx512_minus_zero(), avx512_bits(a))); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return avx512_double(_mm512_and_si512(avx512_minus_zero(), avx512_bits(a))); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return avx512_double(_mm512_xor_si512(avx512_bits(a), avx512_bits(sign))); }
+TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return avx512_double(_mm512_and_si512(avx512_bits(a), avx512_bits(b))); }
+TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_double(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_mov_pd(b, m, a); }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
+TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi64_mask(avx512_bits(a), _mm512_setzero_si512()); }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+#endif

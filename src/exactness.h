@@ -1,0 +1,37 @@
+/*
+ * exactness.h - did any operation round since the watch began? The processor's sticky inexact flag knows; where it is out of reach
+ * the answer is no, and costs only time. The arithmetic to be watched stands between the two calls: it starts from memory, and what
+ * it comes to is the argument of the second, so that the compiler cannot move it out.
+ */
+#ifndef TRIBOX_EXACTNESS_H
+#define TRIBOX_EXACTNESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined(__GNUC__) && defined(__SSE2__)
+
+static inline void tribox_exactness_watch(void)
+{
+    const uint32_t clear = 0x1F80; /* as in environment.h, no flag raised */
+    __asm__ volatile("ldmxcsr %0" ::"m"(clear) : "memory");
+}
+
+static inline bool tribox_exactness_kept(uint64_t result)
+{
+    uint32_t state;
+    __asm__ volatile("stmxcsr %0" : "=m"(state) : "r"((uintptr_t)result) : "memory");
+    return !(state & 0x20);
+}
+
+#else
+
+static inline void tribox_exactness_watch(void) {}
+static inline bool tribox_exactness_kept(uint64_t result)
+{
+    (void)result;
+    return false;
+}
+
+#endif
+#endif

@@ -1,0 +1,16 @@
+/* finite.h - neither NaN nor infinite, told from the bits: a comparison would raise flags, or trap, in the caller's environment. */
+#ifndef TRIBOX_FINITE_H
+#define TRIBOX_FINITE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+static inline bool tribox_is_finite(float number)
+{
+    uint32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return (bits & 0x7f800000u) != 0x7f800000u;
+}
+
+#endif

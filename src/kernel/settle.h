@@ -1,0 +1,113 @@
+/*
+ * settle.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
+ *
+ * The processor's inexact flag tells for a whole packet at once that every slack is exact; then its sign decides ties as well. That
+ * is for EXACT alone: CONSERVATIVE must answer a pair alike in whatever company it is.
+ * Otherwise these are left out, as they are redundant given that the box normals do not separate: the plane when the triangle is
+ * flat on an axis, the edges of a projection in which it is flat, and an edge parallel to an axis of its projection.
+ */
+
+/* Nine edge slacks and the plane's: the ones not asked are left positive. */
+typedef struct lane_slacks {
+    vnum edge[3][3]; /* edge[i][j]: axis a_ij */
+    vnum plane;
+} lane_slacks;
+
+TRIBOX_INLINE lane_slacks slacks_of(const lane_shape *s, unsigned axes)
+{
+    lane_slacks slack;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            slack.edge[i][j] = !(axes & TRIBOX_AXES_EDGES) ? v_splat(INFINITY)
+                               : axes & TRIBOX_AXES_BOX    ? edge_slack(s, i, j)
+                                                           : edge_slack_both_sides(s, i, j);
+    slack.plane = axes & TRIBOX_AXES_PLANE ? plane_slack(s, plane_reach(s)) : v_splat(INFINITY);
+    return slack;
+}
+
+/* The least of a slack plus or minus its bound, over all axes that are not redundant: negative in `most` separates for certain,
+ * positive in `least` is a certain overlap. */
+typedef struct lane_range {
+    vnum least, most;
+} lane_range;
+
+TRIBOX_INLINE void widen(lane_range *range, vnum slack, vnum error, vmask redundant)
+{
+    range->least = v_min(range->least, v_select(redundant, v_splat(INFINITY), v_sub(slack, error)));
+    range->most = v_min(range->most, v_select(redundant, v_splat(INFINITY), v_add(slack, error)));
+}
+
+TRIBOX_INLINE vmask is_zero(vnum a) { return m_andnot(v_gt(v_splat(1), v_splat(0)), v_gt(v_abs(a), v_splat(0))); }
+
+TRIBOX_INLINE lane_range range_of(const lane_slacks *slack, const lane_triangle *t, const lane_box *box, const lane_shape *s,
+                                  bool is_box_asked)
+{
+    const lane_bounds bound = bounds_of(t, box);
+    const vmask none = v_gt(v_splat(0), v_splat(0));
+    lane_range range = {v_splat(INFINITY), v_splat(INFINITY)};
+    vmask is_flat = none;
+    for (int i = 0; i < 3; i++) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        const vnum error = is_box_asked ? bound.edges[i] : both_sides_bound(&bound, i);
+        for (int j = 0; j < 3; j++)
+            widen(&range, slack->edge[i][j], error, is_box_asked ? m_or(is_zero(s->f[j][a]), is_zero(s->f[j][b])) : none);
+        is_flat = m_or(is_flat, is_zero(bound.F[i]));
+    }
+    widen(&range, slack->plane, bound.plane, is_box_asked ? is_flat : none);
+    return range;
+}
+
+TRIBOX_INLINE vnum least_slack(const lane_slacks *slack)
+{
+    vnum least = slack->plane;
+    for (int i = 0; i < 3; i++)
+        least = v_min(lane_min3(slack->edge[i][0], slack->edge[i][1], slack->edge[i][2]), least);
+    return least;
+}
+
+/* One packet of the batch, from pair `at`: the lanes that overlap, and in *open those that stay undecided. */
+TRIBOX_INLINE uint64_t settle_packet(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact, uint64_t *open)
+{
+    lane_triangle t;
+    lane_box box;
+    lane_shape s;
+    tribox_exactness_watch();
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            t.u[j][a] = v_load(&batch->number[3 * j + a][at]);
+        box.lo[a] = v_load(&batch->number[9 + a][at]);
+        box.hi[a] = v_load(&batch->number[12 + a][at]);
+        box.H[a] = v_sub(box.hi[a], box.lo[a]);
+        shape_axis(&s, &t, &box, a);
+    }
+    shape_normal(&s);
+    const lane_slacks slack = slacks_of(&s, axes);
+    const uint64_t negative = m_bits(v_gt(v_splat(0), least_slack(&slack)));
+    if (tribox_exactness_kept(negative) && is_exact) {
+        *open = 0;
+        return ~negative & LANES_ALL;
+    }
+    const lane_range range = range_of(&slack, &t, &box, &s, axes & TRIBOX_AXES_BOX);
+    const uint64_t apart = m_bits(v_gt(v_splat(0), range.most));
+    const uint64_t overlapping = m_bits(v_gt(range.least, v_splat(0))) | (~m_bits(m_signs(has_no_vertex_inside(&s))) & LANES_ALL);
+    *open = ~(apart | overlapping) & LANES_ALL;
+    return overlapping;
+}
+
+#define SETTLE_SYMBOL_(name) tribox_settle_##name
+#define SETTLE_SYMBOL(name) SETTLE_SYMBOL_(name)
+
+tribox_settle SETTLE_SYMBOL(KERNEL);
+uint64_t SETTLE_SYMBOL(KERNEL)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open)
+{
+    uint64_t overlapping = 0;
+    *open = 0;
+    for (unsigned at = 0; at < count; at += V_LANES) {
+        uint64_t packet_open;
+        overlapping |= settle_packet(batch, at, axes, is_exact, &packet_open) << at;
+        *open |= packet_open << at;
+    }
+    const uint64_t present = ~UINT64_C(0) >> (TRIBOX_BATCH - count);
+    *open &= present;
+    return overlapping & present;
+}

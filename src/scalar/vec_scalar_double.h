@@ -1,0 +1,44 @@
+/* vec_scalar_double.h - one lane of double: the definition of the words, and the kind of number that settles. kernel/README.md tells the rest. */
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "exactness.h"
+#include "kernel.h"
+
+#define V_LANES 1
+#define V_FUSED 0 /* v_fma and v_fms round twice */
+#define V_UNIT 0x1p-53
+#define V_ETA 0.0 /* float input leaves double room: nothing overflows or underflows */
+#define V_TAU 0.0
+
+typedef double vnum;
+typedef bool vmask;
+
+TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
+TRIBOX_INLINE vnum v_splat(double a) { return a; }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return a * b + c; }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
+TRIBOX_INLINE vnum v_abs(vnum a) { return fabs(a); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return copysign(0.0, a); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return signbit(sign) ? -a : a; }
+TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return copysign(1.0, signbit(a) && signbit(b) ? -1.0 : 1.0); }
+TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return copysign(1.0, signbit(a) || signbit(b) ? -1.0 : 1.0); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
+TRIBOX_INLINE vmask m_signs(vnum a) { return signbit(a) != 0; }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+#endif

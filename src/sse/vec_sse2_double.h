@@ -1,0 +1,46 @@
+/* vec_sse2_double.h - two lanes of double. */
+#if !defined(__SSE2__)
+#error "compile this file with SSE2"
+#endif
+#ifndef TRIBOX_VEC_H
+#define TRIBOX_VEC_H
+
+#include <emmintrin.h>
+#include <stdint.h>
+
+#include "exactness.h"
+#include "kernel.h"
+
+#define V_LANES 2
+#define V_FUSED 0 /* v_fma and v_fms round twice */
+#define V_UNIT 0x1p-53
+#define V_ETA 0.0 /* float input leaves double room: nothing overflows or underflows */
+#define V_TAU 0.0
+
+typedef __m128d vnum;
+typedef __m128d vmask;
+
+TRIBOX_INLINE vnum v_load(const float *p) { return _mm_set_pd(p[1], p[0]); }
+TRIBOX_INLINE vnum v_splat(double a) { return _mm_set1_pd(a); }
+TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_pd(a, b); }
+TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm_sub_pd(a, b); }
+TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm_mul_pd(a, b); }
+TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm_add_pd(_mm_mul_pd(a, b), c); }
+TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm_sub_pd(_mm_mul_pd(a, b), c); }
+TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm_min_pd(a, b); }
+TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_pd(a, b); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
+TRIBOX_INLINE vnum v_sign(vnum a) { return _mm_and_pd(_mm_set1_pd(-0.0), a); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_pd(a, sign); }
+TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm_and_pd(a, b); }
+TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_pd(a, b); }
+TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_pd(a, b); }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
+
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_pd(a, b); }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_pd(a, b); }
+TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_pd(b, a); }
+TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
+TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_pd(a); }
+
+#endif

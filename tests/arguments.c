@@ -1,0 +1,56 @@
+#include "arguments.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PAIRS = 100000, PAIRS_LONG = 10000000 };
+
+static const char usage[] = "usage: %s [--seed N] [--long] [--scenes NAME] [--meshes FOLDER]\n"
+                            "  --seed N         the seed of everything drawn (default: TRIBOX_TEST_SEED, else 1)\n"
+                            "  --long           ten million pairs a scene instead of a hundred thousand\n"
+                            "  --scenes NAME    only this scene, or this family of scenes\n"
+                            "  --meshes FOLDER  the folder of the mesh files (default: TRIBOX_MESHES)\n";
+
+static uint64_t seed_of(const char *text)
+{
+    char *end;
+    errno = 0;
+    const unsigned long long seed = strtoull(text, &end, 0);
+    if (errno || end == text || *end) {
+        fprintf(stderr, "the seed '%s' is no number from 0 to 2^64 - 1; give one, such as --seed 7\n", text);
+        exit(2);
+    }
+    return seed;
+}
+
+static const char *non_empty(const char *text) { return text && *text ? text : NULL; }
+
+arguments arguments_parse(int argc, char **argv)
+{
+    const char *seed = non_empty(getenv("TRIBOX_TEST_SEED"));
+    arguments args = {.pairs = PAIRS, .meshes = non_empty(getenv("TRIBOX_MESHES"))};
+    for (int k = 1; k < argc; k++) {
+        const char *const value = k + 1 < argc ? argv[k + 1] : NULL;
+        if (!strcmp(argv[k], "--long")) {
+            args.pairs = PAIRS_LONG;
+            continue;
+        }
+        const char **const option = !strcmp(argv[k], "--seed")     ? &seed
+                                    : !strcmp(argv[k], "--scenes") ? &args.scenes
+                                    : !strcmp(argv[k], "--meshes") ? &args.meshes
+                                                                   : NULL;
+        if (!option || !value) {
+            fprintf(stderr, "%s: argument '%s' %s\n", argv[0], argv[k], option ? "needs a value" : "is unknown");
+            fprintf(stderr, usage, argv[0]);
+            exit(2);
+        }
+        *option = value;
+        k++;
+    }
+    args.seed = seed ? seed_of(seed) : 1;
+    printf("seed %" PRIu64 "\n", args.seed);
+    return args;
+}

@@ -1,0 +1,18 @@
+/* arguments.h - what every test program here is told: the seed, how long to run, which scenes, where the meshes lie. */
+#ifndef TRIBOX_TESTS_ARGUMENTS_H
+#define TRIBOX_TESTS_ARGUMENTS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct arguments {
+    uint64_t seed;      /* --seed N, or the environment variable TRIBOX_TEST_SEED */
+    size_t pairs;       /* pairs of a scene: 10^5, or 10^7 with --long */
+    const char *scenes; /* --scenes NAME: one scene, or one family of scenes; NULL for all */
+    const char *meshes; /* --meshes FOLDER, or the environment variable TRIBOX_MESHES; NULL if neither is given */
+} arguments;
+
+/* Prints the seed. Ends the program with a message on an argument that it does not know. */
+arguments arguments_parse(int argc, char **argv);
+
+#endif

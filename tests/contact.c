@@ -1,0 +1,90 @@
+#include "contact.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+float nearest_float(double number) { return fabs(number) < (double)FLT_MAX ? (float)number : copysignf(FLT_MAX, (float)number); }
+
+float nudged(random_source *r, float number, int ulps)
+{
+    const int steps = random_between(r, -ulps, ulps);
+    for (int k = 0; k < (steps < 0 ? -steps : steps); k++)
+        number = nextafterf(number, steps < 0 ? -FLT_MAX : FLT_MAX);
+    return number;
+}
+
+contact_part any_contact_part(random_source *r) { return (contact_part)random_below(r, CONTACT_PARTS); }
+
+/* A component of a direction: of few whole numbers, or any in [-1, 1]. */
+static double component(random_source *r, bool is_whole) { return is_whole ? random_between(r, -2, 2) : random_uniform(r, -1, 1); }
+
+/* The direction from the box to the triangle. Two zeros in it make a contact with a face, one zero with an edge, none with a corner. */
+static void draw_outward(random_source *r, bool is_whole, double m[3])
+{
+    do {
+        for (int a = 0; a < 3; a++)
+            m[a] = random_below(r, 3) ? component(r, is_whole) : 0;
+    } while (m[0] == 0 && m[1] == 0 && m[2] == 0);
+}
+
+/* A point of the box that is farthest along m. */
+static void draw_point_of_contact(random_source *r, const tribox_box *box, double step, const double m[3], double p[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const double lo = box->lo[a], hi = box->hi[a];
+        if (m[a] != 0)
+            p[a] = m[a] > 0 ? hi : lo;
+        else
+            p[a] = step > 0 ? lo + step * random_between(r, 0, (int)((hi - lo) / step)) : random_uniform(r, lo, hi);
+    }
+}
+
+/* A direction perpendicular to m. */
+static void draw_tangent(random_source *r, bool is_whole, double unit, const double m[3], double t[3])
+{
+    double q[3];
+    for (int a = 0; a < 3; a++)
+        q[a] = component(r, is_whole);
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        t[a] = unit * (m[b] * q[c] - m[c] * q[b]);
+    }
+}
+
+/* How far vertices that do not touch lie above the plane of contact: often not at all. */
+static double draw_lift(random_source *r, bool is_whole, double unit)
+{
+    return unit * (is_whole ? random_between(r, 0, 2) : random_below(r, 2) * random_uniform(r, 0, 1));
+}
+
+static double draw_factor(random_source *r, bool is_whole)
+{
+    return is_whole ? random_between(r, 1, 2) : random_uniform(r, 0.1, 2);
+}
+
+void draw_contact(random_source *r, const tribox_box *box, contact_style style, contact_part part, float u[3][3])
+{
+    const bool is_whole = style.step > 0;
+    const double unit = is_whole ? style.step : style.size;
+    double m[3], p[3], t[2][3];
+    draw_outward(r, is_whole, m);
+    draw_point_of_contact(r, box, style.step, m, p);
+    draw_tangent(r, is_whole, unit, m, t[0]);
+    draw_tangent(r, is_whole, unit, m, t[1]);
+    const double k = draw_factor(r, is_whole), l = draw_factor(r, is_whole);
+    const double lift[2] = {draw_lift(r, is_whole, unit), draw_lift(r, is_whole, unit)};
+    const int turn = random_below(r, 3);
+    for (int a = 0; a < 3; a++) {
+        double v[3];
+        v[0] = part == CONTACT_VERTEX ? p[a] : p[a] + t[0][a];
+        v[1] = part == CONTACT_EDGE ? p[a] - k * t[0][a] : p[a] + t[1][a];
+        v[2] = part == CONTACT_INSIDE ? p[a] - k * t[0][a] - l * t[1][a] : p[a] + t[1][a] + lift[1] * m[a];
+        if (part == CONTACT_VERTEX) {
+            v[1] += lift[0] * m[a];
+            v[2] += t[0][a];
+        }
+        for (int j = 0; j < 3; j++)
+            u[(j + turn) % 3][a] = nearest_float(v[j]);
+    }
+}

@@ -1,0 +1,75 @@
+#include "drawn.h"
+
+#include <string.h>
+
+#include "contact.h"
+
+static question question_over(const drawn *numbers, bool is_soup, size_t count)
+{
+    question q = {.count = count};
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        q.stream[s] = numbers->stream[s];
+    if (is_soup)
+        q.box = &numbers->box;
+    else
+        q.triangle = numbers->triangle;
+    return q;
+}
+
+static void put_triangle(drawn *numbers, size_t i, float u[3][3])
+{
+    for (int a = 0; a < 3; a++)
+        for (int v = 0; v < 3; v++)
+            numbers->stream[3 * a + v][i] = u[v][a];
+}
+
+/* A bound near the scene's own, or one that touches a vertex, or nearly. */
+static float draw_bound(random_source *r, float bound, float triangle[3][3], int a)
+{
+    return nudged(r, random_below(r, 4) ? bound : triangle[random_below(r, 3)][a], 2);
+}
+
+static void put_box(random_source *r, drawn *numbers, size_t i, const tribox_box *box)
+{
+    for (int a = 0; a < 3; a++) {
+        const float p = draw_bound(r, box->lo[a], numbers->triangle, a), q = draw_bound(r, box->hi[a], numbers->triangle, a);
+        numbers->stream[a][i] = p < q ? p : q;
+        numbers->stream[3 + a][i] = p < q ? q : p;
+    }
+}
+
+question draw_question(random_source *r, const scene *s, bool is_soup, drawn *numbers)
+{
+    scene_batch batch;
+    s->draw(r, &batch);
+    numbers->box = batch.box;
+    memcpy(numbers->triangle, batch.u[random_below(r, SCENE_TRIANGLES)], sizeof numbers->triangle);
+    for (size_t i = 0; i < SCENE_TRIANGLES; i++)
+        if (is_soup)
+            put_triangle(numbers, i, batch.u[i]);
+        else
+            put_box(r, numbers, i, &batch.box);
+    return question_over(numbers, is_soup, SCENE_TRIANGLES);
+}
+
+question draw_distinct_lanes(random_source *r, bool is_soup, drawn *numbers)
+{
+    static const float through_origin[3][3] = {{-0.75f, -0.5f, 0.25f}, {0.5f, -0.25f, -1}, {0.125f, 0.375f, 0.375f}};
+    memcpy(numbers->triangle, through_origin, sizeof numbers->triangle);
+    for (size_t i = 0; i < DRAWN_MOST; i += SCENE_TRIANGLES) {
+        scene_batch batch;
+        (i / SCENE_TRIANGLES % 2 ? draw_paper : draw_eighths)(r, &batch);
+        numbers->box = batch.box;
+        for (size_t k = 0; k < SCENE_TRIANGLES && i + k < DRAWN_MOST; k++) {
+            put_triangle(numbers, i + k, batch.u[k]);
+            if (is_soup)
+                continue;
+            for (int a = 0; a < 3; a++) {
+                const float size = (float)random_uniform(r, 0, 0.75);
+                numbers->stream[a][i + k] = batch.u[k][0][a] / 2;
+                numbers->stream[3 + a][i + k] = batch.u[k][0][a] / 2 + size;
+            }
+        }
+    }
+    return question_over(numbers, is_soup, DRAWN_MOST);
+}

@@ -1,0 +1,218 @@
+/*
+ * test_batch.c - every count, every alignment, every tail: memory is left alone, and each bit is what its pair alone gets.
+ *
+ * All streams, the mask, the report and the one box or triangle lie between pages that cannot be touched.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "drawn.h"
+#include "guard.h"
+#include "runnable.h"
+
+static arguments args;
+static drawn numbers;
+
+enum { ACCURACIES = TRIBOX_FAST + 1, POISON = 0xa5 };
+
+/* Where things lie in their pages: at the end of them, or a number of floats behind their start. */
+enum { AT_END = 16, PLACES };
+
+static struct fences {
+    guarded stream[SOUP_STREAMS], one, mask, report;
+} fence;
+
+/* What each pair gets when it is asked alone. */
+static uint64_t alone[RUNNABLE_MOST][ACCURACIES][DRAWN_WORDS];
+
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+static void ask_each_alone(const question *q)
+{
+    memset(alone, 0, sizeof alone);
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            for (size_t i = 0; i < q->count; i++) {
+                const question pair = question_at(q, i);
+                uint64_t bit;
+                ask_ok(&pair, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, &bit, NULL);
+                assert_true(bit < 2);
+                alone[k][accuracy][i / 64] |= bit << i % 64;
+            }
+}
+
+/* A lane that were a copy of another, at any distance within a vector, would show: a good part of the answers differ. */
+static void assert_lanes_are_distinct(const uint64_t *mask, size_t count)
+{
+    for (size_t distance = 1; distance <= 64; distance++) {
+        size_t differing = 0;
+        for (size_t i = distance; i < count; i++)
+            differing += mask_bit(mask, i) != mask_bit(mask, i - distance);
+        assert_true(differing > count / 8);
+    }
+}
+
+static void *placed(guarded g, size_t bytes, size_t offset, int place)
+{
+    return place == AT_END ? guarded_tail(g, bytes) : g.first + offset;
+}
+
+/* Each stream goes through all alignments, and each its own way. */
+static question between_guards(const question *from, size_t count, int place)
+{
+    question q = {.count = count};
+    for (int s = 0; s < question_streams(from); s++) {
+        const size_t bytes = count * sizeof(float), offset = sizeof(float) * (size_t)(place * (2 * s + 1) % 16);
+        guarded_read_only(fence.stream[s], false);
+        float *const stream = placed(fence.stream[s], bytes, offset, place);
+        memcpy(stream, from->stream[s], bytes);
+        guarded_read_only(fence.stream[s], true);
+        q.stream[s] = stream;
+    }
+    guarded_read_only(fence.one, false);
+    if (from->box)
+        q.box = memcpy(placed(fence.one, sizeof *q.box, sizeof(float) * (size_t)place, place), from->box, sizeof *q.box);
+    else
+        q.triangle = memcpy(placed(fence.one, sizeof numbers.triangle, sizeof(float) * (size_t)place, place), from->triangle,
+                            sizeof numbers.triangle);
+    guarded_read_only(fence.one, true);
+    return q;
+}
+
+static void assert_poisoned(const unsigned char *first, const unsigned char *end, const question *q, const tribox_options *options)
+{
+    char text[QUESTION_TEXT];
+    for (const unsigned char *byte = first; byte < end; byte++)
+        if (*byte != POISON)
+            fail_msg("%s: written beside the mask", question_text(q, options, text));
+}
+
+static void assert_report(const question *q, const tribox_options *options, const tribox_report *report, const uint64_t *expected)
+{
+    char text[QUESTION_TEXT];
+    const size_t overlapping = mask_population(expected, q->count);
+    if (report->overlapping != overlapping)
+        fail_msg("%s: the report counts %zu, the mask has %zu", question_text(q, options, text), report->overlapping, overlapping);
+    if (report->undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count))
+        fail_msg("%s: %zu undecided", question_text(q, options, text), report->undecided);
+}
+
+static void check_call(const question *q, const tribox_options *options, const uint64_t *all, int place)
+{
+    const size_t words = tribox_mask_words(q->count), bytes = words * sizeof(uint64_t);
+    uint64_t expected[DRAWN_WORDS] = {0};
+    memcpy(expected, all, bytes);
+    if (q->count % 64)
+        expected[words - 1] &= ~(~UINT64_C(0) << q->count % 64);
+
+    memset(fence.mask.first, POISON, fence.mask.size);
+    uint64_t *const mask = placed(fence.mask, bytes, sizeof(uint64_t) * (size_t)(place % 8), place);
+    tribox_report *const report = placed(fence.report, sizeof *report, 0, place);
+    question_text(q, options, doing);
+    ask_ok(q, options, mask, report);
+    assert_masks_equal(q, options, expected, mask);
+    assert_poisoned(fence.mask.first, (unsigned char *)mask, q, options);
+    assert_poisoned((unsigned char *)(mask + words), fence.mask.first + fence.mask.size, q, options);
+    assert_report(q, options, report, expected);
+    if (place)
+        return;
+    ask_ok(q, options, NULL, report);
+    assert_report(q, options, report, expected);
+    memset(mask, POISON, bytes);
+    ask_ok(q, options, mask, NULL);
+    assert_masks_equal(q, options, expected, mask);
+}
+
+static void check_count(const question *all, size_t count, int place)
+{
+    const question q = between_guards(all, count, place);
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            check_call(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, alone[k][accuracy], place);
+}
+
+static void check_form(bool is_soup)
+{
+    static const size_t large[] = {4095, 4096, 4097, 4159, 8192, 10000};
+    catch_faults();
+    random_source r = random_named(args.seed, "batch");
+    const question all = draw_distinct_lanes(&r, is_soup, &numbers);
+    ask_each_alone(&all);
+    assert_lanes_are_distinct(alone[0][TRIBOX_EXACT], all.count);
+    for (int place = 0; place < PLACES; place++)
+        for (size_t count = 0; count <= 200; count++)
+            check_count(&all, count, place);
+    for (size_t k = 0; k < sizeof large / sizeof large[0]; k++)
+        for (int place = 0; place < PLACES; place += AT_END / 2)
+            check_count(&all, large[k], place);
+}
+
+static void test_soup(void **state)
+{
+    (void)state;
+    check_form(true);
+}
+
+static void test_boxes(void **state)
+{
+    (void)state;
+    check_form(false);
+}
+
+/* The count of what is not finite reads no more than its streams either. */
+static void test_not_finite(void **state)
+{
+    (void)state;
+    catch_faults();
+    snprintf(doing, sizeof doing, "tribox_soup_not_finite");
+    random_source r = random_named(args.seed, "batch");
+    const question all = draw_distinct_lanes(&r, true, &numbers);
+    for (size_t count = 0; count <= 200; count++)
+        for (int place = 0; place <= AT_END; place += AT_END) {
+            const question q = between_guards(&all, count, place);
+            const tribox_soup soup = question_soup(&q);
+            size_t first;
+            assert_int_equal(tribox_soup_not_finite(&soup, &first), 0);
+            assert_int_equal(first, count);
+        }
+}
+
+static int make_fences(void **state)
+{
+    (void)state;
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        fence.stream[s] = guarded_make(sizeof numbers.stream[s] + 64);
+    fence.one = guarded_make(sizeof numbers.triangle + 64);
+    fence.mask = guarded_make(sizeof alone[0][0] + 64);
+    fence.report = guarded_make(sizeof(tribox_report));
+    kernels = runnable_kernels(names);
+    return 0;
+}
+
+static int free_fences(void **state)
+{
+    (void)state;
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        guarded_free(fence.stream[s]);
+    guarded_free(fence.one);
+    guarded_free(fence.mask);
+    guarded_free(fence.report);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_soup),
+        cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_not_finite),
+    };
+    return cmocka_run_group_tests(tests, make_fences, free_fences);
+}

@@ -1,0 +1,276 @@
+/* test_not_finite.c - NaN, infinity and empty boxes overlap nothing, wherever they stand, at every accuracy, order and axis set. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "drawn.h"
+#include "guard.h"
+#include "runnable.h"
+
+static arguments args;
+static drawn numbers;
+
+/* Two whole words and a tail. */
+enum { COUNT = 150, WORDS = (COUNT + 63) / 64 };
+
+static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
+static const float triangle[3][3] = {{0.25f, 0.5f, -0.25f}, {3, -2, 0.5f}, {-0.5f, 0.125f, 2}};
+
+static float bad_number(int kind)
+{
+    static const uint32_t bits[] = {0x7fc00000, 0xffc00000, 0x7f800001, 0x7f800000, 0xff800000};
+    float number;
+    memcpy(&number, &bits[kind], sizeof number);
+    return number;
+}
+enum { BAD_KINDS = 5 };
+
+/* The lanes that a test spoils: every third, so that each lane of a vector is spoilt somewhere and has sound neighbours. */
+static bool is_spoilt(size_t i) { return i % 3 == 1; }
+
+static void expect_all_but_spoilt(uint64_t expected[WORDS])
+{
+    memset(expected, 0, WORDS * sizeof *expected);
+    for (size_t i = 0; i < COUNT; i++)
+        expected[i / 64] |= (uint64_t)!is_spoilt(i) << i % 64;
+}
+
+/* Asks at every kernel, accuracy, axis set and order; the answer is always the same. */
+static void check_everywhere(const question *q, const uint64_t expected[WORDS])
+{
+    static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
+    const char *names[RUNNABLE_MOST];
+    const size_t kernels = runnable_kernels(names);
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
+                for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
+                    const tribox_options options = {accuracy, axes, orders[o], names[k]};
+                    uint64_t mask[WORDS];
+                    tribox_report report;
+                    question_text(q, &options, doing);
+                    ask_ok(q, &options, mask, &report);
+                    assert_masks_equal(q, &options, expected, mask);
+                    assert_int_equal(report.overlapping, mask_population(expected, q->count));
+                }
+}
+
+/* Triangles with a vertex well inside the cube; every second one is flat on an axis, where min and max are one number. */
+static question draw_hits(random_source *r)
+{
+    for (size_t i = 0; i < COUNT; i++)
+        for (int a = 0; a < 3; a++) {
+            const int inside = random_below(r, 3);
+            for (int v = 0; v < 3; v++)
+                numbers.stream[3 * a + v][i] = (float)random_uniform(r, -0.5, 0.5) * (v == inside ? 1 : 1.5f);
+            if (i % 2 && a == (int)(i / 2 % 3))
+                numbers.stream[3 * a + 1][i] = numbers.stream[3 * a + 2][i] = numbers.stream[3 * a][i];
+        }
+    question q = {.count = COUNT, .box = &cube};
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        q.stream[s] = numbers.stream[s];
+    return q;
+}
+
+/* Boxes about the first vertex of the triangle. */
+static question draw_boxes(random_source *r)
+{
+    for (size_t i = 0; i < COUNT; i++)
+        for (int a = 0; a < 3; a++) {
+            numbers.stream[a][i] = triangle[0][a] - (float)random_uniform(r, 0.1, 4);
+            numbers.stream[3 + a][i] = triangle[0][a] + (float)random_uniform(r, 0.1, 4);
+        }
+    question q = {.count = COUNT, .triangle = triangle};
+    for (int s = 0; s < BOXES_STREAMS; s++)
+        q.stream[s] = numbers.stream[s];
+    return q;
+}
+
+static void assert_first_and_count(const question *q)
+{
+    const tribox_soup soup = question_soup(q);
+    size_t first = 0;
+    assert_int_equal(tribox_soup_not_finite(&soup, &first), COUNT / 3);
+    assert_int_equal(first, 1);
+    assert_int_equal(tribox_soup_not_finite(&soup, NULL), COUNT / 3);
+}
+
+static void test_sound_pairs_overlap(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "sound");
+    uint64_t every[WORDS] = {0};
+    for (size_t i = 0; i < COUNT; i++)
+        every[i / 64] |= UINT64_C(1) << i % 64;
+    const question soup = draw_hits(&r);
+    check_everywhere(&soup, every);
+    const question boxes = draw_boxes(&r);
+    check_everywhere(&boxes, every);
+}
+
+/* One bad coordinate in each place, or one bad bound. */
+static void check_each_stream(question (*draw)(random_source *))
+{
+    catch_faults();
+    random_source r = random_named(args.seed, "alone");
+    uint64_t expected[WORDS];
+    expect_all_but_spoilt(expected);
+    const question q = draw(&r);
+    for (int s = 0; s < question_streams(&q); s++)
+        for (int kind = 0; kind < BAD_KINDS; kind++) {
+            float sound[COUNT];
+            memcpy(sound, numbers.stream[s], sizeof sound);
+            for (size_t i = 0; i < COUNT; i++)
+                if (is_spoilt(i))
+                    numbers.stream[s][i] = bad_number(kind);
+            check_everywhere(&q, expected);
+            if (q.box)
+                assert_first_and_count(&q);
+            memcpy(numbers.stream[s], sound, sizeof sound);
+        }
+}
+
+static void test_each_vertex_and_axis_alone(void **state)
+{
+    (void)state;
+    check_each_stream(draw_hits);
+}
+
+static void test_each_bound_alone(void **state)
+{
+    (void)state;
+    check_each_stream(draw_boxes);
+}
+
+/* Several at once, so that they meet: inf - inf, inf with NaN. */
+static void check_several(question (*draw)(random_source *))
+{
+    catch_faults();
+    random_source r = random_named(args.seed, "several");
+    uint64_t expected[WORDS];
+    expect_all_but_spoilt(expected);
+    for (int round = 0; round < 20; round++) {
+        const question q = draw(&r);
+        for (size_t i = 0; i < COUNT; i++)
+            for (int times = is_spoilt(i) ? random_between(&r, 1, 9) : 0; times > 0; times--)
+                numbers.stream[random_below(&r, question_streams(&q))][i] = bad_number(random_below(&r, BAD_KINDS));
+        check_everywhere(&q, expected);
+        if (q.box)
+            assert_first_and_count(&q);
+    }
+}
+
+static void test_several_in_a_triangle(void **state)
+{
+    (void)state;
+    check_several(draw_hits);
+}
+
+static void test_several_in_a_box(void **state)
+{
+    (void)state;
+    check_several(draw_boxes);
+}
+
+static void test_bad_triangle_and_many_boxes(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "bad triangle");
+    static const uint64_t none[WORDS];
+    question q = draw_boxes(&r);
+    for (int place = 0; place < 9; place++)
+        for (int kind = 0; kind < BAD_KINDS; kind++) {
+            float bad[3][3];
+            memcpy(bad, triangle, sizeof bad);
+            bad[place / 3][place % 3] = bad_number(kind);
+            q.triangle = (const float(*)[3])bad;
+            check_everywhere(&q, none);
+        }
+}
+
+/* lo > hi on one axis, by an ulp and by much: triangles that span the gap are on no side of it. */
+static void empty_box(tribox_box *box, int axis, int gap)
+{
+    box->hi[axis] = gap ? -0.5f : 0.125f;
+    box->lo[axis] = gap ? 0.5f : nextafterf(0.125f, 1);
+}
+
+static void test_empty_box_and_soup(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "empty");
+    static const uint64_t none[WORDS];
+    question q = draw_hits(&r);
+    for (int axis = 0; axis < 3; axis++)
+        for (int gap = 0; gap < 2; gap++) {
+            tribox_box box = cube;
+            empty_box(&box, axis, gap);
+            q.box = &box;
+            check_everywhere(&q, none);
+        }
+}
+
+static void test_empty_boxes(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "empty");
+    uint64_t expected[WORDS];
+    expect_all_but_spoilt(expected);
+    for (int axis = 0; axis < 3; axis++)
+        for (int gap = 0; gap < 2; gap++) {
+            const question q = draw_boxes(&r);
+            tribox_box box = cube;
+            empty_box(&box, axis, gap);
+            for (size_t i = 0; i < COUNT; i++)
+                if (is_spoilt(i)) {
+                    numbers.stream[axis][i] = box.lo[axis];
+                    numbers.stream[3 + axis][i] = box.hi[axis];
+                }
+            check_everywhere(&q, expected);
+        }
+}
+
+/* Nothing but bad triangles, none, and one at the very end. */
+static void test_counts(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "counts");
+    const question q = draw_hits(&r);
+    const tribox_soup soup = question_soup(&q);
+    size_t first = 1234;
+    assert_int_equal(tribox_soup_not_finite(&soup, &first), 0);
+    assert_int_equal(first, COUNT);
+    numbers.stream[8][COUNT - 1] = NAN;
+    assert_int_equal(tribox_soup_not_finite(&soup, &first), 1);
+    assert_int_equal(first, COUNT - 1);
+    for (size_t i = 0; i < COUNT; i++)
+        numbers.stream[i % SOUP_STREAMS][i] = INFINITY;
+    assert_int_equal(tribox_soup_not_finite(&soup, &first), COUNT);
+    assert_int_equal(first, 0);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sound_pairs_overlap),
+        cmocka_unit_test(test_each_vertex_and_axis_alone),
+        cmocka_unit_test(test_each_bound_alone),
+        cmocka_unit_test(test_several_in_a_triangle),
+        cmocka_unit_test(test_several_in_a_box),
+        cmocka_unit_test(test_bad_triangle_and_many_boxes),
+        cmocka_unit_test(test_empty_box_and_soup),
+        cmocka_unit_test(test_empty_boxes),
+        cmocka_unit_test(test_counts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

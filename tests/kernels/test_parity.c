@@ -1,0 +1,159 @@
+/* test_parity.c - kernels, orders and accuracies agree where they have to: EXACT everywhere, FAST among equal roundings. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "drawn.h"
+#include "guard.h"
+#include "runnable.h"
+
+static arguments args;
+static drawn numbers;
+
+enum { ACCURACIES = TRIBOX_FAST + 1, WORDS = (SCENE_TRIANGLES + 63) / 64 };
+
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+/* One set of axes, default order: the mask of each kernel and accuracy. */
+typedef struct answers {
+    uint64_t mask[RUNNABLE_MOST][ACCURACIES][WORDS];
+} answers;
+
+static void ask(const question *q, const tribox_options *options, uint64_t *mask)
+{
+    tribox_report report;
+    question_text(q, options, doing);
+    ask_ok(q, options, mask, &report);
+    assert_int_equal(report.overlapping, mask_population(mask, q->count));
+    assert_true(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : q->count));
+}
+
+static void ask_kernels(const question *q, unsigned axes, answers *got)
+{
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            ask(q, &(tribox_options){accuracy, axes, 0, names[k]}, got->mask[k][accuracy]);
+}
+
+static void check_orders(const question *q, unsigned axes, const answers *got)
+{
+    static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
+                const tribox_options options = {accuracy, axes, orders[o], names[k]};
+                uint64_t mask[WORDS];
+                ask(q, &options, mask);
+                assert_masks_equal(q, &options, got->mask[k][accuracy], mask);
+            }
+}
+
+/* EXACT: what the scalar kernel says, which is the first. FAST: what the first kernel of the same rounding says. */
+static void check_kernels(const question *q, unsigned axes, const answers *got)
+{
+    for (size_t k = 1; k < kernels; k++) {
+        size_t peer = 0;
+        while (kernel_is_fused(names[peer]) != kernel_is_fused(names[k]))
+            peer++;
+        assert_masks_equal(q, &(tribox_options){TRIBOX_EXACT, axes, 0, names[k]}, got->mask[0][TRIBOX_EXACT],
+                           got->mask[k][TRIBOX_EXACT]);
+        assert_masks_equal(q, &(tribox_options){TRIBOX_FAST, axes, 0, names[k]}, got->mask[peer][TRIBOX_FAST],
+                           got->mask[k][TRIBOX_FAST]);
+    }
+}
+
+/* What a pair gets does not depend on its neighbours. */
+static void check_alone(const question *q, unsigned axes, const answers *got)
+{
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            for (size_t i = 0; i < q->count; i++) {
+                const tribox_options options = {accuracy, axes, 0, names[k]};
+                const question pair = question_at(q, i);
+                uint64_t bit;
+                ask(&pair, &options, &bit);
+                if (bit != mask_bit(got->mask[k][accuracy], i))
+                    fail_at_pair(q, &options, i, bit);
+            }
+}
+
+static void check_conservative(const question *q, unsigned axes, const answers *got)
+{
+    for (size_t k = 0; k < kernels; k++)
+        for (size_t i = 0; i < q->count; i++)
+            if (mask_bit(got->mask[k][TRIBOX_EXACT], i) && !mask_bit(got->mask[k][TRIBOX_CONSERVATIVE], i))
+                fail_at_pair(q, &(tribox_options){TRIBOX_CONSERVATIVE, axes, 0, names[k]}, i, true);
+}
+
+/* What is left out of the axes can only add overlaps. */
+static void check_more_axes(const question *q, const answers *all, unsigned axes, const answers *some)
+{
+    for (size_t i = 0; i < q->count; i++)
+        if (mask_bit(all->mask[0][TRIBOX_EXACT], i) && !mask_bit(some->mask[0][TRIBOX_EXACT], i))
+            fail_at_pair(q, &(tribox_options){TRIBOX_EXACT, axes, 0, names[0]}, i, true);
+}
+
+static void check_question(const question *q, size_t *overlapping)
+{
+    answers all = {{{{0}}}};
+    ask_kernels(q, TRIBOX_AXES_ALL, &all);
+    *overlapping += mask_population(all.mask[0][TRIBOX_EXACT], q->count);
+    for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
+        answers got = {{{{0}}}};
+        ask_kernels(q, axes, &got);
+        check_kernels(q, axes, &got);
+        check_orders(q, axes, &got);
+        check_conservative(q, axes, &got);
+        check_alone(q, axes, &got);
+        check_more_axes(q, &all, axes, &got);
+    }
+}
+
+/* Agreement on scenes that all miss, or all hit, would be worth little. */
+static void check_scenes(bool is_soup)
+{
+    catch_faults();
+    const size_t rounds = args.pairs / 50000;
+    size_t asked = 0, overlapping = 0;
+    for (size_t i = 0; i < scene_count(); i++) {
+        const scene *const s = scene_at(i);
+        random_source r = random_named(args.seed, s->name);
+        for (size_t round = 0; scene_is_called(s, args.scenes) && round < rounds; round++) {
+            const question q = draw_question(&r, s, is_soup, &numbers);
+            check_question(&q, &overlapping);
+            asked += q.count;
+        }
+    }
+    print_message("%zu pairs, of which %zu overlap\n", asked, overlapping);
+    assert_in_range(overlapping, asked / 10, asked - asked / 10);
+}
+
+static void test_soup(void **state)
+{
+    (void)state;
+    check_scenes(true);
+}
+
+static void test_boxes(void **state)
+{
+    (void)state;
+    check_scenes(false);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    if (!scene_name_is_known(args.scenes))
+        return 2;
+    kernels = runnable_kernels(names);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_soup),
+        cmocka_unit_test(test_boxes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,331 @@
+/* test_words.c - the words of one vocabulary mean, in every lane, what the definition of one lane says. */
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "dispatch.h"
+#include "random.h"
+#include "words.h"
+
+static arguments args;
+
+/* The ends and steps of the kind of number under test. */
+#if defined(LANES_OF_DOUBLE)
+#define LEAST DBL_TRUE_MIN
+#define LEAST_NORMAL DBL_MIN
+#define MOST DBL_MAX
+#define STEP DBL_EPSILON
+#define HALF_DIGITS 27
+#else
+#define LEAST FLT_TRUE_MIN
+#define LEAST_NORMAL FLT_MIN
+#define MOST FLT_MAX
+#define STEP FLT_EPSILON
+#define HALF_DIGITS 12
+#endif
+#define SIGN_BIT ((lane_bits)1 << (8 * sizeof(lane_bits) - 1))
+
+static lane_bits bits_of(lane_number number)
+{
+    lane_bits bits;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+static lane_number number_of_bits(lane_bits bits)
+{
+    lane_number number;
+    memcpy(&number, &bits, sizeof number);
+    return number;
+}
+
+/* As the vocabulary says: rounded once, as libm defines it, or twice: the product is stored, so that no compiler fuses it. */
+static lane_number multiply_add(lane_number a, lane_number b, lane_number c)
+{
+    if (lanes_fused && sizeof a == sizeof(float))
+        return (lane_number)fmaf((float)a, (float)b, (float)c);
+    if (lanes_fused)
+        return (lane_number)fma((double)a, (double)b, (double)c);
+    const volatile lane_number product = a * b;
+    return product + c;
+}
+
+/* The definition of one lane. `first` is lane 0 of a. */
+static lane_number number_of(number_word word, lane_number first, lane_number a, lane_number b, lane_number c)
+{
+    switch (word) {
+    case V_SPLAT:
+        return first;
+    case V_ADD:
+        return a + b;
+    case V_SUB:
+        return a - b;
+    case V_MUL:
+        return a * b;
+    case V_FMA:
+        return multiply_add(a, b, c);
+    case V_FMS:
+        return multiply_add(a, b, -c);
+    case V_MIN:
+        return a < b ? a : b;
+    case V_MAX:
+        return a > b ? a : b;
+    case V_ABS:
+        return number_of_bits(bits_of(a) & ~SIGN_BIT);
+    case V_SIGN:
+        return number_of_bits(bits_of(a) & SIGN_BIT);
+    case V_FLIP:
+        return number_of_bits(bits_of(a) ^ (bits_of(b) & SIGN_BIT));
+#if defined(LANES_OF_DOUBLE)
+    case V_SELECT:
+        return b > c ? a : b;
+#endif
+    case NUMBER_WORDS:
+        break;
+    }
+    return NAN;
+}
+
+static bool is_negative(lane_number a) { return bits_of(a) & SIGN_BIT; }
+
+static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
+{
+    switch (word) {
+    case V_GT:
+        return a > b;
+    case M_SIGNS:
+        return is_negative(a);
+    case V_BOTH:
+        return is_negative(a) && is_negative(b);
+    case V_EITHER:
+        return is_negative(a) || is_negative(b);
+    case M_OR:
+        return a > b || b > c;
+#if !defined(LANES_OF_DOUBLE)
+    case M_AND:
+        return a > b && b > c;
+#endif
+    case M_ANDNOT:
+        return a > b && !(b > c);
+    case MASK_WORDS:
+        break;
+    }
+    return false;
+}
+
+static const char *const number_names[NUMBER_WORDS] = {
+    [V_SPLAT] = "v_splat",   [V_ADD] = "v_add", [V_SUB] = "v_sub", [V_MUL] = "v_mul",   [V_FMA] = "v_fma",   [V_FMS] = "v_fms",
+    [V_MIN] = "v_min",       [V_MAX] = "v_max", [V_ABS] = "v_abs", [V_SIGN] = "v_sign", [V_FLIP] = "v_flip",
+#if defined(LANES_OF_DOUBLE)
+    [V_SELECT] = "v_select",
+#endif
+};
+
+static const char *const mask_names[MASK_WORDS] = {
+    [V_GT] = "v_gt",         [M_SIGNS] = "m_signs", [V_BOTH] = "v_both",
+    [V_EITHER] = "v_either", [M_OR] = "m_or",       [M_ANDNOT] = "m_andnot",
+#if !defined(LANES_OF_DOUBLE)
+    [M_AND] = "m_and",
+#endif
+};
+
+/* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */
+static bool may_change_payload(number_word word) { return word >= V_ADD && word <= V_FMS; }
+
+static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)
+{
+    lane_number out[LANES_MOST];
+    lanes_number(word, a, b, c, out);
+    for (unsigned lane = 0; lane < lanes_count; lane++) {
+        const lane_number expected = number_of(word, a[0], a[lane], b[lane], c[lane]);
+        if (bits_of(out[lane]) == bits_of(expected) || (may_change_payload(word) && isnan(out[lane]) && isnan(expected)))
+            continue;
+        fail_msg("%s in lane %u of (%a, %a, %a) gives %a, bits %" PRIx64 ", and should give %a, bits %" PRIx64, number_names[word],
+                 lane, (double)a[lane], (double)b[lane], (double)c[lane], (double)out[lane], (uint64_t)bits_of(out[lane]),
+                 (double)expected, (uint64_t)bits_of(expected));
+    }
+}
+
+static void check_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c)
+{
+    const uint64_t bits = lanes_mask(word, a, b, c);
+    uint64_t expected = 0;
+    for (unsigned lane = 0; lane < lanes_count; lane++)
+        expected |= (uint64_t)mask_of(word, a[lane], b[lane], c[lane]) << lane;
+    if (bits == expected)
+        return;
+    for (unsigned lane = 0; lane < lanes_count; lane++)
+        print_error("  lane %2u  %a, %a, %a\n", lane, (double)a[lane], (double)b[lane], (double)c[lane]);
+    fail_msg("m_bits after %s gives %#" PRIx64 " and should give %#" PRIx64, mask_names[word], bits, expected);
+}
+
+static void check_words(const lane_number *a, const lane_number *b, const lane_number *c)
+{
+    for (number_word word = 0; word < NUMBER_WORDS; word++)
+        check_numbers(word, a, b, c);
+    for (mask_word word = 0; word < MASK_WORDS; word++)
+        check_mask(word, a, b, c);
+}
+
+/* Half of the special values; the other half is these with the other sign. */
+enum { SPECIALS = 2 * 19 };
+static lane_number special(unsigned k)
+{
+    const lane_bits infinity = bits_of(INFINITY), quiet = bits_of(NAN);
+    const lane_number e = (lane_number)ldexp(1, -HALF_DIGITS);
+    const lane_number numbers[] = {
+        0,
+        LEAST,
+        LEAST_NORMAL - LEAST,
+        LEAST_NORMAL,
+        LEAST_NORMAL + LEAST,
+        STEP / 2,
+        STEP,
+        1 - STEP / 2,
+        1,
+        1 + STEP,
+        1 + e,
+        1 + 2 * e,
+        2 / STEP - 1,
+        2 / STEP,
+        MOST,
+        INFINITY,
+        number_of_bits(quiet),
+        number_of_bits(quiet | 0x12345),
+        number_of_bits(infinity | 1), /* signalling */
+    };
+    enum { NUMBERS = sizeof numbers / sizeof numbers[0] };
+    _Static_assert(2 * NUMBERS == SPECIALS, "count the special values again");
+    return number_of_bits(bits_of(numbers[k % NUMBERS]) | (k >= NUMBERS ? SIGN_BIT : 0));
+}
+
+/* Every triple of special values, each lane with a triple of its own. */
+static void test_special_values(void **state)
+{
+    (void)state;
+    lane_number a[LANES_MOST], b[LANES_MOST], c[LANES_MOST];
+    const unsigned triples = SPECIALS * SPECIALS * SPECIALS;
+    for (unsigned first = 0; first < triples; first += lanes_count) {
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            const unsigned k = (first + lane) % triples;
+            a[lane] = special(k % SPECIALS);
+            b[lane] = special(k / SPECIALS % SPECIALS);
+            c[lane] = special(k / SPECIALS / SPECIALS);
+        }
+        check_words(a, b, c);
+    }
+}
+
+static lane_number any_bits(random_source *r) { return number_of_bits((lane_bits)random_bits(r)); }
+
+/* Random bits, and neighbours: b near a, c near a * b, so that order and rounding are close calls. */
+static void test_random_bits(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "words");
+    lane_number a[LANES_MOST], b[LANES_MOST], c[LANES_MOST];
+    for (size_t round = 0; round < args.pairs; round++) {
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            a[lane] = any_bits(&r);
+            b[lane] = random_below(&r, 2) ? any_bits(&r) : number_of_bits(bits_of(a[lane]) + (lane_bits)random_below(&r, 3));
+            c[lane] = random_below(&r, 2) ? any_bits(&r) : -(a[lane] * b[lane]);
+        }
+        check_words(a, b, c);
+    }
+}
+
+/* A load from each place that a float may have. A signalling NaN may come quiet where float becomes double. */
+static void test_loads_at_any_alignment(void **state)
+{
+    (void)state;
+    enum { FLOATS = 3 * LANES_MOST };
+    random_source r = random_named(args.seed, "loads");
+    _Alignas(64) float numbers[FLOATS];
+    lane_number out[LANES_MOST];
+    for (int round = 0; round < 1000; round++) {
+        for (unsigned k = 0; k < FLOATS; k++) {
+            const uint32_t bits = (uint32_t)random_bits(&r);
+            memcpy(&numbers[k], &bits, sizeof bits);
+        }
+        for (unsigned at = 0; at < 2 * LANES_MOST; at++) {
+            lanes_load(numbers + at, out);
+            for (unsigned lane = 0; lane < lanes_count; lane++)
+                if (bits_of(out[lane]) != bits_of(numbers[at + lane]) && !(isnan(out[lane]) && isnan(numbers[at + lane])))
+                    fail_msg("v_load at float %u gives %a in lane %u and should give %a", at, (double)out[lane], lane,
+                             (double)numbers[at + lane]);
+        }
+    }
+}
+
+/* Each lane alone, and all lanes but one: bit k of m_bits is lane k, and no bit lies beside the lanes. */
+static void test_bits_of_single_lanes(void **state)
+{
+    (void)state;
+    for (unsigned lane = 0; lane < lanes_count; lane++)
+        for (int is_inverse = 0; is_inverse < 2; is_inverse++) {
+            lane_number a[LANES_MOST], b[LANES_MOST], c[LANES_MOST];
+            for (unsigned k = 0; k < lanes_count; k++) {
+                a[k] = (k == lane) != is_inverse ? 2 : -1;
+                b[k] = 1;
+                c[k] = 1;
+            }
+            for (mask_word word = 0; word < MASK_WORDS; word++)
+                check_mask(word, a, b, c);
+        }
+}
+
+/* Where one rounding and two differ: (1 + e)^2 - (1 + 2e) is e^2, or 0. */
+static void test_roundings(void **state)
+{
+    (void)state;
+    const lane_number e = (lane_number)ldexp(1, -HALF_DIGITS), expected = lanes_fused ? e * e : 0;
+    lane_number a[LANES_MOST], plus[LANES_MOST], minus[LANES_MOST], out[LANES_MOST];
+    for (unsigned lane = 0; lane < lanes_count; lane++) {
+        a[lane] = 1 + e;
+        plus[lane] = 1 + 2 * e;
+        minus[lane] = -plus[lane];
+    }
+    for (int is_fms = 0; is_fms < 2; is_fms++) {
+        lanes_number(is_fms ? V_FMS : V_FMA, a, a, is_fms ? plus : minus, out);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            if (bits_of(out[lane]) != bits_of(expected))
+                fail_msg("%s in lane %u does not round %s, as V_FUSED says", is_fms ? "v_fms" : "v_fma", lane,
+                         lanes_fused ? "once" : "twice");
+    }
+}
+
+/* The float lanes are the kernel's. Every vocabulary divides a word of 64. */
+static void test_lanes_divide_a_word(void **state)
+{
+    (void)state;
+    const tribox_kernel *const kernel = tribox_kernel_find(KERNEL_NAME);
+    assert_non_null(kernel);
+    assert_int_equal(64 % lanes_count, 0);
+    if (sizeof(lane_number) == sizeof(float))
+        assert_int_equal(kernel->lanes, lanes_count);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    if (!tribox_kernel_find(KERNEL_NAME)) {
+        puts("this processor cannot run " KERNEL_NAME ": skipped");
+        return 77;
+    }
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_special_values),
+        cmocka_unit_test(test_random_bits),
+        cmocka_unit_test(test_loads_at_any_alignment),
+        cmocka_unit_test(test_bits_of_single_lanes),
+        cmocka_unit_test(test_roundings),
+        cmocka_unit_test(test_lanes_divide_a_word),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,28 @@
+#!/bin/sh
+# Every vocabulary has the words of its one-lane definition, no more and no fewer, and each word is tested: vocabularies.sh SRC TEST
+set -eu
+src=$1 test=$2
+status=0
+
+words() { sed -nE 's/^TRIBOX_INLINE [a-z0-9_]+ ([vm]_[a-z0-9_]+)\(.*/\1/p' "$1" | sort -u; }
+
+# For float, vec_<isa>.h; for double, vec_<isa>_double.h.
+for definition in "$src"/scalar/vec_scalar*.h; do
+    kind=${definition#"$src/scalar/vec_scalar"}
+    defined=$(words "$definition")
+    test -n "$defined" || { echo "$definition: no words found" >&2; exit 1; }
+    for vocabulary in "$src"/*/vec_*"$kind"; do
+        case $kind,$vocabulary in .h,*_double.h) continue ;; esac
+        if test "$(words "$vocabulary")" != "$defined"; then
+            echo "$vocabulary: other words than in $definition" >&2
+            status=1
+        fi
+    done
+    for word in $defined; do
+        if ! grep -qE "\<$word\(" "$test"; then
+            echo "$word: not tested; add it to words.h, words_lanes.c and test_words.c" >&2
+            status=1
+        fi
+    done
+done
+exit $status

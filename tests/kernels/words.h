@@ -1,0 +1,61 @@
+/*
+ * words.h - the words of a vocabulary, applied in all lanes by words_lanes.c and judged lane by lane in test_words.c.
+ *
+ * With LANES_OF_DOUBLE the vocabulary is the one of double, and has other words in a place or two.
+ */
+#ifndef TRIBOX_TESTS_WORDS_H
+#define TRIBOX_TESTS_WORDS_H
+
+#include <stdint.h>
+
+enum { LANES_MOST = 16 };
+
+#if defined(LANES_OF_DOUBLE)
+typedef double lane_number;
+typedef uint64_t lane_bits;
+#else
+typedef float lane_number;
+typedef uint32_t lane_bits;
+#endif
+
+/* Words that give a number. */
+typedef enum number_word {
+    V_SPLAT, /* of lane 0 */
+    V_ADD,
+    V_SUB,
+    V_MUL,
+    V_FMA,
+    V_FMS,
+    V_MIN,
+    V_MAX,
+    V_ABS,
+    V_SIGN,
+    V_FLIP, /* by the sign of b */
+#if defined(LANES_OF_DOUBLE)
+    V_SELECT, /* a where b > c, else b */
+#endif
+    NUMBER_WORDS
+} number_word;
+
+/* Words that give a mask, or a number of which only the sign counts: seen through m_bits. */
+typedef enum mask_word {
+    V_GT,     /* a > b */
+    M_SIGNS,  /* the sign of a */
+    V_BOTH,   /* the signs of a and b */
+    V_EITHER, /* the sign of a or b */
+    M_OR,     /* a > b or b > c */
+#if !defined(LANES_OF_DOUBLE)
+    M_AND, /* a > b and b > c */
+#endif
+    M_ANDNOT, /* a > b and not b > c */
+    MASK_WORDS
+} mask_word;
+
+extern const unsigned lanes_count, lanes_fused;
+
+/* Each word over lanes_count numbers of a, b and c. The result `out` has as many. */
+void lanes_load(const float *from, lane_number *out);
+void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out);
+uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);
+
+#endif

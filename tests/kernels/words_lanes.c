@@ -1,0 +1,95 @@
+/* words_lanes.c - every word of one vocabulary, compiled with the flags of its kernel. */
+#include VOCABULARY
+
+#include <string.h>
+
+#include "words.h"
+
+_Static_assert(V_LANES <= LANES_MOST, "LANES_MOST in words.h has to grow with the widest vocabulary");
+
+const unsigned lanes_count = V_LANES, lanes_fused = V_FUSED;
+
+/* Not v_load, which is a word under test, and takes float alone. */
+static vnum lanes_of(const lane_number *from)
+{
+    vnum number;
+    memcpy(&number, from, sizeof number);
+    return number;
+}
+
+static void put(vnum number, lane_number *out) { memcpy(out, &number, sizeof number); }
+
+void lanes_load(const float *from, lane_number *out) { put(v_load(from), out); }
+
+static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum c)
+{
+    switch (word) {
+    case V_SPLAT:
+        return v_splat(first);
+    case V_ADD:
+        return v_add(a, b);
+    case V_SUB:
+        return v_sub(a, b);
+    case V_MUL:
+        return v_mul(a, b);
+    case V_FMA:
+        return v_fma(a, b, c);
+    case V_FMS:
+        return v_fms(a, b, c);
+    case V_MIN:
+        return v_min(a, b);
+    case V_MAX:
+        return v_max(a, b);
+    case V_ABS:
+        return v_abs(a);
+    case V_SIGN:
+        return v_sign(a);
+    case V_FLIP:
+        return v_flip(a, v_sign(b));
+#if defined(LANES_OF_DOUBLE)
+    case V_SELECT:
+        return v_select(v_gt(b, c), a, b);
+#endif
+    case NUMBER_WORDS:
+        break;
+    }
+    return a;
+}
+
+void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out)
+{
+#if defined(LANES_OF_DOUBLE)
+    v_pin(lanes_of(a)); /* gives nothing: all it has to do is compile */
+#endif
+    put(number_of(word, *a, lanes_of(a), lanes_of(b), lanes_of(c)), out);
+}
+
+static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
+{
+    switch (word) {
+    case V_GT:
+        break;
+    case M_SIGNS:
+        return m_signs(a);
+    case V_BOTH:
+        return m_signs(v_both(a, b));
+    case V_EITHER:
+        return m_signs(v_either(a, b));
+    case M_OR:
+        return m_or(v_gt(a, b), v_gt(b, c));
+#if !defined(LANES_OF_DOUBLE)
+    case M_AND:
+        return m_and(v_gt(a, b), v_gt(b, c));
+#endif
+    case M_ANDNOT:
+        return m_andnot(v_gt(a, b), v_gt(b, c));
+    case MASK_WORDS:
+        break;
+    }
+    return v_gt(a, b);
+}
+
+uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c)
+{
+    return m_bits(mask_of(word, lanes_of(a), lanes_of(b), lanes_of(c)));
+}

@@ -1,0 +1,58 @@
+#include "oracle.h"
+
+#include <limits.h>
+#include <math.h>
+
+/* A finite float as odd * 2^exponent; zero as 0. */
+static long odd_of(float number, int *exponent)
+{
+    long odd = (long)ldexp(frexp(number, exponent), 24);
+    for (*exponent -= 24; odd && odd % 2 == 0; ++*exponent)
+        odd /= 2;
+    return odd;
+}
+
+oracle_integers oracle_integers_of(const tribox_pair *pair)
+{
+    oracle_integers in;
+    int exponent[15], unit = INT_MAX, end = INT_MIN;
+    for (int k = 0; k < 15; k++) {
+        const int a = k % 3;
+        const float number = k < 9 ? pair->u[k / 3][a] : k < 12 ? pair->box.lo[a] : pair->box.hi[a];
+        in.odd[k] = odd_of(number, &exponent[k]);
+        if (!in.odd[k])
+            continue;
+        unit = exponent[k] < unit ? exponent[k] : unit;
+        const int top = ilogb(number) + 1;
+        end = top > end ? top : end;
+    }
+    for (int k = 0; k < 15; k++)
+        in.shift[k] = in.odd[k] ? (unsigned long)(exponent[k] - unit) : 0;
+    in.bits = end > unit ? end - unit : 0;
+    return in;
+}
+
+bool oracle_overlaps(oracle_axes truth, unsigned groups)
+{
+    const unsigned plane = 1u << ORACLE_PLANE, box = plane - 1, edges = (1u << ORACLE_AXES) - (1u << ORACLE_EDGES);
+    const unsigned chosen =
+        (groups & TRIBOX_AXES_BOX ? box : 0) | (groups & TRIBOX_AXES_PLANE ? plane : 0) | (groups & TRIBOX_AXES_EDGES ? edges : 0);
+    return !(truth.apart & chosen);
+}
+
+void oracle_explain(FILE *out, const tribox_pair *pair)
+{
+    static const char *const name[ORACLE_AXES] = {"x",          "y",          "z",          "plane",      "x cross f0",
+                                                  "x cross f1", "x cross f2", "y cross f0", "y cross f1", "y cross f2",
+                                                  "z cross f0", "z cross f1", "z cross f2"};
+    for (int j = 0; j < 3; j++)
+        fprintf(out, "  u%d  %a %a %a\n", j, (double)pair->u[j][0], (double)pair->u[j][1], (double)pair->u[j][2]);
+    fprintf(out, "  lo  %a %a %a\n", (double)pair->box.lo[0], (double)pair->box.lo[1], (double)pair->box.lo[2]);
+    fprintf(out, "  hi  %a %a %a\n", (double)pair->box.hi[0], (double)pair->box.hi[1], (double)pair->box.hi[2]);
+    const oracle_axes truth = oracle_separating_gmp(pair);
+    for (int k = 0; k < ORACLE_AXES; k++)
+        fprintf(out, "  %-10s  %s\n", name[k],
+                truth.apart >> k & 1      ? "apart"
+                : truth.touching >> k & 1 ? "touching"
+                                          : "overlapping");
+}

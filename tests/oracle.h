@@ -1,0 +1,56 @@
+/*
+ * oracle.h - the true answer for one pair, twice over, in exact integers. Shares no line of arithmetic with the library.
+ *
+ *   oracle_separating   the classical two-sided test: the three vertices and the eight corners projected on each of the axes
+ *   oracle_clip         no axis at all: the triangle clipped against the six half-spaces of the box
+ *
+ * Both are for finite triangles and finite boxes with lo <= hi.
+ */
+#ifndef TRIBOX_TESTS_ORACLE_H
+#define TRIBOX_TESTS_ORACLE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "exact.h"
+
+/* The number of an axis: 0 to 2 the box normals, 3 the triangle's plane, 4 + 3 * i + j the cross product of e_i and edge j. */
+enum { ORACLE_AXES = 13, ORACLE_PLANE = 3, ORACLE_EDGES = 4 };
+
+/* Bit k tells of axis k. An axis of length zero does neither. */
+typedef struct oracle_axes {
+    unsigned apart;    /* the two projections are disjoint */
+    unsigned touching; /* they have one end in common, and nothing else */
+} oracle_axes;
+
+oracle_axes oracle_separating(const tribox_pair *pair);
+
+/* The same, always in GMP: oracle_separating takes a shorter way for short numbers. */
+oracle_axes oracle_separating_gmp(const tribox_pair *pair);
+
+/* Whether no axis of the chosen groups, a union of TRIBOX_AXES_*, separates. */
+bool oracle_overlaps(oracle_axes truth, unsigned groups);
+
+/* Whether some point of the triangle lies in the box. */
+bool oracle_clip(const tribox_pair *pair);
+
+/* The pair in hexadecimal floats, and what each of the thirteen axes says. */
+void oracle_explain(FILE *out, const tribox_pair *pair);
+
+/* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units, below 2^bits. */
+typedef struct oracle_integers {
+    long odd[15];
+    unsigned long shift[15];
+    int bits;
+} oracle_integers;
+
+oracle_integers oracle_integers_of(const tribox_pair *pair);
+
+#if defined(__SIZEOF_INT128__)
+/* The longest sum is the plane's: three products of 3 * bits + 3 bits, and the sign. */
+enum { ORACLE_INT128_BITS = 40 };
+
+oracle_axes oracle_separating_int128(const oracle_integers *in);
+#endif
+
+#endif

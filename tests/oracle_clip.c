@@ -1,0 +1,135 @@
+/*
+ * oracle_clip.c - clip the triangle against the six half-spaces of the box, after Sutherland and Hodgman: they overlap when
+ * something is left.
+ *
+ * A point of the triangle is (b_0 u_0 + b_1 u_1 + b_2 u_2) / (b_0 + b_1 + b_2) with whole weights b_j >= 0. On a half-space its
+ * value is the same mean of the vertices' values, so nothing is ever divided, and segments and points are no special case.
+ */
+#include "oracle.h"
+
+#include <assert.h>
+#include <gmp.h>
+
+/* Each of six cuts adds at most one corner to the first three. */
+enum { CORNERS_AT_MOST = 9 };
+
+/* Weights longer than this are divided by what they have in common; shorter ones are not worth it. */
+enum { LONG_BITS = 1024 };
+
+typedef struct corner {
+    mpz_t weight[3];
+    mpz_t value; /* on the half-space at hand: negative outside of it */
+} corner;
+
+typedef struct polygon {
+    corner at[CORNERS_AT_MOST];
+    int count;
+} polygon;
+
+static polygon polygons[2];
+static mpz_t number[15], vertex_value[3], common;
+
+static void prepare(void)
+{
+    static bool is_ready;
+    if (is_ready)
+        return;
+    is_ready = true;
+    for (int k = 0; k < CORNERS_AT_MOST; k++)
+        for (int p = 0; p < 2; p++) {
+            mpz_init(polygons[p].at[k].value);
+            for (int j = 0; j < 3; j++)
+                mpz_init(polygons[p].at[k].weight[j]);
+        }
+    for (int k = 0; k < 15; k++)
+        mpz_init(number[k]);
+    for (int j = 0; j < 3; j++)
+        mpz_init(vertex_value[j]);
+    mpz_init(common);
+}
+
+static void load(const tribox_pair *pair)
+{
+    const oracle_integers in = oracle_integers_of(pair);
+    for (int k = 0; k < 15; k++) {
+        mpz_set_si(number[k], in.odd[k]);
+        mpz_mul_2exp(number[k], number[k], in.shift[k]);
+    }
+    polygons[0].count = 3;
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            mpz_set_si(polygons[0].at[k].weight[j], k == j);
+}
+
+static void set_values(polygon *p, int axis, bool is_upper)
+{
+    for (int j = 0; j < 3; j++) {
+        if (is_upper)
+            mpz_sub(vertex_value[j], number[12 + axis], number[3 * j + axis]);
+        else
+            mpz_sub(vertex_value[j], number[3 * j + axis], number[9 + axis]);
+    }
+    for (int k = 0; k < p->count; k++) {
+        corner *const c = &p->at[k];
+        mpz_mul(c->value, c->weight[0], vertex_value[0]);
+        mpz_addmul(c->value, c->weight[1], vertex_value[1]);
+        mpz_addmul(c->value, c->weight[2], vertex_value[2]);
+    }
+}
+
+static void shorten(corner *c)
+{
+    mpz_gcd(common, c->weight[0], c->weight[1]);
+    mpz_gcd(common, common, c->weight[2]);
+    for (int j = 0; j < 3; j++)
+        mpz_divexact(c->weight[j], c->weight[j], common);
+}
+
+/* Where the side from p to q, of values of opposite sign, has the value zero: |value of q| * p + |value of p| * q. */
+static void cross(corner *to, const corner *p, const corner *q)
+{
+    bool is_long = false;
+    for (int j = 0; j < 3; j++) {
+        mpz_mul(to->weight[j], p->weight[j], q->value);
+        mpz_submul(to->weight[j], q->weight[j], p->value);
+        mpz_abs(to->weight[j], to->weight[j]);
+        is_long = is_long || mpz_sizeinbase(to->weight[j], 2) > LONG_BITS;
+    }
+    if (is_long)
+        shorten(to);
+}
+
+static corner *next_corner(polygon *p)
+{
+    assert(p->count < CORNERS_AT_MOST);
+    return &p->at[p->count++];
+}
+
+static void cut(const polygon *from, polygon *to)
+{
+    to->count = 0;
+    for (int k = 0; k < from->count; k++) {
+        const corner *const p = &from->at[k], *const q = &from->at[(k + 1) % from->count];
+        if (mpz_sgn(p->value) >= 0) {
+            corner *const kept = next_corner(to);
+            for (int j = 0; j < 3; j++)
+                mpz_set(kept->weight[j], p->weight[j]);
+        }
+        if (mpz_sgn(p->value) * mpz_sgn(q->value) < 0)
+            cross(next_corner(to), p, q);
+    }
+}
+
+bool oracle_clip(const tribox_pair *pair)
+{
+    prepare();
+    load(pair);
+    for (int side = 0; side < 6; side++) {
+        polygon *const from = &polygons[side % 2], *const to = &polygons[(side + 1) % 2];
+        set_values(from, side / 2, side % 2);
+        cut(from, to);
+        if (!to->count)
+            return false;
+    }
+    return true;
+}

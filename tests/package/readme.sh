@@ -1,0 +1,47 @@
+#!/bin/sh
+# What README.md tells a reader to type works: readme.sh example|by-hand ROOT LIBDIR
+#   example  the first C block with a main compiles without a warning and runs
+#   by-hand  the block that begins with "cc " builds without meson; a program that it makes runs
+set -eu
+what=$1 root=$2 libdir=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The first fenced block whose opening line and text match: block FENCE TEXT
+block() {
+    awk -v fence="$1" -v text="$2" '
+        /^```/ && !inside { inside = 1; is_wanted = $0 ~ fence; body = ""; next }
+        /^```/            { inside = 0; if (is_wanted && body ~ text) { printf "%s", body; exit }; next }
+        inside            { body = body $0 "\n" }' "$root/README.md"
+}
+
+skip() {
+    echo "$*: skipped"
+    exit 77
+}
+
+test -f "$root/README.md" || skip "there is no README.md"
+example=$(block '^```c$' 'int main')
+
+if test "$what" = example; then
+    test -n "$example" || skip "README.md has no C block with a main"
+    printf '%s\n' "$example" >"$work/example.c"
+    $CC -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.c" -o "$work/example" \
+        -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir"
+    "$work/example"
+    exit
+fi
+
+commands=$(block '^```' '^cc ')
+test -n "$commands" || skip "README.md has no line that builds by hand"
+cp -R "$root/include" "$root/src" "$work"
+cd "$work"
+# The program that the line names and the tree does not have is the example.
+for file in $(printf '%s\n' "$commands" | grep -oE '[A-Za-z0-9_/]+\.c\>'); do
+    test -f "$file" || printf '%s\n' "$example" >"$file"
+done
+cc() { command $CC "$@"; }
+eval "$commands"
+find . -type f -perm -u+x ! -name '*.so*' ! -path './src/*' | while read -r program; do
+    "$program"
+done

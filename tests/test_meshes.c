@@ -1,0 +1,178 @@
+/*
+ * test_meshes.c - real meshes against nodes of an octree over them: EXACT is the same from every kernel, and the oracle's answer.
+ * The meshes are no part of the project. Without their folder the test is skipped (exit code 77).
+ */
+#include "trial.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arguments.h"
+#include "mesh.h"
+#include "random.h"
+
+enum {
+    SKIPPED = 77,
+    DEEPEST_LEVEL = 8,
+    NODES_OF_A_LEVEL = 6,
+    ORACLE_AT_MOST = 4000 /* triangles of a node that the oracle is asked about, if their bounding boxes reach the node */
+};
+
+static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
+                                    "SainteHelens.ply",   "thingi10k_124.stl", "ModelNet_chair.ply"};
+
+static tribox_soup soup_of(const mesh *m, const int vertex[3])
+{
+    tribox_soup soup = {.count = m->count};
+    for (int j = 0; j < 3; j++) {
+        soup.x[j] = m->coordinate[vertex[j]][0];
+        soup.y[j] = m->coordinate[vertex[j]][1];
+        soup.z[j] = m->coordinate[vertex[j]][2];
+    }
+    return soup;
+}
+
+static tribox_pair pair_of(const mesh *m, size_t i, const tribox_box *box)
+{
+    tribox_pair pair = {.box = *box};
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            pair.u[j][a] = m->coordinate[j][a][i];
+    return pair;
+}
+
+static tribox_box bounds_of(const mesh *m)
+{
+    tribox_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (int a = 0; a < 3; a++)
+        for (int j = 0; j < 3; j++)
+            for (size_t i = 0; i < m->count; i++) {
+                box.lo[a] = fminf(box.lo[a], m->coordinate[j][a][i]);
+                box.hi[a] = fmaxf(box.hi[a], m->coordinate[j][a][i]);
+            }
+    return box;
+}
+
+/* The node of the octree, 2^-level of the bounds wide, in which a vertex of a drawn triangle lies. */
+static tribox_box draw_node(random_source *r, const mesh *m, const tribox_box *bounds, int level)
+{
+    const size_t i = (size_t)(random_bits(r) % m->count);
+    tribox_box node;
+    for (int a = 0; a < 3; a++) {
+        const double lo = bounds->lo[a], size = ldexp((double)bounds->hi[a] - lo, -level);
+        const double place = size > 0 ? floor((m->coordinate[0][a][i] - lo) / size) : 0;
+        node.lo[a] = (float)(lo + place * size);
+        node.hi[a] = (float)(lo + (place + 1) * size);
+    }
+    return node;
+}
+
+static bool reaches(const tribox_pair *pair)
+{
+    for (int a = 0; a < 3; a++) {
+        const float least = fminf(fminf(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
+        const float most = fmaxf(fmaxf(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
+        if (least > pair->box.hi[a] || most < pair->box.lo[a])
+            return false;
+    }
+    return true;
+}
+
+/* Every triangle whose bounding box does not reach the node is apart from it; of the others the oracle judges so many as it may. */
+static size_t check_mask(const origin *where, const mesh *m, const tribox_box *node, const uint64_t *mask)
+{
+    size_t reaching = 0, asked = 0;
+    for (size_t i = 0; i < m->count; i++) {
+        const tribox_pair pair = pair_of(m, i, node);
+        reaching += reaches(&pair);
+    }
+    const size_t step = reaching / ORACLE_AT_MOST + 1;
+    for (size_t i = 0, k = 0; i < m->count; i++) {
+        const tribox_pair pair = pair_of(m, i, node);
+        const bool answer = bit_of(mask, i);
+        if (!reaches(&pair)) {
+            if (answer)
+                fail_pair(where, &pair, answer);
+            continue;
+        }
+        if (k++ % step)
+            continue;
+        asked++;
+        if (answer != oracle_overlaps(oracle_separating(&pair), TRIBOX_AXES_ALL))
+            fail_pair(where, &pair, answer);
+    }
+    return asked;
+}
+
+static void check_that_masks_agree(const origin *where, const mesh *m, const tribox_box *node, const uint64_t *mask,
+                                   const uint64_t *first)
+{
+    for (size_t i = 0; i < m->count; i++)
+        if (bit_of(mask, i) != bit_of(first, i)) {
+            const tribox_pair pair = pair_of(m, i, node);
+            fprintf(stderr, "two kernels disagree about triangle %zu\n", i);
+            fail_pair(where, &pair, bit_of(mask, i));
+        }
+}
+
+/* Returns how many pairs the oracle was asked about. */
+static size_t try_node(random_source *r, origin *where, const mesh *m, const tribox_box *node, uint64_t *mask, uint64_t *first)
+{
+    const char *kernels[KERNELS_AT_MOST];
+    const int kernel_count = kernels_here(kernels);
+    size_t asked = 0;
+    for (int kernel = 0; kernel < kernel_count; kernel++) {
+        const tribox_soup soup = soup_of(m, permutations[random_below(r, ORDERS)]);
+        where->options =
+            (tribox_options){.axes = TRIBOX_AXES_ALL, .order = order_digits(random_below(r, ORDERS)), .kernel = kernels[kernel]};
+        ask_soup(&soup, node, &where->options, mask);
+        if (kernel == 0) {
+            asked = check_mask(where, m, node, mask);
+            memcpy(first, mask, tribox_mask_words(m->count) * sizeof *mask);
+        }
+        check_that_masks_agree(where, m, node, mask, first);
+    }
+    return asked;
+}
+
+static void try_mesh(const arguments *args, const char *name)
+{
+    char path[4096];
+    const int length = snprintf(path, sizeof path, "%s/%s", args->meshes, name);
+    assert_in_range(length, 1, sizeof path - 1);
+    mesh m;
+    if (!mesh_read(path, &m))
+        fail_msg("%s could not be read", name);
+    uint64_t *const mask = calloc(2 * tribox_mask_words(m.count), sizeof *mask);
+    assert_non_null(mask);
+    random_source r = random_named(args->seed, name);
+    origin where = {.scene = name, .seed = args->seed, .function = "tribox_overlap"};
+    const tribox_box bounds = bounds_of(&m);
+    size_t asked = 0;
+    for (int level = 0; level <= DEEPEST_LEVEL; level++)
+        for (int k = 0; k < (level ? NODES_OF_A_LEVEL : 1); k++) {
+            const tribox_box node = draw_node(&r, &m, &bounds, level);
+            asked += try_node(&r, &where, &m, &node, mask, mask + tribox_mask_words(m.count));
+        }
+    printf("%-20s %7zu triangles, oracle asked about %zu pairs\n", name, m.count, asked);
+    free(mask);
+    mesh_free(&m);
+}
+
+static void test_meshes(void **state)
+{
+    for (size_t k = 0; k < sizeof files / sizeof files[0]; k++)
+        try_mesh(*state, files[k]);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    if (!args.meshes) {
+        printf("skipped: no folder of meshes; give one with --meshes FOLDER or in TRIBOX_MESHES\n");
+        return SKIPPED;
+    }
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_meshes, &args)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

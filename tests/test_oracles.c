@@ -1,0 +1,169 @@
+/* test_oracles.c - the two oracles agree, and every slow stage of the exact test agrees with them where it applies. */
+#include "trial.h"
+
+#include "arguments.h"
+#include "dispatch.h"
+#include "scenes.h"
+
+/* How often each stage was asked: a stage that was never asked was not tested. */
+typedef struct reached {
+    size_t double_certain, double_undecided, int64, int128, limbs;
+} reached;
+
+static void check(const origin *where, const char *function, const tribox_pair *pair, unsigned axes, bool answer, bool truth)
+{
+    if (answer == truth)
+        return;
+    origin here = *where;
+    here.function = function;
+    here.options = (tribox_options){.axes = axes, .kernel = "none"};
+    fail_pair(&here, pair, answer);
+}
+
+static void check_oracles(const origin *where, const tribox_pair *pair, oracle_axes truth, bool is_gmp_due)
+{
+    check(where, "oracle_clip", pair, TRIBOX_AXES_ALL, oracle_clip(pair), oracle_overlaps(truth, TRIBOX_AXES_ALL));
+    if (!is_gmp_due)
+        return;
+    const oracle_axes slow = oracle_separating_gmp(pair);
+    if (slow.apart != truth.apart || slow.touching != truth.touching)
+        fail_pair(where, pair, !truth.apart);
+}
+
+/* A batch as the oracle sees it. */
+typedef struct judged_batch {
+    scene_batch batch;
+    oracle_axes truth[SCENE_TRIANGLES];
+} judged_batch;
+
+/* Pairs of a batch gathered for the settling stage: pair i is triangle[i] of the batch. */
+typedef struct gathered_pairs {
+    tribox_batch pairs;
+    int triangle[TRIBOX_BATCH];
+    unsigned count;
+} gathered_pairs;
+
+static void gather(gathered_pairs *g, const tribox_pair *pair, int triangle)
+{
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            g->pairs.number[3 * j + a][g->count] = pair->u[j][a];
+        g->pairs.number[9 + a][g->count] = pair->box.lo[a];
+        g->pairs.number[12 + a][g->count] = pair->box.hi[a];
+    }
+    g->triangle[g->count++] = triangle;
+}
+
+/* What a kernel settles is right; what it leaves open it does not report. */
+static void check_settled(const origin *where, const judged_batch *judged, const gathered_pairs *g, const tribox_kernel *kernel,
+                          unsigned axes, reached *count)
+{
+    origin here = *where;
+    here.function = "settle";
+    here.options = (tribox_options){.axes = axes, .kernel = kernel->name};
+    uint64_t open;
+    const uint64_t overlapping = kernel->settle(&g->pairs, g->count, axes, true, &open);
+    assert_true(!(overlapping & open) && (g->count == TRIBOX_BATCH || (overlapping | open) >> g->count == 0));
+    for (unsigned i = 0; i < g->count; i++) {
+        const bool is_open = open >> i & 1, answer = overlapping >> i & 1;
+        count->double_undecided += is_open;
+        count->double_certain += !is_open;
+        if (is_open || answer == oracle_overlaps(judged->truth[g->triangle[i]], axes))
+            continue;
+        const tribox_pair pair = scene_pair(&judged->batch, g->triangle[i]);
+        fail_pair(&here, &pair, answer);
+    }
+}
+
+/* The double stage of every kernel that runs here. With the box normals in the set, it relies on these not separating. */
+static void check_settling(const origin *where, const judged_batch *judged, unsigned axes, reached *count)
+{
+    static gathered_pairs g;
+    g.count = 0;
+    for (int k = 0; k < SCENE_TRIANGLES; k++) {
+        const tribox_pair pair = scene_pair(&judged->batch, k);
+        if (!(axes & TRIBOX_AXES_BOX) || oracle_overlaps(judged->truth[k], TRIBOX_AXES_BOX))
+            gather(&g, &pair, k);
+        if (g.count < TRIBOX_BATCH && k + 1 < SCENE_TRIANGLES)
+            continue;
+        for (size_t i = 0; i < tribox_kernel_count(); i++)
+            if (tribox_kernel_runs_here(i))
+                check_settled(where, judged, &g, tribox_kernel_at(i), axes, count);
+        g.count = 0;
+    }
+}
+
+/* The widths of integers, each where it is wide enough; limbs are so slow that each pair has one axis set in turn. */
+static void check_integers(const origin *where, const tribox_pair *pair, oracle_axes truth, unsigned axes_in_turn, reached *count)
+{
+    const tribox_integers in = tribox_integers_of(pair);
+    for (unsigned axes = 1; axes <= AXIS_SETS; axes++) {
+        const bool overlaps = oracle_overlaps(truth, axes);
+        /* With the box normals in the set, the integers rely on these not separating. */
+        if ((axes & TRIBOX_AXES_BOX) && !oracle_overlaps(truth, TRIBOX_AXES_BOX))
+            continue;
+        if (in.bits <= TRIBOX_INT64_BITS) {
+            check(where, "tribox_exact_int64", pair, axes, tribox_exact_int64(&in, axes), overlaps);
+            count->int64++;
+        }
+#if defined(__SIZEOF_INT128__)
+        if (in.bits <= TRIBOX_INT128_BITS) {
+            check(where, "tribox_exact_int128", pair, axes, tribox_exact_int128(&in, axes), overlaps);
+            count->int128++;
+        }
+#endif
+        if (axes == axes_in_turn) {
+            check(where, "tribox_exact_overlap", pair, axes, tribox_exact_overlap(pair, axes), overlaps);
+            check(where, "tribox_exact_limbs", pair, axes, tribox_exact_limbs(&in, axes), overlaps);
+            count->limbs++;
+        }
+    }
+}
+
+static void try_scene(const scene *s, const arguments *args, reached *count)
+{
+    const origin where = {.scene = s->name, .seed = args->seed, .function = "oracle_separating"};
+    random_source r = random_named(args->seed, s->name);
+    static judged_batch judged;
+    for (size_t pairs = 0; pairs < args->pairs; pairs += SCENE_TRIANGLES) {
+        scene_draw_batch(s, &r, &judged.batch);
+        for (int k = 0; k < SCENE_TRIANGLES; k++) {
+            const tribox_pair pair = scene_pair(&judged.batch, k);
+            judged.truth[k] = oracle_separating(&pair);
+            check_oracles(&where, &pair, judged.truth[k], k % 16 == 0);
+            check_integers(&where, &pair, judged.truth[k], 1 + (unsigned)k % AXIS_SETS, count);
+        }
+        for (unsigned axes = 1; axes <= AXIS_SETS; axes++)
+            check_settling(&where, &judged, axes, count);
+    }
+}
+
+static void test_scenes(void **state)
+{
+    const arguments *const args = *state;
+    reached count = {0};
+    int scenes = 0;
+    for (size_t i = 0; i < scene_count(); i++)
+        if (scene_is_called(scene_at(i), args->scenes)) {
+            try_scene(scene_at(i), args, &count);
+            scenes++;
+        }
+    printf("asked: double %zu certain, %zu undecided; int64 %zu; int128 %zu; limbs %zu\n", count.double_certain,
+           count.double_undecided, count.int64, count.int128, count.limbs);
+    /* One scene need not reach them all; a family does. */
+    if (scenes == 1)
+        return;
+    assert_true(count.double_certain && count.double_undecided && count.int64 && count.limbs);
+#if defined(__SIZEOF_INT128__)
+    assert_true(count.int128);
+#endif
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    if (!scene_name_is_known(args.scenes))
+        return 2;
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_scenes, &args)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,48 @@
+/* trial.h - what the correctness tests share: the kernels of this machine, soups of pairs, and a failure that tells everything. */
+#ifndef TRIBOX_TESTS_TRIAL_H
+#define TRIBOX_TESTS_TRIAL_H
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include "oracle.h"
+#include "tribox.h"
+
+enum { ORDERS = 6, AXIS_SETS = 7 };
+
+/* The six orders of three things: of the groups of axes in a call (order_digits), and of vertices or coordinates. */
+extern const int permutations[ORDERS][3];
+unsigned order_digits(int permutation);
+
+/* The kernels that run here, widest first. */
+enum { KERNELS_AT_MOST = 8 };
+int kernels_here(const char *names[KERNELS_AT_MOST]);
+
+static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
+
+/* The triangle of a pair as the library takes it: C has no conversion from float[3][3] to const float[3][3]. */
+typedef const float (*const_triangle)[3];
+static inline const_triangle triangle_of(const tribox_pair *pair) { return pair->u; }
+
+/* Where a wrong answer was given. */
+typedef struct origin {
+    const char *scene; /* or the name of the test */
+    uint64_t seed;
+    const char *function; /* of the library */
+    tribox_options options;
+} origin;
+
+/* Fails the test at hand: prints where, the pair and its thirteen axes. */
+void fail_pair(const origin *where, const tribox_pair *pair, bool answer);
+
+/*
+ * The library's answers for `count` triangles and one box, and for one triangle and `count` boxes. What holds for every call is
+ * checked on the way: the status, the bits past the count and the numbers in the report.
+ */
+void ask_soup(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t *mask);
+void ask_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options, uint64_t *mask);
+
+#endif
