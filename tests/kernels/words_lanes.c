@@ -58,9 +58,6 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
 
 void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out)
 {
-#if defined(LANES_OF_DOUBLE)
-    v_pin(lanes_of(a)); /* gives nothing: all it has to do is compile */
-#endif
     put(number_of(word, *a, lanes_of(a), lanes_of(b), lanes_of(c)), out);
 }
 
