@@ -1,6 +1,6 @@
 #include "avx2/vec_avx2.h"
 #define KERNEL avx2
 #include "kernel/axes.h"
-#include "kernel/bounds.h"
+#include "kernel/margin.h"
 #include "kernel/packet.h"
 #include "kernel/batch.h"

@@ -14,8 +14,6 @@
 #define V_LANES 8
 #define V_FUSED 1 /* v_fma and v_fms round once */
 #define V_UNIT 0x1p-53
-#define V_ETA 0.0 /* float input leaves double room: nothing overflows or underflows */
-#define V_TAU 0.0
 
 typedef __m512d vnum;
 typedef __mmask8 vmask;

@@ -12,8 +12,6 @@
 #define V_LANES 1
 #define V_FUSED 0 /* v_fma and v_fms round twice */
 #define V_UNIT 0x1p-53
-#define V_ETA 0.0 /* float input leaves double room: nothing overflows or underflows */
-#define V_TAU 0.0
 
 typedef double vnum;
 typedef bool vmask;

@@ -14,7 +14,6 @@
 #define V_FUSED 0 /* v_fma and v_fms round twice */
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
-#define V_TAU 0x1p-110f
 
 typedef __m128 vnum;
 typedef __m128 vmask;

@@ -14,8 +14,6 @@
 #define V_LANES 2
 #define V_FUSED 0 /* v_fma and v_fms round twice */
 #define V_UNIT 0x1p-53
-#define V_ETA 0.0 /* float input leaves double room: nothing overflows or underflows */
-#define V_TAU 0.0
 
 typedef __m128d vnum;
 typedef __m128d vmask;

@@ -1,0 +1,61 @@
+/*
+ * margin.h - the bounds of bounds.h, cheaper and coarser, for float: one for all nine edge axes and one for the plane, from the sum
+ * of the extents alone. They need the box normals in the axis set, and hold for the lanes that these leave, as there
+ * m_a <= F_a + H_a. With s = F_x + F_y + F_z and h the longest side of the box, products of extents at their largest:
+ *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h) <= s / 3 (s s / 2 + s h) + tau (s + 3 h)
+ * so the bound on the plane, 48 u S, is at most s times the bound on the edges, 32 u B_i, with room for the roundings of these
+ * lines; 34 for 32 makes room in the other. Neither is ever below the finer bound. sigma >= s is the sum over the axes of
+ * |f_0a| + |f_1a|, which no NaN and no infinity can leave finite.
+ */
+typedef struct lane_margin {
+    vmask holds; /* finite, and small enough that no product overflows */
+    vmask sound; /* and wide enough for the certificate of overlap */
+    vnum edges, plane;
+} lane_margin;
+
+/* The terms of a margin that come from the box alone. */
+typedef struct lane_box_margin {
+    vnum most;  /* of sigma */
+    vnum least; /* of every |f_0a| + |f_1a| */
+    vnum edges; /* of the coefficient of sigma */
+    vnum eta;   /* of the plane, with what tau comes to */
+} lane_box_margin;
+
+/*
+ * The certificate asks F_a >= 2^-55, but only where a bound of the box lies between the least and the greatest u_ja: elsewhere the
+ * box spans the triangle on axis a, and no edge separates in a projection that has it. Two floats less than 2^-55 apart are below
+ * 2^-31, so a box without a bound that small asks nothing: least is then negative.
+ */
+TRIBOX_INLINE vnum least_extent(const lane_box *box)
+{
+    const vnum nearest = v_min(lane_min3(v_abs(box->lo[0]), v_abs(box->lo[1]), v_abs(box->lo[2])),
+                               lane_min3(v_abs(box->hi[0]), v_abs(box->hi[1]), v_abs(box->hi[2])));
+    return v_min(v_mul(v_sub(v_splat(0x1p-31f), nearest), v_splat(0x1p60f)), v_splat(0x1p-54f));
+}
+
+TRIBOX_INLINE lane_box_margin box_margin_of(const lane_box *box)
+{
+    const vnum h = lane_max3(box->H[0], box->H[1], box->H[2]);
+    return (lane_box_margin){
+        .most = v_sub(v_splat(0x1p38f), h),
+        .least = least_extent(box),
+        .edges = v_mul(h, v_splat(34 * V_UNIT)),
+        .eta = v_fma(h, v_splat(0x1p-125f), v_splat(V_ETA)),
+    };
+}
+
+TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *box)
+{
+    vnum sum[3];
+    for (int a = 0; a < 3; a++)
+        sum[a] = v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a]));
+    const vnum sigma = v_add(v_add(sum[0], sum[1]), sum[2]);
+    const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box->edges), v_splat(V_ETA));
+    const vmask holds = v_gt(box->most, sigma);
+    return (lane_margin){
+        .holds = holds,
+        .sound = m_and(holds, v_gt(lane_min3(sum[0], sum[1], sum[2]), box->least)),
+        .edges = edges,
+        .plane = v_fma(sigma, edges, box->eta),
+    };
+}
