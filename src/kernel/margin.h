@@ -1,11 +1,13 @@
 /*
  * margin.h - the bounds of bounds.h, cheaper and coarser, for float: one for all nine edge axes and one for the plane, from the sum
- * of the extents alone. They need the box normals in the axis set, and hold for the lanes that these leave, as there
- * m_a <= F_a + H_a. With s = F_x + F_y + F_z and h the longest side of the box, products of extents at their largest:
+ * of the extents. For the lanes that the box normals leave, m_a <= F_a + H_a. With s = F_x + F_y + F_z and h the longest side of the
+ * box, products of extents at their largest:
  *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h) <= s / 3 (s s / 2 + s h) + tau (s + 3 h)
  * so the bound on the plane, 48 u S, is at most s times the bound on the edges, 32 u B_i, with room for the roundings of these
  * lines; 34 for 32 makes room in the other. Neither is ever below the finer bound. sigma >= s is the sum over the axes of
  * |f_0a| + |f_1a|, which no NaN and no infinity can leave finite.
+ *
+ * Where the box normals are not asked, m_a <= F_a + (|V_0a| + H_a) / 2 does the same: h grows by the sum of the |V_0a|.
  */
 typedef struct lane_margin {
     vmask holds; /* finite, and small enough that no product overflows */
@@ -44,18 +46,32 @@ TRIBOX_INLINE lane_box_margin box_margin_of(const lane_box *box)
     };
 }
 
-TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *box)
+/* The same, for a triangle that may be anywhere. */
+TRIBOX_INLINE lane_box_margin widened(const lane_box_margin *box, const lane_shape *s)
 {
+    const vnum away = v_add(v_add(v_abs(s->V[0][0]), v_abs(s->V[0][1])), v_abs(s->V[0][2]));
+    return (lane_box_margin){
+        .most = v_sub(box->most, away),
+        .least = box->least,
+        .edges = v_fma(away, v_splat(34 * V_UNIT), box->edges),
+        .eta = v_fma(away, v_splat(0x1p-125f), box->eta),
+    };
+}
+
+TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *from, bool is_box_asked)
+{
+    const lane_box_margin box = is_box_asked ? *from : widened(from, s);
     vnum sum[3];
     for (int a = 0; a < 3; a++)
         sum[a] = v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a]));
     const vnum sigma = v_add(v_add(sum[0], sum[1]), sum[2]);
-    const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box->edges), v_splat(V_ETA));
-    const vmask holds = v_gt(box->most, sigma);
+    const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box.edges), v_splat(V_ETA));
+    const vmask holds = v_gt(box.most, sigma);
     return (lane_margin){
         .holds = holds,
-        .sound = m_and(holds, v_gt(lane_min3(sum[0], sum[1], sum[2]), box->least)),
-        .edges = edges,
-        .plane = v_fma(sigma, edges, box->eta),
+        /* the two-sided slacks ask no certificate */
+        .sound = is_box_asked ? m_and(holds, v_gt(lane_min3(sum[0], sum[1], sum[2]), box.least)) : holds,
+        .edges = is_box_asked ? edges : v_add(edges, edges),
+        .plane = v_fma(sigma, edges, box.eta),
     };
 }

@@ -138,16 +138,16 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
  * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *sure keeps the lanes beyond it on the good side. The first
  * slack comes before the margin, so that fewer numbers are alive at a time.
  */
-TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool is_first, const lane_box_margin *box, uint64_t left,
-                                      lane_margin *margin, vmask *sure)
+TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool is_box_asked, bool is_first,
+                                      const lane_box_margin *box, uint64_t left, lane_margin *margin, vmask *sure)
 {
     if (group == 1)
         return left & ~m_bits(apart_on_box_normals(s));
     if (group != 2 && group != 3)
         return left;
-    const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : all_edges_slack(s, true);
+    const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : all_edges_slack(s, is_box_asked);
     if (is_first)
-        *margin = margin_of(s, box);
+        *margin = margin_of(s, box, is_box_asked);
     const vnum error = group == 2 ? margin->plane : margin->edges;
     *sure = is_first ? v_gt(slack, error) : m_and(*sure, v_gt(slack, error));
     return left & ~m_bits(m_and(margin->holds, v_gt(v_splat(0), v_add(slack, error))));
@@ -187,24 +187,22 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
         return left & finite;
     }
 
-    uint64_t hit = 0;
-    if (is_box_asked) {
-        if (!from->is_soup)
-            p->margin = box_margin_of(&p->box);
-        lane_margin margin;
-        vmask sure;
-        left = left_by_margin(&s, first, true, &p->margin, left, &margin, &sure);
-        if (!left)
-            return 0;
-        left = left_by_margin(&s, second, first < 2, &p->margin, left, &margin, &sure);
-        if (!left)
-            return 0;
-        left = left_by_margin(&s, third, first < 2 && second < 2, &p->margin, left, &margin, &sure);
-        if (sequence_has(sequence, 2) || sequence_has(sequence, 3))
-            hit = left & m_bits(m_and(sure, accuracy == TRIBOX_EXACT && sequence_has(sequence, 3) ? margin.sound : margin.holds));
-        else
-            hit = left & m_bits(margin_of(&s, &p->margin).holds);
-    }
+    if (!from->is_soup)
+        p->margin = box_margin_of(&p->box);
+    lane_margin margin;
+    vmask sure;
+    left = left_by_margin(&s, first, is_box_asked, true, &p->margin, left, &margin, &sure);
+    if (!left)
+        return 0;
+    left = left_by_margin(&s, second, is_box_asked, first < 2, &p->margin, left, &margin, &sure);
+    if (!left)
+        return 0;
+    left = left_by_margin(&s, third, is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &sure);
+    if (sequence_has(sequence, 2) || sequence_has(sequence, 3))
+        sure = m_and(sure, accuracy == TRIBOX_EXACT && sequence_has(sequence, 3) ? margin.sound : margin.holds);
+    else
+        sure = margin_of(&s, &p->margin, is_box_asked).holds;
+    const uint64_t hit = left & m_bits(sure);
     *open = left & ~hit;
     return hit;
 }
