@@ -150,7 +150,8 @@ TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
  * Tells for each of many boxes whether one triangle overlaps it: the inner loop of octree and grid builders.
  * Bit i % 64 of mask[i / 64] is set when the triangle overlaps box i; bits past count are zero.
  *
- * triangle: triangle[v][a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
+ * triangle: triangle[v][a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing. (Before C23 a pedantic C
+ *   compiler wants a cast to `const float (*)[3]` where the array itself is not const.)
  * boxes: six streams of boxes->count floats. An empty box, or one with a NaN or infinite bound, overlaps nothing; it is no error.
  * options, mask, report: as for tribox_overlap, with boxes->count in place of soup->count.
  *

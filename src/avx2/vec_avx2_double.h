@@ -2,7 +2,9 @@
 #if !defined(__AVX2__) || !defined(__FMA__)
 #error "compile this file with AVX2 and FMA"
 #endif
-#ifndef TRIBOX_VEC_H
+#if defined(TRIBOX_VEC_H)
+#error "one vocabulary to a translation unit"
+#endif
 #define TRIBOX_VEC_H
 
 #include <immintrin.h>
@@ -40,5 +42,3 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_pd(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_pd(b, a); }
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm256_movemask_pd(a); }
-
-#endif

@@ -2,7 +2,9 @@
 #if !defined(__AVX512F__)
 #error "compile this file with AVX-512F"
 #endif
-#ifndef TRIBOX_VEC_H
+#if defined(TRIBOX_VEC_H)
+#error "one vocabulary to a translation unit"
+#endif
 #define TRIBOX_VEC_H
 
 #include <immintrin.h>
@@ -42,5 +44,3 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
-
-#endif

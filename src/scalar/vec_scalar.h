@@ -1,5 +1,7 @@
 /* vec_scalar.h - one lane. This is the definition of every word; kernel/README.md tells the rest. */
-#ifndef TRIBOX_VEC_H
+#if defined(TRIBOX_VEC_H)
+#error "one vocabulary to a translation unit"
+#endif
 #define TRIBOX_VEC_H
 
 #include <stdbool.h>
@@ -51,5 +53,3 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
-
-#endif

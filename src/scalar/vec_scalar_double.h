@@ -1,5 +1,7 @@
 /* vec_scalar_double.h - one lane of double: the definition of the words, and the kind of number that settles. kernel/README.md tells the rest. */
-#ifndef TRIBOX_VEC_H
+#if defined(TRIBOX_VEC_H)
+#error "one vocabulary to a translation unit"
+#endif
 #define TRIBOX_VEC_H
 
 #include <math.h>
@@ -38,5 +40,3 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
 TRIBOX_INLINE vmask m_signs(vnum a) { return signbit(a) != 0; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
-
-#endif

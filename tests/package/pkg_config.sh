@@ -10,7 +10,7 @@ version=$($PKG_CONFIG --modversion tribox)
 build_and_run() {
     name=$1
     shift
-    "$@" -Wall -Wextra -Wpedantic -Werror $($PKG_CONFIG --cflags tribox) "$here/consumer/consumer.c" -o "$work/$name" \
+    "$@" $SANITIZER -Wall -Wextra -Wpedantic -Werror $($PKG_CONFIG --cflags tribox) "$here/consumer/consumer.c" -o "$work/$name" \
         -x none $($PKG_CONFIG $static --libs tribox) || die "$name: does not build against the installed library"
     printed=$(LD_LIBRARY_PATH=$libdir "$work/$name") || die "$name: fails"
     test "$printed" = "$version" || die "$name: the header says version $printed, tribox.pc says $version"

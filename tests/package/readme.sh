@@ -26,7 +26,7 @@ example=$(block '^```c$' 'int main')
 if test "$what" = example; then
     test -n "$example" || skip "README.md has no C block with a main"
     printf '%s\n' "$example" >"$work/example.c"
-    $CC -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.c" -o "$work/example" \
+    $CC $SANITIZER -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.c" -o "$work/example" \
         -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir"
     "$work/example"
     exit
