@@ -4,7 +4,12 @@
 #include <math.h>
 #include <stdbool.h>
 
-float nearest_float(double number) { return fabs(number) < (double)FLT_MAX ? (float)number : copysignf(FLT_MAX, (float)number); }
+float nearest_float(double number)
+{
+    if (fabs(number) < (double)FLT_MAX)
+        return (float)number;
+    return number < 0 ? -FLT_MAX : FLT_MAX;
+}
 
 float nudged(random_source *r, float number, int ulps)
 {
@@ -19,12 +24,12 @@ contact_part any_contact_part(random_source *r) { return (contact_part)random_be
 /* A component of a direction: of few whole numbers, or any in [-1, 1]. */
 static double component(random_source *r, bool is_whole) { return is_whole ? random_between(r, -2, 2) : random_uniform(r, -1, 1); }
 
-/* The direction from the box to the triangle. Two zeros in it make a contact with a face, one zero with an edge, none with a corner. */
-static void draw_outward(random_source *r, bool is_whole, double m[3])
+/* Two zeros make a contact with a face, one zero with an edge, none with a corner. */
+void draw_outward(random_source *r, contact_style style, double m[3])
 {
     do {
         for (int a = 0; a < 3; a++)
-            m[a] = random_below(r, 3) ? component(r, is_whole) : 0;
+            m[a] = random_below(r, 3) ? component(r, style.step > 0) : 0;
     } while (m[0] == 0 && m[1] == 0 && m[2] == 0);
 }
 
@@ -65,10 +70,17 @@ static double draw_factor(random_source *r, bool is_whole)
 
 void draw_contact(random_source *r, const tribox_box *box, contact_style style, contact_part part, float u[3][3])
 {
+    double m[3];
+    draw_outward(r, style, m);
+    draw_contact_along(r, box, style, part, m, u);
+}
+
+void draw_contact_along(random_source *r, const tribox_box *box, contact_style style, contact_part part, const double m[3],
+                        float u[3][3])
+{
     const bool is_whole = style.step > 0;
     const double unit = is_whole ? style.step : style.size;
-    double m[3], p[3], t[2][3];
-    draw_outward(r, is_whole, m);
+    double p[3], t[2][3];
     draw_point_of_contact(r, box, style.step, m, p);
     draw_tangent(r, is_whole, unit, m, t[0]);
     draw_tangent(r, is_whole, unit, m, t[1]);
@@ -76,13 +88,18 @@ void draw_contact(random_source *r, const tribox_box *box, contact_style style, 
     const double lift[2] = {draw_lift(r, is_whole, unit), draw_lift(r, is_whole, unit)};
     const int turn = random_below(r, 3);
     for (int a = 0; a < 3; a++) {
-        double v[3];
-        v[0] = part == CONTACT_VERTEX ? p[a] : p[a] + t[0][a];
-        v[1] = part == CONTACT_EDGE ? p[a] - k * t[0][a] : p[a] + t[1][a];
-        v[2] = part == CONTACT_INSIDE ? p[a] - k * t[0][a] - l * t[1][a] : p[a] + t[1][a] + lift[1] * m[a];
+        double v[3] = {p[a], p[a], p[a]};
         if (part == CONTACT_VERTEX) {
-            v[1] += lift[0] * m[a];
-            v[2] += t[0][a];
+            v[1] += t[0][a] + lift[0] * m[a];
+            v[2] += t[1][a] + lift[1] * m[a];
+        } else if (part == CONTACT_EDGE) {
+            v[0] += t[0][a];
+            v[1] -= k * t[0][a];
+            v[2] += t[1][a] + lift[0] * m[a];
+        } else {
+            v[0] += t[0][a];
+            v[1] += t[1][a];
+            v[2] -= k * t[0][a] + l * t[1][a];
         }
         for (int j = 0; j < 3; j++)
             u[(j + turn) % 3][a] = nearest_float(v[j]);

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "random.h"
 #include "exact.h"
+#include "random.h"
 #include "tribox.h"
 
 /* A whole word of triangles and a tail. */

@@ -75,29 +75,35 @@ void draw_own_scale_touching(random_source *r, scene_batch *batch)
 }
 
 /*
- * Triangles of 2^-20 down to nothing at a corner of a box of 1 and more. The corner is the origin, so that they are not rounded,
- * but the differences to the other bounds lose them altogether. Some touch, the others lie off the corner by about their size.
+ * Triangles of 2^-20 down to nothing, outside of a corner of a box of 1 and more. The corner is the origin, so that they are not
+ * rounded, but the differences to the other bounds lose them altogether. Some touch, the others lie off by about their size. Where
+ * the products of their extents vanish, near 2^-75, the sign of the normal is lost, and what is left of it meets the whole box.
  */
 void draw_tiny_at_corner(random_source *r, scene_batch *batch)
 {
     static const tribox_box corner;
-    float outward[3];
+    double outward[3];
+    const int longest = random_below(r, 2) ? 0 : 37;
     for (int a = 0; a < 3; a++) {
-        const float extent = ldexpf(1, random_below(r, 2) ? 0 : random_between(r, 0, 20));
+        const float extent = ldexpf(1, random_between(r, 0, longest));
         const bool is_above = random_below(r, 2);
         batch->box.lo[a] = is_above ? 0 : -extent;
         batch->box.hi[a] = is_above ? extent : 0;
         outward[a] = is_above ? -1 : 1;
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
+        float(*const u)[3] = batch->u[k];
         const contact_style style = {.step = k % 2, .size = 1};
-        draw_contact(r, &corner, style, any_contact_part(r), batch->u[k]);
-        const int exponent = random_between(r, -145, -20);
-        for (int a = 0; a < 3; a++) {
-            const float shift = outward[a] * (float)random_below(r, 2);
-            for (int j = 0; j < 3; j++)
-                batch->u[k][j][a] = ldexpf(batch->u[k][j][a] + shift, exponent);
-        }
+        double m[3];
+        draw_outward(r, style, m);
+        for (int a = 0; a < 3; a++)
+            m[a] = outward[a] * fabs(m[a]);
+        draw_contact_along(r, &corner, style, any_contact_part(r), m, u);
+        const double away = random_below(r, 3) * random_uniform(r, 0, 0.5);
+        const int exponent = random_below(r, 2) ? random_between(r, -110, -60) : random_between(r, -145, -20);
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                u[j][a] = (float)ldexp(u[j][a] + away * m[a], exponent);
     }
 }
 

@@ -123,7 +123,10 @@ static int any_kernel(trial *t) { return random_below(&t->r, t->kernel_count); }
 
 static unsigned any_axes(trial *t) { return (unsigned)random_between(&t->r, 1, AXIS_SETS); }
 
-/* EXACT on all thirteen axes from every kernel; the other axis sets and accuracies from one of them, drawn afresh each time. */
+/*
+ * EXACT on all thirteen axes from every kernel, and on every set of axes from one of them; then every accuracy once more, in both
+ * functions. What is not looped over is drawn afresh each time.
+ */
 static void try_batch(trial *t)
 {
     draw_batch(t);
@@ -133,6 +136,10 @@ static void try_batch(trial *t)
     }
     choose(t, TRIBOX_EXACT, TRIBOX_AXES_ALL, any_kernel(t));
     ask_batch_as_boxes(t);
+    for (unsigned axes = 1; axes < TRIBOX_AXES_ALL; axes++) {
+        choose(t, TRIBOX_EXACT, axes, any_kernel(t));
+        ask_batch(t);
+    }
     for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
         choose(t, (tribox_accuracy)accuracy, any_axes(t), any_kernel(t));
         ask_batch(t);
