@@ -19,8 +19,8 @@
 #error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0); on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
-/* Unoptimised builds do not force it: with every word inlined and nothing folded a kernel takes gcc half a minute. */
-#if defined(__GNUC__) && defined(__OPTIMIZE__)
+/* Unoptimised and sanitized builds do not force it: with every word inlined and little folded a kernel takes gcc minutes. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 #define TRIBOX_INLINE static inline __attribute__((always_inline))
 #else
 #define TRIBOX_INLINE static inline
