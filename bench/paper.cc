@@ -61,7 +61,7 @@ class Arena
         const score &baseline = scores_[0];
         std::fprintf(stderr,
                      "verified %s: EXACT is the same on every kernel; the baseline overlaps %zu, disagrees with EXACT on %zu\n",
-                     scene_.name, baseline.overlapping, baseline.differing);
+                     scene_.name, baseline.overlapping, baseline.of_all.missed + baseline.of_all.untrue);
         return true;
     }
 

@@ -4,11 +4,11 @@
  * Ratios survive there where times do not: all contestants run in one process, interleaved in rounds, and are compared pair by
  * pair within a round. Nothing is timed before all answers agree.
  */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "arguments.h"
 #include "table.h"
 
 typedef struct settings {
@@ -22,44 +22,13 @@ typedef struct settings {
 static const char usage[] =
     "usage: ratios [--scene NAME] [--filter PART] [--rounds N] [--seed N] [--json]\n"
     "Times every kernel and accuracy against the paper's test, one thread, and prints a table for each scene.\n"
-    "  --scene NAME   one scene; without it all of them, in half a minute\n"
+    "  --scene NAME   one scene; without it all of them, in a minute and a half\n"
     "  --filter PART  only contestants whose name contains PART (avx2, exact, avx2-fast, ...), and always the baseline\n"
     "  --rounds N     measure N rounds, 5 to 1000, however long they take; without it 31, or fewer where a scene is slow\n"
     "  --seed N       of the scenes and of the order within the rounds\n"
     "  --json         JSON instead of tables\n";
 
-static int fail(const char *what, const char *which, const char *help)
-{
-    fprintf(stderr, "ratios: %s '%s'; %s\n", what, which, help);
-    return 2;
-}
-
-static bool is_scene(const char *name)
-{
-    for (size_t s = 0; s < scene_count(); s++)
-        if (!strcmp(name, scene_name(s)))
-            return true;
-    return false;
-}
-
-static int fail_on_scene(const char *name)
-{
-    fprintf(stderr, "ratios: unknown scene '%s'; the scenes are:\n", name);
-    for (size_t s = 0; s < scene_count(); s++)
-        fprintf(stderr, "  %-10s %s\n", scene_name(s), scene_what(s));
-    return 2;
-}
-
-static bool read_number(const char *text, uint64_t least, uint64_t most, uint64_t *number)
-{
-    char *end;
-    errno = 0;
-    const unsigned long long read = strtoull(text, &end, 0);
-    if (text[0] < '0' || text[0] > '9' || *end || errno || read < least || read > most)
-        return false;
-    *number = read;
-    return true;
-}
+static int fail(const char *what, const char *which, const char *help) { return argument_fail("ratios", what, which, help); }
 
 /* 0, or the exit status. */
 static int read_settings(int argc, char **argv, settings *s)
@@ -78,17 +47,18 @@ static int read_settings(int argc, char **argv, settings *s)
             return fail("no value after", option, "see ratios --help");
         uint64_t rounds;
         if (!strcmp(option, "--scene")) {
+            size_t index;
             s->scene = argv[i];
-            if (!is_scene(s->scene))
-                return fail_on_scene(s->scene);
+            if (!argument_scene("ratios", s->scene, &index))
+                return 2;
         } else if (!strcmp(option, "--filter"))
             s->filter = argv[i];
-        else if (!strcmp(option, "--seed") && !read_number(argv[i], 0, UINT64_MAX, &s->seed))
+        else if (!strcmp(option, "--seed") && !argument_number(argv[i], 0, UINT64_MAX, &s->seed))
             return fail("bad seed", argv[i], "give a whole number below 2^64");
         else if (!strcmp(option, "--rounds")) {
-            if (!read_number(argv[i], MEASURE_LEAST, MEASURE_MOST, &rounds))
+            if (!argument_number(argv[i], MEASURE_LEAST, MEASURE_MOST, &rounds))
                 return fail("bad number of rounds", argv[i], "give 5 to 1000");
-            s->how = (effort){.rounds = (size_t)rounds, .seconds = 1e9};
+            s->how = (effort){.rounds = (size_t)rounds, .seconds = 1e9, .sample = 2e-3};
         }
     }
     return 0;
@@ -114,7 +84,7 @@ static bool run_scene(size_t index, const settings *s, const contestant *list, s
     uint64_t *const mask = calloc(tribox_mask_words(at.soup.count), sizeof *mask);
     const bool is_right = mask && contest_verify(list, count, &at, scores);
     if (is_right) {
-        measure(list, count, &at, s->how, order, mask, &taken);
+        measure(list, count, &at, 1, s->how, order, mask, &taken);
         const result r = {&at, list, scores, &taken};
         if (s->is_json)
             json_scene(&r, is_first);
@@ -132,7 +102,7 @@ int main(int argc, char **argv)
         fputs(usage, stdout);
         return 0;
     }
-    settings s = {.seed = 1, .how = {.rounds = 31, .seconds = 8}};
+    settings s = {.seed = 1, .how = {.rounds = 31, .seconds = 8, .sample = 2e-3}};
     const int status = read_settings(argc, argv, &s);
     if (status)
         return status;

@@ -4,55 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "random.h"
+#include "draw.h"
 
 enum { CACHE_LINE = 64, LINE_FLOATS = CACHE_LINE / sizeof(float) };
 
-typedef float triangle[3][3];
-
 static const tribox_box unit_box = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
+static const tribox_box offset_box = {{999999.5f, 999999.5f, 999999.5f}, {1000000.5f, 1000000.5f, 1000000.5f}};
 static const tribox_box tenths_box = {{0.8f, 0.8f, 0.8f}, {1.7f, 1.7f, 1.7f}};
-
-/* The paper, section 3: three independent vertices. */
-static void draw_paper(generator *g, triangle t)
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = random_between(g, -2, 2);
-}
-
-/* Small triangles all over a cube of 16 x 16 x 16 boxes: nearly all miss on a box normal. */
-static void draw_sparse(generator *g, triangle t)
-{
-    for (int a = 0; a < 3; a++) {
-        const float about = random_between(g, -8, 8);
-        for (int j = 0; j < 3; j++)
-            t[j][a] = about + random_between(g, -0.1f, 0.1f);
-    }
-}
-
-static void draw_inside(generator *g, triangle t)
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = random_between(g, -0.5f, 0.5f);
-}
-
-/* Quarters in [-2, 2]: faces, edges and corners of the box are lattice points, so contact is common and bounds cannot decide it. */
-static void draw_lattice(generator *g, triangle t)
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = (float)random_below(g, 17) * 0.25f - 2;
-}
-
-/* Tenths, which floats only approximate: a centre and half size formed from such bounds are rounded, and contact may be lost. */
-static void draw_tenths(generator *g, triangle t)
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            t[j][a] = (float)random_below(g, 26) / 10;
-}
+static const tribox_box quarter_cell = {{0.75f, 0.75f, 0.75f}, {1.25f, 1.25f, 1.25f}};
+static const tribox_box tenth_cell = {{0.3f, 0.3f, 0.3f}, {0.5f, 0.5f, 0.5f}};
 
 enum keep { KEEP_ALL, KEEP_OVERLAPPING, KEEP_EDGE_MISSES };
 
@@ -60,7 +20,7 @@ static const struct recipe {
     const char *name, *what;
     const tribox_box *box;
     size_t count;
-    void (*draw)(generator *, triangle);
+    draw_triangle *draw;
     enum keep keep;
     bool is_sorted; /* in Morton order of the centroids, as a spatial tree would leave them */
 } recipes[] = {
@@ -75,6 +35,15 @@ static const struct recipe {
     {"lattice", "vertices on multiples of 1/4 in [-2, 2]^3: contact is common", &unit_box, 100000, draw_lattice, KEEP_ALL, false},
     {"tenths", "vertices on multiples of 1/10 in [0, 2.5]^3: contact, of rounded numbers", &tenths_box, 100000, draw_tenths,
      KEEP_ALL, false},
+    {"cad", "faces of blocks and prisms on a grid of 1/4, against a cell of it", &quarter_cell, 100000, draw_cad, KEEP_ALL, false},
+    {"cad-tenths", "the same on a grid of 1/10, of rounded numbers", &tenth_cell, 100000, draw_cad_tenths, KEEP_ALL, false},
+    {"touching", "triangles that touch the box, on multiples of 1/8", &unit_box, 100000, draw_touching, KEEP_ALL, false},
+    {"touching-ulp", "the same, three coordinates moved by a float or not", &unit_box, 100000, draw_touching_ulp, KEEP_ALL, false},
+    {"offset", "the scene paper a million units away", &offset_box, 100000, draw_offset, KEEP_ALL, false},
+    {"needles", "one edge of up to 4 floats, another as near to contact as floats come", &unit_box, 100000, draw_needle, KEEP_ALL,
+     false},
+    {"caps", "a vertex on the opposite edge, that edge as near to contact as floats come", &unit_box, 100000, draw_cap, KEEP_ALL,
+     false},
 };
 
 size_t scene_count(void) { return sizeof recipes / sizeof recipes[0]; }

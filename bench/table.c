@@ -1,43 +1,15 @@
 #include "table.h"
 
 #include <stdio.h>
-#include <string.h>
 
 /* The baseline is always the first in the list (ratios.c sees to it). */
 enum { BASELINE = 0 };
 
-/* FAST of the same kernel, or the contestant itself if there is none in this run. */
-static size_t fast_of(const result *r, size_t c)
-{
-    const contestant *const one = &r->list[c];
-    for (size_t f = 0; one->kind == CONTESTANT_KERNEL && f < r->taken->contestants; f++) {
-        const contestant *const other = &r->list[f];
-        if (other->kind == CONTESTANT_KERNEL && other->options.accuracy == TRIBOX_FAST &&
-            !strcmp(one->options.kernel, other->options.kernel))
-            return f;
-    }
-    return c;
-}
+static size_t unlike_exact(const score *s) { return s->of_all.missed + s->of_all.untrue; }
 
 static double percent(size_t part, size_t of) { return 100 * (double)part / (double)of; }
 
-void table_begin(const run *r)
-{
-    printf("processor  %s%s\n", r->on.processor, r->on.is_virtual ? ", virtual" : "");
-    printf("compiler   %s\n", r->on.compiler);
-    printf("flags      %s\n", r->on.flags);
-    printf("commit     %s\n", r->on.commit);
-    printf("command   ");
-    for (int i = 0; i < r->argc; i++)
-        printf(" %s", r->argv[i]);
-    printf("\nseed       %llu\n", (unsigned long long)r->seed);
-    printf("limits     one thread, not pinned; wall-clock time, no hardware counters; one process");
-    if (r->on.is_virtual)
-        printf("; a virtual machine, whose host may be shared");
-    if (r->on.load >= 0)
-        printf("; load average %.2f before the start", r->on.load);
-    printf("\n");
-}
+void table_begin(const run *r) { header_text(stdout, "", r); }
 
 /* The baseline's least time over the contestant's: what is left of a ratio where other work disturbs most rounds. */
 static double speed_by_least(const result *r, size_t c)
@@ -47,7 +19,7 @@ static double speed_by_least(const result *r, size_t c)
 
 static void print_row(const result *r, size_t c)
 {
-    const size_t count = r->at->soup.count, fast = fast_of(r, c);
+    const size_t count = r->at->soup.count, fast = contest_fast_of(r->list, r->taken->contestants, c);
     const spread time = measure_spread(r->taken, c), speed = measure_ratio(r->taken, BASELINE, c);
     char slower[16] = "-", undecided[16] = "-";
     if (fast != c)
@@ -59,22 +31,13 @@ static void print_row(const result *r, size_t c)
     if (r->list[c].kind == CONTESTANT_LOADS)
         printf(" %9s %9s\n", "-", "-");
     else
-        printf(" %9zu %9zu\n", r->scores[c].overlapping, r->scores[c].differing);
-}
-
-/* A quiet machine repeats the baseline to a few percent. */
-static void warn_if_disturbed(const result *r)
-{
-    const spread time = measure_spread(r->taken, BASELINE);
-    if (time.median > 1.1 * time.least)
-        printf("disturbed: the baseline's median is %.0f %% above its least; trust the column 'by least', or run again\n",
-               100 * (time.median / time.least - 1));
+        printf(" %9zu %9zu\n", r->scores[c].overlapping, unlike_exact(&r->scores[c]));
 }
 
 void table_scene(const result *r)
 {
     const size_t count = r->at->soup.count;
-    printf("\nscene %s: %zu triangles (%.3g MB), %s; box [%g, %g]^3; %zu rounds\n", r->at->name, count, 36e-6 * (double)count,
+    printf("\nscene %s: %zu triangles (%.3g MB), %s; box [%.8g, %.8g]^3; %zu rounds\n", r->at->name, count, 36e-6 * (double)count,
            r->at->what, (double)r->at->box.lo[0], (double)r->at->box.hi[0], r->taken->rounds);
     printf("%-20s %17s   %-33s %10s %10s %9s %9s\n", "", "ns per triangle", "times baseline's speed", "times own", "undecided", "",
            "unlike");
@@ -82,38 +45,15 @@ void table_scene(const result *r)
            "by least", "fast's ns", "percent", "overlaps", "EXACT");
     for (size_t c = 0; c < r->taken->contestants; c++)
         print_row(r, c);
-    warn_if_disturbed(r);
+    measure_warn_if_disturbed(r->taken);
     fflush(stdout);
-}
-
-static void json_string(const char *text)
-{
-    putchar('"');
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            putchar('\\');
-        putchar((unsigned char)*text < ' ' ? ' ' : *text);
-    }
-    putchar('"');
 }
 
 void json_begin(const run *r)
 {
-    printf("{\"processor\": ");
-    json_string(r->on.processor);
-    printf(", \"virtual\": %s, \"load_average\": %.2f", r->on.is_virtual ? "true" : "false", r->on.load);
-    printf(",\n \"compiler\": ");
-    json_string(r->on.compiler);
-    printf(", \"flags\": ");
-    json_string(r->on.flags);
-    printf(", \"commit\": ");
-    json_string(r->on.commit);
-    printf(",\n \"command\": [");
-    for (int i = 0; i < r->argc; i++) {
-        printf(i ? ", " : "");
-        json_string(r->argv[i]);
-    }
-    printf("],\n \"seed\": %llu,\n \"scenes\": [", (unsigned long long)r->seed);
+    printf("{");
+    header_json(stdout, r);
+    printf(",\n \"scenes\": [");
 }
 
 static void json_spread(const char *name, spread s)
@@ -127,7 +67,7 @@ void json_scene(const result *r, bool is_first)
     printf("%s\n  {\"scene\": \"%s\", \"triangles\": %zu, \"rounds\": %zu, \"contestants\": [", is_first ? "" : ",", r->at->name,
            r->at->soup.count, r->taken->rounds);
     for (size_t c = 0; c < r->taken->contestants; c++) {
-        const size_t fast = fast_of(r, c);
+        const size_t fast = contest_fast_of(r->list, r->taken->contestants, c);
         printf("%s\n   {\"name\": \"%s\"", c ? "," : "", r->list[c].name);
         json_spread("ns_per_triangle", measure_spread(r->taken, c));
         json_spread("baseline_over_it", measure_ratio(r->taken, BASELINE, c));
@@ -136,7 +76,7 @@ void json_scene(const result *r, bool is_first)
             json_spread("over_own_fast", measure_ratio(r->taken, c, fast));
         if (r->list[c].kind != CONTESTANT_LOADS)
             printf(", \"undecided\": %zu, \"overlapping\": %zu, \"not_as_exact\": %zu", r->scores[c].undecided,
-                   r->scores[c].overlapping, r->scores[c].differing);
+                   r->scores[c].overlapping, unlike_exact(&r->scores[c]));
         printf("}");
     }
     printf("]}");

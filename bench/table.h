@@ -2,15 +2,8 @@
 #ifndef BENCH_TABLE_H
 #define BENCH_TABLE_H
 
-#include "machine.h"
+#include "header.h"
 #include "measure.h"
-
-typedef struct run {
-    int argc;
-    char **argv;
-    uint64_t seed;
-    machine on;
-} run;
 
 typedef struct result {
     const scene *at;

@@ -1,0 +1,181 @@
+#include "order_report.h"
+
+#include <string.h>
+
+/* The entrants of a kernel stand together behind those of the paper's test; the first of them, or NULL behind the last. */
+static const entrant *next_kernel(const sweep *s, const entrant *after)
+{
+    for (const entrant *e = after ? after + 1 : s->list; e < s->list + s->entrants; e++)
+        if (e->options.kernel && (!after || strcmp(e->options.kernel, after->options.kernel) != 0))
+            return e;
+    return NULL;
+}
+
+static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accuracy accuracy)
+{
+    const entrant *const best = sweep_best(s, kernel, accuracy);
+    const entrant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_default_order);
+    fprintf(to, "%-8s %-12s", kernel ? kernel : "paper", kernel ? sweep_accuracy_word(accuracy) : "");
+    for (int o = 0; o < SWEEP_ORDERS; o++)
+        fprintf(to, " %8.3f", sweep_time(s, sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o])));
+    if (sweep_beats(s, best, plain))
+        fprintf(to, "   %u, by %.1f %%\n", best->options.order, 100 * (1 - sweep_time(s, best) / sweep_time(s, plain)));
+    else
+        fprintf(to, "   none\n");
+}
+
+void report_times(FILE *to, const sweep *s)
+{
+    fprintf(to, "Nanoseconds per pair, least of %zu rounds, by order: 1 box normals, 2 plane, 3 edges\n\n", s->rounds);
+    fprintf(to, "%-21s", "kernel   accuracy");
+    for (int o = 0; o < SWEEP_ORDERS; o++)
+        fprintf(to, " %8u", sweep_orders[o]);
+    fprintf(to, "   faster than %u\n", sweep_default_order);
+    print_row(to, s, NULL, TRIBOX_FAST);
+    for (const entrant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
+        for (int a = 0; a < SWEEP_ACCURACIES; a++)
+            print_row(to, s, k->options.kernel, sweep_accuracies[a]);
+}
+
+static void print_axes_row(FILE *to, const sweep *s, unsigned axes, size_t pairs)
+{
+    static const char *const names[] = {"", "box", "plane", "box,plane", "edges", "box,edges", "plane,edges", "all"};
+    size_t reported = 0, unlike = 0;
+    fprintf(to, "%-12s", names[axes]);
+    for (const entrant *k = next_kernel(s, NULL); k; k = next_kernel(s, k)) {
+        const entrant *const e = sweep_find(s, k->options.kernel, TRIBOX_EXACT, axes, sweep_default_order);
+        fprintf(to, " %8.3f", sweep_time(s, e));
+        reported = e->overlapping;
+        unlike = e->unlike;
+    }
+    fprintf(to, " %12zu %12zu %9.3f\n", reported, unlike, 100 * (double)unlike / (double)pairs);
+}
+
+void report_axes(FILE *to, const sweep *s, const why *w)
+{
+    fprintf(to, "Axes left out, EXACT: nanoseconds per pair, and pairs that are reported and do not overlap\n\n%-12s", "axes");
+    for (const entrant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
+        fprintf(to, " %8s", k->options.kernel);
+    fprintf(to, " %12s %12s %9s\n", "reported", "false", "% of all");
+    print_axes_row(to, s, TRIBOX_AXES_ALL, w->pairs);
+    for (int x = 0; x < SWEEP_AXES; x++)
+        print_axes_row(to, s, sweep_axes[x], w->pairs);
+}
+
+static double percent(size_t part, size_t of) { return of ? 100 * (double)part / (double)of : 0; }
+
+static void print_axis_names(FILE *to, const char *before)
+{
+    fprintf(to, "%-21s", before);
+    for (int axis = 0; axis < WHY_AXES; axis++)
+        fprintf(to, " %5s", why_axis_name(axis));
+}
+
+static void print_axis_counts(FILE *to, const char *before, const size_t counts[WHY_AXES], size_t pairs)
+{
+    fprintf(to, "%-21s", before);
+    for (int axis = 0; axis < WHY_AXES; axis++)
+        fprintf(to, " %5.1f", percent(counts[axis], pairs));
+}
+
+static void print_first(FILE *to, const why *w)
+{
+    fprintf(to, "Percent of the pairs by the axis that rejects them; ze1: the edge axis of z and edge 1\n\n");
+    print_axis_names(to, "");
+    fprintf(to, "\n");
+    print_axis_counts(to, "separates", w->apart, w->pairs);
+    fprintf(to, "\n");
+    print_axis_counts(to, "no box normal does", w->unboxed, w->pairs);
+    fprintf(to, "\n");
+    print_axis_counts(to, "alone", w->only, w->pairs);
+    fprintf(to, "\n");
+    for (int o = 0; o < WHY_ORDERS; o++) {
+        char label[32];
+        snprintf(label, sizeof label, "first in order %u", why_orders[o]);
+        print_axis_counts(to, label, w->order[o].first, w->pairs);
+        fprintf(to, "\n");
+    }
+    fprintf(to, "%.2f %% of %zu pairs overlap\n", percent(w->overlapping, w->pairs), w->pairs);
+}
+
+static void print_left(FILE *to, const why *w)
+{
+    fprintf(to, "Percent of the packets left after the first, second and third group; bytes of coordinates loaded per pair\n\n%-8s",
+            "lanes");
+    for (int l = 0; l < WHY_WIDTHS; l++)
+        fprintf(to, "  %14u %5s", why_lanes[l], "bytes");
+    fprintf(to, "\n");
+    for (int o = 0; o < WHY_ORDERS; o++) {
+        fprintf(to, "%-8u", why_orders[o]);
+        for (int l = 0; l < WHY_WIDTHS; l++) {
+            const size_t *const left = w->order[o].packets_left[l], all = w->packets[l];
+            fprintf(to, "  %4.0f %4.0f %4.0f %5.1f", percent(left[0], all), percent(left[1], all), percent(left[2], all),
+                    (double)w->order[o].bytes[l] / (double)w->pairs);
+        }
+        fprintf(to, "\n");
+    }
+    const double filled = percent(w->pairs, w->packets[0]);
+    if (filled < 99.95)
+        fprintf(to, "A soup is walked in whole words of 64: %.1f %% of the lanes hold a pair, the others zeros\n", filled);
+}
+
+void report_why(FILE *to, const why *w)
+{
+    print_first(to, w);
+    fprintf(to, "\n");
+    print_left(to, w);
+}
+
+void report_json_sweep(FILE *to, const sweep *s)
+{
+    fprintf(to, "\"rounds\": %zu, \"entrants\": [", s->rounds);
+    for (size_t e = 0; e < s->entrants; e++) {
+        const entrant *const one = &s->list[e];
+        const char *const kernel = one->options.kernel ? one->options.kernel : "paper";
+        fprintf(to, "%s\n  {\"kernel\": \"%s\", \"lanes\": %u, \"accuracy\": \"%s\", \"axes\": %u, \"order\": %u", e ? "," : "",
+                kernel, why_lanes[why_width_of(kernel)], sweep_accuracy_word(one->options.accuracy), one->options.axes,
+                one->options.order);
+        if (one->options.kernel)
+            fprintf(to, ", \"undecided\": %zu", one->undecided);
+        fprintf(to, ", \"reported\": %zu, \"unlike_exact\": %zu, \"ns_per_pair\": [", one->overlapping, one->unlike);
+        for (size_t r = 0; r < s->rounds; r++)
+            fprintf(to, "%s%.5g", r ? ", " : "", s->ns[e][r]);
+        fprintf(to, "]}");
+    }
+    fprintf(to, "]");
+}
+
+static void json_counts(FILE *to, const char *name, const size_t *counts, size_t length)
+{
+    fprintf(to, "\"%s\": [", name);
+    for (size_t i = 0; i < length; i++)
+        fprintf(to, "%s%zu", i ? ", " : "", counts[i]);
+    fprintf(to, "]");
+}
+
+void report_json_why(FILE *to, const why *w)
+{
+    fprintf(to, "\"pairs\": %zu, \"overlapping\": %zu,\n \"axes\": {\"names\": [", w->pairs, w->overlapping);
+    for (int axis = 0; axis < WHY_AXES; axis++)
+        fprintf(to, "%s\"%s\"", axis ? ", " : "", why_axis_name(axis));
+    fprintf(to, "], ");
+    json_counts(to, "separates", w->apart, WHY_AXES);
+    fprintf(to, ", ");
+    json_counts(to, "no_box_normal_does", w->unboxed, WHY_AXES);
+    fprintf(to, ", ");
+    json_counts(to, "alone", w->only, WHY_AXES);
+    fprintf(to, "},\n \"orders\": [");
+    for (int o = 0; o < WHY_ORDERS; o++) {
+        const why_order *const order = &w->order[o];
+        fprintf(to, "%s\n  {\"order\": %u, ", o ? "," : "", why_orders[o]);
+        json_counts(to, "first", order->first, WHY_AXES);
+        fprintf(to, ", \"lanes\": [");
+        for (int l = 0; l < WHY_WIDTHS; l++) {
+            fprintf(to, "%s\n   {\"lanes\": %u, \"packets\": %zu, ", l ? "," : "", why_lanes[l], w->packets[l]);
+            json_counts(to, "packets_left", order->packets_left[l], 3);
+            fprintf(to, ", \"bytes\": %zu}", order->bytes[l]);
+        }
+        fprintf(to, "]}");
+    }
+    fprintf(to, "]");
+}

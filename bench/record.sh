@@ -1,0 +1,17 @@
+#!/bin/sh
+# Measures this machine, and leaves tables and charts in bench/results/<processor>: record.sh [MESH...]
+# Run it while the machine does nothing else; building apart it takes four minutes. NAME=... names the folder, BUILD=... the build.
+set -eu
+cd "$(dirname "$0")/.."
+tools/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf gnuplot-nox libassimp-dev libcgal-dev libgmp-dev libmpfr-dev
+processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1 | tr 'A-Z' 'a-z' | tr -cs 'a-z0-9' '-')
+processor=${processor%-}
+results=bench/results/${NAME:-${processor:-unknown}}
+build=${BUILD:-build-bench}
+test -d "$build" || meson setup "$build" -Dtests=disabled
+meson compile -C "$build"
+mkdir -p "$results"
+bench/chart.sh "$build/bench/accuracy" bench/accuracy.gp "$results" "$@"
+rm "$results/accuracy.json" # the same as the CSV, five times as long
+"$build/bench/cgal" >"$results/cgal.txt"
+echo "$results: done; tables that say 'disturbed' were not measured on a quiet machine"
