@@ -30,26 +30,6 @@ static bool has_streams(const tribox_soup *soup)
     return true;
 }
 
-static tribox_pair pair_at(const pairs *p, size_t i)
-{
-    tribox_pair pair;
-    if (p->soup) {
-        for (int j = 0; j < 3; j++) {
-            pair.u[j][0] = p->soup->x[j][i];
-            pair.u[j][1] = p->soup->y[j][i];
-            pair.u[j][2] = p->soup->z[j][i];
-        }
-        pair.box = *p->box;
-        return pair;
-    }
-    memcpy(pair.u, p->triangle, sizeof pair.u);
-    for (int a = 0; a < 3; a++) {
-        pair.box.lo[a] = p->boxes->lo[a][i];
-        pair.box.hi[a] = p->boxes->hi[a][i];
-    }
-    return pair;
-}
-
 static void walk_whole_words(const pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
 {
     if (p->soup)
@@ -104,17 +84,45 @@ typedef struct gathering {
     unsigned count;
 } gathering;
 
-static void put(gathering *g, unsigned i, const tribox_pair *pair)
+/* One number of every gathered pair, from a stream or the same for all. Lanes up to a whole packet repeat the last: none is garbage. */
+static void fill_number(gathering *g, int k, const float *stream, float constant)
 {
-    for (int k = 0; k < 9; k++)
-        g->batch.number[k][i] = pair->u[k / 3][k % 3];
+    float *const number = g->batch.number[k];
+    for (unsigned i = 0; i < g->count; i++)
+        number[i] = stream ? stream[g->lane[i]] : constant;
+    for (unsigned i = g->count; i % 8; i++)
+        number[i] = number[g->count - 1];
+}
+
+static void fill(gathering *g, const pairs *p, size_t start)
+{
     for (int a = 0; a < 3; a++) {
-        g->batch.number[9 + a][i] = pair->box.lo[a];
-        g->batch.number[12 + a][i] = pair->box.hi[a];
+        for (int v = 0; v < 3; v++) {
+            const float *const *const streams = !p->soup ? NULL : a == 0 ? p->soup->x : a == 1 ? p->soup->y : p->soup->z;
+            fill_number(g, 3 * v + a, streams ? streams[v] + start : NULL, streams ? 0 : p->triangle[v][a]);
+        }
+        fill_number(g, 9 + a, p->soup ? NULL : p->boxes->lo[a] + start, p->soup ? p->box->lo[a] : 0);
+        fill_number(g, 12 + a, p->soup ? NULL : p->boxes->hi[a] + start, p->soup ? p->box->hi[a] : 0);
     }
 }
 
-static tribox_pair take(const gathering *g, unsigned i)
+/* Which of the gathered triangles are finite: adding one to an exponent of all ones turns the sign bit. */
+static uint64_t finite_pairs(const gathering *g)
+{
+    uint32_t turned[TRIBOX_BATCH] = {0};
+    for (int k = 0; k < 9; k++) {
+        uint32_t bits[TRIBOX_BATCH];
+        memcpy(bits, g->batch.number[k], g->count * sizeof *bits);
+        for (unsigned i = 0; i < g->count; i++)
+            turned[i] |= (bits[i] & 0x7fffffffu) + 0x00800000u;
+    }
+    uint64_t finite = 0;
+    for (unsigned i = 0; i < g->count; i++)
+        finite |= (uint64_t)(~turned[i] >> 31) << i;
+    return finite;
+}
+
+static tribox_pair pair_of(const gathering *g, unsigned i)
 {
     tribox_pair pair;
     for (int k = 0; k < 9; k++)
@@ -126,21 +134,24 @@ static tribox_pair take(const gathering *g, unsigned i)
     return pair;
 }
 
-/* Settles what is gathered: the double stage of the kernel, then, except for CONSERVATIVE, integers. */
-static void settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
+/*
+ * Settles what is gathered: the double stage of the kernel, then, except for CONSERVATIVE, integers. Adds those that overlap to the
+ * hits of the block, and returns how many there were with finite numbers. What the others come to is ignored.
+ */
+static size_t settle(gathering *g, const pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
 {
-    uint64_t open;
-    const tribox_pair last = take(g, g->count - 1);
-    for (unsigned i = g->count; i % 8; i++) /* so that no lane of a packet holds what was never written */
-        put(g, i, &last);
     const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
-    uint64_t overlapping = plan->kernel->settle(&g->batch, g->count, plan->axes, is_exact, &open);
+    uint64_t open;
+    fill(g, p, start);
+    const uint64_t finite = finite_pairs(g);
+    uint64_t overlapping = plan->kernel->settle(&g->batch, g->count, plan->axes, is_exact, &open) & finite;
+    open &= finite;
     if (!is_exact)
         overlapping |= open;
     else
         for (; open; open &= open - 1) {
             const unsigned i = lowest_bit(open);
-            const tribox_pair pair = take(g, i);
+            const tribox_pair pair = pair_of(g, i);
             overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
         }
     for (; overlapping; overlapping &= overlapping - 1) {
@@ -148,6 +159,7 @@ static void settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
         hit[lane / 64] |= UINT64_C(1) << lane % 64;
     }
     g->count = 0;
+    return count_bits(finite);
 }
 
 /* Settles the open lanes of a block and adds those that overlap to its hits. Returns how many there were with finite numbers. */
@@ -158,19 +170,11 @@ static size_t settle_block(const pairs *p, const tribox_plan *plan, size_t word,
     g.count = 0;
     for (size_t w = 0; w < words; w++)
         for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
-            const size_t lane = 64 * w + lowest_bit(rest);
-            const tribox_pair pair = pair_at(p, 64 * word + lane);
-            if (!tribox_triangle_is_finite(pair.u))
-                continue;
-            undecided++;
-            put(&g, g.count, &pair);
-            g.lane[g.count++] = lane;
+            g.lane[g.count++] = 64 * w + lowest_bit(rest);
             if (g.count == TRIBOX_BATCH)
-                settle(&g, plan, hit);
+                undecided += settle(&g, p, plan, 64 * word, hit);
         }
-    if (g.count)
-        settle(&g, plan, hit);
-    return undecided;
+    return g.count ? undecided + settle(&g, p, plan, 64 * word, hit) : undecided;
 }
 
 static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, tribox_report *report)
@@ -248,18 +252,23 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
     return TRIBOX_OK;
 }
 
+static bool is_triangle_finite(const tribox_soup *soup, size_t i)
+{
+    for (int v = 0; v < 3; v++)
+        if (!tribox_is_finite(soup->x[v][i]) || !tribox_is_finite(soup->y[v][i]) || !tribox_is_finite(soup->z[v][i]))
+            return false;
+    return true;
+}
+
 size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
 {
-    static const tribox_box no_box;
     const size_t count = soup && has_streams(soup) ? soup->count : 0;
     size_t found = 0, lowest = count;
-    for (size_t i = count; i-- > 0;) {
-        const tribox_pair pair = pair_at(&(pairs){.soup = soup, .box = &no_box}, i);
-        if (!tribox_triangle_is_finite(pair.u)) {
+    for (size_t i = count; i-- > 0;)
+        if (!is_triangle_finite(soup, i)) {
             found++;
             lowest = i;
         }
-    }
     if (first)
         *first = lowest;
     return found;
