@@ -10,7 +10,11 @@ void message_set_command(const char *command) { command_name = command; }
 
 static void print_program(FILE *file) { fprintf(file, "tribox%s%s", command_name ? " " : "", command_name ? command_name : ""); }
 
-static void print_line(const char *format, va_list values, const char *end)
+#if defined(__GNUC__)
+__attribute__((nonnull)) /* or gcc, with sanitizers, warns that the format may be NULL */
+#endif
+static void
+print_line(const char *format, va_list values, const char *end)
 {
     print_program(stderr);
     fputs(": ", stderr);
