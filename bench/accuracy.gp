@@ -28,7 +28,8 @@ error_at(errors, accuracy) = errors > 0 ? log10(errors) : zero + aside_of(accura
 error = "error_at(column('missed_per_million') + column('untrue_per_million'), strcol('accuracy'))"
 is_of(scene, kernel) = strcol("axes") eq "all" && strcol("scene") eq scene && strcol("kernel") eq kernel
 is_mark(scene, kernel, accuracy) = is_of(scene, kernel) && strcol("accuracy") eq accuracy
-stats csv using (strcol("axes") eq "all" && (!is_short || strcol("kernel") eq widest) ? column("ns_median") : NaN) name "NS" nooutput
+is_drawn(kernel) = strcol("axes") eq "all" && (!is_short || kernel eq widest)
+stats csv using (is_drawn(strcol("kernel")) ? column("ns_median") : NaN) name "NS" nooutput
 stats csv using (strcol("axes") eq "all" ? @error : NaN) name "ERROR" nooutput
 error_least = zero - 0.8
 error_most = ERROR_max > 2.4 ? ERROR_max + 0.6 : 3

@@ -1,5 +1,5 @@
-// cgal.cc - the peer that is exact too: CGAL's do_intersect of a triangle and a box, on the same pairs. Answers have to be equal for
-// every triangle that is not degenerate, which CGAL asks for; then the speeds are compared, interleaved in one process.
+// cgal.cc - the peer that is exact too: CGAL's do_intersect of a triangle and a box, on the same pairs. Answers have to be equal
+// for every triangle that is not degenerate, which CGAL asks for; then the speeds are compared, interleaved in one process.
 //
 // The predicates of both its kernels are exact. With a Bbox_3, CGAL answers most pairs by a filter in floating point; with an
 // Iso_cuboid_3, by interval arithmetic; what these leave, in exact numbers. Triangles and boxes are made before the clock runs.

@@ -28,7 +28,7 @@ enum { CONTESTANTS_MAX = 17 };
 /** Everyone who can run on this processor: the baseline, the loads, each kernel in each accuracy. Returns how many. */
 size_t contest_enter(contestant list[CONTESTANTS_MAX]);
 
-/** The index of FAST of the same kernel and axes; that of the contestant itself if it is no kernel, or there is none in the list. */
+/** The index of FAST of the same kernel and axes; that of the contestant itself if it is no kernel, or FAST is not in the list. */
 size_t contest_fast_of(const contestant *list, size_t count, size_t c);
 
 /**

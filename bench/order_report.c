@@ -100,7 +100,7 @@ static void print_first(FILE *to, const why *w)
 
 static void print_left(FILE *to, const why *w)
 {
-    fprintf(to, "Percent of the packets left after the first, second and third group; bytes of coordinates loaded per pair\n\n%-8s",
+    fprintf(to, "Percent of the packets left after the first, second and third group; bytes loaded per pair\n\n%-8s",
             "lanes");
     for (int l = 0; l < WHY_WIDTHS; l++)
         fprintf(to, "  %14u %5s", why_lanes[l], "bytes");

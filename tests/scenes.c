@@ -33,6 +33,7 @@ static const scene table[] = {
     {"own-scale", "scales", draw_own_scale, false},
     {"own-scale-touching", "scales", draw_own_scale_touching, false},
     {"tiny-at-corner", "scales", draw_tiny_at_corner, false},
+    {"lost-normal", "scales", draw_lost_normal, false},
     {"tiny-and-huge", "scales", draw_tiny_and_huge, false},
 };
 

@@ -53,6 +53,6 @@ scene_draw draw_touching, draw_touching_ulp, draw_near_contact, draw_needles, dr
 scene_draw draw_offset_huge, draw_near_contact_scaled, draw_scaled, draw_subnormal, draw_near_max;
 
 /* Numbers of very different size in one pair: scenes_scales.c. */
-scene_draw draw_random_bits, draw_own_scale, draw_own_scale_touching, draw_tiny_at_corner, draw_tiny_and_huge;
+scene_draw draw_random_bits, draw_own_scale, draw_own_scale_touching, draw_tiny_at_corner, draw_lost_normal, draw_tiny_and_huge;
 
 #endif

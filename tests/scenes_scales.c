@@ -75,21 +75,20 @@ void draw_own_scale_touching(random_source *r, scene_batch *batch)
 }
 
 /*
- * Triangles of 2^-20 down to nothing, outside of a corner of a box of 1 and more. The corner is the origin, so that they are not
- * rounded, but the differences to the other bounds lose them altogether. Some touch, the others lie off by about their size. Where
- * the products of their extents vanish, near 2^-75, the sign of the normal is lost, and what is left of it meets the whole box.
+ * Triangles of 2^-20 down to nothing, outside of a corner or an edge of a box. It lies at the origin, so that they are not rounded,
+ * but the differences to the other bounds lose them altogether. A third of them touch, the others lie off by about their size.
  */
 void draw_tiny_at_corner(random_source *r, scene_batch *batch)
 {
-    static const tribox_box corner;
+    static const tribox_box origin;
     double outward[3];
     const int longest = random_below(r, 2) ? 0 : 37;
+    const int around = random_below(r, 4); /* the axis on which the origin is within the box, if any */
     for (int a = 0; a < 3; a++) {
         const float extent = ldexpf(1, random_between(r, 0, longest));
-        const bool is_above = random_below(r, 2);
-        batch->box.lo[a] = is_above ? 0 : -extent;
-        batch->box.hi[a] = is_above ? extent : 0;
-        outward[a] = is_above ? -1 : 1;
+        outward[a] = a == around ? 0 : random_below(r, 2) ? 1 : -1;
+        batch->box.lo[a] = outward[a] < 0 ? 0 : -extent;
+        batch->box.hi[a] = outward[a] > 0 ? 0 : extent;
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
@@ -98,12 +97,29 @@ void draw_tiny_at_corner(random_source *r, scene_batch *batch)
         draw_outward(r, style, m);
         for (int a = 0; a < 3; a++)
             m[a] = outward[a] * fabs(m[a]);
-        draw_contact_along(r, &corner, style, any_contact_part(r), m, u);
+        draw_contact_along(r, &origin, style, any_contact_part(r), m, u);
         const double away = random_below(r, 3) * random_uniform(r, 0, 0.5);
-        const int exponent = random_below(r, 2) ? random_between(r, -110, -60) : random_between(r, -145, -20);
+        const int exponent = random_between(r, -145, -20);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
                 u[j][a] = (float)ldexp(u[j][a] + away * m[a], exponent);
+    }
+}
+
+/* Triangles of which the normal all but vanishes, at the origin: what is left of it meets a huge box, around them or far away. */
+void draw_lost_normal(random_source *r, scene_batch *batch)
+{
+    const int exponent = random_between(r, 20, 36);
+    for (int a = 0; a < 3; a++) {
+        const float p = ldexpf((float)random_uniform(r, -1, 1), exponent), q = ldexpf((float)random_uniform(r, -1, 1), exponent);
+        batch->box.lo[a] = p < q ? p : q;
+        batch->box.hi[a] = p < q ? q : p;
+    }
+    for (int k = 0; k < SCENE_TRIANGLES; k++) {
+        const int size = random_between(r, -77, -70);
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                batch->u[k][j][a] = ldexpf((float)random_uniform(r, -1, 1), size);
     }
 }
 

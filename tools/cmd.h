@@ -9,6 +9,7 @@
 #define CMD_VERSION CMD_TEXT(TRIBOX_VERSION_MAJOR) "." CMD_TEXT(TRIBOX_VERSION_MINOR) "." CMD_TEXT(TRIBOX_VERSION_PATCH)
 
 int cmd_overlap(int count, char **arguments);
+int cmd_sweep(int count, char **arguments);
 int cmd_info(int count, char **arguments);
 int cmd_demo(int count, char **arguments);
 

@@ -11,7 +11,7 @@
 static const struct {
     const char *name;
     int (*run)(int count, char **arguments);
-} commands[] = {{"overlap", cmd_overlap}, {"info", cmd_info}, {"demo", cmd_demo}};
+} commands[] = {{"overlap", cmd_overlap}, {"sweep", cmd_sweep}, {"info", cmd_info}, {"demo", cmd_demo}};
 
 static const char help[] = "tribox - which triangles of a mesh overlap an axis-aligned box?\n"
                            "\n"
@@ -20,6 +20,7 @@ static const char help[] = "tribox - which triangles of a mesh overlap an axis-a
                            "\n"
                            "Commands:\n"
                            "  overlap    test the triangles of a mesh file against one box or many\n"
+                           "  sweep      which order of the axes is the fastest for a mesh, and why\n"
                            "  info       version, processor, and the kernels that it can run\n"
                            "  demo       speed and answers on two built-in scenes; needs no file\n"
                            "\n"
