@@ -12,10 +12,12 @@ import contextlib
 import dataclasses
 import fnmatch
 import json
+import math
 import os
 import queue
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -27,7 +29,7 @@ ROOT = os.path.dirname(os.path.dirname(FOLDER))
 SUITES = ("exact", "kernels")
 SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
-BUILD_LIMIT = 900  # seconds
+WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
 
 # Most tests look at a mutant for a moment only: compiled fast is better than running fast, and no inlining is forced (kernel.h).
 SETUP = ["--buildtype", "plain", "-Doptimization=1", "-Dc_args=-U__OPTIMIZE__", "-Ddefault_library=static", "-Dtests=enabled",
@@ -122,7 +124,7 @@ class Site:
         self.tests = self.list_tests()
 
     def compiles(self, output=subprocess.DEVNULL):
-        return run([NINJA, "-C", self.build, f"-j{self.threads}"], output, timeout=BUILD_LIMIT) == 0
+        return run([NINJA, "-C", self.build, f"-j{self.threads}"], output, timeout=WALL_LIMIT) == 0
 
     def list_tests(self):
         listed = subprocess.run(["meson", "introspect", "--tests", self.build], check=True, capture_output=True).stdout
@@ -131,9 +133,11 @@ class Site:
         return {test["name"]: Test(test["name"], test["cmd"], test["workdir"] or self.build, {**clean, **test["env"]})
                 for test in json.loads(listed) if {suite.split(":")[-1] for suite in test["suite"]} & set(SUITES)}
 
-    def status(self, name, limit):
+    def status(self, name, seconds):
+        """The exit status of a test; below zero where a signal ended it, such as SIGXCPU after so many seconds of processor time."""
         test = self.tests[name]
-        return run(test.command, cwd=test.folder, env=test.environment, timeout=limit)
+        limited = ["sh", "-c", 'ulimit -t "$0"; exec "$@"', str(seconds), *test.command]
+        return run(limited, cwd=test.folder, env=test.environment, timeout=WALL_LIMIT)
 
     @contextlib.contextmanager
     def with_mutant(self, mutant):
@@ -153,32 +157,30 @@ def write(path, text):
 
 
 class Tests:
-    """Which tests to run, for how long, and in which order: the one that caught the last mutant first, at the start the quickest."""
+    """Which tests to run, for how long, and in which order: those first that caught most mutants in the least time."""
 
     def __init__(self, site):
-        self.limits, self.skipped, self.lock = {}, set(), threading.Lock()
+        self.seconds, self.catches, self.lock = {}, collections.Counter(), threading.Lock()
         for name in site.tests:
             start = time.monotonic()
-            status = site.status(name, None)
-            if status == SKIPPED:
-                self.skipped.add(name)
-            elif status != 0:
+            status = site.status(name, WALL_LIMIT)
+            if status == 0:
+                self.seconds[name] = time.monotonic() - start
+            elif status != SKIPPED:
                 raise SuiteError(f"the test '{name}' fails without any mutant")
-            self.limits[name] = 30 + 10 * (time.monotonic() - start)
-        self.order = sorted(self.limits.keys() - self.skipped, key=self.limits.get)
+
+    def in_order(self):
+        with self.lock:
+            return sorted(self.seconds, key=lambda name: self.seconds[name] / (1 + self.catches[name]))
 
     def catcher(self, site):
         """The first test that fails or hangs, or None."""
-        with self.lock:
-            order = list(self.order)
-        for name in order:
-            status = site.status(name, self.limits[name])
-            if status in (0, SKIPPED):
-                continue
-            with self.lock:
-                self.order.remove(name)
-                self.order.insert(0, name)
-            return name if status is not None else name + ", which hangs"
+        for name in self.in_order():
+            status = site.status(name, 20 + 10 * math.ceil(self.seconds[name]))
+            if status not in (0, SKIPPED):
+                with self.lock:
+                    self.catches[name] += 1
+                return name + (", which hangs" if status in (None, -signal.SIGXCPU, -signal.SIGKILL) else "")
         return None
 
 
@@ -189,8 +191,8 @@ SURVIVED, CAUGHT_AFTER_ALL, BROKEN = "SURVIVED", "CAUGHT AFTER ALL", "BROKEN"
 
 
 def judge(site, tests, mutant):
-    if mutant.needs and (mutant.needs not in tests.limits or mutant.needs in tests.skipped):
-        return SKIPPED_HERE, f"as '{mutant.needs}' is here"
+    if mutant.needs and mutant.needs not in tests.seconds:
+        return SKIPPED_HERE, f"as the test '{mutant.needs}' is"
     try:
         with site.with_mutant(mutant):
             if not site.compiles():
