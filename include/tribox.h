@@ -1,5 +1,5 @@
 /*
- * tribox - do these triangles overlap this axis-aligned box?
+ * tribox - do these triangles overlap this axis-aligned box, or these cells of a grid?
  *
  * The separating-axis test of T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing" (2001), asked of very many triangles at
  * once: thirteen axes, structure of arrays, one kernel per instruction set, chosen at run time.
@@ -114,7 +114,7 @@ typedef struct tribox_options {
 
 /** What a call counted. */
 typedef struct tribox_report {
-    size_t overlapping; /* set bits in the mask */
+    size_t overlapping; /* set bits in the mask, or cells newly set by a voxelization */
     size_t undecided;   /* pairs left to a slower stage: a measure of cost, may differ between kernels (0 for FAST) */
 } tribox_report;
 
@@ -160,6 +160,59 @@ TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
  */
 TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
                                               uint64_t *mask, tribox_report *report);
+
+/**
+ * A grid of size[0] x size[1] x size[2] closed cells. Index: 0 is x, 1 is y, 2 is z.
+ * Plane p of axis a lies at the float nearest to origin[a] + p * cell[a], evaluated in double; the cells on both sides share that
+ * very number, so no surface can slip between them. Cells need not be cubes.
+ *
+ * A grid can be served when origin and planes are finite, cells and sizes are greater than zero, no two planes of an axis are the
+ * same float, and tribox_grid_words is at most 2^31. Any other is TRIBOX_BAD_GRID.
+ */
+typedef struct tribox_grid {
+    float origin[3];  /* the lower corner of cell (0, 0, 0), in the soup's unit of length */
+    float cell[3];    /* the lengths of a cell, in the same unit */
+    uint32_t size[3]; /* how many cells on each axis */
+} tribox_grid;
+
+/** The box of cell (i, j, k), each less than the grid's size on its axis: what every voxelization asks about. */
+TRIBOX_API tribox_box tribox_grid_cell(const tribox_grid *grid, uint32_t i, uint32_t j, uint32_t k);
+
+/** The 64-bit words of a row of cells along x: (size[0] + 63) / 64. A row starts with a word of its own. */
+TRIBOX_API size_t tribox_grid_row_words(const tribox_grid *grid);
+
+/** The words of the whole grid: row words * size[1] * size[2], or SIZE_MAX where that overflows. */
+TRIBOX_API size_t tribox_grid_words(const tribox_grid *grid);
+
+/**
+ * Sets the bit of every cell that some triangle of the soup overlaps. Cell (i, j, k) is bit i % 64 of
+ * occupied[(k * size[1] + j) * row_words + i / 64]. Bits are only set, never cleared, so soups accumulate.
+ *
+ * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set; CONSERVATIVE sets a
+ * superset of it, within an error bound; FAST errs within its bound of contact. Unlike tribox_overlap this rounds in double at
+ * every accuracy. Triangles may lie outside the grid in part or wholly.
+ *
+ * occupied: tribox_grid_words(grid) words. options: NULL for the defaults; the order of the axes is of no account here.
+ * report: overlapping counts the cells newly set; NULL when not wanted.
+ *
+ * The time goes with the triangles and the rows of cells that they meet, not with the cells of their bounding boxes; except for axis
+ * sets without TRIBOX_AXES_BOX, which ask every cell of the grid about every triangle.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, or count floats exceed the address space), TRIBOX_BAD_GRID,
+ * TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
+ */
+TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options,
+                                         uint64_t *occupied, tribox_report *report);
+
+/**
+ * The same for the layers k = first .. first + layers - 1 alone, with the same bits as the whole at every accuracy: for threads, of
+ * which each owns some layers, and for grids larger than memory. Cell (i, j, k) is bit i % 64 of
+ * occupied[((k - first) * size[1] + j) * row_words + i / 64]: row words * size[1] * layers words, other layers have none.
+ *
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also where first + layers exceeds size[2].
+ */
+TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
+                                                const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
 /**
  * The name of the kernel that a call with these options runs, spelt as in tribox_options.kernel; options may be NULL.

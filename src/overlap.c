@@ -5,6 +5,7 @@
 #include "exact.h"
 #include "finite.h"
 #include "plan.h"
+#include "soup.h"
 
 /* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
 enum { BLOCK_WORDS = 64 };
@@ -19,16 +20,6 @@ typedef struct pairs {
     const tribox_boxes *boxes;
     size_t count;
 } pairs;
-
-static bool are_floats_addressable(size_t count) { return count <= PTRDIFF_MAX / sizeof(float); }
-
-static bool has_streams(const tribox_soup *soup)
-{
-    for (int v = 0; v < 3; v++)
-        if (!soup->x[v] || !soup->y[v] || !soup->z[v])
-            return false;
-    return true;
-}
 
 static void walk_whole_words(const pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
 {
@@ -211,7 +202,7 @@ static void answer_none(size_t count, uint64_t *mask, tribox_report *report)
 tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t *mask,
                              tribox_report *report)
 {
-    if (!soup || !box || !are_floats_addressable(soup->count) || (soup->count && !has_streams(soup)))
+    if (!box || !tribox_soup_is_readable(soup))
         return TRIBOX_BAD_ARGUMENT;
     for (int a = 0; a < 3; a++)
         if (!tribox_is_finite(box->lo[a]) || !tribox_is_finite(box->hi[a]))
@@ -233,7 +224,7 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
 tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
                                    uint64_t *mask, tribox_report *report)
 {
-    if (!triangle || !boxes || !are_floats_addressable(boxes->count))
+    if (!triangle || !boxes || !tribox_is_addressable(boxes->count))
         return TRIBOX_BAD_ARGUMENT;
     for (int a = 0; boxes->count && a < 3; a++)
         if (!boxes->lo[a] || !boxes->hi[a])
@@ -250,28 +241,6 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
         answer(&(pairs){.triangle = triangle, .boxes = boxes, .count = boxes->count}, &plan, mask, report);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
-}
-
-static bool is_triangle_finite(const tribox_soup *soup, size_t i)
-{
-    for (int v = 0; v < 3; v++)
-        if (!tribox_is_finite(soup->x[v][i]) || !tribox_is_finite(soup->y[v][i]) || !tribox_is_finite(soup->z[v][i]))
-            return false;
-    return true;
-}
-
-size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
-{
-    const size_t count = soup && has_streams(soup) ? soup->count : 0;
-    size_t found = 0, lowest = count;
-    for (size_t i = count; i-- > 0;)
-        if (!is_triangle_finite(soup, i)) {
-            found++;
-            lowest = i;
-        }
-    if (first)
-        *first = lowest;
-    return found;
 }
 
 const char *tribox_status_text(tribox_status status)

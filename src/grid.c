@@ -1,0 +1,105 @@
+#include "grid.h"
+
+#include <string.h>
+
+#include "environment.h"
+#include "finite.h"
+
+#define WORDS_MOST (UINT64_C(1) << 31)
+
+size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
+
+/* Saturates: a grid of so many words cannot be addressed, nor is it sound. */
+size_t tribox_grid_words(const tribox_grid *grid)
+{
+    size_t words = tribox_grid_row_words(grid);
+    for (int a = 1; a < 3; a++) {
+        if (grid->size[a] && words > SIZE_MAX / grid->size[a])
+            return SIZE_MAX;
+        words *= grid->size[a];
+    }
+    return words;
+}
+
+tribox_box tribox_grid_cell(const tribox_grid *grid, uint32_t i, uint32_t j, uint32_t k)
+{
+    const uint32_t at[3] = {i, j, k};
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = tribox_grid_plane(grid, a, at[a]);
+        box.hi[a] = tribox_grid_plane(grid, a, (uint64_t)at[a] + 1);
+    }
+    tribox_environment_leave(callers);
+    return box;
+}
+
+/* The spacing of floats above a finite magnitude. */
+static float spacing_at(float magnitude)
+{
+    float next;
+    uint32_t bits;
+    memcpy(&bits, &magnitude, sizeof bits);
+    bits++;
+    memcpy(&next, &bits, sizeof next);
+    return next - magnitude;
+}
+
+static float magnitude(float x) { return x < 0 ? -x : x; }
+
+/*
+ * No two planes are one float. Planes lie within half a spacing of floats of their exact places, so cells of two spacings are safe;
+ * of finer grids every plane is looked at, of which there are some ten million before two must coincide.
+ */
+static bool has_rising_planes(const tribox_grid *grid, int a)
+{
+    const float first = tribox_grid_plane(grid, a, 0), last = tribox_grid_plane(grid, a, grid->size[a]);
+    const float farthest = magnitude(first) > magnitude(last) ? magnitude(first) : magnitude(last);
+    if (grid->cell[a] >= 2 * spacing_at(farthest))
+        return true;
+    float below = first;
+    for (uint64_t p = 1; p <= grid->size[a]; p++) {
+        const float plane = tribox_grid_plane(grid, a, p);
+        if (plane <= below)
+            return false;
+        below = plane;
+    }
+    return true;
+}
+
+bool tribox_grid_is_sound(const tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++)
+        if (!tribox_is_finite(grid->origin[a]) || !tribox_is_finite(grid->cell[a]) || !(grid->cell[a] > 0) || !grid->size[a] ||
+            !tribox_is_finite(tribox_grid_plane(grid, a, grid->size[a])))
+            return false;
+    return tribox_grid_words(grid) <= WORDS_MOST && has_rising_planes(grid, 0) && has_rising_planes(grid, 1) &&
+           has_rising_planes(grid, 2);
+}
+
+/* The cell, -1 .. size, in which a number lies, up to the rounding of planes: a start for the search. */
+static int64_t cell_near(const tribox_grid *grid, int a, float x)
+{
+    const double at = ((double)x - grid->origin[a]) / grid->cell[a];
+    return at < 0 ? -1 : at < grid->size[a] ? (int64_t)at : grid->size[a];
+}
+
+tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, float least, float most)
+{
+    const int64_t size = grid->size[a];
+    int64_t first = cell_near(grid, a, least), last = cell_near(grid, a, most);
+    /* first: the lowest cell whose upper plane is not below the interval; last: the highest whose lower plane is not above it */
+    while (first > 0 && tribox_grid_plane(grid, a, (uint64_t)first) >= least)
+        first--;
+    while (first < size && tribox_grid_plane(grid, a, (uint64_t)(first + 1)) < least)
+        first++;
+    while (last + 1 < size && tribox_grid_plane(grid, a, (uint64_t)(last + 1)) <= most)
+        last++;
+    while (last >= 0 && tribox_grid_plane(grid, a, (uint64_t)last) > most)
+        last--;
+    if (first < 0)
+        first = 0;
+    if (last >= size)
+        last = size - 1;
+    return (tribox_cells){first, last};
+}

@@ -1,0 +1,26 @@
+/* grid.h - the planes of a grid, and the cells that an interval touches. Call in the environment of environment.h. */
+#ifndef TRIBOX_GRID_H
+#define TRIBOX_GRID_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+
+/* Plane p of axis a: the float nearest to origin + p cell, evaluated in double. */
+static inline float tribox_grid_plane(const tribox_grid *grid, int a, uint64_t p)
+{
+    return (float)((double)grid->origin[a] + (double)p * (double)grid->cell[a]);
+}
+
+/* Whether the grid can be served: finite planes in strictly rising order, cells on every axis, and no more than 2^31 words. */
+bool tribox_grid_is_sound(const tribox_grid *grid);
+
+/* Cells, first to last; none if first > last. */
+typedef struct tribox_cells {
+    int64_t first, last;
+} tribox_cells;
+
+/* The closed cells of axis a that the interval [least, most] of finite numbers touches. */
+tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, float least, float most);
+
+#endif

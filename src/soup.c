@@ -1,0 +1,38 @@
+#include "soup.h"
+
+#include "finite.h"
+
+static bool has_streams(const tribox_soup *soup)
+{
+    for (int v = 0; v < 3; v++)
+        if (!soup->x[v] || !soup->y[v] || !soup->z[v])
+            return false;
+    return true;
+}
+
+bool tribox_soup_is_readable(const tribox_soup *soup)
+{
+    return soup && tribox_is_addressable(soup->count) && (!soup->count || has_streams(soup));
+}
+
+static bool is_triangle_finite(const tribox_soup *soup, size_t i)
+{
+    for (int v = 0; v < 3; v++)
+        if (!tribox_is_finite(soup->x[v][i]) || !tribox_is_finite(soup->y[v][i]) || !tribox_is_finite(soup->z[v][i]))
+            return false;
+    return true;
+}
+
+size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
+{
+    const size_t count = soup && has_streams(soup) ? soup->count : 0;
+    size_t found = 0, lowest = count;
+    for (size_t i = count; i-- > 0;)
+        if (!is_triangle_finite(soup, i)) {
+            found++;
+            lowest = i;
+        }
+    if (first)
+        *first = lowest;
+    return found;
+}

@@ -1,0 +1,15 @@
+/* soup.h - what every call asks of a soup before it reads it. */
+#ifndef TRIBOX_SOUP_H
+#define TRIBOX_SOUP_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+
+/* Whether streams of so many floats fit the address space. */
+static inline bool tribox_is_addressable(size_t count) { return count <= PTRDIFF_MAX / sizeof(float); }
+
+/* Whether the soup can be read: no NULL where triangles are, and a count that fits. */
+bool tribox_soup_is_readable(const tribox_soup *soup);
+
+#endif
