@@ -25,12 +25,6 @@
 #else
 #define TRIBOX_INLINE static inline
 #endif
-#if defined(__GNUC__)
-#define TRIBOX_NOINLINE __attribute__((noinline))
-#else
-#define TRIBOX_NOINLINE
-#endif
-
 /* The bits of a packet, all set: of V_LANES, which a vocabulary defines. */
 #define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
 
@@ -46,6 +40,20 @@ enum {
 #undef TRIBOX_SEQUENCE_INDEX
         TRIBOX_SEQUENCES
 };
+
+/* The k-th group of a sequence, 0 past its end. */
+TRIBOX_INLINE unsigned group_at(unsigned sequence, int k)
+{
+    const int length = sequence > 99 ? 3 : sequence > 9 ? 2 : 1;
+    for (int drop = length - 1 - k; drop > 0; drop--)
+        sequence /= 10;
+    return k < length ? sequence % 10 : 0;
+}
+
+TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
+{
+    return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
+}
 
 enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
 

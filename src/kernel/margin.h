@@ -11,14 +11,13 @@
  */
 typedef struct lane_margin {
     vmask holds; /* finite, and small enough that no product overflows */
-    vmask sound; /* and wide enough for the certificate of overlap */
     vnum edges, plane;
 } lane_margin;
 
 /* The terms of a margin that come from the box alone. */
 typedef struct lane_box_margin {
     vnum most;  /* of sigma */
-    vnum least; /* of every |f_0a| + |f_1a| */
+    vnum least; /* of every |f_0a| + |f_1a| but zero, for a certificate of overlap: negative where none is asked */
     vnum edges; /* of the coefficient of sigma */
     vnum eta;   /* of the plane, with what tau comes to */
 } lane_box_margin;
@@ -58,19 +57,16 @@ TRIBOX_INLINE lane_box_margin widened(const lane_box_margin *box, const lane_sha
     };
 }
 
+/* At least F_a, at most twice it, and zero where F_a is. */
+TRIBOX_INLINE vnum extent_sum(const lane_shape *s, int a) { return v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a])); }
+
 TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *from, bool is_box_asked)
 {
     const lane_box_margin box = is_box_asked ? *from : widened(from, s);
-    vnum sum[3];
-    for (int a = 0; a < 3; a++)
-        sum[a] = v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a]));
-    const vnum sigma = v_add(v_add(sum[0], sum[1]), sum[2]);
+    const vnum sigma = v_add(v_add(extent_sum(s, 0), extent_sum(s, 1)), extent_sum(s, 2));
     const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box.edges), v_splat(V_ETA));
-    const vmask holds = v_gt(box.most, sigma);
     return (lane_margin){
-        .holds = holds,
-        /* the two-sided slacks ask no certificate */
-        .sound = is_box_asked ? m_and(holds, v_gt(lane_min3(sum[0], sum[1], sum[2]), box.least)) : holds,
+        .holds = v_gt(box.most, sigma),
         .edges = is_box_asked ? edges : v_add(edges, edges),
         .plane = v_fma(sigma, edges, box.eta),
     };

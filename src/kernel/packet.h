@@ -5,20 +5,6 @@
  * that has a slack within it to the settling stage.
  */
 
-/* The k-th group of a sequence, 0 past its end. */
-TRIBOX_INLINE unsigned group_at(unsigned sequence, int k)
-{
-    const int length = sequence > 99 ? 3 : sequence > 9 ? 2 : 1;
-    for (int drop = length - 1 - k; drop > 0; drop--)
-        sequence /= 10;
-    return k < length ? sequence % 10 : 0;
-}
-
-TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
-{
-    return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
-}
-
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
 {
     for (int j = 0; j < 3; j++)
@@ -198,11 +184,21 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
     if (!left)
         return 0;
     left = left_by_margin(&s, third, is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &sure);
-    if (sequence_has(sequence, 2) || sequence_has(sequence, 3))
-        sure = m_and(sure, accuracy == TRIBOX_EXACT && sequence_has(sequence, 3) ? margin.sound : margin.holds);
-    else
-        sure = margin_of(&s, &p->margin, is_box_asked).holds;
-    const uint64_t hit = left & m_bits(sure);
+    sure = sequence == 1 ? margin_of(&s, &p->margin, is_box_asked).holds : m_and(sure, margin.holds);
+
+    const bool is_certified = accuracy == TRIBOX_EXACT && is_box_asked && sequence_has(sequence, 3);
+    uint64_t hit = left & m_bits(sure);
+    if (is_certified)
+        hit &= m_bits(v_gt(v_splat(0), p->margin.least));
+    if (is_box_asked && sequence != 1 && left & ~hit) { /* seldom, or ties.h has work */
+        const vmask sound = is_certified ? is_certificate_sound(&s, &p->margin) : margin.holds;
+        hit |= left & m_bits(m_and(sure, sound));
+        if (left & ~hit) {
+            const vmask edges = sequence_has(sequence, 3) ? are_edges_certain(&s, &margin) : margin.holds;
+            const vmask plane = sequence_has(sequence, 2) ? is_plane_certain(&s, &margin) : margin.holds;
+            hit |= left & m_bits(m_and(m_and(sound, margin.holds), m_and(edges, plane)));
+        }
+    }
     *open = left & ~hit;
     return hit;
 }

@@ -2,5 +2,6 @@
 #define KERNEL sse2
 #include "kernel/axes.h"
 #include "kernel/margin.h"
+#include "kernel/ties.h"
 #include "kernel/packet.h"
 #include "kernel/batch.h"

@@ -1,0 +1,40 @@
+/*
+ * ties.h - the lanes that overlap for certain although a margin leaves them undecided, or asks for a look at their extents.
+ *
+ * Given that the box normals do not separate, these axes are redundant and may be left out, also by the certificate of overlap
+ * (bounds.h): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on
+ * an axis. An edge parallel to e_i has slack zero on a_ij wherever it lies, so that without this no triangle with such an edge
+ * would be certain.
+ */
+TRIBOX_INLINE vmask is_positive(vnum a) { return v_gt(a, v_splat(0)); }
+
+/* The certificate asks that every extent is zero or not too small. */
+TRIBOX_INLINE vmask is_certificate_sound(const lane_shape *s, const lane_box_margin *box)
+{
+    vmask sound = v_gt(v_splat(1), v_splat(0));
+    for (int a = 0; a < 3; a++) {
+        const vnum sum = extent_sum(s, a);
+        sound = m_andnot(sound, m_andnot(is_positive(sum), v_gt(sum, box->least)));
+    }
+    return sound;
+}
+
+/* Every edge axis is beyond its margin, or redundant. */
+TRIBOX_INLINE vmask are_edges_certain(const lane_shape *s, const lane_margin *margin)
+{
+    vmask sure = v_gt(v_splat(1), v_splat(0));
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const vnum shorter = v_min(v_abs(s->f[j][(i + 1) % 3]), v_abs(s->f[j][(i + 2) % 3]));
+            sure = m_andnot(sure, m_andnot(is_positive(shorter), v_gt(edge_slack(s, i, j), margin->edges)));
+        }
+    return sure;
+}
+
+/* The plane is beyond its margin, or redundant. */
+TRIBOX_INLINE vmask is_plane_certain(const lane_shape *s, const lane_margin *margin)
+{
+    const vnum thinnest = lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2));
+    const vmask clear = v_gt(plane_slack(s, plane_reach(s)), margin->plane);
+    return m_andnot(v_gt(v_splat(1), v_splat(0)), m_andnot(is_positive(thinnest), clear));
+}
