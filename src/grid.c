@@ -77,7 +77,7 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
            has_rising_planes(grid, 2);
 }
 
-/* The cell, -1 .. size, in which a number lies, up to the rounding of planes: a start for the search. */
+/* The cell, -1 to size, in which a number lies, up to the rounding of planes: a start for the search. */
 static int64_t cell_near(const tribox_grid *grid, int a, float x)
 {
     const double at = ((double)x - grid->origin[a]) / grid->cell[a];
@@ -88,18 +88,13 @@ tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, float least, floa
 {
     const int64_t size = grid->size[a];
     int64_t first = cell_near(grid, a, least), last = cell_near(grid, a, most);
-    /* first: the lowest cell whose upper plane is not below the interval; last: the highest whose lower plane is not above it */
-    while (first > 0 && tribox_grid_plane(grid, a, (uint64_t)first) >= least)
+    while (first >= 0 && tribox_grid_plane(grid, a, (uint64_t)first) >= least)
         first--;
     while (first < size && tribox_grid_plane(grid, a, (uint64_t)(first + 1)) < least)
         first++;
-    while (last + 1 < size && tribox_grid_plane(grid, a, (uint64_t)(last + 1)) <= most)
+    while (last < size && tribox_grid_plane(grid, a, (uint64_t)(last + 1)) <= most)
         last++;
     while (last >= 0 && tribox_grid_plane(grid, a, (uint64_t)last) > most)
         last--;
-    if (first < 0)
-        first = 0;
-    if (last >= size)
-        last = size - 1;
     return (tribox_cells){first, last};
 }

@@ -15,7 +15,7 @@ static inline float tribox_grid_plane(const tribox_grid *grid, int a, uint64_t p
 /* Whether the grid can be served: finite planes in strictly rising order, cells on every axis, and no more than 2^31 words. */
 bool tribox_grid_is_sound(const tribox_grid *grid);
 
-/* Cells, first to last; none if first > last. */
+/* Cells, first to last: -1 stands for all below the grid, size for all above it. */
 typedef struct tribox_cells {
     int64_t first, last;
 } tribox_cells;

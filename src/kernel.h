@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "cells.h"
 #include "tribox.h"
 
 #if defined(__FAST_MATH__)
@@ -86,6 +87,7 @@ typedef struct tribox_kernel {
     tribox_soup_walk *soup[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_boxes_walk *boxes[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_settle *settle;
+    const tribox_grid_kernel *grid;
 } tribox_kernel;
 
 #endif

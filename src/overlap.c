@@ -1,10 +1,12 @@
 /* overlap.c - many pairs: check the input, run the kernel, settle what it left open. */
 #include <string.h>
 
+#include "bits.h"
 #include "environment.h"
 #include "exact.h"
 #include "finite.h"
 #include "plan.h"
+#include "settle.h"
 #include "soup.h"
 
 /* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
@@ -34,20 +36,13 @@ static void walk_tail(const pairs *p, const tribox_plan *plan, uint64_t *hit, ui
 {
     float scratch[9][64] = {{0}};
     const size_t tail = p->count % 64, first = p->count - tail;
-    tribox_soup soup = {.count = 64};
+    tribox_soup soup;
     tribox_boxes boxes = {.count = 64};
-    for (int k = 0; k < 3; k++) {
-        if (p->soup) {
-            memcpy(scratch[k], p->soup->x[k] + first, tail * sizeof(float));
-            memcpy(scratch[3 + k], p->soup->y[k] + first, tail * sizeof(float));
-            memcpy(scratch[6 + k], p->soup->z[k] + first, tail * sizeof(float));
-        } else {
-            memcpy(scratch[k], p->boxes->lo[k] + first, tail * sizeof(float));
-            memcpy(scratch[3 + k], p->boxes->hi[k] + first, tail * sizeof(float));
-        }
-        soup.x[k] = boxes.lo[k] = scratch[k];
-        soup.y[k] = boxes.hi[k] = scratch[3 + k];
-        soup.z[k] = scratch[6 + k];
+    if (p->soup)
+        soup = tribox_soup_tail(p->soup, scratch);
+    for (int a = 0; !p->soup && a < 3; a++) {
+        boxes.lo[a] = memcpy(scratch[a], p->boxes->lo[a] + first, tail * sizeof(float));
+        boxes.hi[a] = memcpy(scratch[3 + a], p->boxes->hi[a] + first, tail * sizeof(float));
     }
     pairs word = *p;
     word.soup = p->soup ? &soup : NULL;
@@ -57,17 +52,6 @@ static void walk_tail(const pairs *p, const tribox_plan *plan, uint64_t *hit, ui
     *open &= ~(~UINT64_C(0) << tail);
 }
 
-/* In parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
-static unsigned count_bits(uint64_t word)
-{
-    word -= word >> 1 & UINT64_C(0x5555555555555555);
-    word = (word & UINT64_C(0x3333333333333333)) + (word >> 2 & UINT64_C(0x3333333333333333));
-    word = (word + (word >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
-    return (unsigned)(word * UINT64_C(0x0101010101010101) >> 56);
-}
-
-static unsigned lowest_bit(uint64_t word) { return count_bits((word & (~word + 1)) - 1); }
-
 /* Pairs that the walks left open, gathered until they fill a batch. */
 typedef struct gathering {
     tribox_batch batch;
@@ -75,14 +59,12 @@ typedef struct gathering {
     unsigned count;
 } gathering;
 
-/* One number of every gathered pair, from a stream or the same for all. Lanes up to a whole packet repeat the last: none is garbage. */
+/* One number of every gathered pair, from a stream or the same for all. */
 static void fill_number(gathering *g, int k, const float *stream, float constant)
 {
     float *const number = g->batch.number[k];
     for (unsigned i = 0; i < g->count; i++)
         number[i] = stream ? stream[g->lane[i]] : constant;
-    for (unsigned i = g->count; i % 8; i++)
-        number[i] = number[g->count - 1];
 }
 
 static void fill(gathering *g, const pairs *p, size_t start)
@@ -113,44 +95,20 @@ static uint64_t finite_pairs(const gathering *g)
     return finite;
 }
 
-static tribox_pair pair_of(const gathering *g, unsigned i)
-{
-    tribox_pair pair;
-    for (int k = 0; k < 9; k++)
-        pair.u[k / 3][k % 3] = g->batch.number[k][i];
-    for (int a = 0; a < 3; a++) {
-        pair.box.lo[a] = g->batch.number[9 + a][i];
-        pair.box.hi[a] = g->batch.number[12 + a][i];
-    }
-    return pair;
-}
-
 /*
- * Settles what is gathered: the double stage of the kernel, then, except for CONSERVATIVE, integers. Adds those that overlap to the
- * hits of the block, and returns how many there were with finite numbers. What the others come to is ignored.
+ * Settles what is gathered, and adds those that overlap to the hits of the block. Returns how many there were with finite numbers.
+ * What the others come to is ignored.
  */
 static size_t settle(gathering *g, const pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
 {
-    const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
-    uint64_t open;
     fill(g, p, start);
     const uint64_t finite = finite_pairs(g);
-    uint64_t overlapping = plan->kernel->settle(&g->batch, g->count, plan->axes, is_exact, &open) & finite;
-    open &= finite;
-    if (!is_exact)
-        overlapping |= open;
-    else
-        for (; open; open &= open - 1) {
-            const unsigned i = lowest_bit(open);
-            const tribox_pair pair = pair_of(g, i);
-            overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
-        }
-    for (; overlapping; overlapping &= overlapping - 1) {
-        const size_t lane = g->lane[lowest_bit(overlapping)];
+    for (uint64_t left = tribox_settle_batch(&g->batch, g->count, finite, plan); left; left &= left - 1) {
+        const size_t lane = g->lane[tribox_lowest_bit(left)];
         hit[lane / 64] |= UINT64_C(1) << lane % 64;
     }
     g->count = 0;
-    return count_bits(finite);
+    return tribox_count_bits(finite);
 }
 
 /* Settles the open lanes of a block and adds those that overlap to its hits. Returns how many there were with finite numbers. */
@@ -161,7 +119,7 @@ static size_t settle_block(const pairs *p, const tribox_plan *plan, size_t word,
     g.count = 0;
     for (size_t w = 0; w < words; w++)
         for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
-            g.lane[g.count++] = 64 * w + lowest_bit(rest);
+            g.lane[g.count++] = 64 * w + tribox_lowest_bit(rest);
             if (g.count == TRIBOX_BATCH)
                 undecided += settle(&g, p, plan, 64 * word, hit);
         }
@@ -181,7 +139,7 @@ static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, trib
             walk_tail(p, plan, hit + whole, open + whole);
         counts.undecided += settle_block(p, plan, word, block, open, hit);
         for (size_t w = 0; w < block; w++)
-            counts.overlapping += count_bits(hit[w]);
+            counts.overlapping += tribox_count_bits(hit[w]);
         if (mask)
             memcpy(mask + word, hit, block * sizeof *mask);
     }

@@ -1,5 +1,7 @@
 #include "soup.h"
 
+#include <string.h>
+
 #include "finite.h"
 
 static bool has_streams(const tribox_soup *soup)
@@ -13,6 +15,18 @@ static bool has_streams(const tribox_soup *soup)
 bool tribox_soup_is_readable(const tribox_soup *soup)
 {
     return soup && tribox_is_addressable(soup->count) && (!soup->count || has_streams(soup));
+}
+
+tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64])
+{
+    const size_t tail = soup->count % 64, first = soup->count - tail;
+    tribox_soup word = {.count = 64};
+    for (int v = 0; v < 3; v++) {
+        word.x[v] = memcpy(scratch[v], soup->x[v] + first, tail * sizeof(float));
+        word.y[v] = memcpy(scratch[3 + v], soup->y[v] + first, tail * sizeof(float));
+        word.z[v] = memcpy(scratch[6 + v], soup->z[v] + first, tail * sizeof(float));
+    }
+    return word;
 }
 
 static bool is_triangle_finite(const tribox_soup *soup, size_t i)

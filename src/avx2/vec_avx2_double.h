@@ -21,10 +21,13 @@ typedef __m256d vnum;
 typedef __m256d vmask;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm256_cvtps_pd(_mm_loadu_ps(p)); }
+TRIBOX_INLINE vnum v_read(const double *p) { return _mm256_loadu_pd(p); }
+TRIBOX_INLINE void v_write(double *p, vnum a) { _mm256_storeu_pd(p, a); }
 TRIBOX_INLINE vnum v_splat(double a) { return _mm256_set1_pd(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm256_add_pd(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm256_sub_pd(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm256_mul_pd(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return _mm256_div_pd(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm256_fmadd_pd(a, b, c); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm256_fmsub_pd(a, b, c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm256_min_pd(a, b); }

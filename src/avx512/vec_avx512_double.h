@@ -25,10 +25,13 @@ TRIBOX_INLINE vnum avx512_double(__m512i a) { return _mm512_castsi512_pd(a); }
 TRIBOX_INLINE __m512i avx512_minus_zero(void) { return _mm512_set1_epi64(INT64_MIN); }
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_cvtps_pd(_mm256_loadu_ps(p)); }
+TRIBOX_INLINE vnum v_read(const double *p) { return _mm512_loadu_pd(p); }
+TRIBOX_INLINE void v_write(double *p, vnum a) { _mm512_storeu_pd(p, a); }
 TRIBOX_INLINE vnum v_splat(double a) { return _mm512_set1_pd(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_pd(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm512_sub_pd(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm512_mul_pd(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return _mm512_div_pd(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm512_fmadd_pd(a, b, c); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm512_fmsub_pd(a, b, c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm512_min_pd(a, b); }

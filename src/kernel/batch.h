@@ -55,7 +55,11 @@ TRIBOX_FOR_EACH_SEQUENCE(FAST_WALKS)
 #define SETTLE_SYMBOL_(name) tribox_settle_##name
 #define SETTLE_SYMBOL(name) SETTLE_SYMBOL_(name)
 
+#define GRID_SYMBOL_(name) tribox_grid_##name
+#define GRID_SYMBOL(name) GRID_SYMBOL_(name)
+
 tribox_settle SETTLE_SYMBOL(KERNEL);
+extern const tribox_grid_kernel GRID_SYMBOL(KERNEL);
 extern const tribox_kernel KERNEL_SYMBOL(KERNEL);
 const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
     .name = KERNEL_STRING(KERNEL),
@@ -67,4 +71,5 @@ const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
               [TRIBOX_CONSERVATIVE] = {TRIBOX_FOR_EACH_SEQUENCE(CONSERVATIVE_BOXES)},
               [TRIBOX_FAST] = {TRIBOX_FOR_EACH_SEQUENCE(FAST_BOXES)}},
     .settle = SETTLE_SYMBOL(KERNEL),
+    .grid = &GRID_SYMBOL(KERNEL),
 };

@@ -19,10 +19,13 @@ typedef double vnum;
 typedef bool vmask;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
+TRIBOX_INLINE vnum v_read(const double *p) { return *p; }
+TRIBOX_INLINE void v_write(double *p, vnum a) { *p = a; }
 TRIBOX_INLINE vnum v_splat(double a) { return a; }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return a / b; }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return a * b + c; }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }

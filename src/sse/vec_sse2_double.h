@@ -21,10 +21,13 @@ typedef __m128d vnum;
 typedef __m128d vmask;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm_set_pd(p[1], p[0]); }
+TRIBOX_INLINE vnum v_read(const double *p) { return _mm_loadu_pd(p); }
+TRIBOX_INLINE void v_write(double *p, vnum a) { _mm_storeu_pd(p, a); }
 TRIBOX_INLINE vnum v_splat(double a) { return _mm_set1_pd(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_pd(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm_sub_pd(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm_mul_pd(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return _mm_div_pd(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm_add_pd(_mm_mul_pd(a, b), c); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm_sub_pd(_mm_mul_pd(a, b), c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm_min_pd(a, b); }

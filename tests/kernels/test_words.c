@@ -84,6 +84,10 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
     case V_FLIP:
         return number_of_bits(bits_of(a) ^ (bits_of(b) & SIGN_BIT));
 #if defined(LANES_OF_DOUBLE)
+    case V_DIV:
+        return a / b;
+    case V_READ:
+        return a;
     case V_SELECT:
         return b > c ? a : b;
 #endif
@@ -108,10 +112,8 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
         return is_negative(a) || is_negative(b);
     case M_OR:
         return a > b || b > c;
-#if !defined(LANES_OF_DOUBLE)
     case M_AND:
         return a > b && b > c;
-#endif
     case M_ANDNOT:
         return a > b && !(b > c);
     case MASK_WORDS:
@@ -121,23 +123,28 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 }
 
 static const char *const number_names[NUMBER_WORDS] = {
-    [V_SPLAT] = "v_splat",   [V_ADD] = "v_add", [V_SUB] = "v_sub", [V_MUL] = "v_mul",   [V_FMA] = "v_fma",   [V_FMS] = "v_fms",
-    [V_MIN] = "v_min",       [V_MAX] = "v_max", [V_ABS] = "v_abs", [V_SIGN] = "v_sign", [V_FLIP] = "v_flip",
+    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",   [V_SUB] = "v_sub",       [V_MUL] = "v_mul",
+    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",   [V_MIN] = "v_min",       [V_MAX] = "v_max",
+    [V_ABS] = "v_abs",     [V_SIGN] = "v_sign", [V_FLIP] = "v_flip",
 #if defined(LANES_OF_DOUBLE)
-    [V_SELECT] = "v_select",
+    [V_DIV] = "v_div",     [V_READ] = "v_read", [V_SELECT] = "v_select",
 #endif
 };
 
 static const char *const mask_names[MASK_WORDS] = {
-    [V_GT] = "v_gt",         [M_SIGNS] = "m_signs", [V_BOTH] = "v_both",
-    [V_EITHER] = "v_either", [M_OR] = "m_or",       [M_ANDNOT] = "m_andnot",
-#if !defined(LANES_OF_DOUBLE)
-    [M_AND] = "m_and",
-#endif
+    [V_GT] = "v_gt", [M_SIGNS] = "m_signs",   [V_BOTH] = "v_both", [V_EITHER] = "v_either",
+    [M_OR] = "m_or", [M_ANDNOT] = "m_andnot", [M_AND] = "m_and",
 };
 
 /* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */
-static bool may_change_payload(number_word word) { return word >= V_ADD && word <= V_FMS; }
+static bool may_change_payload(number_word word)
+{
+#if defined(LANES_OF_DOUBLE)
+    if (word == V_DIV)
+        return true;
+#endif
+    return word >= V_ADD && word <= V_FMS;
+}
 
 static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)
 {

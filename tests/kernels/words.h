@@ -32,6 +32,8 @@ typedef enum number_word {
     V_SIGN,
     V_FLIP, /* by the sign of b */
 #if defined(LANES_OF_DOUBLE)
+    V_DIV,
+    V_READ,   /* a, written and read */
     V_SELECT, /* a where b > c, else b */
 #endif
     NUMBER_WORDS
@@ -44,9 +46,7 @@ typedef enum mask_word {
     V_BOTH,   /* the signs of a and b */
     V_EITHER, /* the sign of a or b */
     M_OR,     /* a > b or b > c */
-#if !defined(LANES_OF_DOUBLE)
-    M_AND, /* a > b and b > c */
-#endif
+    M_AND,    /* a > b and b > c */
     M_ANDNOT, /* a > b and not b > c */
     MASK_WORDS
 } mask_word;

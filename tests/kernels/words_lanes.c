@@ -21,6 +21,15 @@ static void put(vnum number, lane_number *out) { memcpy(out, &number, sizeof num
 
 void lanes_load(const float *from, lane_number *out) { put(v_load(from), out); }
 
+#if defined(LANES_OF_DOUBLE)
+static vnum copied(vnum a)
+{
+    double memory[LANES_MOST + 1]; /* at any alignment */
+    v_write(memory + 1, a);
+    return v_read(memory + 1);
+}
+#endif
+
 static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum c)
 {
     switch (word) {
@@ -47,6 +56,10 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
     case V_FLIP:
         return v_flip(a, v_sign(b));
 #if defined(LANES_OF_DOUBLE)
+    case V_DIV:
+        return v_div(a, b);
+    case V_READ:
+        return copied(a);
     case V_SELECT:
         return v_select(v_gt(b, c), a, b);
 #endif
@@ -74,10 +87,8 @@ static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
         return m_signs(v_either(a, b));
     case M_OR:
         return m_or(v_gt(a, b), v_gt(b, c));
-#if !defined(LANES_OF_DOUBLE)
     case M_AND:
         return m_and(v_gt(a, b), v_gt(b, c));
-#endif
     case M_ANDNOT:
         return m_andnot(v_gt(a, b), v_gt(b, c));
     case MASK_WORDS:

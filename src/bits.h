@@ -1,0 +1,26 @@
+/* bits.h - words of 64. */
+#ifndef TRIBOX_BITS_H
+#define TRIBOX_BITS_H
+
+#include <stdint.h>
+
+/* In parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
+static inline unsigned tribox_count_bits(uint64_t word)
+{
+    word -= word >> 1 & UINT64_C(0x5555555555555555);
+    word = (word & UINT64_C(0x3333333333333333)) + (word >> 2 & UINT64_C(0x3333333333333333));
+    word = (word + (word >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
+    return (unsigned)(word * UINT64_C(0x0101010101010101) >> 56);
+}
+
+/* The index of the lowest bit of a word that has one. */
+static inline unsigned tribox_lowest_bit(uint64_t word)
+{
+#if defined(__GNUC__)
+    return (unsigned)__builtin_ctzll(word);
+#else
+    return tribox_count_bits((word & (~word + 1)) - 1);
+#endif
+}
+
+#endif

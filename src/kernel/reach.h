@@ -1,0 +1,67 @@
+/*
+ * reach.h - which cells of a grid the bounding boxes of triangles touch, in double.
+ *
+ * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it. Then it is unsure.
+ */
+
+/* To the nearest integer, for places in a grid: below 2^51. */
+TRIBOX_INLINE vnum rounded(vnum a)
+{
+    const vnum shift = v_splat(0x1.8p52);
+    return v_sub(v_add(a, shift), shift);
+}
+
+/* The cell below which the upper end of a place, within its error, does not lie: -1 to size. */
+TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
+{
+    const vnum half = v_splat(0.5);
+    return rounded(v_sub(v_min(v_max(place, v_splat(-0.5)), v_add(size, half)), half));
+}
+
+/* Axis a of the triangles from `at`: their cells into *reach at `lane`. Returns those that touch [from, end), unsure ones in *unsure. */
+TRIBOX_INLINE uint64_t reach_axis(const float *const stream[3], size_t at, const tribox_lattice *lattice, int a, double from,
+                                  double end, tribox_reach *reach, int lane, uint64_t *unsure)
+{
+    const vnum x0 = v_load(stream[0] + at), x1 = v_load(stream[1] + at), x2 = v_load(stream[2] + at);
+    const vnum origin = v_splat(lattice->origin[a]), per_cell = v_splat(lattice->per_cell[a]);
+    const vnum error = v_splat(lattice->error[a]), size = v_splat(lattice->size[a]);
+    const vnum least = v_mul(v_sub(lane_min3(x0, x1, x2), origin), per_cell);
+    const vnum most = v_mul(v_sub(lane_max3(x0, x1, x2), origin), per_cell);
+    const vnum first = cell_of(v_sub(least, error), size), last = cell_of(v_add(most, error), size);
+    const vnum first_not_below = cell_of(v_add(least, error), size), last_not_above = cell_of(v_sub(most, error), size);
+    v_write(&reach->first[a][lane], first);
+    v_write(&reach->last[a][lane], last);
+    *unsure |= m_bits(m_or(v_gt(first_not_below, first), v_gt(last, last_not_above)));
+    return m_bits(m_andnot(v_gt(v_splat(end), first), v_gt(v_splat(from), last)));
+}
+
+/* No NaN and no infinity, which min and max may lose: such a number makes the sum one. */
+TRIBOX_INLINE uint64_t finite_at(const tribox_soup *soup, size_t at)
+{
+    vnum sum = v_splat(0);
+    for (int v = 0; v < 3; v++)
+        sum = v_add(v_add(sum, v_load(soup->x[v] + at)), v_add(v_load(soup->y[v] + at), v_load(soup->z[v] + at)));
+    return m_bits(v_gt(v_splat(INFINITY), v_abs(sum)));
+}
+
+static uint64_t reach_word(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_reach *reach)
+{
+    uint64_t touching = 0, all_unsure = 0;
+    for (int lane = 0; lane < 64; lane += V_LANES) {
+        const size_t at = 64 * word + (size_t)lane;
+        uint64_t unsure = 0;
+        uint64_t left = reach_axis(soup->z, at, lattice, 2, lattice->first_layer, lattice->end_layer, reach, lane, &unsure);
+        if (!left)
+            continue;
+        left &= reach_axis(soup->y, at, lattice, 1, 0, lattice->size[1], reach, lane, &unsure);
+        if (!left)
+            continue;
+        left &= reach_axis(soup->x, at, lattice, 0, 0, lattice->size[0], reach, lane, &unsure);
+        if (!left)
+            continue;
+        touching |= (left & finite_at(soup, at)) << lane;
+        all_unsure |= unsure << lane;
+    }
+    reach->unsure = all_unsure & touching;
+    return touching;
+}

@@ -1,0 +1,42 @@
+#include "settle.h"
+
+#include "bits.h"
+#include "exact.h"
+
+static tribox_pair pair_at(const tribox_batch *batch, unsigned i)
+{
+    tribox_pair pair;
+    for (int k = 0; k < 9; k++)
+        pair.u[k / 3][k % 3] = batch->number[k][i];
+    for (int a = 0; a < 3; a++) {
+        pair.box.lo[a] = batch->number[9 + a][i];
+        pair.box.hi[a] = batch->number[12 + a][i];
+    }
+    return pair;
+}
+
+/* Lanes up to a whole packet repeat the last: none is garbage. */
+static void fill_up(tribox_batch *batch, unsigned count)
+{
+    for (int k = 0; k < 15; k++)
+        for (unsigned i = count; i % 8; i++)
+            batch->number[k][i] = batch->number[k][count - 1];
+}
+
+uint64_t tribox_settle_batch(tribox_batch *batch, unsigned count, uint64_t finite, const tribox_plan *plan)
+{
+    const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
+    uint64_t open;
+    fill_up(batch, count);
+    const uint64_t overlapping = plan->kernel->settle(batch, count, plan->axes, is_exact, &open) & finite;
+    open &= finite;
+    if (!is_exact)
+        return overlapping | open;
+    uint64_t settled = 0;
+    for (; open; open &= open - 1) {
+        const unsigned i = tribox_lowest_bit(open);
+        const tribox_pair pair = pair_at(batch, i);
+        settled |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
+    }
+    return overlapping | settled;
+}
