@@ -38,11 +38,9 @@ typedef struct range {
 
 static void set_bits(voxels *v, uint64_t *word, uint64_t bits)
 {
-    const uint64_t fresh = bits & ~*word;
-    if (fresh) {
-        *word |= fresh;
-        v->counts.overlapping += tribox_count_bits(fresh);
-    }
+    const uint64_t before = *word;
+    *word = before | bits;
+    v->counts.overlapping += tribox_count_bits(bits & ~before);
 }
 
 static uint64_t *row_of(const voxels *v, int64_t j, int64_t k)
@@ -94,41 +92,50 @@ static void settle_cells(voxels *v, const float u[9], uint64_t *row, int64_t fir
     }
 }
 
+/* A row that has open cells besides its sure ones. */
+static void set_open_row(voxels *v, const tribox_strip *strip, unsigned t, const tribox_row_cells *cells, unsigned n, int64_t i,
+                         int64_t j, int64_t k)
+{
+    uint64_t *const row = row_of(v, j, k);
+    const int64_t first = i + (int64_t)cells->first_maybe[n], last = i + (int64_t)cells->last_maybe[n];
+    int64_t sure = i + (int64_t)cells->first_sure[n], last_sure = i + (int64_t)cells->last_sure[n];
+    if (sure <= last_sure)
+        set_cells(v, row, sure, last_sure);
+    else
+        sure = (last_sure = last) + 1;
+    float u[9];
+    for (int number = 0; number < 9; number++)
+        u[number] = strip->u[number][t];
+    settle_cells(v, u, row, first, sure - 1, j, k);
+    settle_cells(v, u, row, last_sure + 1, last, j, k);
+}
+
 /* The rows of triangle t of the strip in the layers asked. */
 static void set_rows(voxels *v, const tribox_strip *strip, unsigned t, const range *r)
 {
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
+    tribox_rows_walk *const walk = is_exact ? v->plan.kernel->grid->rows : v->plan.kernel->grid->rows_maybe;
     const int64_t first_layer = r->first[2] > v->first_layer ? r->first[2] : v->first_layer;
     const int64_t end = r->first[2] + r->cells[2] < v->end_layer ? r->first[2] + r->cells[2] : v->end_layer;
     const int64_t wide = r->cells[1], rows = (end - r->first[2]) * wide;
-    int64_t j = 0, k = first_layer - r->first[2];
-    float u[9];
-    for (int n = 0; n < 9; n++)
-        u[n] = strip->u[n][t];
-    for (int64_t row = k * wide; row < rows; row += 64) {
+    int64_t j = r->first[1], k = first_layer;
+    uint64_t *row = row_of(v, j, k);
+    for (int64_t at = (first_layer - r->first[2]) * wide; at < rows; at += 64) {
         tribox_row_cells cells;
-        const unsigned count = rows - row < 64 ? (unsigned)(rows - row) : 64;
-        (is_exact ? v->plan.kernel->grid->rows : v->plan.kernel->grid->rows_maybe)(strip, t, (double)row, count, &cells);
+        const unsigned count = rows - at < 64 ? (unsigned)(rows - at) : 64;
+        walk(strip, t, (double)at, count, &cells);
         for (unsigned n = 0; n < count; n++) {
-            const int64_t first = (int64_t)cells.first_maybe[n] + r->first[0], last = (int64_t)cells.last_maybe[n] + r->first[0];
+            const int64_t first = (int64_t)cells.first_maybe[n], last = (int64_t)cells.last_maybe[n];
             if (first <= last) {
-                const int64_t y = r->first[1] + j, z = r->first[2] + k;
-                uint64_t *const words = row_of(v, y, z);
-                int64_t sure = first, end_sure = last + 1;
-                if (is_exact) {
-                    sure = (int64_t)cells.first_sure[n] + r->first[0];
-                    end_sure = (int64_t)cells.last_sure[n] + r->first[0] + 1;
-                    if (sure >= end_sure)
-                        sure = end_sure = last + 1;
-                    settle_cells(v, u, words, first, sure - 1, y, z);
-                    settle_cells(v, u, words, end_sure, last, y, z);
-                }
-                if (sure < end_sure)
-                    set_cells(v, words, sure, end_sure - 1);
+                if (is_exact && (cells.first_sure[n] != cells.first_maybe[n] || cells.last_sure[n] != cells.last_maybe[n]))
+                    set_open_row(v, strip, t, &cells, n, r->first[0], j, k);
+                else
+                    set_cells(v, row, r->first[0] + first, r->first[0] + last);
             }
-            if (++j == wide) {
-                j = 0;
-                k++;
+            row += v->row_words;
+            if (++j == r->first[1] + wide) {
+                j = r->first[1];
+                row = row_of(v, j, ++k);
             }
         }
     }
