@@ -31,54 +31,68 @@ typedef uint64_t tribox_reach_walk(const tribox_soup *soup, size_t word, const t
 enum { TRIBOX_STRIP = 32 };
 
 /*
+ * Which projections of a triangle matter: all and its plane; or, where its box lies in one layer of cells across an axis, the one
+ * along that axis alone, as there it overlaps a cell exactly if its shadow does.
+ */
+typedef enum tribox_shape { TRIBOX_SOLID, TRIBOX_FLAT_X, TRIBOX_FLAT_Y, TRIBOX_FLAT_Z, TRIBOX_SHAPES } tribox_shape;
+
+/*
  * Limits on the cells of rows along x, linear in row j and layer k. Of triangle t, with i, j and k counted from its base:
- * a side leaves a row where offset - j_slope * j - k_slope * k is at least 0, and surely if beyond the error;
- * an upper limit leaves the cells i <= maybe - slope * (j or k), and surely those below `sure` instead of `maybe`; a lower limit i >=.
+ *   a side leaves a row where at + j_slope * j + k_slope * k >= 0, up to its error
+ *   an upper limit leaves the cells i < at + slope * (j or k), up to its error; a lower limit those that are not below
  */
 typedef struct tribox_side {
-    double offset[TRIBOX_STRIP], j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
+    double at[TRIBOX_STRIP], j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
 } tribox_side;
 
 typedef struct tribox_limit {
-    double maybe[TRIBOX_STRIP], sure[TRIBOX_STRIP], slope[TRIBOX_STRIP];
+    double at[TRIBOX_STRIP], slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
 } tribox_limit;
 
-/* The plane: limits on both ends with the same slopes. */
+/* The plane: an upper and a lower limit with the same slopes and error. */
 typedef struct tribox_slab {
-    double upper_maybe[TRIBOX_STRIP], upper_sure[TRIBOX_STRIP], lower_maybe[TRIBOX_STRIP], lower_sure[TRIBOX_STRIP];
-    double j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP];
+    double upper[TRIBOX_STRIP], lower[TRIBOX_STRIP], j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
 } tribox_slab;
 
+/* Triangles of one shape. */
 typedef struct tribox_strip {
     unsigned count;
     float u[9][TRIBOX_STRIP];      /* u[3 * v + a][t]: axis a of vertex v */
     double base[3][TRIBOX_STRIP];  /* the first cell of its range, within the grid */
-    double cells[3][TRIBOX_STRIP]; /* how many there are on each axis, within the grid */
-    /* what prepare makes of these */
-    tribox_side side[3];
-    tribox_limit upper[2][2], lower[2][2]; /* [0] of the projection along y, linear in k; [1] along z, linear in j */
-    tribox_slab plane;
+    double cells[3][TRIBOX_STRIP]; /* how many there are on each axis, within the grid: at most 2^30 along x */
 } tribox_strip;
 
-/*
- * The limits of the triangles of a strip. margin: 1 for error bounds, 0 for none. The numbers after the last triangle, up to a
- * multiple of 8, have to be finite.
- */
-typedef void tribox_strip_prepare(tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin);
+/* Their limits, as far as the shape has them. */
+typedef struct tribox_limits {
+    tribox_side side[3];                   /* of the projection along x */
+    tribox_limit upper[2][2], lower[2][2]; /* [0] of the projection along y, linear in k; [1] along z, linear in j */
+    tribox_slab plane;
+    double error[TRIBOX_STRIP]; /* the largest of the limits' errors, in cells */
+    double cells[2][TRIBOX_STRIP];
+} tribox_limits;
 
-/* Of each of 64 rows, the cells that may overlap and those within them that surely do; none where last < first. */
+/*
+ * margin: 1 for error bounds, 0 for none. The numbers of the strip after the last triangle, up to a multiple of 8, have to be finite,
+ * and cells not zero.
+ */
+typedef void tribox_strip_prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin,
+                                  tribox_limits *limits);
+
+/*
+ * Of each of 64 rows the cells that may overlap, and of those the ones that surely do: from first to before end, none where
+ * end <= first. All lie from 0 to cells[0].
+ */
 typedef struct tribox_row_cells {
-    double first_maybe[64], last_maybe[64], first_sure[64], last_sure[64];
+    int32_t first_maybe[64], end_maybe[64], first_sure[64], end_sure[64];
 } tribox_row_cells;
 
-/* The rows from `row` of triangle t: row j + cells[1] * k is row j of layer k. At most 64. */
-typedef void tribox_rows_walk(const tribox_strip *strip, unsigned t, double row, unsigned rows, tribox_row_cells *out);
+/* Rows from `row` of triangle t: row j + cells[1] * k is row j of layer k. At most 64. */
+typedef void tribox_rows_walk(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out);
 
 typedef struct tribox_grid_kernel {
     tribox_reach_walk *reach;
-    tribox_strip_prepare *prepare;
-    tribox_rows_walk *rows;       /* both */
-    tribox_rows_walk *rows_maybe; /* first_maybe and last_maybe alone */
+    tribox_strip_prepare *prepare[TRIBOX_SHAPES];
+    tribox_rows_walk *rows[TRIBOX_SHAPES];
 } tribox_grid_kernel;
 
 #endif

@@ -14,6 +14,17 @@
 #include "settle.h"
 #include "soup.h"
 
+/* The cells of a triangle's range: first, and how many, on each axis, within the grid. */
+typedef struct range {
+    int64_t first[3], cells[3];
+} range;
+
+/* Triangles of one shape that wait for their rows. */
+typedef struct crowd {
+    tribox_strip strip;
+    range range[TRIBOX_STRIP];
+} crowd;
+
 /* One call. */
 typedef struct voxels {
     const tribox_grid *grid;
@@ -23,6 +34,7 @@ typedef struct voxels {
     size_t row_words;
     uint64_t *occupied; /* of the first layer */
     tribox_report counts;
+    crowd crowds[TRIBOX_SHAPES];
     /* cells that are open */
     tribox_batch batch;
     unsigned open;
@@ -31,10 +43,8 @@ typedef struct voxels {
     } cell[TRIBOX_BATCH];
 } voxels;
 
-/* The cells of a triangle's range: first, and how many, on each axis, within the grid. */
-typedef struct range {
-    int64_t first[3], cells[3];
-} range;
+static int64_t least_of(int64_t a, int64_t b) { return a < b ? a : b; }
+static int64_t most_of(int64_t a, int64_t b) { return a > b ? a : b; }
 
 static void set_bits(voxels *v, uint64_t *word, uint64_t bits)
 {
@@ -92,57 +102,104 @@ static void settle_cells(voxels *v, const float u[9], uint64_t *row, int64_t fir
     }
 }
 
-/* A row that has open cells besides its sure ones. */
-static void set_open_row(voxels *v, const tribox_strip *strip, unsigned t, const tribox_row_cells *cells, unsigned n, int64_t i,
-                         int64_t j, int64_t k)
-{
-    uint64_t *const row = row_of(v, j, k);
-    const int64_t first = i + (int64_t)cells->first_maybe[n], last = i + (int64_t)cells->last_maybe[n];
-    int64_t sure = i + (int64_t)cells->first_sure[n], last_sure = i + (int64_t)cells->last_sure[n];
-    if (sure <= last_sure)
-        set_cells(v, row, sure, last_sure);
-    else
-        sure = (last_sure = last) + 1;
-    float u[9];
-    for (int number = 0; number < 9; number++)
-        u[number] = strip->u[number][t];
-    settle_cells(v, u, row, first, sure - 1, j, k);
-    settle_cells(v, u, row, last_sure + 1, last, j, k);
-}
+/* Where a walk over the rows of a range stands. */
+typedef struct row_place {
+    int64_t j, k;
+} row_place;
 
-/* The rows of triangle t of the strip in the layers asked. */
-static void set_rows(voxels *v, const tribox_strip *strip, unsigned t, const range *r)
+static void next_row(row_place *at, const range *in)
 {
-    const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
-    tribox_rows_walk *const walk = is_exact ? v->plan.kernel->grid->rows : v->plan.kernel->grid->rows_maybe;
-    const int64_t first_layer = r->first[2] > v->first_layer ? r->first[2] : v->first_layer;
-    const int64_t end = r->first[2] + r->cells[2] < v->end_layer ? r->first[2] + r->cells[2] : v->end_layer;
-    const int64_t wide = r->cells[1], rows = (end - r->first[2]) * wide;
-    int64_t j = r->first[1], k = first_layer;
-    uint64_t *row = row_of(v, j, k);
-    for (int64_t at = (first_layer - r->first[2]) * wide; at < rows; at += 64) {
-        tribox_row_cells cells;
-        const unsigned count = rows - at < 64 ? (unsigned)(rows - at) : 64;
-        walk(strip, t, (double)at, count, &cells);
-        for (unsigned n = 0; n < count; n++) {
-            const int64_t first = (int64_t)cells.first_maybe[n], last = (int64_t)cells.last_maybe[n];
-            if (first <= last) {
-                if (is_exact && (cells.first_sure[n] != cells.first_maybe[n] || cells.last_sure[n] != cells.last_maybe[n]))
-                    set_open_row(v, strip, t, &cells, n, r->first[0], j, k);
-                else
-                    set_cells(v, row, r->first[0] + first, r->first[0] + last);
-            }
-            row += v->row_words;
-            if (++j == r->first[1] + wide) {
-                j = r->first[1];
-                row = row_of(v, j, ++k);
-            }
-        }
+    if (++at->j == in->first[1] + in->cells[1]) {
+        at->j = in->first[1];
+        at->k++;
     }
 }
 
-static void set_strip(voxels *v, tribox_strip *strip, const range ranges[TRIBOX_STRIP])
+/* The cells of rows that may overlap, and not surely do. */
+static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const range *in, row_place at, unsigned rows,
+                        const tribox_row_cells *cells)
 {
+    float u[9];
+    for (int n = 0; n < 9; n++)
+        u[n] = strip->u[n][t];
+    for (unsigned n = 0; n < rows; n++, next_row(&at, in)) {
+        const bool has_sure = cells->first_sure[n] < cells->end_sure[n];
+        const int64_t base = in->first[0], first = base + cells->first_maybe[n], end = base + cells->end_maybe[n];
+        const int64_t sure = has_sure ? base + cells->first_sure[n] : end, sure_end = has_sure ? base + cells->end_sure[n] : end;
+        settle_cells(v, u, row_of(v, at.j, at.k), first, sure - 1, at.j, at.k);
+        settle_cells(v, u, row_of(v, at.j, at.k), sure_end, end - 1, at.j, at.k);
+    }
+}
+
+/* The bits below bit n, which is at most 63. */
+static uint64_t bits_below(int n) { return (UINT64_C(1) << n) - 1; }
+
+/* Rows whose cells all lie in one word, without a branch on what they hold. Whether any is open. */
+static bool set_narrow_rows(voxels *v, const range *in, row_place at, unsigned rows, const tribox_row_cells *cells)
+{
+    const int shift = (int)(in->first[0] % 64);
+    const size_t skip = v->row_words * (size_t)((int64_t)v->grid->size[1] - in->cells[1]);
+    uint64_t *word = row_of(v, at.j, at.k) + in->first[0] / 64, open = 0;
+    int64_t left = in->first[1] + in->cells[1] - at.j;
+    size_t set = 0;
+    for (unsigned n = 0; n < rows; n++) {
+        const uint64_t maybe = bits_below(cells->end_maybe[n]) & ~bits_below(cells->first_maybe[n]);
+        const uint64_t sure = bits_below(cells->end_sure[n]) & ~bits_below(cells->first_sure[n]);
+        const uint64_t before = *word;
+        *word = before | sure << shift;
+        set += tribox_count_bits(sure & ~(before >> shift));
+        open |= maybe & ~sure;
+        word += v->row_words;
+        if (--left == 0) {
+            left = in->cells[1];
+            word += skip;
+        }
+    }
+    v->counts.overlapping += set;
+    return open;
+}
+
+static bool set_wide_rows(voxels *v, const range *in, row_place at, unsigned rows, const tribox_row_cells *cells)
+{
+    bool is_open = false;
+    for (unsigned n = 0; n < rows; n++, next_row(&at, in)) {
+        if (cells->first_maybe[n] >= cells->end_maybe[n])
+            continue;
+        if (cells->first_sure[n] < cells->end_sure[n])
+            set_cells(v, row_of(v, at.j, at.k), in->first[0] + cells->first_sure[n], in->first[0] + cells->end_sure[n] - 1);
+        is_open |= cells->first_maybe[n] != cells->first_sure[n] || cells->end_maybe[n] != cells->end_sure[n];
+    }
+    return is_open;
+}
+
+/* The rows of triangle t of a crowd in the layers asked. */
+static void set_rows(voxels *v, const crowd *c, unsigned t, tribox_shape shape, const tribox_limits *limits)
+{
+    const range *const in = &c->range[t];
+    const bool is_narrow = in->first[0] % 64 + in->cells[0] < 64;
+    const int64_t first_layer = most_of(in->first[2], v->first_layer);
+    const int64_t end = (least_of(in->first[2] + in->cells[2], v->end_layer) - in->first[2]) * in->cells[1];
+    for (int64_t row = (first_layer - in->first[2]) * in->cells[1]; row < end; row += 64) {
+        const row_place at = {in->first[1] + row % in->cells[1], in->first[2] + row / in->cells[1]};
+        const unsigned rows = (unsigned)least_of(end - row, 64);
+        tribox_row_cells cells;
+        v->plan.kernel->grid->rows[shape](limits, t, (double)row, rows, &cells);
+        if (v->plan.accuracy == TRIBOX_CONSERVATIVE) {
+            memcpy(cells.first_sure, cells.first_maybe, sizeof cells.first_sure);
+            memcpy(cells.end_sure, cells.end_maybe, sizeof cells.end_sure);
+        }
+        if ((is_narrow ? set_narrow_rows : set_wide_rows)(v, in, at, rows, &cells))
+            settle_rows(v, &c->strip, t, in, at, rows, &cells);
+    }
+}
+
+static void set_crowd(voxels *v, tribox_shape shape)
+{
+    crowd *const c = &v->crowds[shape];
+    tribox_strip *const strip = &c->strip;
+    tribox_limits limits;
+    if (!strip->count)
+        return;
     for (unsigned t = strip->count; t % 8; t++) {
         for (int n = 0; n < 9; n++)
             strip->u[n][t] = strip->u[n][strip->count - 1];
@@ -151,10 +208,34 @@ static void set_strip(voxels *v, tribox_strip *strip, const range ranges[TRIBOX_
             strip->cells[a][t] = strip->cells[a][strip->count - 1];
         }
     }
-    v->plan.kernel->grid->prepare(strip, &v->lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
+    v->plan.kernel->grid->prepare[shape](strip, &v->lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits);
     for (unsigned t = 0; t < strip->count; t++)
-        set_rows(v, strip, t, &ranges[t]);
+        set_rows(v, c, t, shape, &limits);
     strip->count = 0;
+}
+
+/* Triangle i of the soup joins the crowd of its shape; of a range longer than rows may be, piece after piece. */
+static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, range r, tribox_shape shape)
+{
+    const int64_t piece = INT64_C(1) << 30, end = r.first[0] + r.cells[0];
+    crowd *const c = &v->crowds[shape];
+    tribox_strip *const strip = &c->strip;
+    for (; r.first[0] < end; r.first[0] += piece) {
+        const unsigned t = strip->count;
+        r.cells[0] = least_of(end - r.first[0], piece);
+        c->range[t] = r;
+        for (int j = 0; j < 3; j++) {
+            strip->u[3 * j][t] = soup->x[j][i];
+            strip->u[3 * j + 1][t] = soup->y[j][i];
+            strip->u[3 * j + 2][t] = soup->z[j][i];
+        }
+        for (int a = 0; a < 3; a++) {
+            strip->base[a][t] = (double)r.first[a];
+            strip->cells[a][t] = (double)r.cells[a];
+        }
+        if (++strip->count == TRIBOX_STRIP)
+            set_crowd(v, shape);
+    }
 }
 
 /* Where the triangle's box spans one cell on two axes, it overlaps every cell that it spans on the third. */
@@ -185,15 +266,15 @@ static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, t
     }
 }
 
-/* What of a triangle's cells lies within the grid; *spans: on how many axes it has more than one, be they outside. */
-static bool clip(const voxels *v, const tribox_reach *reach, unsigned lane, range *r, int *spans)
+/* What of a triangle's cells lies within the grid; bit a of *spans tells that it has more than one on axis a, be they outside. */
+static bool clip(const voxels *v, const tribox_reach *reach, unsigned lane, range *r, unsigned *spans)
 {
     *spans = 0;
     for (int a = 0; a < 3; a++) {
-        const int64_t first = (int64_t)reach->first[a][lane], last = (int64_t)reach->last[a][lane], size = v->grid->size[a];
-        *spans += last > first;
-        r->first[a] = first > 0 ? first : 0;
-        r->cells[a] = (last < size ? last + 1 : size) - r->first[a];
+        const int64_t first = (int64_t)reach->first[a][lane], last = (int64_t)reach->last[a][lane];
+        *spans |= (unsigned)(last > first) << a;
+        r->first[a] = most_of(first, 0);
+        r->cells[a] = least_of(last + 1, v->grid->size[a]) - r->first[a];
         if (r->cells[a] <= 0)
             return false;
     }
@@ -202,37 +283,22 @@ static bool clip(const voxels *v, const tribox_reach *reach, unsigned lane, rang
 
 static void set_word(voxels *v, const tribox_soup *soup, size_t word)
 {
+    static const unsigned char shapes[8] = {[3] = TRIBOX_FLAT_Z, [5] = TRIBOX_FLAT_Y, [6] = TRIBOX_FLAT_X, [7] = TRIBOX_SOLID};
     tribox_reach reach;
-    tribox_strip strip;
-    range ranges[TRIBOX_STRIP];
-    strip.count = 0;
     for (uint64_t left = v->plan.kernel->grid->reach(soup, word, &v->lattice, &reach); left; left &= left - 1) {
         const unsigned lane = tribox_lowest_bit(left);
         const size_t i = 64 * word + lane;
-        range *const r = &ranges[strip.count];
-        int spans;
+        range r;
+        unsigned spans;
         if (reach.unsure >> lane & 1)
             tell_by_planes(v, soup, i, &reach);
-        if (!clip(v, &reach, lane, r, &spans))
+        if (!clip(v, &reach, lane, &r, &spans))
             continue;
-        if (spans <= 1) {
-            set_line(v, r);
-            continue;
-        }
-        for (int j = 0; j < 3; j++) {
-            strip.u[3 * j][strip.count] = soup->x[j][i];
-            strip.u[3 * j + 1][strip.count] = soup->y[j][i];
-            strip.u[3 * j + 2][strip.count] = soup->z[j][i];
-        }
-        for (int a = 0; a < 3; a++) {
-            strip.base[a][strip.count] = (double)r->first[a];
-            strip.cells[a][strip.count] = (double)r->cells[a];
-        }
-        if (++strip.count == TRIBOX_STRIP)
-            set_strip(v, &strip, ranges);
+        if (!(spans & (spans - 1)))
+            set_line(v, &r);
+        else
+            join_crowd(v, soup, i, r, v->plan.axes & TRIBOX_AXES_EDGES ? shapes[spans] : TRIBOX_SOLID);
     }
-    if (strip.count)
-        set_strip(v, &strip, ranges);
 }
 
 static tribox_lattice lattice_of(const tribox_grid *grid, uint32_t first, uint32_t layers)
@@ -262,6 +328,8 @@ static void set_soup(voxels *v, const tribox_soup *soup)
         const tribox_soup tail = tribox_soup_tail(soup, scratch);
         set_word(v, &tail, 0);
     }
+    for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
+        set_crowd(v, shape);
     settle_open(v);
 }
 
@@ -306,6 +374,8 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
         v.occupied = occupied;
         v.counts = (tribox_report){0, 0};
         v.open = 0;
+        for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
+            v.crowds[shape].strip.count = 0;
         (v.plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(&v, soup);
         if (v.plan.accuracy == TRIBOX_FAST)
             v.counts.undecided = 0;

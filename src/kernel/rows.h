@@ -8,11 +8,11 @@
  * limit on i; in the projection along x it is a side, which takes or leaves whole rows. The plane limits i from both ends:
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
- * Error bounds. With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, which no |g - X| exceeds, a place is off by
- * at most E_a = 2 error_a + 2^-49 F_a together with the plane it is compared with. So a side of a_ij is off by at most
- *   |m_a| E_a + |m_b| E_b + W_i    W_i = 2^-44 (F_a R_b + F_b R_a)
- * where W_i covers, at u = 2^-53, the roundings of these lines (below 16 u), and what the certificate of overlap asks where rounding
- * turned the sign of n_i (bounds.h: 9 times the 8 u of f and n). The plane is off by at most
+ * Error bounds. With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, which no |g - X| exceeds, a place and the plane
+ * that it is compared with are off by at most E_a = 2 error_a + 2^-49 F_a together. So the left side of every a_ij is off by at most
+ *   W_i = F_b (E_a + 2^-44 R_a) + F_a (E_b + 2^-44 R_b)
+ * where the powers of two cover, at u = 2^-53, the roundings of these lines (below 16 u F R), and what the certificate of overlap
+ * asks where rounding turned the sign of n_i (bounds.h: 9 times the 8 u of f and n). The plane is off by at most
  *   sum of |n_a| E_a + 2^-43 S     S = sum of F_a F_b R_i
  * Divided by |m_x| or |n_x| these bound a limit. An n_x below 2^-46 S / R_x is taken for that, which moves the plane by 2^-46 S.
  *
@@ -27,98 +27,116 @@ typedef struct row_triangle {
 TRIBOX_INLINE void place_axis(row_triangle *t, const tribox_strip *strip, unsigned at, const tribox_lattice *lattice, int a)
 {
     const vnum origin = v_splat(lattice->origin[a]), per_cell = v_splat(lattice->per_cell[a]);
+    const vnum base = v_read(&strip->base[a][at]);
     vnum u[3];
     for (int j = 0; j < 3; j++)
         u[j] = v_load(&strip->u[3 * j + a][at]);
     for (int j = 0; j < 3; j++) {
         t->f[j][a] = v_mul(v_sub(u[(j + 1) % 3], u[j]), per_cell);
-        t->g[j][a] = v_sub(v_mul(v_sub(u[j], origin), per_cell), v_read(&strip->base[a][at]));
+        t->g[j][a] = v_sub(v_mul(v_sub(u[j], origin), per_cell), base);
     }
     t->F[a] = lane_max3(v_abs(t->f[0][a]), v_abs(t->f[1][a]), v_abs(t->f[2][a]));
     t->R[a] = v_add(v_add(t->F[a], v_read(&strip->cells[a][at])), v_splat(2));
     t->E[a] = v_fma(t->F[a], v_splat(0x1p-49), v_splat(2 * lattice->error[a]));
 }
 
+TRIBOX_INLINE void place_normal(row_triangle *t, int i)
+{
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    t->n[i] = v_fms(t->f[0][a], t->f[1][b], v_mul(t->f[0][b], t->f[1][a]));
+}
+
 TRIBOX_INLINE vmask is_not_zero(vnum a) { return v_gt(v_abs(a), v_splat(0)); }
 
-/* g - X: X is the upper plane of cell 0 where m is negative. */
-TRIBOX_INLINE vnum from_corner(vnum g, vnum m) { return v_sub(g, v_select(v_gt(m, v_splat(0)), v_splat(0), v_splat(1))); }
+/* W_i */
+TRIBOX_INLINE vnum edges_error(const row_triangle *t, int i)
+{
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    const vnum rounding = v_splat(0x1p-44);
+    return v_fma(t->F[b], v_fma(t->R[a], rounding, t->E[a]), v_mul(t->F[a], v_fma(t->R[b], rounding, t->E[b])));
+}
 
-/* The axis a_ij for cell (0, 0, 0): offset, slopes, error; which lanes are asked. */
+/* The axis a_ij: m, the left side for cell (0, 0, 0), and the lanes where it is not redundant. */
 typedef struct row_axis {
-    vnum offset, m_a, m_b, error;
+    vnum m_a, m_b, slack;
     vmask asked;
 } row_axis;
 
-TRIBOX_INLINE row_axis axis_of(const row_triangle *t, int i, int j, vnum margin)
+/* m (g - X): X is the upper plane of cell 0 where m is negative. */
+TRIBOX_INLINE vnum from_corner(vnum g, vnum m) { return v_sub(v_mul(m, g), v_min(m, v_splat(0))); }
+
+TRIBOX_INLINE row_axis axis_of(const row_triangle *t, int i, int j)
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
-    const vnum s = v_sign(t->n[i]), W = v_mul(v_splat(0x1p-44), v_fma(t->F[a], t->R[b], v_mul(t->F[b], t->R[a])));
-    row_axis axis;
-    axis.m_a = v_flip(t->f[j][b], s);
-    axis.m_b = v_flip(v_flip(t->f[j][a], s), v_splat(-0.0));
-    axis.offset = v_fma(axis.m_a, from_corner(t->g[j][a], axis.m_a), v_mul(axis.m_b, from_corner(t->g[j][b], axis.m_b)));
-    axis.error = v_mul(margin, v_fma(v_abs(axis.m_a), t->E[a], v_fma(v_abs(axis.m_b), t->E[b], W)));
-    axis.asked = m_and(is_not_zero(t->f[j][a]), is_not_zero(t->f[j][b]));
-    return axis;
+    const vnum s = v_sign(t->n[i]);
+    const vnum m_a = v_flip(t->f[j][b], s), m_b = v_flip(t->f[j][a], v_flip(s, v_splat(-0.0)));
+    return (row_axis){m_a, m_b, v_add(from_corner(t->g[j][a], m_a), from_corner(t->g[j][b], m_b)),
+                      m_and(is_not_zero(m_a), is_not_zero(m_b))};
 }
 
-TRIBOX_INLINE void write_side(tribox_side *side, unsigned at, const row_axis *axis)
+TRIBOX_INLINE void write_sides(tribox_limits *limits, unsigned at, const row_triangle *t, vnum margin)
 {
-    const vnum zero = v_splat(0);
-    v_write(&side->offset[at], v_select(axis->asked, axis->offset, v_splat(INFINITY)));
-    v_write(&side->j_slope[at], v_select(axis->asked, axis->m_a, zero));
-    v_write(&side->k_slope[at], v_select(axis->asked, axis->m_b, zero));
-    v_write(&side->error[at], v_select(axis->asked, axis->error, zero));
+    const vnum zero = v_splat(0), error = v_mul(margin, edges_error(t, 0));
+    for (int j = 0; j < 3; j++) {
+        const row_axis axis = axis_of(t, 0, j);
+        v_write(&limits->side[j].at[at], v_select(axis.asked, axis.slack, v_splat(INFINITY)));
+        v_write(&limits->side[j].j_slope[at], v_select(axis.asked, v_sub(zero, axis.m_a), zero));
+        v_write(&limits->side[j].k_slope[at], v_select(axis.asked, v_sub(zero, axis.m_b), zero));
+        v_write(&limits->side[j].error[at], error);
+    }
 }
 
-/* A limit on i in lanes; where there is none it is infinite. */
+/* A limit in lanes; where there is none it is infinite. */
 typedef struct row_limit {
-    vnum maybe, sure, slope;
+    vnum at, slope, error;
 } row_limit;
 
 TRIBOX_INLINE row_limit select_limit(vmask m, const row_limit *a, const row_limit *b)
 {
-    return (row_limit){v_select(m, a->maybe, b->maybe), v_select(m, a->sure, b->sure), v_select(m, a->slope, b->slope)};
+    return (row_limit){v_select(m, a->at, b->at), v_select(m, a->slope, b->slope), v_select(m, a->error, b->error)};
 }
 
 TRIBOX_INLINE void write_limit(tribox_limit *limit, unsigned at, const row_limit *from)
 {
-    v_write(&limit->maybe[at], from->maybe);
-    v_write(&limit->sure[at], from->sure);
+    v_write(&limit->at[at], from->at);
     v_write(&limit->slope[at], from->slope);
+    v_write(&limit->error[at], from->error);
 }
 
 /*
- * The three edges of the projection along i, 1 or 2: of their three limits at most two are upper and at most two lower, as the f_jb
- * sum up to zero. A limit may fill both places.
+ * The three edges of the projection along i, 1 or 2: at most two of their limits are upper and at most two lower, as the m_x sum up
+ * to zero. One limit may fill both places. Returns the largest error.
  */
-TRIBOX_INLINE void write_limits(tribox_limit upper[2], tribox_limit lower[2], unsigned at, const row_triangle *t, int i,
-                                vnum margin)
+TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_triangle *t, int i, vnum margin)
 {
-    const row_limit no_upper = {v_splat(INFINITY), v_splat(INFINITY), v_splat(0)};
-    const row_limit no_lower = {v_splat(-INFINITY), v_splat(-INFINITY), v_splat(0)};
-    row_limit up[3], low[3];
-    vmask is_up[3], is_low[3];
+    const vnum zero = v_splat(0), error = v_mul(margin, edges_error(t, i));
+    const row_limit no_upper = {v_splat(INFINITY), zero, zero}, no_lower = {v_splat(-INFINITY), zero, zero};
+    row_limit limit[3];
+    vmask is_upper[3], is_lower[3];
+    vnum largest = zero;
     for (int j = 0; j < 3; j++) {
-        const row_axis axis = axis_of(t, i, j, margin);
+        const row_axis axis = axis_of(t, i, j);
         const vnum m_x = i == 1 ? axis.m_b : axis.m_a, m_other = i == 1 ? axis.m_a : axis.m_b;
         const vnum per_m = v_div(v_splat(1), m_x);
-        const vnum limit = v_mul(axis.offset, per_m), error = v_mul(axis.error, v_abs(per_m)), slope = v_mul(m_other, per_m);
-        is_up[j] = m_and(axis.asked, v_gt(m_x, v_splat(0)));
-        is_low[j] = m_and(axis.asked, v_gt(v_splat(0), m_x));
-        up[j] = (row_limit){v_add(limit, error), v_sub(limit, error), slope};
-        low[j] = (row_limit){v_sub(limit, error), v_add(limit, error), slope};
+        limit[j] =
+            (row_limit){v_fma(axis.slack, per_m, v_splat(1)), v_mul(v_sub(zero, m_other), per_m), v_mul(error, v_abs(per_m))};
+        is_upper[j] = m_and(axis.asked, v_gt(m_x, zero));
+        is_lower[j] = m_and(axis.asked, v_gt(zero, m_x));
+        largest = v_max(largest, v_select(axis.asked, limit[j].error, zero));
     }
-    const row_limit third_up = select_limit(is_up[2], &up[2], &no_upper), third_low = select_limit(is_low[2], &low[2], &no_lower);
+    const row_limit third_upper = select_limit(is_upper[2], &limit[2], &no_upper);
+    const row_limit third_lower = select_limit(is_lower[2], &limit[2], &no_lower);
     for (int j = 0; j < 2; j++) {
-        const row_limit one_up = select_limit(is_up[j], &up[j], &third_up), one_low = select_limit(is_low[j], &low[j], &third_low);
-        write_limit(&upper[j], at, &one_up);
-        write_limit(&lower[j], at, &one_low);
+        const row_limit upper = select_limit(is_upper[j], &limit[j], &third_upper);
+        const row_limit lower = select_limit(is_lower[j], &limit[j], &third_lower);
+        write_limit(&limits->upper[i - 1][j], at, &upper);
+        write_limit(&limits->lower[i - 1][j], at, &lower);
     }
+    return largest;
 }
 
-TRIBOX_INLINE void write_plane(tribox_slab *slab, unsigned at, const row_triangle *t, vnum margin)
+/* Returns the error of its limits. */
+TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_triangle *t, vnum margin)
 {
     const vnum zero = v_splat(0), one = v_splat(1);
     vnum n[3], S = zero, error = zero, least = zero, most = zero, d = zero;
@@ -137,106 +155,156 @@ TRIBOX_INLINE void write_plane(tribox_slab *slab, unsigned at, const row_triangl
         d = v_fma(n[a], t->g[0][a], d);
     }
     const vnum per_n = v_div(one, n[0]);
-    error = v_mul(v_mul(margin, v_fma(v_splat(0x1p-43), S, error)), per_n);
-    const vnum upper = v_mul(v_sub(d, least), per_n), lower = v_mul(v_sub(d, most), per_n);
-    v_write(&slab->upper_maybe[at], v_select(asked, v_add(upper, error), v_splat(INFINITY)));
-    v_write(&slab->upper_sure[at], v_select(asked, v_sub(upper, error), v_splat(INFINITY)));
-    v_write(&slab->lower_maybe[at], v_select(asked, v_sub(lower, error), v_splat(-INFINITY)));
-    v_write(&slab->lower_sure[at], v_select(asked, v_add(lower, error), v_splat(-INFINITY)));
-    v_write(&slab->j_slope[at], v_select(asked, v_mul(n[1], per_n), zero));
-    v_write(&slab->k_slope[at], v_select(asked, v_mul(n[2], per_n), zero));
+    error = v_select(asked, v_mul(v_mul(margin, v_fma(v_splat(0x1p-43), S, error)), per_n), zero);
+    v_write(&limits->plane.upper[at], v_select(asked, v_fma(v_sub(d, least), per_n, one), v_splat(INFINITY)));
+    v_write(&limits->plane.lower[at], v_select(asked, v_fma(v_sub(d, most), per_n, one), v_splat(-INFINITY)));
+    v_write(&limits->plane.j_slope[at], v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero));
+    v_write(&limits->plane.k_slope[at], v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero));
+    v_write(&limits->plane.error[at], error);
+    return error;
 }
 
-static void prepare_strip(tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin)
+/* A triangle without extent limits nothing. */
+TRIBOX_INLINE row_triangle without_extent(const row_triangle *t)
+{
+    row_triangle point = *t;
+    for (int a = 0; a < 3; a++)
+        point.f[0][a] = point.f[1][a] = point.f[2][a] = point.F[a] = v_splat(0);
+    return point;
+}
+
+TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin,
+                           tribox_limits *limits, tribox_shape shape)
 {
     for (unsigned at = 0; at < strip->count; at += V_LANES) {
         row_triangle t;
+        vnum error = v_splat(0);
         for (int a = 0; a < 3; a++)
             place_axis(&t, strip, at, lattice, a);
-        for (int i = 0; i < 3; i++) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            t.n[i] = v_fms(t.f[0][a], t.f[1][b], v_mul(t.f[0][b], t.f[1][a]));
-        }
-        row_triangle edges = t, plane = t; /* a triangle without extent limits nothing */
-        for (int a = 0; a < 3; a++) {
-            if (!(axes & TRIBOX_AXES_EDGES))
-                edges.f[0][a] = edges.f[1][a] = edges.f[2][a] = v_splat(0);
-            if (!(axes & TRIBOX_AXES_PLANE))
-                plane.F[a] = v_splat(0);
-        }
-        for (int j = 0; j < 3; j++) {
-            const row_axis axis = axis_of(&edges, 0, j, v_splat(margin));
-            write_side(&strip->side[j], at, &axis);
-        }
-        for (int i = 1; i < 3; i++)
-            write_limits(strip->upper[i - 1], strip->lower[i - 1], at, &edges, i, v_splat(margin));
-        write_plane(&strip->plane, at, &plane, v_splat(margin));
+        for (int i = 0; i < 3; i++)
+            place_normal(&t, i);
+        const row_triangle edges = axes & TRIBOX_AXES_EDGES ? t : without_extent(&t);
+        const row_triangle plane = axes & TRIBOX_AXES_PLANE ? t : without_extent(&t);
+        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_X)
+            write_sides(limits, at, &edges, v_splat(margin));
+        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_Y)
+            error = v_max(error, write_limits(limits, at, &edges, 1, v_splat(margin)));
+        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_Z)
+            error = v_max(error, write_limits(limits, at, &edges, 2, v_splat(margin)));
+        if (shape == TRIBOX_SOLID)
+            error = v_max(error, write_plane(limits, at, &plane, v_splat(margin)));
+        v_write(&limits->error[at], error);
+        for (int a = 0; a < 2; a++)
+            v_write(&limits->cells[a][at], v_read(&strip->cells[a][at]));
     }
 }
 
-/* Where a row's limits stand so far. */
+/* The limits of rows in lanes: of what may overlap, and of what surely does. */
 typedef struct row_ends {
     vnum side, upper, lower;
 } row_ends;
 
-/* i <= upper to the last cell, -1 at least; i >= lower to the first. Halves and quarters keep the clamps clear of ties. */
-TRIBOX_INLINE void write_ends(double *first, double *last, const row_ends *ends, vnum cells)
+/*
+ * Whole cells. A limit is one more than a place, so that cutting off its fraction rounds it up; clear of zero and of `cells` by
+ * half, the ends of the row are right whatever the limits.
+ */
+TRIBOX_INLINE void write_ends(int32_t *first, int32_t *end, const row_ends *ends, vnum cells)
 {
-    const vnum half = v_splat(0.5), none = v_splat(-0.75);
-    const vnum upper = v_min(v_max(ends->upper, none), v_sub(cells, half));
-    const vnum lower = v_min(v_max(ends->lower, v_sub(none, v_splat(-0.25))), v_sub(cells, v_splat(0.25)));
-    v_write(last, rounded(v_sub(v_select(v_gt(v_splat(0), ends->side), none, upper), half)));
-    v_write(first, rounded(v_add(lower, half)));
+    const vnum half = v_splat(0.5), last = v_add(cells, half);
+    const vnum upper = v_select(v_gt(v_splat(0), ends->side), half, ends->upper);
+    v_write_int(end, v_min(v_max(upper, half), last));
+    v_write_int(first, v_min(v_max(ends->lower, half), last));
 }
 
-TRIBOX_INLINE void limit_rows(const tribox_strip *strip, unsigned t, double row, unsigned rows, tribox_row_cells *out,
-                              bool is_sure_asked)
+TRIBOX_INLINE void limit(row_ends *ends, vnum upper, vnum lower)
+{
+    ends->upper = v_min(ends->upper, upper);
+    ends->lower = v_max(ends->lower, lower);
+}
+
+/* Limits with their own errors, or without any where one error will be taken for all. */
+TRIBOX_INLINE void limit_both(row_ends *maybe, row_ends *sure, vnum upper, vnum lower, vnum upper_error, vnum lower_error,
+                              bool is_error_common)
+{
+    if (is_error_common) {
+        limit(maybe, upper, lower);
+    } else {
+        limit(maybe, v_add(upper, upper_error), v_sub(lower, lower_error));
+        limit(sure, v_sub(upper, upper_error), v_add(lower, lower_error));
+    }
+}
+
+TRIBOX_INLINE void limit_rows(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out,
+                              tribox_shape shape, bool is_error_common)
 {
     static const float count[64] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                                     22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43,
                                     44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63};
-    const vnum wide = v_splat(strip->cells[1][t]), per_wide = v_splat(1 / strip->cells[1][t]), cells = v_splat(strip->cells[0][t]);
+    const vnum wide = v_splat(limits->cells[1][t]), per_wide = v_splat(1 / limits->cells[1][t]),
+               cells = v_splat(limits->cells[0][t]);
     for (unsigned at = 0; at < rows; at += V_LANES) {
         const vnum r = v_add(v_splat(row), v_load(&count[at])), half = v_splat(0.5);
         const vnum k = rounded(v_fms(v_add(r, half), per_wide, half)), j = v_sub(r, v_mul(k, wide));
         row_ends maybe = {v_splat(INFINITY), v_splat(INFINITY), v_splat(-INFINITY)}, sure = maybe;
-        for (int e = 0; e < 3; e++) {
-            const tribox_side *const side = &strip->side[e];
-            const vnum error = v_splat(side->error[t]);
-            const vnum slack =
-                v_sub(v_sub(v_splat(side->offset[t]), v_mul(v_splat(side->j_slope[t]), j)), v_mul(v_splat(side->k_slope[t]), k));
-            maybe.side = v_min(maybe.side, v_add(slack, error));
-            sure.side = v_min(sure.side, v_sub(slack, error));
+        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_X) {
+            vnum slack = v_splat(INFINITY);
+            for (int e = 0; e < 3; e++)
+                slack = v_min(slack, v_fma(v_splat(limits->side[e].j_slope[t]), j,
+                                           v_fma(v_splat(limits->side[e].k_slope[t]), k, v_splat(limits->side[e].at[t]))));
+            maybe.side = v_add(slack, v_splat(limits->side[0].error[t]));
+            sure.side = v_sub(slack, v_splat(limits->side[0].error[t]));
         }
         for (int e = 0; e < 4; e++) {
-            const tribox_limit *const upper = &strip->upper[e / 2][e % 2], *const lower = &strip->lower[e / 2][e % 2];
-            const vnum up = v_mul(v_splat(upper->slope[t]), e < 2 ? k : j), low = v_mul(v_splat(lower->slope[t]), e < 2 ? k : j);
-            maybe.upper = v_min(maybe.upper, v_sub(v_splat(upper->maybe[t]), up));
-            maybe.lower = v_max(maybe.lower, v_sub(v_splat(lower->maybe[t]), low));
-            sure.upper = v_min(sure.upper, v_sub(v_splat(upper->sure[t]), up));
-            sure.lower = v_max(sure.lower, v_sub(v_splat(lower->sure[t]), low));
+            const tribox_limit *const upper = &limits->upper[e / 2][e % 2], *const lower = &limits->lower[e / 2][e % 2];
+            const vnum p = e < 2 ? k : j;
+            if (shape == TRIBOX_SOLID || shape == (e < 2 ? TRIBOX_FLAT_Y : TRIBOX_FLAT_Z))
+                limit_both(&maybe, &sure, v_fma(v_splat(upper->slope[t]), p, v_splat(upper->at[t])),
+                           v_fma(v_splat(lower->slope[t]), p, v_splat(lower->at[t])), v_splat(upper->error[t]),
+                           v_splat(lower->error[t]), is_error_common);
         }
-        const tribox_slab *const plane = &strip->plane;
-        const vnum along = v_fma(v_splat(plane->j_slope[t]), j, v_mul(v_splat(plane->k_slope[t]), k));
-        maybe.upper = v_min(maybe.upper, v_sub(v_splat(plane->upper_maybe[t]), along));
-        maybe.lower = v_max(maybe.lower, v_sub(v_splat(plane->lower_maybe[t]), along));
-        sure.upper = v_min(sure.upper, v_sub(v_splat(plane->upper_sure[t]), along));
-        sure.lower = v_max(sure.lower, v_sub(v_splat(plane->lower_sure[t]), along));
-        write_ends(&out->first_maybe[at], &out->last_maybe[at], &maybe, cells);
-        if (is_sure_asked)
-            write_ends(&out->first_sure[at], &out->last_sure[at], &sure, cells);
+        if (shape == TRIBOX_SOLID) {
+            const tribox_slab *const plane = &limits->plane;
+            const vnum along = v_fma(v_splat(plane->j_slope[t]), j, v_mul(v_splat(plane->k_slope[t]), k));
+            const vnum error = v_splat(plane->error[t]);
+            limit_both(&maybe, &sure, v_add(along, v_splat(plane->upper[t])), v_add(along, v_splat(plane->lower[t])), error, error,
+                       is_error_common);
+        }
+        if (is_error_common) {
+            const vnum error = v_splat(limits->error[t]);
+            sure.upper = v_sub(maybe.upper, error);
+            sure.lower = v_add(maybe.lower, error);
+            maybe.upper = v_add(maybe.upper, error);
+            maybe.lower = v_sub(maybe.lower, error);
+        }
+        write_ends(&out->first_maybe[at], &out->end_maybe[at], &maybe, cells);
+        write_ends(&out->first_sure[at], &out->end_sure[at], &sure, cells);
     }
 }
 
-static void rows_both(const tribox_strip *strip, unsigned t, double row, unsigned rows, tribox_row_cells *out)
+/* One error for all limits costs fewer operations; a large one, of an edge nearly parallel to x, would open too many cells. */
+TRIBOX_INLINE void walk_rows(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out,
+                             tribox_shape shape)
 {
-    limit_rows(strip, t, row, rows, out, true);
+    if (limits->error[t] < 0x1p-8)
+        limit_rows(limits, t, row, rows, out, shape, true);
+    else
+        limit_rows(limits, t, row, rows, out, shape, false);
 }
 
-static void rows_maybe(const tribox_strip *strip, unsigned t, double row, unsigned rows, tribox_row_cells *out)
-{
-    limit_rows(strip, t, row, rows, out, false);
-}
+#define SHAPE(shape) \
+    static void prepare_##shape(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin, \
+                                tribox_limits *limits) \
+    { \
+        prepare(strip, lattice, axes, margin, limits, shape); \
+    } \
+    static void rows_##shape(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out) \
+    { \
+        walk_rows(limits, t, row, rows, out, shape); \
+    }
+SHAPE(TRIBOX_SOLID)
+SHAPE(TRIBOX_FLAT_X)
+SHAPE(TRIBOX_FLAT_Y)
+SHAPE(TRIBOX_FLAT_Z)
 
 #define GRID_SYMBOL_(name) tribox_grid_##name
 #define GRID_SYMBOL(name) GRID_SYMBOL_(name)
@@ -244,7 +312,6 @@ static void rows_maybe(const tribox_strip *strip, unsigned t, double row, unsign
 extern const tribox_grid_kernel GRID_SYMBOL(KERNEL);
 const tribox_grid_kernel GRID_SYMBOL(KERNEL) = {
     .reach = reach_word,
-    .prepare = prepare_strip,
-    .rows = rows_both,
-    .rows_maybe = rows_maybe,
+    .prepare = {prepare_TRIBOX_SOLID, prepare_TRIBOX_FLAT_X, prepare_TRIBOX_FLAT_Y, prepare_TRIBOX_FLAT_Z},
+    .rows = {rows_TRIBOX_SOLID, rows_TRIBOX_FLAT_X, rows_TRIBOX_FLAT_Y, rows_TRIBOX_FLAT_Z},
 };
