@@ -13,18 +13,18 @@ typedef struct tribox_lattice {
     double size[3];                /* cells */
     double error[3];               /* cells: plane p, and the places of numbers near the grid, are so far out at most, together */
     double first_layer, end_layer; /* triangles outside these layers need no answer */
+    double row_words;
 } tribox_lattice;
 
-/*
- * Which cells the bounding boxes of 64 triangles touch: first[a][i] to last[a][i] on axis a, from -1 to size, where -1 stands for all
- * below the grid and size for all above it.
- */
+/* Which cells the bounding boxes of 64 triangles touch. */
 typedef struct tribox_reach {
-    double first[3][64], last[3][64];
-    uint64_t unsure; /* triangles of which rounding leaves this open: only planes themselves can tell */
+    double base[3][64], cells[3][64]; /* within the grid, on each axis: the first, and how many */
+    int32_t word[64], bit[64];        /* where the first cell's bit is, in words from the first of the layers asked */
+    uint64_t spans[3];                /* triangles with more than one cell on the axis, be they outside */
+    uint64_t unsure;                  /* triangles of which rounding leaves all this open: only planes themselves can tell */
 } tribox_reach;
 
-/* The finite triangles of a word of the soup that touch the grid, and the layers asked: all, of the unsure ones also others. */
+/* The finite triangles of a word of the soup that touch the layers asked: all, and of the unsure ones also others. */
 typedef uint64_t tribox_reach_walk(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_reach *reach);
 
 /* Triangles whose cells are told row by row, some at a time. */

@@ -14,15 +14,10 @@
 #include "settle.h"
 #include "soup.h"
 
-/* The cells of a triangle's range: first, and how many, on each axis, within the grid. */
-typedef struct range {
-    int64_t first[3], cells[3];
-} range;
-
 /* Triangles of one shape that wait for their rows. */
 typedef struct crowd {
     tribox_strip strip;
-    range range[TRIBOX_STRIP];
+    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* of their first cells, as in tribox_reach */
 } crowd;
 
 /* One call. */
@@ -102,32 +97,52 @@ static void settle_cells(voxels *v, const float u[9], uint64_t *row, int64_t fir
     }
 }
 
-/* Where a walk over the rows of a range stands. */
+/* The rows of one triangle: layers of `wide` rows, cells along x counted from base, whose bit is `bit` of a row's `word`. */
+typedef struct row_range {
+    int64_t base, first_j, first_k, wide;
+    ptrdiff_t word;
+    int bit;
+    bool is_narrow; /* no row has cells in two words */
+} row_range;
+
+/* Where a walk over rows stands; `word` is the one of the first cell. */
 typedef struct row_place {
     int64_t j, k;
+    uint64_t *word;
 } row_place;
 
-static void next_row(row_place *at, const range *in)
+static row_place place_of(const voxels *v, const row_range *r, int64_t row)
 {
-    if (++at->j == in->first[1] + in->cells[1]) {
-        at->j = in->first[1];
+    const int64_t j = row % r->wide, k = row / r->wide;
+    return (row_place){r->first_j + j, r->first_k + k,
+                       v->occupied + r->word + (k * (int64_t)v->grid->size[1] + j) * (int64_t)v->row_words};
+}
+
+static void next_row(row_place *at, const voxels *v, const row_range *r)
+{
+    at->word += v->row_words;
+    if (++at->j == r->first_j + r->wide) {
+        at->j = r->first_j;
         at->k++;
+        at->word += ((int64_t)v->grid->size[1] - r->wide) * (int64_t)v->row_words;
     }
 }
 
 /* The cells of rows that may overlap, and not surely do. */
-static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const range *in, row_place at, unsigned rows,
+static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const row_range *r, row_place at, unsigned rows,
                         const tribox_row_cells *cells)
 {
     float u[9];
     for (int n = 0; n < 9; n++)
         u[n] = strip->u[n][t];
-    for (unsigned n = 0; n < rows; n++, next_row(&at, in)) {
+    for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
         const bool has_sure = cells->first_sure[n] < cells->end_sure[n];
-        const int64_t base = in->first[0], first = base + cells->first_maybe[n], end = base + cells->end_maybe[n];
-        const int64_t sure = has_sure ? base + cells->first_sure[n] : end, sure_end = has_sure ? base + cells->end_sure[n] : end;
-        settle_cells(v, u, row_of(v, at.j, at.k), first, sure - 1, at.j, at.k);
-        settle_cells(v, u, row_of(v, at.j, at.k), sure_end, end - 1, at.j, at.k);
+        const int64_t first = r->base + cells->first_maybe[n], end = r->base + cells->end_maybe[n];
+        const int64_t sure = has_sure ? r->base + cells->first_sure[n] : end,
+                      sure_end = has_sure ? r->base + cells->end_sure[n] : end;
+        uint64_t *const row = at.word - r->base / 64;
+        settle_cells(v, u, row, first, sure - 1, at.j, at.k);
+        settle_cells(v, u, row, sure_end, end - 1, at.j, at.k);
     }
 }
 
@@ -135,38 +150,30 @@ static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const 
 static uint64_t bits_below(int n) { return (UINT64_C(1) << n) - 1; }
 
 /* Rows whose cells all lie in one word, without a branch on what they hold. Whether any is open. */
-static bool set_narrow_rows(voxels *v, const range *in, row_place at, unsigned rows, const tribox_row_cells *cells)
+static bool set_narrow_rows(voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
 {
-    const int shift = (int)(in->first[0] % 64);
-    const size_t skip = v->row_words * (size_t)((int64_t)v->grid->size[1] - in->cells[1]);
-    uint64_t *word = row_of(v, at.j, at.k) + in->first[0] / 64, open = 0;
-    int64_t left = in->first[1] + in->cells[1] - at.j;
+    uint64_t open = 0;
     size_t set = 0;
-    for (unsigned n = 0; n < rows; n++) {
+    for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
         const uint64_t maybe = bits_below(cells->end_maybe[n]) & ~bits_below(cells->first_maybe[n]);
         const uint64_t sure = bits_below(cells->end_sure[n]) & ~bits_below(cells->first_sure[n]);
-        const uint64_t before = *word;
-        *word = before | sure << shift;
-        set += tribox_count_bits(sure & ~(before >> shift));
+        const uint64_t before = *at.word;
+        *at.word = before | sure << r->bit;
+        set += tribox_count_bits(sure & ~(before >> r->bit));
         open |= maybe & ~sure;
-        word += v->row_words;
-        if (--left == 0) {
-            left = in->cells[1];
-            word += skip;
-        }
     }
     v->counts.overlapping += set;
     return open;
 }
 
-static bool set_wide_rows(voxels *v, const range *in, row_place at, unsigned rows, const tribox_row_cells *cells)
+static bool set_wide_rows(voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
 {
     bool is_open = false;
-    for (unsigned n = 0; n < rows; n++, next_row(&at, in)) {
+    for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
         if (cells->first_maybe[n] >= cells->end_maybe[n])
             continue;
         if (cells->first_sure[n] < cells->end_sure[n])
-            set_cells(v, row_of(v, at.j, at.k), in->first[0] + cells->first_sure[n], in->first[0] + cells->end_sure[n] - 1);
+            set_cells(v, at.word, r->bit + cells->first_sure[n], r->bit + cells->end_sure[n] - 1);
         is_open |= cells->first_maybe[n] != cells->first_sure[n] || cells->end_maybe[n] != cells->end_sure[n];
     }
     return is_open;
@@ -175,12 +182,19 @@ static bool set_wide_rows(voxels *v, const range *in, row_place at, unsigned row
 /* The rows of triangle t of a crowd in the layers asked. */
 static void set_rows(voxels *v, const crowd *c, unsigned t, tribox_shape shape, const tribox_limits *limits)
 {
-    const range *const in = &c->range[t];
-    const bool is_narrow = in->first[0] % 64 + in->cells[0] < 64;
-    const int64_t first_layer = most_of(in->first[2], v->first_layer);
-    const int64_t end = (least_of(in->first[2] + in->cells[2], v->end_layer) - in->first[2]) * in->cells[1];
-    for (int64_t row = (first_layer - in->first[2]) * in->cells[1]; row < end; row += 64) {
-        const row_place at = {in->first[1] + row % in->cells[1], in->first[2] + row / in->cells[1]};
+    const tribox_strip *const strip = &c->strip;
+    const row_range r = {
+        .base = (int64_t)strip->base[0][t],
+        .first_j = (int64_t)strip->base[1][t],
+        .first_k = (int64_t)strip->base[2][t],
+        .wide = (int64_t)strip->cells[1][t],
+        .word = c->word[t],
+        .bit = c->bit[t],
+        .is_narrow = c->bit[t] + strip->cells[0][t] < 64,
+    };
+    const int64_t first_layer = most_of(v->first_layer - r.first_k, 0);
+    const int64_t end = least_of((int64_t)strip->cells[2][t], v->end_layer - r.first_k) * r.wide;
+    for (int64_t row = first_layer * r.wide; row < end; row += 64) {
         const unsigned rows = (unsigned)least_of(end - row, 64);
         tribox_row_cells cells;
         v->plan.kernel->grid->rows[shape](limits, t, (double)row, rows, &cells);
@@ -188,8 +202,9 @@ static void set_rows(voxels *v, const crowd *c, unsigned t, tribox_shape shape, 
             memcpy(cells.first_sure, cells.first_maybe, sizeof cells.first_sure);
             memcpy(cells.end_sure, cells.end_maybe, sizeof cells.end_sure);
         }
-        if ((is_narrow ? set_narrow_rows : set_wide_rows)(v, in, at, rows, &cells))
-            settle_rows(v, &c->strip, t, in, at, rows, &cells);
+        const row_place at = place_of(v, &r, row);
+        if ((r.is_narrow ? set_narrow_rows : set_wide_rows)(v, &r, at, rows, &cells))
+            settle_rows(v, strip, t, &r, at, rows, &cells);
     }
 }
 
@@ -214,46 +229,56 @@ static void set_crowd(voxels *v, tribox_shape shape)
     strip->count = 0;
 }
 
-/* Triangle i of the soup joins the crowd of its shape; of a range longer than rows may be, piece after piece. */
-static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, range r, tribox_shape shape)
+/* Triangle i of the soup joins the crowd of its shape; with a range longer than rows may be, piece after piece. */
+static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, const tribox_reach *reach, tribox_shape shape)
 {
-    const int64_t piece = INT64_C(1) << 30, end = r.first[0] + r.cells[0];
+    const double piece = 0x1p30;
+    const unsigned lane = i % 64;
     crowd *const c = &v->crowds[shape];
     tribox_strip *const strip = &c->strip;
-    for (; r.first[0] < end; r.first[0] += piece) {
+    for (double done = 0; done < reach->cells[0][lane]; done += piece) {
         const unsigned t = strip->count;
-        r.cells[0] = least_of(end - r.first[0], piece);
-        c->range[t] = r;
         for (int j = 0; j < 3; j++) {
             strip->u[3 * j][t] = soup->x[j][i];
             strip->u[3 * j + 1][t] = soup->y[j][i];
             strip->u[3 * j + 2][t] = soup->z[j][i];
         }
         for (int a = 0; a < 3; a++) {
-            strip->base[a][t] = (double)r.first[a];
-            strip->cells[a][t] = (double)r.cells[a];
+            strip->base[a][t] = reach->base[a][lane];
+            strip->cells[a][t] = reach->cells[a][lane];
         }
+        strip->base[0][t] += done;
+        if (strip->cells[0][t] - done > piece)
+            strip->cells[0][t] = piece;
+        else
+            strip->cells[0][t] -= done;
+        c->word[t] = reach->word[lane] + (int32_t)(done / 64);
+        c->bit[t] = reach->bit[lane];
         if (++strip->count == TRIBOX_STRIP)
             set_crowd(v, shape);
     }
 }
 
-/* Where the triangle's box spans one cell on two axes, it overlaps every cell that it spans on the third. */
-static void set_line(voxels *v, const range *r)
+/* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
+static void set_line(voxels *v, const tribox_reach *reach, unsigned lane)
 {
-    if (r->cells[0] > 1) {
-        set_cells(v, row_of(v, r->first[1], r->first[2]), r->first[0], r->first[0] + r->cells[0] - 1);
-        return;
+    const int64_t along = (int64_t)reach->cells[0][lane], rows = (int64_t)reach->cells[1][lane];
+    const int64_t first_k = (int64_t)reach->base[2][lane], end_k = first_k + (int64_t)reach->cells[2][lane];
+    for (int64_t k = most_of(first_k, v->first_layer); k < least_of(end_k, v->end_layer); k++) {
+        uint64_t *row = v->occupied + reach->word[lane] + (k - first_k) * (int64_t)v->grid->size[1] * (int64_t)v->row_words;
+        for (int64_t j = 0; j < rows; j++, row += v->row_words)
+            set_cells(v, row, reach->bit[lane], reach->bit[lane] + along - 1);
     }
-    for (int64_t k = r->first[2]; k < r->first[2] + r->cells[2]; k++)
-        for (int64_t j = r->first[1]; k >= v->first_layer && k < v->end_layer && j < r->first[1] + r->cells[1]; j++)
-            set_bits(v, row_of(v, j, k) + r->first[0] / 64, UINT64_C(1) << r->first[0] % 64);
 }
 
-/* The cells of triangle i of the soup, from the planes themselves. */
-static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, tribox_reach *reach)
+/* What the planes say of triangle i of the soup, which the kernel was not sure of. */
+static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, tribox_reach *reach, uint64_t *touching)
 {
     const float *const *const streams[3] = {soup->x, soup->y, soup->z};
+    const unsigned lane = i % 64;
+    const uint64_t bit = UINT64_C(1) << lane;
+    bool is_inside = true;
+    int64_t base[3];
     for (int a = 0; a < 3; a++) {
         float least = streams[a][0][i], most = least;
         for (int j = 1; j < 3; j++) {
@@ -261,49 +286,48 @@ static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, t
             most = streams[a][j][i] > most ? streams[a][j][i] : most;
         }
         const tribox_cells cells = tribox_grid_cells(v->grid, a, least, most);
-        reach->first[a][i % 64] = (double)cells.first;
-        reach->last[a][i % 64] = (double)cells.last;
+        const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->grid->size[a];
+        is_inside &= cells.first < end && cells.last >= from;
+        base[a] = most_of(cells.first, 0);
+        reach->base[a][lane] = (double)base[a];
+        reach->cells[a][lane] = (double)(least_of(cells.last + 1, v->grid->size[a]) - base[a]);
+        reach->spans[a] = cells.last > cells.first ? reach->spans[a] | bit : reach->spans[a] & ~bit;
     }
-}
-
-/* What of a triangle's cells lies within the grid; bit a of *spans tells that it has more than one on axis a, be they outside. */
-static bool clip(const voxels *v, const tribox_reach *reach, unsigned lane, range *r, unsigned *spans)
-{
-    *spans = 0;
-    for (int a = 0; a < 3; a++) {
-        const int64_t first = (int64_t)reach->first[a][lane], last = (int64_t)reach->last[a][lane];
-        *spans |= (unsigned)(last > first) << a;
-        r->first[a] = most_of(first, 0);
-        r->cells[a] = least_of(last + 1, v->grid->size[a]) - r->first[a];
-        if (r->cells[a] <= 0)
-            return false;
-    }
-    return r->first[2] < v->end_layer && r->first[2] + r->cells[2] > v->first_layer;
+    reach->word[lane] = (int32_t)(((base[2] - v->first_layer) * v->grid->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
+    reach->bit[lane] = (int32_t)(base[0] % 64);
+    if (!is_inside)
+        *touching &= ~bit;
 }
 
 static void set_word(voxels *v, const tribox_soup *soup, size_t word)
 {
-    static const unsigned char shapes[8] = {[3] = TRIBOX_FLAT_Z, [5] = TRIBOX_FLAT_Y, [6] = TRIBOX_FLAT_X, [7] = TRIBOX_SOLID};
     tribox_reach reach;
-    for (uint64_t left = v->plan.kernel->grid->reach(soup, word, &v->lattice, &reach); left; left &= left - 1) {
+    uint64_t touching = v->plan.kernel->grid->reach(soup, word, &v->lattice, &reach);
+    for (uint64_t left = reach.unsure; left; left &= left - 1)
+        tell_by_planes(v, soup, 64 * word + tribox_lowest_bit(left), &reach, &touching);
+    const uint64_t x = reach.spans[0], y = reach.spans[1], z = reach.spans[2];
+
+    for (uint64_t left = touching & ~(x | y | z); left; left &= left - 1) {
         const unsigned lane = tribox_lowest_bit(left);
-        const size_t i = 64 * word + lane;
-        range r;
-        unsigned spans;
-        if (reach.unsure >> lane & 1)
-            tell_by_planes(v, soup, i, &reach);
-        if (!clip(v, &reach, lane, &r, &spans))
-            continue;
-        if (!(spans & (spans - 1)))
-            set_line(v, &r);
-        else
-            join_crowd(v, soup, i, r, v->plan.axes & TRIBOX_AXES_EDGES ? shapes[spans] : TRIBOX_SOLID);
+        set_bits(v, v->occupied + reach.word[lane], UINT64_C(1) << reach.bit[lane]);
     }
+    for (uint64_t left = touching & (x ^ y ^ z) & ~(x & y & z); left; left &= left - 1)
+        set_line(v, &reach, tribox_lowest_bit(left));
+
+    uint64_t shaped[TRIBOX_SHAPES] = {x & y & z, ~x & y & z, x & ~y & z, x & y & ~z};
+    if (!(v->plan.axes & TRIBOX_AXES_EDGES)) { /* a shadow is told by edges */
+        shaped[TRIBOX_SOLID] = (x & y) | (y & z) | (z & x);
+        shaped[TRIBOX_FLAT_X] = shaped[TRIBOX_FLAT_Y] = shaped[TRIBOX_FLAT_Z] = 0;
+    }
+    for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
+        for (uint64_t left = touching & shaped[shape]; left; left &= left - 1)
+            join_crowd(v, soup, 64 * word + tribox_lowest_bit(left), &reach, shape);
 }
 
 static tribox_lattice lattice_of(const tribox_grid *grid, uint32_t first, uint32_t layers)
 {
-    tribox_lattice lattice = {.first_layer = first, .end_layer = (double)first + layers};
+    tribox_lattice lattice = {
+        .first_layer = first, .end_layer = (double)first + layers, .row_words = (double)tribox_grid_row_words(grid)};
     for (int a = 0; a < 3; a++) {
         const double lowest = tribox_grid_plane(grid, a, 0), highest = tribox_grid_plane(grid, a, grid->size[a]);
         const double farthest = -lowest > highest ? -lowest : highest;

@@ -11,16 +11,22 @@ TRIBOX_INLINE vnum rounded(vnum a)
     return v_sub(v_add(a, shift), shift);
 }
 
-/* The cell below which the upper end of a place, within its error, does not lie: -1 to size. */
+/* The cell of a place; -1 stands for all below the grid, size for all above it. */
 TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
 {
     const vnum half = v_splat(0.5);
     return rounded(v_sub(v_min(v_max(place, v_splat(-0.5)), v_add(size, half)), half));
 }
 
-/* Axis a of the triangles from `at`: their cells into *reach at `lane`. Returns those that touch [from, end), unsure ones in *unsure. */
-TRIBOX_INLINE uint64_t reach_axis(const float *const stream[3], size_t at, const tribox_lattice *lattice, int a, double from,
-                                  double end, tribox_reach *reach, int lane, uint64_t *unsure)
+/* What reach tells of a packet. */
+typedef struct packet_reach {
+    vnum base[3];
+    uint64_t touching, unsure, spans[3];
+} packet_reach;
+
+/* Axis a of the triangles from `at`; those that touch cells from .. end - 1 stay. */
+TRIBOX_INLINE void reach_axis(packet_reach *packet, const float *const stream[3], size_t at, const tribox_lattice *lattice, int a,
+                              double from, double end, tribox_reach *reach, int lane)
 {
     const vnum x0 = v_load(stream[0] + at), x1 = v_load(stream[1] + at), x2 = v_load(stream[2] + at);
     const vnum origin = v_splat(lattice->origin[a]), per_cell = v_splat(lattice->per_cell[a]);
@@ -29,10 +35,21 @@ TRIBOX_INLINE uint64_t reach_axis(const float *const stream[3], size_t at, const
     const vnum most = v_mul(v_sub(lane_max3(x0, x1, x2), origin), per_cell);
     const vnum first = cell_of(v_sub(least, error), size), last = cell_of(v_add(most, error), size);
     const vnum first_not_below = cell_of(v_add(least, error), size), last_not_above = cell_of(v_sub(most, error), size);
-    v_write(&reach->first[a][lane], first);
-    v_write(&reach->last[a][lane], last);
-    *unsure |= m_bits(m_or(v_gt(first_not_below, first), v_gt(last, last_not_above)));
-    return m_bits(m_andnot(v_gt(v_splat(end), first), v_gt(v_splat(from), last)));
+    packet->base[a] = v_max(first, v_splat(0));
+    v_write(&reach->base[a][lane], packet->base[a]);
+    v_write(&reach->cells[a][lane], v_sub(v_min(v_add(last, v_splat(1)), size), packet->base[a]));
+    packet->unsure |= m_bits(m_or(v_gt(first_not_below, first), v_gt(last, last_not_above)));
+    packet->spans[a] = m_bits(v_gt(last, first));
+    packet->touching &= m_bits(m_andnot(v_gt(v_splat(end), first), v_gt(v_splat(from), last)));
+}
+
+/* Where the bits of the first cells are. */
+TRIBOX_INLINE void write_words(const packet_reach *packet, const tribox_lattice *lattice, tribox_reach *reach, int lane)
+{
+    const vnum row = v_fma(v_sub(packet->base[2], v_splat(lattice->first_layer)), v_splat(lattice->size[1]), packet->base[1]);
+    const vnum word = rounded(v_sub(v_mul(packet->base[0], v_splat(1.0 / 64)), v_splat(0.5 - 1.0 / 128)));
+    v_write_int(&reach->word[lane], v_fma(row, v_splat(lattice->row_words), word));
+    v_write_int(&reach->bit[lane], v_sub(packet->base[0], v_mul(word, v_splat(64))));
 }
 
 /* No NaN and no infinity, which min and max may lose: such a number makes the sum one. */
@@ -46,22 +63,26 @@ TRIBOX_INLINE uint64_t finite_at(const tribox_soup *soup, size_t at)
 
 static uint64_t reach_word(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_reach *reach)
 {
-    uint64_t touching = 0, all_unsure = 0;
+    uint64_t touching = 0;
+    reach->spans[0] = reach->spans[1] = reach->spans[2] = reach->unsure = 0;
     for (int lane = 0; lane < 64; lane += V_LANES) {
         const size_t at = 64 * word + (size_t)lane;
-        uint64_t unsure = 0;
-        uint64_t left = reach_axis(soup->z, at, lattice, 2, lattice->first_layer, lattice->end_layer, reach, lane, &unsure);
-        if (!left)
+        packet_reach packet = {.touching = LANES_ALL};
+        reach_axis(&packet, soup->z, at, lattice, 2, lattice->first_layer, lattice->end_layer, reach, lane);
+        if (!packet.touching)
             continue;
-        left &= reach_axis(soup->y, at, lattice, 1, 0, lattice->size[1], reach, lane, &unsure);
-        if (!left)
+        reach_axis(&packet, soup->y, at, lattice, 1, 0, lattice->size[1], reach, lane);
+        if (!packet.touching)
             continue;
-        left &= reach_axis(soup->x, at, lattice, 0, 0, lattice->size[0], reach, lane, &unsure);
-        if (!left)
+        reach_axis(&packet, soup->x, at, lattice, 0, 0, lattice->size[0], reach, lane);
+        packet.touching &= finite_at(soup, at);
+        if (!packet.touching)
             continue;
-        touching |= (left & finite_at(soup, at)) << lane;
-        all_unsure |= unsure << lane;
+        write_words(&packet, lattice, reach, lane);
+        touching |= packet.touching << lane;
+        reach->unsure |= (packet.unsure & packet.touching) << lane;
+        for (int a = 0; a < 3; a++)
+            reach->spans[a] |= (packet.spans[a] & packet.touching) << lane;
     }
-    reach->unsure = all_unsure & touching;
     return touching;
 }
