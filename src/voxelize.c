@@ -100,7 +100,7 @@ static void settle_cells(voxels *v, const float u[9], uint64_t *row, int64_t fir
 /* The rows of one triangle: layers of `wide` rows, cells along x counted from base, whose bit is `bit` of a row's `word`. */
 typedef struct row_range {
     int64_t base, first_j, first_k, wide;
-    ptrdiff_t word;
+    ptrdiff_t word, skip; /* skip: from the end of the last row of a layer to the first of the next */
     int bit;
     bool is_narrow; /* no row has cells in two words */
 } row_range;
@@ -111,9 +111,9 @@ typedef struct row_place {
     uint64_t *word;
 } row_place;
 
-static row_place place_of(const voxels *v, const row_range *r, int64_t row)
+/* The place of row j of layer k, both counted from the first. */
+static row_place place_of(const voxels *v, const row_range *r, int64_t j, int64_t k)
 {
-    const int64_t j = row % r->wide, k = row / r->wide;
     return (row_place){r->first_j + j, r->first_k + k,
                        v->occupied + r->word + (k * (int64_t)v->grid->size[1] + j) * (int64_t)v->row_words};
 }
@@ -124,7 +124,7 @@ static void next_row(row_place *at, const voxels *v, const row_range *r)
     if (++at->j == r->first_j + r->wide) {
         at->j = r->first_j;
         at->k++;
-        at->word += ((int64_t)v->grid->size[1] - r->wide) * (int64_t)v->row_words;
+        at->word += r->skip;
     }
 }
 
@@ -189,11 +189,13 @@ static void set_rows(voxels *v, const crowd *c, unsigned t, tribox_shape shape, 
         .first_k = (int64_t)strip->base[2][t],
         .wide = (int64_t)strip->cells[1][t],
         .word = c->word[t],
+        .skip = ((ptrdiff_t)v->grid->size[1] - (ptrdiff_t)strip->cells[1][t]) * (ptrdiff_t)v->row_words,
         .bit = c->bit[t],
         .is_narrow = c->bit[t] + strip->cells[0][t] < 64,
     };
     const int64_t first_layer = most_of(v->first_layer - r.first_k, 0);
     const int64_t end = least_of((int64_t)strip->cells[2][t], v->end_layer - r.first_k) * r.wide;
+    row_place at = place_of(v, &r, 0, first_layer);
     for (int64_t row = first_layer * r.wide; row < end; row += 64) {
         const unsigned rows = (unsigned)least_of(end - row, 64);
         tribox_row_cells cells;
@@ -202,9 +204,10 @@ static void set_rows(voxels *v, const crowd *c, unsigned t, tribox_shape shape, 
             memcpy(cells.first_sure, cells.first_maybe, sizeof cells.first_sure);
             memcpy(cells.end_sure, cells.end_maybe, sizeof cells.end_sure);
         }
-        const row_place at = place_of(v, &r, row);
         if ((r.is_narrow ? set_narrow_rows : set_wide_rows)(v, &r, at, rows, &cells))
             settle_rows(v, strip, t, &r, at, rows, &cells);
+        if (row + 64 < end)
+            at = place_of(v, &r, (row + 64) % r.wide, (row + 64) / r.wide);
     }
 }
 

@@ -2,39 +2,13 @@
 #include "boxes.h"
 
 #include <errno.h>
-#include <float.h>
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "message.h"
+#include "numbers.h"
 
 /* Bytes of a line without its comment, and of a file's name in messages. */
 enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };
-
-static const char blanks[] = " \t\r";
-
-/* Reads the number that the whole of text[0 .. length) spells. */
-static bool read_bound(const char *text, size_t length, const char *where, int position, float *bound)
-{
-    const int shown = length < 40 ? (int)length : 40;
-    char *end;
-    errno = 0;
-    *bound = strtof(text, &end);
-    const bool is_out_of_range = errno == ERANGE;
-    if (end != text + length)
-        message_say("%s: '%.*s' (number %d of 6) is not a number; write it like -0.5 or 1e-3", where, shown, text, position);
-    else if (is_out_of_range && isinf(*bound))
-        message_say("%s: '%.*s' (number %d of 6) is too large for float, which ends at %.9g", where, shown, text, position,
-                    (double)FLT_MAX);
-    else if (!isfinite(*bound))
-        message_say("%s: '%.*s' (number %d of 6) is not finite; bounds are finite numbers", where, shown, text, position);
-    else if (is_out_of_range && *bound == 0)
-        message_say("%s: '%.*s' (number %d of 6) is too small for float; give 0 or at least 1.4e-45", where, shown, text, position);
-    else
-        return true;
-    return false;
-}
 
 static void note_if_empty(const tribox_box *box, const char *where)
 {
@@ -49,30 +23,11 @@ static void note_if_empty(const tribox_box *box, const char *where)
 
 bool box_read(const char *text, const char *where, tribox_box *box)
 {
-    bool is_due = true; /* at the start and behind a comma a number has to follow */
-    int count = 0;
-    for (text += strspn(text, blanks); *text || is_due; text += strspn(text, blanks)) {
-        const size_t length = strcspn(text, " \t\r,");
-        if (count == 6) {
-            message_say("%s: more than 6 numbers; give LX,LY,LZ,HX,HY,HZ", where);
-            return false;
-        }
-        if (!length) {
-            message_say("%s: number %d of 6 is missing; give LX,LY,LZ,HX,HY,HZ", where, count + 1);
-            return false;
-        }
-        if (!read_bound(text, length, where, count + 1, count < 3 ? &box->lo[count] : &box->hi[count - 3]))
-            return false;
-        count++;
-        text += length;
-        text += strspn(text, blanks);
-        is_due = *text == ',';
-        text += is_due;
-    }
-    if (count < 6) {
-        message_say("%s: %d number%s where 6 are needed; give LX,LY,LZ,HX,HY,HZ", where, count, count == 1 ? "" : "s");
+    float bounds[6];
+    if (!numbers_read(text, where, "LX,LY,LZ,HX,HY,HZ", 6, bounds))
         return false;
-    }
+    memcpy(box->lo, bounds, sizeof box->lo);
+    memcpy(box->hi, bounds + 3, sizeof box->hi);
     note_if_empty(box, where);
     return true;
 }
@@ -123,7 +78,7 @@ int box_file_next(box_file *boxes, tribox_box *box, bool *end)
             code = message_failure("%s: cannot read the boxes: %s", boxes->name, strerror(errno));
         if (*end)
             return code;
-    } while (!text[strspn(text, blanks)]);
+    } while (!text[strspn(text, NUMBERS_BLANKS)]);
     snprintf(where, sizeof where, "%.*s:%zu", NAME_SHOWN, boxes->name, boxes->line);
     return box_read(text, where, box) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
 }

@@ -10,6 +10,8 @@
 
 int cmd_overlap(int count, char **arguments);
 int cmd_sweep(int count, char **arguments);
+int cmd_voxelize(int count, char **arguments);
+int cmd_merge(int count, char **arguments);
 int cmd_info(int count, char **arguments);
 int cmd_demo(int count, char **arguments);
 

@@ -185,24 +185,13 @@ static int answer_box(const mesh *m, const request *r, uint64_t *mask)
     return code ? code : report_print(m, r, &a, mask);
 }
 
-static void warn(const char *path, const mesh *m)
-{
-    if (m->not_finite)
-        message_say(
-            "warning: %s: %zu of %zu triangles have NaN or infinite coordinates and overlap nothing; the first is number %zu", path,
-            m->not_finite, m->soup.count, m->first_not_finite);
-    if (m->uncut)
-        message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
-                    m->uncut, m->soup.count + m->uncut);
-}
-
 static int answer_request(const request *r)
 {
     mesh m;
     const int code = mesh_read(r->mesh_path, &m);
     if (code)
         return code;
-    warn(r->mesh_path, &m);
+    mesh_warn(r->mesh_path, &m);
     uint64_t *mask = malloc(tribox_mask_words(m.soup.count) * sizeof *mask);
     const int answered = !mask           ? message_failure("out of memory for the answers of %zu triangles", m.soup.count)
                          : r->boxes_path ? answer_boxes(&m, r, mask)

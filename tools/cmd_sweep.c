@@ -11,6 +11,7 @@
 #include "boxes.h"
 #include "kernels.h"
 #include "message.h"
+#include "numbers.h"
 #include "options.h"
 #include "order_octree.h"
 #include "order_report.h"
@@ -66,16 +67,6 @@ typedef struct request {
     bool wants_json, wants_help;
 } request;
 
-static int read_number(const char *name, const char *text, unsigned most, unsigned *number)
-{
-    char *end;
-    const unsigned long read = strtoul(text, &end, 10);
-    *number = (unsigned)read;
-    if (text[0] >= '0' && text[0] <= '9' && !*end && read >= 1 && read <= most)
-        return EXIT_CODE_OK;
-    return message_usage("%s: '%s' is no whole number from 1 to %u", name, text, most);
-}
-
 static int read_box(const char *text, tribox_box *box)
 {
     if (!box_read(text, "--box", box))
@@ -92,8 +83,8 @@ static int take_wish(request *r, sweep_kind kind, const char *value)
     if (r->wishes++)
         return message_usage("--box, --octree and --grid exclude each other");
     return kind == SWEEP_BOX      ? read_box(value, &r->wish.box)
-           : kind == SWEEP_OCTREE ? read_number("--octree", value, OCTREE_DEPTH_MOST, &r->wish.depth)
-                                  : read_number("--grid", value, SWEEP_GRID_MOST, &r->wish.along);
+           : kind == SWEEP_OCTREE ? numbers_read_whole(value, "--octree", OCTREE_DEPTH_MOST, &r->wish.depth)
+                                  : numbers_read_whole(value, "--grid", SWEEP_GRID_MOST, &r->wish.along);
 }
 
 static int take_option(request *r, int which, const char *value)

@@ -11,15 +11,18 @@
 static const struct {
     const char *name;
     int (*run)(int count, char **arguments);
-} commands[] = {{"overlap", cmd_overlap}, {"sweep", cmd_sweep}, {"info", cmd_info}, {"demo", cmd_demo}};
+} commands[] = {{"overlap", cmd_overlap}, {"voxelize", cmd_voxelize}, {"merge", cmd_merge},
+                {"sweep", cmd_sweep},     {"info", cmd_info},         {"demo", cmd_demo}};
 
-static const char help[] = "tribox - which triangles of a mesh overlap an axis-aligned box?\n"
+static const char help[] = "tribox - which triangles of a mesh overlap an axis-aligned box, and which cells of a grid?\n"
                            "\n"
                            "Usage: tribox COMMAND [ARGUMENT...]\n"
                            "       tribox --help | --version\n"
                            "\n"
                            "Commands:\n"
                            "  overlap    test the triangles of a mesh file against one box or many\n"
+                           "  voxelize   the cells of a grid that a mesh overlaps, as a file and a picture\n"
+                           "  merge      join the parts of a voxelization that was done in shards\n"
                            "  sweep      which order of the axes is the fastest for a mesh, and why\n"
                            "  info       version, processor, and the kernels that it can run\n"
                            "  demo       speed and answers on two built-in scenes; needs no file\n"
@@ -32,7 +35,8 @@ static const char help[] = "tribox - which triangles of a mesh overlap an axis-a
                            "  2  the command line is wrong\n"
                            "\n"
                            "Example:\n"
-                           "  tribox overlap bunny.ply --box -0.05,0.05,-0.05,0.05,0.15,0.05\n";
+                           "  tribox overlap bunny.ply --box -0.05,0.05,-0.05,0.05,0.15,0.05\n"
+                           "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n";
 
 int main(int argc, char **argv)
 {

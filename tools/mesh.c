@@ -212,6 +212,17 @@ int mesh_read(const char *path, mesh *m)
     return code;
 }
 
+void mesh_warn(const char *path, const mesh *m)
+{
+    if (m->not_finite)
+        message_say(
+            "warning: %s: %zu of %zu triangles have NaN or infinite coordinates and overlap nothing; the first is number %zu", path,
+            m->not_finite, m->soup.count, m->first_not_finite);
+    if (m->uncut)
+        message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
+                    m->uncut, m->soup.count + m->uncut);
+}
+
 void mesh_free(mesh *m)
 {
     free(m->coordinates);

@@ -20,6 +20,9 @@ typedef struct mesh {
  */
 int mesh_read(const char *path, mesh *m);
 
+/* Tells on standard error of triangles that are not finite, and of those that are missing. */
+void mesh_warn(const char *path, const mesh *m);
+
 void mesh_free(mesh *m);
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "message.h"
+#include "options.h"
 
 void output_float(float number)
 {
@@ -18,7 +19,7 @@ void output_float(float number)
     fputs(text, stdout);
 }
 
-static void print_point(const float point[3], const char *separator)
+void output_point(const float point[3], const char *separator)
 {
     for (int a = 0; a < 3; a++) {
         fputs(a ? separator : "", stdout);
@@ -28,17 +29,17 @@ static void print_point(const float point[3], const char *separator)
 
 void output_box(const tribox_box *box)
 {
-    print_point(box->lo, ",");
+    output_point(box->lo, ",");
     putchar(',');
-    print_point(box->hi, ",");
+    output_point(box->hi, ",");
 }
 
 void output_json_box(const tribox_box *box)
 {
     fputs("{\"lo\": [", stdout);
-    print_point(box->lo, ", ");
+    output_point(box->lo, ", ");
     fputs("], \"hi\": [", stdout);
-    print_point(box->hi, ", ");
+    output_point(box->hi, ", ");
     fputs("]}", stdout);
 }
 
@@ -70,6 +71,19 @@ void output_json_string(const char *text)
         at += length ? length : 1;
     }
     putchar('"');
+}
+
+void output_axes(unsigned axes, const char *quote, const char *between)
+{
+    const char *separator = "";
+    for (int i = 0; i < OPTIONS_AXES_GROUPS; i++) {
+        unsigned bit;
+        const char *word = options_axes_word(i, &bit);
+        if (axes && !(axes & bit))
+            continue;
+        printf("%s%s%s%s", separator, quote, word, quote);
+        separator = between;
+    }
 }
 
 int output_flush(void)

@@ -15,19 +15,6 @@ static double ns_per_triangle(const mesh *m, const answer *a) { return 1e9 * a->
 
 static bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
 
-static void print_axes(const request *r, const char *before, const char *between, const char *behind)
-{
-    const char *separator = "";
-    for (int i = 0; i < OPTIONS_AXES_GROUPS; i++) {
-        unsigned bit;
-        const char *word = options_axes_word(i, &bit);
-        if (r->test.axes && !(r->test.axes & bit))
-            continue;
-        printf("%s%s%s%s", separator, before, word, behind);
-        separator = between;
-    }
-}
-
 static void print_summary(const mesh *m, const request *r, const answer *a)
 {
     printf("mesh         %s\n", r->mesh_path);
@@ -40,7 +27,7 @@ static void print_summary(const mesh *m, const request *r, const answer *a)
     printf("overlapping  %zu (%.2f %%)\n", a->report.overlapping, share_percent(m, a));
     printf("undecided    %zu\n", a->report.undecided);
     printf("test         %s, axes ", options_accuracy_word(r->test.accuracy));
-    print_axes(r, "", ",", "");
+    output_axes(r->test.axes, "", ",");
     printf(", kernel %s\n", tribox_kernel_name(&r->test));
     printf("time         %.3f ms, %.2f ns per triangle (the test alone, best of %d run%s)\n", 1e3 * a->seconds,
            ns_per_triangle(m, a), a->runs, a->runs == 1 ? "" : "s");
@@ -74,7 +61,7 @@ static void print_json(const mesh *m, const request *r, const answer *a, const u
     printf(", \"triangles\": %zu, \"not_finite\": %zu, \"overlapping\": %zu, \"share_percent\": %.6g, \"undecided\": %zu",
            m->soup.count, m->not_finite, a->report.overlapping, share_percent(m, a), a->report.undecided);
     printf(", \"accuracy\": \"%s\", \"axes\": [", options_accuracy_word(r->test.accuracy));
-    print_axes(r, "\"", ", ", "\"");
+    output_axes(r->test.axes, "\"", ", ");
     printf("], \"kernel\": \"%s\", \"runs\": %d, \"seconds\": %.6g, \"ns_per_triangle\": %.6g", tribox_kernel_name(&r->test),
            a->runs, a->seconds, ns_per_triangle(m, a));
     if (r->wants_list) {

@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -19,10 +20,11 @@ class Result:
         self.code, self.stdout, self.stderr = code, stdout, stderr
 
 
-def run(*arguments, stdin=b"", env=None):
-    """Runs tribox with these arguments to its end."""
+def run(*arguments, stdin=b"", env=None, limit=None):
+    """Runs tribox with these arguments to its end. limit: a resource and how much of it there is, as for setrlimit."""
     done = subprocess.run([program(), *arguments], input=stdin, capture_output=True, timeout=120,
-                          env=None if env is None else {**os.environ, **env})
+                          env=None if env is None else {**os.environ, **env},
+                          preexec_fn=None if limit is None else lambda: resource.setrlimit(limit[0], (limit[1], limit[1])))
     return Result(done.returncode, done.stdout.decode(), done.stderr.decode())
 
 
