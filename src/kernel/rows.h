@@ -9,7 +9,7 @@
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
  * Error bounds. With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, which no |g - X| exceeds, a place and the plane
- * that it is compared with are off by at most E_a = 2 error_a + 2^-49 F_a together. So the left side of every a_ij is off by at most
+ * that it is compared with are off by at most E_a = error_a + 2^-49 F_a together. So the left side of every a_ij is off by at most
  *   W_i = F_b (E_a + 2^-44 R_a) + F_a (E_b + 2^-44 R_b)
  * where the powers of two cover, at u = 2^-53, the roundings of these lines (below 16 u F R), and what the certificate of overlap
  * asks where rounding turned the sign of n_i (bounds.h: 9 times the 8 u of f and n). The plane is off by at most
@@ -37,7 +37,7 @@ TRIBOX_INLINE void place_axis(row_triangle *t, const tribox_strip *strip, unsign
     }
     t->F[a] = lane_max3(v_abs(t->f[0][a]), v_abs(t->f[1][a]), v_abs(t->f[2][a]));
     t->R[a] = v_add(v_add(t->F[a], v_read(&strip->cells[a][at])), v_splat(2));
-    t->E[a] = v_fma(t->F[a], v_splat(0x1p-49), v_splat(2 * lattice->error[a]));
+    t->E[a] = v_fma(t->F[a], v_splat(0x1p-49), v_splat(lattice->error[a]));
 }
 
 TRIBOX_INLINE void place_normal(row_triangle *t, int i)
