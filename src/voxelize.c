@@ -128,7 +128,14 @@ static void next_row(row_place *at, const voxels *v, const row_range *r)
     }
 }
 
-/* The cells of rows that may overlap, and not surely do. */
+/* Whether row n has cells that may overlap, and not surely do. */
+static bool is_row_open(const tribox_row_cells *cells, unsigned n)
+{
+    return cells->first_maybe[n] < cells->end_maybe[n] &&
+           (cells->first_maybe[n] != cells->first_sure[n] || cells->end_maybe[n] != cells->end_sure[n]);
+}
+
+/* These cells are asked by their own boxes. */
 static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const row_range *r, row_place at, unsigned rows,
                         const tribox_row_cells *cells)
 {
@@ -136,6 +143,8 @@ static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const 
     for (int n = 0; n < 9; n++)
         u[n] = strip->u[n][t];
     for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
+        if (!is_row_open(cells, n))
+            continue;
         const bool has_sure = cells->first_sure[n] < cells->end_sure[n];
         const int64_t first = r->base + cells->first_maybe[n], end = r->base + cells->end_maybe[n];
         const int64_t sure = has_sure ? r->base + cells->first_sure[n] : end,
@@ -170,11 +179,9 @@ static bool set_wide_rows(voxels *v, const row_range *r, row_place at, unsigned 
 {
     bool is_open = false;
     for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
-        if (cells->first_maybe[n] >= cells->end_maybe[n])
-            continue;
         if (cells->first_sure[n] < cells->end_sure[n])
             set_cells(v, at.word, r->bit + cells->first_sure[n], r->bit + cells->end_sure[n] - 1);
-        is_open |= cells->first_maybe[n] != cells->first_sure[n] || cells->end_maybe[n] != cells->end_sure[n];
+        is_open |= is_row_open(cells, n);
     }
     return is_open;
 }
