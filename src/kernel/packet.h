@@ -92,6 +92,22 @@ TRIBOX_INLINE vnum all_edges_slack(const lane_shape *s, bool is_box_asked)
 }
 
 /*
+ * Bullet 3 for one lane, which leaves after the first axis that separates, as in the paper; packets, in which some lane nearly always
+ * goes on, ask all nine at once. *sure loses the lane if a slack is within the error.
+ */
+TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked, uint64_t left, vnum error, vmask *sure)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const vnum slack = is_box_asked ? edge_slack(s, i, j) : edge_slack_both_sides(s, i, j);
+            if (m_bits(v_gt(v_splat(0), v_add(slack, error))))
+                return 0;
+            *sure = m_and(*sure, v_gt(slack, error));
+        }
+    return left;
+}
+
+/*
  * Lanes without NaN and infinity, which min and max lose: the reach of the box along n is finite only where all coordinates are.
  * Where the plane is not asked, the sum of the coordinates tells the same for less.
  */
@@ -115,6 +131,10 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
         *reach = plane_reach(s);
         left &= ~m_bits(v_gt(v_splat(0), plane_slack(s, *reach)));
     }
+    if (group == 3 && V_LANES == 1) {
+        vmask sure = v_gt(v_splat(1), v_splat(0));
+        return left_by_each_edge(s, is_box_asked, left, v_splat(0), &sure);
+    }
     if (group == 3)
         left &= ~m_bits(v_gt(v_splat(0), all_edges_slack(s, is_box_asked)));
     return left;
@@ -131,6 +151,13 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool 
         return left & ~m_bits(apart_on_box_normals(s));
     if (group != 2 && group != 3)
         return left;
+    if (group == 3 && V_LANES == 1) {
+        if (is_first) {
+            *margin = margin_of(s, box, is_box_asked);
+            *sure = margin->holds;
+        }
+        return m_bits(margin->holds) ? left_by_each_edge(s, is_box_asked, left, margin->edges, sure) : left;
+    }
     const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : all_edges_slack(s, is_box_asked);
     if (is_first)
         *margin = margin_of(s, box, is_box_asked);

@@ -41,9 +41,9 @@ TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return a * b + c; }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
-TRIBOX_INLINE vnum v_abs(vnum a) { return scalar_float(scalar_bits(a) & 0x7fffffffu); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return fabsf(a); }
 TRIBOX_INLINE vnum v_sign(vnum a) { return scalar_float(scalar_bits(a) & 0x80000000u); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return scalar_float(scalar_bits(a) ^ scalar_bits(sign)); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
 TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return scalar_float(scalar_bits(a) & scalar_bits(b)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }

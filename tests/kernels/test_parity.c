@@ -1,4 +1,5 @@
 /* test_parity.c - kernels, orders and accuracies agree where they have to: EXACT everywhere, FAST among equal roundings. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -53,6 +54,30 @@ static void check_orders(const question *q, unsigned axes, const answers *got)
             }
 }
 
+/* FAST promises something for |coordinate| <= 2^40; beyond, products overflow, and what a NaN comes to depends on the kernel. */
+static bool is_in_fast_range(const question *q, size_t i)
+{
+    float largest = 0;
+    for (int k = 0; k < (q->box ? 9 : 6); k++)
+        largest = fmaxf(largest, fabsf(q->stream[k][i]));
+    for (int a = 0; a < 3; a++)
+        for (int k = 0; k < (q->box ? 2 : 3); k++)
+            largest = fmaxf(largest, fabsf(!q->box ? q->triangle[k][a] : k ? q->box->hi[a] : q->box->lo[a]));
+    return largest <= 0x1p40f;
+}
+
+static void assert_fast_masks_equal(const question *q, const tribox_options *options, const uint64_t *expected,
+                                    const uint64_t *mask)
+{
+    uint64_t kept[2][WORDS] = {{0}};
+    for (size_t i = 0; i < q->count; i++)
+        if (is_in_fast_range(q, i)) {
+            kept[0][i / 64] |= (uint64_t)mask_bit(expected, i) << i % 64;
+            kept[1][i / 64] |= (uint64_t)mask_bit(mask, i) << i % 64;
+        }
+    assert_masks_equal(q, options, kept[0], kept[1]);
+}
+
 /* EXACT: what the scalar kernel says, which is the first. FAST: what the first kernel of the same rounding says. */
 static void check_kernels(const question *q, unsigned axes, const answers *got)
 {
@@ -62,8 +87,8 @@ static void check_kernels(const question *q, unsigned axes, const answers *got)
             peer++;
         assert_masks_equal(q, &(tribox_options){TRIBOX_EXACT, axes, 0, names[k]}, got->mask[0][TRIBOX_EXACT],
                            got->mask[k][TRIBOX_EXACT]);
-        assert_masks_equal(q, &(tribox_options){TRIBOX_FAST, axes, 0, names[k]}, got->mask[peer][TRIBOX_FAST],
-                           got->mask[k][TRIBOX_FAST]);
+        assert_fast_masks_equal(q, &(tribox_options){TRIBOX_FAST, axes, 0, names[k]}, got->mask[peer][TRIBOX_FAST],
+                                got->mask[k][TRIBOX_FAST]);
     }
 }
 

@@ -143,7 +143,7 @@ static bool may_change_payload(number_word word)
     if (word == V_DIV)
         return true;
 #endif
-    return word >= V_ADD && word <= V_FMS;
+    return (word >= V_ADD && word <= V_FMS) || word == V_FLIP;
 }
 
 static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)
@@ -271,6 +271,29 @@ static void test_loads_at_any_alignment(void **state)
     }
 }
 
+#if defined(LANES_OF_DOUBLE)
+/* Whole numbers of 32 bits, at any alignment of ints; nothing is written beside the lanes. */
+static void test_cuts(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "cuts");
+    for (int round = 0; round < 10000; round++) {
+        lane_number a[LANES_MOST];
+        int32_t out[LANES_MOST + 2];
+        for (unsigned k = 0; k < LANES_MOST + 2; k++)
+            out[k] = 77;
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            a[lane] = ldexp((double)(int32_t)random_bits(&r), -(int)random_below(&r, 31));
+        lanes_cut(a, out + 1);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            if (out[lane + 1] != (int32_t)a[lane])
+                fail_msg("v_write_int of %a in lane %u gives %d", a[lane], lane, (int)out[lane + 1]);
+        assert_int_equal(out[0], 77);
+        assert_int_equal(out[lanes_count + 1], 77);
+    }
+}
+#endif
+
 /* Each lane alone, and all lanes but one: bit k of m_bits is lane k, and no bit lies beside the lanes. */
 static void test_bits_of_single_lanes(void **state)
 {
@@ -330,6 +353,9 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_special_values),
         cmocka_unit_test(test_random_bits),
         cmocka_unit_test(test_loads_at_any_alignment),
+#if defined(LANES_OF_DOUBLE)
+        cmocka_unit_test(test_cuts),
+#endif
         cmocka_unit_test(test_bits_of_single_lanes),
         cmocka_unit_test(test_roundings),
         cmocka_unit_test(test_lanes_divide_a_word),

@@ -56,6 +56,9 @@ extern const unsigned lanes_count, lanes_fused;
 /* Each word over lanes_count numbers of a, b and c. The result `out` has as many. */
 void lanes_load(const float *from, lane_number *out);
 void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out);
+#if defined(LANES_OF_DOUBLE)
+void lanes_cut(const lane_number *a, int32_t *out); /* fractions cut off */
+#endif
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);
 
 #endif

@@ -74,6 +74,10 @@ void lanes_number(number_word word, const lane_number *a, const lane_number *b, 
     put(number_of(word, *a, lanes_of(a), lanes_of(b), lanes_of(c)), out);
 }
 
+#if defined(LANES_OF_DOUBLE)
+void lanes_cut(const lane_number *a, int32_t *out) { v_write_int(out, lanes_of(a)); }
+#endif
+
 static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
 {
     switch (word) {
