@@ -44,7 +44,7 @@ static void keep(sample *s, const tribox_pair *pair, generator *g)
 
 static void walk_block(const task *t, const scene *at, size_t word, size_t words, uint64_t *hit, uint64_t *open)
 {
-    t->plan.kernel->soup[t->plan.accuracy][t->plan.sequence](&at->soup, &at->box, word, words, hit, open);
+    t->plan.kernel->soup[t->plan.accuracy][t->plan.sequence](&at->soup, &at->box, word, 64 * words, hit, open);
 }
 
 /* Pairs on their way to the double stage. */

@@ -1,8 +1,8 @@
 /*
  * What a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
  *
- * A walk answers whole words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy
- * asked, and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
+ * A walk answers words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy asked,
+ * and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
  */
 #ifndef TRIBOX_KERNEL_H
 #define TRIBOX_KERNEL_H
@@ -58,13 +58,16 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
 
-/* Triangles [64 * word, 64 * (word + words)) of the soup, all of them present, against one box. */
-typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit,
+/* So many triangles of the soup from 64 * word, a multiple of TRIBOX_LANES_MOST and all of them present, against one box. */
+typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t triangles, uint64_t *hit,
                               uint64_t *open);
 
-/* One triangle against boxes [64 * word, 64 * (word + words)), all of them present. */
-typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, uint64_t *hit,
+/* One triangle against so many boxes, likewise. */
+typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t count, uint64_t *hit,
                                uint64_t *open);
+
+/* Every kernel's lanes divide it. */
+enum { TRIBOX_LANES_MOST = 16 };
 
 /*
  * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order u_00 u_01 .. u_22, lo, hi (u_ja is

@@ -23,21 +23,25 @@ typedef struct pairs {
     size_t count;
 } pairs;
 
-static void walk_whole_words(const pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
+/* So many pairs from 64 * word, a multiple of TRIBOX_LANES_MOST. */
+static void walk(const pairs *p, const tribox_plan *plan, size_t word, size_t count, uint64_t *hit, uint64_t *open)
 {
     if (p->soup)
-        plan->kernel->soup[plan->accuracy][plan->sequence](p->soup, p->box, word, words, hit, open);
+        plan->kernel->soup[plan->accuracy][plan->sequence](p->soup, p->box, word, count, hit, open);
     else
-        plan->kernel->boxes[plan->accuracy][plan->sequence](p->triangle, p->boxes, word, words, hit, open);
+        plan->kernel->boxes[plan->accuracy][plan->sequence](p->triangle, p->boxes, word, count, hit, open);
 }
 
-/* The last count % 64 pairs, in a word of their own whose other lanes are zeros: nothing is read past the caller's streams. */
+/* The last count % 64 pairs, in a word of their own with zeros up to a packet: nothing is read past the caller's streams. */
 static void walk_tail(const pairs *p, const tribox_plan *plan, uint64_t *hit, uint64_t *open)
 {
-    float scratch[9][64] = {{0}};
-    const size_t tail = p->count % 64, first = p->count - tail;
+    const size_t tail = p->count % 64, first = p->count - tail,
+                 lanes = (tail + TRIBOX_LANES_MOST - 1) & ~(size_t)(TRIBOX_LANES_MOST - 1);
+    float scratch[9][64];
     tribox_soup soup;
     tribox_boxes boxes = {.count = 64};
+    for (int k = 0; k < 9; k++)
+        memset(scratch[k] + tail, 0, (lanes - tail) * sizeof(float));
     if (p->soup)
         soup = tribox_soup_tail(p->soup, scratch);
     for (int a = 0; !p->soup && a < 3; a++) {
@@ -47,7 +51,7 @@ static void walk_tail(const pairs *p, const tribox_plan *plan, uint64_t *hit, ui
     pairs word = *p;
     word.soup = p->soup ? &soup : NULL;
     word.boxes = p->soup ? NULL : &boxes;
-    walk_whole_words(&word, plan, 0, 1, hit, open);
+    walk(&word, plan, 0, lanes, hit, open);
     *hit &= ~(~UINT64_C(0) << tail);
     *open &= ~(~UINT64_C(0) << tail);
 }
@@ -134,7 +138,7 @@ static void answer(const pairs *p, const tribox_plan *plan, uint64_t *mask, trib
         uint64_t hit[BLOCK_WORDS], open[BLOCK_WORDS];
         const size_t block = words - word < BLOCK_WORDS ? words - word : BLOCK_WORDS;
         const size_t whole = word + block <= p->count / 64 ? block : block - 1;
-        walk_whole_words(p, plan, word, whole, hit, open);
+        walk(p, plan, word, 64 * whole, hit, open);
         if (whole < block)
             walk_tail(p, plan, hit + whole, open + whole);
         counts.undecided += settle_block(p, plan, word, block, open, hit);

@@ -6,14 +6,15 @@
  * soup costs the traffic of one axis. Between the other groups a packet is left as soon as it has no lane.
  */
 
-TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t words, uint64_t *hit, uint64_t *open, unsigned sequence,
+TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, unsigned sequence,
                         tribox_accuracy accuracy)
 {
     lane_pairs p;
     start_pairs(&p, from);
-    for (size_t w = 0; w < words; w++) {
+    for (size_t w = 0; 64 * w < count; w++) {
+        const int lanes = count - 64 * w < 64 ? (int)(count - 64 * w) : 64;
         uint64_t word_hit = 0, word_open = 0; /* in registers: the compiler must not fear that they alias the streams */
-        for (int lane = 0; lane < 64; lane += V_LANES) {
+        for (int lane = 0; lane < lanes; lane += V_LANES) {
             uint64_t packet_open;
             word_hit |= packet(&p, from, 64 * (word + w) + (size_t)lane, sequence, accuracy, &packet_open) << lane;
             word_open |= packet_open << lane;
@@ -24,15 +25,15 @@ TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t words, uint
 }
 
 #define WALKS(name, accuracy, sequence) \
-    static void name##_soup_##sequence(const tribox_soup *soup, const tribox_box *box, size_t word, size_t words, uint64_t *hit, \
+    static void name##_soup_##sequence(const tribox_soup *soup, const tribox_box *box, size_t word, size_t count, uint64_t *hit, \
                                        uint64_t *open) \
     { \
-        walk(&(lane_source){.is_soup = true, .soup = soup, .box = box}, word, words, hit, open, sequence, accuracy); \
+        walk(&(lane_source){.is_soup = true, .soup = soup, .box = box}, word, count, hit, open, sequence, accuracy); \
     } \
-    static void name##_boxes_##sequence(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t words, \
+    static void name##_boxes_##sequence(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t count, \
                                         uint64_t *hit, uint64_t *open) \
     { \
-        walk(&(lane_source){.is_soup = false, .triangle = triangle, .boxes = boxes}, word, words, hit, open, sequence, accuracy); \
+        walk(&(lane_source){.is_soup = false, .triangle = triangle, .boxes = boxes}, word, count, hit, open, sequence, accuracy); \
     }
 #define EXACT_WALKS(sequence) WALKS(exact, TRIBOX_EXACT, sequence)
 #define CONSERVATIVE_WALKS(sequence) WALKS(conservative, TRIBOX_CONSERVATIVE, sequence)
