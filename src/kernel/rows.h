@@ -14,7 +14,8 @@
  * where the powers of two cover, at u = 2^-53, the roundings of these lines (below 16 u F R), and what the certificate of overlap
  * asks where rounding turned the sign of n_i (bounds.h: 9 times the 8 u of f and n). The plane is off by at most
  *   sum of |n_a| E_a + 2^-43 S     S = sum of F_a F_b R_i
- * Divided by |m_x| or |n_x| these bound a limit. An n_x below 2^-46 S / R_x is taken for that, which moves the plane by 2^-46 S.
+ * Divided by |m_x| or |n_x| these bound a limit. An n_x below 2^-46 S / R_x is taken for that, which moves the plane by 2^-46 S:
+ * so 2^-43 S is for FAST as well, or a segment, whose n is zero, would be lost.
  *
  * Redundant axes are left out as in settle.h: they are the ties of scenes that lie in the grid's own planes.
  */
@@ -155,7 +156,7 @@ TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_tri
         d = v_fma(n[a], t->g[0][a], d);
     }
     const vnum per_n = v_div(one, n[0]);
-    error = v_select(asked, v_mul(v_mul(margin, v_fma(v_splat(0x1p-43), S, error)), per_n), zero);
+    error = v_select(asked, v_mul(v_fma(v_splat(0x1p-43), S, v_mul(margin, error)), per_n), zero);
     v_write(&limits->plane.upper[at], v_select(asked, v_fma(v_sub(d, least), per_n, one), v_splat(INFINITY)));
     v_write(&limits->plane.lower[at], v_select(asked, v_fma(v_sub(d, most), per_n, one), v_splat(-INFINITY)));
     v_write(&limits->plane.j_slope[at], v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero));

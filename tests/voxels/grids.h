@@ -1,0 +1,20 @@
+/* grids.h - what the tests of voxels ask, one half: named kinds of grids. */
+#ifndef TRIBOX_TESTS_GRIDS_H
+#define TRIBOX_TESTS_GRIDS_H
+
+#include "lattice.h"
+#include "random.h"
+
+typedef struct grid_kind {
+    const char *name;
+    void (*draw)(random_source *r, tribox_grid *grid);
+    bool is_within_fast; /* coordinates far from the ends of the float range, so that FAST keeps its band */
+} grid_kind;
+
+size_t grid_kind_count(void);
+const grid_kind *grid_kind_at(size_t i);
+
+/* Draws until the planes rise strictly. At most `cells` cells. */
+void draw_lattice(random_source *r, const grid_kind *kind, size_t cells, lattice *l);
+
+#endif

@@ -1,0 +1,58 @@
+#include "lattice.h"
+
+#include <math.h>
+
+#include "contact.h"
+
+float lattice_place(const tribox_grid *grid, int axis, double p)
+{
+    return nearest_float((double)grid->origin[axis] + p * (double)grid->cell[axis]);
+}
+
+bool lattice_make(lattice *l, const tribox_grid *grid)
+{
+    l->grid = *grid;
+    for (int a = 0; a < 3; a++) {
+        if (grid->size[a] > LATTICE_CELLS)
+            return false;
+        for (uint32_t p = 0; p <= grid->size[a]; p++) {
+            l->plane[a][p] = (float)((double)grid->origin[a] + (double)p * (double)grid->cell[a]);
+            if (!isfinite(l->plane[a][p]) || (p && !(l->plane[a][p] > l->plane[a][p - 1])))
+                return false;
+        }
+    }
+    l->row_words = (grid->size[0] + 63) / 64;
+    l->words = l->row_words * grid->size[1] * grid->size[2];
+    return true;
+}
+
+tribox_box lattice_cell(const lattice *l, int i, int j, int k)
+{
+    const int at[3] = {i, j, k};
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = l->plane[a][at[a]];
+        box.hi[a] = l->plane[a][at[a] + 1];
+    }
+    return box;
+}
+
+void lattice_range(const lattice *l, int axis, float least, float most, int *first, int *last)
+{
+    const int size = (int)l->grid.size[axis];
+    const float *const plane = l->plane[axis];
+    *first = size;
+    *last = -1;
+    for (int c = 0; c < size; c++)
+        if (plane[c] <= most && plane[c + 1] >= least) {
+            *first = c < *first ? c : *first;
+            *last = c;
+        }
+}
+
+void lattice_print(FILE *out, const tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++)
+        fprintf(out, "  %c   origin %a, cell %a, size %u\n", "xyz"[a], (double)grid -> origin[a], (double)grid -> cell[a],
+                (unsigned)grid -> size[a]);
+}

@@ -1,0 +1,99 @@
+/*
+ * test_axis_sets.c - every set of axes: EXACT sets the cells that no chosen axis separates from the triangle, wherever in the grid
+ * they lie. The oracle is asked about every cell.
+ */
+#include "occupancy.h"
+
+#include <string.h>
+
+#include "arguments.h"
+#include "grids.h"
+#include "judge.h"
+#include "shapes.h"
+
+enum { PAIRS_A_ROUND = 100000, CELLS_MOST = 400, TRIANGLES = 3 };
+
+static lattice at;
+static crowd triangles;
+static uint64_t expected[CELLS_MOST], occupied[CELLS_MOST];
+
+static void check_axes(random_source *r, request *q, unsigned axes)
+{
+    const char *kernels[KERNELS_AT_MOST];
+    const int kernel_count = kernels_here(kernels);
+    memset(expected, 0, sizeof expected);
+    for (size_t t = 0; t < triangles.count; t++) {
+        float u[3][3];
+        crowd_get(&triangles, t, u);
+        occupancy_add(&at, (const_vertices)u, axes, expected);
+    }
+    for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
+        q->options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
+                                      .axes = axes,
+                                      .order = order_digits(random_below(r, ORDERS)),
+                                      .kernel = kernels[random_below(r, kernel_count)]};
+        request_ask(q, 0, triangles.count, occupied);
+        for (size_t w = 0; accuracy != TRIBOX_EXACT && w < at.words; w++)
+            occupied[w] &= expected[w]; /* what it sets besides is test_cells.c's business */
+        request_check_exact(q, 0, triangles.count, expected, occupied);
+    }
+}
+
+static void test_axis_sets(void **state)
+{
+    const arguments *const args = *state;
+    size_t set[AXIS_SETS + 1] = {0};
+    for (size_t s = 0; s < shape_count(); s++) {
+        random_source r = random_named(args->seed, shape_at(s)->name);
+        request q = {.scene = shape_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
+        for (size_t k = 0; k < 8 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); k++) {
+            draw_lattice(&r, grid_kind_at(k % grid_kind_count()), CELLS_MOST, &at);
+            for (triangles.count = 0; triangles.count < (random_below(&r, 2) ? 1 : TRIANGLES);) {
+                float u[3][3];
+                draw_shape(&r, shape_at(s), &at, u);
+                crowd_put(&triangles, (const_vertices)u);
+            }
+            for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
+                check_axes(&r, &q, axes);
+                set[axes] += occupancy_count(expected, at.words);
+            }
+        }
+    }
+    for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
+        printf("axes %u: %zu cells set\n", axes, set[axes]);
+    for (unsigned axes = 1; axes < TRIBOX_AXES_ALL; axes++)
+        assert_true(set[axes] > set[TRIBOX_AXES_ALL]);
+}
+
+/* The judge is trusted as far as the two oracles agree with it. */
+static void test_judge(void **state)
+{
+    const arguments *const args = *state;
+    size_t overlaps = 0, asked = 0;
+    random_source r = random_named(args->seed, "judge");
+    for (size_t k = 0; k < args->pairs / 10; k++) {
+        if (k % 20 == 0)
+            draw_lattice(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MOST, &at);
+        tribox_pair pair;
+        draw_shape(&r, shape_at(k % shape_count()), &at, pair.u);
+        pair.box = lattice_cell(&at, random_below(&r, (int)at.grid.size[0]), random_below(&r, (int)at.grid.size[1]),
+                                random_below(&r, (int)at.grid.size[2]));
+        const judged t = judged_make(triangle_of(&pair));
+        const oracle_axes truth = oracle_separating_gmp(&pair);
+        for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
+            assert_int_equal(judged_overlaps(&t, &pair.box, axes), oracle_overlaps(truth, axes));
+        assert_int_equal(judged_overlaps(&t, &pair.box, TRIBOX_AXES_ALL), oracle_clip(&pair));
+        overlaps += oracle_overlaps(truth, TRIBOX_AXES_ALL);
+        asked++;
+    }
+    printf("judge asked about %zu pairs, %zu overlap\n", asked, overlaps);
+    assert_in_range(overlaps, asked / 100, asked - asked / 100);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_judge, &args),
+                                       cmocka_unit_test_prestate(test_axis_sets, &args)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

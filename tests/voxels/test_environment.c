@@ -1,0 +1,155 @@
+/*
+ * test_environment.c - the caller's rounding mode, flush-to-zero and traps change no bit of a voxelization and no cell of a grid,
+ * and come back as they were, on refusals too.
+ */
+#include "occupancy.h"
+
+#include <fenv.h>
+#include <string.h>
+
+#include "arguments.h"
+#include "grids.h"
+#include "guard.h"
+#include "shapes.h"
+
+enum { CELLS_MOST = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+
+enum { FTZ = 0x8000, DAZ = 0x40, MASKED = 0x1f80, STICKY = 0x3f, SETTINGS = 64 };
+
+/* Rounding, FTZ and DAZ, whether exceptions are unmasked, and whether flags are up. */
+static unsigned setting(unsigned k)
+{
+    return k % 4 << 13 | (k & 4 ? FTZ : 0) | (k & 8 ? DAZ : 0) | (k & 16 ? 0 : MASKED) | (k & 32 ? STICKY : 0);
+}
+static unsigned environment_get(void) { return _mm_getcsr(); }
+static void environment_set(unsigned mxcsr) { _mm_setcsr(mxcsr); }
+
+#else
+
+enum { SETTINGS = 4 };
+
+static unsigned setting(unsigned k)
+{
+    static const int rounding[SETTINGS] = {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO};
+    return (unsigned)rounding[k];
+}
+static unsigned environment_get(void) { return (unsigned)fegetround(); }
+static void environment_set(unsigned rounding) { fesetround((int)rounding); }
+#endif
+
+static lattice at;
+static crowd triangles;
+static uint64_t expected[CELLS_MOST], occupied[CELLS_MOST];
+
+static void draw_question(random_source *r, size_t round)
+{
+    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+    for (triangles.count = 0; triangles.count < TRIANGLES;) {
+        float u[3][3];
+        draw_shape(r, shape_at((size_t)random_below(r, (int)shape_count())), &at, u);
+        crowd_put(&triangles, (const_vertices)u);
+    }
+}
+
+static void check_setting(unsigned set, const tribox_options *options, const tribox_report *expected_report)
+{
+    const unsigned normal = environment_get();
+    const tribox_soup soup = crowd_soup(&triangles);
+    tribox_report report;
+    snprintf(doing, sizeof doing, "tribox_voxelize under setting %#x, accuracy %d, kernel %s", set, (int)options->accuracy,
+             options->kernel);
+    memset(occupied, 0, at.words * sizeof *occupied);
+    environment_set(set);
+    const tribox_status status = tribox_voxelize(&soup, &at.grid, options, occupied, &report);
+    const unsigned left = environment_get();
+    environment_set(normal);
+    assert_int_equal(status, TRIBOX_OK);
+    if (left != set)
+        fail_msg("%s: left as %#x", doing, left);
+    if (memcmp(occupied, expected, at.words * sizeof *occupied))
+        fail_msg("%s: other bits", doing);
+    assert_int_equal(report.overlapping, expected_report->overlapping);
+}
+
+static void test_voxelize(void **state)
+{
+    const arguments *const args = *state;
+    const char *kernels[KERNELS_AT_MOST];
+    const int kernel_count = kernels_here(kernels);
+    catch_faults();
+    random_source r = random_named(args->seed, "environment");
+    for (size_t round = 0; round < 20 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); round++) {
+        draw_question(&r, round);
+        const tribox_options options = {.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)),
+                                        .axes = (unsigned)random_below(&r, 8) % AXIS_SETS,
+                                        .kernel = kernels[random_below(&r, kernel_count)]};
+        const tribox_soup soup = crowd_soup(&triangles);
+        tribox_report report;
+        memset(expected, 0, at.words * sizeof *expected);
+        assert_int_equal(tribox_voxelize(&soup, &at.grid, &options, expected, &report), TRIBOX_OK);
+        for (unsigned k = 0; k < SETTINGS; k++)
+            check_setting(setting(k), &options, &report);
+    }
+}
+
+/* Planes that must not be flushed or rounded the other way. */
+static void test_cells(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    snprintf(doing, sizeof doing, "tribox_grid_cell");
+    random_source r = random_named(args->seed, "cells");
+    const unsigned normal = environment_get();
+    for (size_t round = 0; round < 400; round++) {
+        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+        for (unsigned k = 0; k < SETTINGS; k++) {
+            int cell[3];
+            for (int a = 0; a < 3; a++)
+                cell[a] = random_below(&r, (int)at.grid.size[a]);
+            const tribox_box right = lattice_cell(&at, cell[0], cell[1], cell[2]);
+            environment_set(setting(k));
+            const tribox_box box = tribox_grid_cell(&at.grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);
+            const unsigned left = environment_get();
+            environment_set(normal);
+            assert_int_equal(left, setting(k));
+            assert_memory_equal(&box, &right, sizeof box);
+        }
+    }
+}
+
+/* A subnormal cell is greater than zero whatever the caller flushes; NaN traps nothing. */
+static void test_refusals(void **state)
+{
+    (void)state;
+    catch_faults();
+    static const uint32_t length[] = {0x00000001, 0x80000001, 0x7f800001, 0x7fc00000, 0x7f800000, 0};
+    const unsigned normal = environment_get();
+    for (size_t b = 0; b < sizeof length / sizeof length[0]; b++)
+        for (unsigned k = 0; k < SETTINGS; k++) {
+            tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
+            uint64_t words[4] = {0};
+            const tribox_soup none = {.count = 0};
+            memcpy(&grid.cell[b % 3], &length[b], sizeof length[b]);
+            snprintf(doing, sizeof doing, "a grid of cell %#x under setting %#x", (unsigned)length[b], setting(k));
+            environment_set(setting(k));
+            const tribox_status status = tribox_voxelize(&none, &grid, NULL, words, NULL);
+            const unsigned left = environment_get();
+            environment_set(normal);
+            assert_int_equal(left, setting(k));
+            assert_int_equal(status, b ? TRIBOX_BAD_GRID : TRIBOX_OK);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_voxelize, &args),
+        cmocka_unit_test_prestate(test_cells, &args),
+        cmocka_unit_test_prestate(test_refusals, &args),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,156 @@
+/* test_layers.c - a grid in slabs, one after the other and by threads at once: the same bits as the whole, and no word besides. */
+#define _POSIX_C_SOURCE 200809L
+#include "occupancy.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arguments.h"
+#include "grids.h"
+#include "guard.h"
+#include "shapes.h"
+
+enum { PAIRS_A_ROUND = 100000, CELLS_MOST = 8000, TRIANGLES = 90, THREADS_MOST = 8 };
+
+static lattice at;
+static crowd triangles;
+static uint64_t whole[CELLS_MOST], parts[CELLS_MOST];
+
+static size_t layer_words(void) { return at.row_words * at.grid.size[1]; }
+
+static void draw_question(random_source *r, size_t round)
+{
+    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+    triangles.count = 0;
+    if (random_below(r, 4) == 0)
+        draw_mesh(r, &at, &triangles);
+    const size_t wanted = triangles.count + (size_t)random_between(r, 1, TRIANGLES);
+    while (triangles.count < wanted) {
+        float u[3][3];
+        draw_shape(r, shape_at((size_t)random_below(r, (int)shape_count())), &at, u);
+        crowd_put(&triangles, (const_vertices)u);
+    }
+}
+
+static tribox_options any_options(random_source *r)
+{
+    const char *kernels[KERNELS_AT_MOST];
+    const int kernel_count = kernels_here(kernels);
+    return (tribox_options){.accuracy = (tribox_accuracy)random_below(r, 3),
+                            .axes = (unsigned)(random_below(r, 4) ? 0 : random_between(r, 1, AXIS_SETS)),
+                            .kernel = kernels[random_below(r, kernel_count)]};
+}
+
+static size_t ask_whole(const tribox_options *options)
+{
+    const tribox_soup soup = crowd_soup(&triangles);
+    tribox_report report;
+    memset(whole, 0, at.words * sizeof *whole);
+    assert_int_equal(tribox_voxelize(&soup, &at.grid, options, whole, &report), TRIBOX_OK);
+    assert_int_equal(report.overlapping, occupancy_count(whole, at.words));
+    return report.overlapping;
+}
+
+/* The slab's words lie between guards, first against the one behind, then against the one before. */
+static size_t ask_slab(const tribox_options *options, uint32_t first, uint32_t layers)
+{
+    const tribox_soup soup = crowd_soup(&triangles);
+    const size_t words = layers * layer_words(), bytes = words * sizeof(uint64_t);
+    const guarded g = guarded_make(bytes ? bytes : 1);
+    tribox_report report = {0, 0};
+    snprintf(doing, sizeof doing, "layers %u and %u more of %u, accuracy %d, axes %u, kernel %s", (unsigned)first, (unsigned)layers,
+             (unsigned)at.grid.size[2], (int)options->accuracy, options->axes, options->kernel);
+    for (int side = 0; side < 2; side++) {
+        uint64_t *const slab = side ? guarded_tail(g, bytes) : (void *)g.first;
+        memset(slab, 0, bytes);
+        assert_int_equal(tribox_voxelize_layers(&soup, &at.grid, first, layers, options, slab, &report), TRIBOX_OK);
+        if (words && memcmp(slab, whole + first * layer_words(), bytes))
+            fail_msg("%s: the bits are not those of the whole", doing);
+        assert_int_equal(report.overlapping, occupancy_count(slab, words));
+    }
+    guarded_free(g);
+    return report.overlapping;
+}
+
+static void test_slabs(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "slabs");
+    for (size_t round = 0; round < 500 * (args->pairs / PAIRS_A_ROUND); round++) {
+        draw_question(&r, round);
+        const tribox_options options = any_options(&r);
+        const size_t set = ask_whole(&options);
+        const uint32_t size = at.grid.size[2];
+        if (size <= 6) /* every slab there is */
+            for (uint32_t first = 0; first <= size; first++)
+                for (uint32_t layers = 0; layers <= size - first; layers++)
+                    ask_slab(&options, first, layers);
+        size_t sum = 0;
+        for (uint32_t first = 0, layers; first < size; first += layers) {
+            layers = 1 + (uint32_t)random_below(&r, (int)(size - first));
+            sum += ask_slab(&options, first, layers);
+        }
+        assert_int_equal(sum, set);
+        ask_slab(&options, size, 0);
+    }
+}
+
+typedef struct worker {
+    pthread_t thread;
+    const tribox_options *options;
+    uint32_t first, layers;
+    tribox_status status;
+    tribox_report report;
+} worker;
+
+static void *work(void *argument)
+{
+    worker *const w = argument;
+    const tribox_soup soup = crowd_soup(&triangles);
+    w->status =
+        tribox_voxelize_layers(&soup, &at.grid, w->first, w->layers, w->options, parts + w->first * layer_words(), &w->report);
+    return NULL;
+}
+
+static void check_threads(const tribox_options *options, uint32_t threads, size_t set)
+{
+    worker workers[THREADS_MOST];
+    size_t sum = 0;
+    memset(parts, 0, at.words * sizeof *parts);
+    for (uint32_t t = 0; t < threads; t++) {
+        const uint32_t first = at.grid.size[2] * t / threads, end = at.grid.size[2] * (t + 1) / threads;
+        workers[t] = (worker){.options = options, .first = first, .layers = end - first};
+        assert_int_equal(pthread_create(&workers[t].thread, NULL, work, &workers[t]), 0);
+    }
+    for (uint32_t t = 0; t < threads; t++) {
+        assert_int_equal(pthread_join(workers[t].thread, NULL), 0);
+        assert_int_equal(workers[t].status, TRIBOX_OK);
+        sum += workers[t].report.overlapping;
+    }
+    assert_int_equal(sum, set);
+    assert_memory_equal(parts, whole, at.words * sizeof *parts);
+}
+
+static void test_threads(void **state)
+{
+    const arguments *const args = *state;
+    random_source r = random_named(args->seed, "threads");
+    for (size_t round = 0; round < 100 * (args->pairs / PAIRS_A_ROUND); round++) {
+        draw_question(&r, round);
+        tribox_options options = any_options(&r);
+        options.kernel = round % 2 ? options.kernel : NULL; /* chosen by all threads at once */
+        const size_t set = ask_whole(&options);
+        for (uint32_t threads = 1; threads <= THREADS_MOST; threads++)
+            check_threads(&options, threads, set);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_threads, &args),
+                                       cmocka_unit_test_prestate(test_slabs, &args)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
