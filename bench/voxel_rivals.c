@@ -1,0 +1,132 @@
+#include "voxel_rivals.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "baseline.h"
+
+/* The cells of a triangle's bounding box, first to last on each axis. */
+typedef struct cell_range {
+    int first[3], last[3], axes_spanned;
+} cell_range;
+
+static cell_range range_of(const tribox_grid *grid, const float v[3][3])
+{
+    cell_range range = {.axes_spanned = 0};
+    for (int a = 0; a < 3; a++) {
+        const float least = fminf(fminf(v[0][a], v[1][a]), v[2][a]), most = fmaxf(fmaxf(v[0][a], v[1][a]), v[2][a]);
+        const int end = (int)grid->size[a] - 1;
+        range.first[a] = least < 0 ? 0 : (int)least < end ? (int)least : end;
+        range.last[a] = most < 0 ? 0 : (int)most < end ? (int)most : end;
+        range.axes_spanned += range.last[a] > range.first[a];
+    }
+    return range;
+}
+
+/* The vertices in cells from the grid's corner. */
+static void place(const tribox_grid *grid, const float u[3][3], float v[3][3])
+{
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            v[j][a] = (u[j][a] - grid->origin[a]) / grid->cell[a];
+}
+
+static uint64_t *row_of(const tribox_grid *grid, uint64_t *occupied, int j, int k)
+{
+    return occupied + ((size_t)k * grid->size[1] + (size_t)j) * ((grid->size[0] + 63) / 64);
+}
+
+void voxelize_cell_by_cell(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
+{
+    const float half[3] = {grid->cell[0] / 2, grid->cell[1] / 2, grid->cell[2] / 2};
+    for (size_t t = 0; t < count; t++) {
+        float v[3][3];
+        place(grid, triangles[t], v);
+        const cell_range range = range_of(grid, (const float(*)[3])v);
+        for (int k = range.first[2]; k <= range.last[2]; k++)
+            for (int j = range.first[1]; j <= range.last[1]; j++) {
+                uint64_t *const row = row_of(grid, occupied, j, k);
+                for (int i = range.first[0]; i <= range.last[0]; i++) {
+                    const int at[3] = {i, j, k};
+                    float center[3];
+                    for (int a = 0; a < 3; a++)
+                        center[a] = grid->origin[a] + ((float)at[a] + 0.5f) * grid->cell[a];
+                    row[i / 64] |= (uint64_t)baseline_overlap(center, half, triangles[t]) << i % 64;
+                }
+            }
+    }
+}
+
+/* The set-up of a triangle, in cells: an edge function is a x + b y + c with (x, y) the axes after i, for the corner of a cell. */
+typedef struct set_up {
+    float n[3], d[2];                /* plane, at the two critical points */
+    float a[3][3], b[3][3], c[3][3]; /* [i][j]: of edge j in the projection along axis i */
+} set_up;
+
+static set_up set_up_of(const float v[3][3])
+{
+    set_up s;
+    float e[3][3];
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            e[j][a] = v[(j + 1) % 3][a] - v[j][a];
+    s.d[0] = s.d[1] = 0;
+    for (int i = 0; i < 3; i++) {
+        const int x = (i + 1) % 3, y = (i + 2) % 3;
+        s.n[i] = e[0][x] * e[1][y] - e[0][y] * e[1][x];
+        const float critical = s.n[i] > 0;
+        s.d[0] += s.n[i] * (critical - v[0][i]);
+        s.d[1] += s.n[i] * (1 - critical - v[0][i]);
+        const float side = s.n[i] < 0 ? -1.0f : 1.0f;
+        for (int j = 0; j < 3; j++) {
+            s.a[i][j] = -e[j][y] * side;
+            s.b[i][j] = e[j][x] * side;
+            s.c[i][j] = fmaxf(0, s.a[i][j]) + fmaxf(0, s.b[i][j]) - s.a[i][j] * v[j][x] - s.b[i][j] * v[j][y];
+        }
+    }
+    return s;
+}
+
+static void set_rows(const tribox_grid *grid, const set_up *s, const cell_range *range, uint64_t *occupied)
+{
+    for (int k = range->first[2]; k <= range->last[2]; k++)
+        for (int j = range->first[1]; j <= range->last[1]; j++) {
+            const float y = (float)j, z = (float)k;
+            bool is_inside = true;
+            float zx[3], xy[3];
+            for (int e = 0; e < 3; e++) {
+                is_inside &= s->a[0][e] * y + s->b[0][e] * z + s->c[0][e] >= 0;
+                zx[e] = s->a[1][e] * z + s->c[1][e];
+                xy[e] = s->b[2][e] * y + s->c[2][e];
+            }
+            if (!is_inside)
+                continue;
+            const float plane = s->n[1] * y + s->n[2] * z;
+            uint64_t *const row = row_of(grid, occupied, j, k);
+            for (int i = range->first[0]; i <= range->last[0]; i++) {
+                const float x = (float)i, p = plane + s->n[0] * x;
+                bool is_set = (p + s->d[0]) * (p + s->d[1]) <= 0;
+                for (int e = 0; e < 3; e++)
+                    is_set &= (zx[e] + s->b[1][e] * x >= 0) & (xy[e] + s->a[2][e] * x >= 0);
+                row[i / 64] |= (uint64_t)is_set << i % 64;
+            }
+        }
+}
+
+void voxelize_schwarz_seidel(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
+{
+    for (size_t t = 0; t < count; t++) {
+        float v[3][3];
+        place(grid, triangles[t], v);
+        const cell_range range = range_of(grid, (const float(*)[3])v);
+        if (range.axes_spanned > 1) {
+            const set_up s = set_up_of((const float(*)[3])v);
+            set_rows(grid, &s, &range, occupied);
+            continue;
+        }
+        for (int k = range.first[2]; k <= range.last[2]; k++)
+            for (int j = range.first[1]; j <= range.last[1]; j++)
+                for (int i = range.first[0]; i <= range.last[0]; i++)
+                    row_of(grid, occupied, j, k)[i / 64] |= UINT64_C(1) << i % 64;
+    }
+}

@@ -1,0 +1,135 @@
+#include "voxel_scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "random.h"
+#if defined(BENCH_MESHES)
+#include "mesh.h"
+#endif
+
+/* Room for the streams and the triangles; count 0 in `made` if there is none. */
+static bool make_room(voxel_scene *made, size_t count)
+{
+    float *const storage = malloc(18 * count * sizeof *storage);
+    made->storage = storage;
+    made->soup.count = storage ? count : 0;
+    made->triangles = (float(*)[3][3])(storage + 9 * count);
+    for (int v = 0; storage && v < 3; v++) {
+        made->soup.x[v] = storage + (size_t)(3 * v) * count;
+        made->soup.y[v] = storage + (size_t)(3 * v + 1) * count;
+        made->soup.z[v] = storage + (size_t)(3 * v + 2) * count;
+    }
+    if (!storage)
+        fprintf(stderr, "voxels: no memory for %zu triangles\n", count);
+    return storage;
+}
+
+static void fill_streams(voxel_scene *made)
+{
+    float *const streams = made->storage;
+    for (size_t i = 0; i < made->soup.count; i++)
+        for (int v = 0; v < 3; v++)
+            for (int a = 0; a < 3; a++)
+                streams[(size_t)(3 * v + a) * made->soup.count + i] = made->triangles[i][v][a];
+}
+
+static void torus_vertex(float u[3], int along, int around, int longs, int arounds)
+{
+    const double turn = 6.283185307179586, s = turn * along / longs, t = turn * around / arounds, r = 1 + 0.4 * cos(t);
+    u[0] = (float)(r * cos(s));
+    u[1] = (float)(r * sin(s));
+    u[2] = (float)(0.4 * sin(t));
+}
+
+static bool make_torus(voxel_scene *made)
+{
+    const int longs = 500, arounds = 200;
+    if (!make_room(made, (size_t)(2 * longs * arounds)))
+        return false;
+    size_t at = 0;
+    for (int s = 0; s < longs; s++)
+        for (int t = 0; t < arounds; t++)
+            for (int half = 0; half < 2; half++, at++) {
+                torus_vertex(made->triangles[at][0], s, t + half, longs, arounds);
+                torus_vertex(made->triangles[at][1], s + 1, t, longs, arounds);
+                torus_vertex(made->triangles[at][2], s + half, t + 1, longs, arounds);
+            }
+    return true;
+}
+
+static bool make_random(voxel_scene *made, size_t count, float reach, uint64_t seed)
+{
+    generator g = {seed};
+    if (!make_room(made, count))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        for (int a = 0; a < 3; a++) {
+            const float lo = random_between(&g, 0, 1 - reach);
+            for (int v = 0; v < 3; v++)
+                made->triangles[i][v][a] = random_between(&g, lo, lo + reach);
+        }
+    return true;
+}
+
+bool voxel_scene_make(int which, uint64_t seed, voxel_scene *made)
+{
+    static const char *const names[VOXEL_SCENES] = {"torus", "small", "huge"};
+    snprintf(made->name, sizeof made->name, "%s", names[which]);
+    const bool is_made = which == 0   ? make_torus(made)
+                         : which == 1 ? make_random(made, 200000, 0.01f, seed)
+                                      : make_random(made, 12, 1, seed);
+    if (is_made)
+        fill_streams(made);
+    return is_made;
+}
+
+bool voxel_scene_read(const char *path, voxel_scene *made)
+{
+#if defined(BENCH_MESHES)
+    mesh m;
+    if (mesh_read(path, &m) != 0)
+        return false;
+    const char *const slash = strrchr(path, '/');
+    snprintf(made->name, sizeof made->name, "%s", slash ? slash + 1 : path);
+    const bool is_made = make_room(made, m.soup.count);
+    for (size_t i = 0; is_made && i < m.soup.count; i++)
+        for (int v = 0; v < 3; v++) {
+            made->triangles[i][v][0] = m.soup.x[v][i];
+            made->triangles[i][v][1] = m.soup.y[v][i];
+            made->triangles[i][v][2] = m.soup.z[v][i];
+        }
+    if (is_made)
+        fill_streams(made);
+    mesh_free(&m);
+    return is_made;
+#else
+    fprintf(stderr, "voxels: %s: built without libassimp, so without meshes\n", path);
+    (void)made;
+    return false;
+#endif
+}
+
+void voxel_scene_free(voxel_scene *made) { free(made->storage); }
+
+tribox_grid voxel_scene_grid(const voxel_scene *scene, uint32_t resolution)
+{
+    float lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY}, longest = 0;
+    tribox_grid grid;
+    for (size_t i = 0; i < scene->soup.count; i++)
+        for (int v = 0; v < 3; v++)
+            for (int a = 0; a < 3; a++) {
+                lo[a] = fminf(lo[a], scene->triangles[i][v][a]);
+                hi[a] = fmaxf(hi[a], scene->triangles[i][v][a]);
+            }
+    for (int a = 0; a < 3; a++)
+        longest = fmaxf(longest, hi[a] - lo[a]);
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = lo[a];
+        grid.cell[a] = longest / (float)resolution * 1.0001f; /* what lies on the far side lies inside */
+        grid.size[a] = (uint32_t)fmaxf(1, ceilf((hi[a] - lo[a]) / grid.cell[a]));
+    }
+    return grid;
+}
