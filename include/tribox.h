@@ -189,8 +189,9 @@ TRIBOX_API size_t tribox_grid_words(const tribox_grid *grid);
  * occupied[(k * size[1] + j) * row_words + i / 64]. Bits are only set, never cleared, so soups accumulate.
  *
  * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set; CONSERVATIVE sets a
- * superset of it, within an error bound; FAST errs within its bound of contact. Unlike tribox_overlap this rounds in double at
- * every accuracy. Triangles may lie outside the grid in part or wholly.
+ * superset of it, whose other cells are within the error bound of a row (src/kernel/rows.h: at most 2^-8 of a cell along x, more only
+ * for edges nearly parallel to x and where planes are as coarse as cells); FAST takes the same limits without bounds. Unlike
+ * tribox_overlap all this is computed in double. Triangles may lie outside the grid in part or wholly.
  *
  * occupied: tribox_grid_words(grid) words. options: NULL for the defaults; the order of the axes is of no account here.
  * report: overlapping counts the cells newly set; NULL when not wanted.
