@@ -41,25 +41,31 @@ typedef struct voxels {
 static int64_t least_of(int64_t a, int64_t b) { return a < b ? a : b; }
 static int64_t most_of(int64_t a, int64_t b) { return a > b ? a : b; }
 
-static void set_bits(voxels *v, uint64_t *word, uint64_t bits)
+/* Returns how many of the bits were not set before. */
+static size_t set_bits(uint64_t *word, uint64_t bits)
 {
     const uint64_t before = *word;
     *word = before | bits;
-    v->counts.overlapping += tribox_count_bits(bits & ~before);
+    return tribox_count_bits(bits & ~before);
+}
+
+/* Cells first to last of a row, a word at a time. Returns how many were not set before. */
+static size_t set_cells(uint64_t *row, int64_t first, int64_t last)
+{
+    const uint64_t full = ~UINT64_C(0), from = full << first % 64, to = full >> (63 - last % 64);
+    uint64_t *word = row + first / 64, *const end = row + last / 64;
+    if (word == end)
+        return set_bits(word, from & to);
+    size_t set = set_bits(word, from);
+    while (++word < end)
+        if (*word != full)
+            set += set_bits(word, full);
+    return set + set_bits(word, to);
 }
 
 static uint64_t *row_of(const voxels *v, int64_t j, int64_t k)
 {
     return v->occupied + ((size_t)(k - v->first_layer) * v->grid->size[1] + (size_t)j) * v->row_words;
-}
-
-/* Cells first to last of a row, a word at a time. */
-static void set_cells(voxels *v, uint64_t *row, int64_t first, int64_t last)
-{
-    const size_t end = (size_t)last / 64;
-    uint64_t from = ~UINT64_C(0) << first % 64;
-    for (size_t w = (size_t)first / 64; w <= end; w++, from = ~UINT64_C(0))
-        set_bits(v, row + w, w < end ? from : from & ~UINT64_C(0) >> (63 - last % 64));
 }
 
 static void settle_open(voxels *v)
@@ -69,7 +75,7 @@ static void settle_open(voxels *v)
     v->counts.undecided += v->open;
     for (uint64_t left = tribox_settle_batch(&v->batch, v->open, ~UINT64_C(0), &v->plan); left; left &= left - 1) {
         const unsigned i = tribox_lowest_bit(left);
-        set_bits(v, v->cell[i].word, v->cell[i].bit);
+        v->counts.overlapping += set_bits(v->cell[i].word, v->cell[i].bit);
     }
     v->open = 0;
 }
@@ -178,11 +184,13 @@ static bool set_narrow_rows(voxels *v, const row_range *r, row_place at, unsigne
 static bool set_wide_rows(voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
 {
     bool is_open = false;
+    size_t set = 0;
     for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
         if (cells->first_sure[n] < cells->end_sure[n])
-            set_cells(v, at.word, r->bit + cells->first_sure[n], r->bit + cells->end_sure[n] - 1);
+            set += set_cells(at.word, r->bit + cells->first_sure[n], r->bit + cells->end_sure[n] - 1);
         is_open |= is_row_open(cells, n);
     }
+    v->counts.overlapping += set;
     return is_open;
 }
 
@@ -274,11 +282,13 @@ static void set_line(voxels *v, const tribox_reach *reach, unsigned lane)
 {
     const int64_t along = (int64_t)reach->cells[0][lane], rows = (int64_t)reach->cells[1][lane];
     const int64_t first_k = (int64_t)reach->base[2][lane], end_k = first_k + (int64_t)reach->cells[2][lane];
+    size_t set = 0;
     for (int64_t k = most_of(first_k, v->first_layer); k < least_of(end_k, v->end_layer); k++) {
         uint64_t *row = v->occupied + reach->word[lane] + (k - first_k) * (int64_t)v->grid->size[1] * (int64_t)v->row_words;
         for (int64_t j = 0; j < rows; j++, row += v->row_words)
-            set_cells(v, row, reach->bit[lane], reach->bit[lane] + along - 1);
+            set += set_cells(row, reach->bit[lane], reach->bit[lane] + along - 1);
     }
+    v->counts.overlapping += set;
 }
 
 /* What the planes say of triangle i of the soup, which the kernel was not sure of. */
@@ -317,10 +327,12 @@ static void set_word(voxels *v, const tribox_soup *soup, size_t word)
         tell_by_planes(v, soup, 64 * word + tribox_lowest_bit(left), &reach, &touching);
     const uint64_t x = reach.spans[0], y = reach.spans[1], z = reach.spans[2];
 
+    size_t set = 0;
     for (uint64_t left = touching & ~(x | y | z); left; left &= left - 1) {
         const unsigned lane = tribox_lowest_bit(left);
-        set_bits(v, v->occupied + reach.word[lane], UINT64_C(1) << reach.bit[lane]);
+        set += set_bits(v->occupied + reach.word[lane], UINT64_C(1) << reach.bit[lane]);
     }
+    v->counts.overlapping += set;
     for (uint64_t left = touching & (x ^ y ^ z) & ~(x & y & z); left; left &= left - 1)
         set_line(v, &reach, tribox_lowest_bit(left));
 
