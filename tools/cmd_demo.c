@@ -7,24 +7,30 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "demo_voxels.h"
 #include "message.h"
 #include "options.h"
 #include "output.h"
 #include "picture.h"
+#include "picture_png.h"
+#include "preview.h"
 #include "trial.h"
 
 static const char help[] = "tribox demo - speed and answers on two built-in scenes; needs no file\n"
                            "\n"
-                           "Usage: tribox demo [--quick] [--json]\n"
+                           "Usage: tribox demo [--quick] [--json] [--picture FILE.png]\n"
                            "\n"
                            "Tests 100,000 random triangles (the workload of the paper) and a mesh of 200,000 triangles\n"
                            "against a box each: with the paper's own algorithm, one triangle at a time, and with every\n"
                            "kernel that this processor runs, fast, conservative and exact. Prints a table per scene and a\n"
-                           "picture of the mesh with the overlapping triangles marked. Takes a few seconds.\n"
+                           "picture of the mesh with the overlapping triangles marked. Then puts the mesh into a grid and\n"
+                           "leaves a picture of the voxels. Takes a few seconds.\n"
                            "\n"
-                           "  --quick   3 rounds in place of 25: for a first look\n"
-                           "  --json    the tables as a JSON object\n"
-                           "  --help    this text\n"
+                           "  --quick              3 rounds in place of 25: for a first look\n"
+                           "  --json               the tables as a JSON object\n"
+                           "  --picture FILE.png   where the picture of the voxels goes; default: tribox-demo.png, and none\n"
+                           "                       with --quick or --json\n"
+                           "  --help               this text\n"
                            "\n"
                            "Columns:\n"
                            "  ns/triangle     nanoseconds per triangle, median of the rounds, one thread\n"
@@ -38,13 +44,11 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
                            "Example:\n"
                            "  tribox demo --quick\n";
 
-enum { OPTION_QUICK, OPTION_JSON, OPTION_HELP, OPTION_H };
+enum { OPTION_QUICK, OPTION_JSON, OPTION_PICTURE, OPTION_HELP, OPTION_H };
 
-static const option options[] = {[OPTION_QUICK] = {"--quick", false},
-                                 [OPTION_JSON] = {"--json", false},
-                                 [OPTION_HELP] = {"--help", false},
-                                 [OPTION_H] = {"-h", false},
-                                 {NULL, false}};
+static const option options[] = {
+    [OPTION_QUICK] = {"--quick", false}, [OPTION_JSON] = {"--json", false}, [OPTION_PICTURE] = {"--picture", true},
+    [OPTION_HELP] = {"--help", false},   [OPTION_H] = {"-h", false},        {NULL, false}};
 
 enum { ROUNDS = TRIAL_ROUNDS_MAX, QUICK_ROUNDS = 3 };
 
@@ -110,25 +114,53 @@ static void print_json_scene(const scene *s, const trial *t)
     printf("]}");
 }
 
-static int show_scene(int (*make)(scene *), int rounds, bool wants_json, bool has_picture)
+typedef struct request {
+    int rounds;
+    bool wants_json;
+    const char *picture_path; /* NULL for none */
+    file_out picture;
+} request;
+
+static int show_scene(const scene *s, const request *r, bool is_mesh)
 {
-    scene s;
     trial t;
-    int code = make(&s);
+    const int code = trial_run(s, r->rounds, &t);
     if (code)
         return code;
-    code = trial_run(&s, rounds, &t);
-    if (!code) {
-        if (wants_json)
-            print_json_scene(&s, &t);
-        else
-            print_table(&s, &t);
-        if (has_picture && !wants_json) {
-            picture_print(&s.soup, t.exact);
-            printf("\nThe mesh along the z axis. # overlaps the box; . : - = + * do not, from dark to bright.\n\n");
-        }
-        trial_free(&t);
+    if (r->wants_json)
+        print_json_scene(s, &t);
+    else
+        print_table(s, &t);
+    if (is_mesh && !r->wants_json) {
+        picture_print(&s->soup, t.exact);
+        printf("\nThe mesh along the z axis. # overlaps the box; . : - = + * do not, from dark to bright.\n\n");
     }
+    trial_free(&t);
+    return EXIT_CODE_OK;
+}
+
+static int show_random(const request *r)
+{
+    scene s;
+    int code = scene_make_random(&s);
+    if (code)
+        return code;
+    code = show_scene(&s, r, false);
+    scene_free(&s);
+    return code;
+}
+
+static int show_mesh(request *r)
+{
+    scene s;
+    int code = scene_make_knot(&s);
+    if (code)
+        return code;
+    code = show_scene(&s, r, true);
+    if (r->wants_json)
+        printf("\n], \"voxels\": ");
+    if (!code)
+        code = demo_voxels(&s.soup, &r->picture, r->wants_json);
     scene_free(&s);
     return code;
 }
@@ -145,39 +177,62 @@ static void print_footer(int rounds)
            rounds, SCENE_SEED);
 }
 
-static int show(int rounds, bool wants_json)
+static int show(request *r)
 {
-    if (wants_json)
-        printf("{\"version\": \"%s\", \"rounds\": %d, \"seed\": %d, \"scenes\": [\n", CMD_VERSION, rounds, SCENE_SEED);
-    int code = show_scene(scene_make_random, rounds, wants_json, false);
-    if (!code && wants_json)
+    if (r->wants_json)
+        printf("{\"version\": \"%s\", \"rounds\": %d, \"seed\": %d, \"scenes\": [\n", CMD_VERSION, r->rounds, SCENE_SEED);
+    int code = show_random(r);
+    if (!code && r->wants_json)
         puts(",");
     if (!code)
-        code = show_scene(scene_make_knot, rounds, wants_json, true);
+        code = show_mesh(r);
     if (code)
         return code;
-    if (wants_json)
-        puts("\n]}");
+    if (r->wants_json)
+        puts("}");
     else
-        print_footer(rounds);
+        print_footer(r->rounds);
     return output_flush();
+}
+
+/* Where the picture goes that nobody has asked for: nowhere if it is no good place. */
+static const char *usual_picture(void)
+{
+    if (!picture_png_is_there)
+        return NULL;
+    if (!access(".", W_OK))
+        return "tribox-demo.png";
+    message_say("note: no picture of the voxels, as this folder cannot be written; --picture says where it may go");
+    return NULL;
 }
 
 int cmd_demo(int count, char **words)
 {
     arguments walk = {.count = count, .next = words, .options = options};
+    request r = {.rounds = ROUNDS};
     const char *value;
-    bool wants_json = false, is_quick = false;
     for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
         if (which == ARGUMENT_WRONG)
             return EXIT_CODE_USAGE;
         if (which == ARGUMENT_OPERAND)
             return message_usage("'%s' is too much: demo takes no file", value);
-        if (which == OPTION_HELP || which == OPTION_H) {
+        if (which == OPTION_HELP || which == OPTION_H)
             return output_text(help);
-        }
-        is_quick |= which == OPTION_QUICK;
-        wants_json |= which == OPTION_JSON;
+        if (which == OPTION_QUICK)
+            r.rounds = QUICK_ROUNDS;
+        else if (which == OPTION_JSON)
+            r.wants_json = true;
+        else
+            r.picture_path = value;
     }
-    return show(is_quick ? QUICK_ROUNDS : ROUNDS, wants_json);
+    int code = preview_check(r.picture_path, "--picture");
+    if (code)
+        return code;
+    if (!r.picture_path && r.rounds == ROUNDS && !r.wants_json)
+        r.picture_path = usual_picture();
+    code = file_out_open(&r.picture, r.picture_path);
+    if (!code)
+        code = show(&r);
+    file_out_drop(&r.picture);
+    return code;
 }

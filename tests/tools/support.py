@@ -20,9 +20,9 @@ class Result:
         self.code, self.stdout, self.stderr = code, stdout, stderr
 
 
-def run(*arguments, stdin=b"", env=None, limit=None):
+def run(*arguments, stdin=b"", env=None, limit=None, cwd=None):
     """Runs tribox with these arguments to its end. limit: a resource and how much of it there is, as for setrlimit."""
-    done = subprocess.run([program(), *arguments], input=stdin, capture_output=True, timeout=120,
+    done = subprocess.run([program(), *arguments], input=stdin, capture_output=True, timeout=120, cwd=cwd,
                           env=None if env is None else {**os.environ, **env},
                           preexec_fn=None if limit is None else lambda: resource.setrlimit(limit[0], (limit[1], limit[1])))
     return Result(done.returncode, done.stdout.decode(), done.stderr.decode())

@@ -7,6 +7,7 @@ import re
 import subprocess
 
 import support
+import volumes
 
 ACCURACIES = ["fast", "conservative", "exact"]
 
@@ -53,6 +54,10 @@ class Demo(support.TestCase):
         self.assertEqual(demo["rounds"], 3)
         for scene in demo["scenes"]:
             self.check_scene(scene)
+        voxels = demo["voxels"]
+        self.assertEqual((max(voxels["size"]), voxels["picture"]), (128, None))
+        self.assertTrue(10000 < voxels["occupied"] < 100000)
+        self.assertGreater(voxels["seconds"], 0)
 
     def test_text(self):
         text = self.succeed("demo", "--quick")
@@ -72,9 +77,30 @@ class Demo(support.TestCase):
         self.assertGreater("".join(picture).count("#"), 20)
         self.assertGreater("".join(picture).count("*"), 20)
 
+    def test_picture_of_the_voxels(self):
+        path = os.path.join(self.folder, "knot.png")
+        result = support.run("demo", "--quick", "--picture", path, cwd=self.folder)
+        if "built without libpng" in result.stderr:
+            self.assertEqual((result.code, os.listdir(self.folder)), (1, []))
+            self.skipTest("built without libpng")
+        self.assertEqual((result.code, result.stderr, os.listdir(self.folder)), (0, "", ["knot.png"]))
+        self.assertRegex(result.stdout, r"(?m)^Voxels of the mesh: 123 x 128 x 53 cells, \d+ of them overlap it; [\d.]+ ms, ")
+        self.assertIn("drawn in %s\n" % path, result.stdout)
+        self.assertEqual(volumes.read_png(path)[:2], (1280, 960))
+        self.fail_with(2, "--picture: 'knot.jpg' does not end in .png", "demo", "--picture", "knot.jpg")
+        self.fail_with(1, "none/knot.png: cannot write there", "demo", "--quick", "--json", "--picture", self.folder + "/none/knot.png")
+
+    def test_where_the_picture_goes(self):
+        result = support.run("demo", cwd=self.folder)
+        drawn = os.listdir(self.folder)
+        self.assertIn(drawn, (["tribox-demo.png"], []))  # none without libpng
+        self.assertEqual("drawn in tribox-demo.png" in result.stdout, bool(drawn))
+        support.run("demo", "--quick", cwd=self.folder)
+        self.assertEqual(os.listdir(self.folder), drawn)
+
     def test_answers_repeat(self):
         def found(demo):
-            return [[(row["overlapping"], row["unlike_exact"]) for row in scene["rows"]] for scene in demo["scenes"]]
+            return [demo["voxels"]["occupied"]], [[(row["overlapping"], row["unlike_exact"]) for row in scene["rows"]] for scene in demo["scenes"]]
         runs = [json.loads(self.succeed("demo", "--quick", "--json")) for _ in range(2)]
         self.assertEqual(found(runs[0]), found(runs[1]))
 

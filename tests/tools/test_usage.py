@@ -5,11 +5,14 @@ import json
 import meshes
 import support
 
-COMMANDS = ("overlap", "info", "demo")
+COMMANDS = ("overlap", "voxelize", "merge", "info", "demo")
 OPTIONS = {
     "overlap": ["--box", "--boxes", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
+    "voxelize": ["--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--up", "--json", "--quiet", "--threads",
+                 "--shard", "--accuracy", "--axes", "--kernel", "--help"],
+    "merge": ["-o", "--preview", "--up", "--json", "--quiet", "--help"],
     "info": ["--json", "--help"],
-    "demo": ["--quick", "--json", "--help"],
+    "demo": ["--quick", "--json", "--picture", "--help"],
 }
 
 

@@ -1,0 +1,187 @@
+"""tribox voxelize and merge where something is wrong: one clear line, and never a part of a file."""
+
+import os
+import pty
+import re
+import resource
+import signal
+import subprocess
+import time
+
+import meshes
+import support
+import volumes
+
+
+class Failures(support.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(24, seed=8)))
+        self.part = self.path("all.part")
+        self.succeed("voxelize", self.mesh, "--resolution", "40", "--shard", "1/1", "--quiet", "-o", self.part)
+        self.there = sorted(os.listdir(self.folder))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def refuse(self, code, pattern, *arguments, **how):
+        self.fail_with(code, pattern, *arguments, **how)
+        self.assertEqual(sorted(os.listdir(self.folder)), self.there, arguments)
+
+
+class WrongCommandLine(Failures):
+    def wrong(self, pattern, *options):
+        self.refuse(2, pattern + ".*see 'tribox voxelize --help'", "voxelize", *options)
+
+    def test_what_is_missing(self):
+        self.wrong("no mesh file given", "--resolution", "8", "-o", "x.npy")
+        self.wrong("no grid given: --resolution or --cell is needed", self.mesh, "-o", "x.npy")
+        self.wrong("no output given: -o FILE is needed", self.mesh, "--resolution", "8")
+        self.wrong("'b.ply' is one file too many", self.mesh, "b.ply")
+        self.wrong("--up needs --preview", self.mesh, "--resolution", "8", "-o", "x.npy", "--up", "y")
+        for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up"):
+            self.wrong("option %s needs a value" % option, self.mesh, option)
+
+    def test_what_excludes_each_other(self):
+        self.wrong("--resolution and --cell exclude each other", self.mesh, "--resolution", "8", "--cell", "1", "-o", "x.npy")
+        self.wrong("--json and --quiet exclude each other", self.mesh, "--cell", "1", "-o", "x.npy", "--json", "--quiet")
+        self.wrong("'x.npy' does not end in .part", self.mesh, "--cell", "1", "-o", "x.npy", "--shard", "1/2")
+        self.wrong("'x.part' is the name of a part, which needs --shard", self.mesh, "--cell", "1", "-o", "x.part")
+        self.wrong("--preview needs all layers: give it to 'tribox merge'", self.mesh, "--cell", "1", "-o", "x.part", "--shard",
+                   "1/2", "--preview", "x.png")
+
+    def test_values(self):
+        for value in ("0", "-1", "1.5", "", "x", "1e3", "9999999999", "8 "):
+            self.wrong("--resolution: '%s' is no whole number from 1 to " % re.escape(value), self.mesh, "--resolution", value)
+        for value in ("0", "257", "two"):
+            self.wrong("--threads: '%s' is no whole number from 1 to 256" % value, self.mesh, "--threads", value)
+        for value in ("1", "1,2", "1,2,3,4", "0,1,1", "1,2,3,", "1,2,-3", "1 2 3"):
+            self.wrong("--size: '%s' is not NX,NY,NZ" % value, self.mesh, "--size", value)
+        self.wrong("--cell: 0 is not greater than 0", self.mesh, "--cell", "0")
+        self.wrong("--cell: -2 is not greater than 0", self.mesh, "--cell", "1,-2,1")
+        for value, pattern in (("3", "'3' is not I/N, as 3/8"), ("0/3", "its I: '0' is no whole number from 1 to 3"),
+                               ("4/3", "its I: '4' is no whole number from 1 to 3"), ("1/0", "its N: '0' is no whole number"),
+                               ("/2", "its I: ''"), ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'")):
+            self.wrong("--shard.*" + pattern, self.mesh, "--shard", value)
+        self.wrong("--up: 'w' is none of x, y, z, -x, -y, -z", self.mesh, "--up", "w")
+        for name in ("x", "x.txt", ".npy", "x.NPY", ""):
+            self.wrong("-o: '%s' ends in none of .npy, .binvox, .vox, .raw" % name, self.mesh, "--cell", "1", "-o", name)
+        self.refuse(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$", "voxelize", self.mesh, "--cell", "1,2")
+        self.refuse(2, r"^tribox voxelize: --origin: 'a' \(number 2 of 3\) is not a number", "voxelize", "--origin", "1,a,3")
+
+    def test_merge(self):
+        self.refuse(2, "no parts given; see 'tribox merge --help'", "merge", "-o", "x.npy")
+        self.refuse(2, "no output given", "merge", self.part)
+        self.refuse(2, "'x.part' ends in none of", "merge", self.part, "-o", "x.part")
+        self.refuse(2, "--up needs --preview", "merge", self.part, "-o", "x.npy", "--up", "x")
+        self.refuse(2, "exclude each other", "merge", self.part, "-o", "x.npy", "--json", "--quiet")
+
+
+class NothingHalfWritten(Failures):
+    def test_places_that_take_no_file(self):
+        for command in (("voxelize", self.mesh, "--cell", "1"), ("merge", self.part)):
+            self.refuse(1, "none/x.npy: cannot write there: No such file", *command, "-o", self.path("none/x.npy"))
+            self.refuse(1, "mesh.ply/x.npy: cannot write there: Not a directory", *command, "-o", self.mesh + "/x.npy")
+        os.mkdir(self.path("folder.npy"))
+        os.symlink("/dev/full", self.path("full.npy"))
+        self.there = sorted(self.there + ["folder.npy", "full.npy"])
+        self.refuse(1, "folder.npy: is a directory; give the name of a file", "voxelize", self.mesh, "--cell", "1", "-o",
+                  self.path("folder.npy"))
+        self.refuse(1, "full.npy: is no regular file", "voxelize", self.mesh, "--cell", "1", "-o", self.path("full.npy"))
+
+    def test_read_only_folder(self):
+        if os.geteuid() == 0:
+            self.skipTest("root may write everywhere")
+        os.mkdir(self.path("locked"), 0o555)
+        self.fail_with(1, "locked/x.npy: cannot write there: Permission denied", "voxelize", self.mesh, "--cell", "1", "-o",
+                       self.path("locked/x.npy"))
+
+    def test_no_room(self):
+        """A limit on the size of files does what a full disk does: a write fails halfway."""
+        limit = (resource.RLIMIT_FSIZE, 2000)
+        for ending in ("npy", "raw", "binvox", "vox"):
+            for command in (("voxelize", self.mesh, "--resolution", "40"), ("merge", self.part)):
+                self.refuse(1, r"x\.%s: cannot write all of it: File too large; nothing is left of it" % ending, *command,
+                          "-o", self.path("x." + ending), limit=limit)
+        self.refuse(1, "x.part: cannot write all of it: File too large", "voxelize", self.mesh, "--resolution", "40", "--shard", "1/1",
+                  "-o", self.path("x.part"), limit=limit)
+        self.refuse(1, "cannot write all of it", "voxelize", self.mesh, "--resolution", "40", "-o", self.path("x.npy"),
+                  limit=(resource.RLIMIT_FSIZE, 0))
+
+    def test_an_older_file_stays(self):
+        path = self.write("old.npy", "what was there")
+        self.there = sorted(self.there + ["old.npy"])
+        self.refuse(1, "old.npy: cannot write all of it", "voxelize", self.mesh, "--resolution", "40", "-o", path,
+                  limit=(resource.RLIMIT_FSIZE, 2000))
+        self.assertEqual(volumes.read(path), b"what was there")
+        self.succeed("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", path)
+        self.assertEqual(volumes.read_npy(path)[0][0:1], volumes.read_npy(path)[0][:1])
+
+    def test_rights_of_a_new_file(self):
+        self.succeed("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", self.path("new.npy"))
+        mask = os.umask(0)
+        os.umask(mask)
+        self.assertEqual(os.stat(self.path("new.npy")).st_mode & 0o777, 0o666 & ~mask)
+
+    def test_interrupted(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            process = subprocess.Popen([support.program(), "voxelize", self.mesh, "--resolution", "900", "--quiet", "-o",
+                                        self.path("big.npy")], stderr=subprocess.PIPE)
+            deadline = time.monotonic() + 60
+            while sorted(os.listdir(self.folder)) == self.there and time.monotonic() < deadline:
+                time.sleep(0.001)
+            self.assertNotEqual(sorted(os.listdir(self.folder)), self.there)
+            process.send_signal(number)
+            process.communicate()
+            self.assertEqual(process.returncode, -number)
+            self.assertEqual(sorted(os.listdir(self.folder)), self.there)
+
+    def test_mesh_that_is_none(self):
+        self.refuse(1, "missing.ply: cannot open the mesh file", "voxelize", self.path("missing.ply"), "--cell", "1", "-o",
+                  self.path("x.npy"))
+
+
+class Memory(Failures):
+    def test_refused_before_it_is_taken(self):
+        limit = (resource.RLIMIT_AS, 1 << 30)
+        if support.run("info", limit=limit).code:
+            self.skipTest("this build needs more than 1 GiB of addresses by itself")
+        pattern = (r"^tribox voxelize: 4000 x 4000 x 4000 cells take 7\.5 GiB of memory here and [\d.]+ MiB are available: choose "
+                   r"fewer cells, or voxelize in parts, --shard 1/(\d+) and so on, and join them with 'tribox merge'$")
+        grid = ("voxelize", self.mesh, "--cell", "0.001", "--size", "4000,4000,4000")
+        self.refuse(1, pattern, *grid, "-o", self.path("x.raw"), limit=limit)
+        result = support.run(*grid, "-o", self.path("x.raw"), limit=limit)
+        shards = re.search(pattern.replace("^", "(?m)^"), result.stderr).group(1)
+        result = support.run(*grid[:-1], "4000,400,4000", "--shard", "1/" + shards, "--quiet", "-o", self.path("x.part"), limit=limit)
+        self.assertEqual((result.code, result.stderr), (0, ""))
+
+
+class Progress(Failures):
+    def on_terminal(self, *arguments):
+        leader, follower = pty.openpty()
+        process = subprocess.Popen([support.program(), *arguments], stderr=follower, stdout=subprocess.DEVNULL)
+        os.close(follower)
+        text = b""
+        try:
+            while part := os.read(leader, 65536):
+                text += part
+        except OSError:
+            pass  # Linux ends a terminal without a writer so
+        os.close(leader)
+        self.assertEqual(process.wait(), 0)
+        return text.decode()
+
+    def test_short_work_shows_none(self):
+        self.assertEqual(self.on_terminal("voxelize", self.mesh, "--resolution", "8", "-o", self.path("x.npy")), "")
+
+    def test_quiet_shows_none(self):
+        arguments = ("voxelize", self.mesh, "--resolution", "700", "-o", self.path("x.npy"))
+        self.assertEqual(self.on_terminal(*arguments, "--quiet"), "")
+        text = self.on_terminal(*arguments)
+        if text:  # the work has taken long enough
+            self.assertRegex(text, r"\A(\r(voxelizing|writing) \[#*\.*\] +\d+ %  [^\r\n]* left *)+\r +\r")
+            self.assertTrue(text.endswith(" \r"))
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,20 @@
+/* grid_choice.h - the grid of tribox voxelize: what the command line says, and the mesh for what it leaves open. */
+#ifndef GRID_CHOICE_H
+#define GRID_CHOICE_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+
+typedef struct grid_choice {
+    uint32_t resolution; /* cells along the longest side of the mesh; 0 where the cell is given */
+    float cell[3];
+    bool has_origin, has_size;
+    float origin[3];
+    uint32_t size[3];
+} grid_choice;
+
+/* Makes the grid, so that it holds the mesh where size and origin are left open. Returns an exit_code. path: of the mesh. */
+int grid_choose(const grid_choice *choice, const char *path, const tribox_soup *soup, tribox_grid *grid);
+
+#endif

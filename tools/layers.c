@@ -1,0 +1,150 @@
+/* layers.c - threads that take slabs of layers in turn. */
+#define _POSIX_C_SOURCE 200809L
+#include "layers.h"
+
+#include <pthread.h>
+#include <stddef.h>
+
+#include "layers_work.h"
+
+/*
+ * Every slab looks at all triangles and passes by those of others, which is cheap but not free: there are more slabs than threads
+ * only where that costs no more than a twentieth of the work. WINDOW triangles at a time, so that progress is told meanwhile.
+ */
+enum { SLABS_USEFUL = 64, SLABS_MOST = LAYERS_THREADS_MOST, WINDOW = 1 << 17 };
+static const double pass_by_cost = 1, pass_by_share = 0.05;
+
+typedef struct crew {
+    const tribox_soup *soup;
+    const tribox_grid *grid;
+    const tribox_options *options;
+    uint64_t *occupied;
+    uint32_t first;
+    int slabs;
+    uint32_t border[SLABS_MOST + 1]; /* slab s: the layers border[s] .. border[s + 1] - 1 of the range */
+    void (*progress)(void *data, double done);
+    void *data;
+    pthread_mutex_t lock; /* of what follows, and of progress */
+    int next;
+    double done; /* in slabs */
+    tribox_report report;
+    tribox_status status;
+} crew;
+
+/* A multiple of the threads, so that all end together. */
+static int slabs_for(const layers_work *work, size_t triangles, unsigned threads)
+{
+    const double cheap = pass_by_share * layers_work_total(work) / (pass_by_cost * (double)triangles + 1);
+    const int each = (int)((cheap < SLABS_USEFUL ? cheap : SLABS_USEFUL) / threads);
+    return (int)threads * (each > 1 ? each : 1);
+}
+
+static void set_borders(crew *c, const layers_work *work, uint32_t layers)
+{
+    for (int s = 0; s <= c->slabs; s++)
+        c->border[s] = layers_work_share(work, layers, (double)s / c->slabs);
+    c->border[0] = 0;
+    c->border[c->slabs] = layers;
+}
+
+static int take_slab(crew *c)
+{
+    pthread_mutex_lock(&c->lock);
+    const int slab = c->status ? c->slabs : c->next;
+    c->next += slab < c->slabs;
+    pthread_mutex_unlock(&c->lock);
+    return slab;
+}
+
+static void account(crew *c, tribox_status status, const tribox_report *report, double share)
+{
+    pthread_mutex_lock(&c->lock);
+    if (status)
+        c->status = status;
+    c->report.overlapping += report->overlapping;
+    c->report.undecided += report->undecided;
+    c->done += share;
+    if (!status && c->progress)
+        c->progress(c->data, c->done < c->slabs ? c->done / c->slabs : 1);
+    pthread_mutex_unlock(&c->lock);
+}
+
+static tribox_soup window_of(const tribox_soup *soup, size_t start, size_t count)
+{
+    tribox_soup window = {.count = count};
+    for (int v = 0; v < 3; v++) {
+        window.x[v] = soup->x[v] + start;
+        window.y[v] = soup->y[v] + start;
+        window.z[v] = soup->z[v] + start;
+    }
+    return window;
+}
+
+static void run_slab(crew *c, int slab)
+{
+    const uint32_t layers = c->border[slab + 1] - c->border[slab];
+    uint64_t *own = c->occupied + tribox_grid_row_words(c->grid) * c->grid->size[1] * c->border[slab];
+    const size_t count = c->soup->count;
+    for (size_t start = 0; layers && start < count; start += WINDOW) {
+        const tribox_soup window = window_of(c->soup, start, count - start < WINDOW ? count - start : WINDOW);
+        tribox_report report = {0, 0};
+        const tribox_status status =
+            tribox_voxelize_layers(&window, c->grid, c->first + c->border[slab], layers, c->options, own, &report);
+        account(c, status, &report, (double)window.count / (double)count);
+        if (status)
+            return;
+    }
+}
+
+static void *work_on(void *data)
+{
+    crew *c = data;
+    for (int slab; (slab = take_slab(c)) < c->slabs;)
+        run_slab(c, slab);
+    return NULL;
+}
+
+static void run_crew(crew *c, unsigned threads)
+{
+    pthread_t helpers[LAYERS_THREADS_MOST];
+    unsigned started = 0;
+    pthread_mutex_init(&c->lock, NULL);
+    while (started + 1 < threads && !pthread_create(&helpers[started], NULL, work_on, c))
+        started++;
+    work_on(c);
+    while (started)
+        pthread_join(helpers[--started], NULL);
+    pthread_mutex_destroy(&c->lock);
+}
+
+/* What tribox_voxelize_layers says to these arguments, before any thread starts. */
+static tribox_status check(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
+                           const tribox_options *options, uint64_t *occupied)
+{
+    tribox_soup one = soup ? *soup : (tribox_soup){.count = 0};
+    one.count = one.count ? 1 : 0;
+    const tribox_status status = tribox_voxelize_layers(soup ? &one : NULL, grid, first, 0, options, occupied, NULL);
+    return status ? status : layers > grid->size[2] - first ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK;
+}
+
+tribox_status voxelize_in_threads(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
+                                  const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,
+                                  void (*progress)(void *data, double done), void *data)
+{
+    const tribox_status status = check(soup, grid, first, layers, options, occupied);
+    if (status)
+        return status;
+    threads = !threads ? 1 : threads < LAYERS_THREADS_MOST ? threads : LAYERS_THREADS_MOST;
+    crew c = {
+        .soup = soup, .grid = grid, .options = options, .occupied = occupied, .first = first, .progress = progress, .data = data};
+    if (layers) {
+        layers_work work;
+        layers_work_estimate(soup, grid, first, layers, options, &work);
+        c.slabs = threads == 1 && !progress ? 1 : slabs_for(&work, soup->count, threads);
+        set_borders(&c, &work, layers);
+        run_crew(&c, threads);
+    }
+    if (!c.status && report)
+        *report = c.report;
+    return c.status;
+}

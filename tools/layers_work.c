@@ -1,0 +1,94 @@
+/* layers_work.c - estimates the work in each layer: what a triangle costs by itself, and by the rows of cells that it meets. */
+#include "layers_work.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/* Triangles looked at, about; looking at all of them would cost as much as voxelizing small ones. */
+enum { SAMPLE = 1 << 13 };
+
+/* Nanoseconds, roughly: only their ratio matters to the balance, their size to the number of slabs. */
+static const double triangle_cost = 20, row_cost = 4, empty_layer_cost = 100;
+
+typedef struct interval {
+    double lo, hi;
+} interval;
+
+static double place(const tribox_grid *grid, int a, float x)
+{
+    return ((double)x - (double)grid->origin[a]) / (double)grid->cell[a];
+}
+
+static interval interval_of(const double x[3]) { return (interval){fmin(fmin(x[0], x[1]), x[2]), fmax(fmax(x[0], x[1]), x[2])}; }
+
+/* Twice the area of the triangle seen along x, in cells. */
+static double twice_area(const double y[3], const double z[3])
+{
+    return fabs((y[1] - y[0]) * (z[2] - z[0]) - (y[2] - y[0]) * (z[1] - z[0]));
+}
+
+static bool meets(interval i, double size) { return i.hi >= 0 && i.lo <= size; }
+
+static void add_triangle(const tribox_soup *soup, const tribox_grid *grid, size_t t, uint32_t first, uint32_t layers, int bins,
+                         double *rise)
+{
+    double x[3], y[3], z[3], sum = 0;
+    for (int v = 0; v < 3; v++) {
+        x[v] = place(grid, 0, soup->x[v][t]);
+        y[v] = place(grid, 1, soup->y[v][t]);
+        z[v] = place(grid, 2, soup->z[v][t]) - first;
+        sum += x[v] + y[v] + z[v];
+    }
+    const interval ix = interval_of(x), iy = interval_of(y), iz = interval_of(z);
+    if (!isfinite(sum) || !meets(ix, grid->size[0]) || !meets(iy, grid->size[1]) || !meets(iz, layers))
+        return;
+    const double height = floor(iz.hi) - floor(iz.lo) + 1;
+    const double rows = 0.5 * twice_area(y, z) + (iy.hi - iy.lo) + height;
+    const double per_layer = triangle_cost / height + row_cost * fmin(rows / height, grid->size[1]);
+    const double bin_of_layer = (double)bins / layers;
+    const int from = (int)(fmax(iz.lo, 0) * bin_of_layer), to = (int)(fmin(iz.hi, layers) * bin_of_layer);
+    const double in_bin = per_layer * fmin(height, 1 / bin_of_layer);
+    rise[from < bins ? from : bins - 1] += in_bin;
+    if (to + 1 < bins)
+        rise[to + 1] -= in_bin;
+}
+
+/* Without the box axes every cell of every layer is asked about every triangle. */
+static bool is_everywhere(const tribox_options *options) { return options && options->axes && !(options->axes & TRIBOX_AXES_BOX); }
+
+void layers_work_estimate(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
+                          const tribox_options *options, layers_work *work)
+{
+    work->bins = layers < LAYERS_BINS_MOST ? (int)layers : LAYERS_BINS_MOST;
+    for (int b = 0; b < work->bins; b++)
+        work->upto[b] = 0;
+    double scale = 1, least = empty_layer_cost * layers / work->bins;
+    if (is_everywhere(options)) {
+        least += (double)soup->count * row_cost * grid->size[1] * layers / work->bins;
+    } else {
+        const size_t stride = soup->count / SAMPLE | 1; /* odd: quads are often two triangles each */
+        for (size_t t = 0; t < soup->count; t += stride)
+            add_triangle(soup, grid, t, first, layers, work->bins, work->upto);
+        scale = (double)stride;
+    }
+    double in_bin = 0, sum = 0;
+    for (int b = 0; b < work->bins; b++) {
+        in_bin += work->upto[b];
+        sum += scale * fmax(in_bin, 0) + least;
+        work->upto[b] = sum;
+    }
+}
+
+double layers_work_total(const layers_work *work) { return work->upto[work->bins - 1]; }
+
+uint32_t layers_work_share(const layers_work *work, uint32_t layers, double share)
+{
+    const double wanted = share * layers_work_total(work);
+    int b = 0;
+    while (b < work->bins - 1 && work->upto[b] < wanted)
+        b++;
+    const double before = b ? work->upto[b - 1] : 0;
+    const double bins = b + (wanted - before) / (work->upto[b] - before);
+    const double count = round(bins * layers / work->bins);
+    return count < 0 ? 0 : count > layers ? layers : (uint32_t)count;
+}

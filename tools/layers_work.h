@@ -1,0 +1,23 @@
+/* layers_work.h - an estimate of how the work of a voxelization is spread over the layers. */
+#ifndef LAYERS_WORK_H
+#define LAYERS_WORK_H
+
+#include "tribox.h"
+
+enum { LAYERS_BINS_MOST = 4096 };
+
+typedef struct layers_work {
+    int bins;                      /* equal parts of the layers: one layer each, or several */
+    double upto[LAYERS_BINS_MOST]; /* the work of all bins up to this one, in nanoseconds, roughly */
+} layers_work;
+
+/* Looks at a sample of the triangles. The arguments are those of tribox_voxelize_layers, sound, with layers > 0. */
+void layers_work_estimate(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
+                          const tribox_options *options, layers_work *work);
+
+double layers_work_total(const layers_work *work);
+
+/* How many of the layers take this share (0 to 1) of the work. */
+uint32_t layers_work_share(const layers_work *work, uint32_t layers, double share);
+
+#endif

@@ -1,0 +1,19 @@
+/* little.h - integers as little-endian bytes, on any machine. */
+#ifndef LITTLE_H
+#define LITTLE_H
+
+#include <stdint.h>
+
+static inline void little_put32(unsigned char *to, uint32_t number)
+{
+    for (int b = 0; b < 4; b++)
+        to[b] = (unsigned char)(number >> 8 * b);
+}
+
+static inline void little_put64(unsigned char *to, uint64_t number)
+{
+    little_put32(to, (uint32_t)number);
+    little_put32(to + 4, (uint32_t)(number >> 32));
+}
+
+#endif

@@ -1,0 +1,90 @@
+/* numbers.c - reads numbers, and says which one is wrong and why. */
+#include "numbers.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "message.h"
+
+/* Reads the number that the whole of text[0 .. length) spells. */
+static bool read_number(const char *text, size_t length, const char *where, int position, int count, float *number)
+{
+    const int shown = length < 40 ? (int)length : 40;
+    char *end;
+    errno = 0;
+    *number = strtof(text, &end);
+    const bool is_out_of_range = errno == ERANGE;
+    if (end != text + length)
+        message_say("%s: '%.*s' (number %d of %d) is not a number; write it like -0.5 or 1e-3", where, shown, text, position,
+                    count);
+    else if (is_out_of_range && isinf(*number))
+        message_say("%s: '%.*s' (number %d of %d) is too large for float, which ends at %.9g", where, shown, text, position, count,
+                    (double)FLT_MAX);
+    else if (!isfinite(*number))
+        message_say("%s: '%.*s' (number %d of %d) is not finite; bounds are finite numbers", where, shown, text, position, count);
+    else if (is_out_of_range && *number == 0)
+        message_say("%s: '%.*s' (number %d of %d) is too small for float; give 0 or at least 1.4e-45", where, shown, text, position,
+                    count);
+    else
+        return true;
+    return false;
+}
+
+bool numbers_read(const char *text, const char *where, const char *form, int count, float *numbers)
+{
+    bool is_due = true; /* at the start and behind a comma a number has to follow */
+    int found = 0;
+    for (text += strspn(text, NUMBERS_BLANKS); *text || is_due; text += strspn(text, NUMBERS_BLANKS)) {
+        const size_t length = strcspn(text, NUMBERS_BLANKS ",");
+        if (found == count) {
+            message_say("%s: more than %d number%s; give %s", where, count, count == 1 ? "" : "s", form);
+            return false;
+        }
+        if (!length) {
+            message_say("%s: number %d of %d is missing; give %s", where, found + 1, count, form);
+            return false;
+        }
+        if (!read_number(text, length, where, found + 1, count, &numbers[found]))
+            return false;
+        found++;
+        text += length;
+        text += strspn(text, NUMBERS_BLANKS);
+        is_due = *text == ',';
+        text += is_due;
+    }
+    if (found < count) {
+        message_say("%s: %d number%s where %d are needed; give %s", where, found, found == 1 ? "" : "s", count, form);
+        return false;
+    }
+    return true;
+}
+
+/* Reads digits; *end is where they end. Returns 0, which no caller takes, where there are none or too many. */
+static uint32_t read_digits(const char *text, uint32_t most, const char **end)
+{
+    uint64_t number = 0;
+    for (*end = text; **end >= '0' && **end <= '9'; ++*end)
+        number = number > most ? number : 10 * number + (uint64_t)(**end - '0');
+    return number > most ? 0 : (uint32_t)number;
+}
+
+int numbers_read_whole(const char *text, const char *option, uint32_t most, uint32_t *number)
+{
+    const char *end;
+    *number = read_digits(text, most, &end);
+    return *number && !*end ? EXIT_CODE_OK : message_usage("%s: '%s' is no whole number from 1 to %u", option, text, most);
+}
+
+int numbers_read_sizes(const char *text, const char *option, uint32_t most, uint32_t sizes[3])
+{
+    const char *end = text;
+    for (int a = 0; a < 3; a++) {
+        sizes[a] = read_digits(a ? end + 1 : end, most, &end);
+        if (!sizes[a] || *end != (a < 2 ? ',' : '\0'))
+            return message_usage("%s: '%s' is not NX,NY,NZ, three whole numbers from 1 to %u", option, text, most);
+    }
+    return EXIT_CODE_OK;
+}

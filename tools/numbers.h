@@ -1,0 +1,23 @@
+/* numbers.h - numbers of the command line and of files, read strictly and independent of the locale. */
+#ifndef NUMBERS_H
+#define NUMBERS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Blanks that may stand around numbers. */
+#define NUMBERS_BLANKS " \t\r"
+
+/*
+ * Reads `count` finite numbers, separated by commas or blanks. Returns false after a line on standard error.
+ * where: what to call the text in messages, as "--box" or "boxes.txt:7". form: how it is to be written, as "X,Y,Z".
+ */
+bool numbers_read(const char *text, const char *where, const char *form, int count, float *numbers);
+
+/* Reads the whole number 1 .. most that the text is. Returns an exit_code. option: its name, for messages. */
+int numbers_read_whole(const char *text, const char *option, uint32_t most, uint32_t *number);
+
+/* The same for NX,NY,NZ. */
+int numbers_read_sizes(const char *text, const char *option, uint32_t most, uint32_t sizes[3]);
+
+#endif

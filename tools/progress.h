@@ -1,0 +1,22 @@
+/* progress.h - a bar with the time left, on a terminal, for work that takes more than a moment. */
+#ifndef PROGRESS_H
+#define PROGRESS_H
+
+#include <stdbool.h>
+
+typedef struct progress {
+    const char *what; /* "voxelizing" */
+    bool is_wanted;
+    double start, last; /* seconds of the clock: of the start and of the last drawing, 0 for none */
+} progress;
+
+/* Starts a bar on standard error, which shows nothing unless that is a terminal and is_wanted. */
+progress progress_start(const char *what, bool is_wanted);
+
+/* Shows the share done, 0 to 1, of a `progress`. Cheap enough to be called a thousand times a second. */
+void progress_tell(void *bar, double done);
+
+/* Wipes the bar away. */
+void progress_end(progress *bar);
+
+#endif

@@ -1,0 +1,28 @@
+/* voxelize_report.h - what tribox voxelize did, for people and as JSON. */
+#ifndef VOXELIZE_REPORT_H
+#define VOXELIZE_REPORT_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+
+typedef struct voxelize_answer {
+    const char *mesh_path, *out_path, *preview_path; /* preview_path: NULL for none */
+    size_t triangles, not_finite;
+    tribox_grid grid;
+    uint32_t first, layers;
+    uint32_t shard, shards; /* shard 0: the whole */
+    tribox_options test;
+    tribox_report report;
+    unsigned threads;
+    double seconds;
+} voxelize_answer;
+
+/* Prints it and writes it out. Returns an exit_code. */
+int voxelize_report(const voxelize_answer *a, bool wants_json);
+
+/* The grid as lines of a summary, and as a member of a JSON object. */
+void voxelize_print_grid(const tribox_grid *grid);
+void voxelize_print_json_grid(const tribox_grid *grid);
+
+#endif

@@ -1,0 +1,35 @@
+/* voxels.h - the cells of a grid as bits: in memory, or in the mapped files of parts. */
+#ifndef VOXELS_H
+#define VOXELS_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+
+/* Some layers, laid out as tribox_voxelize_layers writes them. */
+typedef struct voxels_slab {
+    uint32_t first, layers;
+    const uint64_t *bits;
+} voxels_slab;
+
+typedef struct voxels {
+    tribox_grid grid;
+    const voxels_slab *slab; /* one behind the other, without gaps */
+    size_t slabs;
+} voxels;
+
+/* The words of layer k: rows of tribox_grid_row_words, one for each y. */
+const uint64_t *voxels_layer(const voxels *v, uint32_t k);
+
+static inline bool voxels_bit(const uint64_t *row, uint32_t i) { return row[i / 64] >> i % 64 & 1; }
+
+/* How many bits are set in some words. */
+uint64_t voxels_count(const uint64_t *words, size_t count);
+
+/* How many cells are set in all layers. */
+uint64_t voxels_occupied(const voxels *v);
+
+/* The words of a layer of the grid. */
+size_t voxels_layer_words(const tribox_grid *grid);
+
+#endif
