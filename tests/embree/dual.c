@@ -1,0 +1,63 @@
+#include "dual.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "memory.h"
+
+/* lo .. lo + extent holds mesh and grid. */
+typedef struct bounds {
+    float lo[3], extent[3];
+} bounds;
+
+static bounds bounds_of(const planes *p, const shape *s)
+{
+    bounds b;
+    for (int a = 0; a < 3; a++) {
+        float lo = p->at[a][0], hi = p->at[a][p->size[a]];
+        for (size_t t = 0; t < s->count; t++)
+            for (int j = 0; j < 3; j++) {
+                lo = fminf(lo, s->triangles[t].u[j][a]);
+                hi = fmaxf(hi, s->triangles[t].u[j][a]);
+            }
+        b.lo[a] = lo;
+        b.extent[a] = hi - lo;
+    }
+    return b;
+}
+
+/* Corners (A, A), (B, A), (A, B) in the plane, A = lo - extent and B = lo + 4 extent. */
+static triangle plane_triangle(const bounds *b, int axis, float plane)
+{
+    triangle t;
+    for (int j = 0; j < 3; j++) {
+        t.u[j][axis] = plane;
+        for (int k = 1; k < 3; k++) {
+            const int a = (axis + k) % 3;
+            t.u[j][a] = b->lo[a] + (j == k ? 4 : -1) * b->extent[a];
+        }
+    }
+    return t;
+}
+
+dual dual_make(const planes *p, const shape *s)
+{
+    const bounds b = bounds_of(p, s);
+    dual d = {0};
+    triangle *const triangles = memory_of(3 * (PLANES_CELLS + 1), sizeof *triangles);
+    int count = 0;
+    for (int a = 0; a < 3; a++) {
+        d.first[a] = count;
+        for (int i = 0; i <= p->size[a]; i++)
+            triangles[count++] = plane_triangle(&b, a, p->at[a][i]);
+    }
+    d.scene = embree_scene_make(triangles, (size_t)count);
+    free(triangles);
+    return d;
+}
+
+void dual_free(dual *d) { embree_scene_free(d->scene); }
+
+int dual_axis(const dual *d, unsigned number) { return ((int)number >= d->first[1]) + ((int)number >= d->first[2]); }
+
+int dual_plane(const dual *d, unsigned number) { return (int)number - d->first[dual_axis(d, number)]; }

@@ -1,0 +1,133 @@
+/*
+ * test_embree_float.c - the library against rays, on coordinates that round: a breach goes to the exact oracle, CONSERVATIVE and
+ * FAST have their bounds. Cells need not be cubes, and planes need not be where origin + p * cell is.
+ */
+#include "trial.h"
+
+#include "arguments.h"
+#include "check.h"
+#include "embree.h"
+
+enum { SKIPPED = 77 };
+
+typedef shape maker(random_source *r);
+
+static shape anywhere(random_source *r) { return shape_soup(r, 600, 2); }
+static shape many_anywhere(random_source *r) { return shape_soup(r, 6000, 2); }
+static shape small(random_source *r) { return shape_soup(r, 8000, 0.1); }
+
+static shape icosphere(random_source *r)
+{
+    (void)r;
+    return shape_icosphere(4);
+}
+
+static shape torus(random_source *r)
+{
+    (void)r;
+    return shape_torus(64, 32, 2.0 / 7);
+}
+
+static shape cube(random_source *r)
+{
+    (void)r;
+    return shape_cube(8);
+}
+
+/* All but touching, everywhere: snapped to integers, then moved by an ulp. */
+static shape shaken(random_source *r)
+{
+    shape s = shape_icosphere(4);
+    shape_place(&s, (const double[3]){28, 28, 28}, (const double[3]){32, 32, 32});
+    shape_snap(&s);
+    shape_shake(&s, r);
+    return s;
+}
+
+/* Made in [-1, 1]^3, then scaled and shifted. */
+typedef struct source {
+    const char *name;
+    maker *make;
+    double scale[3], shift[3];
+    tribox_grid grid;
+} source;
+
+#define CUBES(least, most, n) \
+    { \
+        {least, least, least}, {(most - (least)) / n, (most - (least)) / n, (most - (least)) / n}, { n, n, n } \
+    }
+#define AS_IT_IS \
+    {1, 1, 1}, { 0, 0, 0 }
+
+static const source cubes[] = {
+    {"icosphere 16", icosphere, AS_IT_IS, CUBES(-1.5f, 1.5f, 16)},
+    {"icosphere 64", icosphere, AS_IT_IS, CUBES(-1.5f, 1.5f, 64)},
+    {"icosphere 128", icosphere, AS_IT_IS, CUBES(-1.5f, 1.5f, 128)},
+    {"icosphere, tight", icosphere, AS_IT_IS, CUBES(-1.0f, 1.0f, 64)},
+    {"icosphere, odd cells", icosphere, AS_IT_IS, CUBES(-1.1f, 1.1f, 64)},
+    {"torus 16", torus, AS_IT_IS, CUBES(-1.5f, 1.5f, 16)},
+    {"torus 64", torus, AS_IT_IS, CUBES(-1.5f, 1.5f, 64)},
+    {"torus 128", torus, AS_IT_IS, CUBES(-1.5f, 1.5f, 128)},
+    {"torus, tight", torus, AS_IT_IS, CUBES(-1.0f, 1.0f, 64)},
+    {"torus, odd cells", torus, AS_IT_IS, CUBES(-1.1f, 1.1f, 64)},
+    {"cube on planes", cube, AS_IT_IS, CUBES(-2.0f, 2.0f, 64)},
+    {"cube, odd cells", cube, AS_IT_IS, CUBES(-1.1f, 1.1f, 64)},
+    {"soup 16", many_anywhere, {2, 2, 2}, {0, 0, 0}, CUBES(-2.0f, 2.0f, 16)},
+    {"soup 64", anywhere, {2, 2, 2}, {0, 0, 0}, CUBES(-2.0f, 2.0f, 64)},
+    {"small soup", small, {2, 2, 2}, {0, 0, 0}, CUBES(-2.0f, 2.0f, 64)},
+};
+
+/* Flat and long cells, planes that round by up to half an ulp of a far origin, and meshes that stick out of the grid. */
+static const source others[] = {
+    {"flat cells", icosphere, AS_IT_IS, {{-1.1f, -1.2f, -1.3f}, {0.01f, 0.1f, 0.7f}, {128, 24, 4}}},
+    {"long cells", torus, AS_IT_IS, {{-1.3f, -1.01f, -0.31f}, {0.9f, 0.017f, 0.031f}, {3, 120, 20}}},
+    {"grid within the mesh", icosphere, AS_IT_IS, {{-0.71f, -0.3f, 0.1f}, {0.013f, 0.021f, 0.017f}, {70, 40, 60}}},
+    {"soup in flat cells", many_anywhere, {2, 3, 1}, {0, 0, 0}, {{-1.9f, -2.7f, -0.9f}, {0.3f, 0.11f, 0.9f}, {13, 50, 2}}},
+    {"icosphere, far",
+     icosphere,
+     {1, 1, 1},
+     {1000.1, -2000.3, 3000.7},
+     {{999, -2001.5f, 2999.6f}, {0.05f, 0.041f, 0.033f}, {48, 70, 64}}},
+    {"torus, far", torus, {1, 2, 3}, {-70000.3, 5, 0.1}, {{-70001.4f, 2.9f, -0.9f}, {0.07f, 0.0501f, 0.0301f}, {32, 90, 64}}},
+    {"small soup, far",
+     small,
+     {2, 2, 2},
+     {100.3, 300.1, -900.7},
+     {{98.2f, 298.1f, -902.8f}, {0.0601f, 0.0701f, 0.1f}, {68, 57, 40}}},
+    {"shaken icosphere", shaken, AS_IT_IS, {{0, 0, 0}, {1, 1, 1}, {64, 64, 64}}},
+    {"shaken, flat cells", shaken, AS_IT_IS, {{0, 0, 0}, {2, 1, 4}, {32, 64, 16}}},
+    {"cube, far", cube, {1, 1, 1}, {30000.1, 40000.2, -50000.3}, {{29999, 39999, -50001.5f}, {0.03f, 0.06f, 0.05f}, {70, 36, 50}}},
+};
+
+static void check_source(const source *from, uint64_t seed)
+{
+    random_source r = random_named(seed, from->name);
+    data_set d = {.name = from->name, .shape = from->make(&r), .grid = from->grid};
+    shape_place(&d.shape, from->scale, from->shift);
+    check_data_set(&d, seed);
+    shape_free(&d.shape);
+}
+
+static void test_cubic_cells(void **state)
+{
+    check_print_heading();
+    for (size_t k = 0; k < sizeof cubes / sizeof cubes[0]; k++)
+        check_source(&cubes[k], *(const uint64_t *)*state);
+}
+
+static void test_other_cells(void **state)
+{
+    check_print_heading();
+    for (size_t k = 0; k < sizeof others / sizeof others[0]; k++)
+        check_source(&others[k], *(const uint64_t *)*state);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    if (!embree_is_usable())
+        return SKIPPED;
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_cubic_cells, &args.seed),
+                                       cmocka_unit_test_prestate(test_other_cells, &args.seed)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

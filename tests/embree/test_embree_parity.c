@@ -1,0 +1,146 @@
+/*
+ * test_embree_parity.c - voxels of closed meshes keep inside and outside apart, even for neighbours by a corner; and a single cell
+ * that is missing, or a mesh asked with open cells, is seen to leak.
+ */
+#include "trial.h"
+
+#include "arguments.h"
+#include "embree.h"
+#include "faulty.h"
+#include "memory.h"
+#include "parity.h"
+
+/* A cell that the surface only grazes has one side around it: its absence is no leak. */
+enum { SKIPPED = 77, REMOVED = 64, LEAKS_LEAST = 56 };
+
+typedef struct mesh {
+    const char *name;
+    shape shape;
+    planes planes;
+    uint64_t *occupied;
+    size_t words;
+    uint8_t *sides;
+    size_t recasts;
+} mesh;
+
+/* About the origin in a grid from -1.5 to 1.5; a snapped one on integers, in a grid of unit cells. */
+static mesh make_mesh(const char *name, shape s, int cells, bool is_snapped, uint64_t seed)
+{
+    mesh m = {.name = name, .shape = s};
+    const float edge = is_snapped ? 1 : 3.0f / (float)cells;
+    tribox_grid grid;
+    if (is_snapped) {
+        const double radius = cells * 0.4375;
+        shape_place(&m.shape, (const double[3]){radius, radius, radius}, (const double[3]){0, 0, 0});
+        shape_snap(&m.shape);
+    }
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = -edge * (float)cells / 2;
+        grid.cell[a] = edge;
+        grid.size[a] = (uint32_t)cells;
+    }
+    assert_true(planes_make(&m.planes, &grid));
+    m.words = tribox_grid_words(&grid);
+    m.occupied = memory_of(m.words, sizeof *m.occupied);
+    m.sides = memory_of(parity_cells(&m.planes), sizeof *m.sides);
+    random_source r = random_named(seed, name);
+    assert_true(parity_cast(&m.planes, &m.shape, &r, m.sides, &m.recasts));
+    return m;
+}
+
+static void free_mesh(mesh *m)
+{
+    shape_free(&m->shape);
+    free(m->occupied);
+    free(m->sides);
+}
+
+static void voxelize(mesh *m, const char *kernel)
+{
+    const tribox_options options = {.kernel = kernel};
+    streams s = streams_make(&m->shape);
+    for (size_t k = 0; k < m->words; k++)
+        m->occupied[k] = 0;
+    assert_int_equal(tribox_voxelize(&s.soup, &m->planes.grid, &options, m->occupied, NULL), TRIBOX_OK);
+    streams_free(&s);
+}
+
+static void check_mesh(mesh m)
+{
+    const char *kernels[KERNELS_AT_MOST];
+    const int kernel_count = kernels_here(kernels);
+    for (int kernel = 0; kernel < kernel_count; kernel++) {
+        voxelize(&m, kernels[kernel]);
+        const parity_verdict v = parity_judge(&m.planes, m.sides, m.occupied);
+        printf("%-22s %4d cells, %-8s %zu disagree, %zu components, %zu mixed, %zu inside at the border, %zu lines cast again\n",
+               m.name, m.planes.size[0], kernels[kernel], v.disagreements, v.components, v.mixed, v.border_inside, m.recasts);
+        assert_int_equal(v.disagreements + v.mixed + v.border_inside, 0);
+        assert_int_equal(v.components, 2);
+    }
+    free_mesh(&m);
+}
+
+static void test_closed_meshes(void **state)
+{
+    const uint64_t seed = *(const uint64_t *)*state;
+    for (int cells = 16; cells <= 128; cells *= cells == 16 ? 4 : 2) {
+        check_mesh(make_mesh("icosphere", shape_icosphere(4), cells, false, seed));
+        check_mesh(make_mesh("torus", shape_torus(64, 32, 2.0 / 7), cells, false, seed));
+        check_mesh(make_mesh("cube", shape_cube(8), cells, false, seed));
+        check_mesh(make_mesh("snapped icosphere", shape_icosphere(4), cells, true, seed));
+    }
+    check_mesh(make_mesh("snapped torus", shape_torus(64, 32, 2.0 / 7), 64, true, seed));
+}
+
+/* The voxels of a mesh, one of them drawn and taken away: is it missed? */
+static size_t count_leaks(mesh m, uint64_t seed)
+{
+    random_source r = random_named(seed, "removed");
+    size_t leaks = 0;
+    voxelize(&m, NULL);
+    for (int k = 0; k < REMOVED; k++) {
+        size_t bit;
+        do
+            bit = (size_t)(random_bits(&r) % (64 * m.words));
+        while (!bit_of(m.occupied, bit));
+        m.occupied[bit / 64] ^= UINT64_C(1) << bit % 64;
+        leaks += parity_judge(&m.planes, m.sides, m.occupied).mixed > 0;
+        m.occupied[bit / 64] ^= UINT64_C(1) << bit % 64;
+    }
+    printf("%-22s %zu of %d cells taken away are seen\n", m.name, leaks, REMOVED);
+    free_mesh(&m);
+    return leaks;
+}
+
+static void test_missing_cell(void **state)
+{
+    const uint64_t seed = *(const uint64_t *)*state;
+    assert_in_range(count_leaks(make_mesh("icosphere", shape_icosphere(4), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
+    assert_in_range(count_leaks(make_mesh("torus", shape_torus(64, 32, 2.0 / 7), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
+}
+
+/* A mesh on the planes of the grid, and cells without their borders: nothing is left of it. */
+static void test_open_cells(void **state)
+{
+    mesh m = make_mesh("cube with open cells", shape_cube(8), 48, false, *(const uint64_t *)*state);
+    witness w = witness_make(&m.planes, &m.shape, false);
+    faulty open = faulty_make(FAULT_OPEN, m.shape.count, 1);
+    answerer *const list[] = {&open.base};
+    (void)compare(&w, list, 1, m.occupied);
+    const parity_verdict v = parity_judge(&m.planes, m.sides, m.occupied);
+    printf("%-22s %zu mixed, %zu inside at the border\n", m.name, v.mixed, v.border_inside);
+    assert_true(v.mixed > 0 && v.border_inside > 0);
+    witness_free(&w);
+    free_mesh(&m);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    if (!embree_is_usable())
+        return SKIPPED;
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_closed_meshes, &args.seed),
+                                       cmocka_unit_test_prestate(test_missing_cell, &args.seed),
+                                       cmocka_unit_test_prestate(test_open_cells, &args.seed)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,41 @@
+/*
+ * witness.h - which cells a triangle meets, found by rays and by no separating axis.
+ *
+ * Triangle and cell are convex and compact. If they meet, so do they in a point of one of three kinds:
+ *   vertex    a vertex of the triangle, in the closed cell
+ *   edge      an edge of the triangle crosses the plane of a cell's face, within the closed cell
+ *   lattice   an edge line of the cell crosses the inside of the triangle, within the closed cell
+ * (The smallest faces of the two bodies that hold an extreme point of their intersection have no direction in common, so their
+ * dimensions add up to three at most.) Nothing that is parallel or coplanar needs care. Hence a pair overlaps if and only if it has
+ * a witness. Rays along the lattice are cast at the triangles, and the triangles' edges at one huge triangle per plane of the grid.
+ */
+#ifndef TRIBOX_TESTS_WITNESS_H
+#define TRIBOX_TESTS_WITNESS_H
+
+#include "planes.h"
+
+typedef struct witness_counts {
+    size_t solid, soft, ghost; /* lattice hits: inside the triangle; outside by Embree's tolerance; outside by more */
+    size_t grazing;            /* lattice hits whose place Embree knows badly: used all the same, with the place made anew */
+    size_t edges, left_out;    /* edge hits; those beyond the edge's end, by the rounding of its direction */
+    size_t vertices;           /* in the grid */
+    size_t strays;             /* certain marks outside of the triangle's candidates: a fault of this test, always 0 */
+} witness_counts;
+
+/* One bit for each candidate of each triangle: words first_word[t] .. first_word[t + 1] - 1 are those of triangle t. */
+typedef struct witness {
+    const planes *planes;
+    const shape *shape;
+    bool is_exact; /* the coordinates are small integers of one unit: no tolerance anywhere */
+    block *candidates;
+    size_t *first_word;
+    uint64_t *certain;  /* a witness beyond the rounding of this test: the pair overlaps */
+    uint64_t *possible; /* certain, or a witness within the rounding: a pair without does not overlap */
+    witness_counts counts;
+} witness;
+
+/* Needs Embree. Keeps both arguments. */
+witness witness_make(const planes *p, const shape *s, bool is_exact);
+void witness_free(witness *w);
+
+#endif
