@@ -6,22 +6,47 @@
  * soup costs the traffic of one axis. Between the other groups a packet is left as soon as it has no lane.
  */
 
+/* Word w of a walk, or its first `lanes` lanes: the hits, and in *open what is left open. */
+TRIBOX_INLINE uint64_t walk_word(lane_pairs *p, const lane_source *from, size_t word, int lanes, unsigned sequence,
+                                 tribox_accuracy accuracy, bool looks_again, uint64_t *open)
+{
+    uint64_t word_hit = 0, word_open = 0; /* in registers: the compiler must not fear that they alias the streams */
+    for (int lane = 0; lane < lanes; lane += V_LANES) {
+        uint64_t packet_open;
+        word_hit |= packet(p, from, 64 * word + (size_t)lane, sequence, accuracy, looks_again, &packet_open) << lane;
+        word_open |= packet_open << lane;
+    }
+    *open = word_open;
+    return word_hit;
+}
+
+/* Whether a word has three bits or more. */
+TRIBOX_INLINE bool has_several(uint64_t bits)
+{
+    bits &= bits - 1;
+    return bits & (bits - 1);
+}
+
+/*
+ * Two loops, so that scenes without ties keep fewer numbers: from the first word on that leaves several lanes open, the rest of the
+ * walk takes the second look of ties.h. What it decides a slower stage would decide alike.
+ */
 TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, unsigned sequence,
                         tribox_accuracy accuracy)
 {
+    const bool has_second_look = accuracy != TRIBOX_FAST && sequence_has(sequence, 1) && sequence != 1;
+    const size_t words = (count + 63) / 64;
+    const int last_lanes = (int)(count - 64 * (words - 1));
+    size_t w = 0;
     lane_pairs p;
     start_pairs(&p, from);
-    for (size_t w = 0; 64 * w < count; w++) {
-        const int lanes = count - 64 * w < 64 ? (int)(count - 64 * w) : 64;
-        uint64_t word_hit = 0, word_open = 0; /* in registers: the compiler must not fear that they alias the streams */
-        for (int lane = 0; lane < lanes; lane += V_LANES) {
-            uint64_t packet_open;
-            word_hit |= packet(&p, from, 64 * (word + w) + (size_t)lane, sequence, accuracy, &packet_open) << lane;
-            word_open |= packet_open << lane;
-        }
-        hit[w] = word_hit;
-        open[w] = word_open;
+    for (; w < words; w++) {
+        hit[w] = walk_word(&p, from, word + w, w + 1 < words ? 64 : last_lanes, sequence, accuracy, false, &open[w]);
+        if (has_second_look && has_several(open[w]))
+            break;
     }
+    for (; has_second_look && w < words; w++)
+        hit[w] = walk_word(&p, from, word + w, w + 1 < words ? 64 : last_lanes, sequence, accuracy, true, &open[w]);
 }
 
 #define WALKS(name, accuracy, sequence) \

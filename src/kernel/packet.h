@@ -166,9 +166,12 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool 
     return left & ~m_bits(m_and(margin->holds, v_gt(v_splat(0), v_add(slack, error))));
 }
 
-/* The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage. */
+/*
+ * The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage. looks_again:
+ * with the second look of ties.h, for which more numbers have to be kept.
+ */
 TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at, unsigned sequence, tribox_accuracy accuracy,
-                              uint64_t *open)
+                              bool looks_again, uint64_t *open)
 {
     const unsigned second = group_at(sequence, 1), third = group_at(sequence, 2);
     const bool is_box_asked = sequence_has(sequence, 1), is_box_first = group_at(sequence, 0) == 1;
@@ -217,10 +220,10 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
     uint64_t hit = left & m_bits(sure);
     if (is_certified)
         hit &= m_bits(v_gt(v_splat(0), p->margin.least));
-    if (is_box_asked && sequence != 1 && left & ~hit) { /* seldom, or ties.h has work */
+    if (left & ~hit && is_box_asked && sequence != 1) {
         const vmask sound = is_certified ? is_certificate_sound(&s, &p->margin) : margin.holds;
         hit |= left & m_bits(m_and(sure, sound));
-        if (left & ~hit) {
+        if (looks_again && left & ~hit) {
             const vmask edges = sequence_has(sequence, 3) ? are_edges_certain(&s, &margin) : margin.holds;
             const vmask plane = sequence_has(sequence, 2) ? is_plane_certain(&s, &margin) : margin.holds;
             hit |= left & m_bits(m_and(m_and(sound, margin.holds), m_and(edges, plane)));
