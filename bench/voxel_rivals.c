@@ -87,30 +87,52 @@ static set_up set_up_of(const float v[3][3])
     return s;
 }
 
-static void set_rows(const tribox_grid *grid, const set_up *s, const cell_range *range, uint64_t *occupied)
+/* The bits of a row's cells that pass: those of one word at a time. `thin`: the axis on which the box is one cell thick, or 3. */
+static inline void set_row(const set_up *s, const cell_range *range, int j, int k, int thin, uint64_t *row)
+{
+    const float y = (float)j, z = (float)k, plane = s->n[1] * y + s->n[2] * z;
+    float zx[3], xy[3];
+    for (int e = 0; e < 3; e++) {
+        zx[e] = s->a[1][e] * z + s->c[1][e];
+        xy[e] = s->b[2][e] * y + s->c[2][e];
+    }
+    for (int word = range->first[0] / 64; word <= range->last[0] / 64; word++) {
+        const int from = word * 64 > range->first[0] ? word * 64 : range->first[0];
+        const int last = word * 64 + 63 < range->last[0] ? word * 64 + 63 : range->last[0];
+        uint64_t bits = 0;
+        for (int i = from; i <= last; i++) {
+            const float x = (float)i, p = plane + s->n[0] * x;
+            bool is_set = thin < 3 || (p + s->d[0]) * (p + s->d[1]) <= 0;
+            for (int e = 0; e < 3; e++) {
+                if (thin == 1 || thin == 3)
+                    is_set &= zx[e] + s->b[1][e] * x >= 0;
+                if (thin == 2 || thin == 3)
+                    is_set &= xy[e] + s->a[2][e] * x >= 0;
+            }
+            bits |= (uint64_t)is_set << i % 64;
+        }
+        row[word] |= bits;
+    }
+}
+
+static inline void set_rows(const tribox_grid *grid, const set_up *s, const cell_range *range, int thin, uint64_t *occupied)
 {
     for (int k = range->first[2]; k <= range->last[2]; k++)
         for (int j = range->first[1]; j <= range->last[1]; j++) {
-            const float y = (float)j, z = (float)k;
             bool is_inside = true;
-            float zx[3], xy[3];
-            for (int e = 0; e < 3; e++) {
-                is_inside &= s->a[0][e] * y + s->b[0][e] * z + s->c[0][e] >= 0;
-                zx[e] = s->a[1][e] * z + s->c[1][e];
-                xy[e] = s->b[2][e] * y + s->c[2][e];
-            }
-            if (!is_inside)
-                continue;
-            const float plane = s->n[1] * y + s->n[2] * z;
-            uint64_t *const row = row_of(grid, occupied, j, k);
-            for (int i = range->first[0]; i <= range->last[0]; i++) {
-                const float x = (float)i, p = plane + s->n[0] * x;
-                bool is_set = (p + s->d[0]) * (p + s->d[1]) <= 0;
-                for (int e = 0; e < 3; e++)
-                    is_set &= (zx[e] + s->b[1][e] * x >= 0) & (xy[e] + s->a[2][e] * x >= 0);
-                row[i / 64] |= (uint64_t)is_set << i % 64;
-            }
+            for (int e = 0; e < 3 && (thin == 0 || thin == 3); e++)
+                is_inside &= s->a[0][e] * (float)j + s->b[0][e] * (float)k + s->c[0][e] >= 0;
+            if (is_inside)
+                set_row(s, range, j, k, thin, row_of(grid, occupied, j, k));
         }
+}
+
+static int thin_axis(const cell_range *range)
+{
+    for (int a = 0; a < 3; a++)
+        if (range->first[a] == range->last[a])
+            return a;
+    return 3;
 }
 
 void voxelize_schwarz_seidel(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
@@ -121,7 +143,7 @@ void voxelize_schwarz_seidel(const tribox_grid *grid, const float (*triangles)[3
         const cell_range range = range_of(grid, (const float(*)[3])v);
         if (range.axes_spanned > 1) {
             const set_up s = set_up_of((const float(*)[3])v);
-            set_rows(grid, &s, &range, occupied);
+            set_rows(grid, &s, &range, thin_axis(&range), occupied);
             continue;
         }
         for (int k = range.first[2]; k <= range.last[2]; k++)

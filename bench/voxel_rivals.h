@@ -18,10 +18,11 @@ typedef void voxel_rival(const tribox_grid *grid, const float (*triangles)[3][3]
 voxel_rival voxelize_cell_by_cell;
 
 /**
- * M. Schwarz, H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs", ACM Transactions on Graphics 29(6), 2010,
- * section 3.1: conservative surface voxelization. Per triangle its plane's two critical points and nine edge functions in the three
- * projections; per cell the plane and those of the edges that depend on x, per row the others. A triangle whose box spans cells on
- * one axis alone overlaps them all.
+ * The surface voxelization of M. Schwarz, H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs", ACM Transactions on
+ * Graphics 29(6), 2010: per triangle its plane's two critical points and nine edge functions in the three projections; per cell of
+ * the bounding box the plane and the edges. What does not depend on x is taken out of the row; a row that its edges reject is
+ * passed over. A triangle whose box spans cells on one axis alone overlaps them all; one whose box is one cell thick is told by the
+ * edges of one projection. Walks that leave out cells, by columns along the largest axis of the normal, are not in it.
  */
 voxel_rival voxelize_schwarz_seidel;
 

@@ -94,13 +94,19 @@ bool voxel_scene_read(const char *path, voxel_scene *made)
         return false;
     const char *const slash = strrchr(path, '/');
     snprintf(made->name, sizeof made->name, "%s", slash ? slash + 1 : path);
-    const bool is_made = make_room(made, m.soup.count);
-    for (size_t i = 0; is_made && i < m.soup.count; i++)
+    const bool is_made = make_room(made, m.soup.count - m.not_finite);
+    for (size_t i = 0, to = 0; is_made && i < m.soup.count; i++) {
+        float u[3][3], sum = 0;
         for (int v = 0; v < 3; v++) {
-            made->triangles[i][v][0] = m.soup.x[v][i];
-            made->triangles[i][v][1] = m.soup.y[v][i];
-            made->triangles[i][v][2] = m.soup.z[v][i];
+            u[v][0] = m.soup.x[v][i];
+            u[v][1] = m.soup.y[v][i];
+            u[v][2] = m.soup.z[v][i];
+            for (int a = 0; a < 3; a++)
+                sum += u[v][a] - u[v][a];
         }
+        if (sum == 0) /* finite: the rivals know nothing else */
+            memcpy(made->triangles[to++], u, sizeof u);
+    }
     if (is_made)
         fill_streams(made);
     mesh_free(&m);

@@ -1,9 +1,10 @@
 /*
  * voxels.c - how fast are soups voxelized, beside the paper's test for each cell and beside Schwarz and Seidel (voxel_rivals.h)?
  *
- * All contestants run in one process, interleaved in rounds; ratios are the medians of the rounds' ratios. The bits are cleared
- * before each pass, outside the time. A rival that takes too long for one pass is timed once, and where even that would take minutes,
- * on a sample of the triangles.
+ * First all answer once: EXACT alike on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. Then all run in
+ * one process, interleaved in rounds; ratios are the medians of the rounds' ratios. The bits are cleared before each pass, outside
+ * the time. A rival that takes too long for one pass is timed once, and where even that would take minutes, on every so manyth
+ * triangle; the table says so.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -51,7 +52,8 @@ typedef struct finding {
     double seconds[CONTESTANT_COUNT];  /* medians; for a sample of the triangles scaled up; negative if not run */
     double to_exact[CONTESTANT_COUNT]; /* median of the rounds' ratios to EXACT */
     size_t step[CONTESTANT_COUNT];     /* every so manyth triangle was run */
-    size_t set, unlike;                /* cells of EXACT, and those that Schwarz and Seidel's float test tells otherwise */
+    bool is_once[CONTESTANT_COUNT];    /* in one round alone */
+    size_t set, unlike;                /* cells of EXACT, and those that Schwarz and Seidel's test tells otherwise */
 } finding;
 
 typedef struct task {
@@ -60,6 +62,7 @@ typedef struct task {
     tribox_grid grid;
     size_t words;
     uint64_t *bits;
+    float (*sample)[3][3]; /* room for the triangles that a rival is timed on */
 } task;
 
 static const char usage[] =
@@ -85,45 +88,58 @@ static bool runs(const task *t, contestant_index c)
     return c < CONTESTANT_COUNT;
 }
 
-static void pass(const task *t, contestant_index c, size_t count)
+/* What tribox answers, into the bits. */
+static tribox_status answer(const task *t, const tribox_options *options, unsigned threads, tribox_report *report)
+{
+#if defined(BENCH_MESHES)
+    if (threads > 1)
+        return voxelize_in_threads(&t->scene->soup, &t->grid, 0, t->grid.size[2], options, threads, t->bits, report, NULL, NULL);
+#endif
+    (void)threads;
+    return tribox_voxelize(&t->scene->soup, &t->grid, options, t->bits, report);
+}
+
+static void pass(const task *t, contestant_index c, const float (*triangles)[3][3], size_t count)
 {
     static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_CONSERVATIVE, TRIBOX_FAST, TRIBOX_EXACT};
     if (c == RIVAL_SEIDEL)
-        voxelize_schwarz_seidel(&t->grid, (const float(*)[3][3])t->scene->triangles, count, t->bits);
+        voxelize_schwarz_seidel(&t->grid, triangles, count, t->bits);
     else if (c == RIVAL_CELLS)
-        voxelize_cell_by_cell(&t->grid, (const float(*)[3][3])t->scene->triangles, count, t->bits);
-    else {
-        const tribox_options options = {.accuracy = accuracies[c], .kernel = t->s->kernel};
-#if defined(BENCH_MESHES)
-        if (c == TWO_THREADS) {
-            voxelize_in_threads(&t->scene->soup, &t->grid, 0, t->grid.size[2], &options, 2, t->bits, NULL, NULL, NULL);
-            return;
-        }
-#endif
-        tribox_voxelize(&t->scene->soup, &t->grid, &options, t->bits, NULL);
-    }
+        voxelize_cell_by_cell(&t->grid, triangles, count, t->bits);
+    else
+        answer(t, &(tribox_options){.accuracy = accuracies[c], .kernel = t->s->kernel}, c == TWO_THREADS ? 2 : 1, NULL);
 }
 
-static double seconds_of(const task *t, contestant_index c, size_t count)
-{
-    memset(t->bits, 0, t->words * sizeof *t->bits);
-    const double begin = measure_now();
-    pass(t, c, count);
-    return measure_now() - begin;
-}
+static void clear(const task *t) { memset(t->bits, 0, t->words * sizeof *t->bits); }
 
-/* A rival's pass over a few triangles tells how many it can do in the time; it gets the first of them, of a soup in random order. */
-static size_t count_within(const task *t, contestant_index c)
+static size_t pick_sample(const task *t, size_t step)
 {
-    size_t count = t->scene->soup.count;
-    if (c < RIVAL_SEIDEL)
-        return count;
-    for (size_t some = 1; some < count; some *= 4) {
-        const double seconds = seconds_of(t, c, some);
-        if (seconds * 4 > t->s->limit)
-            return some;
-    }
+    size_t count = 0;
+    for (size_t i = 0; i < t->scene->soup.count; i += step)
+        memcpy(t->sample[count++], t->scene->triangles[i], sizeof t->sample[0]);
     return count;
+}
+
+/* The seconds of a pass over every `step`th triangle, scaled up to all. */
+static double seconds_of(const task *t, contestant_index c, size_t step)
+{
+    const bool is_sample = step > 1;
+    const size_t all = t->scene->soup.count, count = is_sample ? pick_sample(t, step) : all;
+    clear(t);
+    const double begin = measure_now();
+    pass(t, c, (const float(*)[3][3])(is_sample ? t->sample : t->scene->triangles), count);
+    return (measure_now() - begin) * (double)all / (double)count;
+}
+
+/* Every how manyth triangle a rival can do in the time: a coarse sample tells the time of a finer one. */
+static size_t step_of(const task *t, contestant_index c)
+{
+    if (c < RIVAL_SEIDEL)
+        return 1;
+    size_t step = t->scene->soup.count;
+    while (step > 1 && seconds_of(t, c, step) / (double)(step / 2 + 1) < t->s->limit)
+        step = step / 4 ? step / 4 : 1;
+    return step;
 }
 
 static int by_value(const void *a, const void *b)
@@ -147,39 +163,66 @@ static size_t count_bits(const uint64_t *words, size_t count)
     return sum;
 }
 
-/* False if the library refuses, or memory fails. */
-static bool count_cells(const task *t, finding *f)
+static bool fail_at(const task *t, const char *what)
 {
-    const tribox_options options = {.kernel = t->s->kernel};
-    tribox_report report;
-    uint64_t *const exact = calloc(t->words, sizeof *exact);
-    const tribox_status status = exact ? tribox_voxelize(&t->scene->soup, &t->grid, &options, exact, &report) : TRIBOX_NO_MEMORY;
-    if (status) {
-        fprintf(stderr, "voxels: %s: %s\n", t->scene->name, tribox_status_text(status));
-        free(exact);
-        return false;
-    }
-    f->set = report.overlapping;
-    if (f->step[RIVAL_SEIDEL] == 1) {
-        memset(t->bits, 0, t->words * sizeof *t->bits);
-        pass(t, RIVAL_SEIDEL, t->scene->soup.count);
-        for (size_t w = 0; w < t->words; w++)
-            exact[w] ^= t->bits[w];
-        f->unlike = count_bits(exact, t->words);
-    }
-    free(exact);
+    fprintf(stderr, "voxels: %s, %u cells along x: %s; nothing is timed\n", t->scene->name, t->grid.size[0], what);
+    return false;
+}
+
+/* Whether the bits are those of `exact`, or hold them. */
+static bool is_right(const task *t, const uint64_t *exact, bool is_superset_enough)
+{
+    for (size_t w = 0; w < t->words; w++)
+        if (is_superset_enough ? exact[w] & ~t->bits[w] : exact[w] ^ t->bits[w])
+            return false;
     return true;
+}
+
+/* Lets tribox answer on every kernel before anything is timed; exact receives the cells. */
+static bool verify(const task *t, uint64_t *exact, finding *f)
+{
+    static const char *const kernels[] = {"avx512", "avx2", "sse2", "scalar"};
+    tribox_report report;
+    clear(t);
+    const tribox_status status = answer(t, &(tribox_options){.kernel = t->s->kernel}, 1, &report);
+    if (status)
+        return fail_at(t, tribox_status_text(status));
+    f->set = report.overlapping;
+    memcpy(exact, t->bits, t->words * sizeof *exact);
+    if (count_bits(exact, t->words) != f->set)
+        return fail_at(t, "the report counts other cells than are set");
+    for (size_t k = 0; k < sizeof kernels / sizeof kernels[0]; k++) {
+        const tribox_options options = {.kernel = kernels[k]};
+        clear(t);
+        if (tribox_kernel_name(&options) && (answer(t, &options, 1, NULL) || !is_right(t, exact, false)))
+            return fail_at(t, "the kernels do not agree");
+    }
+    clear(t);
+    if (answer(t, &(tribox_options){.kernel = t->s->kernel}, 2, NULL) || !is_right(t, exact, false))
+        return fail_at(t, "two threads answer otherwise than one");
+    clear(t);
+    if (answer(t, &(tribox_options){.accuracy = TRIBOX_CONSERVATIVE, .kernel = t->s->kernel}, 1, NULL) || !is_right(t, exact, true))
+        return fail_at(t, "CONSERVATIVE misses cells");
+    return true;
+}
+
+static void count_unlike(const task *t, uint64_t *exact, finding *f)
+{
+    if (f->step[RIVAL_SEIDEL] > 1)
+        return;
+    clear(t);
+    pass(t, RIVAL_SEIDEL, (const float(*)[3][3])t->scene->triangles, t->scene->soup.count);
+    for (size_t w = 0; w < t->words; w++)
+        exact[w] ^= t->bits[w];
+    f->unlike = count_bits(exact, t->words);
 }
 
 static void time_rounds(const task *t, generator *order, finding *f)
 {
     static double seconds[CONTESTANT_COUNT][ROUNDS_MOST], ratios[ROUNDS_MOST];
     const size_t rounds = (size_t)t->s->rounds;
-    size_t counts[CONTESTANT_COUNT];
-    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-        counts[c] = count_within(t, c);
-        f->step[c] = t->scene->soup.count / counts[c];
-    }
+    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++)
+        f->step[c] = step_of(t, c);
     for (size_t round = 0; round < rounds + 1; round++) { /* the first warms up, and is written over */
         contestant_index turns[CONTESTANT_COUNT];
         for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
@@ -189,11 +232,10 @@ static void time_rounds(const task *t, generator *order, finding *f)
         }
         for (int turn = 0; turn < CONTESTANT_COUNT; turn++) {
             const contestant_index c = turns[turn];
-            const bool is_slow = c >= RIVAL_SEIDEL && round > 1 && seconds[c][0] > t->s->limit / (double)rounds;
             const size_t at = round ? round - 1 : 0;
+            f->is_once[c] = c >= RIVAL_SEIDEL && round > 1 && seconds[c][0] / (double)f->step[c] > t->s->limit / (double)rounds;
             if (runs(t, c))
-                seconds[c][at] =
-                    is_slow ? seconds[c][0] : seconds_of(t, c, counts[c]) * (double)t->scene->soup.count / (double)counts[c];
+                seconds[c][at] = f->is_once[c] ? seconds[c][0] : seconds_of(t, c, f->step[c]);
         }
     }
     for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
@@ -216,10 +258,13 @@ static void print_table(const task *t, const finding *f)
             continue;
         printf("%-18s %14.1f %12.2f %16.3f %10.2f", contestants[c], 1e9 * f->seconds[c] / triangles,
                1e9 * f->seconds[c] / (double)f->set, triangles / f->seconds[c] / 1e6, f->to_exact[c]);
-        printf(f->step[c] > 1 ? "   on the first of %zu triangles\n" : "\n", f->step[c]);
+        if (f->step[c] > 1)
+            printf("   one of %zu triangles", f->step[c]);
+        printf("%s\n", f->is_once[c] ? "   timed once" : "");
     }
     if (f->step[RIVAL_SEIDEL] == 1)
-        printf("cells that the float test of Schwarz and Seidel tells otherwise: %zu\n", f->unlike);
+        printf("cells that Schwarz and Seidel's test, in float and with planes that are no floats, tells otherwise: %zu\n",
+               f->unlike);
 }
 
 static void print_json(const task *t, const finding *f, bool is_first)
@@ -240,9 +285,9 @@ static void print_json(const task *t, const finding *f, bool is_first)
     printf("}}");
 }
 
-/* Products of the ratios over all soups and resolutions that were read from files. */
+/* Products of the ratios over the soups that were read from files, for each resolution. */
 typedef struct means {
-    double logarithm[CONTESTANT_COUNT];
+    double logarithm[RESOLUTIONS_MOST][CONTESTANT_COUNT];
     size_t count;
 } means;
 
@@ -252,38 +297,52 @@ static bool run_scene(const voxel_scene *at, const settings *s, generator *order
         task t = {.scene = at, .s = s, .grid = voxel_scene_grid(at, s->resolution[r])};
         finding f = {.unlike = 0};
         t.words = tribox_grid_words(&t.grid);
-        t.bits = malloc(t.words * sizeof *t.bits);
-        if (!t.bits) {
-            fprintf(stderr, "voxels: no memory for %zu words of bits; take a lower resolution\n", t.words);
-            return false;
+        t.bits = malloc(2 * t.words * sizeof *t.bits);
+        t.sample = malloc(at->soup.count * sizeof *t.sample);
+        if (!t.bits || !t.sample)
+            fprintf(stderr, "voxels: no memory for %zu words of bits; take a lower resolution\n", 2 * t.words);
+        const bool is_verified = t.bits && t.sample && verify(&t, t.bits + t.words, &f);
+        if (is_verified) {
+            time_rounds(&t, order, &f);
+            count_unlike(&t, t.bits + t.words, &f);
+            if (s->is_json)
+                print_json(&t, &f, *is_first);
+            else
+                print_table(&t, &f);
+            fflush(stdout);
         }
-        time_rounds(&t, order, &f);
-        const bool is_right = count_cells(&t, &f);
-        if (is_right && s->is_json)
-            print_json(&t, &f, *is_first);
-        else if (is_right)
-            print_table(&t, &f);
-        fflush(stdout);
         free(t.bits);
-        if (!is_right)
+        free(t.sample);
+        if (!is_verified)
             return false;
         *is_first = false;
         for (contestant_index c = EXACT; is_mesh && c < CONTESTANT_COUNT; c++)
-            m->logarithm[c] += log(f.to_exact[c]);
-        m->count += is_mesh;
+            m->logarithm[r][c] += log(f.to_exact[c]);
     }
+    m->count += is_mesh;
     return true;
 }
 
-static void print_means(const means *m)
+static void print_means(const means *m, const settings *s)
 {
     struct rusage usage_here;
-    if (m->count)
-        printf("\ngeometric means over %zu soups and resolutions of meshes, x exact:\n", m->count);
-    for (contestant_index c = CONSERVATIVE; m->count && c < CONTESTANT_COUNT; c++)
-        printf("%-18s %8.2f\n", contestants[c], exp(m->logarithm[c] / (double)m->count));
+    if (m->count) {
+        printf("\ngeometric means over %zu meshes, x exact:\n%-18s", m->count, "cells");
+        for (size_t r = 0; r < s->resolutions; r++)
+            printf(" %8u", s->resolution[r]);
+        printf(" %8s\n", "all");
+    }
+    for (contestant_index c = CONSERVATIVE; m->count && c < CONTESTANT_COUNT; c++) {
+        double all = 0;
+        printf("%-18s", contestants[c]);
+        for (size_t r = 0; r < s->resolutions; r++) {
+            printf(" %8.2f", exp(m->logarithm[r][c] / (double)m->count));
+            all += m->logarithm[r][c];
+        }
+        printf(" %8.2f\n", exp(all / (double)(m->count * s->resolutions)));
+    }
     if (!getrusage(RUSAGE_SELF, &usage_here))
-        printf("most memory of the process: %.0f MiB, two copies of a soup and two grids of bits among it\n",
+        printf("most memory of the process: %.0f MiB, three copies of a soup and two grids of bits among it\n",
                (double)usage_here.ru_maxrss / 1024);
 }
 
@@ -366,20 +425,20 @@ int main(int argc, char **argv)
     }
     generator order = {~s.seed};
     means m = {.count = 0};
-    bool is_first = true, is_right = true;
-    for (size_t i = 0; is_right && i < (s.has_scenes ? VOXEL_SCENES : 0) + s.meshes; i++) {
+    bool is_first = true, is_done = true;
+    for (size_t i = 0; is_done && i < (s.has_scenes ? VOXEL_SCENES : 0) + s.meshes; i++) {
         const size_t mesh = i - (s.has_scenes ? VOXEL_SCENES : 0);
         const bool is_mesh = !s.has_scenes || i >= VOXEL_SCENES;
         voxel_scene at;
-        is_right = is_mesh ? read_mesh(s.mesh[mesh], &at) : voxel_scene_make((int)i, s.seed, &at);
-        if (is_right) {
-            is_right = run_scene(&at, &s, &order, &m, is_mesh, &is_first);
+        is_done = is_mesh ? read_mesh(s.mesh[mesh], &at) : voxel_scene_make((int)i, s.seed, &at);
+        if (is_done) {
+            is_done = run_scene(&at, &s, &order, &m, is_mesh, &is_first);
             voxel_scene_free(&at);
         }
     }
     if (s.is_json)
         printf("]}\n");
-    else if (is_right)
-        print_means(&m);
-    return !is_right;
+    else if (is_done)
+        print_means(&m, &s);
+    return !is_done;
 }
