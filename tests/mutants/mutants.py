@@ -26,7 +26,7 @@ import time
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
-SUITES = ("exact", "kernels")
+SUITES = ("exact", "kernels", "voxels")
 SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
 WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
@@ -246,13 +246,28 @@ def judge_all(folder, mutants, jobs):
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Puts the faults of mutants.txt into the source, one at a time, and runs the tests.")
     parser.add_argument("--only", metavar="PATTERN", default="*", help="only the mutants of this name, such as 'axis-*'")
-    parser.add_argument("--list", action="store_true", help="print the mutants and change nothing")
+    parser.add_argument("--list", action="store_true", help="print the mutants, look for their texts, and change nothing")
     parser.add_argument("--keep", action="store_true", help="keep the copies of the tree and their builds")
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="mutants tried at a time (default: 2)")
     arguments = parser.parse_args()
     if arguments.jobs < 1:
         parser.error("--jobs must be 1 or more")
     return arguments
+
+
+def check_texts(mutants):
+    """Every text is in the tree, and once: looked at before anything is built."""
+    texts, faults = {}, []
+    for mutant in mutants:
+        try:
+            if mutant.path not in texts:
+                with open(os.path.join(ROOT, mutant.path), encoding="utf-8") as file:
+                    texts[mutant.path] = file.read()
+            mutated(mutant, texts[mutant.path])
+        except (OSError, SuiteError) as error:
+            faults.append(f"{mutant.name}: {error}")
+    if faults:
+        raise SuiteError("the source has moved away from the list; these entries need its texts of today:\n  " + "\n  ".join(faults))
 
 
 def print_list(mutants):
@@ -269,6 +284,8 @@ def main():
         raise SuiteError(f"no mutant is called '{arguments.only}'; --list prints the names")
     if arguments.list:
         print_list(mutants)
+    check_texts(mutants)
+    if arguments.list:
         return 0
     folder = tempfile.mkdtemp(prefix="tribox-mutants-")
     try:
