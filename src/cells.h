@@ -1,6 +1,6 @@
 /*
  * cells.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on an axis
- * is told in cells, in double.
+ * is told in cells, in double. An axis has at most some 2^26 cells, as no two planes are one float.
  */
 #ifndef TRIBOX_CELLS_H
 #define TRIBOX_CELLS_H
@@ -59,7 +59,7 @@ typedef struct tribox_strip {
     unsigned count;
     float u[9][TRIBOX_STRIP];      /* u[3 * v + a][t]: axis a of vertex v */
     double base[3][TRIBOX_STRIP];  /* the first cell of its range, within the grid */
-    double cells[3][TRIBOX_STRIP]; /* how many there are on each axis, within the grid: at most 2^30 along x */
+    double cells[3][TRIBOX_STRIP]; /* how many there are on each axis, within the grid */
 } tribox_strip;
 
 /* Their limits, as far as the shape has them. */

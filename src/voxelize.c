@@ -247,34 +247,26 @@ static void set_crowd(voxels *v, tribox_shape shape)
     strip->count = 0;
 }
 
-/* Triangle i of the soup joins the crowd of its shape; with a range longer than rows may be, piece after piece. */
+/* Triangle i of the soup joins the crowd of its shape. */
 static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, const tribox_reach *reach, tribox_shape shape)
 {
-    const double piece = 0x1p30;
     const unsigned lane = i % 64;
     crowd *const c = &v->crowds[shape];
     tribox_strip *const strip = &c->strip;
-    for (double done = 0; done < reach->cells[0][lane]; done += piece) {
-        const unsigned t = strip->count;
-        for (int j = 0; j < 3; j++) {
-            strip->u[3 * j][t] = soup->x[j][i];
-            strip->u[3 * j + 1][t] = soup->y[j][i];
-            strip->u[3 * j + 2][t] = soup->z[j][i];
-        }
-        for (int a = 0; a < 3; a++) {
-            strip->base[a][t] = reach->base[a][lane];
-            strip->cells[a][t] = reach->cells[a][lane];
-        }
-        strip->base[0][t] += done;
-        if (strip->cells[0][t] - done > piece)
-            strip->cells[0][t] = piece;
-        else
-            strip->cells[0][t] -= done;
-        c->word[t] = reach->word[lane] + (int32_t)(done / 64);
-        c->bit[t] = reach->bit[lane];
-        if (++strip->count == TRIBOX_STRIP)
-            set_crowd(v, shape);
+    const unsigned t = strip->count;
+    for (int j = 0; j < 3; j++) {
+        strip->u[3 * j][t] = soup->x[j][i];
+        strip->u[3 * j + 1][t] = soup->y[j][i];
+        strip->u[3 * j + 2][t] = soup->z[j][i];
     }
+    for (int a = 0; a < 3; a++) {
+        strip->base[a][t] = reach->base[a][lane];
+        strip->cells[a][t] = reach->cells[a][lane];
+    }
+    c->word[t] = reach->word[lane];
+    c->bit[t] = reach->bit[lane];
+    if (++strip->count == TRIBOX_STRIP)
+        set_crowd(v, shape);
 }
 
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */

@@ -220,8 +220,8 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
     uint64_t hit = left & m_bits(sure);
     if (is_certified)
         hit &= m_bits(v_gt(v_splat(0), p->margin.least));
-    if (left & ~hit && is_box_asked && sequence != 1) {
-        const vmask sound = is_certified ? is_certificate_sound(&s, &p->margin) : margin.holds;
+    if (left & ~hit && is_box_asked && sequence != 1 && (is_certified || looks_again)) {
+        const vmask sound = sequence_has(sequence, 3) ? is_certificate_sound(&s, &p->margin) : margin.holds;
         hit |= left & m_bits(m_and(sure, sound));
         if (looks_again && left & ~hit) {
             const vmask edges = sequence_has(sequence, 3) ? are_edges_certain(&s, &margin) : margin.holds;
