@@ -125,8 +125,10 @@ class NothingHalfWritten(Failures):
 
     def test_interrupted(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            # under nohup a child would ignore SIGHUP, and rightly
             process = subprocess.Popen([support.program(), "voxelize", self.mesh, "--resolution", "900", "--quiet", "-o",
-                                        self.path("big.npy")], stderr=subprocess.PIPE)
+                                        self.path("big.npy")], stderr=subprocess.PIPE,
+                                       preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
             deadline = time.monotonic() + 60
             while sorted(os.listdir(self.folder)) == self.there and time.monotonic() < deadline:
                 time.sleep(0.001)
