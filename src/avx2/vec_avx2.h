@@ -22,6 +22,7 @@ typedef __m256 vmask;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm256_loadu_ps(p); }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm256_set1_ps(a); }
+TRIBOX_INLINE void v_write(float *p, vnum a) { _mm256_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm256_add_ps(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm256_sub_ps(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm256_mul_ps(a, b); }
@@ -35,6 +36,21 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, sign); }
 TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm256_and_ps(a, b); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_ps(b, a, m); }
+/* Row i has lanes i and i + 4 in its halves: what follows stays within them. */
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps((const float *)from[i])),
+                                      _mm_loadu_ps((const float *)from[i + 4]), 1);
+    const vnum low_01 = _mm256_unpacklo_ps(row[0], row[1]), low_23 = _mm256_unpacklo_ps(row[2], row[3]);
+    const vnum high_01 = _mm256_unpackhi_ps(row[0], row[1]), high_23 = _mm256_unpackhi_ps(row[2], row[3]);
+    to[0] = _mm256_shuffle_ps(low_01, low_23, 0x44);
+    to[1] = _mm256_shuffle_ps(low_01, low_23, 0xee);
+    to[2] = _mm256_shuffle_ps(high_01, high_23, 0x44);
+    to[3] = _mm256_shuffle_ps(high_01, high_23, 0xee);
+}
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm256_or_ps(a, b); }

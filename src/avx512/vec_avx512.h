@@ -25,6 +25,7 @@ TRIBOX_INLINE vnum avx512_float(__m512i a) { return _mm512_castsi512_ps(a); }
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_loadu_ps(p); }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm512_set1_ps(a); }
+TRIBOX_INLINE void v_write(float *p, vnum a) { _mm512_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_ps(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm512_sub_ps(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm512_mul_ps(a, b); }
@@ -38,6 +39,24 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return avx512_float(_mm512_xor_si
 TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return avx512_float(_mm512_and_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_blend_ps(m, b, a); }
+/* Row i has lanes i, i + 4, i + 8 and i + 12 in its quarters: what follows stays within them. */
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++) {
+        row[i] = _mm512_castps128_ps512(_mm_loadu_ps((const float *)from[i]));
+        row[i] = _mm512_insertf32x4(row[i], _mm_loadu_ps((const float *)from[i + 4]), 1);
+        row[i] = _mm512_insertf32x4(row[i], _mm_loadu_ps((const float *)from[i + 8]), 2);
+        row[i] = _mm512_insertf32x4(row[i], _mm_loadu_ps((const float *)from[i + 12]), 3);
+    }
+    const vnum low_01 = _mm512_unpacklo_ps(row[0], row[1]), low_23 = _mm512_unpacklo_ps(row[2], row[3]);
+    const vnum high_01 = _mm512_unpackhi_ps(row[0], row[1]), high_23 = _mm512_unpackhi_ps(row[2], row[3]);
+    to[0] = _mm512_shuffle_ps(low_01, low_23, 0x44);
+    to[1] = _mm512_shuffle_ps(low_01, low_23, 0xee);
+    to[2] = _mm512_shuffle_ps(high_01, high_23, 0x44);
+    to[3] = _mm512_shuffle_ps(high_01, high_23, 0xee);
+}
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi32_mask(avx512_bits(a), _mm512_setzero_si512()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }

@@ -34,6 +34,7 @@ TRIBOX_INLINE float scalar_float(uint32_t bits)
 
 TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
 TRIBOX_INLINE vnum v_splat(float a) { return a; }
+TRIBOX_INLINE void v_write(float *p, vnum a) { *p = a; }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }
@@ -47,6 +48,8 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
 TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return scalar_float(scalar_bits(a) & scalar_bits(b)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4]) { memcpy(to, from[0], 4 * sizeof *to); }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }

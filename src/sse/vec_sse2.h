@@ -22,6 +22,7 @@ typedef __m128 vmask;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm_loadu_ps(p); }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm_set1_ps(a); }
+TRIBOX_INLINE void v_write(float *p, vnum a) { _mm_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_ps(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm_sub_ps(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm_mul_ps(a, b); }
@@ -35,6 +36,19 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, sign); }
 TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = _mm_loadu_ps((const float *)from[i]);
+    const vnum low_01 = _mm_unpacklo_ps(row[0], row[1]), low_23 = _mm_unpacklo_ps(row[2], row[3]);
+    const vnum high_01 = _mm_unpackhi_ps(row[0], row[1]), high_23 = _mm_unpackhi_ps(row[2], row[3]);
+    to[0] = _mm_movelh_ps(low_01, low_23);
+    to[1] = _mm_movehl_ps(low_23, low_01);
+    to[2] = _mm_movelh_ps(high_01, high_23);
+    to[3] = _mm_movehl_ps(high_23, high_01);
+}
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_ps(a, b); }

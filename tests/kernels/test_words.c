@@ -83,13 +83,13 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
         return number_of_bits(bits_of(a) & SIGN_BIT);
     case V_FLIP:
         return number_of_bits(bits_of(a) ^ (bits_of(b) & SIGN_BIT));
-#if defined(LANES_OF_DOUBLE)
-    case V_DIV:
-        return a / b;
-    case V_READ:
+    case V_WRITE:
         return a;
     case V_SELECT:
         return b > c ? a : b;
+#if defined(LANES_OF_DOUBLE)
+    case V_DIV:
+        return a / b;
 #endif
     case NUMBER_WORDS:
         break;
@@ -123,11 +123,11 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 }
 
 static const char *const number_names[NUMBER_WORDS] = {
-    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",   [V_SUB] = "v_sub",       [V_MUL] = "v_mul",
-    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",   [V_MIN] = "v_min",       [V_MAX] = "v_max",
-    [V_ABS] = "v_abs",     [V_SIGN] = "v_sign", [V_FLIP] = "v_flip",
+    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",     [V_SUB] = "v_sub",       [V_MUL] = "v_mul", [V_FMA] = "v_fma",
+    [V_FMS] = "v_fms",     [V_MIN] = "v_min",     [V_MAX] = "v_max",       [V_ABS] = "v_abs", [V_SIGN] = "v_sign",
+    [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select",
 #if defined(LANES_OF_DOUBLE)
-    [V_DIV] = "v_div",     [V_READ] = "v_read", [V_SELECT] = "v_select",
+    [V_DIV] = "v_div",
 #endif
 };
 
@@ -292,6 +292,28 @@ static void test_cuts(void **state)
         assert_int_equal(out[lanes_count + 1], 77);
     }
 }
+#else
+/* Four numbers from each of as many places, at any alignment of bytes; their bits are kept. */
+static void test_transposes(void **state)
+{
+    (void)state;
+    enum { BYTES = 1000 };
+    random_source r = random_named(args.seed, "transposes");
+    unsigned char memory[BYTES];
+    lane_number out[4][LANES_MOST];
+    for (int round = 0; round < 10000; round++) {
+        const void *from[LANES_MOST];
+        for (unsigned k = 0; k < BYTES; k++)
+            memory[k] = (unsigned char)random_bits(&r);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            from[lane] = memory + random_below(&r, BYTES - 4 * sizeof(float) + 1);
+        lanes_transpose(from, out);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            for (unsigned k = 0; k < 4; k++)
+                if (memcmp(&out[k][lane], (const unsigned char *)from[lane] + k * sizeof(float), sizeof(float)))
+                    fail_msg("v_transpose4: number %u of lane %u is not the one at its place", k, lane);
+    }
+}
 #endif
 
 /* Each lane alone, and all lanes but one: bit k of m_bits is lane k, and no bit lies beside the lanes. */
@@ -355,6 +377,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_loads_at_any_alignment),
 #if defined(LANES_OF_DOUBLE)
         cmocka_unit_test(test_cuts),
+#else
+        cmocka_unit_test(test_transposes),
 #endif
         cmocka_unit_test(test_bits_of_single_lanes),
         cmocka_unit_test(test_roundings),

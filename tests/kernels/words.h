@@ -30,11 +30,11 @@ typedef enum number_word {
     V_MAX,
     V_ABS,
     V_SIGN,
-    V_FLIP, /* by the sign of b */
+    V_FLIP,   /* by the sign of b */
+    V_WRITE,  /* a, written and read */
+    V_SELECT, /* a where b > c, else b */
 #if defined(LANES_OF_DOUBLE)
     V_DIV,
-    V_READ,   /* a, written and read */
-    V_SELECT, /* a where b > c, else b */
 #endif
     NUMBER_WORDS
 } number_word;
@@ -58,6 +58,8 @@ void lanes_load(const float *from, lane_number *out);
 void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out);
 #if defined(LANES_OF_DOUBLE)
 void lanes_cut(const lane_number *a, int32_t *out); /* fractions cut off */
+#else
+void lanes_transpose(const void *const *from, lane_number out[4][LANES_MOST]);
 #endif
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);
 

@@ -21,14 +21,16 @@ static void put(vnum number, lane_number *out) { memcpy(out, &number, sizeof num
 
 void lanes_load(const float *from, lane_number *out) { put(v_load(from), out); }
 
-#if defined(LANES_OF_DOUBLE)
 static vnum copied(vnum a)
 {
-    double memory[LANES_MOST + 1]; /* at any alignment */
+    lane_number memory[LANES_MOST + 1]; /* at any alignment */
     v_write(memory + 1, a);
+#if defined(LANES_OF_DOUBLE)
     return v_read(memory + 1);
-}
+#else
+    return v_load(memory + 1);
 #endif
+}
 
 static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum c)
 {
@@ -55,13 +57,13 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
         return v_sign(a);
     case V_FLIP:
         return v_flip(a, v_sign(b));
-#if defined(LANES_OF_DOUBLE)
-    case V_DIV:
-        return v_div(a, b);
-    case V_READ:
+    case V_WRITE:
         return copied(a);
     case V_SELECT:
         return v_select(v_gt(b, c), a, b);
+#if defined(LANES_OF_DOUBLE)
+    case V_DIV:
+        return v_div(a, b);
 #endif
     case NUMBER_WORDS:
         break;
@@ -76,6 +78,14 @@ void lanes_number(number_word word, const lane_number *a, const lane_number *b, 
 
 #if defined(LANES_OF_DOUBLE)
 void lanes_cut(const lane_number *a, int32_t *out) { v_write_int(out, lanes_of(a)); }
+#else
+void lanes_transpose(const void *const *from, lane_number out[4][LANES_MOST])
+{
+    vnum to[4];
+    v_transpose4(from, to);
+    for (int k = 0; k < 4; k++)
+        put(to[k], out[k]);
+}
 #endif
 
 static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
