@@ -80,7 +80,8 @@ typedef enum tribox_status {
     TRIBOX_BAD_GRID,     /* a grid that is not finite, not positive, too large, or too fine for float */
     TRIBOX_BAD_OPTION,   /* an unknown accuracy, axis set or order */
     TRIBOX_NO_KERNEL,    /* an unknown kernel name, or one this processor cannot run */
-    TRIBOX_NO_MEMORY
+    TRIBOX_NO_MEMORY,
+    TRIBOX_BAD_INDEX /* a mesh refers to a vertex that it does not have; tribox_mesh_bad_indices names the first */
 } tribox_status;
 
 /** One English sentence for a status: what is wrong, without a full stop. Static storage; never NULL. */
@@ -160,6 +161,117 @@ TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
  */
 TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
                                               uint64_t *mask, tribox_report *report);
+
+/**
+ * Triangles as people hold them: an indexed mesh, or an array of structures with nine floats a triangle. Index: vertex v of triangle
+ * i is vertex number indices[3 * i + v]; without indices, vertex number 3 * i + v.
+ */
+typedef struct tribox_mesh {
+    const void *positions; /* x, y, z of vertex 0 as floats; vertex n lies n * stride bytes on, at any alignment */
+    size_t stride;         /* bytes from a vertex to the next: 12 or more; 0 stands for 12 */
+    size_t vertices;       /* vertices that there are; nothing after the z of the last is read */
+    const void *indices;   /* 3 * count vertex numbers, at any alignment; NULL for 0, 1, 2, 3, ... */
+    unsigned index_bytes;  /* 2 for uint16_t, 4 for uint32_t; of no account where indices is NULL */
+    size_t count;          /* triangles */
+} tribox_mesh;
+
+/**
+ * tribox_overlap for a mesh as it is: the same bits as for the nine streams of its triangles, without memory for them.
+ *
+ * mesh: read in blocks that fit the cache. Its positions and indices overlap neither mask nor report.
+ * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
+ *
+ * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also for a stride of 1 to 11 and for index_bytes that are neither 2 nor 4;
+ * TRIBOX_BAD_INDEX if a triangle refers to a vertex that is not there. All indices are looked at first.
+ */
+TRIBOX_API tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
+                                                uint64_t *mask, tribox_report *report);
+
+/**
+ * Counts the indices of a mesh that refer to no vertex.
+ *
+ * mesh: NULL, or one that tribox_overlap_indexed would call TRIBOX_BAD_ARGUMENT, counts as an empty mesh.
+ * first: receives the place of the first of them among all indices (its triangle is *first / 3, its corner *first % 3), or
+ *   3 * count if there is none; NULL when not wanted.
+ */
+TRIBOX_API size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first);
+
+/**
+ * Writes triangles first .. first + count - 1 of a mesh as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of triangle
+ * first + i. For the calls that take a soup, and for soups that are asked more than once.
+ *
+ * mesh: its positions and indices overlap no stream. options: only the kernel counts; NULL for the best.
+ * x, y, z: three streams each, of `count` floats, any alignment. Values are copied as they are, NaN and infinity included.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_overlap_indexed; a NULL stream where count > 0; first + count exceeds
+ * mesh->count), TRIBOX_BAD_INDEX (only the indices of these triangles are looked at) or TRIBOX_NO_KERNEL.
+ */
+TRIBOX_API tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
+                                                float *const x[3], float *const y[3], float *const z[3]);
+
+/**
+ * Finds the first triangle of a soup that overlaps the box: "does any?". What comes after its block of some thousand triangles is
+ * not looked at.
+ *
+ * first: receives its index, or soup->count if no triangle overlaps.
+ * Other arguments and the returned status as for tribox_overlap; TRIBOX_BAD_ARGUMENT also if first is NULL.
+ */
+TRIBOX_API tribox_status tribox_overlap_any(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
+                                            size_t *first);
+
+/**
+ * Finds the first triangle of a soup that does not overlap the box: "do all?". A triangle with a NaN or infinite coordinate does not.
+ *
+ * first: receives its index, or soup->count if all triangles overlap. All else as for tribox_overlap_any.
+ */
+TRIBOX_API tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
+                                            size_t *first);
+
+/**
+ * Tells of each triangle of a soup whether it misses the box (its bit is clear in both masks), straddles its border (set in mask
+ * alone) or lies wholly inside (set in both): what builders of trees ask. A triangle is inside when its three vertices are in the
+ * closed box; that is told exactly at every accuracy, and a triangle that is inside overlaps.
+ *
+ * inside: tribox_mask_words(soup->count) words, all of them written; overlaps neither mask nor streams; NULL when not wanted.
+ * Other arguments and the returned status as for tribox_overlap.
+ */
+TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
+                                         uint64_t *mask, uint64_t *inside, tribox_report *report);
+
+/**
+ * Lists the set bits of a mask in ascending order. Returns how many there are.
+ *
+ * mask: tribox_mask_words(count) words; bits past count are of no account. count: at most 2^32; longer masks go in parts.
+ * indices: room for as many as there are set bits, which is tribox_report.overlapping; NULL to count them.
+ */
+TRIBOX_API size_t tribox_mask_indices(const uint64_t *mask, size_t count, uint32_t *indices);
+
+/**
+ * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. Index of axis: first which axis, then
+ * its x, y, z. This is the meaning for all floats as they are: no frame of floats is orthonormal to the last bit, and any three axes
+ * serve, sheared ones too. A negative half length makes it the empty box.
+ */
+typedef struct tribox_oriented_box {
+    float center[3];  /* in the soup's unit of length */
+    float half[3];    /* half the length along each axis, in units of the axis: of length, where the axes are unit vectors */
+    float axis[3][3]; /* axis[k]: the direction of axis k */
+} tribox_oriented_box;
+
+/**
+ * tribox_overlap for an oriented box. As in the paper (section 2, "moved to the box's frame") the triangles are moved into the frame
+ * of the box, in blocks, and tested there.
+ *
+ * EXACT is the true answer about that box for every finite input: what the rounding of the move could change is settled in integers.
+ * CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST moves and tests in single precision;
+ * to its bound of contact add 2^-21 of |axis| * |p - center|. A triangle beside the box along one of its axes is mostly rejected while
+ * it is moved.
+ *
+ * box: finite, or TRIBOX_BAD_BOX. options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the
+ *   frame); another set is TRIBOX_BAD_OPTION, as the frame's rounding leaves the direction of an edge or plane axis open.
+ * Other arguments and the returned status as for tribox_overlap.
+ */
+TRIBOX_API tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box,
+                                                 const tribox_options *options, uint64_t *mask, tribox_report *report);
 
 /**
  * A grid of size[0] x size[1] x size[2] closed cells. Index: 0 is x, 1 is y, 2 is z.

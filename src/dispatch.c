@@ -19,6 +19,11 @@ static bool runs_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin
 static bool runs_avx512(void) { return __builtin_cpu_supports("avx512f"); }
 #endif
 
+/* NEON is in every AArch64 processor that runs an operating system. */
+#if defined(TRIBOX_NEON)
+extern const tribox_kernel tribox_kernel_neon;
+#endif
+
 static const struct {
     const tribox_kernel *kernel;
     bool (*runs_here)(void);
@@ -27,6 +32,9 @@ static const struct {
     {&tribox_kernel_avx512, runs_avx512},
     {&tribox_kernel_avx2, runs_avx2},
     {&tribox_kernel_sse2, runs_sse2},
+#endif
+#if defined(TRIBOX_NEON)
+    {&tribox_kernel_neon, runs_anywhere},
 #endif
     {&tribox_kernel_scalar, runs_anywhere},
 };

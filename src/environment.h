@@ -20,19 +20,23 @@ static inline void tribox_environment_leave(tribox_environment callers) { _mm_se
 
 #elif defined(__aarch64__)
 
-typedef uint64_t tribox_environment;
+typedef struct tribox_environment {
+    uint64_t control, status; /* FPCR, and in FPSR the sticky flags */
+} tribox_environment;
 
 static inline tribox_environment tribox_environment_enter(void)
 {
     tribox_environment callers;
-    __asm__ volatile("mrs %0, fpcr" : "=r"(callers)::"memory");
-    __asm__ volatile("msr fpcr, %0" ::"r"((uint64_t)0) : "memory");
+    __asm__ volatile("mrs %0, fpcr" : "=r"(callers.control)::"memory");
+    __asm__ volatile("mrs %0, fpsr" : "=r"(callers.status)::"memory");
+    __asm__ volatile("msr fpcr, %0" ::"r"((uint64_t)0) : "memory"); /* nearest, no FZ, no trap */
     return callers;
 }
 
 static inline void tribox_environment_leave(tribox_environment callers)
 {
-    __asm__ volatile("msr fpcr, %0" ::"r"(callers) : "memory");
+    __asm__ volatile("msr fpsr, %0" ::"r"(callers.status) : "memory");
+    __asm__ volatile("msr fpcr, %0" ::"r"(callers.control) : "memory");
 }
 
 #else

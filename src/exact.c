@@ -14,20 +14,33 @@ bool tribox_triangle_is_finite(const float u[3][3])
     return true;
 }
 
-/* A non-zero finite float as odd * 2^exponent; zero as 0 * 2^0. */
-static int32_t odd_part(float number, int *exponent)
+tribox_integer tribox_integer_of(float number)
 {
     uint32_t bits;
     memcpy(&bits, &number, sizeof bits);
     const int field = (int)(bits >> 23 & 0xff);
     int32_t odd = (int32_t)(bits & 0x7fffff) | (field ? 0x800000 : 0);
-    *exponent = 0;
     if (!odd)
-        return 0;
-    *exponent = (field ? field : 1) - 150;
-    for (; !(odd & 1); ++*exponent)
+        return (tribox_integer){0, 0};
+    int shift = (field ? field : 1) - 150;
+    for (; !(odd & 1); shift++)
         odd >>= 1;
-    return bits >> 31 ? -odd : odd;
+    return (tribox_integer){bits >> 31 ? -odd : odd, shift};
+}
+
+tribox_span tribox_span_of(const tribox_integer *numbers, int count)
+{
+    tribox_span span = {128, -149};
+    for (int k = 0; k < count; k++) {
+        int end = numbers[k].shift;
+        for (int32_t rest = numbers[k].odd; rest; rest /= 2)
+            end++;
+        if (numbers[k].odd && numbers[k].shift < span.least)
+            span.least = numbers[k].shift;
+        if (numbers[k].odd && end > span.greatest)
+            span.greatest = end;
+    }
+    return span;
 }
 
 tribox_integers tribox_integers_of(const tribox_pair *pair)
@@ -38,20 +51,12 @@ tribox_integers tribox_integers_of(const tribox_pair *pair)
     memcpy(number + 12, pair->box.hi, 3 * sizeof *number);
 
     tribox_integers in;
-    int unit = 128, top = -149;
-    for (int k = 0; k < 15; k++) {
-        in.odd[k] = odd_part(number[k], &in.shift[k]);
-        if (!in.odd[k])
-            continue;
-        int end = in.shift[k];
-        for (int32_t rest = in.odd[k]; rest; rest /= 2)
-            end++;
-        unit = in.shift[k] < unit ? in.shift[k] : unit;
-        top = end > top ? end : top;
-    }
     for (int k = 0; k < 15; k++)
-        in.shift[k] = in.odd[k] ? in.shift[k] - unit : 0;
-    in.bits = top > unit ? top - unit : 0;
+        in.number[k] = tribox_integer_of(number[k]);
+    const tribox_span span = tribox_span_of(in.number, 15);
+    for (int k = 0; k < 15; k++)
+        in.number[k].shift = in.number[k].odd ? in.number[k].shift - span.least : 0;
+    in.bits = span.greatest > span.least ? span.greatest - span.least : 0;
     return in;
 }
 

@@ -21,10 +21,24 @@ bool tribox_triangle_is_finite(const float u[3][3]);
  */
 bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes);
 
-/* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units. Vertices, then lo, then hi. */
+/* A finite float as odd * 2^shift; zero as 0 * 2^0. */
+typedef struct tribox_integer {
+    int32_t odd;
+    int shift;
+} tribox_integer;
+
+tribox_integer tribox_integer_of(float number);
+
+/* The least and the greatest power of two among numbers: all are multiples of 2^least and below 2^greatest. least > greatest: all zero. */
+typedef struct tribox_span {
+    int least, greatest;
+} tribox_span;
+
+tribox_span tribox_span_of(const tribox_integer *numbers, int count);
+
+/* The fifteen numbers of a pair in one unit. Vertices, then lo, then hi. */
 typedef struct tribox_integers {
-    int32_t odd[15];
-    int shift[15];
+    tribox_integer number[15];
     int bits; /* every number is below 2^bits units */
 } tribox_integers;
 

@@ -24,6 +24,20 @@ static inline bool tribox_exactness_kept(uint64_t result)
     return !(state & 0x20);
 }
 
+#elif defined(__GNUC__) && defined(__aarch64__)
+
+static inline void tribox_exactness_watch(void)
+{
+    __asm__ volatile("msr fpsr, %0" ::"r"((uint64_t)0) : "memory"); /* no flag raised */
+}
+
+static inline bool tribox_exactness_kept(uint64_t result)
+{
+    uint64_t state;
+    __asm__ volatile("mrs %0, fpsr" : "=r"(state) : "r"(result) : "memory");
+    return !(state & 0x10);
+}
+
 #else
 
 static inline void tribox_exactness_watch(void) {}

@@ -9,8 +9,8 @@
 
 #include <math.h>
 #include <stdbool.h>
-
 #include "cells.h"
+#include "corners.h"
 #include "tribox.h"
 
 #if defined(__FAST_MATH__)
@@ -84,11 +84,36 @@ typedef struct tribox_batch {
  */
 typedef uint64_t tribox_settle(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
 
+/* Of those triangles of a word that are candidates, none of which has a NaN: the ones wholly in the box. */
+typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
+
+/* The greatest vertex number of triangles first .. first + count - 1 of a mesh, 0 of none. The mesh states its stride here and below. */
+typedef size_t tribox_greatest(const tribox_mesh *mesh, size_t first, size_t count);
+
+/* These triangles, with all their vertices there, as nine streams x_0 x_1 x_2 y_0 .. z_2. */
+typedef void tribox_gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9]);
+
+/* Words of triangles in the frame of an oriented box. */
+enum { TRIBOX_MOVED_WORDS = 8 };
+typedef struct tribox_moved {
+    float number[9][64 * TRIBOX_MOVED_WORDS]; /* the streams x_0 x_1 x_2 y_0 .. z_2 */
+    uint64_t apart[TRIBOX_MOVED_WORDS];       /* certainly beside the box on one of its axes */
+    uint64_t wild[TRIBOX_MOVED_WORDS];        /* too far away for float, or not finite: the streams mean nothing */
+    float error[3];                           /* how far off the others can be, on each axis */
+} tribox_moved;
+
+/* `words` whole words of a soup, from triangle `first` on. */
+typedef void tribox_move(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words, tribox_moved *moved);
+
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_soup_walk *soup[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_boxes_walk *boxes[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
+    tribox_inside *inside;
+    tribox_greatest *greatest;
+    tribox_gather *gather;
+    tribox_move *move;
     tribox_settle *settle;
     const tribox_grid_kernel *grid;
 } tribox_kernel;

@@ -1,10 +1,14 @@
 #include "exact.h"
+#include "exact_oriented.h"
 #if defined(__SIZEOF_INT128__)
 __extension__ typedef __int128 vnum;
 #include "exact/num_integer.h"
 #include "kernel/axes.h"
-#define EXACT_IN_INTEGERS tribox_exact_int128
 #include "exact/integers.h"
+#define EXACT_IN_INTEGERS tribox_exact_int128
+#include "exact/pair.h"
+#define ORIENTED_IN_INTEGERS tribox_oriented_int128
+#include "exact/oriented.h"
 #else
 typedef int translation_unit_is_not_empty;
 #endif

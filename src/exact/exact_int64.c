@@ -1,6 +1,10 @@
 #include "exact.h"
+#include "exact_oriented.h"
 typedef int64_t vnum;
 #include "exact/num_integer.h"
 #include "kernel/axes.h"
-#define EXACT_IN_INTEGERS tribox_exact_int64
 #include "exact/integers.h"
+#define EXACT_IN_INTEGERS tribox_exact_int64
+#include "exact/pair.h"
+#define ORIENTED_IN_INTEGERS tribox_oriented_int64
+#include "exact/oriented.h"

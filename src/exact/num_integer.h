@@ -8,7 +8,7 @@
 typedef bool vmask;
 
 TRIBOX_INLINE vnum v_splat(int a) { return a; }
-TRIBOX_INLINE vnum v_shifted(int32_t odd, int shift) { return odd * ((vnum)1 << shift); }
+TRIBOX_INLINE vnum v_shifted(tribox_integer a) { return a.odd * ((vnum)1 << a.shift); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }

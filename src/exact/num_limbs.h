@@ -1,13 +1,11 @@
 /*
- * num_limbs.h - one lane of sign and magnitude in 32-bit limbs, the lowest first. 28 limbs are 896 bits; the longest value, the
- * plane's slack of numbers from 2^-149 to 2^128, takes 3 * 277 + 8 = 839.
+ * num_limbs.h - one lane of sign and magnitude in 32-bit limbs, the lowest first, at most LIMBS of them, which the including file
+ * defines: two more than the longest value takes, since a product or a sum has them before it is trimmed.
  */
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "kernel.h"
-
-#define LIMBS 28
 
 typedef struct vnum {
     int used;         /* limbs in use; the highest of them is not zero */
@@ -35,19 +33,19 @@ static int limbs_compare(const vnum *a, const vnum *b)
     return 0;
 }
 
-/* odd * 2^shift */
-static vnum v_shifted(int32_t odd, int shift)
+static vnum v_shifted(tribox_integer number)
 {
-    vnum a = {.used = shift / 32 + 2, .is_negative = odd < 0};
-    const uint64_t low = (uint64_t)(odd < 0 ? -(int64_t)odd : odd) << shift % 32;
+    const int place = number.shift / 32;
+    vnum a = {.used = place + 2, .is_negative = number.odd < 0};
+    const uint64_t low = (uint64_t)(number.odd < 0 ? -(int64_t)number.odd : number.odd) << number.shift % 32;
     for (int k = 0; k < a.used; k++)
         a.limb[k] = 0;
-    a.limb[shift / 32] = (uint32_t)low;
-    a.limb[shift / 32 + 1] = (uint32_t)(low >> 32);
+    a.limb[place] = (uint32_t)low;
+    a.limb[place + 1] = (uint32_t)(low >> 32);
     return limbs_trimmed(a);
 }
 
-static vnum v_splat(int a) { return v_shifted(a, 0); }
+static vnum v_splat(int a) { return v_shifted((tribox_integer){a, 0}); }
 
 static vnum v_neg(vnum a)
 {

@@ -96,6 +96,10 @@ const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
     .boxes = {[TRIBOX_EXACT] = {TRIBOX_FOR_EACH_SEQUENCE(EXACT_BOXES)},
               [TRIBOX_CONSERVATIVE] = {TRIBOX_FOR_EACH_SEQUENCE(CONSERVATIVE_BOXES)},
               [TRIBOX_FAST] = {TRIBOX_FOR_EACH_SEQUENCE(FAST_BOXES)}},
+    .inside = inside,
+    .greatest = greatest,
+    .gather = gather,
+    .move = move,
     .settle = SETTLE_SYMBOL(KERNEL),
     .grid = &GRID_SYMBOL(KERNEL),
 };

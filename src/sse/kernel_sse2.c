@@ -4,4 +4,7 @@
 #include "kernel/margin.h"
 #include "kernel/ties.h"
 #include "kernel/packet.h"
+#include "kernel/inside.h"
+#include "kernel/gather.h"
+#include "kernel/frame.h"
 #include "kernel/batch.h"

@@ -1,0 +1,54 @@
+/* exact_oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers. */
+#include "exact_oriented.h"
+
+#include <string.h>
+
+/* Integers of floats, and their span; then shifts from the least of it. */
+static tribox_span read_integers(const float *from, int count, tribox_integer *to)
+{
+    for (int k = 0; k < count; k++)
+        to[k] = tribox_integer_of(from[k]);
+    return tribox_span_of(to, count);
+}
+
+static void count_from(int unit, tribox_integer *numbers, int count)
+{
+    for (int k = 0; k < count; k++)
+        numbers[k].shift = numbers[k].odd ? numbers[k].shift - unit : 0;
+}
+
+static tribox_oriented_integers integers_of(const tribox_oriented_pair *pair)
+{
+    tribox_oriented_integers in;
+    float position[12], axis[9];
+    memcpy(position, pair->u, 9 * sizeof *position);
+    memcpy(position + 9, pair->box.center, 3 * sizeof *position);
+    memcpy(axis, pair->box.axis, sizeof axis);
+    const tribox_span positions = read_integers(position, 12, in.position);
+    const tribox_span axes = read_integers(axis, 9, in.axis), halves = read_integers(pair->box.half, 3, in.half);
+
+    /* A difference of positions takes a bit more, the sum of three products two. */
+    const bool is_somewhere = positions.least <= positions.greatest && axes.least <= axes.greatest;
+    const bool is_thick = halves.least <= halves.greatest;
+    const int product = positions.least + axes.least, product_end = positions.greatest + axes.greatest + 3;
+    const int unit = !is_somewhere || (is_thick && halves.least < product) ? halves.least : product;
+    const int end = !is_somewhere || (is_thick && halves.greatest > product_end) ? halves.greatest : product_end;
+    count_from(positions.least, in.position, 12);
+    count_from(axes.least, in.axis, 9);
+    count_from(unit, in.half, 3);
+    in.shift = is_somewhere ? product - unit : 0;
+    in.bits = is_somewhere || is_thick ? end - unit : 0;
+    return in;
+}
+
+bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes)
+{
+    const tribox_oriented_integers in = integers_of(pair);
+    if (in.bits <= TRIBOX_INT64_BITS)
+        return tribox_oriented_int64(&in, axes);
+#if defined(__SIZEOF_INT128__)
+    if (in.bits <= TRIBOX_INT128_BITS)
+        return tribox_oriented_int128(&in, axes);
+#endif
+    return tribox_oriented_limbs(&in, axes);
+}

@@ -1,0 +1,34 @@
+/* exact_oriented.h - one triangle and one oriented box, settled in integers. No allocation, no library. */
+#ifndef TRIBOX_EXACT_ORIENTED_H
+#define TRIBOX_EXACT_ORIENTED_H
+
+#include "exact.h"
+
+/* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? */
+typedef struct tribox_oriented_pair {
+    float u[3][3];
+    tribox_oriented_box box;
+} tribox_oriented_pair;
+
+/* Whether no axis of the chosen groups separates in the frame of the box: for a finite triangle and a finite box. */
+bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes);
+
+/*
+ * The numbers of such a pair as integers. Positions are in a unit of theirs and axes in theirs; a coordinate in the frame, axis times
+ * position, times 2^shift is in the unit of the half lengths.
+ */
+typedef struct tribox_oriented_integers {
+    tribox_integer position[12]; /* the vertices, then the center */
+    tribox_integer axis[9];
+    tribox_integer half[3];
+    int shift;
+    int bits; /* every coordinate in the frame, and every half length, is below 2^bits units */
+} tribox_oriented_integers;
+
+bool tribox_oriented_int64(const tribox_oriented_integers *in, unsigned axes);
+#if defined(__SIZEOF_INT128__)
+bool tribox_oriented_int128(const tribox_oriented_integers *in, unsigned axes);
+#endif
+bool tribox_oriented_limbs(const tribox_oriented_integers *in, unsigned axes);
+
+#endif

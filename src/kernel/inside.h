@@ -1,0 +1,24 @@
+/* inside.h - which triangles lie wholly in the box: all three vertices do, as the box is convex. Input numbers are compared: exact. */
+
+/* The lanes of `left`, triangles of word `word` without NaN, that lie in the box on axis a of the packet at triangle `at`. */
+TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
+{
+    const float *const *const stream = a == 0 ? soup->x : a == 1 ? soup->y : soup->z;
+    const vnum u0 = v_load(stream[0] + at), u1 = v_load(stream[1] + at), u2 = v_load(stream[2] + at);
+    return left & ~m_bits(m_or(v_gt(box->lo[a], lane_min3(u0, u1, u2)), v_gt(lane_max3(u0, u1, u2), box->hi[a])));
+}
+
+static uint64_t inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates)
+{
+    uint64_t found = 0;
+    lane_box lanes;
+    splat_box(&lanes, box);
+    for (int lane = 0; lane < 64; lane += V_LANES) {
+        const size_t at = 64 * word + (size_t)lane;
+        uint64_t left = candidates >> lane & LANES_ALL;
+        for (int a = 0; left && a < 3; a++)
+            left = inside_on_axis(soup, &lanes, at, a, left);
+        found |= left << lane;
+    }
+    return found;
+}

@@ -1,0 +1,120 @@
+/* mesh.c - triangles by index, or nine floats each: gathered into streams, block by block. */
+#include <string.h>
+
+#include "box.h"
+#include "dispatch.h"
+#include "environment.h"
+#include "pairs.h"
+
+/* The streams of a block fit the first cache. */
+enum { BLOCK = 512 };
+
+/* Whether count things of so many bytes fit the address space. */
+static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
+
+static bool is_readable(const tribox_mesh *mesh)
+{
+    if (!mesh || (mesh->stride && mesh->stride < 12) || !fits(mesh->vertices, mesh->stride ? mesh->stride : 12))
+        return false;
+    if (mesh->indices && mesh->index_bytes != 2 && mesh->index_bytes != 4)
+        return false;
+    return fits(mesh->count, 3 * sizeof(float)) && (mesh->positions || !mesh->count);
+}
+
+/* The same, with its stride stated. */
+static tribox_mesh with_stride(const tribox_mesh *mesh)
+{
+    tribox_mesh stated = *mesh;
+    stated.stride = mesh->stride ? mesh->stride : 12;
+    return stated;
+}
+
+static bool is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
+{
+    return !count || kernel->greatest(mesh, first, count) < mesh->vertices;
+}
+
+tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
+                                     float *const x[3], float *const y[3], float *const z[3])
+{
+    if (!is_readable(mesh) || first > mesh->count || count > mesh->count - first || !x || !y || !z)
+        return TRIBOX_BAD_ARGUMENT;
+    float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
+    for (int k = 0; count && k < 9; k++)
+        if (!to[k])
+            return TRIBOX_BAD_ARGUMENT;
+    const tribox_kernel *const kernel = tribox_kernel_find(options ? options->kernel : NULL);
+    if (!kernel)
+        return TRIBOX_NO_KERNEL;
+    const tribox_mesh stated = with_stride(mesh);
+    if (!is_in_range(&stated, kernel, first, count))
+        return TRIBOX_BAD_INDEX;
+    kernel->gather(&stated, first, count, to);
+    return TRIBOX_OK;
+}
+
+static tribox_report answer(const tribox_mesh *mesh, const tribox_box *box, const tribox_plan *plan, uint64_t *mask)
+{
+    float streams[9][BLOCK];
+    float *to[9];
+    tribox_soup soup;
+    tribox_report counts = {0, 0};
+    for (int k = 0; k < 9; k++)
+        to[k] = streams[k];
+    for (int v = 0; v < 3; v++) {
+        soup.x[v] = streams[v];
+        soup.y[v] = streams[3 + v];
+        soup.z[v] = streams[6 + v];
+    }
+    for (size_t first = 0; first < mesh->count; first += BLOCK) {
+        soup.count = mesh->count - first < BLOCK ? mesh->count - first : BLOCK;
+        plan->kernel->gather(mesh, first, soup.count, to);
+        const tribox_pairs p = {.soup = &soup, .box = box, .count = soup.count};
+        const tribox_report block = tribox_pairs_answer(&p, plan, mask ? mask + first / 64 : NULL);
+        counts.overlapping += block.overlapping;
+        counts.undecided += block.undecided;
+    }
+    return counts;
+}
+
+tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options, uint64_t *mask,
+                                     tribox_report *report)
+{
+    if (!box || !is_readable(mesh))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_box_is_finite(box))
+        return TRIBOX_BAD_BOX;
+    tribox_plan plan;
+    const tribox_status status = tribox_plan_make(options, &plan);
+    if (status)
+        return status;
+    const tribox_mesh stated = with_stride(mesh);
+    if (!is_in_range(&stated, plan.kernel, 0, mesh->count))
+        return TRIBOX_BAD_INDEX;
+
+    tribox_report counts = {0, 0};
+    const tribox_environment callers = tribox_environment_enter();
+    if (!tribox_box_is_empty(box))
+        counts = answer(&stated, box, &plan, mask);
+    else if (mask)
+        memset(mask, 0, tribox_mask_words(mesh->count) * sizeof *mask);
+    tribox_environment_leave(callers);
+    if (report)
+        *report = counts;
+    return TRIBOX_OK;
+}
+
+size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
+{
+    const size_t corners = is_readable(mesh) ? 3 * mesh->count : 0;
+    const unsigned bytes = corners ? tribox_index_bytes(mesh) : 0;
+    size_t found = 0, lowest = corners;
+    for (size_t corner = corners; corner-- > 0;)
+        if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices) {
+            found++;
+            lowest = corner;
+        }
+    if (first)
+        *first = lowest;
+    return found;
+}

@@ -1,0 +1,10 @@
+#include "neon/vec_neon.h"
+#define KERNEL neon
+#include "kernel/axes.h"
+#include "kernel/margin.h"
+#include "kernel/ties.h"
+#include "kernel/packet.h"
+#include "kernel/inside.h"
+#include "kernel/gather.h"
+#include "kernel/frame.h"
+#include "kernel/batch.h"

@@ -1,0 +1,170 @@
+/*
+ * oriented.c - a soup and an oriented box: moved into the frame of the box block by block, and tested there.
+ *
+ * The move rounds: each coordinate in the frame is off by at most `error`, known for each axis and block (kernel/frame.h). So the
+ * rounded triangle misses the box enlarged by the error only if the triangle misses the box, and overlaps the box diminished by the
+ * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do. What
+ * lies between is settled in integers from the numbers of the input.
+ */
+#include <float.h>
+#include <string.h>
+
+#include "bits.h"
+#include "environment.h"
+#include "exact_oriented.h"
+#include "finite.h"
+#include "pairs.h"
+#include "soup.h"
+
+/* One call. */
+typedef struct question {
+    const tribox_soup *soup;
+    const tribox_oriented_box *box;
+    const tribox_plan *plan;
+    uint64_t *mask;
+    tribox_report counts;
+} question;
+
+static bool is_box_finite(const tribox_oriented_box *box)
+{
+    for (int k = 0; k < 3; k++) {
+        if (!tribox_is_finite(box->center[k]) || !tribox_is_finite(box->half[k]))
+            return false;
+        for (int a = 0; a < 3; a++)
+            if (!tribox_is_finite(box->axis[k][a]))
+                return false;
+    }
+    return true;
+}
+
+static bool is_empty(const tribox_oriented_box *box) { return box->half[0] < 0 || box->half[1] < 0 || box->half[2] < 0; }
+
+/*
+ * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and more than by the rounding of that. No coordinate
+ * that is not wild is beyond the greatest float.
+ */
+static tribox_box box_in_frame(const question *q, const tribox_moved *moved, int sign)
+{
+    tribox_box box;
+    for (int k = 0; k < 3; k++) {
+        const double half = ((double)q->box->half[k] + sign * (double)moved->error[k]) * (1 + sign * 0x1p-22);
+        box.hi[k] = half < (double)FLT_MAX ? (float)half : FLT_MAX;
+        box.lo[k] = -box.hi[k];
+    }
+    return box;
+}
+
+/* What the words of a soup come to with the plan's kernel and axes at some accuracy, before anything is settled. */
+static void walk(const question *q, const tribox_soup *soup, const tribox_box *box, tribox_accuracy accuracy, size_t words,
+                 uint64_t *hit, uint64_t *open)
+{
+    q->plan->kernel->soup[accuracy][q->plan->sequence](soup, box, 0, 64 * words, hit, open);
+}
+
+static tribox_oriented_pair pair_at(const question *q, const tribox_soup *soup, size_t i)
+{
+    tribox_oriented_pair pair = {.box = *q->box};
+    for (int v = 0; v < 3; v++) {
+        pair.u[v][0] = soup->x[v][i];
+        pair.u[v][1] = soup->y[v][i];
+        pair.u[v][2] = soup->z[v][i];
+    }
+    return pair;
+}
+
+/* Whether triangle i of a soup overlaps, in integers. */
+static bool settle(question *q, const tribox_soup *soup, size_t i)
+{
+    const tribox_oriented_pair pair = pair_at(q, soup, i);
+    if (!tribox_triangle_is_finite(pair.u))
+        return false;
+    q->counts.undecided++;
+    return tribox_oriented_overlap(&pair, q->plan->axes);
+}
+
+/* The lanes of words that overlap in the frame at the accuracy asked, and in *open those for the integers. */
+static void answer_in_frame(question *q, const tribox_moved *moved, size_t words, uint64_t *hit, uint64_t *open)
+{
+    tribox_soup soup = {.count = 64 * words};
+    for (int v = 0; v < 3; v++) {
+        soup.x[v] = moved->number[v];
+        soup.y[v] = moved->number[3 + v];
+        soup.z[v] = moved->number[6 + v];
+    }
+    memset(open, 0, words * sizeof *open);
+    if (q->plan->accuracy != TRIBOX_EXACT) {
+        const tribox_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
+        const tribox_pairs pairs = {.soup = &soup, .box = &box, .count = soup.count};
+        q->counts.undecided += tribox_pairs_answer_block(&pairs, q->plan, 0, words, hit);
+        return;
+    }
+    uint64_t near[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS], near_open[TRIBOX_MOVED_WORDS];
+    const tribox_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
+    walk(q, &soup, &larger, TRIBOX_CONSERVATIVE, words, near, near_open);
+    memset(hit, 0, words * sizeof *hit);
+    if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
+        walk(q, &soup, &smaller, TRIBOX_EXACT, words, hit, unused);
+    for (size_t w = 0; w < words; w++)
+        open[w] = (near[w] | near_open[w]) & ~hit[w];
+}
+
+/* Words of triangles from `first` on, to word `to` of the mask; only bits of `present` are there. */
+static void answer_words(question *q, const tribox_soup *soup, size_t first, size_t words, size_t to, uint64_t present)
+{
+    tribox_moved moved;
+    uint64_t hit[TRIBOX_MOVED_WORDS], open[TRIBOX_MOVED_WORDS];
+    q->plan->kernel->move(soup, q->box, first, words, &moved);
+    answer_in_frame(q, &moved, words, hit, open);
+    for (size_t w = 0; w < words; w++) {
+        hit[w] &= ~(moved.apart[w] | moved.wild[w]) & present;
+        for (uint64_t left = ((open[w] & ~moved.apart[w]) | moved.wild[w]) & present; left; left &= left - 1) {
+            const unsigned lane = tribox_lowest_bit(left);
+            hit[w] |= (uint64_t)settle(q, soup, first + 64 * w + lane) << lane;
+        }
+        q->counts.overlapping += tribox_count_bits(hit[w]);
+        if (q->mask)
+            q->mask[to + w] = hit[w];
+    }
+}
+
+static void answer(question *q)
+{
+    const size_t words = q->soup->count / 64, tail = q->soup->count % 64;
+    for (size_t word = 0; word < words; word += TRIBOX_MOVED_WORDS) {
+        const size_t block = words - word < TRIBOX_MOVED_WORDS ? words - word : TRIBOX_MOVED_WORDS;
+        answer_words(q, q->soup, 64 * word, block, word, ~UINT64_C(0));
+    }
+    if (tail) {
+        float scratch[9][64] = {{0}};
+        const tribox_soup last = tribox_soup_tail(q->soup, scratch);
+        answer_words(q, &last, 0, 1, words, ~(~UINT64_C(0) << tail));
+    }
+    if (q->plan->accuracy == TRIBOX_FAST)
+        q->counts.undecided = 0;
+}
+
+tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box, const tribox_options *options,
+                                      uint64_t *mask, tribox_report *report)
+{
+    if (!box || !tribox_soup_is_readable(soup))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!is_box_finite(box))
+        return TRIBOX_BAD_BOX;
+    tribox_plan plan;
+    const tribox_status status = tribox_plan_make(options, &plan);
+    if (status)
+        return status;
+    if (plan.accuracy == TRIBOX_EXACT && plan.axes != TRIBOX_AXES_ALL && plan.axes != TRIBOX_AXES_BOX)
+        return TRIBOX_BAD_OPTION;
+
+    question q = {.soup = soup, .box = box, .plan = &plan, .mask = mask};
+    const tribox_environment callers = tribox_environment_enter();
+    if (!is_empty(box))
+        answer(&q);
+    else if (mask)
+        memset(mask, 0, tribox_mask_words(soup->count) * sizeof *mask);
+    tribox_environment_leave(callers);
+    if (report)
+        *report = q.counts;
+    return TRIBOX_OK;
+}

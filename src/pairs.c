@@ -1,0 +1,143 @@
+/* pairs.c - many pairs: run the kernel, settle what it left open. */
+#include "pairs.h"
+
+#include <string.h>
+
+#include "bits.h"
+#include "settle.h"
+#include "soup.h"
+
+/* So many pairs from 64 * word, a multiple of TRIBOX_LANES_MOST. */
+static void walk(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t count, uint64_t *hit, uint64_t *open)
+{
+    if (p->soup)
+        plan->kernel->soup[plan->accuracy][plan->sequence](p->soup, p->box, word, count, hit, open);
+    else
+        plan->kernel->boxes[plan->accuracy][plan->sequence](p->triangle, p->boxes, word, count, hit, open);
+}
+
+/* The last count % 64 pairs, in a word of their own with zeros up to a packet: nothing is read past the caller's streams. */
+static void walk_tail(const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit, uint64_t *open)
+{
+    const size_t tail = p->count % 64, first = p->count - tail,
+                 lanes = (tail + TRIBOX_LANES_MOST - 1) & ~(size_t)(TRIBOX_LANES_MOST - 1);
+    float scratch[9][64];
+    tribox_soup soup;
+    tribox_boxes boxes = {.count = 64};
+    for (int k = 0; k < 9; k++)
+        memset(scratch[k] + tail, 0, (lanes - tail) * sizeof(float));
+    if (p->soup)
+        soup = tribox_soup_tail(p->soup, scratch);
+    for (int a = 0; !p->soup && a < 3; a++) {
+        boxes.lo[a] = memcpy(scratch[a], p->boxes->lo[a] + first, tail * sizeof(float));
+        boxes.hi[a] = memcpy(scratch[3 + a], p->boxes->hi[a] + first, tail * sizeof(float));
+    }
+    tribox_pairs word = *p;
+    word.soup = p->soup ? &soup : NULL;
+    word.boxes = p->soup ? NULL : &boxes;
+    walk(&word, plan, 0, lanes, hit, open);
+    *hit &= ~(~UINT64_C(0) << tail);
+    *open &= ~(~UINT64_C(0) << tail);
+}
+
+/* Pairs that the walks left open, gathered until they fill a batch. */
+typedef struct gathering {
+    tribox_batch batch;
+    size_t lane[TRIBOX_BATCH]; /* of pair i of the batch, counted from the start of the block */
+    unsigned count;
+} gathering;
+
+/* One number of every gathered pair, from a stream or the same for all. */
+static void fill_number(gathering *g, int k, const float *stream, float constant)
+{
+    float *const number = g->batch.number[k];
+    for (unsigned i = 0; i < g->count; i++)
+        number[i] = stream ? stream[g->lane[i]] : constant;
+}
+
+static void fill(gathering *g, const tribox_pairs *p, size_t start)
+{
+    for (int a = 0; a < 3; a++) {
+        for (int v = 0; v < 3; v++) {
+            const float *const *const streams = !p->soup ? NULL : a == 0 ? p->soup->x : a == 1 ? p->soup->y : p->soup->z;
+            fill_number(g, 3 * v + a, streams ? streams[v] + start : NULL, streams ? 0 : p->triangle[v][a]);
+        }
+        fill_number(g, 9 + a, p->soup ? NULL : p->boxes->lo[a] + start, p->soup ? p->box->lo[a] : 0);
+        fill_number(g, 12 + a, p->soup ? NULL : p->boxes->hi[a] + start, p->soup ? p->box->hi[a] : 0);
+    }
+}
+
+/* Which of the gathered triangles are finite: adding one to an exponent of all ones turns the sign bit. */
+static uint64_t finite_pairs(const gathering *g)
+{
+    uint32_t turned[TRIBOX_BATCH] = {0};
+    for (int k = 0; k < 9; k++) {
+        uint32_t bits[TRIBOX_BATCH];
+        memcpy(bits, g->batch.number[k], g->count * sizeof *bits);
+        for (unsigned i = 0; i < g->count; i++)
+            turned[i] |= (bits[i] & 0x7fffffffu) + 0x00800000u;
+    }
+    uint64_t finite = 0;
+    for (unsigned i = 0; i < g->count; i++)
+        finite |= (uint64_t)(~turned[i] >> 31) << i;
+    return finite;
+}
+
+/*
+ * Settles what is gathered, and adds those that overlap to the hits of the block. Returns how many there were with finite numbers.
+ * What the others come to is ignored.
+ */
+static size_t settle(gathering *g, const tribox_pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
+{
+    fill(g, p, start);
+    const uint64_t finite = finite_pairs(g);
+    for (uint64_t left = tribox_settle_batch(&g->batch, g->count, finite, plan); left; left &= left - 1) {
+        const size_t lane = g->lane[tribox_lowest_bit(left)];
+        hit[lane / 64] |= UINT64_C(1) << lane % 64;
+    }
+    g->count = 0;
+    return tribox_count_bits(finite);
+}
+
+/* Settles the open lanes of a block and adds those that overlap to its hits. Returns how many there were with finite numbers. */
+static size_t settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
+                           uint64_t *hit)
+{
+    gathering g;
+    size_t undecided = 0;
+    g.count = 0;
+    for (size_t w = 0; w < words; w++)
+        for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
+            g.lane[g.count++] = 64 * w + tribox_lowest_bit(rest);
+            if (g.count == TRIBOX_BATCH)
+                undecided += settle(&g, p, plan, 64 * word, hit);
+        }
+    return g.count ? undecided + settle(&g, p, plan, 64 * word, hit) : undecided;
+}
+
+size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
+{
+    uint64_t open[TRIBOX_BLOCK_WORDS];
+    const size_t whole = word + words <= p->count / 64 ? words : words - 1;
+    walk(p, plan, word, 64 * whole, hit, open);
+    if (whole < words)
+        walk_tail(p, plan, hit + whole, open + whole);
+    const size_t undecided = settle_block(p, plan, word, words, open, hit);
+    return plan->accuracy == TRIBOX_FAST ? 0 : undecided;
+}
+
+tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+{
+    const size_t words = tribox_mask_words(p->count);
+    tribox_report counts = {0, 0};
+    for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
+        uint64_t hit[TRIBOX_BLOCK_WORDS];
+        const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
+        counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
+        for (size_t w = 0; w < block; w++)
+            counts.overlapping += tribox_count_bits(hit[w]);
+        if (mask)
+            memcpy(mask + word, hit, block * sizeof *mask);
+    }
+    return counts;
+}

@@ -1,0 +1,28 @@
+/* pairs.h - the pairs of a call, answered block by block: the kernel, and what it leaves open settled. */
+#ifndef TRIBOX_PAIRS_H
+#define TRIBOX_PAIRS_H
+
+#include "plan.h"
+
+/* A soup and a box, or a triangle and boxes. The caller has checked them. */
+typedef struct tribox_pairs {
+    const tribox_soup *soup; /* NULL for a triangle and boxes */
+    const tribox_box *box;
+    const float (*triangle)[3];
+    const tribox_boxes *boxes;
+    size_t count;
+} tribox_pairs;
+
+/* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
+enum { TRIBOX_BLOCK_WORDS = 64 };
+
+/*
+ * Answers words word .. word + words - 1, at most TRIBOX_BLOCK_WORDS of them, one bit for each pair that overlaps. Returns how many
+ * pairs with finite numbers the kernel left open.
+ */
+size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit);
+
+/* Answers all pairs, and counts. mask may be NULL. */
+tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask);
+
+#endif
