@@ -5,9 +5,9 @@ set -eu
 cd "$(dirname "$0")/.."
 tools/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
     libassimp-dev libpng-dev libcmocka-dev libgmp-dev libembree-dev libbenchmark-dev libcgal-dev libmpfr-dev \
-    python3-numpy parallel openmpi-bin
+    python3-numpy python3-cffi python3-cffi-backend parallel openmpi-bin
 build=${BUILD:-build-tests}
-test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled "$@"
+test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled -Dpython=enabled "$@"
 meson compile -C "$build"
 status=0
 suites=

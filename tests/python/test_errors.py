@@ -1,0 +1,190 @@
+"""Every error is a tribox.Error that says what is wrong, where, and what to do; and nothing is written."""
+
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+import tribox
+from tribox import BadIndexError, InputError, InputTypeError
+
+import cases
+from cases import HI, LO
+
+NAN, INF = float("nan"), float("inf")
+GRID = (0, 0, 0), 1, (4, 5, 6)
+
+
+class Errors(cases.TestCase):
+    def setUp(self):
+        self.triangles = cases.lattice(70)
+        self.forms = self.triangles, tribox.Soup.of(self.triangles), tribox.Mesh(*cases.shared_vertices(self.triangles, np.uint32))
+        self.calls = tribox.overlap, tribox.overlap_any, tribox.overlap_all, tribox.classify
+
+    def test_kinds(self):
+        for kind, builtin in ((InputError, ValueError), (InputTypeError, TypeError), (BadIndexError, IndexError)):
+            self.assertTrue(issubclass(kind, tribox.Error) and issubclass(kind, builtin))
+        with self.assertRaises(tribox.Error) as raised:
+            tribox.overlap(self.triangles, LO, (NAN, 1, 1))
+        copy = pickle.loads(pickle.dumps(raised.exception))
+        self.assertEqual((str(copy), copy.status), (str(raised.exception), "BAD_BOX"))
+
+    def test_box(self):
+        for form in self.forms:
+            for call in self.calls:
+                for value in (NAN, INF, -INF, 1e39):
+                    pattern = r"a bound of the box is NaN or infinite: lo = \(0, .*\), hi = \(1, 1, 1\)"
+                    self.refuse(InputError, "BAD_BOX", pattern, call, form, (0, value, 0), (1, 1, 1))
+                for odd in ((1, 2), (1, 2, 3, 4), 1, None, "abc", (1, "x", 2), (1, None, 2), np.zeros((3, 2)), ()):
+                    self.refuse(InputError, None, "^hi = .*; it is three numbers: x, y, z", call, form, LO, odd)
+                    self.refuse(InputError, None, "^lo = .*; it is three numbers: x, y, z", call, form, odd, HI)
+
+    def test_options(self):
+        def oriented(form, lo, hi, **options):
+            return tribox.overlap_oriented(form, lo, hi, np.eye(3), **options)
+
+        refuse = self.refuse
+        for form in self.forms:
+            for call in (*self.calls, oriented):
+                refuse(InputError, "BAD_OPTION", "order of the axes: .*axes = 7, order = 4", call, form, LO, HI, order=4)
+                refuse(InputError, "BAD_OPTION", "unknown .*axis set.*: .*axes = 8, order = 0", call, form, LO, HI, axes=8)
+                refuse(InputError, None, "axes = -1", call, form, LO, HI, axes=-1)
+                refuse(InputError, None, "order = '123'", call, form, LO, HI, order="123")
+                pattern = "accuracy = 'exakt'; it is one of 'exact', 'conservative', 'fast'"
+                refuse(InputError, None, pattern, call, form, LO, HI, accuracy="exakt")
+                pattern = "kernel = 'sse9'; this processor runs scalar"
+                refuse(InputError, "NO_KERNEL", pattern, call, form, LO, HI, kernel="sse9")
+        for options in (dict(axes=8), dict(accuracy=1), dict(kernel="")):
+            with self.assertRaises(InputError):
+                tribox.voxelize(self.triangles, *GRID, **options)
+
+    def test_indices(self):
+        vertices, faces = cases.shared_vertices(self.triangles, np.int32)
+        count = len(vertices)
+        for dtype, wrong in ((np.uint16, count), (np.uint32, 2 ** 32 - 1), (np.int32, -1), (np.int32, count)):
+            bad = faces.copy().astype(dtype)
+            bad[17, 2] = bad[20, 0] = wrong
+            mesh = tribox.Mesh(vertices, bad)
+            pattern = fr"faces\[17, 2\] is {wrong}, but there are {count} vertices; 2 of the indices are wrong"
+            for call in self.calls:
+                self.refuse(BadIndexError, "BAD_INDEX", pattern, call, mesh, LO, HI)
+            self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.voxelize, mesh, *GRID)
+            self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.Soup.of, mesh)
+            self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.overlap_oriented, mesh, LO, HI, np.eye(3))
+
+    def test_negative_indices(self):
+        """Among more than 2^31 vertices, here a file of nothing but holes, a negative index is none of them either."""
+        with tempfile.TemporaryFile() as file:
+            try:
+                file.truncate(12 << 31 | 1 << 10)
+                vertices = np.memmap(file, np.float32, "r", shape=((1 << 31) + 5, 3))
+            except (OSError, OverflowError, ValueError) as error:
+                self.skipTest(f"no file of 26 GB, not even of holes: {error}")
+            mesh = tribox.Mesh(vertices, np.array([[0, 1, -(1 << 31)]], np.int32))
+            self.refuse(BadIndexError, "BAD_INDEX", r"faces\[0, 2\] is -2147483648", tribox.overlap, mesh, LO, HI)
+
+    def test_no_triangles(self):
+        """What is wrong is told of no triangles, too."""
+        none = np.zeros((0, 3, 3), np.float32)
+        for form in (none, tribox.Soup.of(none), tribox.Mesh(none[0:0, 0], np.zeros((0, 3), np.uint32))):
+            for call in self.calls:
+                self.refuse(InputError, "BAD_BOX", "infinite", call, form, LO, (INF, 1, 1))
+                self.refuse(InputError, "BAD_OPTION", "order = 5", call, form, LO, HI, order=5)
+            self.refuse(InputError, "BAD_BOX", "infinite", tribox.overlap_oriented, form, LO, (INF, 1, 1), np.eye(3))
+            self.refuse(InputError, "BAD_GRID", "cell = 0", tribox.voxelize, form, LO, 0, (1, 1, 1))
+
+    def test_oriented(self):
+        refuse = self.refuse
+        for form in self.forms:
+            refuse(InputError, "BAD_BOX", r"half = \(1, inf, 1\)", tribox.overlap_oriented, form, LO, (1, INF, 1), np.eye(3))
+            for frame in (np.eye(3)[:2], np.eye(4), 3, None):
+                pattern = "frame = .*; it is three times three numbers"
+                refuse(InputError, None, pattern, tribox.overlap_oriented, form, LO, HI, frame)
+            refuse(InputError, None, r"frame\[0\] = .*three numbers", tribox.overlap_oriented, form, LO, HI, np.eye(4)[:3])
+
+    def test_boxes(self):
+        bounds, refuse = np.zeros((3, 9), np.float32), self.refuse
+        one = self.triangles[0]
+        refuse(InputTypeError, None, "lo has dtype float64", tribox.overlap_boxes, one, bounds.astype(float), bounds)
+        refuse(InputTypeError, None, "hi is of type list", tribox.overlap_boxes, one, bounds, bounds.tolist())
+        refuse(InputError, None, r"hi has shape \(9, 3\).*np\.ascontiguousarray\(hi\.T\)", tribox.overlap_boxes, one, bounds,
+               bounds.T)
+        refuse(InputError, None, "lo has shape .* strides", tribox.overlap_boxes, one, bounds[:, ::2], bounds[:, ::2])
+        refuse(InputError, None, r"lo has shape \(3, 9\) and hi \(3, 8\)", tribox.overlap_boxes, one, bounds, bounds[:, :8])
+        for odd in (self.triangles[:2, 0], 3, None):
+            pattern = "triangle = .*; it is three times three numbers"
+            refuse(InputError, None, pattern, tribox.overlap_boxes, odd, bounds, bounds)
+        refuse(InputError, "BAD_OPTION", "order = 7", tribox.overlap_boxes, one, bounds, bounds, order=7)
+
+    def test_grid(self):
+        for origin, cell, size in (((NAN, 0, 0), 1, (4, 5, 6)), ((0, 0, 0), 0, (4, 5, 6)), ((0, 0, 0), (1, -1, 1), (4, 5, 6)),
+                                   ((0, 0, 0), 1, (4, 0, 6)), ((1e8, 0, 0), 1, (4, 5, 6)),
+                                   ((0, 0, 0), 1, (1 << 20, 1 << 20, 1 << 20))):
+            self.refuse(InputError, "BAD_GRID", r"the grid is .*: origin = .*, cell = .*, size = ", tribox.voxelize,
+                        self.triangles, origin, cell, size)
+        for size in ((1, 2), 3, None, "xyz", (1, -2, 3), (1, 1 << 32, 1), (1, 2, 3, 4), (NAN, 1, 1), (1.5, 1, 1)):
+            pattern = "^size = .*; it is three numbers of cells"
+            self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, (0, 0, 0), 1, size)
+        for origin, cell, word in (((0, 0), 1, "origin"), ((0, 0, 0), (1, 1), "cell"), ((0, 0, 0), "x", "cell")):
+            pattern = f"^{word} = .*; it is three numbers"
+            self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, origin, cell, (1, 1, 1))
+        for layers in ((0, 7), (6, 1), (-1, 2), (1 << 32, 1), (0, "x"), (0,), (0, 1.5), 3):
+            self.refuse(InputError, None, r"layers = .*of the 6 layers", tribox.voxelize, self.triangles, *GRID, layers=layers)
+
+    def test_out(self):
+        read_only = np.zeros(70, bool)
+        read_only.flags.writeable = False
+        refuse = self.refuse
+        for form in self.forms:
+            for out in (np.zeros(70, np.uint8), [False] * 70, np.zeros(70, np.int64), np.zeros(70, ">u8")):
+                pattern = "^out is .*bool, or of uint64 for packed bits"
+                refuse(InputTypeError, None, pattern, tribox.overlap, form, LO, HI, out=out)
+            for out in (np.zeros(69, bool), np.zeros((70, 1), bool), np.zeros(3, np.uint64)):
+                refuse(InputError, None, r"^out has shape .*; it is \((70|2),\)", tribox.overlap, form, LO, HI, out=out)
+            for out in (read_only, np.zeros(4, np.uint64)[::2]):
+                refuse(InputError, None, "^out is read-only, or not contiguous", tribox.overlap, form, LO, HI, out=out)
+        refuse(InputError, None, r"it is \(6, 5, 4\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((4, 5, 6), bool))
+        refuse(InputError, None, r"it is \(6, 5, 1\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((6, 5, 2), np.uint64))
+
+    def test_nothing_is_written(self):
+        vertices, faces = cases.shared_vertices(np.resize(self.triangles, (70000, 3, 3)), np.uint32)
+        faces[-1, 2] = len(vertices)
+        late = tribox.Mesh(vertices, faces)
+        for call, arguments, shape in ((tribox.overlap, (late, LO, HI), (70000,)),
+                                       (tribox.overlap, (self.triangles, LO, (NAN, 0, 0)), (70,)),
+                                       (tribox.voxelize, (late, *GRID), (6, 5, 4))):
+            for dtype in (bool, np.uint64):
+                out = np.zeros(shape if dtype is bool else (*shape[:-1], (shape[-1] + 63) // 64), dtype)
+                with self.assertRaises(tribox.Error):
+                    call(*arguments, out=out)
+                self.assertFalse(out.any())
+
+    def test_mask_indices(self):
+        for odd in ([1], np.zeros(2, bool), np.zeros(4, np.uint64)[::2]):
+            self.refuse(InputTypeError, None, "mask is a contiguous array of uint64", tribox.mask_indices, odd)
+        huge = np.broadcast_to(np.uint64(0), (1, 1 << 27))
+        self.refuse(InputTypeError, None, "contiguous", tribox.mask_indices, huge)
+
+
+class Library(cases.TestCase):
+    """What an import says where the library is not there, or does not fit."""
+
+    def import_with(self, library):
+        environment = {**os.environ, "TRIBOX_LIBRARY": library}
+        done = subprocess.run([sys.executable, "-B", "-c", "import tribox"], capture_output=True, env=environment, timeout=60,
+                              text=True)
+        self.assertNotEqual(done.returncode, 0)
+        return done.stderr
+
+    def test_not_there(self):
+        self.assertRegex(self.import_with("/no/libtribox.so"),
+                         "ImportError: .*/no/libtribox.so.*; install libtribox, or let TRIBOX_LIBRARY name the file libtribox.so.0")
+
+    def test_another(self):
+        self.assertRegex(self.import_with("libc.so.6"), "ImportError: libc.so.6 does not fit this module: .*tribox_")
+
+
+if __name__ == "__main__":
+    cases.main()

@@ -1,0 +1,75 @@
+"""Threads call at once, on shared input and into shared cells."""
+
+import threading
+
+import numpy as np
+import tribox
+
+import cases
+from cases import HI, LO
+
+THREADS, ROUNDS = 4, 100
+
+
+def at_once(work):
+    """Runs work(0), work(1), ... in threads that start together; returns what they return."""
+    answers, failures, start = [None] * THREADS, [], threading.Barrier(THREADS)
+
+    def run(number):
+        try:
+            start.wait()
+            answers[number] = work(number)
+        except BaseException as failure:
+            failures.append(failure)
+
+    threads = [threading.Thread(target=run, args=(number,)) for number in range(THREADS)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    if failures:
+        raise failures[0]
+    return answers
+
+
+class Threads(cases.TestCase):
+    def setUp(self):
+        self.triangles = np.resize(cases.lattice(500), (20000, 3, 3))
+        self.boxes = [(np.add(LO, number / 8), np.add(HI, number / 4)) for number in range(THREADS)]
+
+    def test_shared_input(self):
+        mesh, soup = tribox.Mesh(*cases.shared_vertices(self.triangles, np.uint32)), tribox.Soup.of(self.triangles)
+        expected = [np.resize(cases.truth(self.triangles[:500], *box), 20000) for box in self.boxes]
+
+        def work(number):
+            for round_number in range(ROUNDS):
+                form = (self.triangles, mesh, soup)[(number + round_number) % 3]
+                self.assert_same(tribox.overlap(form, *self.boxes[number]), expected[number])
+                self.assert_same(tribox.classify(form, *self.boxes[number])[0], expected[number])
+
+        at_once(work)
+
+    def test_errors(self):
+        """A thread gets its own errors, and others none of them."""
+        def work(number):
+            for round_number in range(ROUNDS):
+                if number % 2:
+                    self.refuse(tribox.InputError, "BAD_BOX", f"{number}, nan, {round_number}", tribox.overlap, self.triangles[:9],
+                                (number, float("nan"), round_number), HI)
+                else:
+                    tribox.overlap(self.triangles[:9], LO, HI)
+
+        at_once(work)
+
+    def test_layers(self):
+        grid = (-2, -2, -2), 0.03125, (128, 128, 128)
+        whole = tribox.voxelize(self.triangles[:500], *grid, packed=True)
+        out = np.zeros_like(whole)
+        each = 128 // THREADS
+        at_once(lambda number: tribox.voxelize(self.triangles[:500], *grid, layers=(number * each, each),
+                                               out=out[number * each:(number + 1) * each]))
+        self.assert_same(out, whole)
+
+
+if __name__ == "__main__":
+    cases.main()
