@@ -21,3 +21,14 @@ uint32_t loads_all(const tribox_soup *soup)
                bits_at(z0, i) ^ bits_at(z1, i) ^ bits_at(z2, i);
     return all;
 }
+
+uint32_t loads_words(const void *words, size_t count)
+{
+    uint32_t all = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t word;
+        memcpy(&word, (const char *)words + 4 * i, sizeof word);
+        all ^= word;
+    }
+    return all;
+}
