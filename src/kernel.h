@@ -93,6 +93,14 @@ typedef size_t tribox_greatest(const tribox_mesh *mesh, size_t first, size_t cou
 /* These triangles, with all their vertices there, as nine streams x_0 x_1 x_2 y_0 .. z_2. */
 typedef void tribox_gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9]);
 
+/* A box beside positions x y z x y z ...: the bounds of axis k % 3 at place k. */
+typedef struct tribox_row {
+    float lo[3 * TRIBOX_LANES_MOST], hi[3 * TRIBOX_LANES_MOST];
+} tribox_row;
+
+/* Whether the box normals separate all of these triangles, and it is cheap to tell so. */
+typedef bool tribox_beside(const tribox_mesh *mesh, const tribox_row *box, size_t first, size_t count);
+
 /* Words of triangles in the frame of an oriented box. */
 enum { TRIBOX_MOVED_WORDS = 8 };
 typedef struct tribox_moved {
@@ -113,6 +121,7 @@ typedef struct tribox_kernel {
     tribox_inside *inside;
     tribox_greatest *greatest;
     tribox_gather *gather;
+    tribox_beside *beside;
     tribox_move *move;
     tribox_settle *settle;
     const tribox_grid_kernel *grid;

@@ -6,8 +6,8 @@
 #include "environment.h"
 #include "pairs.h"
 
-/* The streams of a block fit the first cache. */
-enum { BLOCK = 512 };
+/* The streams of so many words fit the first cache. */
+enum { BLOCK_WORDS = 8 };
 
 /* Whether count things of so many bytes fit the address space. */
 static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
@@ -53,27 +53,69 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
     return TRIBOX_OK;
 }
 
+/* Words of triangles in streams, waiting to be answered. */
+typedef struct block {
+    float streams[9][64 * BLOCK_WORDS];
+    size_t word[BLOCK_WORDS]; /* of the mask */
+    size_t words, triangles;
+} block;
+
+static void gather(block *b, const tribox_mesh *mesh, const tribox_kernel *kernel, size_t word, size_t count)
+{
+    float *to[9];
+    for (int k = 0; k < 9; k++)
+        to[k] = b->streams[k] + b->triangles;
+    kernel->gather(mesh, 64 * word, count, to);
+    b->word[b->words++] = word;
+    b->triangles += count;
+}
+
+static void answer_block(block *b, const tribox_box *box, const tribox_plan *plan, uint64_t *mask, tribox_report *counts)
+{
+    tribox_soup soup = {.count = b->triangles};
+    uint64_t hit[BLOCK_WORDS];
+    for (int v = 0; v < 3; v++) {
+        soup.x[v] = b->streams[v];
+        soup.y[v] = b->streams[3 + v];
+        soup.z[v] = b->streams[6 + v];
+    }
+    const tribox_pairs p = {.soup = &soup, .box = box, .count = soup.count};
+    const tribox_report report = tribox_pairs_answer(&p, plan, hit);
+    for (size_t w = 0; mask && w < b->words; w++)
+        mask[b->word[w]] = hit[w];
+    counts->overlapping += report.overlapping;
+    counts->undecided += report.undecided;
+    b->words = b->triangles = 0;
+}
+
+static tribox_row row_of(const tribox_box *box)
+{
+    tribox_row row;
+    for (int k = 0; k < 3 * TRIBOX_LANES_MOST; k++) {
+        row.lo[k] = box->lo[k % 3];
+        row.hi[k] = box->hi[k % 3];
+    }
+    return row;
+}
+
 static tribox_report answer(const tribox_mesh *mesh, const tribox_box *box, const tribox_plan *plan, uint64_t *mask)
 {
-    float streams[9][BLOCK];
-    float *to[9];
-    tribox_soup soup;
+    const bool is_box_asked = plan->axes & TRIBOX_AXES_BOX;
+    const tribox_row row = row_of(box);
     tribox_report counts = {0, 0};
-    for (int k = 0; k < 9; k++)
-        to[k] = streams[k];
-    for (int v = 0; v < 3; v++) {
-        soup.x[v] = streams[v];
-        soup.y[v] = streams[3 + v];
-        soup.z[v] = streams[6 + v];
+    block b;
+    b.words = b.triangles = 0;
+    for (size_t first = 0; first < mesh->count; first += 64) {
+        const size_t count = mesh->count - first < 64 ? mesh->count - first : 64;
+        if (!is_box_asked || !plan->kernel->beside(mesh, &row, first, count))
+            gather(&b, mesh, plan->kernel, first / 64, count);
+        else if (mask)
+            mask[first / 64] = 0;
+        if (b.words == BLOCK_WORDS)
+            answer_block(&b, box, plan, mask, &counts);
     }
-    for (size_t first = 0; first < mesh->count; first += BLOCK) {
-        soup.count = mesh->count - first < BLOCK ? mesh->count - first : BLOCK;
-        plan->kernel->gather(mesh, first, soup.count, to);
-        const tribox_pairs p = {.soup = &soup, .box = box, .count = soup.count};
-        const tribox_report block = tribox_pairs_answer(&p, plan, mask ? mask + first / 64 : NULL);
-        counts.overlapping += block.overlapping;
-        counts.undecided += block.undecided;
-    }
+    if (b.words)
+        answer_block(&b, box, plan, mask, &counts);
     return counts;
 }
 

@@ -6,5 +6,6 @@
 #include "kernel/packet.h"
 #include "kernel/inside.h"
 #include "kernel/gather.h"
+#include "kernel/beside.h"
 #include "kernel/frame.h"
 #include "kernel/batch.h"

@@ -99,6 +99,7 @@ const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
     .inside = inside,
     .greatest = greatest,
     .gather = gather,
+    .beside = beside,
     .move = move,
     .settle = SETTLE_SYMBOL(KERNEL),
     .grid = &GRID_SYMBOL(KERNEL),

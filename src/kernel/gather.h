@@ -17,17 +17,22 @@ TRIBOX_INLINE const void *vertex_of(const tribox_mesh *mesh, mesh_kind kind, siz
            tribox_vertex_number(mesh, kind.index_bytes, corner) * (kind.is_packed ? 12 : mesh->stride);
 }
 
-/* The greatest vertex number of triangles first .. first + count - 1; 0 of none. */
-TRIBOX_INLINE size_t greatest_vertex(const tribox_mesh *mesh, mesh_kind kind, size_t first, size_t count)
+typedef struct vertex_span {
+    size_t least, greatest;
+} vertex_span;
+
+/* Of the vertex numbers of triangles first .. first + count - 1; of none, 0 is the greatest. */
+TRIBOX_INLINE vertex_span span_of_vertices(const tribox_mesh *mesh, mesh_kind kind, size_t first, size_t count)
 {
-    uint32_t greatest = 0; /* no wider than an index: as many lanes as there can be */
+    uint32_t least = UINT32_MAX, greatest = 0; /* no wider than an index: as many lanes as there can be */
     if (!kind.index_bytes)
-        return count ? 3 * (first + count) - 1 : 0;
+        return (vertex_span){3 * first, count ? 3 * (first + count) - 1 : 0};
     for (size_t corner = 3 * first; corner < 3 * (first + count); corner++) {
         const uint32_t number = (uint32_t)tribox_vertex_number(mesh, kind.index_bytes, corner);
+        least = number < least ? number : least;
         greatest = number > greatest ? number : greatest;
     }
-    return greatest;
+    return (vertex_span){least, greatest};
 }
 
 /* Triangle `from` of the mesh to place `at` of the streams x_0 x_1 x_2 y_0 .. z_2. */
@@ -57,7 +62,7 @@ TRIBOX_INLINE void gather_kind(const tribox_mesh *mesh, mesh_kind kind, size_t f
 {
     for (size_t word = 0; word < count; word += 64) {
         const size_t end = word + (count - word < 64 ? count - word : 64);
-        const bool is_wide = greatest_vertex(mesh, kind, first + word, end - word) + 1 < mesh->vertices;
+        const bool is_wide = span_of_vertices(mesh, kind, first + word, end - word).greatest + 1 < mesh->vertices;
         size_t at = word;
         for (; is_wide && at + V_LANES <= end; at += V_LANES)
             gather_packet(mesh, kind, first + at, to, at);
@@ -84,9 +89,11 @@ static void gather(const tribox_mesh *mesh, size_t first, size_t count, float *c
         gather_kind(mesh, (mesh_kind){0, false}, first, count, to);
 }
 
-static size_t greatest(const tribox_mesh *mesh, size_t first, size_t count)
+TRIBOX_INLINE vertex_span span_of_mesh(const tribox_mesh *mesh, size_t first, size_t count)
 {
-    return !mesh->indices           ? greatest_vertex(mesh, (mesh_kind){0, false}, first, count)
-           : mesh->index_bytes == 2 ? greatest_vertex(mesh, (mesh_kind){2, false}, first, count)
-                                    : greatest_vertex(mesh, (mesh_kind){4, false}, first, count);
+    return !mesh->indices           ? span_of_vertices(mesh, (mesh_kind){0, false}, first, count)
+           : mesh->index_bytes == 2 ? span_of_vertices(mesh, (mesh_kind){2, false}, first, count)
+                                    : span_of_vertices(mesh, (mesh_kind){4, false}, first, count);
 }
+
+static size_t greatest(const tribox_mesh *mesh, size_t first, size_t count) { return span_of_mesh(mesh, first, count).greatest; }

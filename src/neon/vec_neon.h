@@ -45,7 +45,7 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {
     vnum row[4];
     for (int i = 0; i < 4; i++)
-        row[i] = vld1q_f32((const float *)from[i]);
+        row[i] = vreinterpretq_f32_u8(vld1q_u8(from[i]));
     const float64x2_t even_01 = vreinterpretq_f64_f32(vtrn1q_f32(row[0], row[1]));
     const float64x2_t even_23 = vreinterpretq_f64_f32(vtrn1q_f32(row[2], row[3]));
     const float64x2_t odd_01 = vreinterpretq_f64_f32(vtrn2q_f32(row[0], row[1]));

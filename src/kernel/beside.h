@@ -1,0 +1,46 @@
+/*
+ * beside.h - does a word of a mesh lie beside the box, all its vertices beyond one face? Then bullet 1 separates every triangle, and
+ * none has to be gathered. Asked of all vertices from the least number to the greatest: they lie side by side in memory, and in most
+ * meshes what is near in number is near in space. Stops at the first vertices that tell otherwise.
+ */
+
+/* Vertices more than this are not asked: gathering would cost less. */
+enum { BESIDE_MOST = 768 };
+
+/* Position k of 3 * V_LANES floats is axis k % 3 of a vertex. */
+#define BESIDE_AXIS(a) ((UINT64_C(0x249249249249) << (a)) & (~UINT64_C(0) >> (64 - 3 * V_LANES)))
+
+TRIBOX_INLINE bool has_whole_axis(uint64_t bits)
+{
+    return (bits & BESIDE_AXIS(0)) == BESIDE_AXIS(0) || (bits & BESIDE_AXIS(1)) == BESIDE_AXIS(1) ||
+           (bits & BESIDE_AXIS(2)) == BESIDE_AXIS(2);
+}
+
+static bool beside(const tribox_mesh *mesh, const tribox_row *box, size_t first, size_t count)
+{
+    const vertex_span span = span_of_mesh(mesh, first, count);
+    const size_t vertices = span.greatest + 1 - span.least;
+    if (mesh->stride != 12 || (uintptr_t)mesh->positions % sizeof(float) || vertices < V_LANES || vertices > BESIDE_MOST)
+        return false;
+    const float *const position = (const float *)mesh->positions + 3 * span.least;
+    vnum lo[3], hi[3];
+    for (int t = 0; t < 3; t++) {
+        lo[t] = v_load(box->lo + V_LANES * t);
+        hi[t] = v_load(box->hi + V_LANES * t);
+    }
+    uint64_t below = ~UINT64_C(0), above = ~UINT64_C(0);
+    for (size_t done = 0; done < vertices; done += V_LANES) {
+        const size_t at = done + V_LANES <= vertices ? done : vertices - V_LANES; /* the last ones again, up to a packet */
+        uint64_t is_below = 0, is_above = 0;
+        for (int t = 0; t < 3; t++) {
+            const vnum u = v_load(position + 3 * at + (size_t)(V_LANES * t));
+            is_below |= m_bits(v_gt(lo[t], u)) << (V_LANES * t);
+            is_above |= m_bits(v_gt(u, hi[t])) << (V_LANES * t);
+        }
+        below &= is_below;
+        above &= is_above;
+        if (!has_whole_axis(below) && !has_whole_axis(above))
+            return false;
+    }
+    return true;
+}
