@@ -32,8 +32,7 @@ static const struct {
     {&tribox_kernel_avx512, runs_avx512},
     {&tribox_kernel_avx2, runs_avx2},
     {&tribox_kernel_sse2, runs_sse2},
-#endif
-#if defined(TRIBOX_NEON)
+#elif defined(TRIBOX_NEON)
     {&tribox_kernel_neon, runs_anywhere},
 #endif
     {&tribox_kernel_scalar, runs_anywhere},

@@ -47,8 +47,8 @@ typedef fenv_t tribox_environment;
 static inline tribox_environment tribox_environment_enter(void)
 {
     tribox_environment callers;
-    feholdexcept(&callers);
-    fesetround(FE_TONEAREST);
+    fegetenv(&callers);
+    fesetenv(FE_DFL_ENV);
     return callers;
 }
 

@@ -84,7 +84,7 @@ typedef struct tribox_batch {
  */
 typedef uint64_t tribox_settle(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
 
-/* Of those triangles of a word that are candidates, none of which has a NaN: the ones wholly in the box. */
+/* Of those triangles of a word that are candidates: the ones wholly in the box. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
 
 /* The greatest vertex number of triangles first .. first + count - 1 of a mesh, 0 of none. The mesh states its stride here and below. */

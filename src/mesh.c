@@ -148,14 +148,18 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
 
 size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
 {
-    const size_t corners = is_readable(mesh) ? 3 * mesh->count : 0;
-    const unsigned bytes = corners ? tribox_index_bytes(mesh) : 0;
-    size_t found = 0, lowest = corners;
-    for (size_t corner = corners; corner-- > 0;)
-        if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices) {
-            found++;
-            lowest = corner;
-        }
+    const tribox_kernel *const kernel = tribox_kernel_find(NULL);
+    const size_t triangles = is_readable(mesh) ? mesh->count : 0;
+    const unsigned bytes = triangles ? tribox_index_bytes(mesh) : 0;
+    size_t found = 0, lowest = 3 * triangles;
+    for (size_t at = 0; at < triangles; at += 64) {
+        const size_t count = triangles - at < 64 ? triangles - at : 64;
+        if (is_in_range(mesh, kernel, at, count))
+            continue;
+        for (size_t corner = 3 * at; corner < 3 * (at + count); corner++)
+            if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices)
+                lowest = found++ ? lowest : corner;
+    }
     if (first)
         *first = lowest;
     return found;

@@ -54,13 +54,6 @@ static tribox_box box_in_frame(const question *q, const tribox_moved *moved, int
     return box;
 }
 
-/* What the words of a soup come to with the plan's kernel and axes at some accuracy, before anything is settled. */
-static void walk(const question *q, const tribox_soup *soup, const tribox_box *box, tribox_accuracy accuracy, size_t words,
-                 uint64_t *hit, uint64_t *open)
-{
-    q->plan->kernel->soup[accuracy][q->plan->sequence](soup, box, 0, 64 * words, hit, open);
-}
-
 static tribox_oriented_pair pair_at(const question *q, const tribox_soup *soup, size_t i)
 {
     tribox_oriented_pair pair = {.box = *q->box};
@@ -82,42 +75,56 @@ static bool settle(question *q, const tribox_soup *soup, size_t i)
     return tribox_oriented_overlap(&pair, q->plan->axes);
 }
 
-/* The lanes of words that overlap in the frame at the accuracy asked, and in *open those for the integers. */
-static void answer_in_frame(question *q, const tribox_moved *moved, size_t words, uint64_t *hit, uint64_t *open)
+/* Words of the frame: the lanes that certainly overlap at the accuracy asked, and in *open those for the integers. */
+static void answer_exactly(const question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words, uint64_t *hit,
+                           uint64_t *open)
 {
-    tribox_soup soup = {.count = 64 * words};
-    for (int v = 0; v < 3; v++) {
-        soup.x[v] = moved->number[v];
-        soup.y[v] = moved->number[3 + v];
-        soup.z[v] = moved->number[6 + v];
-    }
-    memset(open, 0, words * sizeof *open);
-    if (q->plan->accuracy != TRIBOX_EXACT) {
-        const tribox_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
-        const tribox_pairs pairs = {.soup = &soup, .box = &box, .count = soup.count};
-        q->counts.undecided += tribox_pairs_answer_block(&pairs, q->plan, 0, words, hit);
-        return;
-    }
-    uint64_t near[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS], near_open[TRIBOX_MOVED_WORDS];
+    tribox_plan plan = *q->plan;
+    uint64_t near[TRIBOX_MOVED_WORDS], near_open[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
     const tribox_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
-    walk(q, &soup, &larger, TRIBOX_CONSERVATIVE, words, near, near_open);
     memset(hit, 0, words * sizeof *hit);
     if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
-        walk(q, &soup, &smaller, TRIBOX_EXACT, words, hit, unused);
+        tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &smaller, .count = soup->count}, &plan, 0, words, hit, unused);
+    plan.accuracy = TRIBOX_CONSERVATIVE;
+    tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &larger, .count = soup->count}, &plan, 0, words, near, near_open);
     for (size_t w = 0; w < words; w++)
-        open[w] = (near[w] | near_open[w]) & ~hit[w];
+        open[w] = (near[w] | near_open[w]) & ~hit[w] & ~moved->apart[w];
 }
 
-/* Words of triangles from `first` on, to word `to` of the mask; only bits of `present` are there. */
-static void answer_words(question *q, const tribox_soup *soup, size_t first, size_t words, size_t to, uint64_t present)
+/* The same where the frame's own answer will do, about the box or the larger box. */
+static void answer_in_frame(question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words, uint64_t *hit,
+                            uint64_t *open)
 {
+    const tribox_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
+    const tribox_pairs pairs = {.soup = soup, .box = &box, .count = soup->count};
+    tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, open);
+    for (size_t w = 0; w < words; w++)
+        open[w] &= ~(moved->apart[w] | moved->wild[w]);
+    q->counts.undecided += tribox_pairs_settle_block(&pairs, q->plan, 0, words, open, hit);
+    memset(open, 0, words * sizeof *open);
+}
+
+/* `count` triangles from `first` on, to word `to` of the mask. */
+static void answer_block(question *q, const tribox_soup *soup, size_t first, size_t count, size_t to)
+{
+    const size_t words = tribox_mask_words(count);
     tribox_moved moved;
     uint64_t hit[TRIBOX_MOVED_WORDS], open[TRIBOX_MOVED_WORDS];
+    tribox_soup frame = {.count = count};
     q->plan->kernel->move(soup, q->box, first, words, &moved);
-    answer_in_frame(q, &moved, words, hit, open);
+    for (int v = 0; v < 3; v++) {
+        frame.x[v] = moved.number[v];
+        frame.y[v] = moved.number[3 + v];
+        frame.z[v] = moved.number[6 + v];
+    }
+    if (q->plan->accuracy == TRIBOX_EXACT)
+        answer_exactly(q, &moved, &frame, words, hit, open);
+    else
+        answer_in_frame(q, &moved, &frame, words, hit, open);
     for (size_t w = 0; w < words; w++) {
-        hit[w] &= ~(moved.apart[w] | moved.wild[w]) & present;
-        for (uint64_t left = ((open[w] & ~moved.apart[w]) | moved.wild[w]) & present; left; left &= left - 1) {
+        const uint64_t present = count - 64 * w < 64 ? ~(~UINT64_C(0) << count % 64) : ~UINT64_C(0);
+        hit[w] &= ~(moved.apart[w] | moved.wild[w]);
+        for (uint64_t left = (open[w] | moved.wild[w]) & present; left; left &= left - 1) {
             const unsigned lane = tribox_lowest_bit(left);
             hit[w] |= (uint64_t)settle(q, soup, first + 64 * w + lane) << lane;
         }
@@ -132,12 +139,12 @@ static void answer(question *q)
     const size_t words = q->soup->count / 64, tail = q->soup->count % 64;
     for (size_t word = 0; word < words; word += TRIBOX_MOVED_WORDS) {
         const size_t block = words - word < TRIBOX_MOVED_WORDS ? words - word : TRIBOX_MOVED_WORDS;
-        answer_words(q, q->soup, 64 * word, block, word, ~UINT64_C(0));
+        answer_block(q, q->soup, 64 * word, 64 * block, word);
     }
     if (tail) {
         float scratch[9][64] = {{0}};
         const tribox_soup last = tribox_soup_tail(q->soup, scratch);
-        answer_words(q, &last, 0, 1, words, ~(~UINT64_C(0) << tail));
+        answer_block(q, &last, 0, tail, words);
     }
     if (q->plan->accuracy == TRIBOX_FAST)
         q->counts.undecided = 0;

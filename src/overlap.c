@@ -112,20 +112,22 @@ tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box,
     return find_unlike(soup, box, options, ~UINT64_C(0), first);
 }
 
-/* Of the overlapping triangles of a word, those that lie wholly in the box. */
-static uint64_t inside_of_word(const tribox_pairs *p, const tribox_plan *plan, size_t word, uint64_t hit)
+/* Of some triangles of a word, those that lie wholly in the box. */
+static uint64_t inside_of_word(const tribox_pairs *p, const tribox_plan *plan, size_t word, uint64_t candidates)
 {
-    if (!hit)
+    if (!candidates)
         return 0;
     if (word < p->count / 64)
-        return plan->kernel->inside(p->soup, p->box, word, hit);
+        return plan->kernel->inside(p->soup, p->box, word, candidates);
     float scratch[9][64] = {{0}};
     const tribox_soup tail = tribox_soup_tail(p->soup, scratch);
-    return plan->kernel->inside(&tail, p->box, 0, hit);
+    return plan->kernel->inside(&tail, p->box, 0, candidates & ~(~UINT64_C(0) << p->count % 64));
 }
 
+/* FAST may miss a triangle that is inside: there all are asked, and it overlaps after all. */
 static tribox_report classify(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
+    const bool is_fast = plan->accuracy == TRIBOX_FAST;
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
@@ -133,9 +135,11 @@ static tribox_report classify(const tribox_pairs *p, const tribox_plan *plan, ui
         const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
         counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
         for (size_t w = 0; w < block; w++) {
+            const uint64_t found = inside || is_fast ? inside_of_word(p, plan, word + w, is_fast ? ~UINT64_C(0) : hit[w]) : 0;
+            hit[w] |= found;
             counts.overlapping += tribox_count_bits(hit[w]);
             if (inside)
-                inside[word + w] = inside_of_word(p, plan, word + w, hit[w]);
+                inside[word + w] = found;
         }
         if (mask)
             memcpy(mask + word, hit, block * sizeof *mask);

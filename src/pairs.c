@@ -99,9 +99,17 @@ static size_t settle(gathering *g, const tribox_pairs *p, const tribox_plan *pla
     return tribox_count_bits(finite);
 }
 
-/* Settles the open lanes of a block and adds those that overlap to its hits. Returns how many there were with finite numbers. */
-static size_t settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
-                           uint64_t *hit)
+void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit,
+                             uint64_t *open)
+{
+    const size_t whole = word + words <= p->count / 64 ? words : words - 1;
+    walk(p, plan, word, 64 * whole, hit, open);
+    if (whole < words)
+        walk_tail(p, plan, hit + whole, open + whole);
+}
+
+size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
+                                 uint64_t *hit)
 {
     gathering g;
     size_t undecided = 0;
@@ -112,18 +120,16 @@ static size_t settle_block(const tribox_pairs *p, const tribox_plan *plan, size_
             if (g.count == TRIBOX_BATCH)
                 undecided += settle(&g, p, plan, 64 * word, hit);
         }
-    return g.count ? undecided + settle(&g, p, plan, 64 * word, hit) : undecided;
+    if (g.count)
+        undecided += settle(&g, p, plan, 64 * word, hit);
+    return plan->accuracy == TRIBOX_FAST ? 0 : undecided;
 }
 
 size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
 {
     uint64_t open[TRIBOX_BLOCK_WORDS];
-    const size_t whole = word + words <= p->count / 64 ? words : words - 1;
-    walk(p, plan, word, 64 * whole, hit, open);
-    if (whole < words)
-        walk_tail(p, plan, hit + whole, open + whole);
-    const size_t undecided = settle_block(p, plan, word, words, open, hit);
-    return plan->accuracy == TRIBOX_FAST ? 0 : undecided;
+    tribox_pairs_walk_block(p, plan, word, words, hit, open);
+    return tribox_pairs_settle_block(p, plan, word, words, open, hit);
 }
 
 tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)

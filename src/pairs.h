@@ -16,10 +16,15 @@ typedef struct tribox_pairs {
 /* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
 enum { TRIBOX_BLOCK_WORDS = 64 };
 
-/*
- * Answers words word .. word + words - 1, at most TRIBOX_BLOCK_WORDS of them, one bit for each pair that overlaps. Returns how many
- * pairs with finite numbers the kernel left open.
- */
+/* The kernel's answer about words word .. word + words - 1, at most TRIBOX_BLOCK_WORDS: bits as of a walk (kernel.h). */
+void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit,
+                             uint64_t *open);
+
+/* Settles the open lanes of such words and adds those that overlap to the hits. Returns how many there were with finite numbers. */
+size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
+                                 uint64_t *hit);
+
+/* Both: one bit for each pair that overlaps. Returns how many pairs with finite numbers the kernel left open. */
 size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit);
 
 /* Answers all pairs, and counts. mask may be NULL. */

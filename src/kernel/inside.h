@@ -1,11 +1,13 @@
 /* inside.h - which triangles lie wholly in the box: all three vertices do, as the box is convex. Input numbers are compared: exact. */
 
-/* The lanes of `left`, triangles of word `word` without NaN, that lie in the box on axis a of the packet at triangle `at`. */
+/* The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A difference to itself is zero, or NaN and no order. */
 TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
 {
     const float *const *const stream = a == 0 ? soup->x : a == 1 ? soup->y : soup->z;
     const vnum u0 = v_load(stream[0] + at), u1 = v_load(stream[1] + at), u2 = v_load(stream[2] + at);
-    return left & ~m_bits(m_or(v_gt(box->lo[a], lane_min3(u0, u1, u2)), v_gt(lane_max3(u0, u1, u2), box->hi[a])));
+    const vmask is_finite = v_gt(v_splat(1), v_add(v_add(v_sub(u0, u0), v_sub(u1, u1)), v_sub(u2, u2)));
+    const vmask is_beyond = m_or(v_gt(box->lo[a], lane_min3(u0, u1, u2)), v_gt(lane_max3(u0, u1, u2), box->hi[a]));
+    return left & m_bits(m_andnot(is_finite, is_beyond));
 }
 
 static uint64_t inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates)
