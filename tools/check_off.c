@@ -73,6 +73,9 @@ int mesh_file_check_off(const char *path, const mesh_file *file)
     at += 3;
     if (!read_count(&at, &vertices) || !read_count(&at, &faces))
         return message_failure("%s: truncated, or no text: no counts of vertices and faces behind 'OFF'", path);
+    if (vertices > file->size || faces > file->size) /* their sum may overflow */
+        return message_failure("%s: truncated: %llu vertices and %llu faces promised, more than the file has bytes", path,
+                               (unsigned long long)vertices, (unsigned long long)faces);
     for (uint64_t i = 0; i < vertices + faces; i++) {
         at += strcspn(at, "\r\n");
         at = next_content(at);

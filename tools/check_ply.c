@@ -16,6 +16,7 @@ enum ply_format { PLY_ASCII, PLY_LITTLE_ENDIAN, PLY_BIG_ENDIAN };
 typedef struct property {
     size_t count_size; /* 0: no list */
     size_t size;
+    bool is_index; /* the vertices of a face */
 } property;
 
 typedef struct element {
@@ -30,7 +31,10 @@ typedef struct values {
     const char *at;
     const char *end;
     enum ply_format format;
+    const char *word; /* the last one, in an ASCII file */
 } values;
+
+typedef enum outcome { TAKEN, CUT_OFF, FAR_INDEX } outcome;
 
 static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
@@ -81,12 +85,14 @@ static size_t type_size(const char *type)
 
 static bool read_property(const char *line, property *p)
 {
-    char type[16] = "", count_type[16] = "";
-    if (sscanf(line, "property list %15s %15s", count_type, type) == 2) {
+    char type[16] = "", count_type[16] = "", name[32] = "";
+    if (sscanf(line, "property list %15s %15s %31s", count_type, type, name) >= 2) {
+        p->is_index = !strcmp(name, "vertex_indices") || !strcmp(name, "vertex_index");
         p->count_size = type_size(count_type);
         p->size = type_size(type);
         return p->count_size && p->size;
     }
+    p->is_index = false;
     p->count_size = 0;
     p->size = sscanf(line, "property %15s", type) == 1 ? type_size(type) : 0;
     return p->size;
@@ -99,11 +105,11 @@ static bool take_value(values *v, size_t size, uint64_t *value)
     if (v->format == PLY_ASCII) {
         while (v->at < v->end && is_blank(*v->at))
             v->at++;
-        const char *word = v->at;
+        v->word = v->at;
         while (v->at < v->end && !is_blank(*v->at))
             v->at++;
-        *value = strtoull(word, NULL, 10);
-        return v->at > word;
+        *value = strtoull(v->word, NULL, 10);
+        return v->at > v->word;
     }
     if ((size_t)(v->end - v->at) < size)
         return false;
@@ -113,39 +119,51 @@ static bool take_value(values *v, size_t size, uint64_t *value)
     return true;
 }
 
-static bool take_values(values *v, size_t size, uint64_t count)
+/* An index of 2^32 or more libassimp would take for a small one; others it keeps as they are. */
+static outcome take_values(values *v, const property *p, uint64_t count)
 {
     if (v->format != PLY_ASCII) {
-        if (count > (size_t)(v->end - v->at) / size)
-            return false;
-        v->at += count * size;
-        return true;
+        if (count > (size_t)(v->end - v->at) / p->size)
+            return CUT_OFF;
+        v->at += count * p->size;
+        return TAKEN;
     }
-    for (uint64_t ignored; count; count--)
-        if (!take_value(v, size, &ignored))
-            return false;
-    return true;
+    for (uint64_t value; count; count--) {
+        if (!take_value(v, p->size, &value))
+            return CUT_OFF;
+        if (p->is_index && value > UINT32_MAX)
+            return FAR_INDEX;
+    }
+    return TAKEN;
 }
 
-static bool take_instance(values *v, const element *e)
+static outcome take_instance(values *v, const element *e)
 {
-    for (int i = 0; i < e->property_count; i++) {
+    outcome taken = TAKEN;
+    for (int i = 0; taken == TAKEN && i < e->property_count; i++) {
         const property *p = &e->properties[i];
         uint64_t count = 1;
         if (p->count_size && !take_value(v, p->count_size, &count))
-            return false;
-        if (!take_values(v, p->size, count))
-            return false;
+            return CUT_OFF;
+        taken = take_values(v, p, count);
     }
-    return true;
+    return taken;
 }
 
 static int take_element(const char *path, values *v, const element *e)
 {
-    for (uint64_t i = 0; e->property_count && i < e->count; i++)
-        if (!take_instance(v, e))
+    if (e->count && !e->property_count)
+        return message_failure("%s: not a sound PLY file: the header promises %llu of '%s' without a property", path,
+                               (unsigned long long)e->count, e->name);
+    for (uint64_t i = 0; i < e->count; i++) {
+        const outcome taken = take_instance(v, e);
+        if (taken == CUT_OFF)
             return message_failure("%s: truncated: the header promises %llu of '%s', the file ends in number %llu", path,
                                    (unsigned long long)e->count, e->name, (unsigned long long)i + 1);
+        if (taken == FAR_INDEX)
+            return message_failure("%s: damaged: face %llu refers to vertex %.*s, which no file has", path, (unsigned long long)i,
+                                   LINE_SHOWN < v->at - v->word ? LINE_SHOWN : (int)(v->at - v->word), v->word);
+    }
     return EXIT_CODE_OK;
 }
 
@@ -191,7 +209,7 @@ static int take_elements(const char *path, const mesh_file *file, const char *he
 {
     const char *file_end = file->bytes + file->size;
     const size_t behind = (size_t)(file_end - header_end), line_end = line_end_size(file);
-    values v = {header_end + (behind < line_end ? behind : line_end), file_end, PLY_ASCII};
+    values v = {.at = header_end + (behind < line_end ? behind : line_end), .end = file_end, .format = PLY_ASCII};
     for (const char *line = file->bytes; line < header_end; line = next_line(line)) {
         element e;
         if (starts_with(line, "format") && !read_format(line, &v.format))

@@ -44,11 +44,10 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
                            "Example:\n"
                            "  tribox demo --quick\n";
 
-enum { OPTION_QUICK, OPTION_JSON, OPTION_PICTURE, OPTION_HELP, OPTION_H };
+enum { OPTION_QUICK, OPTION_JSON, OPTION_PICTURE };
 
 static const option options[] = {
-    [OPTION_QUICK] = {"--quick", false}, [OPTION_JSON] = {"--json", false}, [OPTION_PICTURE] = {"--picture", true},
-    [OPTION_HELP] = {"--help", false},   [OPTION_H] = {"-h", false},        {NULL, false}};
+    [OPTION_QUICK] = {"--quick", false}, [OPTION_JSON] = {"--json", false}, [OPTION_PICTURE] = {"--picture", true}, {NULL, false}};
 
 enum { ROUNDS = TRIAL_ROUNDS_MAX, QUICK_ROUNDS = 3 };
 
@@ -206,26 +205,30 @@ static const char *usual_picture(void)
     return NULL;
 }
 
+static int take(void *context, int which, const char *value)
+{
+    request *const r = context;
+    if (which == ARGUMENT_OPERAND)
+        return message_usage("'%s' is too much: demo takes no file", value);
+    if (which == OPTION_QUICK)
+        r->rounds = QUICK_ROUNDS;
+    else if (which == OPTION_JSON)
+        r->wants_json = true;
+    else
+        r->picture_path = value;
+    return EXIT_CODE_OK;
+}
+
 int cmd_demo(int count, char **words)
 {
     arguments walk = {.count = count, .next = words, .options = options};
     request r = {.rounds = ROUNDS};
-    const char *value;
-    for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
-        if (which == ARGUMENT_WRONG)
-            return EXIT_CODE_USAGE;
-        if (which == ARGUMENT_OPERAND)
-            return message_usage("'%s' is too much: demo takes no file", value);
-        if (which == OPTION_HELP || which == OPTION_H)
-            return output_text(help);
-        if (which == OPTION_QUICK)
-            r.rounds = QUICK_ROUNDS;
-        else if (which == OPTION_JSON)
-            r.wants_json = true;
-        else
-            r.picture_path = value;
-    }
-    int code = preview_check(r.picture_path, "--picture");
+    int code = arguments_read(&walk, take, &r);
+    if (code)
+        return code;
+    if (walk.wants_help)
+        return output_text(help);
+    code = preview_check(r.picture_path, "--picture");
     if (code)
         return code;
     if (!r.picture_path && r.rounds == ROUNDS && !r.wants_json)

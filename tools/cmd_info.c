@@ -24,9 +24,7 @@ static const char help[] = "tribox info - version, processor, and the kernels th
                            "Example:\n"
                            "  tribox info --json\n";
 
-enum { OPTION_JSON, OPTION_HELP, OPTION_H };
-static const option options[] = {
-    [OPTION_JSON] = {"--json", false}, [OPTION_HELP] = {"--help", false}, [OPTION_H] = {"-h", false}, {NULL, false}};
+static const option options[] = {{"--json", false}, {NULL, false}};
 
 /* The processor's model as Linux names it, "unknown" elsewhere. */
 static void read_processor(char *name, size_t size)
@@ -68,21 +66,22 @@ static int print_text(const char *processor, const char *const *names, int count
     return output_flush();
 }
 
+static int take(void *request, int which, const char *value)
+{
+    bool *const wants_json = request;
+    *wants_json = true;
+    return which == ARGUMENT_OPERAND ? message_usage("'%s' is too much: info takes no file", value) : EXIT_CODE_OK;
+}
+
 int cmd_info(int count, char **words)
 {
-    arguments walk = {.count = count, .next = words, .options = options};
-    const char *value;
     bool wants_json = false;
-    for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
-        if (which == ARGUMENT_WRONG)
-            return EXIT_CODE_USAGE;
-        if (which == ARGUMENT_OPERAND)
-            return message_usage("'%s' is too much: info takes no file", value);
-        if (which != OPTION_JSON) {
-            return output_text(help);
-        }
-        wants_json = true;
-    }
+    arguments walk = {.count = count, .next = words, .options = options};
+    const int code = arguments_read(&walk, take, &wants_json);
+    if (code)
+        return code;
+    if (walk.wants_help)
+        return output_text(help);
     char processor[200];
     const char *names[KERNELS_MAX];
     read_processor(processor, sizeof processor);

@@ -37,23 +37,28 @@ static const char help[] = "tribox merge - the parts of a voxelization become on
                            "Example:\n"
                            "  tribox merge big.*.part -o big.npy --preview big.png\n";
 
-enum { OPTION_OUT, OPTION_PREVIEW, OPTION_UP, OPTION_JSON, OPTION_QUIET, OPTION_HELP, OPTION_H };
+enum { OPTION_OUT, OPTION_PREVIEW, OPTION_UP, OPTION_JSON, OPTION_QUIET };
 
-static const option options[] = {[OPTION_OUT] = {"-o", true},         [OPTION_PREVIEW] = {"--preview", true},
-                                 [OPTION_UP] = {"--up", true},        [OPTION_JSON] = {"--json", false},
-                                 [OPTION_QUIET] = {"--quiet", false}, [OPTION_HELP] = {"--help", false},
-                                 [OPTION_H] = {"-h", false},          {NULL, false}};
+static const option options[] = {
+    [OPTION_OUT] = {"-o", true},       [OPTION_PREVIEW] = {"--preview", true}, [OPTION_UP] = {"--up", true},
+    [OPTION_JSON] = {"--json", false}, [OPTION_QUIET] = {"--quiet", false},    {NULL, false}};
 
 typedef struct request {
+    const char **parts; /* paths, with room for all words */
+    size_t count;
     const char *out_path, *preview_path;
     const volume_format *format;
     picture_up up;
-    bool wants_json, is_quiet, wants_help, has_up;
+    bool wants_json, is_quiet, has_up;
 } request;
 
-static int take_option(request *r, int which, const char *value)
+static int take(void *context, int which, const char *value)
 {
+    request *const r = context;
     switch (which) {
+    case ARGUMENT_OPERAND:
+        r->parts[r->count++] = value;
+        return EXIT_CODE_OK;
     case OPTION_OUT:
         r->out_path = value;
         return EXIT_CODE_OK;
@@ -66,18 +71,15 @@ static int take_option(request *r, int which, const char *value)
     case OPTION_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
-    case OPTION_QUIET:
-        r->is_quiet = true;
-        return EXIT_CODE_OK;
     default:
-        r->wants_help = true;
+        r->is_quiet = true;
         return EXIT_CODE_OK;
     }
 }
 
-static int check_request(request *r, size_t count)
+static int check_request(request *r)
 {
-    if (!count)
+    if (!r->count)
         return message_usage("no parts given");
     if (!r->out_path)
         return message_usage("no output given: -o FILE is needed");
@@ -88,24 +90,6 @@ static int check_request(request *r, size_t count)
     if (!(r->format = volume_format_of(r->out_path)))
         return EXIT_CODE_USAGE;
     return preview_check(r->preview_path, "--preview");
-}
-
-/* paths: room for all words. */
-static int read_request(int count, char **words, request *r, const char **paths, size_t *parts)
-{
-    arguments walk = {.count = count, .next = words, .options = options};
-    const char *value;
-    *parts = 0;
-    for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
-        if (which == ARGUMENT_WRONG)
-            return EXIT_CODE_USAGE;
-        if (which == ARGUMENT_OPERAND)
-            paths[(*parts)++] = value;
-        const int code = which == ARGUMENT_OPERAND ? EXIT_CODE_OK : take_option(r, which, value);
-        if (code || r->wants_help)
-            return code;
-    }
-    return check_request(r, *parts);
 }
 
 static int report(const request *r, const tribox_grid *grid, size_t parts, uint64_t occupied)
@@ -178,20 +162,22 @@ static int merge(const request *r, part *parts, size_t count)
     return code ? code : report(r, &v.grid, count, occupied);
 }
 
-static int merge_files(const request *r, const char *const *paths, size_t count)
+static int merge_files(request *r)
 {
-    part *parts = malloc(count * sizeof *parts);
+    int code = check_request(r);
+    if (code)
+        return code;
+    part *parts = malloc(r->count * sizeof *parts);
     if (!parts)
-        return message_failure("out of memory for %zu parts", count);
+        return message_failure("out of memory for %zu parts", r->count);
     size_t opened = 0;
-    int code = EXIT_CODE_OK;
-    for (; opened < count; opened++) {
-        code = part_open(&parts[opened], paths[opened]);
+    for (; opened < r->count; opened++) {
+        code = part_open(&parts[opened], r->parts[opened]);
         if (code)
             break;
     }
     if (!code)
-        code = merge(r, parts, count);
+        code = merge(r, parts, r->count);
     while (opened)
         part_close(&parts[--opened]);
     free(parts);
@@ -200,14 +186,13 @@ static int merge_files(const request *r, const char *const *paths, size_t count)
 
 int cmd_merge(int count, char **words)
 {
-    request r = {.up = PICTURE_UP_Z};
-    size_t parts;
-    const char **paths = malloc((size_t)(count + 1) * sizeof *paths);
-    if (!paths)
+    request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .up = PICTURE_UP_Z};
+    if (!r.parts)
         return message_failure("out of memory for %d arguments", count);
-    int code = read_request(count, words, &r, paths, &parts);
+    arguments walk = {.count = count, .next = words, .options = options};
+    int code = arguments_read(&walk, take, &r);
     if (!code)
-        code = r.wants_help ? output_text(help) : merge_files(&r, paths, parts);
-    free(paths);
+        code = walk.wants_help ? output_text(help) : merge_files(&r);
+    free(r.parts);
     return code;
 }

@@ -1,32 +1,46 @@
-/* cmd_overlap.c - tribox overlap: the triangles of a mesh file against one box, or against the boxes of a file. */
+/* cmd_overlap.c - tribox overlap: the triangles of a mesh against one box, oriented or not, or against the boxes of a file. */
 #define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
-#include <stdlib.h>
+#include <string.h>
 
 #include "boxes.h"
-#include "clock.h"
+#include "mesh.h"
 #include "message.h"
+#include "numbers.h"
 #include "options.h"
 #include "output.h"
 #include "report.h"
 
-static const char help[] = "tribox overlap - which triangles of a mesh overlap an axis-aligned box?\n"
+static const char help[] = "tribox overlap - which triangles of a mesh overlap a box?\n"
                            "\n"
                            "Usage: tribox overlap MESH --box LX,LY,LZ,HX,HY,HZ [OPTION...]\n"
                            "       tribox overlap MESH --boxes FILE [OPTION...]\n"
+                           "       tribox overlap MESH --oriented CX,CY,CZ,HX,HY,HZ,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ [OPTION...]\n"
                            "\n"
-                           "MESH is a file that libassimp reads: PLY, STL, OBJ, OFF, glTF and about 40 other formats.\n"
-                           "Polygons are cut into triangles; scene transforms are applied; nothing is cleaned up.\n"
+                           "MESH is a file that libassimp reads: PLY, STL, OBJ, OFF, glTF and about 40 other formats; or\n"
+                           "raw triangles, NAME.f32: nine little-endian float32 each, three vertices of x, y, z. Polygons\n"
+                           "are cut into triangles; scene transforms are applied; nothing is cleaned up.\n"
                            "Mesh and box share one length unit, whichever. Both are closed: touching is overlap.\n"
                            "Triangles are counted from 0 in the order of the file.\n"
+                           "\n"
+                           "Binary STL and raw triangles are read in blocks, in memory that does not grow, except with\n"
+                           "--boxes. From standard input too, as '-'.\n"
+                           "\n"
+                           "The mesh:\n"
+                           "  --format WORD             stl (binary STL) or f32 (raw triangles), whatever the name of the\n"
+                           "                            file; standard input needs it\n"
                            "\n"
                            "The box:\n"
                            "  --box LX,LY,LZ,HX,HY,HZ   lower and upper bounds, separated by commas or blanks\n"
                            "  --boxes FILE              a box per line in the same form, '#' starts a comment;\n"
                            "                            - reads standard input. One line of output per box, at once\n"
+                           "  --oriented CX,...,WZ      an oriented box: its centre, half its lengths along its three axes,\n"
+                           "                            and the directions of the axes, U, V and W: fifteen numbers\n"
                            "\n"
                            "The answer:\n"
+                           "  --inside                  counts also how many triangles lie wholly inside the box, straddle\n"
+                           "                            its border, or miss it\n"
                            "  --list                    the numbers of the overlapping triangles, one per line,\n"
                            "                            and nothing else (with --boxes it needs --json)\n"
                            "  --json                    a JSON object, one per line with --boxes; with --list it has\n"
@@ -43,9 +57,9 @@ static const char help[] = "tribox overlap - which triangles of a mesh overlap a
                            "  --kernel NAME             avx512, avx2, sse2, neon or scalar; default: the best here\n"
                            "  --help                    this text\n"
                            "\n"
-                           "Times are of the test alone, without reading the file: the best of up to 5 runs with --box,\n"
-                           "a single run per box with --boxes. 'undecided' counts the triangles that a slower, exact\n"
-                           "stage had to settle.\n"
+                           "Times are of the test alone, without reading the file: the best of up to 5 runs, a single run\n"
+                           "per box with --boxes, the sum over all blocks where the mesh is read in blocks. 'undecided'\n"
+                           "counts the triangles that a slower, exact stage had to settle.\n"
                            "\n"
                            "Exit codes: 0 success; 1 failure (a file, memory, a kernel that cannot run here);\n"
                            "2 wrong command line.\n"
@@ -53,50 +67,64 @@ static const char help[] = "tribox overlap - which triangles of a mesh overlap a
                            "Examples:\n"
                            "  tribox overlap bunny.ply --box -0.05,0.05,-0.05,0.05,0.15,0.05\n"
                            "  tribox overlap part.stl --box \"0 0 0 10 10 10\" --list > triangles.txt\n"
-                           "  generate-boxes | tribox overlap bunny.ply --boxes - --json\n";
+                           "  generate-boxes | tribox overlap bunny.ply --boxes - --json\n"
+                           "  generate-triangles | tribox overlap - --format f32 --box 0,0,0,1,1,1\n";
 
 enum {
     OPTION_BOX,
     OPTION_BOXES,
+    OPTION_ORIENTED,
+    OPTION_FORMAT,
     OPTION_ACCURACY,
     OPTION_KERNEL,
     OPTION_ORDER,
     OPTION_AXES,
+    OPTION_INSIDE,
     OPTION_LIST,
-    OPTION_JSON,
-    OPTION_HELP,
-    OPTION_H
+    OPTION_JSON
 };
 
-static const option options[] = {[OPTION_BOX] = {"--box", true},
-                                 [OPTION_BOXES] = {"--boxes", true},
-                                 [OPTION_ACCURACY] = {"--accuracy", true},
-                                 [OPTION_KERNEL] = {"--kernel", true},
-                                 [OPTION_ORDER] = {"--order", true},
-                                 [OPTION_AXES] = {"--axes", true},
-                                 [OPTION_LIST] = {"--list", false},
-                                 [OPTION_JSON] = {"--json", false},
-                                 [OPTION_HELP] = {"--help", false},
-                                 [OPTION_H] = {"-h", false},
-                                 {NULL, false}};
+static const option options[] = {
+    [OPTION_BOX] = {"--box", true},       [OPTION_BOXES] = {"--boxes", true},       [OPTION_ORIENTED] = {"--oriented", true},
+    [OPTION_FORMAT] = {"--format", true}, [OPTION_ACCURACY] = {"--accuracy", true}, [OPTION_KERNEL] = {"--kernel", true},
+    [OPTION_ORDER] = {"--order", true},   [OPTION_AXES] = {"--axes", true},         [OPTION_INSIDE] = {"--inside", false},
+    [OPTION_LIST] = {"--list", false},    [OPTION_JSON] = {"--json", false},        {NULL, false}};
 
-static int take_option(request *r, int which, const char *value)
+static int read_oriented(const char *text, tribox_oriented_box *box)
 {
+    float n[15];
+    if (!numbers_read(text, "--oriented", "CX,CY,CZ,HX,HY,HZ and three axes of three numbers", 15, n))
+        return EXIT_CODE_USAGE;
+    memcpy(box->center, n, sizeof box->center);
+    memcpy(box->half, n + 3, sizeof box->half);
+    memcpy(box->axis, n + 6, sizeof box->axis);
+    for (int k = 0; k < 3; k++)
+        if (box->half[k] < 0)
+            message_say("note: --oriented: half length %d is %.9g, less than 0: an empty box, nothing overlaps it", k + 1,
+                        (double)box->half[k]);
+    return EXIT_CODE_OK;
+}
+
+static int take(void *context, int which, const char *value)
+{
+    request *const r = context;
     switch (which) {
+    case ARGUMENT_OPERAND:
+        return arguments_take_mesh(value, &r->mesh_path);
     case OPTION_BOX:
-        r->box_text = value;
-        return EXIT_CODE_OK;
+        r->has_box = true;
+        return box_read(value, "--box", &r->box) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
     case OPTION_BOXES:
         r->boxes_path = value;
         return EXIT_CODE_OK;
-    case OPTION_ACCURACY:
-        return options_read_accuracy(value, &r->test.accuracy);
-    case OPTION_KERNEL:
-        return options_read_kernel(value, &r->test.kernel);
-    case OPTION_ORDER:
-        return options_read_order(value, &r->test.order);
-    case OPTION_AXES:
-        return options_read_axes(value, &r->test.axes);
+    case OPTION_ORIENTED:
+        r->has_oriented = true;
+        return read_oriented(value, &r->oriented);
+    case OPTION_FORMAT:
+        return triangle_format_read(value, &r->format);
+    case OPTION_INSIDE:
+        r->wants_inside = true;
+        return EXIT_CODE_OK;
     case OPTION_LIST:
         r->wants_list = true;
         return EXIT_CODE_OK;
@@ -104,71 +132,86 @@ static int take_option(request *r, int which, const char *value)
         r->wants_json = true;
         return EXIT_CODE_OK;
     default:
-        r->wants_help = true;
-        return EXIT_CODE_OK;
+        return options_read_test(options[which].name, value, &r->test);
     }
 }
 
-static int read_request(int count, char **words, request *r)
+static int check_oriented(const request *r)
 {
-    arguments walk = {.count = count, .next = words, .options = options};
-    const char *value;
-    for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
-        if (which == ARGUMENT_WRONG)
-            return EXIT_CODE_USAGE;
-        if (which == ARGUMENT_OPERAND && r->mesh_path)
-            return message_usage("one mesh at a time: '%s' is one file too many", value);
-        if (which == ARGUMENT_OPERAND)
-            r->mesh_path = value;
-        const int code = which == ARGUMENT_OPERAND ? EXIT_CODE_OK : take_option(r, which, value);
-        if (code || r->wants_help)
-            return code;
-    }
+    const unsigned axes = r->test.axes;
+    if (r->wants_inside)
+        return message_usage("--inside is told of --box and --boxes only");
+    if (r->test.accuracy == TRIBOX_EXACT && axes && axes != TRIBOX_AXES_ALL && axes != TRIBOX_AXES_BOX)
+        return message_usage("--oriented is exact with all axes or with --axes box; others need --accuracy conservative or fast");
+    return EXIT_CODE_OK;
+}
+
+static int check_request(const request *r)
+{
+    const int boxes = r->has_box + r->has_oriented + (r->boxes_path != NULL);
+    const bool is_stdin = r->mesh_path && !strcmp(r->mesh_path, "-");
     if (!r->mesh_path)
         return message_usage("no mesh file given");
-    if (!r->box_text == !r->boxes_path)
-        return message_usage(r->box_text ? "--box and --boxes exclude each other" : "no box given: --box or --boxes is needed");
+    if (boxes != 1)
+        return message_usage(boxes ? "--box, --boxes and --oriented exclude each other"
+                                   : "no box given: --box, --boxes or --oriented is needed");
+    if (is_stdin && r->format == TRIANGLES_OTHER)
+        return message_usage("standard input has no name that tells its format: --format stl or --format f32 is needed");
+    if (is_stdin && r->boxes_path)
+        return message_usage("--boxes needs the mesh as a file, as it is tested against each box");
     if (r->boxes_path && r->wants_list && !r->wants_json)
         return message_usage("--list with --boxes needs --json");
-    return r->boxes_path || box_read(r->box_text, "--box", &r->box) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+    if (r->wants_list && r->wants_inside)
+        return message_usage("--inside counts triangles and --list lists them: they exclude each other");
+    return r->has_oriented ? check_oriented(r) : EXIT_CODE_OK;
 }
 
-/* Runs the test `runs` times, fewer when it is slow, and keeps the best time. */
-static int run_test(const mesh *m, const request *r, int runs, uint64_t *mask, answer *a)
+/* Tests a mesh up to `runs` times, fewer when it is slow; the best time counts. */
+static int run_test(const mesh *m, const request *r, const masks *bits, int runs, answer *a)
 {
     const double slow = 0.1;
-    a->runs = 0;
-    for (double total = 0; a->runs < runs && total < slow;) {
-        const double start = clock_seconds();
-        const tribox_status status = tribox_overlap(&m->soup, &a->box, &r->test, mask, &a->report);
-        const double seconds = clock_seconds() - start;
-        if (status)
-            return message_failure("%s", tribox_status_text(status));
-        if (!a->runs || seconds < a->seconds)
-            a->seconds = seconds;
-        a->runs++;
-        total += seconds;
+    const answer none = *a;
+    double total = 0;
+    for (int run = 1; run <= runs && total < slow; run++) {
+        answer once = none;
+        const int code = overlap_ask(r, &m->soup, bits, &once);
+        if (code)
+            return code;
+        total += once.seconds;
+        if (run > 1 && a->seconds < once.seconds)
+            once.seconds = a->seconds;
+        *a = once;
+        a->runs = run;
     }
     return EXIT_CODE_OK;
 }
 
-static int answer_boxes(const mesh *m, const request *r, uint64_t *mask)
+static int answer_box(const mesh *m, const request *r, const masks *bits, int runs, answer *a)
+{
+    a->triangles = m->soup.count;
+    a->left_out = m->left_out;
+    a->not_finite = m->not_finite;
+    int code = run_test(m, r, bits, runs, a);
+    if (!code && r->wants_list)
+        code = report_list(r, a, 0, bits->overlap, m->soup.count);
+    return code ? code : report_end(r, a);
+}
+
+static int answer_boxes(const mesh *m, const request *r, const masks *bits)
 {
     box_file boxes;
-    answer a = {.runs = 0};
     size_t answered = 0;
     bool end;
     int code = box_file_open(&boxes, r->boxes_path);
     if (code)
         return code;
     for (;; answered++) {
+        answer a = {.runs = 0};
         code = box_file_next(&boxes, &a.box, &end);
         if (code || end)
             break;
         a.line = boxes.line;
-        code = run_test(m, r, 1, mask, &a);
-        if (!code)
-            code = report_print(m, r, &a, mask);
+        code = answer_box(m, r, bits, 1, &a);
         if (code)
             break;
     }
@@ -178,34 +221,42 @@ static int answer_boxes(const mesh *m, const request *r, uint64_t *mask)
     return code;
 }
 
-static int answer_box(const mesh *m, const request *r, uint64_t *mask)
-{
-    answer a = {.box = r->box};
-    const int code = run_test(m, r, 5, mask, &a);
-    return code ? code : report_print(m, r, &a, mask);
-}
-
-static int answer_request(const request *r)
+static int answer_mesh(const request *r)
 {
     mesh m;
-    const int code = mesh_read(r->mesh_path, &m);
+    masks bits;
+    answer a = {.box = r->box};
+    int code = mesh_read_as(r->mesh_path, r->format, &m);
     if (code)
         return code;
     mesh_warn(r->mesh_path, &m);
-    uint64_t *mask = malloc(tribox_mask_words(m.soup.count) * sizeof *mask);
-    const int answered = !mask           ? message_failure("out of memory for the answers of %zu triangles", m.soup.count)
-                         : r->boxes_path ? answer_boxes(&m, r, mask)
-                                         : answer_box(&m, r, mask);
-    free(mask);
+    code = masks_make(m.soup.count, r->wants_inside, &bits);
+    if (!code)
+        code = r->boxes_path ? answer_boxes(&m, r, &bits) : answer_box(&m, r, &bits, 5, &a);
+    masks_free(&bits);
     mesh_free(&m);
-    return answered;
+    return code;
+}
+
+/* One box asks for one pass over the triangles, for which a file of triangles need not be held in memory. */
+static int answer_request(const request *r)
+{
+    triangle_file file = {.stream = NULL};
+    const int code = r->boxes_path ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
+    if (!code)
+        return file.stream ? overlap_stream(r, &file) : answer_mesh(r);
+    triangle_file_close(&file);
+    return code;
 }
 
 int cmd_overlap(int count, char **words)
 {
     request r = {.mesh_path = NULL};
-    const int code = read_request(count, words, &r);
-    if (code)
-        return code;
-    return r.wants_help ? output_text(help) : answer_request(&r);
+    arguments walk = {.count = count, .next = words, .options = options};
+    int code = arguments_read(&walk, take, &r);
+    if (!code && walk.wants_help)
+        return output_text(help);
+    if (!code)
+        code = check_request(&r);
+    return code ? code : answer_request(&r);
 }

@@ -53,18 +53,17 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
                            "  tribox sweep bunny.ply\n"
                            "  tribox sweep bunny.ply --grid 64 --chart bunny.svg\n";
 
-enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_JSON, OPTION_CHART, OPTION_HELP, OPTION_H };
+enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_JSON, OPTION_CHART };
 
-static const option options[] = {[OPTION_BOX] = {"--box", true},     [OPTION_OCTREE] = {"--octree", true},
-                                 [OPTION_GRID] = {"--grid", true},   [OPTION_JSON] = {"--json", false},
-                                 [OPTION_CHART] = {"--chart", true}, [OPTION_HELP] = {"--help", false},
-                                 [OPTION_H] = {"-h", false},         {NULL, false}};
+static const option options[] = {
+    [OPTION_BOX] = {"--box", true},    [OPTION_OCTREE] = {"--octree", true}, [OPTION_GRID] = {"--grid", true},
+    [OPTION_JSON] = {"--json", false}, [OPTION_CHART] = {"--chart", true},   {NULL, false}};
 
 typedef struct request {
     const char *mesh_path, *chart_path;
     sweep_wish wish;
     int wishes; /* options that say what to test against */
-    bool wants_json, wants_help;
+    bool wants_json;
 } request;
 
 static int read_box(const char *text, tribox_box *box)
@@ -87,9 +86,12 @@ static int take_wish(request *r, sweep_kind kind, const char *value)
                                   : numbers_read_whole(value, "--grid", SWEEP_GRID_MOST, &r->wish.along);
 }
 
-static int take_option(request *r, int which, const char *value)
+static int take(void *context, int which, const char *value)
 {
+    request *const r = context;
     switch (which) {
+    case ARGUMENT_OPERAND:
+        return arguments_take_mesh(value, &r->mesh_path);
     case OPTION_BOX:
         return take_wish(r, SWEEP_BOX, value);
     case OPTION_OCTREE:
@@ -99,31 +101,10 @@ static int take_option(request *r, int which, const char *value)
     case OPTION_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
-    case OPTION_CHART:
+    default:
         r->chart_path = value;
         return EXIT_CODE_OK;
-    default:
-        r->wants_help = true;
-        return EXIT_CODE_OK;
     }
-}
-
-static int read_request(int count, char **words, request *r)
-{
-    arguments walk = {.count = count, .next = words, .options = options};
-    const char *value;
-    for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
-        if (which == ARGUMENT_WRONG)
-            return EXIT_CODE_USAGE;
-        if (which == ARGUMENT_OPERAND && r->mesh_path)
-            return message_usage("one mesh at a time: '%s' is one file too many", value);
-        if (which == ARGUMENT_OPERAND)
-            r->mesh_path = value;
-        const int code = which == ARGUMENT_OPERAND ? EXIT_CODE_OK : take_option(r, which, value);
-        if (code || r->wants_help)
-            return code;
-    }
-    return r->mesh_path ? EXIT_CODE_OK : message_usage("no mesh file given");
 }
 
 /* What a sweep found. */
@@ -250,8 +231,11 @@ static int answer_request(const request *r)
 int cmd_sweep(int count, char **words)
 {
     request r = {.mesh_path = NULL, .wish = {.kind = SWEEP_OCTREE}};
-    const int code = read_request(count, words, &r);
+    arguments walk = {.count = count, .next = words, .options = options};
+    const int code = arguments_read(&walk, take, &r);
     if (code)
         return code;
-    return r.wants_help ? output_text(help) : answer_request(&r);
+    if (walk.wants_help)
+        return output_text(help);
+    return r.mesh_path ? answer_request(&r) : message_usage("no mesh file given");
 }

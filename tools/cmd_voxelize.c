@@ -71,9 +71,7 @@ enum {
     OPTION_SHARD,
     OPTION_ACCURACY,
     OPTION_AXES,
-    OPTION_KERNEL,
-    OPTION_HELP,
-    OPTION_H
+    OPTION_KERNEL
 };
 
 static const option options[] = {[OPTION_RESOLUTION] = {"--resolution", true},
@@ -90,8 +88,6 @@ static const option options[] = {[OPTION_RESOLUTION] = {"--resolution", true},
                                  [OPTION_ACCURACY] = {"--accuracy", true},
                                  [OPTION_AXES] = {"--axes", true},
                                  [OPTION_KERNEL] = {"--kernel", true},
-                                 [OPTION_HELP] = {"--help", false},
-                                 [OPTION_H] = {"-h", false},
                                  {NULL, false}};
 
 enum { CELLS_MOST = INT32_MAX };
@@ -122,9 +118,12 @@ static int read_shard(const char *text, uint32_t *shard, uint32_t *shards)
     return code ? code : numbers_read_whole(number, "--shard I/N, its I", *shards, shard);
 }
 
-static int take_option(voxelize_request *r, int which, const char *value)
+static int take(void *request, int which, const char *value)
 {
+    voxelize_request *const r = request;
     switch (which) {
+    case ARGUMENT_OPERAND:
+        return arguments_take_mesh(value, &r->mesh_path);
     case OPTION_RESOLUTION:
         return numbers_read_whole(value, "--resolution", CELLS_MOST, &r->grid.resolution);
     case OPTION_CELL:
@@ -148,18 +147,14 @@ static int take_option(voxelize_request *r, int which, const char *value)
     case OPTION_SHARD:
         r->is_part = true;
         return read_shard(value, &r->shard, &r->shards);
-    case OPTION_ACCURACY:
-        return options_read_accuracy(value, &r->test.accuracy);
-    case OPTION_AXES:
-        return options_read_axes(value, &r->test.axes);
-    case OPTION_KERNEL:
-        return options_read_kernel(value, &r->test.kernel);
     case OPTION_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
-    default:
+    case OPTION_QUIET:
         r->is_quiet = true;
         return EXIT_CODE_OK;
+    default:
+        return options_read_test(options[which].name, value, &r->test);
     }
 }
 
@@ -189,34 +184,14 @@ static int check_request(voxelize_request *r, unsigned seen)
     return preview_check(r->preview_path, "--preview");
 }
 
-static int read_request(int count, char **words, voxelize_request *r, bool *wants_help)
-{
-    arguments walk = {.count = count, .next = words, .options = options};
-    const char *value;
-    *wants_help = false;
-    for (int which; (which = arguments_next(&walk, &value)) != ARGUMENT_END;) {
-        if (which == ARGUMENT_WRONG)
-            return EXIT_CODE_USAGE;
-        if (which == ARGUMENT_OPERAND && r->mesh_path)
-            return message_usage("one mesh at a time: '%s' is one file too many", value);
-        *wants_help = which == OPTION_HELP || which == OPTION_H;
-        if (*wants_help)
-            return EXIT_CODE_OK;
-        if (which == ARGUMENT_OPERAND)
-            r->mesh_path = value;
-        const int code = which == ARGUMENT_OPERAND ? EXIT_CODE_OK : take_option(r, which, value);
-        if (code)
-            return code;
-    }
-    return check_request(r, walk.seen);
-}
-
 int cmd_voxelize(int count, char **words)
 {
     voxelize_request r = {.threads = processors_here(), .shard = 1, .shards = 1, .up = PICTURE_UP_Z};
-    bool wants_help;
-    const int code = read_request(count, words, &r, &wants_help);
+    arguments walk = {.count = count, .next = words, .options = options};
+    int code = arguments_read(&walk, take, &r);
+    if (!code && !walk.wants_help)
+        code = check_request(&r, walk.seen);
     if (code)
         return code;
-    return wants_help ? output_text(help) : voxelize_work(&r);
+    return walk.wants_help ? output_text(help) : voxelize_work(&r);
 }

@@ -1,4 +1,4 @@
-/* little.h - integers as little-endian bytes, on any machine. */
+/* little.h - numbers as little-endian bytes, on any machine. */
 #ifndef LITTLE_H
 #define LITTLE_H
 
@@ -14,6 +14,11 @@ static inline void little_put64(unsigned char *to, uint64_t number)
 {
     little_put32(to, (uint32_t)number);
     little_put32(to + 4, (uint32_t)(number >> 32));
+}
+
+static inline uint32_t little_get32(const unsigned char *from)
+{
+    return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 | (uint32_t)from[3] << 24;
 }
 
 #endif

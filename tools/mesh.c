@@ -1,10 +1,11 @@
-/* mesh.c - lets libassimp read a mesh file, with none of its clean-up, and copies its triangles into streams. */
+/* mesh.c - copies triangles into streams: from a file of them, or from what libassimp reads, with none of its clean-up. */
 #define _POSIX_C_SOURCE 200809L
 #include "mesh.h"
 
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <inttypes.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -114,19 +115,19 @@ static void append_triangles(const struct aiMesh *part, const transform *place, 
     }
 }
 
-static int copy_scene(const char *path, const struct aiScene *scene, size_t count, mesh *m)
+static int make_room(const char *path, uint64_t count, mesh *m)
 {
-    m->coordinates = count <= SIZE_MAX / (9 * sizeof(float)) ? malloc(9 * count * sizeof(float)) : NULL;
+    if (!count)
+        return message_failure("%s: no triangles in it, points or lines at most; give a mesh with faces", path);
+    m->coordinates = count <= SIZE_MAX / (9 * sizeof(float)) ? malloc(9 * (size_t)count * sizeof(float)) : NULL;
     if (!m->coordinates)
-        return message_failure("%s: out of memory for %zu triangles", path, count);
-    m->capacity = count;
+        return message_failure("%s: out of memory for %" PRIu64 " triangles", path, count);
+    m->capacity = (size_t)count;
     for (size_t v = 0; v < 3; v++) {
-        m->soup.x[v] = m->coordinates + v * count;
-        m->soup.y[v] = m->coordinates + (3 + v) * count;
-        m->soup.z[v] = m->coordinates + (6 + v) * count;
+        m->soup.x[v] = m->coordinates + v * m->capacity;
+        m->soup.y[v] = m->coordinates + (3 + v) * m->capacity;
+        m->soup.z[v] = m->coordinates + (6 + v) * m->capacity;
     }
-    walk(scene, append_triangles, m);
-    m->not_finite = tribox_soup_not_finite(&m->soup, &m->first_not_finite);
     return EXIT_CODE_OK;
 }
 
@@ -165,9 +166,10 @@ static int read_scene(const char *path, const struct aiScene *scene, mesh *m)
     const counts after = before.to_cut ? count_scene(scene) : before;
     m->left_out = before.points_and_lines;
     m->uncut = before.triangles + before.to_cut - after.triangles;
-    if (!after.triangles)
-        return message_failure("%s: no triangles in it, points or lines at most; give a mesh with faces", path);
-    return copy_scene(path, scene, after.triangles, m);
+    code = make_room(path, after.triangles, m);
+    if (!code)
+        walk(scene, append_triangles, m);
+    return code;
 }
 
 static bool has_ending(const char *path, const char *ending)
@@ -194,10 +196,9 @@ static const struct aiScene *import(const char *path, mesh_file *file)
     return aiImportFile(path, 0);
 }
 
-int mesh_read(const char *path, mesh *m)
+static int read_by_assimp(const char *path, mesh *m)
 {
     mesh_file file;
-    *m = (mesh){.coordinates = NULL};
     int code = mesh_file_read(path, &file);
     if (!code)
         code = check_file(path, &file);
@@ -212,12 +213,52 @@ int mesh_read(const char *path, mesh *m)
     return code;
 }
 
+static int read_triangles(const char *path, triangle_file *file, mesh *m)
+{
+    if (!file->is_sized)
+        return message_failure("%s: is no regular file, and the whole mesh is needed; save it as a file", path);
+    int code = make_room(path, file->promised, m);
+    size_t count = 0;
+    while (!code) {
+        float *to[9];
+        for (size_t k = 0; k < 9; k++)
+            to[k] = m->coordinates + k * m->capacity + m->soup.count;
+        code = triangle_file_next(file, to, &count);
+        if (!count)
+            break;
+        m->soup.count += count;
+    }
+    return code;
+}
+
+int mesh_read_as(const char *path, triangle_format format, mesh *m)
+{
+    triangle_file file;
+    *m = (mesh){.coordinates = NULL};
+    int code = triangle_file_open(path, format, &file);
+    if (!code)
+        code = file.stream ? read_triangles(path, &file, m) : read_by_assimp(path, m);
+    triangle_file_close(&file);
+    if (code)
+        mesh_free(m);
+    else
+        m->not_finite = tribox_soup_not_finite(&m->soup, &m->first_not_finite);
+    return code;
+}
+
+int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, m); }
+
+void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)
+{
+    if (not_finite)
+        message_say("warning: %s: %" PRIu64 " of %" PRIu64
+                    " triangles have NaN or infinite coordinates and overlap nothing; the first is number %" PRIu64,
+                    path, not_finite, count, first);
+}
+
 void mesh_warn(const char *path, const mesh *m)
 {
-    if (m->not_finite)
-        message_say(
-            "warning: %s: %zu of %zu triangles have NaN or infinite coordinates and overlap nothing; the first is number %zu", path,
-            m->not_finite, m->soup.count, m->first_not_finite);
+    mesh_warn_not_finite(path, m->not_finite, m->soup.count, m->first_not_finite);
     if (m->uncut)
         message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
                     m->uncut, m->soup.count + m->uncut);

@@ -1,7 +1,8 @@
-/* mesh.h - a mesh file as a triangle soup, read by libassimp. */
+/* mesh.h - a mesh file as a triangle soup, read by libassimp or, where one triangle lies behind the other, without it. */
 #ifndef MESH_H
 #define MESH_H
 
+#include "triangle_file.h"
 #include "tribox.h"
 
 typedef struct mesh {
@@ -20,8 +21,14 @@ typedef struct mesh {
  */
 int mesh_read(const char *path, mesh *m);
 
+/* The same for a regular file whose format may be told, in place of its name. */
+int mesh_read_as(const char *path, triangle_format format, mesh *m);
+
 /* Tells on standard error of triangles that are not finite, and of those that are missing. */
 void mesh_warn(const char *path, const mesh *m);
+
+/* The first half of it, for triangles that are in no mesh; silent if there are none. */
+void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first);
 
 void mesh_free(mesh *m);
 

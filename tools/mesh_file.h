@@ -17,7 +17,7 @@ int mesh_file_read(const char *path, mesh_file *file);
 void mesh_file_free(mesh_file *file);
 
 /*
- * libassimp takes what a PLY, STL or OFF file lacks for zeros, or hangs. These refuse a file that ends before it holds what it
+ * libassimp takes what a PLY, OFF or STL text file lacks for zeros, or hangs. These refuse a file that ends before it holds what it
  * promises, or whose faces refer to no vertex. Each returns an exit_code.
  */
 int mesh_file_check_stl(const char *path, const mesh_file *file);

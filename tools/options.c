@@ -15,7 +15,7 @@ static int find_option(const option *options, const char *argument, size_t lengt
     return -1;
 }
 
-static char *take(arguments *walk)
+static char *pop(arguments *walk)
 {
     walk->count--;
     return *walk->next++;
@@ -40,7 +40,7 @@ static int take_option(arguments *walk, const char *argument, const char **value
     }
     walk->seen |= 1u << i;
     if (found->takes_value)
-        *value = equals ? equals + 1 : take(walk);
+        *value = equals ? equals + 1 : pop(walk);
     return i;
 }
 
@@ -48,18 +48,35 @@ int arguments_next(arguments *walk, const char **value)
 {
     *value = NULL;
     if (walk->count && !walk->only_operands && !strcmp(*walk->next, "--")) {
-        take(walk);
+        pop(walk);
         walk->only_operands = true;
     }
     if (!walk->count)
         return ARGUMENT_END;
-    const char *argument = take(walk);
+    const char *argument = pop(walk);
     if (walk->only_operands || argument[0] != '-' || !argument[1]) {
         *value = argument;
         return ARGUMENT_OPERAND;
     }
+    walk->wants_help = !strcmp(argument, "--help") || !strcmp(argument, "-h");
+    return walk->wants_help ? ARGUMENT_HELP : take_option(walk, argument, value);
+}
 
-    return take_option(walk, argument, value);
+int arguments_read(arguments *walk, take_argument *take, void *request)
+{
+    const char *value;
+    int which, code = EXIT_CODE_OK;
+    while (!code && (which = arguments_next(walk, &value)) != ARGUMENT_END && which != ARGUMENT_HELP)
+        code = which == ARGUMENT_WRONG ? EXIT_CODE_USAGE : take(request, which, value);
+    return code;
+}
+
+int arguments_take_mesh(const char *operand, const char **mesh_path)
+{
+    if (*mesh_path)
+        return message_usage("one mesh at a time: '%s' is one file too many", operand);
+    *mesh_path = operand;
+    return EXIT_CODE_OK;
 }
 
 static const struct {
@@ -143,4 +160,15 @@ int options_read_kernel(const char *text, const char **kernel)
                        : message_failure("--kernel: this processor cannot run %s; 'tribox info' lists what it can", text);
         }
     return message_usage("--kernel: '%s' is none of avx512, avx2, sse2, neon, scalar", text);
+}
+
+int options_read_test(const char *name, const char *value, tribox_options *test)
+{
+    if (!strcmp(name, "--accuracy"))
+        return options_read_accuracy(value, &test->accuracy);
+    if (!strcmp(name, "--axes"))
+        return options_read_axes(value, &test->axes);
+    if (!strcmp(name, "--order"))
+        return options_read_order(value, &test->order);
+    return options_read_kernel(value, &test->kernel);
 }

@@ -1,31 +1,16 @@
-/* report.h - what tribox overlap was asked, what it found, and how it prints that. */
+/* report.h - prints the answer about one box: for people, as a list, or as JSON. */
 #ifndef REPORT_H
 #define REPORT_H
 
-#include <stdbool.h>
+#include "overlap.h"
 
-#include "mesh.h"
+/*
+ * Goes on with the list of an answer, or starts it where first is 0: the numbers of those triangles first .. first + count - 1 whose
+ * bits are set. Returns an exit_code.
+ */
+int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count);
 
-/* What was asked. */
-typedef struct request {
-    const char *mesh_path;
-    const char *box_text;   /* NULL with boxes_path */
-    tribox_box box;         /* what box_text says */
-    const char *boxes_path; /* NULL with box_text */
-    tribox_options test;
-    bool wants_list, wants_json, wants_help;
-} request;
-
-/* One box and what was found out about it. */
-typedef struct answer {
-    tribox_box box;
-    size_t line; /* of the boxes file; 0 with --box */
-    tribox_report report;
-    int runs;
-    double seconds; /* of the best run */
-} answer;
-
-/* Prints an answer in the form that was asked for, and writes it out. Returns an exit_code. mask: of the triangles. */
-int report_print(const mesh *m, const request *r, const answer *a, const uint64_t *mask);
+/* Ends the answer, or is all of it where no list is wanted, and writes it out. Returns an exit_code. */
+int report_end(const request *r, const answer *a);
 
 #endif

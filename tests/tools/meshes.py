@@ -8,11 +8,11 @@ import struct
 from fractions import Fraction
 
 
-def clip(points, axis, bound, sign):
-    """The part of a convex polygon on the closed side sign * x <= sign * bound."""
+def clip(points, normal, bound):
+    """The part of a convex polygon on the closed side normal . p <= bound."""
     kept = []
     for a, b in zip(points, points[1:] + points[:1]):
-        depth_a, depth_b = sign * (bound - a[axis]), sign * (bound - b[axis])
+        depth_a, depth_b = (bound - sum(n * x for n, x in zip(normal, p)) for p in (a, b))
         if depth_a >= 0:
             kept.append(a)
         if depth_a * depth_b < 0:
@@ -21,16 +21,42 @@ def clip(points, axis, bound, sign):
     return kept
 
 
-def overlaps(triangle, box):
+def overlaps_slabs(triangle, slabs):
+    """slabs: (axis, least, most), the points p with least <= axis . p <= most."""
     points = [[Fraction(x) for x in vertex] for vertex in triangle]
-    for axis in range(3):
-        points = clip(points, axis, Fraction(box[axis]), -1)
-        points = clip(points, axis, Fraction(box[3 + axis]), 1)
+    for axis, least, most in slabs:
+        points = clip(points, [-x for x in axis], -least)
+        points = clip(points, axis, most)
     return bool(points)
+
+
+def overlaps(triangle, box):
+    axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+    return overlaps_slabs(triangle, [(axes[a], Fraction(box[a]), Fraction(box[3 + a])) for a in range(3)])
 
 
 def overlapping(triangles, box):
     return [i for i, triangle in enumerate(triangles) if overlaps(triangle, box)]
+
+
+def floats(numbers):
+    """The float32 numbers that these become in the program."""
+    return struct.unpack("<%df" % len(numbers), struct.pack("<%df" % len(numbers), *numbers))
+
+
+def overlapping_oriented(triangles, box):
+    """box: the fifteen numbers of --oriented."""
+    numbers = [Fraction(x) for x in box]
+    center, half, slabs = numbers[:3], numbers[3:6], []
+    for k in range(3):
+        axis = numbers[6 + 3 * k:9 + 3 * k]
+        middle = sum(x * y for x, y in zip(axis, center))
+        slabs.append((axis, middle - half[k], middle + half[k]))
+    return [i for i, triangle in enumerate(triangles) if overlaps_slabs(triangle, slabs)]
+
+
+def inside(triangles, box):
+    return [i for i, triangle in enumerate(triangles) if all(box[a] <= v[a] <= box[3 + a] for v in triangle for a in range(3))]
 
 
 def lattice_triangles(count, seed):
@@ -46,7 +72,8 @@ def lattice_triangles(count, seed):
 
 
 def pack_floats(triangles, order="<"):
-    return b"".join(struct.pack(order + "3f", *vertex) for vertex in itertools.chain(*triangles))
+    """Nine floats a triangle: raw triangles, if they are little-endian."""
+    return struct.pack("%s%df" % (order, 9 * len(triangles)), *(x for triangle in triangles for vertex in triangle for x in vertex))
 
 
 def ply_header(format_name, vertices, faces, element="face", line_end="\n"):
@@ -86,7 +113,7 @@ def off(triangles):
 
 
 def stl_binary(triangles, header=b"made by a test"):
-    body = b"".join(struct.pack("<3f", 0, 0, 0) + pack_floats([triangle]) + b"\0\0" for triangle in triangles)
+    body = b"".join(struct.pack("<12x9f2x", *p, *q, *r) for p, q, r in triangles)
     return header.ljust(80, b" ") + struct.pack("<I", len(triangles)) + body
 
 
@@ -140,6 +167,7 @@ FORMATS = {
     "binary.stl": stl_binary,
     "solid.stl": lambda triangles: stl_binary(triangles, b"solid, and binary all the same"),
     "ascii.stl": stl_ascii,
+    "raw.f32": pack_floats,
     "text.gltf": gltf,
     "binary.glb": glb,
 }

@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 UNIT_BOX = "-0.5,-0.5,-0.5,0.5,0.5,0.5"
+UNIT_ORIENTED = "0,0,0,0.5,0.5,0.5,1,0,0,0,1,0,0,0,1"
 
 
 def program():

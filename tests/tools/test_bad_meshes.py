@@ -18,14 +18,21 @@ class BadMeshes(support.TestCase):
         self.refuse(os.path.join(self.folder, "missing.ply"), "cannot open the mesh file: No such file")
         self.refuse(self.folder, "is a directory; give a mesh file")
         self.refuse("/dev/null", "is no regular file")
-        self.refuse(self.write("empty.obj", ""), "the file is empty")
+        for name in ("empty.obj", "empty.ply", "empty.off", "empty.stl", "empty.f32", "empty"):
+            self.refuse(self.write(name, ""), "the file is empty")
+        for name in ("folder.obj", "folder.stl", "folder.f32"):
+            os.mkdir(os.path.join(self.folder, name))
+            self.refuse(os.path.join(self.folder, name), "is a directory; give a mesh file")
+        for name in ("missing.stl", "missing.f32"):
+            self.refuse(os.path.join(self.folder, name), "cannot open the mesh file: No such file")
 
     def test_unreadable(self):
-        path = self.write("secret.ply", meshes.ply_binary(TRIANGLES))
-        os.chmod(path, 0)
-        if os.access(path, os.R_OK):
-            self.skipTest("this user may read every file")
-        self.refuse(path, "cannot open the mesh file: Permission denied")
+        for name in ("little.ply", "binary.stl", "raw.f32"):
+            path = self.write(name, meshes.FORMATS[name](TRIANGLES))
+            os.chmod(path, 0)
+            if os.access(path, os.R_OK):
+                self.skipTest("this user may read every file")
+            self.refuse(path, "cannot open the mesh file: Permission denied")
 
     def test_no_mesh(self):
         for name in ("notes.txt", "notes.obj", "notes.gltf", "notes.ply", "no_ending"):
@@ -39,6 +46,7 @@ class BadMeshes(support.TestCase):
         for content in ("v 0 0 0\nv 1 1 1\n", "v 0 0 0\nv 1 1 1\nl 1 2\n", "v 0 0 0\nv 1 1 1\np 1 2\n"):
             self.refuse(self.write("points.obj", content), "no triangles in it")
         self.refuse(self.write("points.ply", meshes.ply_header("ascii", 2, 0) + b"0 0 0\n1 1 1\n"), "no triangles in it")
+        self.refuse(self.write("none.stl", meshes.stl_binary([])), "no triangles in it")
 
     def test_vertices_that_are_not_there(self):
         vertices = b"0 0 0\n1 0 0\n0 1 0\n"
@@ -80,6 +88,24 @@ class TruncatedMeshes(support.TestCase):
         self.refuse_cuts("binary.stl", 1, "truncated, or no STL file")
         self.refuse_cuts("solid.stl", 1, "(truncated|no triangles|not a mesh)")
         self.refuse_cuts("ascii.stl", 14, "(truncated|not a mesh)")
+
+    def test_raw(self):
+        """Only between triangles can a cut not be seen."""
+        whole = meshes.pack_floats(TRIANGLES)
+        for size in [*range(1, 75), *range(75, len(whole), 29), len(whole) - 36, len(whole) - 1]:
+            path = self.write("cut.f32", whole[:size])
+            if size % 36:
+                self.fail_with(1, r"^tribox overlap: [^\n]*cut.f32: truncated, or no raw triangles: behind %d triangles of 36 bytes it "
+                               "has %d bytes more; write it anew" % divmod(size, 36), "overlap", path, "--box", support.UNIT_BOX)
+            else:
+                self.assertEqual(self.overlap(path, support.UNIT_BOX)["triangles"], size // 36)
+
+    def test_obj(self):
+        """A cut among the vertices leaves no faces, or faces of vertices that are not there."""
+        whole = meshes.obj(TRIANGLES)
+        for size in range(1, whole.index(b"f "), 41):
+            self.fail_with(1, r"^tribox overlap: [^\n]*cut.obj: (not a mesh|no triangles)", "overlap",
+                           self.write("cut.obj", whole[:size]), "--box", support.UNIT_BOX)
 
     def test_off(self):
         self.refuse_cuts("text.off", 4, "(truncated|not a mesh)")

@@ -7,7 +7,7 @@ import support
 
 COMMANDS = ("overlap", "voxelize", "merge", "info", "demo")
 OPTIONS = {
-    "overlap": ["--box", "--boxes", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
+    "overlap": ["--format", "--box", "--boxes", "--oriented", "--inside", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
     "voxelize": ["--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--up", "--json", "--quiet", "--threads",
                  "--shard", "--accuracy", "--axes", "--kernel", "--help"],
     "merge": ["-o", "--preview", "--up", "--json", "--quiet", "--help"],
@@ -64,7 +64,7 @@ class WrongCommandLine(support.TestCase):
         self.fail_with(2, "option --box is given twice", "overlap", "m.obj", "--box", "0,0,0,1,1,1", "--box=0,0,0,1,1,1")
 
     def test_values(self):
-        for option in ("--box", "--boxes", "--accuracy", "--axes", "--order", "--kernel"):
+        for option in ("--box", "--boxes", "--oriented", "--format", "--accuracy", "--axes", "--order", "--kernel"):
             self.fail_with(2, "option %s needs a value" % option, "overlap", "m.obj", option)
         for command, option in (("overlap", "--list"), ("overlap", "--json"), ("info", "--json"), ("demo", "--quick")):
             self.fail_with(2, "option %s takes no value" % option, command, option + "=yes")
@@ -78,7 +78,32 @@ class WrongCommandLine(support.TestCase):
     def test_box_or_boxes(self):
         self.fail_with(2, "no box given", "overlap", "a.obj")
         self.fail_with(2, "exclude each other", "overlap", "a.obj", "--box", support.UNIT_BOX, "--boxes", "-")
+        self.fail_with(2, "exclude each other", "overlap", "a.obj", "--box", support.UNIT_BOX, "--oriented", support.UNIT_ORIENTED)
+        self.fail_with(2, "exclude each other", "overlap", "a.obj", "--boxes", "-", "--oriented", support.UNIT_ORIENTED)
         self.fail_with(2, "--list with --boxes needs --json", "overlap", "a.obj", "--boxes", "-", "--list")
+
+    def test_standard_input(self):
+        self.fail_with(2, "--format stl or --format f32 is needed", "overlap", "-", "--box", support.UNIT_BOX)
+        self.fail_with(2, "--boxes needs the mesh as a file", "overlap", "-", "--format", "stl", "--boxes", "b.txt")
+        self.fail_with(2, "'a.obj' is one file too many", "overlap", "-", "a.obj", "--format", "stl", "--box", support.UNIT_BOX)
+
+    def test_inside(self):
+        self.fail_with(2, "--inside counts triangles and --list lists them", "overlap", "a.obj", "--box", support.UNIT_BOX, "--inside",
+                       "--list", "--json")
+        self.fail_with(2, "--inside is told of --box and --boxes only", "overlap", "a.obj", "--oriented", support.UNIT_ORIENTED,
+                       "--inside")
+
+    def test_axes_of_oriented_boxes(self):
+        for axes in ("plane", "edges", "box,plane", "box,edges", "edges,plane"):
+            self.fail_with(2, "--oriented is exact with all axes or with --axes box", "overlap", "a.obj", "--axes", axes, "--oriented",
+                           support.UNIT_ORIENTED)
+
+    def test_oriented_numbers(self):
+        def wrong(box, pattern):
+            self.fail_with(2, r"^tribox overlap: --oriented: " + pattern, "overlap", "a.obj", "--oriented", box)
+        wrong(support.UNIT_BOX, "6 numbers where 15 are needed; give CX,CY,CZ,HX,HY,HZ and three axes of three numbers")
+        wrong(support.UNIT_ORIENTED + ",1", "more than 15 numbers")
+        wrong(support.UNIT_ORIENTED[:-1] + "nan", r"'nan' \(number 15 of 15\) is not finite")
 
     def test_words(self):
         def wrong(option, *values):
@@ -89,6 +114,7 @@ class WrongCommandLine(support.TestCase):
         wrong("--axes", "", "box,", ",box", "box,planes", "box plane", "all")
         wrong("--order", "", "0", "12", "1234", "322", "3 1 2")
         wrong("--kernel", "", "AVX2", "avx", "best")
+        wrong("--format", "", "STL", "ply", "f64", ".stl")
 
     def test_kernel_of_another_processor(self):
         here = json.loads(self.succeed("info", "--json"))["kernels"]
