@@ -1,12 +1,53 @@
 #!/bin/sh
-# A meson project has the source tree as a subproject, and finds it by dependency('tribox'): subproject.sh ROOT
+# A meson project has tribox as a subproject, and finds it by dependency('tribox'): subproject.sh tree|wrap-git|wrap-file ROOT
+#   tree       the source tree lies under subprojects/
+#   wrap-git   a wrap file names a git repository
+#   wrap-file  a wrap file names the tarball of a release, and its hash
 set -eu
+how=$1 root=$2
+here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+. "$here/snapshot.sh"
 
-cp -R "$(dirname "$0")/consumer" "$work/consumer"
-mkdir "$work/consumer/subprojects"
-ln -s "$1" "$work/consumer/subprojects/tribox"
-# Unoptimised, the kernels take minutes to compile.
-"$MESON" setup "$work/build" "$work/consumer" --optimization 1 --force-fallback-for=tribox
+cp -R "$here/consumer" "$work/consumer"
+subprojects=$work/consumer/subprojects
+mkdir "$subprojects"
+version=$("$root/tools/version.sh")
+
+case $how in
+tree)
+    ln -s "$root" "$subprojects/tribox"
+    ;;
+wrap-git)
+    snapshot "$root" "$work/repository"
+    cat >"$subprojects/tribox.wrap" <<END
+[wrap-git]
+url = file://$work/repository
+revision = main
+depth = 1
+
+[provide]
+dependency_names = tribox
+END
+    ;;
+wrap-file)
+    snapshot "$root" "$work/tribox-$version"
+    git -C "$work/tribox-$version" archive --prefix="tribox-$version/" -o "$work/tribox-$version.tar.gz" main
+    hash=$(sha256sum "$work/tribox-$version.tar.gz")
+    cat >"$subprojects/tribox.wrap" <<END
+[wrap-file]
+directory = tribox-$version
+source_url = file://$work/tribox-$version.tar.gz
+source_filename = tribox-$version.tar.gz
+source_hash = ${hash%% *}
+
+[provide]
+dependency_names = tribox
+END
+    ;;
+esac
+
+# Unoptimised and without inlining, the kernels take seconds to compile instead of minutes.
+"$MESON" setup "$work/build" "$work/consumer" -Doptimization=1 -Dc_args=-U__OPTIMIZE__ --force-fallback-for=tribox
 "$MESON" test -C "$work/build" consumer

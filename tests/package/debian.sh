@@ -1,0 +1,39 @@
+#!/bin/sh
+# The Debian packages build, lintian neither errs nor warns, and what is in them works: debian.sh ROOT [DEB_BUILD_OPTIONS]
+# By default they are built without optimisation and tests, which take minutes: 'parallel=2' builds them as Debian would.
+set -eu
+root=$1
+export DEB_BUILD_OPTIONS="${2-noopt nocheck}"
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. "$here/snapshot.sh"
+
+for program in dpkg-buildpackage dh lintian fakeroot; do
+    command -v $program >/dev/null || { echo "there is no $program: skipped"; exit 77; }
+done
+snapshot "$root" "$work/repository"
+cp -R "$root/tools/debian" "$work/debian"
+(cd "$work" && dpkg-checkbuilddeps) || { echo "a package to build with is missing: skipped"; exit 77; }
+
+# The compilers and flags of a package are Debian's.
+env -u CC -u CXX -u CFLAGS -u CXXFLAGS -u LDFLAGS "$work/repository/tools/debian.sh" "$work/out" >"$work/log" 2>&1 || {
+    tail -n 60 "$work/log" >&2
+    exit 1
+}
+lintian --allow-root --fail-on error,warning "$work"/out/*.changes
+
+# What Debian would test on a machine with the packages installed, with the packages unpacked.
+for package in libtribox0 libtribox-dev tribox python3-tribox; do
+    dpkg -x "$work/out/${package}_"*.deb "$work/root"
+done
+libdir=$(dirname "$(find "$work/root" -name libtribox.a)")
+export PKG_CONFIG_LIBDIR="$libdir/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/root"
+export PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1
+export PYTHONPATH="$work/root/usr/lib/python3/dist-packages"
+export CMAKE_PREFIX_PATH="$work/root/usr" LD_LIBRARY_PATH="$libdir" PATH="$work/root/usr/bin:$PATH"
+cd "$work/repository"
+for test in consumer program module; do
+    mkdir "$work/$test"
+    AUTOPKGTEST_TMP=$work/$test tools/debian/tests/$test
+done

@@ -1,0 +1,46 @@
+#!/bin/sh
+# `meson dist` makes the same tarball twice, byte for byte, and the library builds from it: dist.sh ROOT
+set -eu
+root=$1
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. "$here/snapshot.sh"
+
+only_library='-Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=1 -Dc_args=-U__OPTIMIZE__'
+snapshot "$root" "$work/repository"
+name=tribox-$("$root/tools/version.sh")
+
+# tarball NAME UMASK: what meson dist writes from a clone of its own
+tarball() (
+    umask "$2"
+    git clone -q "$work/repository" "$work/$1"
+    "$MESON" setup "$work/$1-build" "$work/$1" $only_library >/dev/null
+    "$MESON" dist -C "$work/$1-build" --no-tests >/dev/null
+    mv "$work/$1-build/meson-dist/$name.tar.xz" "$work/$1.tar.xz"
+)
+
+tarball one 022
+sleep 1.1 # the clock's next second, which must not be in the tarball
+tarball two 077
+if ! cmp "$work/one.tar.xz" "$work/two.tar.xz"; then
+    for each in one two; do tar -tv -f "$work/$each.tar.xz" >"$work/$each.list"; done
+    diff "$work/one.list" "$work/two.list" >&2 || true
+    exit 1
+fi
+
+mkdir "$work/unpacked"
+tar -x -C "$work/unpacked" -f "$work/one.tar.xz"
+for file in $(git -C "$work/repository" ls-files); do
+    test -e "$work/unpacked/$name/$file" || { echo "$file is not in the tarball" >&2; exit 1; }
+done
+# The library wants a C compiler and meson: nobody has to have CMake for the sake of the CMake package.
+mkdir "$work/bin"
+printf '#!/bin/sh\necho "CMake is asked for" >&2\ntouch "%s"\nexit 1\n' "$work/asked" >"$work/bin/cmake"
+chmod +x "$work/bin/cmake"
+PATH=$work/bin:$PATH "$MESON" setup "$work/build" "$work/unpacked/$name" $only_library >/dev/null
+test ! -e "$work/asked" || { echo "to configure the library runs CMake" >&2; exit 1; }
+"$MESON" compile -C "$work/build" >/dev/null
+"$MESON" install -C "$work/build" --no-rebuild --quiet --destdir "$work/root"
+test "$(find "$work/root" -name tribox.h -o -name tribox.3 -o -name tribox.pc -o -name triboxConfig.cmake | wc -l)" = 4
+echo "$name.tar.xz: $(sha256sum <"$work/one.tar.xz")"

@@ -1,0 +1,40 @@
+#!/bin/sh
+# Two builds of the libraries in different folders are the same, byte for byte: same_bytes.sh ROOT
+#   as a release, whatever the way from one folder to the other
+#   with debug information, for which the compiler has to be told to forget where the source lay
+set -eu
+root=$1
+version=$("$root/tools/version.sh")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# build SOURCE BUILD ARGUMENTS...: a copy of the tree, built
+build() {
+    source=$work/$1 build=$work/$2
+    shift 2
+    mkdir -p "$source"
+    for part in include src tools bench tests meson.build meson_options.txt; do cp -R "$root/$part" "$source"; done
+    "$MESON" setup "$build" "$source" -Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=1 "$@" >/dev/null
+    "$MESON" compile -C "$build" >/dev/null
+}
+
+# same BUILD BUILD: what was built there
+same() {
+    for name in libtribox.a "libtribox.so.$version"; do
+        cmp "$work/$1/src/$name" "$work/$2/src/$name" || exit 1
+        if grep -q "$work" "$work/$1/src/$name"; then
+            echo "$name has the folder that it was built in" >&2
+            exit 1
+        fi
+        echo "$1: $name is the same"
+    done
+}
+
+build release release/build -Dc_args=-U__OPTIMIZE__
+build release-longer/again build-elsewhere -Dc_args=-U__OPTIMIZE__
+same release/build build-elsewhere
+
+build debug debug/build -Ddebug=true -Dc_args="-U__OPTIMIZE__ -ffile-prefix-map=$work/debug=."
+build debug-longer/again debug-longer/again/build -Ddebug=true \
+    -Dc_args="-U__OPTIMIZE__ -ffile-prefix-map=$work/debug-longer/again=."
+same debug/build debug-longer/again/build
