@@ -28,6 +28,7 @@
 extern "C" {
 #endif
 
+/** The version of this header, which is that of the library. */
 #define TRIBOX_VERSION_MAJOR 0
 #define TRIBOX_VERSION_MINOR 1
 #define TRIBOX_VERSION_PATCH 0
@@ -80,7 +81,7 @@ typedef enum tribox_status {
     TRIBOX_BAD_GRID,     /* a grid that is not finite, not positive, too large, or too fine for float */
     TRIBOX_BAD_OPTION,   /* an unknown accuracy, axis set or order */
     TRIBOX_NO_KERNEL,    /* an unknown kernel name, or one this processor cannot run */
-    TRIBOX_NO_MEMORY,
+    TRIBOX_NO_MEMORY,    /* for programs around the library, which itself never allocates */
     TRIBOX_BAD_INDEX /* a mesh refers to a vertex that it does not have; tribox_mesh_bad_indices names the first */
 } tribox_status;
 
