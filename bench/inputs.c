@@ -22,7 +22,8 @@ typedef struct forms {
     uint16_t *narrow; /* NULL where there are too many vertices */
     size_t vertices;
     tribox_mesh flat, wide_mesh, narrow_mesh;
-    float *streams; /* room for nine */
+    float *streams;   /* room for nine */
+    uint64_t *inside; /* room for a mask */
 } forms;
 
 /* What a contestant does with a form. */
@@ -78,6 +79,23 @@ static void run_any(const void *peer, const scene *at, uint64_t *mask)
     mask[0] = first;
 }
 
+/* The box of the scene turned by 0.5 about x, then by 0.7 about z. */
+static void run_oriented(const void *peer, const scene *at, uint64_t *mask)
+{
+    const job *const j = peer;
+    const float c = 0.76484219f, s = 0.64421769f, e = 0.87758256f, d = 0.47942554f;
+    tribox_oriented_box box = {.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
+    memcpy(box.center, at->center, sizeof box.center);
+    memcpy(box.half, at->half, sizeof box.half);
+    tribox_overlap_oriented(&at->soup, &box, &j->options, mask, NULL);
+}
+
+static void run_classify(const void *peer, const scene *at, uint64_t *mask)
+{
+    const job *const j = peer;
+    tribox_classify(&at->soup, &at->box, &j->options, mask, j->f->inside, NULL);
+}
+
 static void *allocate(size_t count, size_t size)
 {
     void *const memory = calloc(count, size);
@@ -100,6 +118,7 @@ static void make_forms(size_t index, uint64_t seed, bool is_shared, forms *f)
     f->wide = allocate(3 * count, sizeof *f->wide);
     f->narrow = f->vertices <= 65536 ? allocate(3 * count, sizeof *f->narrow) : NULL;
     f->streams = allocate(9 * count, sizeof(float));
+    f->inside = allocate(tribox_mask_words(count), sizeof *f->inside);
     memcpy(f->positions, f->at.triangles, 3 * f->vertices * sizeof(float));
     for (size_t corner = 0; corner < 3 * count; corner++) {
         f->wide[corner] = is_shared ? (uint32_t)random_below(&g, f->vertices) : (uint32_t)corner;
@@ -128,6 +147,7 @@ static void free_forms(forms *f)
     free(f->wide);
     free(f->narrow);
     free(f->streams);
+    free(f->inside);
 }
 
 /* Every form has the answer of the streams. */
@@ -166,6 +186,8 @@ static size_t enter(const forms *f, const char *kernel, job *jobs, contestant *l
         {"indices to streams", run_to_streams, &f->wide_mesh},
         {"memcpy of nine floats", run_copy, NULL},
         {"any", run_any, NULL},
+        {"inside", run_classify, NULL},
+        {"oriented", run_oriented, NULL},
     };
     size_t count = 0;
     for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
