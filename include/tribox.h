@@ -265,7 +265,7 @@ typedef struct tribox_oriented_box {
  * EXACT is the true answer about that box for every finite input: what the rounding of the move could change is settled in integers.
  * CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST moves and tests in single precision;
  * to its bound of contact add 2^-21 of |axis| * |p - center|. A triangle beside the box along one of its axes is mostly rejected while
- * it is moved.
+ * it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled in integers, some microseconds each.
  *
  * box: finite, or TRIBOX_BAD_BOX. options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the
  *   frame); another set is TRIBOX_BAD_OPTION, as the frame's rounding leaves the direction of an edge or plane axis open.

@@ -50,5 +50,5 @@ bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes)
     if (in.bits <= TRIBOX_INT128_BITS)
         return tribox_oriented_int128(&in, axes);
 #endif
-    return tribox_oriented_limbs(&in, axes);
+    return in.bits <= TRIBOX_SHORT_BITS ? tribox_oriented_short(&in, axes) : tribox_oriented_limbs(&in, axes);
 }

@@ -29,6 +29,8 @@ bool tribox_oriented_int64(const tribox_oriented_integers *in, unsigned axes);
 #if defined(__SIZEOF_INT128__)
 bool tribox_oriented_int128(const tribox_oriented_integers *in, unsigned axes);
 #endif
+enum { TRIBOX_SHORT_BITS = 145 };
+bool tribox_oriented_short(const tribox_oriented_integers *in, unsigned axes);
 bool tribox_oriented_limbs(const tribox_oriented_integers *in, unsigned axes);
 
 #endif
