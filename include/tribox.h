@@ -82,7 +82,7 @@ typedef enum tribox_status {
     TRIBOX_BAD_OPTION,   /* an unknown accuracy, axis set or order */
     TRIBOX_NO_KERNEL,    /* an unknown kernel name, or one this processor cannot run */
     TRIBOX_NO_MEMORY,    /* for programs around the library, which itself never allocates */
-    TRIBOX_BAD_INDEX /* a mesh refers to a vertex that it does not have; tribox_mesh_bad_indices names the first */
+    TRIBOX_BAD_INDEX     /* a mesh refers to a vertex that it does not have; tribox_mesh_bad_indices names the first */
 } tribox_status;
 
 /** One English sentence for a status: what is wrong, without a full stop. Static storage; never NULL. */

@@ -146,19 +146,32 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     return TRIBOX_OK;
 }
 
+/* How many corners of triangles at .. at + count - 1 have no vertex; *first becomes the first of them, if it is none yet. */
+static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t none, size_t *first)
+{
+    const unsigned bytes = tribox_index_bytes(mesh);
+    size_t found = 0;
+    for (size_t corner = 3 * at; corner < 3 * (at + count); corner++)
+        if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices) {
+            found++;
+            *first = *first == none ? corner : *first;
+        }
+    return found;
+}
+
 size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
 {
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
-    const size_t triangles = is_readable(mesh) ? mesh->count : 0;
-    const unsigned bytes = triangles ? tribox_index_bytes(mesh) : 0;
-    size_t found = 0, lowest = 3 * triangles;
-    for (size_t at = 0; at < triangles; at += 64) {
+    const size_t triangles = is_readable(mesh) ? mesh->count : 0, corners = 3 * triangles;
+    size_t found = 0, lowest = corners;
+    if (corners && !mesh->indices) {
+        found = corners > mesh->vertices ? corners - mesh->vertices : 0;
+        lowest = corners - found;
+    }
+    for (size_t at = 0; mesh && mesh->indices && at < triangles; at += 64) {
         const size_t count = triangles - at < 64 ? triangles - at : 64;
-        if (is_in_range(mesh, kernel, at, count))
-            continue;
-        for (size_t corner = 3 * at; corner < 3 * (at + count); corner++)
-            if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices)
-                lowest = found++ ? lowest : corner;
+        if (!is_in_range(mesh, kernel, at, count))
+            found += count_bad(mesh, at, count, corners, &lowest);
     }
     if (first)
         *first = lowest;

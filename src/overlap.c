@@ -80,10 +80,8 @@ static size_t first_unlike(const tribox_pairs *p, const tribox_plan *plan, uint6
         block = words - word < block ? words - word : block;
         tribox_pairs_answer_block(p, plan, word, block, hit);
         for (size_t w = 0; w < block; w++)
-            if (hit[w] != usual) {
-                const size_t first = 64 * (word + w) + tribox_lowest_bit(hit[w] ^ usual);
-                return first < p->count ? first : p->count;
-            }
+            if (hit[w] != usual) /* past the last pair bits are zero: at the latest, the first unlike is one past it */
+                return 64 * (word + w) + tribox_lowest_bit(hit[w] ^ usual);
     }
     return p->count;
 }

@@ -34,6 +34,39 @@ static unsigned setting(unsigned k)
 static unsigned environment_get(void) { return _mm_getcsr(); }
 static void environment_set(unsigned mxcsr) { _mm_setcsr(mxcsr); }
 
+#elif defined(__aarch64__) || (defined(__arm__) && defined(__ARM_FP))
+
+enum { FZ = 1 << 24, DEFAULT_NAN = 1 << 25, STICKY = 0x1f, ROUNDINGS = 4, SETTINGS = ROUNDINGS * 2 * 2 * 2 };
+
+/* Rounding, flush-to-zero and default NaN, and whether flags are up. */
+static unsigned setting(unsigned k)
+{
+    return k % ROUNDINGS << 22 | (k / 4 & 1 ? FZ : 0) | (k / 8 & 1 ? DEFAULT_NAN : 0) | (k / 16 & 1 ? STICKY : 0);
+}
+
+#if defined(__aarch64__)
+static unsigned environment_get(void)
+{
+    uint64_t control, status;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control)::"memory");
+    __asm__ volatile("mrs %0, fpsr" : "=r"(status)::"memory");
+    return (unsigned)(control | (status & STICKY));
+}
+static void environment_set(unsigned set)
+{
+    __asm__ volatile("msr fpcr, %0" ::"r"((uint64_t)set & ~(uint64_t)STICKY) : "memory");
+    __asm__ volatile("msr fpsr, %0" ::"r"((uint64_t)set & STICKY) : "memory");
+}
+#else
+static unsigned environment_get(void)
+{
+    unsigned fpscr;
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(fpscr)::"memory");
+    return fpscr & (0xfu << 22 | STICKY);
+}
+static void environment_set(unsigned set) { __asm__ volatile("vmsr fpscr, %0" ::"r"(set) : "memory"); }
+#endif
+
 #else
 #include <fenv.h>
 

@@ -338,7 +338,7 @@ static void test_roundings(void **state)
 {
     (void)state;
     const lane_number e = (lane_number)ldexp(1, -HALF_DIGITS), expected = lanes_fused ? e * e : 0;
-    lane_number a[LANES_MOST], plus[LANES_MOST], minus[LANES_MOST], out[LANES_MOST];
+    lane_number a[LANES_MOST] = {0}, plus[LANES_MOST] = {0}, minus[LANES_MOST] = {0}, out[LANES_MOST];
     for (unsigned lane = 0; lane < lanes_count; lane++) {
         a[lane] = 1 + e;
         plus[lane] = 1 + 2 * e;

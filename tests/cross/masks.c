@@ -1,0 +1,408 @@
+/*
+ * masks.c - digests of the answers to every scene: what is EXACT has the same ones on every processor, whatever compiled it.
+ *
+ * Every kernel that runs here is asked, and compared word for word: EXACT with the scalar kernel, FAST and CONSERVATIVE with the first
+ * kernel of the same rounding. Depends on nothing.
+ *
+ *   masks [options of arguments.h]         prints a line for each digest: the scene, what of it, the digest
+ *   masks FILE [options of arguments.h]    compares them with the lines of the file instead
+ *
+ * The first form writes masks.txt. With other scenes or tighter margins it has to be written anew; but a new margin may change lines of
+ * CONSERVATIVE and FAST alone.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arguments.h"
+#include "drawn.h"
+#include "runnable.h"
+
+enum { PAIRS_A_ROUND = 10000, ROUNDS_TO_AXES = 5, WORDS_MOST = 1024 };
+
+static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
+enum { ORDERS = sizeof orders / sizeof orders[0] };
+
+static const char *names[RUNNABLE_MOST]; /* the scalar kernel first */
+static size_t kernels;
+
+/* FNV-1a, of words as eight bytes each, the lowest first. */
+typedef uint64_t digest;
+
+static const digest digest_start = UINT64_C(0xcbf29ce484222325);
+
+static void digest_add(digest *d, const uint64_t *words, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        for (int shift = 0; shift < 64; shift += 8)
+            *d = (*d ^ (words[i] >> shift & 0xff)) * UINT64_C(0x100000001b3);
+}
+
+/* What is digested of a scene. The last four are the same only among kernels of one rounding. */
+typedef enum part {
+    DRAWN, /* what is asked, not an answer */
+    EXACT,
+    AXES, /* the fewer axes */
+    MESHES,
+    ORIENTED,
+    VOXELS,
+    CONSERVATIVE_TWICE, /* rounded twice: scalar */
+    FAST_TWICE,
+    CONSERVATIVE_ONCE,
+    FAST_ONCE,
+    PARTS
+} part;
+
+static const char *const part_names[PARTS] = {"drawn",  "exact",         "axes",  "meshes",        "oriented",
+                                              "voxels", "conservative2", "fast2", "conservative1", "fast1"};
+
+/* One round of a scene. */
+typedef struct round_of_scene {
+    drawn numbers[2]; /* many triangles and a box; a triangle and many boxes */
+    tribox_soup soup;
+    tribox_box box;
+    tribox_boxes boxes;
+    const float (*triangle)[3];
+    tribox_oriented_box oriented;
+    tribox_grid grid;
+} round_of_scene;
+
+/* Masks and statuses, one after the other. */
+typedef struct answers {
+    uint64_t word[WORDS_MOST];
+    size_t count;
+} answers;
+
+static uint64_t *take_words(answers *to, size_t count)
+{
+    uint64_t *const words = to->word + to->count;
+    to->count += count;
+    if (to->count > WORDS_MOST) {
+        fputs("masks.c: WORDS_MOST is too small\n", stderr);
+        exit(2);
+    }
+    return memset(words, 0, count * sizeof *words);
+}
+
+static void put_status(answers *to, tribox_status status) { *take_words(to, 1) = (uint64_t)status; }
+
+/* A grid about the box, whose rows take two words. Where it is too fine for float, the answer is TRIBOX_BAD_GRID. */
+static tribox_grid grid_about(const tribox_box *box)
+{
+    tribox_grid grid = {.size = {70, 6, 5}};
+    for (int a = 0; a < 3; a++) {
+        const float length = box->hi[a] - box->lo[a];
+        grid.cell[a] = length > 0 ? length / (a ? 3 : 32) : 0.125f;
+        grid.origin[a] = box->lo[a] - grid.cell[a] * (a ? 1 : 8);
+    }
+    return grid;
+}
+
+/* The middle of the box, and axes that are neither quite perpendicular nor quite of length one. */
+static tribox_oriented_box oriented_about(random_source *r, const tribox_box *box)
+{
+    tribox_oriented_box oriented;
+    for (int k = 0; k < 3; k++) {
+        oriented.center[k] = box->lo[k] / 2 + box->hi[k] / 2;
+        oriented.half[k] = box->hi[k] / 2 - box->lo[k] / 2;
+        for (int a = 0; a < 3; a++)
+            oriented.axis[k][a] = (float)(k == a) + (float)random_between(r, -64, 64) / 256;
+    }
+    return oriented;
+}
+
+static void draw_round(random_source *r, const scene *s, round_of_scene *round)
+{
+    const question triangles = draw_question(r, s, true, &round->numbers[0]);
+    const question boxes = draw_question(r, s, false, &round->numbers[1]);
+    round->soup.count = triangles.count;
+    round->boxes.count = boxes.count;
+    for (int k = 0; k < 3; k++) {
+        round->soup.x[k] = triangles.stream[k];
+        round->soup.y[k] = triangles.stream[3 + k];
+        round->soup.z[k] = triangles.stream[6 + k];
+        round->boxes.lo[k] = boxes.stream[k];
+        round->boxes.hi[k] = boxes.stream[3 + k];
+    }
+    round->box = *triangles.box;
+    round->triangle = boxes.triangle;
+    round->grid = grid_about(&round->box);
+    round->oriented = oriented_about(r, &round->box);
+}
+
+static void digest_numbers(digest *d, const float *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        digest_add(d, &(uint64_t){bits}, 1);
+    }
+}
+
+static void digest_round(digest *d, const round_of_scene *round)
+{
+    for (int k = 0; k < 3; k++) {
+        digest_numbers(d, round->soup.x[k], round->soup.count);
+        digest_numbers(d, round->soup.y[k], round->soup.count);
+        digest_numbers(d, round->soup.z[k], round->soup.count);
+        digest_numbers(d, round->boxes.lo[k], round->boxes.count);
+        digest_numbers(d, round->boxes.hi[k], round->boxes.count);
+        digest_numbers(d, round->triangle[k], 3);
+        digest_numbers(d, round->oriented.axis[k], 3);
+    }
+    digest_numbers(d, round->box.lo, 3);
+    digest_numbers(d, round->box.hi, 3);
+    digest_numbers(d, round->oriented.center, 3);
+    digest_numbers(d, round->oriented.half, 3);
+    digest_numbers(d, round->grid.origin, 3);
+    digest_numbers(d, round->grid.cell, 3);
+}
+
+/* Triangles and boxes, and which triangles lie inside. */
+static void ask_pairs(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    const size_t words = tribox_mask_words(round->soup.count);
+    uint64_t *const mask = take_words(to, words), *const inside = take_words(to, words);
+    put_status(to, tribox_classify(&round->soup, &round->box, options, mask, inside, NULL));
+    uint64_t *const boxes = take_words(to, tribox_mask_words(round->boxes.count));
+    put_status(to, tribox_overlap_boxes(round->triangle, &round->boxes, options, boxes, NULL));
+}
+
+/* The same triangles by index, the last vertex first, or as nine floats each; a vertex is three floats, or four of which one is idle. */
+static void ask_meshes(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    static float positions[3 * SCENE_TRIANGLES][4];
+    uint16_t narrow[3 * SCENE_TRIANGLES];
+    uint32_t wide[3 * SCENE_TRIANGLES];
+    const size_t count = round->soup.count, corners = 3 * count;
+    for (int floats = 3; floats <= 4; floats++)
+        for (unsigned index_bytes = 0; index_bytes <= 4; index_bytes += 2) {
+            for (size_t corner = 0; corner < corners; corner++) {
+                const size_t number = index_bytes ? corners - 1 - corner : corner;
+                const float at[3] = {round->soup.x[corner % 3][corner / 3], round->soup.y[corner % 3][corner / 3],
+                                     round->soup.z[corner % 3][corner / 3]};
+                memcpy(positions[0] + (size_t)floats * number, at, sizeof at);
+                wide[corner] = narrow[corner] = (uint16_t)number;
+            }
+            const tribox_mesh mesh = {positions,   (size_t)floats * sizeof(float),
+                                      corners,     index_bytes == 2 ? (void *)narrow : index_bytes ? (void *)wide : NULL,
+                                      index_bytes, count};
+            uint64_t *const mask = take_words(to, tribox_mask_words(count));
+            put_status(to, tribox_overlap_indexed(&mesh, &round->box, options, mask, NULL));
+        }
+}
+
+static void ask_oriented(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    uint64_t *const mask = take_words(to, tribox_mask_words(round->soup.count));
+    put_status(to, tribox_overlap_oriented(&round->soup, &round->oriented, options, mask, NULL));
+}
+
+static void ask_voxels(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    uint64_t *const occupied = take_words(to, tribox_grid_words(&round->grid));
+    put_status(to, tribox_voxelize(&round->soup, &round->grid, options, occupied, NULL));
+}
+
+typedef void ask(const round_of_scene *round, const tribox_options *options, answers *to);
+
+static answers answers_of(ask *asks, const round_of_scene *round, tribox_options options, const char *kernel)
+{
+    answers got = {.count = 0};
+    options.kernel = kernel;
+    asks(round, &options, &got);
+    return got;
+}
+
+/* What is asked at the moment, for the message. */
+static const char *scene_name;
+static size_t round_number;
+
+static void die(const char *kernel, const tribox_options *options, const char *how, const char *other)
+{
+    fprintf(stderr, "scene %s, round %zu: kernel %s at accuracy %d, axes %u, order %u %s %s\n", scene_name, round_number, kernel,
+            (int)options->accuracy, options->axes, options->order, how, other);
+    exit(1);
+}
+
+static void demand_equal(const answers *expected, const char *other, const answers *got, const char *kernel,
+                         const tribox_options *options)
+{
+    if (got->count != expected->count || memcmp(got->word, expected->word, got->count * sizeof *got->word))
+        die(kernel, options, "answers otherwise than", other);
+}
+
+/* EXACT answers, the same from every kernel. */
+static answers exact_answers(ask *asks, const round_of_scene *round, unsigned axes, unsigned order)
+{
+    const tribox_options options = {.axes = axes, .order = order};
+    const answers expected = answers_of(asks, round, options, names[0]);
+    for (size_t k = 1; k < kernels; k++) {
+        const answers got = answers_of(asks, round, options, names[k]);
+        demand_equal(&expected, names[0], &got, names[k], &options);
+    }
+    return expected;
+}
+
+static void add_answers(digest *d, const answers *from) { digest_add(d, from->word, from->count); }
+
+/* Every set of axes, in every order. */
+static void ask_axes(const round_of_scene *round, digest *d)
+{
+    for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
+        const answers expected = exact_answers(ask_pairs, round, axes, 0);
+        for (size_t o = 0; o < ORDERS; o++) {
+            const answers got = exact_answers(ask_pairs, round, axes, orders[o]);
+            demand_equal(&expected, "in the default order", &got, names[0], &(tribox_options){.axes = axes, .order = orders[o]});
+        }
+        add_answers(d, &expected);
+    }
+}
+
+static void demand_no_miss(const answers *exact, const answers *got, const char *kernel, const tribox_options *options)
+{
+    for (size_t i = 0; i < exact->count; i++)
+        if (exact->word[i] & ~got->word[i])
+            die(kernel, options, "misses what", "EXACT has");
+}
+
+/* CONSERVATIVE or FAST, of the kernels that round once or of those that round twice. */
+static void ask_rounded(const round_of_scene *round, tribox_accuracy accuracy, bool is_fused, const answers *exact, digest *d)
+{
+    const tribox_options options = {.accuracy = accuracy};
+    const char *first = NULL;
+    answers expected = {.count = 0};
+    for (size_t k = 0; k < kernels; k++) {
+        if (kernel_is_fused(names[k]) != is_fused)
+            continue;
+        answers got = answers_of(ask_pairs, round, options, names[k]);
+        if (accuracy == TRIBOX_CONSERVATIVE)
+            demand_no_miss(exact, &got, names[k], &options);
+        if (first)
+            demand_equal(&expected, first, &got, names[k], &options);
+        else
+            expected = got;
+        first = first ? first : names[k];
+    }
+    add_answers(d, &expected);
+}
+
+/* FAST promises something for |coordinate| <= 2^40; beyond, what a NaN comes to depends on the kernel. */
+static bool is_in_fast_range(const scene *s) { return !strcmp(s->family, "ordinary") || !strcmp(s->family, "contact"); }
+
+static void ask_round(const round_of_scene *round, const scene *s, digest digests[PARTS])
+{
+    const answers exact = exact_answers(ask_pairs, round, 0, 0), voxels = exact_answers(ask_voxels, round, 0, 0);
+    const answers oriented = exact_answers(ask_oriented, round, 0, 0);
+    const answers meshes = exact_answers(ask_meshes, round, 0, 0);
+    if (memcmp(meshes.word, exact.word, tribox_mask_words(round->soup.count) * sizeof *meshes.word))
+        die(names[0], &(tribox_options){.axes = 0}, "answers otherwise than for streams, for", "meshes");
+    digest_round(&digests[DRAWN], round);
+    add_answers(&digests[EXACT], &exact);
+    add_answers(&digests[MESHES], &meshes);
+    add_answers(&digests[VOXELS], &voxels);
+    add_answers(&digests[ORIENTED], &oriented);
+    if (round_number % ROUNDS_TO_AXES == 0)
+        ask_axes(round, &digests[AXES]);
+    for (int is_fused = 0; is_fused < 2; is_fused++) {
+        ask_rounded(round, TRIBOX_CONSERVATIVE, is_fused, &exact, &digests[is_fused ? CONSERVATIVE_ONCE : CONSERVATIVE_TWICE]);
+        if (is_in_fast_range(s))
+            ask_rounded(round, TRIBOX_FAST, is_fused, &exact, &digests[is_fused ? FAST_ONCE : FAST_TWICE]);
+    }
+}
+
+/* The file to compare with, if any, and what came of it. */
+static const char *expected_text;
+static size_t scenes_compared, drawn_otherwise, differing;
+
+/* Whether the file has this digest; says so if not. */
+static bool is_expected(const char *name, part p, digest d)
+{
+    char line[128];
+    const int length = snprintf(line, sizeof line, "\n%s %s ", name, part_names[p]);
+    const char *const found = strstr(expected_text, line);
+    snprintf(line, sizeof line, "%016" PRIx64, d);
+    if (found && !strncmp(found + length, line, strlen(line)))
+        return true;
+    fprintf(stderr, "%s %s: the digest is %s, expected was %.16s\n", name, part_names[p], line, found ? found + length : "none");
+    return false;
+}
+
+/* Prints the digests, or compares them: of a scene whose numbers another libm drew otherwise there is nothing to compare. */
+static void tell_scene(const char *name, const digest digests[PARTS])
+{
+    if (expected_text && !is_expected(name, DRAWN, digests[DRAWN])) {
+        drawn_otherwise++;
+        return;
+    }
+    scenes_compared += expected_text != NULL;
+    for (part p = 0; p < PARTS; p++) {
+        if (digests[p] == digest_start)
+            continue;
+        if (!expected_text)
+            printf("%s %s %016" PRIx64 "\n", name, part_names[p], digests[p]);
+        else if (!is_expected(name, p, digests[p]))
+            differing++;
+    }
+}
+
+static void ask_scene(const scene *s, const arguments *args)
+{
+    static round_of_scene round;
+    random_source r = random_named(args->seed, s->name);
+    digest digests[PARTS];
+    for (part p = 0; p < PARTS; p++)
+        digests[p] = digest_start;
+    scene_name = s->name;
+    for (round_number = 0; round_number < args->pairs / PAIRS_A_ROUND; round_number++) {
+        draw_round(&r, s, &round);
+        ask_round(&round, s, digests);
+    }
+    tell_scene(s->name, digests);
+}
+
+enum { TEXT_MOST = 1 << 20 };
+
+/* The text of a file, with a line's end before the first line. */
+static const char *text_of(const char *path)
+{
+    static char text[TEXT_MOST] = "\n";
+    FILE *const file = fopen(path, "r");
+    if (!file) {
+        fprintf(stderr, "%s: cannot be read; give a file that this program printed\n", path);
+        exit(2);
+    }
+    text[1 + fread(text + 1, 1, TEXT_MOST - 2, file)] = 0;
+    fclose(file);
+    return text;
+}
+
+/* Whether the file was printed with these arguments. */
+static bool is_expected_for(const arguments *args)
+{
+    char lines[64];
+    snprintf(lines, sizeof lines, "\nseed %" PRIu64 "\npairs %zu\n", args->seed, args->pairs);
+    return strstr(expected_text, lines);
+}
+
+int main(int argc, char **argv)
+{
+    const bool has_file = argc > 1 && argv[1][0] != '-';
+    expected_text = has_file ? text_of(argv[1]) : NULL;
+    const arguments args = arguments_parse(argc - has_file, argv + has_file);
+    printf("pairs %zu\n", args.pairs);
+    if (!scene_name_is_known(args.scenes))
+        return 2;
+    if (has_file && !is_expected_for(&args)) {
+        printf("%s: of another seed, or of other pairs: skipped\n", argv[1]);
+        return 77;
+    }
+    kernels = runnable_kernels(names);
+    for (size_t i = 0; i < scene_count(); i++)
+        if (scene_is_called(scene_at(i), args.scenes))
+            ask_scene(scene_at(i), &args);
+    if (has_file)
+        printf("%zu scenes compared, %zu drawn otherwise; %zu digests differ\n", scenes_compared, drawn_otherwise, differing);
+    return differing || scenes_compared < drawn_otherwise;
+}

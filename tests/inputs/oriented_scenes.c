@@ -1,0 +1,469 @@
+/*
+ * oriented_scenes.c - the scenes of upright boxes, seen from another frame.
+ *
+ * A frame of whole numbers A has a whole adjugate adj(A) with A adj(A) = det(A): a scene of few-digit numbers q is placed at
+ * center + adj(A) q, exactly, and has |det(A)| q for its coordinates in the frame. What touches there
+ * touches here, to the last bit.
+ */
+#include "oriented_scenes.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "contact.h"
+#include "scenes.h"
+
+/* A scene of an upright box in double: what is placed. */
+typedef struct upright {
+    double center[3], half[3];
+    double u[ORIENTED_TRIANGLES][3][3];
+} upright;
+
+/* Two batches of a scene about the box of the first: the triangles of the second move along with the lower corner of theirs. */
+static void draw_upright(random_source *r, scene_draw *draw, upright *up)
+{
+    scene_batch first, second;
+    draw(r, &first);
+    draw(r, &second);
+    for (int a = 0; a < 3; a++) {
+        const double lo = (double)first.box.lo[a], hi = (double)first.box.hi[a], moved = lo - (double)second.box.lo[a];
+        up->center[a] = (lo + hi) / 2;
+        up->half[a] = (hi - lo) / 2;
+        for (int t = 0; t < SCENE_TRIANGLES; t++)
+            for (int j = 0; j < 3; j++) {
+                up->u[t][j][a] = (double)first.u[t][j][a];
+                up->u[SCENE_TRIANGLES + t][j][a] = (double)second.u[t][j][a] + moved;
+            }
+    }
+}
+
+/* frame: what takes the place of the three unit vectors; inverse: of frame, but for the factor `size`. */
+static void place(const upright *up, double frame[3][3], double inverse[3][3], double size, const double center[3],
+                  oriented_batch *batch)
+{
+    for (int k = 0; k < 3; k++) {
+        batch->box.center[k] = nearest_float(center[k]);
+        batch->box.half[k] = nearest_float(size * up->half[k]);
+        for (int a = 0; a < 3; a++)
+            batch->box.axis[k][a] = nearest_float(frame[k][a]);
+    }
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++) {
+                double p = center[a];
+                for (int k = 0; k < 3; k++)
+                    p += inverse[a][k] * (up->u[t][j][k] - up->center[k]);
+                batch->u[t][j][a] = nearest_float(p);
+            }
+}
+
+static const double origin[3];
+
+/* Proper rotations by any angles: the columns of the inverse are the axes. */
+static void draw_rotation(random_source *r, double frame[3][3], double inverse[3][3])
+{
+    double x, y, z, w, n;
+    do {
+        x = random_uniform(r, -1, 1), y = random_uniform(r, -1, 1), z = random_uniform(r, -1, 1), w = random_uniform(r, -1, 1);
+        n = x * x + y * y + z * z + w * w;
+    } while (n > 1 || n < 0.1);
+    const double rotation[3][3] = {{n - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+                                   {2 * (x * y + z * w), n - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+                                   {2 * (x * z - y * w), 2 * (y * z + x * w), n - 2 * (x * x + y * y)}};
+    for (int k = 0; k < 3; k++)
+        for (int a = 0; a < 3; a++)
+            frame[k][a] = inverse[a][k] = rotation[k][a] / n;
+}
+
+static double adjugate(double m[3][3], double adj[3][3])
+{
+    for (int k = 0; k < 3; k++)
+        for (int a = 0; a < 3; a++) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3, l = (k + 1) % 3, n = (k + 2) % 3;
+            adj[a][k] = m[l][b] * m[n][c] - m[l][c] * m[n][b];
+        }
+    return m[0][0] * adj[0][0] + m[0][1] * adj[1][0] + m[0][2] * adj[2][0];
+}
+
+/* Of whole numbers, with a determinant greater than zero; *size is that. */
+static void draw_whole_frame(random_source *r, int most, double frame[3][3], double inverse[3][3], double *size)
+{
+    do {
+        for (int k = 0; k < 3; k++)
+            for (int a = 0; a < 3; a++)
+                frame[k][a] = random_between(r, -most, most);
+        *size = adjugate(frame, inverse);
+    } while (*size <= 0);
+}
+
+/* The six orders of the axes, each with any signs. */
+static void draw_right_angles(random_source *r, double frame[3][3], double inverse[3][3])
+{
+    const int first = random_below(r, 3), turn = random_between(r, 1, 2);
+    memset(frame, 0, 3 * sizeof frame[0]);
+    for (int k = 0; k < 3; k++)
+        frame[k][(first + turn * k) % 3] = random_below(r, 2) ? 1 : -1;
+    for (int k = 0; k < 3; k++)
+        for (int a = 0; a < 3; a++)
+            inverse[a][k] = frame[k][a];
+}
+
+static void draw_lattice_scene(random_source *r, upright *up)
+{
+    static scene_draw *const lattices[] = {draw_touching, draw_touching, draw_eighths, draw_points};
+    draw_upright(r, lattices[random_below(r, 4)], up);
+    if (!random_below(r, 3)) /* flat on some axes: the center stays in the triangles' reach */
+        up->half[random_below(r, 3)] = 0;
+    if (!random_below(r, 6))
+        up->half[random_below(r, 3)] = up->half[random_below(r, 3)] = 0;
+}
+
+static void draw_identity(random_source *r, oriented_batch *batch)
+{
+    static double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    upright up;
+    draw_lattice_scene(r, &up);
+    place(&up, unit, unit, 1, random_below(r, 2) ? origin : up.center, batch);
+}
+
+static void draw_turned_by_right_angles(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3];
+    upright up;
+    draw_lattice_scene(r, &up);
+    draw_right_angles(r, frame, inverse);
+    place(&up, frame, inverse, 1, up.center, batch);
+}
+
+/* Sheared, mirrored and stretched: all is exact. */
+static void draw_whole(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3], size;
+    upright up;
+    draw_lattice_scene(r, &up);
+    draw_whole_frame(r, random_between(r, 1, 4), frame, inverse, &size);
+    place(&up, frame, inverse, size, up.center, batch);
+}
+
+/* Moves some numbers of the box and of the triangles to the next float. */
+static void nudge(random_source *r, oriented_batch *batch)
+{
+    if (random_below(r, 2)) {
+        float *const c = &batch->box.center[random_below(r, 3)];
+        *c = nudged(r, *c, 1);
+    }
+    if (random_below(r, 2)) {
+        float *const h = &batch->box.half[random_below(r, 3)];
+        *h = nudged(r, *h, 1);
+        *h = *h < 0 ? 0 : *h;
+    }
+    if (random_below(r, 2)) {
+        float *const number = &batch->box.axis[random_below(r, 3)][random_below(r, 3)];
+        *number = nudged(r, *number, 1);
+    }
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int times = random_below(r, 3); times > 0; times--) {
+            float *const number = &batch->u[t][random_below(r, 3)][random_below(r, 3)];
+            *number = nudged(r, *number, 1);
+        }
+}
+
+static void draw_whole_ulp(random_source *r, oriented_batch *batch)
+{
+    draw_whole(r, batch);
+    nudge(r, batch);
+}
+
+/* A scene of any kind about a box turned by any angles: within some ulps of contact where the scene is one of contact. */
+static void draw_turned(random_source *r, oriented_batch *batch)
+{
+    static scene_draw *const kinds[] = {draw_paper,   draw_touching, draw_near_contact,    draw_needles,    draw_caps,
+                                        draw_edge_on, draw_sphere,   draw_small_triangles, draw_flat_boxes, draw_big_triangles};
+    double frame[3][3], inverse[3][3];
+    upright up;
+    draw_upright(r, kinds[random_below(r, sizeof kinds / sizeof kinds[0])], &up);
+    draw_rotation(r, frame, inverse);
+    place(&up, frame, inverse, 1, random_below(r, 2) ? origin : up.center, batch);
+}
+
+/* The paper's scene, turned; often a little away from the origin. */
+static void draw_ordinary(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3], center[3];
+    upright up;
+    draw_upright(r, draw_paper, &up);
+    draw_rotation(r, frame, inverse);
+    const double distance = random_below(r, 100);
+    for (int a = 0; a < 3; a++)
+        center[a] = (double)(float)(distance * random_uniform(r, -1, 1));
+    place(&up, frame, inverse, 1, center, batch);
+}
+
+/*
+ * Points of one face of a turned box that is thin there, all but for the rounding: what the move may be off by decides about each.
+ * They are near a corner, so that none of them allows another more than itself.
+ */
+static void draw_face(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3];
+    upright up;
+    draw_rotation(r, frame, inverse);
+    const int face = random_below(r, 3);
+    for (int k = 0; k < 3; k++) {
+        up.center[k] = random_below(r, 2) ? random_uniform(r, -1, 1) : 0;
+        up.half[k] = (double)(float)(k == face ? ldexp(random_uniform(r, 0, 1), -random_below(r, 12)) : random_uniform(r, 0, 1));
+    }
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
+        for (int k = 0; k < 3; k++)
+            up.u[t][0][k] = up.center[k] + up.half[k] * (k == face ? 1 : random_uniform(r, 0.98, 1));
+        memcpy(up.u[t][1], up.u[t][0], sizeof up.u[t][0]);
+        memcpy(up.u[t][2], up.u[t][0], sizeof up.u[t][0]);
+    }
+    place(&up, frame, inverse, 1, up.center, batch);
+}
+
+/* Axes in any directions, of any lengths: hardly ever an inverse that is exact. */
+static void draw_sheared(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3], size;
+    upright up;
+    draw_upright(r, random_below(r, 2) ? draw_near_contact : draw_paper, &up);
+    do {
+        for (int k = 0; k < 3; k++)
+            for (int a = 0; a < 3; a++)
+                frame[k][a] = (float)random_uniform(r, -1, 1);
+        size = adjugate(frame, inverse);
+    } while (size < 1e-3);
+    place(&up, frame, inverse, size, up.center, batch);
+}
+
+/* Two equal axes, opposite ones, an axis of length zero, all axes in a plane, or nothing but zeros: slabs, beams, all of space. */
+static void draw_singular(random_source *r, oriented_batch *batch)
+{
+    if (random_below(r, 2))
+        draw_turned(r, batch);
+    else
+        draw_whole(r, batch);
+    const int k = random_below(r, 3), l = (k + 1) % 3, m = (k + 2) % 3, kind = random_below(r, 5);
+    float(*const axis)[3] = batch->box.axis;
+    for (int a = 0; a < 3; a++) {
+        if (kind == 4)
+            axis[l][a] = axis[m][a] = 0;
+        axis[k][a] = kind == 0 ? axis[l][a] : kind == 1 ? -axis[l][a] : kind == 2 ? axis[l][a] + axis[m][a] : 0;
+    }
+}
+
+/* So far away that a unit is a few ulps. */
+static void draw_far(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3], center[3];
+    upright up;
+    draw_upright(r, random_below(r, 2) ? draw_near_contact : draw_touching, &up);
+    draw_rotation(r, frame, inverse);
+    const double distance = ldexp(1, random_between(r, 10, 22));
+    for (int a = 0; a < 3; a++)
+        center[a] = (double)(float)(distance * random_uniform(r, -1, 1));
+    place(&up, frame, inverse, 1, center, batch);
+}
+
+/* Far along a direction that an axis does not see: its coordinate comes of large products that cancel. */
+static void draw_cancelling(random_source *r, oriented_batch *batch)
+{
+    draw_whole(r, batch);
+    const int k = random_below(r, 3), exponent = random_between(r, 8, 30);
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
+        const float *const axis = batch->box.axis[k];
+        const int b = random_below(r, 3), c = (b + 1) % 3;
+        const double far = ldexp(random_between(r, -4, 4), exponent);
+        for (int j = 0; j < 3; j++) {
+            batch->u[t][j][b] = nearest_float(batch->u[t][j][b] + far * axis[c]);
+            batch->u[t][j][c] = nearest_float(batch->u[t][j][c] - far * axis[b]);
+        }
+    }
+}
+
+static void scale(oriented_batch *batch, int of_positions, int of_axes)
+{
+    for (int k = 0; k < 3; k++) {
+        batch->box.center[k] = nearest_float(ldexp(batch->box.center[k], of_positions));
+        batch->box.half[k] = nearest_float(ldexp(batch->box.half[k], of_positions + of_axes));
+        for (int a = 0; a < 3; a++)
+            batch->box.axis[k][a] = nearest_float(ldexp(batch->box.axis[k][a], of_axes));
+    }
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                batch->u[t][j][a] = nearest_float(ldexp(batch->u[t][j][a], of_positions));
+}
+
+/* From where nearly all is subnormal to where nearly all overflows; the axes by themselves too. */
+static void draw_scaled_frame(random_source *r, oriented_batch *batch)
+{
+    static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_whole_ulp, draw_sheared};
+    bases[random_below(r, 4)](r, batch);
+    const int positions = random_between(r, -146, 124);
+    scale(batch, positions, random_below(r, 2) ? 0 : random_between(r, -126 - positions / 2, 126 - positions / 2) / 2);
+}
+
+/* About the least float: products lose bits that no share of them makes up for. */
+static void draw_least(random_source *r, oriented_batch *batch)
+{
+    static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_face, draw_sheared};
+    bases[random_below(r, 4)](r, batch);
+    const int exponent = random_between(r, -148, -132), of_axes = random_below(r, 2) ? 0 : random_between(r, -140, 0);
+    scale(batch, exponent - of_axes, of_axes);
+}
+
+/* In one batch triangles of all sizes, from points to larger than the box, far beyond it. */
+static void draw_tiny_and_huge_ones(random_source *r, oriented_batch *batch)
+{
+    draw_turned(r, batch);
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
+        const int exponent = random_below(r, 3) ? random_between(r, -20, 20) : random_between(r, -140, 126);
+        const int kept = random_between(r, -1, 2);
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                if (j != kept)
+                    batch->u[t][j][a] = nearest_float(batch->box.center[a] + ldexp(batch->u[t][j][a], exponent));
+    }
+}
+
+/*
+ * Whole numbers as long as 64 and 128 bits can take, and a little longer: axes of space, of lengths that are powers of two. A
+ * face is
+ * touched, which integers have to tell, and every other projection is as large as it can be.
+ */
+static void draw_wide(random_source *r, oriented_batch *batch)
+{
+    const int is_long = random_below(r, 2), bits = is_long ? random_between(r, 34, 39) : random_between(r, 13, 18);
+    const int of_positions = is_long ? 23 : random_between(r, 8, 12), face = random_below(r, 3);
+    const double most = ldexp(1, of_positions) - 1;
+    memset(&batch->box, 0, sizeof batch->box);
+    for (int k = 0; k < 3; k++) {
+        const double length = k == face ? 1 : ldexp(1, bits - of_positions);
+        const double half = floor(most * random_uniform(r, 0.5, 1));
+        batch->box.axis[k][k] = (float)length;
+        batch->box.half[k] = (float)(length * half);
+        for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
+            const int side = t % 2 ? 1 : -1, touching = random_below(r, 3);
+            for (int j = 0; j < 3; j++)
+                batch->u[t][j][k] = k != face         ? (float)floor(random_uniform(r, -most, most))
+                                    : (j == touching) ? (float)(side * half)
+                                                      : (float)(side * floor(random_uniform(r, half, most)));
+        }
+    }
+}
+
+/* At both ends of the range, so that differences overflow, or nearly and cancel. */
+static void draw_ends_of_range(random_source *r, oriented_batch *batch)
+{
+    if (!random_below(r, 3)) {
+        draw_cancelling(r, batch);
+        scale(batch, random_between(r, 80, 98), 0);
+        return;
+    }
+    draw_turned(r, batch);
+    if (random_below(r, 2))
+        scale(batch, random_between(r, 110, 126), random_below(r, 2) ? 0 : -random_between(r, 0, 126));
+    const float ends[] = {FLT_MAX, -FLT_MAX, 0x1p127f, -0x1p126f, 0x1p100f, -0x1p99f, 0x1p-149f, 0};
+    for (int a = 0; a < 3; a++)
+        if (!random_below(r, 3))
+            batch->box.center[a] = ends[random_below(r, 8)];
+    if (!random_below(r, 4))
+        batch->box.half[random_below(r, 3)] = fabsf(ends[random_below(r, 8)]);
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int times = random_below(r, 5); times > 0; times--)
+            batch->u[t][random_below(r, 3)][random_below(r, 3)] = ends[random_below(r, 8)];
+}
+
+/* Slabs and beams that end where floats do. */
+static void draw_endless(random_source *r, oriented_batch *batch)
+{
+    if (random_below(r, 2))
+        draw_turned(r, batch);
+    else
+        draw_whole(r, batch);
+    for (int times = random_between(r, 1, 2); times > 0; times--)
+        batch->box.half[random_below(r, 3)] = random_below(r, 2) ? FLT_MAX : ldexpf(1, random_between(r, 60, 127));
+}
+
+static float any_finite(random_source *r)
+{
+    for (;;) {
+        const uint32_t bits = (uint32_t)random_bits(r);
+        float number;
+        memcpy(&number, &bits, sizeof number);
+        if (isfinite(number))
+            return number;
+    }
+}
+
+/* Any bits; and any exponents about the middle, where products do not leave the range. */
+static void draw_any_bits(random_source *r, oriented_batch *batch)
+{
+    const bool is_narrow = random_below(r, 2);
+    for (int k = 0; k < 3; k++) {
+        batch->box.center[k] = is_narrow ? ldexpf((float)random_uniform(r, -1, 1), random_between(r, -9, 9)) : any_finite(r);
+        batch->box.half[k] = fabsf(is_narrow ? ldexpf((float)random_uniform(r, 0, 1), random_between(r, -9, 18)) : any_finite(r));
+        for (int a = 0; a < 3; a++)
+            batch->box.axis[k][a] = is_narrow ? ldexpf((float)random_uniform(r, -1, 1), random_between(r, -9, 9)) : any_finite(r);
+    }
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int j = 0; j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                batch->u[t][j][a] = is_narrow ? ldexpf((float)random_uniform(r, -1, 1), random_between(r, -9, 9)) : any_finite(r);
+}
+
+/* The scenes of upright boxes, all of them, with the axes of space. */
+static void draw_any_upright(random_source *r, oriented_batch *batch)
+{
+    static double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    upright up;
+    draw_upright(r, scene_at((size_t)random_below(r, (int)scene_count()))->draw, &up);
+    place(&up, unit, unit, 1, up.center, batch);
+}
+
+const oriented_scene oriented_scenes[ORIENTED_SCENES] = {
+    {"identity", draw_identity, false, 1},
+    {"right-angles", draw_turned_by_right_angles, false, 1},
+    {"whole", draw_whole, false, 1},
+    {"whole-ulp", draw_whole_ulp, false, 1},
+    {"ordinary", draw_ordinary, true, 1},
+    {"face", draw_face, false, 4},
+    {"turned", draw_turned, false, 1},
+    {"sheared", draw_sheared, false, 1},
+    {"singular", draw_singular, false, 1},
+    {"far", draw_far, false, 1},
+    {"cancelling", draw_cancelling, false, 1},
+    {"scaled", draw_scaled_frame, false, 1},
+    {"least", draw_least, false, 1},
+    {"tiny-and-huge", draw_tiny_and_huge_ones, false, 1},
+    {"ends-of-range", draw_ends_of_range, false, 1},
+    {"endless", draw_endless, false, 1},
+    {"wide", draw_wide, false, 1},
+    {"any-bits", draw_any_bits, false, 1},
+    {"any-upright", draw_any_upright, false, 1},
+};
+
+static void sign_zeros(random_source *r, float *number, int count)
+{
+    for (int k = 0; k < count; k++)
+        number[k] = random_sign_of_zero(r, number[k]);
+}
+
+void oriented_draw(const oriented_scene *s, random_source *r, oriented_batch *batch)
+{
+    static const float not_finite[] = {NAN, -NAN, INFINITY, -INFINITY};
+    s->draw(r, batch);
+    batch->count = random_below(r, 4) ? ORIENTED_TRIANGLES : random_between(r, 0, ORIENTED_TRIANGLES);
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
+        sign_zeros(r, &batch->u[t][0][0], 9);
+        if (!random_below(r, 50))
+            batch->u[t][random_below(r, 3)][random_below(r, 3)] = not_finite[random_below(r, 4)];
+    }
+    sign_zeros(r, batch->box.center, 3);
+    sign_zeros(r, batch->box.half, 3);
+    sign_zeros(r, &batch->box.axis[0][0], 9);
+}

@@ -1,0 +1,260 @@
+/*
+ * test_any_all.c - the first triangle that overlaps, and the first that does not, wherever it stands; the search ends there.
+ */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "drawn.h"
+#include "fences.h"
+#include "runnable.h"
+
+static arguments args;
+static drawn numbers;
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+static guarded fence[SOUP_STREAMS];
+static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
+
+static int set_up(void **state)
+{
+    (void)state;
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        fence[s] = guarded_make(DRAWN_MOST * sizeof(float));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        guarded_free(fence[s]);
+    return 0;
+}
+
+typedef tribox_status search(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, size_t *first);
+
+static void expect(search *call, const char *name, const question *q, const tribox_options *options, size_t expected)
+{
+    const tribox_soup soup = question_soup(q);
+    size_t first = SIZE_MAX;
+    char text[QUESTION_TEXT];
+    snprintf(doing, sizeof doing, "%s: %s", name, question_text(q, options, text));
+    const tribox_status status = call(&soup, q->box, options, &first);
+    if (status || first != expected)
+        fail_msg("%s: %s, %zu where it should be %zu", doing, tribox_status_text(status), first, expected);
+}
+
+static void expect_both(const question *q, const tribox_options *options, size_t first_set, size_t first_clear)
+{
+    expect(tribox_overlap_any, "any", q, options, first_set);
+    expect(tribox_overlap_all, "all", q, options, first_clear);
+}
+
+/* What the mask says. */
+static void check_against_mask(const question *q, const tribox_options *options)
+{
+    static uint64_t mask[DRAWN_WORDS];
+    size_t set = 0, clear = 0;
+    ask_ok(q, options, mask, NULL);
+    while (set < q->count && !mask_bit(mask, set))
+        set++;
+    while (clear < q->count && mask_bit(mask, clear))
+        clear++;
+    expect_both(q, options, set, clear);
+}
+
+/* `count` triangles from `first` on, at the end of their fences. */
+static question between_fences(const question *from, size_t first, size_t count)
+{
+    question q = {.count = count, .box = from->box};
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        q.stream[s] = memcpy(guarded_tail(fence[s], count * sizeof(float)), from->stream[s] + first, count * sizeof(float));
+    return q;
+}
+
+static void check_kernels(const question *q)
+{
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            check_against_mask(q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
+}
+
+static void test_scenes(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        const question all = draw_question(&r, scene_at(i), true, &numbers);
+        for (size_t first = 0; first <= all.count; first += 1 + (size_t)random_below(&r, 4)) {
+            const question from = between_fences(&all, first, all.count - first);
+            check_kernels(&from);
+            const question to = between_fences(&all, 0, first);
+            check_kernels(&to);
+        }
+    }
+}
+
+/* Sets of axes and orders: they decide what overlaps. */
+static void test_axes(void **state)
+{
+    (void)state;
+    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
+    catch_faults();
+    random_source r = random_named(args.seed, "axes");
+    const question all = draw_question(&r, scene_at(0), true, &numbers);
+    for (size_t first = 0; first < all.count; first++) {
+        const question q = between_fences(&all, first, all.count - first);
+        for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
+            check_against_mask(&q,
+                               &(tribox_options){(tribox_accuracy)(first % 3), axes, orders[first % 7], names[first % kernels]});
+    }
+}
+
+static void put(size_t i, float x)
+{
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        numbers.stream[s][i] = s < 3 ? x : 0;
+}
+
+static question soup_of(size_t count)
+{
+    question q = {.count = count, .box = &cube};
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        q.stream[s] = numbers.stream[s];
+    return q;
+}
+
+/* One triangle that differs from all others, at every place of short soups and about every power of two of long ones. */
+static void check_one_unlike(float usual, float other)
+{
+    const bool is_hit = fabsf(other) <= 1;
+    for (size_t i = 0; i < DRAWN_MOST; i++)
+        put(i, usual);
+    for (size_t at = 0; at < DRAWN_MOST - 1; at++) {
+        const bool is_edge = at < 260 || (at + 1) % 64 < 2 || (at & (at - 1)) == 0;
+        put(at, other);
+        const tribox_options options = {.accuracy = (tribox_accuracy)(at % 3), .kernel = names[at / 3 % kernels]};
+        const size_t counts[] = {at, at + 1, at + 2, 10000};
+        for (size_t c = 0; is_edge && c < 4; c++) {
+            const size_t count = counts[c];
+            if (c == 3 && (at >= count || at % 7))
+                continue;
+            const question packed = soup_of(count), q = count < 300 ? between_fences(&packed, 0, count) : packed;
+            const size_t found = at < count ? at : count, none = count ? 0 : count;
+            const size_t unlike = at ? none : count < 2 ? count : 1;
+            if (is_hit)
+                expect_both(&q, &options, found, unlike);
+            else
+                expect_both(&q, &options, unlike, found);
+        }
+        put(at, usual);
+    }
+}
+
+static void test_one_hit(void **state)
+{
+    (void)state;
+    catch_faults();
+    check_one_unlike(3, 0);
+}
+
+static void test_one_miss(void **state)
+{
+    (void)state;
+    catch_faults();
+    check_one_unlike(0, 3);
+}
+
+/* A triangle that is not finite overlaps nothing: any goes past it, and all stops at it. */
+static void check_not_finite(size_t count, size_t at, int stream, float usual, search *call, const char *name, size_t expected)
+{
+    static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < count; i++)
+        put(i, i < at ? usual : 0);
+    numbers.stream[stream][at] = bad[(at + (size_t)stream) % 4];
+    const question packed = soup_of(count), q = between_fences(&packed, 0, count);
+    for (size_t k = 0; k < kernels; k++)
+        expect(call, name, &q, &(tribox_options){.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]}, expected);
+}
+
+static void test_not_finite(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t count = 1; count <= 140; count += 1 + count / 9)
+        for (size_t at = 0; at < count; at++)
+            for (int stream = 0; stream < SOUP_STREAMS; stream++) {
+                check_not_finite(count, at, stream, 3, tribox_overlap_any, "any", at + 1);
+                check_not_finite(count, at, stream, 0, tribox_overlap_all, "all", at);
+            }
+}
+
+/* Nothing overlaps the empty box; and no triangle is there to differ in an empty soup. */
+static void test_empty(void **state)
+{
+    (void)state;
+    static const tribox_box empty = {{0, 0, 1}, {1, 1, 0}};
+    catch_faults();
+    for (size_t i = 0; i < 200; i++)
+        put(i, 0);
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            const tribox_options options = {.accuracy = accuracy, .kernel = names[k]};
+            question q = soup_of(0);
+            memset(q.stream, 0, sizeof q.stream);
+            expect_both(&q, &options, 0, 0);
+            q.box = &empty;
+            expect_both(&q, &options, 0, 0);
+            q = soup_of(200);
+            q.box = &empty;
+            expect_both(&q, &options, 200, 0);
+        }
+}
+
+/* Streams that could not be read to their end: they are not. */
+static void test_stops(void **state)
+{
+    (void)state;
+    enum { READABLE = 65536 };
+    const size_t count = (size_t)1 << 22, bytes = count * sizeof(float);
+    catch_faults();
+    for (size_t k = 0; k < kernels; k++)
+        for (size_t at = 0; at < 4096; at = 3 * at + 1) {
+            question q = {.count = count, .box = &cube};
+            for (int s = 0; s < SOUP_STREAMS; s++) {
+                float *const stream = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+                assert_true(stream != MAP_FAILED);
+                assert_int_equal(mprotect(stream, READABLE * sizeof(float), PROT_READ | PROT_WRITE), 0);
+                for (size_t i = 0; s < 3 && i < READABLE; i++)
+                    stream[i] = i == at ? 0.0f : 3.0f;
+                q.stream[s] = stream;
+            }
+            const tribox_options options = {.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]};
+            expect(tribox_overlap_any, "any", &q, &options, at);
+            expect(tribox_overlap_all, "all", &q, &options, at == 0);
+            for (int s = 0; s < SOUP_STREAMS; s++)
+                munmap((void *)(uintptr_t)q.stream[s], bytes);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    kernels = runnable_kernels(names);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scenes),   cmocka_unit_test(test_axes),  cmocka_unit_test(test_one_hit),
+        cmocka_unit_test(test_one_miss), cmocka_unit_test(test_empty), cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_stops),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,316 @@
+/* test_bad_indices.c - an index that names no vertex, wherever it stands, is told, counted and found, and nothing is written. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "fences.h"
+#include "mesh_layout.h"
+#include "runnable.h"
+
+static arguments args;
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+static mesh_fences fences;
+static guarded out[9], mask_fence;
+
+enum { WORDS = LAID_TRIANGLES / 64 + 1 };
+static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
+
+static int set_up(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "fences");
+    fences = mesh_fences_make(&r);
+    for (int s = 0; s < 9; s++)
+        out[s] = guarded_make(sizeof(float) * LAID_TRIANGLES);
+    mask_fence = guarded_make(WORDS * sizeof(uint64_t));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    mesh_fences_free(fences);
+    for (int s = 0; s < 9; s++)
+        guarded_free(out[s]);
+    guarded_free(mask_fence);
+    return 0;
+}
+
+static void say(const char *call, const char *kernel, const tribox_mesh *mesh)
+{
+    char text[MESH_TEXT];
+    snprintf(doing, sizeof doing, "%s, %s, %s", call, kernel, mesh_text(mesh, text));
+}
+
+static void expect_refusal(tribox_status status)
+{
+    if (status != TRIBOX_BAD_INDEX)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+}
+
+static tribox_status make_streams(const tribox_mesh *mesh, size_t first, size_t count, const char *kernel, fenced stream[9])
+{
+    float *to[9];
+    for (int s = 0; s < 9; s++) {
+        stream[s] = fenced_place(out[s], count * sizeof(float), AT_END);
+        to[s] = (float *)(void *)stream[s].at;
+    }
+    say("tribox_mesh_to_streams", kernel, mesh);
+    return tribox_mesh_to_streams(mesh, first, count, &(tribox_options){.kernel = kernel}, to, to + 3, to + 6);
+}
+
+static void check_streams_refused(const tribox_mesh *mesh, size_t first, size_t count, const char *kernel)
+{
+    fenced stream[9];
+    expect_refusal(make_streams(mesh, first, count, kernel, stream));
+    for (int s = 0; s < 9; s++)
+        assert_nothing_written(&stream[s]);
+}
+
+/* The indices beside the range are not looked at. */
+static void check_streams_made(const tribox_mesh *mesh, size_t first, size_t count, const char *kernel)
+{
+    fenced stream[9];
+    if (make_streams(mesh, first, count, kernel, stream))
+        fail_msg("%s: triangles %zu + %zu are refused", doing, first, count);
+}
+
+static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
+{
+    static const tribox_report poison = {12345, 67890};
+    tribox_report report = poison;
+    const fenced mask = fenced_place(mask_fence, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
+    say("tribox_overlap_indexed", kernel, mesh);
+    expect_refusal(tribox_overlap_indexed(mesh, &cube, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
+    assert_nothing_written(&mask);
+    assert_memory_equal(&report, &poison, sizeof poison);
+    expect_refusal(tribox_overlap_indexed(mesh, &cube, &(tribox_options){.kernel = kernel}, NULL, NULL));
+}
+
+static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
+{
+    size_t found = 12345;
+    say("tribox_mesh_bad_indices", "any kernel", mesh);
+    assert_int_equal(tribox_mesh_bad_indices(mesh, &found), count);
+    assert_int_equal(found, first);
+    assert_int_equal(tribox_mesh_bad_indices(mesh, NULL), count);
+}
+
+/* One bad index, at `corner`. */
+static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
+{
+    const size_t right = mesh_number(mesh, corner), triangle = corner / 3;
+    mesh_set_number(mesh, corner, number);
+    check_found(mesh, 1, corner);
+    for (size_t k = 0; k < kernels; k++) {
+        check_answers_refused(mesh, names[k]);
+        check_streams_refused(mesh, 0, mesh->count, names[k]);
+        check_streams_refused(mesh, triangle, 1, names[k]);
+        check_streams_made(mesh, 0, triangle, names[k]);
+        check_streams_made(mesh, triangle + 1, mesh->count - triangle - 1, names[k]);
+    }
+    mesh_set_number(mesh, corner, right);
+}
+
+/* Numbers that are just too large, and as large as they can be; also where the sign bit of a narrower number would be. */
+static size_t draw_bad_number(random_source *r, const tribox_mesh *mesh)
+{
+    static const size_t wide[] = {65536, 0x7fffffff, 0x80000000u, 0x80000001u, 0xffff0000u, 0xfffffffeu, 0xffffffffu};
+    static const size_t narrow[] = {0x7fff, 0x8000, 0x8001, 0xff00, 0xfffe, 0xffff};
+    const size_t any = mesh->index_bytes == 2 ? narrow[random_below(r, 6)] : wide[random_below(r, 7)];
+    return random_below(r, 2) || any < mesh->vertices ? mesh->vertices : any;
+}
+
+static tribox_mesh any_mesh(random_source *r, size_t count, unsigned index_bytes)
+{
+    const layout l = {count,
+                      index_bytes,
+                      random_below(r, 2) ? 12 : (size_t)random_between(r, 12, 40),
+                      (index_pattern)random_below(r, INDEX_PATTERNS),
+                      random_below(r, 4),
+                      random_below(r, 2)};
+    return mesh_lay(r, &l, fences);
+}
+
+/* Each corner in turn. */
+static void test_each_corner(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {1, 2, 3, 17, 63, 64, 65, 66, 130};
+    catch_faults();
+    random_source r = random_named(args.seed, "each corner");
+    for (unsigned bytes = 2; bytes <= 4; bytes += 2)
+        for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
+            const tribox_mesh mesh = any_mesh(&r, counts[c], bytes);
+            for (size_t corner = 0; corner < 3 * mesh.count; corner++)
+                check_corner(&mesh, corner, draw_bad_number(&r, &mesh));
+        }
+}
+
+/* About the ends of blocks, whatever they are. */
+static void test_edges_of_blocks(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "edges of blocks");
+    for (unsigned bytes = 2; bytes <= 4; bytes += 2)
+        for (size_t block = 256; block <= 4096; block *= 2) {
+            const tribox_mesh mesh = any_mesh(&r, block + 1 + (size_t)random_below(&r, 70), bytes);
+            for (size_t triangle = block - 1; triangle <= block; triangle++)
+                check_corner(&mesh, 3 * triangle + (size_t)random_below(&r, 3), draw_bad_number(&r, &mesh));
+            check_corner(&mesh, 3 * mesh.count - 1, draw_bad_number(&r, &mesh));
+        }
+}
+
+/* Any number of bad indices, all of them included. */
+static void test_many(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "many");
+    for (unsigned bytes = 2; bytes <= 4; bytes += 2)
+        for (int times = 0; times < 200; times++) {
+            const tribox_mesh mesh = any_mesh(&r, 1 + (size_t)random_below(&r, 200), bytes);
+            const int share = random_below(&r, 5);
+            size_t count = 0, first = 0;
+            for (size_t corner = 3 * mesh.count; corner-- > 0;)
+                if (random_below(&r, 4) < share) {
+                    mesh_set_number(&mesh, corner, draw_bad_number(&r, &mesh));
+                    count++;
+                    first = corner;
+                }
+            check_found(&mesh, count, count ? first : 3 * mesh.count);
+            if (count)
+                check_answers_refused(&mesh, names[(size_t)times % kernels]);
+        }
+}
+
+/* Without indices it is the vertices that are too few. */
+static void test_too_few_vertices(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "too few");
+    for (size_t count = 1; count <= 200; count++) {
+        tribox_mesh mesh = any_mesh(&r, count, 0);
+        const size_t missing = count % 2 ? 1 + count % 5 % 3 : 1 + (size_t)random_below(&r, (int)(3 * count));
+        mesh.vertices = 3 * count - missing;
+        check_found(&mesh, missing, mesh.vertices);
+        for (size_t k = 0; k < kernels; k++) {
+            check_answers_refused(&mesh, names[k]);
+            check_streams_refused(&mesh, mesh.vertices / 3, count - mesh.vertices / 3, names[k]);
+            check_streams_made(&mesh, 0, mesh.vertices / 3, names[k]);
+        }
+    }
+}
+
+/* No vertex at all: every index is bad. */
+static void test_no_vertices(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "no vertices");
+    for (unsigned bytes = 0; bytes <= 4; bytes += 2) {
+        tribox_mesh mesh = any_mesh(&r, 70, bytes);
+        mesh.vertices = 0;
+        check_found(&mesh, 210, 0);
+        for (size_t k = 0; k < kernels; k++) {
+            check_answers_refused(&mesh, names[k]);
+            check_streams_refused(&mesh, 69, 1, names[k]);
+            check_streams_made(&mesh, 70, 0, names[k]);
+        }
+    }
+}
+
+/* A count that is garbage, without indices: what is missing can be told without a look at each corner. */
+static void test_garbage_count(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "garbage count");
+    tribox_mesh mesh = any_mesh(&r, 10, 0);
+    mesh.vertices = 30;
+    mesh.count = PTRDIFF_MAX / 36;
+    check_found(&mesh, 3 * mesh.count - 30, 30);
+}
+
+#if SIZE_MAX > 0xffffffffu
+static size_t page_of(size_t byte, size_t page) { return byte / page * page; }
+
+/*
+ * As many vertices as 32 bits can name, of which a few lie in memory that may be touched: neither numbers nor places are ever taken
+ * for signed, or for narrower than they are.
+ */
+static void test_greatest_numbers(void **state)
+{
+    (void)state;
+    static const uint32_t number[] = {0,          1,          0x15555555, 0x2aaaaaaa, 0x55555555, 0x7fffffff,
+                                      0x80000000, 0x80000001, 0xaaaaaaaa, 0xd5555555, 0xfffffffe, 0xffffffff};
+    enum { NUMBERS = sizeof number / sizeof number[0], CORNERS = 3 * 150 };
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE), vertices = (size_t)1 << 32, bytes = 12 * vertices;
+    catch_faults();
+    unsigned char *const all = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (all == MAP_FAILED) {
+        print_message("no %zu bytes of addresses here\n", bytes);
+        skip();
+    }
+    random_source r = random_named(args.seed, "greatest");
+    for (int n = 0; n < NUMBERS; n++) {
+        const size_t at = 12 * (size_t)number[n], from = page_of(at, page), end = page_of(at + 15, page) + page;
+        assert_int_equal(mprotect(all + from, (end < bytes ? end : bytes) - from, PROT_READ | PROT_WRITE), 0);
+        const float position[3] = {(float)n, 0, random_below(&r, 2) ? 2 : 0};
+        memcpy(all + at, position, sizeof position);
+    }
+    uint32_t indices[CORNERS];
+    const tribox_mesh mesh = {all, 12, vertices, indices, 4, CORNERS / 3};
+    for (int round = 0; round < 20; round++) {
+        for (int c = 0; c < CORNERS; c++)
+            indices[c] = number[random_below(&r, NUMBERS - (round % 2))];
+        check_found(&mesh, 0, CORNERS);
+        for (size_t k = 0; k < kernels; k++) {
+            float got[9][CORNERS / 3], want[9][CORNERS / 3];
+            float *const x[3] = {got[0], got[1], got[2]}, *const y[3] = {got[3], got[4], got[5]},
+                         *const z[3] = {got[6], got[7], got[8]};
+            float *const expected[9] = {want[0], want[1], want[2], want[3], want[4], want[5], want[6], want[7], want[8]};
+            mesh_expect(&mesh, 0, mesh.count, expected);
+            say("tribox_mesh_to_streams", names[k], &mesh);
+            assert_int_equal(tribox_mesh_to_streams(&mesh, 0, mesh.count, &(tribox_options){.kernel = names[k]}, x, y, z),
+                             TRIBOX_OK);
+            assert_memory_equal(got, want, sizeof got);
+        }
+        tribox_mesh less = mesh;
+        less.vertices--;
+        indices[random_below(&r, CORNERS)] = 0xffffffff;
+        for (size_t k = 0; k < kernels; k++)
+            check_answers_refused(&less, names[k]);
+    }
+    munmap(all, bytes);
+}
+#else
+static void test_greatest_numbers(void **state)
+{
+    (void)state;
+    skip();
+}
+#endif
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    kernels = runnable_kernels(names);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_corner),      cmocka_unit_test(test_edges_of_blocks), cmocka_unit_test(test_many),
+        cmocka_unit_test(test_too_few_vertices), cmocka_unit_test(test_no_vertices),     cmocka_unit_test(test_greatest_numbers),
+        cmocka_unit_test(test_garbage_count),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

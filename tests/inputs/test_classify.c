@@ -1,0 +1,264 @@
+/*
+ * test_classify.c - inside are the triangles whose nine coordinates are within the bounds: exactly, at every accuracy, for each set
+ * of axes and kernel. The mask is that of tribox_overlap and them: FAST may miss there what lies inside.
+ */
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "drawn.h"
+#include "fences.h"
+#include "runnable.h"
+
+static arguments args;
+static drawn numbers;
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+static guarded stream_fence[SOUP_STREAMS], mask_fence, inside_fence;
+
+static int set_up(void **state)
+{
+    (void)state;
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        stream_fence[s] = guarded_make(DRAWN_MOST * sizeof(float));
+    mask_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
+    inside_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        guarded_free(stream_fence[s]);
+    guarded_free(mask_fence);
+    guarded_free(inside_fence);
+    return 0;
+}
+
+/* False of a NaN, as of every comparison with one; and of all triangles where the box is empty. */
+static bool is_inside(const question *q, size_t i)
+{
+    for (int s = 0; s < SOUP_STREAMS; s++) {
+        const float u = q->stream[s][i];
+        if (!(u >= q->box->lo[s / 3] && u <= q->box->hi[s / 3]))
+            return false;
+    }
+    return true;
+}
+
+static void expect_inside(const question *q, uint64_t *inside)
+{
+    memset(inside, 0, tribox_mask_words(q->count) * sizeof *inside);
+    for (size_t i = 0; i < q->count; i++)
+        inside[i / 64] |= (uint64_t)is_inside(q, i) << i % 64;
+}
+
+static uint64_t *words_of(const fenced *place) { return (uint64_t *)(void *)place->at; }
+
+static void ask(const question *q, const tribox_options *options, uint64_t *mask, uint64_t *inside, tribox_report *report)
+{
+    const tribox_soup soup = question_soup(q);
+    const tribox_status status = tribox_classify(&soup, q->box, options, mask, inside, report);
+    if (status)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+}
+
+static void assert_report(const question *q, const tribox_options *options, const tribox_report *got, size_t overlapping)
+{
+    if (got->overlapping != overlapping || got->undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count))
+        fail_msg("%s: reports %zu of %zu, %zu undecided", doing, got->overlapping, overlapping, got->undecided);
+}
+
+/* Any of the three outputs may be absent. */
+static void check(const question *q, const tribox_options *options)
+{
+    static uint64_t overlapping[DRAWN_WORDS], within[DRAWN_WORDS];
+    char text[QUESTION_TEXT];
+    tribox_report report = {0, 0};
+    ask_ok(q, options, overlapping, NULL);
+    expect_inside(q, within);
+    for (size_t w = 0; w < tribox_mask_words(q->count); w++) {
+        if (options->accuracy != TRIBOX_FAST && within[w] & ~overlapping[w])
+            fail_msg("%s: what is inside does not overlap", question_text(q, options, text));
+        overlapping[w] |= within[w];
+    }
+    snprintf(doing, sizeof doing, "tribox_classify: %s", question_text(q, options, text));
+
+    const size_t bytes = tribox_mask_words(q->count) * sizeof(uint64_t);
+    for (int wanted = 0; wanted < 8; wanted++) {
+        const fenced mask = fenced_place(mask_fence, bytes, AT_END), inside = fenced_place(inside_fence, bytes, AT_END);
+        ask(q, options, wanted & 1 ? words_of(&mask) : NULL, wanted & 2 ? words_of(&inside) : NULL, wanted & 4 ? &report : NULL);
+        if (wanted & 1) {
+            assert_masks_equal(q, options, overlapping, words_of(&mask));
+            assert_nothing_beside(&mask);
+        }
+        if (wanted & 2) {
+            assert_masks_equal(q, options, within, words_of(&inside));
+            assert_nothing_beside(&inside);
+        }
+        if (wanted & 4)
+            assert_report(q, options, &report, mask_population(overlapping, q->count));
+    }
+}
+
+/* Streams of some triangles, each at the page behind it. */
+static question between_fences(const question *from, size_t first, size_t count)
+{
+    question q = {.count = count, .box = from->box};
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        q.stream[s] = memcpy(guarded_tail(stream_fence[s], count * sizeof(float)), from->stream[s] + first, count * sizeof(float));
+    return q;
+}
+
+static void check_kernels(const question *q)
+{
+    for (size_t k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            check(q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
+}
+
+/* Many vertices of the lattice lie on the faces of the box. */
+static question draw_lattice(random_source *r, const tribox_box *box, size_t count)
+{
+    question q = {.count = count, .box = box};
+    for (int s = 0; s < SOUP_STREAMS; s++) {
+        q.stream[s] = numbers.stream[s];
+        for (size_t i = 0; i < count; i++)
+            numbers.stream[s][i] = random_sign_of_zero(r, 0.5f * (float)random_between(r, i % 3 ? -2 : -4, i % 3 ? 2 : 4));
+    }
+    return q;
+}
+
+static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
+
+static void test_every_count(void **state)
+{
+    (void)state;
+    static const size_t large[] = {511, 512, 513, 4095, 4096, 4097, 4160, 8193, 10000};
+    catch_faults();
+    random_source r = random_named(args.seed, "every count");
+    const question all = draw_lattice(&r, &cube, DRAWN_MOST);
+    for (size_t count = 0; count <= 200; count++) {
+        const question q = between_fences(&all, 3 * count, count);
+        check_kernels(&q);
+    }
+    for (size_t c = 0; c < sizeof large / sizeof large[0]; c++) {
+        const question q = between_fences(&all, 0, large[c]);
+        for (size_t k = 0; k < kernels; k++)
+            check(&q, &(tribox_options){.accuracy = (tribox_accuracy)(c % 3), .kernel = names[k]});
+    }
+}
+
+static void test_axes(void **state)
+{
+    (void)state;
+    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
+    catch_faults();
+    random_source r = random_named(args.seed, "axes");
+    const question q = draw_lattice(&r, &cube, 150);
+    for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
+        for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++)
+            for (size_t k = 0; k < kernels; k++)
+                check(&q, &(tribox_options){(tribox_accuracy)((o + k) % 3), axes, orders[o], names[k]});
+}
+
+/* The whole range of floats: FAST must not lose what is inside either. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        for (int round = 0; round < 3; round++) {
+            const question q = draw_question(&r, scene_at(i), true, &numbers);
+            check_kernels(&q);
+        }
+    }
+}
+
+/* Scenes where most is inside: the vertices moved to the nearest points of the box, some of them beside it by one ulp. */
+static void test_scenes_clamped(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        for (int round = 0; round < 3; round++) {
+            const question q = draw_question(&r, scene_at(i), true, &numbers);
+            for (int s = 0; s < SOUP_STREAMS; s++)
+                for (size_t k = 0; k < q.count; k++) {
+                    float *const u = &numbers.stream[s][k];
+                    *u = fminf(fmaxf(*u, q.box->lo[s / 3]), q.box->hi[s / 3]);
+                    if (!random_below(&r, 40))
+                        *u = nextafterf(*u, random_below(&r, 2) ? FLT_MAX : -FLT_MAX);
+                }
+            check_kernels(&q);
+        }
+    }
+}
+
+/* Boxes that are flat, or reach to the ends of the range; bounds of either zero. */
+static const tribox_box special[] = {
+    {{-1, -1, -1}, {1, 1, 1}},
+    {{0.25f, 0.25f, 0.25f}, {0.5f, 0.75f, 1}},
+    {{-1, 0.5f, -1}, {1, 0.5f, 1}},
+    {{0, 0, 0}, {0, 0, 0}},
+    {{-0.0f, 0, -0.0f}, {0, -0.0f, 1}},
+    {{-3, 0, 0x1p-149f}, {-3, 0, 0x1p-149f}},
+    {{-0x1p-149f, 0x1p-149f, -0x1p-126f}, {0x1p-149f, 0x1.8p-140f, 0x1p-126f}},
+    {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}},
+    {{FLT_MAX, -FLT_MAX, 0}, {FLT_MAX, -FLT_MAX, FLT_MAX}},
+    {{1, 0, 0}, {0, 1, 1}},
+    {{0, 0, 0x1p-149f}, {1, 1, 0}},
+};
+
+/*
+ * Each of the 18 comparisons decides a triangle alone: its vertices are corners of the box, but for one number, which is beside
+ * one bound by an ulp, infinite or NaN. The triangles around it, to both sides, are inside.
+ */
+static void test_each_comparison(void **state)
+{
+    (void)state;
+    enum { KINDS = 4, COUNT = 6 * 6 * KINDS + 37 };
+    catch_faults();
+    random_source r = random_named(args.seed, "each comparison");
+    for (size_t b = 0; b < sizeof special / sizeof special[0]; b++)
+        for (size_t spread = 1; spread <= 5; spread++) {
+            const tribox_box *const box = &special[b];
+            question q = {.count = COUNT * spread, .box = box};
+            for (int s = 0; s < SOUP_STREAMS; s++) {
+                q.stream[s] = numbers.stream[s];
+                for (size_t i = 0; i < q.count; i++)
+                    numbers.stream[s][i] = random_sign_of_zero(&r, random_below(&r, 2) ? box->lo[s / 3] : box->hi[s / 3]);
+            }
+            for (size_t c = 0; c < 18 * KINDS; c++) {
+                const size_t s = c % 9, side = c / 9 % 2, kind = c / 18;
+                const float ulp = side ? nextafterf(box->hi[s / 3], INFINITY) : nextafterf(box->lo[s / 3], -INFINITY);
+                const float beside[KINDS] = {ulp, side ? INFINITY : -INFINITY, NAN, -NAN};
+                numbers.stream[s][c * spread + c % spread] = beside[kind];
+            }
+            for (size_t k = 0; k < kernels; k++)
+                for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+                    check(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
+        }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    kernels = runnable_kernels(names);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_count),     cmocka_unit_test(test_axes),
+        cmocka_unit_test(test_scenes),          cmocka_unit_test(test_scenes_clamped),
+        cmocka_unit_test(test_each_comparison),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,288 @@
+/*
+ * test_indexed.c - a mesh of any layout is the streams of its triangles: the same numbers bit for bit, and the same answers.
+ *
+ * Positions and indices end at a page that cannot be touched, or begin at one.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "fences.h"
+#include "mesh_layout.h"
+#include "question.h"
+#include "runnable.h"
+
+static arguments args;
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+static mesh_fences fences;
+static guarded out[9], mask_fence, report_fence;
+
+enum { WORDS = LAID_TRIANGLES / 64 + 1 };
+static float numbers[9][LAID_TRIANGLES];
+static float *const expected[9] = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
+                                   numbers[5], numbers[6], numbers[7], numbers[8]};
+
+static const tribox_box boxes[] = {{{-1, -1, -1}, {1, 1, 1}}, {{-0.75f, -2, 0}, {0.5f, 0.25f, 0}}, {{0, 1, 0}, {1, 0, 1}}};
+
+static int set_up(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "fences");
+    fences = mesh_fences_make(&r);
+    for (int s = 0; s < 9; s++)
+        out[s] = guarded_make(sizeof numbers[s] + 64);
+    mask_fence = guarded_make(WORDS * sizeof(uint64_t) + 64);
+    report_fence = guarded_make(sizeof(tribox_report));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    mesh_fences_free(fences);
+    for (int s = 0; s < 9; s++)
+        guarded_free(out[s]);
+    guarded_free(mask_fence);
+    guarded_free(report_fence);
+    return 0;
+}
+
+static void say(const char *call, const tribox_mesh *mesh, const tribox_options *options, size_t first, size_t count)
+{
+    char text[MESH_TEXT];
+    static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
+    snprintf(doing, sizeof doing, "%s, %s, triangles %zu + %zu of %s", call, options->kernel, first, count, mesh_text(mesh, text));
+    const size_t length = strlen(doing);
+    snprintf(doing + length, sizeof doing - length, ", %s %u %u", accuracy[options->accuracy], options->axes, options->order);
+}
+
+/* Some triangles as streams, each at a place of its own. `expected` holds those of the whole mesh. */
+static void check_streams(const tribox_mesh *mesh, const tribox_options *options, size_t first, size_t count, int place)
+{
+    fenced stream[9];
+    float *to[9];
+    for (int s = 0; s < 9; s++) {
+        stream[s] = fenced_place(out[s], count * sizeof(float), place == AT_END ? AT_END : 4 * ((place + s) % 16));
+        to[s] = (float *)(void *)stream[s].at;
+    }
+    say("tribox_mesh_to_streams", mesh, options, first, count);
+    const tribox_status status = tribox_mesh_to_streams(mesh, first, count, options, to, to + 3, to + 6);
+    if (status)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+    for (int s = 0; s < 9; s++) {
+        if (count && memcmp(to[s], expected[s] + first, count * sizeof(float)))
+            fail_msg("%s: stream %d differs", doing, s);
+        assert_nothing_beside(&stream[s]);
+    }
+}
+
+static tribox_soup expected_soup(size_t count)
+{
+    return (tribox_soup){{expected[0], expected[1], expected[2]},
+                         {expected[3], expected[4], expected[5]},
+                         {expected[6], expected[7], expected[8]},
+                         count};
+}
+
+/* What is undecided may depend on the blocks, and hardly does. */
+static bool is_about(size_t undecided, size_t wanted)
+{
+    return undecided + 8 >= wanted - wanted / 8 && undecided <= wanted + wanted / 8 + 8;
+}
+
+static void check_answers(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options, int place)
+{
+    const tribox_soup soup = expected_soup(mesh->count);
+    const size_t bytes = tribox_mask_words(mesh->count) * sizeof(uint64_t);
+    uint64_t want[WORDS];
+    tribox_report wanted;
+    assert_int_equal(tribox_overlap(&soup, box, options, want, &wanted), TRIBOX_OK);
+
+    const fenced mask = fenced_place(mask_fence, bytes, place == AT_END ? AT_END : 8 * (place % 8));
+    const fenced report = fenced_place(report_fence, sizeof wanted, place == AT_END ? AT_END : 0);
+    say("tribox_overlap_indexed", mesh, options, 0, mesh->count);
+    const tribox_status status =
+        tribox_overlap_indexed(mesh, box, options, (uint64_t *)(void *)mask.at, (tribox_report *)(void *)report.at);
+    if (status)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+    if (bytes && memcmp(mask.at, want, bytes))
+        fail_msg("%s: the mask differs", doing);
+    const tribox_report *const got = (const tribox_report *)(const void *)report.at;
+    if (got->overlapping != wanted.overlapping || !is_about(got->undecided, wanted.undecided))
+        fail_msg("%s: reports %zu of %zu, %zu of about %zu undecided", doing, got->overlapping, wanted.overlapping, got->undecided,
+                 wanted.undecided);
+    assert_nothing_beside(&mask);
+    assert_nothing_beside(&report);
+
+    tribox_report alone;
+    assert_int_equal(tribox_overlap_indexed(mesh, box, options, NULL, &alone), TRIBOX_OK);
+    assert_memory_equal(&alone, got, sizeof alone);
+}
+
+static tribox_options draw_options(random_source *r, const char *kernel)
+{
+    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
+    return (tribox_options){(tribox_accuracy)random_below(r, 3), (unsigned)random_below(r, 8), orders[random_below(r, 7)], kernel};
+}
+
+static void check_mesh(random_source *r, const tribox_mesh *mesh, int place)
+{
+    size_t first_bad = 12345;
+    mesh_expect(mesh, 0, mesh->count, expected);
+    say("tribox_mesh_bad_indices", mesh, &(tribox_options){0}, 0, mesh->count);
+    assert_int_equal(tribox_mesh_bad_indices(mesh, &first_bad), 0);
+    assert_int_equal(first_bad, 3 * mesh->count);
+    for (size_t k = 0; k < kernels; k++) {
+        const size_t first = mesh->count ? (size_t)random_below(r, (int)mesh->count) : 0,
+                     count = (size_t)random_below(r, (int)(mesh->count - first) + 1);
+        check_streams(mesh, &(tribox_options){.kernel = names[k]}, 0, mesh->count, place);
+        check_streams(mesh, &(tribox_options){.kernel = names[k]}, first, count, place);
+        check_streams(mesh, &(tribox_options){.kernel = names[k]}, first, mesh->count - first, place);
+        check_answers(mesh, &boxes[0], &(tribox_options){.kernel = names[k]}, place);
+        const tribox_options any = draw_options(r, names[k]);
+        check_answers(mesh, &boxes[random_below(r, sizeof boxes / sizeof boxes[0])], &any, place);
+    }
+}
+
+static const unsigned index_sizes[] = {0, 2, 4};
+
+/* Every small count in every stride; patterns, places and alignments change from one to the next. */
+static void test_small_counts(void **state)
+{
+    (void)state;
+    static const size_t strides[] = {0, 12, 13, 15, 16, 20, 24, 32, 36, 4096, 4099};
+    catch_faults();
+    random_source r = random_named(args.seed, "small counts");
+    for (size_t s = 0; s < sizeof strides / sizeof strides[0]; s++)
+        for (int b = 0; b < 3; b++)
+            for (size_t count = 0; count <= 200; count++) {
+                const int turn = random_below(&r, 16);
+                const layout l = {count,
+                                  index_sizes[b],
+                                  strides[s],
+                                  (index_pattern)random_below(&r, INDEX_PATTERNS),
+                                  random_below(&r, 2) ? 0 : random_between(&r, 1, 3),
+                                  turn % 2};
+                const tribox_mesh mesh = mesh_lay(&r, &l, fences);
+                check_mesh(&r, &mesh, turn < 4 ? AT_END : turn);
+            }
+}
+
+/* Each pattern with nothing between the last vertex, the last index and the page behind them. */
+static void test_patterns(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, 63, 64, 65, 80, 127, 128, 129, 200};
+    static const size_t strides[] = {12, 13, 16, 36};
+    catch_faults();
+    random_source r = random_named(args.seed, "patterns");
+    for (size_t s = 0; s < sizeof strides / sizeof strides[0]; s++)
+        for (index_pattern pattern = 0; pattern < INDEX_PATTERNS; pattern++)
+            for (int b = 1; b < 3; b++)
+                for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++)
+                    for (int is_at_end = 0; is_at_end < 2; is_at_end++) {
+                        const layout l = {counts[c], index_sizes[b], strides[s], pattern, 0, is_at_end};
+                        const tribox_mesh mesh = mesh_lay(&r, &l, fences);
+                        check_mesh(&r, &mesh, AT_END);
+                    }
+}
+
+/* Blocks of any power of two up to 4096, less one and more one. */
+static void test_edges_of_blocks(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "edges of blocks");
+    for (size_t block = 256; block <= 4096; block *= 2)
+        for (size_t count = block - 1; count <= block + 1; count++)
+            for (int b = 0; b < 3; b++)
+                for (int is_at_end = 0; is_at_end < 2; is_at_end++) {
+                    const layout l = {count,
+                                      index_sizes[b],
+                                      (size_t)random_between(&r, 12, 40),
+                                      (index_pattern)random_below(&r, INDEX_PATTERNS),
+                                      random_below(&r, 4),
+                                      is_at_end};
+                    const tribox_mesh mesh = mesh_lay(&r, &l, fences);
+                    check_mesh(&r, &mesh, is_at_end ? AT_END : 3);
+                }
+}
+
+/* Every range of a mesh that starts and ends anywhere in the first words. */
+static void test_ranges(void **state)
+{
+    (void)state;
+    enum { COUNT = 150 };
+    catch_faults();
+    random_source r = random_named(args.seed, "ranges");
+    for (int b = 0; b < 3; b++) {
+        const layout l = {COUNT, index_sizes[b], 12 + 4 * (size_t)b, PATTERN_ANY, b, b % 2};
+        const tribox_mesh mesh = mesh_lay(&r, &l, fences);
+        mesh_expect(&mesh, 0, COUNT, expected);
+        for (size_t first = 0; first <= COUNT; first++)
+            for (size_t count = 0; count <= COUNT - first; count += count < 70 ? 1 : 7)
+                check_streams(&mesh, &(tribox_options){.kernel = names[(first + count) % kernels]}, first, count,
+                              count % 2 ? AT_END : (int)(first % 16));
+    }
+}
+
+/* Words of triangles beside the box, and others of which one vertex alone is not: nothing may be left out too much. */
+static void test_beside(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "beside");
+    for (int round = 0; round < 120; round++) {
+        const layout l = {round % 4 ? (size_t)random_between(&r, 1, 700) : (size_t)random_between(&r, 4000, LAID_TRIANGLES),
+                          index_sizes[round % 3],
+                          round % 8 ? 12 : 16,
+                          random_below(&r, 3) ? PATTERN_NEAR : (index_pattern)random_below(&r, INDEX_PATTERNS),
+                          round % 5 ? 0 : 2,
+                          random_below(&r, 2)};
+        const tribox_mesh mesh = mesh_lay(&r, &l, fences);
+        mesh_move_beside(&r, &mesh, &boxes[0]);
+        check_mesh(&r, &mesh, AT_END);
+        for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
+            check_answers(&mesh, &boxes[0],
+                          &(tribox_options){(tribox_accuracy)(axes % 3), axes, 0, names[(axes + (size_t)round) % kernels]}, AT_END);
+    }
+}
+
+/* A mesh without indices may have more vertices than it needs; 2-byte indices reach a part of a larger mesh. */
+static void test_more_vertices_than_named(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "more vertices");
+    for (int b = 0; b < 3; b++) {
+        const layout l = {LAID_TRIANGLES, index_sizes[b], 12, PATTERN_ANY, 0, false};
+        tribox_mesh mesh = mesh_lay(&r, &l, fences);
+        mesh.vertices = 70000;
+        for (size_t corner = 0; b && corner < 3 * mesh.count; corner++)
+            mesh_set_number(&mesh, corner, (size_t)random_below(&r, 65536));
+        if (b)
+            mesh_set_number(&mesh, 3 * mesh.count - 1, 65535);
+        check_mesh(&r, &mesh, AT_END);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    kernels = runnable_kernels(names);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_small_counts),
+        cmocka_unit_test(test_patterns),
+        cmocka_unit_test(test_edges_of_blocks),
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_more_vertices_than_named),
+        cmocka_unit_test(test_beside),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,115 @@
+/* test_mask_indices.c - the set bits of a mask, in order, and no bit past the count. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "guard.h"
+#include "random.h"
+#include "tribox.h"
+
+static arguments args;
+
+enum { WORDS = 200, COUNT_MOST = 64 * WORDS };
+static guarded mask_fence, index_fence;
+
+static int set_up(void **state)
+{
+    (void)state;
+    mask_fence = guarded_make(WORDS * sizeof(uint64_t));
+    index_fence = guarded_make(COUNT_MOST * sizeof(uint32_t));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    guarded_free(mask_fence);
+    guarded_free(index_fence);
+    return 0;
+}
+
+/* Of about one bit in `spread`; 0 for none. */
+static uint64_t draw_word(random_source *r, int spread)
+{
+    uint64_t word = 0;
+    for (int bit = 0; spread && bit < 64; bit++)
+        word |= (uint64_t)(random_below(r, spread) == 0) << bit;
+    return word;
+}
+
+/* The mask and the room for its indices end at pages that cannot be touched. Bits past the count are as they come. */
+static void check(random_source *r, size_t count, int spread)
+{
+    const size_t words = tribox_mask_words(count);
+    uint64_t *const mask = guarded_tail(mask_fence, words * sizeof *mask);
+    uint32_t expected[COUNT_MOST];
+    size_t set = 0;
+    for (size_t w = 0; w < words; w++)
+        mask[w] = draw_word(r, spread);
+    if (count % 64 && random_below(r, 2))
+        mask[words - 1] |= ~UINT64_C(0) << count % 64;
+    for (size_t i = 0; i < count; i++)
+        if (mask[i / 64] >> i % 64 & 1)
+            expected[set++] = (uint32_t)i;
+
+    snprintf(doing, sizeof doing, "tribox_mask_indices, count %zu, %zu bits set", count, set);
+    uint32_t *const indices = guarded_tail(index_fence, set * sizeof *indices);
+    assert_int_equal(tribox_mask_indices(mask, count, NULL), set);
+    assert_int_equal(tribox_mask_indices(mask, count, indices), set);
+    if (set)
+        assert_memory_equal(indices, expected, set * sizeof *indices);
+}
+
+/* All bits set, none, and anything between. */
+static void test_every_count(void **state)
+{
+    (void)state;
+    static const int spreads[] = {0, 1, 2, 3, 7, 64, 300};
+    catch_faults();
+    random_source r = random_named(args.seed, "every count");
+    for (size_t count = 0; count <= 300; count++)
+        for (size_t s = 0; s < sizeof spreads / sizeof spreads[0]; s++)
+            check(&r, count, spreads[s]);
+    for (size_t s = 0; s < sizeof spreads / sizeof spreads[0]; s++)
+        for (size_t count = COUNT_MOST - 65; count <= COUNT_MOST; count++)
+            check(&r, count, spreads[s]);
+}
+
+/* Each bit alone, and each bit alone past the count. */
+static void test_each_bit(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t bit = 0; bit < 192; bit++)
+        for (size_t count = 0; count <= 192; count++) {
+            uint64_t mask[3] = {0};
+            uint32_t index[1] = {0xffffffffu};
+            mask[bit / 64] = UINT64_C(1) << bit % 64;
+            assert_int_equal(tribox_mask_indices(mask, count, NULL), bit < count);
+            assert_int_equal(tribox_mask_indices(mask, count, index), bit < count);
+            assert_int_equal(index[0], bit < count ? bit : 0xffffffffu);
+        }
+}
+
+static void test_nothing(void **state)
+{
+    (void)state;
+    uint32_t index = 7;
+    assert_int_equal(tribox_mask_indices(NULL, 0, NULL), 0);
+    assert_int_equal(tribox_mask_indices(NULL, 0, &index), 0);
+    assert_int_equal(index, 7);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_count),
+        cmocka_unit_test(test_each_bit),
+        cmocka_unit_test(test_nothing),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

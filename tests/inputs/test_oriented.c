@@ -1,0 +1,381 @@
+/*
+ * test_oriented.c - oriented boxes against rational numbers: EXACT is the oracle on every kernel, CONSERVATIVE never misses,
+ * and FAST errs within its bound alone.
+ */
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "arguments.h"
+#include "guard.h"
+#include "oriented_oracle.h"
+#include "oriented_scenes.h"
+#include "runnable.h"
+
+static arguments args;
+static const char *names[RUNNABLE_MOST];
+static size_t kernels;
+
+enum { STREAMS = 9, WORDS = (ORIENTED_TRIANGLES + 63) / 64 };
+static guarded fence[STREAMS], mask_fence;
+
+/* The question at hand. */
+static const char *scene_name;
+static bool is_ordinary;
+static oriented_batch batch;
+static tribox_soup soup;
+
+/* What is true of it: the triangles that overlap, and those whose bounding box in the frame does. */
+static uint64_t overlapping[WORDS], bounds[WORDS];
+
+static int set_up(void **state)
+{
+    (void)state;
+    for (int s = 0; s < STREAMS; s++)
+        fence[s] = guarded_make(ORIENTED_TRIANGLES * sizeof(float));
+    mask_fence = guarded_make(WORDS * sizeof(uint64_t));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    for (int s = 0; s < STREAMS; s++)
+        guarded_free(fence[s]);
+    guarded_free(mask_fence);
+    return 0;
+}
+
+/* The streams end at pages that cannot be touched. */
+static void lay_soup(void)
+{
+    const size_t count = (size_t)batch.count;
+    const float **const axis[3] = {soup.x, soup.y, soup.z};
+    soup.count = count;
+    for (size_t s = 0; s < STREAMS; s++) {
+        float *const stream = guarded_tail(fence[s], count * sizeof(float));
+        for (size_t i = 0; i < count; i++)
+            stream[i] = batch.u[i][s % 3][s / 3];
+        axis[s / 3][s % 3] = stream;
+    }
+}
+
+static bool is_finite(float u[3][3])
+{
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            if (!isfinite(u[j][a]))
+                return false;
+    return true;
+}
+
+typedef const float (*const_triangle)[3];
+
+static void ask_oracle(void)
+{
+    memset(overlapping, 0, sizeof overlapping);
+    memset(bounds, 0, sizeof bounds);
+    for (int t = 0; t < batch.count; t++) {
+        if (!is_finite(batch.u[t]))
+            continue;
+        const const_triangle u = (const_triangle)batch.u[t];
+        bounds[t / 64] |= (uint64_t)oriented_oracle_bounds(u, &batch.box) << t % 64;
+        overlapping[t / 64] |= (uint64_t)oriented_oracle(u, &batch.box) << t % 64;
+    }
+}
+
+static bool bit_of(const uint64_t *mask, int i) { return mask[i / 64] >> i % 64 & 1; }
+
+static size_t population(const uint64_t *mask)
+{
+    size_t count = 0;
+    for (int i = 0; i < 64 * WORDS; i++)
+        count += bit_of(mask, i);
+    return count;
+}
+
+static void say(const tribox_options *options)
+{
+    static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
+    snprintf(doing, sizeof doing, "tribox_overlap_oriented, scene %s, seed %" PRIu64 ", %s, %s, axes %u, order %u, count %d",
+             scene_name, args.seed, options->kernel, accuracy[options->accuracy], options->axes, options->order, batch.count);
+}
+
+static void fail_at(int i, bool expected)
+{
+    print_error("%s: bit %d is %d and should be %d\n", doing, i, !expected, expected);
+    if (i < batch.count)
+        oriented_explain(stderr, (const_triangle)batch.u[i], &batch.box);
+    fail();
+}
+
+/* The mask, between pages that cannot be touched; bits past the count are zero. */
+static const uint64_t *ask(const tribox_options *options)
+{
+    const size_t words = tribox_mask_words(soup.count);
+    static uint64_t got[WORDS];
+    tribox_report report = {12345, 67890};
+    uint64_t *const mask = guarded_tail(mask_fence, words * sizeof *mask);
+    memset(mask, 0xa5, words * sizeof *mask);
+    say(options);
+    const tribox_status status = tribox_overlap_oriented(&soup, &batch.box, options, mask, &report);
+    if (status)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+    memset(got, 0, sizeof got);
+    memcpy(got, mask, words * sizeof *mask);
+    for (int i = batch.count; i < 64 * WORDS; i++)
+        if (bit_of(got, i))
+            fail_at(i, false);
+    if (report.overlapping != population(got))
+        fail_msg("%s: reports %zu of %zu", doing, report.overlapping, population(got));
+    if (report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : soup.count))
+        fail_msg("%s: reports %zu undecided", doing, report.undecided);
+    tribox_report alone;
+    assert_int_equal(tribox_overlap_oriented(&soup, &batch.box, options, NULL, &alone), TRIBOX_OK);
+    assert_memory_equal(&alone, &report, sizeof alone);
+    return got;
+}
+
+static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
+
+static void check_exact(random_source *r, const char *kernel)
+{
+    const tribox_options all = {TRIBOX_EXACT, random_below(r, 2) ? TRIBOX_AXES_ALL : 0, orders[random_below(r, 7)], kernel};
+    const uint64_t *got = ask(&all);
+    for (int i = 0; i < batch.count; i++)
+        if (bit_of(got, i) != bit_of(overlapping, i))
+            fail_at(i, bit_of(overlapping, i));
+    got = ask(&(tribox_options){TRIBOX_EXACT, TRIBOX_AXES_BOX, 0, kernel});
+    for (int i = 0; i < batch.count; i++)
+        if (bit_of(got, i) != bit_of(bounds, i))
+            fail_at(i, bit_of(bounds, i));
+}
+
+/* Whether the answer about triangle i would be `answer` if the half lengths were others by a share of the sizes at hand. */
+static bool is_near_contact(int i, double share, bool answer)
+{
+    double change[3];
+    for (int k = 0; k < 3; k++) {
+        double size = (double)batch.box.half[k];
+        for (int a = 0; a < 3; a++)
+            for (int j = 0; j < 3; j++)
+                size += fabs((double)batch.box.axis[k][a] * ((double)batch.u[i][j][a] - (double)batch.box.center[a]));
+        change[k] = (answer ? share : -share) * size;
+    }
+    return oriented_oracle_within((const_triangle)batch.u[i], &batch.box, change, false) == answer;
+}
+
+/* No wrong answer is one of rounding if the pair is this far from contact. Needles are left out: see is_ordinary. */
+enum { SHARE_BITS = 12 };
+
+static void check_near_contact(int i, bool answer)
+{
+    if (is_ordinary && !is_near_contact(i, ldexp(1, -SHARE_BITS), answer))
+        fail_at(i, !answer);
+}
+
+/* Whatever the axes, and never a triangle that is not finite. Returns the false overlaps of all thirteen axes. */
+static size_t check_conservative(random_source *r, const char *kernel)
+{
+    size_t too_many = 0;
+    for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
+        const uint64_t *const must = axes == TRIBOX_AXES_BOX ? bounds : overlapping;
+        const uint64_t *const got = ask(&(tribox_options){TRIBOX_CONSERVATIVE, axes, orders[random_below(r, 7)], kernel});
+        for (int i = 0; i < batch.count; i++) {
+            if (bit_of(got, i) ? !is_finite(batch.u[i]) : bit_of(must, i))
+                fail_at(i, bit_of(must, i));
+            if (axes != TRIBOX_AXES_ALL || bit_of(got, i) == bit_of(must, i))
+                continue;
+            too_many++;
+            check_near_contact(i, true);
+        }
+    }
+    return too_many;
+}
+
+/* Returns the wrong answers. */
+static size_t check_fast(const char *kernel)
+{
+    size_t wrong = 0;
+    const uint64_t *const got = ask(&(tribox_options){TRIBOX_FAST, TRIBOX_AXES_ALL, 0, kernel});
+    for (int i = 0; i < batch.count; i++) {
+        if (bit_of(got, i) == bit_of(overlapping, i))
+            continue;
+        if (!is_finite(batch.u[i]))
+            fail_at(i, false);
+        wrong++;
+        check_near_contact(i, bit_of(got, i));
+    }
+    return wrong;
+}
+
+static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
+{
+    lay_soup();
+    ask_oracle();
+    for (size_t k = 0; k < kernels; k++) {
+        check_exact(r, names[k]);
+        *too_many += check_conservative(r, names[k]);
+        *wrong += check_fast(names[k]);
+    }
+}
+
+static void test_scenes(void **state)
+{
+    (void)state;
+    catch_faults();
+    const size_t rounds = args.pairs / (ORIENTED_TRIANGLES * 50);
+    for (int s = 0; s < ORIENTED_SCENES; s++) {
+        size_t asked = 0, hits = 0, too_many = 0, wrong = 0;
+        scene_name = oriented_scenes[s].name;
+        is_ordinary = oriented_scenes[s].is_ordinary;
+        if (args.scenes && strcmp(args.scenes, scene_name))
+            continue;
+        random_source r = random_named(args.seed, scene_name);
+        for (size_t round = 0; round < rounds * oriented_scenes[s].share; round++) {
+            oriented_draw(&oriented_scenes[s], &r, &batch);
+            check_batch(&r, &too_many, &wrong);
+            asked += soup.count;
+            hits += population(overlapping);
+        }
+        print_message("%-14s %zu pairs, %zu overlap; per kernel CONSERVATIVE adds %zu, FAST errs in %zu\n", scene_name, asked, hits,
+                      too_many / kernels, wrong / kernels);
+        assert_in_range(hits, asked / 200, asked - asked / 200);
+    }
+}
+
+static void expect_none(const char *kernel)
+{
+    for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+        if (population(ask(&(tribox_options){.accuracy = accuracy, .kernel = kernel})))
+            fail_msg("%s: an empty box is overlapped", doing);
+}
+
+/* Any negative half length, the least of them too, makes the box empty; a zero of either sign does not. */
+static void test_empty_boxes(void **state)
+{
+    (void)state;
+    static const float below[] = {-0x1p-149f, -1, -FLT_MAX};
+    catch_faults();
+    scene_name = "empty";
+    random_source r = random_named(args.seed, scene_name);
+    for (int count = 0; count <= ORIENTED_TRIANGLES; count += 1 + count / 7)
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b < 3; b++) {
+                oriented_draw(&oriented_scenes[0], &r, &batch);
+                batch.count = count;
+                lay_soup();
+                batch.box.half[a] = below[b];
+                for (size_t k = 0; k < kernels; k++)
+                    expect_none(names[k]);
+            }
+}
+
+/* Corners of the box, along each axis one ulp beyond, and one ulp within: each of six comparisons alone decides. */
+static void test_faces(void **state)
+{
+    (void)state;
+    catch_faults();
+    scene_name = "faces";
+    is_ordinary = false;
+    random_source r = random_named(args.seed, scene_name);
+    size_t unused = 0;
+    for (int round = 0; round < 20; round++) {
+        oriented_draw(&oriented_scenes[1], &r, &batch); /* right angles: coordinates in the frame are those of space */
+        batch.count = ORIENTED_TRIANGLES;
+        for (int a = 0; a < 3; a++) {
+            batch.box.center[a] = 0;
+            batch.box.half[a] = round % 4 ? (float)random_uniform(&r, 0, 2) : 0;
+        }
+        for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
+            const int k = t % 3, side = t / 3 % 2, beyond = t / 6 % 3;
+            for (int i = 0; i < 3; i++) {
+                const float *const axis = batch.box.axis[i];
+                const int a = axis[0] != 0 ? 0 : axis[1] != 0 ? 1 : 2;
+                const float h = batch.box.half[i], plane = beyond == 0 ? h : nextafterf(h, beyond == 1 ? FLT_MAX : -FLT_MAX);
+                for (int j = 0; j < 3; j++)
+                    batch.u[t][j][a] = i != k ? (random_below(&r, 2) ? h : -h) : side ? plane : -plane;
+            }
+        }
+        check_batch(&r, &unused, &unused);
+    }
+}
+
+/* Many blocks of whatever size: the triangles of a batch over and over, each time another one first. */
+static void check_large(const tribox_options *options, size_t count)
+{
+    enum { MOST = 5000 };
+    static float stream[STREAMS][MOST];
+    static uint64_t mask[MOST / 64 + 1];
+    tribox_soup large = {.count = count};
+    const float **const axis[3] = {large.x, large.y, large.z};
+    for (size_t s = 0; s < STREAMS; s++) {
+        axis[s / 3][s % 3] = stream[s];
+        for (size_t i = 0; i < count; i++)
+            stream[s][i] = batch.u[(i + i / ORIENTED_TRIANGLES) % ORIENTED_TRIANGLES][s % 3][s / 3];
+    }
+    tribox_report report;
+    size_t hits = 0;
+    say(options);
+    assert_int_equal(tribox_overlap_oriented(&large, &batch.box, options, mask, &report), TRIBOX_OK);
+    for (size_t i = 0; i < count; i++) {
+        const int t = (int)((i + i / ORIENTED_TRIANGLES) % ORIENTED_TRIANGLES);
+        const bool is_hit = mask[i / 64] >> i % 64 & 1, expected = bit_of(overlapping, t);
+        hits += is_hit;
+        if (options->accuracy == TRIBOX_EXACT ? is_hit != expected : expected && !is_hit)
+            fail_msg("%s, of %zu: bit %zu, triangle %d, should be %d", doing, count, i, t, expected);
+    }
+    assert_int_equal(report.overlapping, hits);
+    assert_in_range(report.undecided, 0, count);
+}
+
+static void test_large(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {255, 256, 257, 511, 512, 513, 576, 1023, 1024, 1025, 2111, 4095, 4096, 4097, 5000};
+    catch_faults();
+    for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
+        const oriented_scene *const s = &oriented_scenes[c % ORIENTED_SCENES];
+        scene_name = s->name;
+        random_source r = random_named(args.seed, scene_name);
+        oriented_draw(s, &r, &batch);
+        batch.count = ORIENTED_TRIANGLES;
+        ask_oracle();
+        for (size_t k = 0; k < kernels; k++)
+            for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++)
+                check_large(&(tribox_options){.accuracy = accuracy, .kernel = names[k]}, counts[c]);
+    }
+}
+
+static bool is_scene_known(const char *name)
+{
+    for (int s = 0; s < ORIENTED_SCENES; s++)
+        if (!name || !strcmp(name, oriented_scenes[s].name))
+            return true;
+    fprintf(stderr, "no scene is called '%s'; there are:", name);
+    for (int s = 0; s < ORIENTED_SCENES; s++)
+        fprintf(stderr, " %s", oriented_scenes[s].name);
+    fprintf(stderr, "\n");
+    return false;
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    if (!is_scene_known(args.scenes))
+        return 2;
+    kernels = runnable_kernels(names);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_empty_boxes),
+        cmocka_unit_test(test_faces),
+        cmocka_unit_test(test_large),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
