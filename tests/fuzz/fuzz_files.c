@@ -1,0 +1,237 @@
+/*
+ * fuzz_files.c - the readers of files of the program: boxes, parts, triangles one behind the other, and the checks of meshes.
+ * The first byte chooses the reader, the others are the file.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "boxes.h"
+#include "claim.h"
+#include "lines.h"
+#include "mesh_file.h"
+#include "message.h"
+#include "part.h"
+#include "target.h"
+#include "triangle_file.h"
+
+typedef struct bytes {
+    const uint8_t *first;
+    size_t size;
+} bytes;
+
+/* In memory of its own, with the NUL byte that mesh_file promises and nothing behind it. */
+static mesh_file mesh_of(bytes b)
+{
+    mesh_file file = {malloc(b.size + 1), b.size};
+    claim(file.bytes, "no memory");
+    memcpy(file.bytes, b.first, b.size);
+    file.bytes[b.size] = '\0';
+    return file;
+}
+
+/* The whole number behind the first `word`; 0 if there is none, or an `end` before it. */
+static unsigned long long number_behind(const mesh_file *file, const char *word, const char *end)
+{
+    const char *const at = strstr(file->bytes, word), *const end_at = strstr(file->bytes, end);
+    unsigned long long number = 0;
+    return at && (!end_at || at < end_at) && sscanf(at + strlen(word), "%llu", &number) == 1 ? number : 0;
+}
+
+/* A header that promises more than the file has bytes is never taken. */
+static void check_ply(bytes b)
+{
+    mesh_file file = mesh_of(b);
+    if (mesh_file_is_ply(&file)) {
+        const int code = mesh_file_check_ply("a.ply", &file);
+        lines_fit("mesh_file_check_ply", code);
+        claim(code || file.bytes[file.size] == '\0', "the NUL byte behind the file is lost");
+        claim(code || number_behind(&file, "\nelement vertex ", "end_header") <= b.size,
+              "more vertices are taken than the file has bytes");
+    }
+    mesh_file_free(&file);
+}
+
+static void check_off(bytes b)
+{
+    mesh_file file = mesh_of(b);
+    const int code = mesh_file_check_off("a.off", &file);
+    lines_fit("mesh_file_check_off", code);
+    claim(code || strncmp(file.bytes, "OFF\n", 4) || number_behind(&file, "OFF\n", "#") <= b.size,
+          "more vertices are taken than the file has bytes");
+    mesh_file_free(&file);
+}
+
+static void check_stl(bytes b)
+{
+    mesh_file file = mesh_of(b);
+    lines_fit("mesh_file_check_stl", mesh_file_check_stl("a.stl", &file));
+    mesh_file_free(&file);
+}
+
+static bool is_same_box(const tribox_box *one, const tribox_box *other)
+{
+    return !memcmp(one->lo, other->lo, sizeof one->lo) && !memcmp(one->hi, other->hi, sizeof one->hi);
+}
+
+/* Nine digits tell every float. */
+static void check_box_again(const tribox_box *box)
+{
+    char text[200];
+    tribox_box again;
+    for (int a = 0; a < 3; a++)
+        claim(isfinite(box->lo[a]) && isfinite(box->hi[a]), "a box that is not finite was read");
+    snprintf(text, sizeof text, "%.9g,%.9g %.9g , %.9g\t%.9g,%.9g", (double)box->lo[0], (double)box->lo[1], (double)box->lo[2],
+             (double)box->hi[0], (double)box->hi[1], (double)box->hi[2]);
+    claim(box_read(text, "box", &again) && is_same_box(box, &again), "the box %s is not read as it was written", text);
+}
+
+static void read_boxes(bytes b)
+{
+    FILE *const stream = b.size ? fmemopen((void *)(uintptr_t)b.first, b.size, "r") : NULL;
+    box_file boxes = {.file = stream, .name = "boxes"};
+    tribox_box box;
+    bool end = !stream;
+    int code = EXIT_CODE_OK;
+    while (!end && !code) {
+        lines_forget();
+        code = box_file_next(&boxes, &box, &end);
+        lines_fit("box_file_next", code);
+        if (!end && !code)
+            check_box_again(&box);
+    }
+    if (stream)
+        box_file_close(&boxes);
+}
+
+/* Files in a folder of their own, which are written anew for each input. */
+enum { FILES = 2 };
+static const char *const endings[FILES] = {".stl", ".part"};
+static char folder[64], file_name[FILES][80];
+
+static void remove_files(void)
+{
+    for (int i = 0; i < FILES; i++)
+        remove(file_name[i]);
+    rmdir(folder);
+}
+
+static void name_files(void)
+{
+    const char *const parent = getenv("TMPDIR");
+    snprintf(folder, sizeof folder, "%.40s/fuzz_XXXXXX", parent ? parent : "/tmp");
+    claim(mkdtemp(folder), "cannot make the folder %s", folder);
+    for (int i = 0; i < FILES; i++)
+        snprintf(file_name[i], sizeof file_name[i], "%s/a%s", folder, endings[i]);
+    atexit(remove_files);
+}
+
+static const char *write_file(int i, bytes b)
+{
+    if (!folder[0])
+        name_files();
+    FILE *const file = fopen(file_name[i], "wb");
+    claim(file && fwrite(b.first, 1, b.size, file) == b.size && !fclose(file), "cannot write %s", file_name[i]);
+    return file_name[i];
+}
+
+/* Every word that a part promises can be read. */
+static void check_part(const part *p)
+{
+    uint32_t first, layers;
+    part_layers(&p->header.whole, p->header.shard, &first, &layers);
+    const size_t words = layers * voxels_layer_words(&p->header.whole.grid);
+    claim(p->size == sizeof p->header + words * sizeof(uint64_t), "a part of %zu bytes is taken for one of %zu words", p->size,
+          words);
+    claim(voxels_count(part_bits(p), words) <= 64 * words, "more cells are set than there are");
+    claim(first + layers <= p->header.whole.grid.size[2], "a part has layers that its grid has not");
+}
+
+/* The first byte cuts the input in two parts. */
+static void read_parts(bytes b)
+{
+    const size_t cut = !b.size ? 0 : b.first[0] == 255 ? b.size : b.first[0] * 8u < b.size ? 1 + b.first[0] * 8u : b.size;
+    const bytes halves[FILES] = {{b.first + (b.size > 0), cut - (b.size > 0)}, {b.first + cut, b.size - cut}};
+    part parts[FILES];
+    int opened = 0;
+    for (int code = 0; !code && opened < FILES && (!opened || halves[opened].size); opened += !code) {
+        lines_forget();
+        code = part_open(&parts[opened], write_file(opened, halves[opened]));
+        lines_fit("part_open", code);
+        if (!code)
+            check_part(&parts[opened]);
+    }
+    lines_forget();
+    if (opened)
+        lines_fit("part_join", part_join(parts, (size_t)opened));
+    while (opened)
+        part_close(&parts[--opened]);
+}
+
+/* Of a block: the floats are those of the file. */
+static void check_block(bytes b, const triangle_file *file, float *const streams[9], size_t count)
+{
+    const bool is_stl = file->format == TRIANGLES_STL;
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < 9; k++) {
+            const uint8_t *const at =
+                b.first + (is_stl ? 84 + 12 + 50 * (file->taken - count + i) : 36 * (file->taken - count + i)) + 4 * k;
+            const uint32_t expected = at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+            uint32_t bits;
+            memcpy(&bits, &streams[k % 3 * 3 + k / 3][i], sizeof bits);
+            claim(bits == expected, "number %zu of triangle %zu of a block is another one", k, i);
+        }
+}
+
+static int read_blocks(bytes b, triangle_file *file)
+{
+    static float room[9][TRIANGLE_BLOCK];
+    float *streams[9];
+    size_t count = 1;
+    int code = EXIT_CODE_OK;
+    for (int k = 0; k < 9; k++)
+        streams[k] = room[k];
+    while (!code && count) {
+        code = triangle_file_next(file, streams, &count);
+        claim(file->taken <= b.size / 36, "more triangles than the file has bytes for");
+        if (!code)
+            check_block(b, file, streams, count);
+    }
+    return code;
+}
+
+/* The first byte tells the format, and whether the file comes by standard input, which has no size. */
+static void read_triangles(bytes b)
+{
+    const unsigned choice = b.size ? b.first[0] : 0;
+    const triangle_format format = (triangle_format)(choice % 3);
+    const bytes rest = {b.first + (b.size > 0), b.size - (b.size > 0)};
+    const char *path = write_file(0, rest);
+    triangle_file file;
+    if (choice & 128 && format != TRIANGLES_OTHER) {
+        claim(freopen(path, "rb", stdin), "standard input cannot be %s", path);
+        path = "-";
+    }
+    int code = triangle_file_open(path, format, &file);
+    if (!code && file.stream) {
+        code = read_blocks(rest, &file);
+        claim(code || file.taken * (file.format == TRIANGLES_STL ? 50 : 36) + (file.format == TRIANGLES_STL ? 84 : 0) == rest.size,
+              "%llu triangles are read of %zu bytes", (unsigned long long)file.taken, rest.size);
+    }
+    lines_fit("triangle_file", code);
+    triangle_file_close(&file);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static void (*const readers[])(bytes) = {check_ply, check_off, check_stl, read_boxes, read_parts, read_triangles};
+    if (!size)
+        return 0;
+    lines_forget();
+    readers[data[0] % (sizeof readers / sizeof readers[0])]((bytes){data + 1, size - 1});
+    return 0;
+}

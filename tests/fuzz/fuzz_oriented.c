@@ -1,0 +1,172 @@
+/* fuzz_oriented.c - tribox_overlap_oriented: a soup and an oriented box, of any three axes. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "answers.h"
+#include "claim.h"
+#include "oriented_oracle.h"
+#include "room.h"
+#include "target.h"
+
+typedef struct question {
+    asked asked;
+    tribox_soup soup;
+    tribox_oriented_box box;
+    bool is_finite, is_empty;
+} question;
+
+static bool are_finite(const float *numbers, int count)
+{
+    for (int k = 0; k < count; k++)
+        if (!isfinite(numbers[k]))
+            return false;
+    return true;
+}
+
+/* The rotation of a quaternion of four small numbers, rounded. */
+static void draw_rotation(input *in, float axis[3][3])
+{
+    double q[4], square = 0;
+    for (int k = 0; k < 4; k++) {
+        q[k] = (double)input_byte(in) - 127.5;
+        square += q[k] * q[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int a = (k + 1) % 3, b = (k + 2) % 3;
+        axis[k][k] = (float)(1 - 2 * (q[a] * q[a] + q[b] * q[b]) / square);
+        axis[k][a] = (float)(2 * (q[k] * q[a] + q[b] * q[3]) / square);
+        axis[k][b] = (float)(2 * (q[k] * q[b] - q[a] * q[3]) / square);
+    }
+}
+
+static tribox_oriented_box draw_box(input *in)
+{
+    tribox_oriented_box box;
+    float axes[9];
+    input_numbers(in, box.center, 3);
+    input_numbers(in, box.half, 3);
+    const bool is_rotation = input_byte(in) & 1;
+    if (is_rotation)
+        draw_rotation(in, box.axis);
+    else {
+        input_numbers(in, axes, 9);
+        memcpy(box.axis, axes, sizeof axes);
+    }
+    for (int k = 0; k < 3; k++) /* a negative half length makes the whole box empty: enough for one byte in sixteen */
+        if (input_byte(in) % 16)
+            box.half[k] = fabsf(box.half[k]);
+    return box;
+}
+
+/* A vertex whose places along the axes of a rotation are eighths of the half lengths: but for rounding, often in contact. */
+static void draw_vertex_in_frame(input *in, const tribox_oriented_box *box, float u[3])
+{
+    double place[3];
+    for (int k = 0; k < 3; k++)
+        place[k] = ((double)(input_byte(in) & 31) - 16) / 8 * (double)box->half[k];
+    for (int a = 0; a < 3; a++)
+        u[a] = (float)((double)box->center[a] + place[0] * (double)box->axis[0][a] + place[1] * (double)box->axis[1][a] +
+                       place[2] * (double)box->axis[2][a]);
+}
+
+static void draw_triangle(input *in, const tribox_oriented_box *box, float u[3][3])
+{
+    if (input_byte(in) & 1)
+        input_triangle(in, u);
+    else
+        for (int j = 0; j < 3; j++)
+            draw_vertex_in_frame(in, box, u[j]);
+}
+
+static void explain(const question *q, const tribox_options *o, size_t i)
+{
+    const const_triangle u = triangle_of(&q->asked.pair[i % q->asked.drawn]);
+    if (q->is_finite && triangle_is_finite(u))
+        oriented_explain(stderr, u, &q->box);
+    claim(false, "tribox_overlap_oriented, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is wrong", (int)o->accuracy,
+          o->axes, o->order, o->kernel, i, q->soup.count);
+}
+
+/* What is true of a triangle, by all axes and by its bounds alone. */
+typedef struct truth {
+    bool is_possible, overlaps, bounds_overlap;
+} truth;
+
+static void find_truths(const question *q, truth truths[PAIRS_DRAWN])
+{
+    for (unsigned i = 0; i < q->asked.drawn; i++) {
+        const const_triangle u = triangle_of(&q->asked.pair[i]);
+        truths[i] = (truth){.is_possible = triangle_is_finite(u) && !q->is_empty};
+        if (!truths[i].is_possible)
+            continue;
+        truths[i].overlaps = oriented_oracle(u, &q->box);
+        truths[i].bounds_overlap = oriented_oracle_bounds(u, &q->box);
+        claim(truths[i].bounds_overlap || !truths[i].overlaps, "the two oracles contradict each other");
+    }
+}
+
+static bool is_right(const truth *t, bool bit, const tribox_options *o)
+{
+    const bool by_bounds = o->axes == TRIBOX_AXES_BOX;
+    if (!t->is_possible || o->accuracy == TRIBOX_FAST)
+        return t->is_possible || !bit;
+    if (o->accuracy == TRIBOX_EXACT)
+        return bit == (by_bounds ? t->bounds_overlap : t->overlaps);
+    return bit || !(by_bounds ? t->bounds_overlap : t->overlaps);
+}
+
+/* Nothing is written where the call refuses. */
+static void ask(const question *q, const tribox_options *o, const truth *truths)
+{
+    const char *const call = "tribox_overlap_oriented";
+    const size_t count = q->soup.count;
+    const bool is_open = o->accuracy == TRIBOX_EXACT && o->axes && o->axes != TRIBOX_AXES_ALL && o->axes != TRIBOX_AXES_BOX;
+    const unsigned wrong = q->asked.how.wrong | (is_open ? 1u << TRIBOX_BAD_OPTION : 0) | (q->is_finite ? 0 : 1u << TRIBOX_BAD_BOX);
+    uint64_t *const mask = room_mask(count);
+    tribox_report report, alone;
+    memset(&report, ROOM_POISON, sizeof report);
+    if (!status_fits(call, wrong, tribox_overlap_oriented(&q->soup, &q->box, o, mask, &report))) {
+        claim(room_is_poisoned(mask, tribox_mask_words(count) * sizeof *mask) && room_is_poisoned(&report, sizeof report),
+              "%s writes although it refuses", call);
+        return;
+    }
+    for (size_t i = 0; i < count; i++)
+        if (!is_right(&truths[i % q->asked.drawn], mask_bit(mask, i), o))
+            explain(q, o, i);
+    claim(report.overlapping == mask_population(call, mask, count), "%s reports %zu overlapping", call, report.overlapping);
+    claim(report.undecided <= (o->accuracy == TRIBOX_FAST ? 0 : count), "%s, accuracy %d, kernel %s, reports %zu of %zu undecided",
+          call, (int)o->accuracy, o->kernel, report.undecided, count);
+    if (o->kernel != runnable_kernels()[0])
+        return;
+    status_fits(call, 0, tribox_overlap_oriented(&q->soup, &q->box, o, NULL, &alone));
+    claim(alone.overlapping == report.overlapping, "%s without a mask counts otherwise", call);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    input in = input_of(data, size);
+    question q = {.asked = {.how = input_options(&in)}};
+    truth truths[PAIRS_DRAWN];
+    asked *const a = &q.asked;
+    const size_t shift = input_below(&in, 4);
+    a->count = input_count(&in) % 75; /* the integers of the library are slow here */
+    q.box = draw_box(&in);
+    q.is_finite = are_finite(q.box.center, 3) && are_finite(q.box.half, 3) && are_finite(&q.box.axis[0][0], 9);
+    q.is_empty = q.box.half[0] < 0 || q.box.half[1] < 0 || q.box.half[2] < 0;
+    do
+        draw_triangle(&in, &q.box, a->pair[a->drawn++].u);
+    while (!input_is_over(&in) && a->drawn < PAIRS_DRAWN && a->drawn < a->count);
+    q.soup = asked_soup(a, shift);
+    if (q.is_finite)
+        find_truths(&q, truths);
+    tribox_options o = a->how.options;
+    for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
+        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            o.kernel = a->how.wrong ? a->how.options.kernel : *kernel;
+            o.accuracy = a->how.wrong ? a->how.options.accuracy : (tribox_accuracy)accuracy;
+            ask(&q, &o, truths);
+        }
+    room_free_all();
+    return 0;
+}

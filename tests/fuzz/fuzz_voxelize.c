@@ -1,0 +1,201 @@
+/* fuzz_voxelize.c - tribox_voxelize and tribox_voxelize_layers: a soup and a small grid. */
+#include <math.h>
+#include <string.h>
+
+#include "answers.h"
+#include "claim.h"
+#include "room.h"
+#include "target.h"
+
+enum { TRIANGLES_MOST = 6 };
+
+typedef struct question {
+    tribox_grid grid;
+    tribox_soup soup;
+    tribox_options options;
+    size_t words;
+    uint32_t cut;           /* the layers in two parts: those below it, and the others */
+    const uint64_t *before; /* what is set already */
+} question;
+
+/* By the definition in tribox.h. */
+static float plane(const tribox_grid *grid, int a, uint32_t p)
+{
+    return (float)((double)grid->origin[a] + p * (double)grid->cell[a]);
+}
+
+/* Rows about a word, and short ones. */
+static tribox_grid draw_grid(input *in, bool has_short_rows)
+{
+    static const uint32_t rows[] = {1, 2, 3, 5, 8, 17, 63, 64, 65, 127, 128, 129};
+    tribox_grid grid;
+    input_numbers(in, grid.origin, 3);
+    input_numbers(in, grid.cell, 3);
+    grid.size[0] = rows[input_below(in, has_short_rows ? 6 : sizeof rows / sizeof rows[0])];
+    grid.size[1] = input_below(in, 4);
+    grid.size[2] = input_below(in, 4);
+    for (int a = 0; a < 3; a++) {
+        grid.cell[a] = fabsf(grid.cell[a]);
+        input_remember(in, plane(&grid, a, grid.size[a]));
+    }
+    return grid;
+}
+
+static bool is_sound(const tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        if (!grid->size[a] || !isfinite(grid->origin[a]) || !isfinite(grid->cell[a]) || !(grid->cell[a] > 0))
+            return false;
+        for (uint32_t p = 0; p < grid->size[a]; p++)
+            if (!(plane(grid, a, p) < plane(grid, a, p + 1)) || !isfinite(plane(grid, a, p + 1)))
+                return false;
+    }
+    return true;
+}
+
+/* The bits of a word that are cells: behind the end of a row there are none. */
+static uint64_t cells_of_word(const tribox_grid *grid, size_t w)
+{
+    const uint32_t rest = grid->size[0] % 64;
+    return rest && (w + 1) % tribox_grid_row_words(grid) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
+}
+
+/* The cells, all as boxes, in the order of the words' bits without the gaps behind rows. */
+static tribox_boxes all_cells(const tribox_grid *grid)
+{
+    tribox_boxes cells = {.count = (size_t)grid->size[0] * grid->size[1] * grid->size[2]};
+    float *bound[6];
+    for (int k = 0; k < 6; k++)
+        bound[k] = room_make(cells.count * sizeof(float), 0);
+    size_t n = 0;
+    for (uint32_t k = 0; k < grid->size[2]; k++)
+        for (uint32_t j = 0; j < grid->size[1]; j++)
+            for (uint32_t i = 0; i < grid->size[0]; i++, n++) {
+                const tribox_box cell = tribox_grid_cell(grid, i, j, k);
+                const uint32_t at[3] = {i, j, k};
+                for (int a = 0; a < 3; a++) {
+                    claim(cell.lo[a] == plane(grid, a, at[a]) && cell.hi[a] == plane(grid, a, at[a] + 1),
+                          "tribox_grid_cell is not by the planes");
+                    bound[a][n] = cell.lo[a];
+                    bound[3 + a][n] = cell.hi[a];
+                }
+            }
+    for (int a = 0; a < 3; a++) {
+        cells.lo[a] = bound[a];
+        cells.hi[a] = bound[3 + a];
+    }
+    return cells;
+}
+
+/* What EXACT has to set: every triangle asked about every cell. */
+static uint64_t *cells_of_each(const question *q, const float u[][3][3])
+{
+    const tribox_grid *const grid = &q->grid;
+    const tribox_boxes cells = all_cells(grid);
+    uint64_t *const occupied = room_mask(64 * q->words), *const mask = room_mask(cells.count);
+    tribox_options o = q->options;
+    o.kernel = NULL;
+    memcpy(occupied, q->before, q->words * sizeof *occupied);
+    for (size_t t = 0; t < q->soup.count; t++) {
+        status_fits("tribox_overlap_boxes", 0, tribox_overlap_boxes(u[t], &cells, &o, mask, NULL));
+        for (size_t n = 0; n < cells.count; n++) {
+            const size_t row = n / grid->size[0], i = n % grid->size[0];
+            occupied[row * tribox_grid_row_words(grid) + i / 64] |= (uint64_t)mask_bit(mask, n) << i % 64;
+        }
+    }
+    return occupied;
+}
+
+static size_t population(const uint64_t *words, size_t count) { return mask_population("tribox_voxelize", words, 64 * count); }
+
+/* The whole, and in two parts. Returns what is set. */
+static uint64_t *voxelize(const question *q, const tribox_options *o)
+{
+    const size_t bytes = q->words * sizeof(uint64_t), below = q->words / q->grid.size[2] * q->cut;
+    uint64_t *const whole = room_mask(64 * q->words);
+    uint64_t *const part[2] = {room_mask(64 * below), room_mask(64 * (q->words - below))};
+    tribox_report report, parts[2];
+    memcpy(whole, q->before, bytes);
+    memcpy(part[0], q->before, below * sizeof *whole);
+    memcpy(part[1], q->before + below, bytes - below * sizeof *whole);
+    status_fits("tribox_voxelize", 0, tribox_voxelize(&q->soup, &q->grid, o, whole, &report));
+    status_fits("tribox_voxelize_layers", 0, tribox_voxelize_layers(&q->soup, &q->grid, 0, q->cut, o, part[0], &parts[0]));
+    status_fits("tribox_voxelize_layers", 0,
+                tribox_voxelize_layers(&q->soup, &q->grid, q->cut, q->grid.size[2] - q->cut, o, part[1], &parts[1]));
+    claim(!memcmp(whole, part[0], below * sizeof *whole) && !memcmp(whole + below, part[1], bytes - below * sizeof *whole),
+          "layers are not as in the whole: accuracy %d, axes %u, kernel %s", (int)o->accuracy, o->axes, o->kernel);
+    claim(report.overlapping == population(whole, q->words) - population(q->before, q->words), "%zu cells reported as newly set",
+          report.overlapping);
+    claim(parts[0].overlapping + parts[1].overlapping == report.overlapping, "the reports of the parts do not add up");
+    return whole;
+}
+
+static void check_answers(const question *q, const float u[][3][3])
+{
+    const uint64_t *const expected = cells_of_each(q, u);
+    tribox_options o = q->options;
+    for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
+        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            o.kernel = *kernel;
+            o.accuracy = (tribox_accuracy)accuracy;
+            const uint64_t *const set = voxelize(q, &o);
+            for (size_t w = 0; w < q->words; w++) {
+                const uint64_t lost = accuracy == TRIBOX_FAST ? 0 : expected[w] & ~set[w];
+                const uint64_t extra = set[w] & ~(accuracy == TRIBOX_EXACT ? expected[w] : cells_of_word(&q->grid, w));
+                claim(!lost && !extra && !(q->before[w] & ~set[w]),
+                      "accuracy %d, axes %u, kernel %s: word %zu lacks %#llx, has %#llx too many", accuracy, o.axes, o.kernel, w,
+                      (unsigned long long)lost, (unsigned long long)extra);
+            }
+        }
+}
+
+/* Of a grid, options or layers that are refused nothing is written, not even one word. */
+static void check_refusal(const question *q, unsigned wrong, uint32_t first, uint32_t layers)
+{
+    tribox_report report;
+    uint64_t *const occupied = room_mask(64);
+    memset(&report, ROOM_POISON, sizeof report);
+    const tribox_status status = tribox_voxelize_layers(&q->soup, &q->grid, first, layers, &q->options, occupied, &report);
+    status_fits("tribox_voxelize_layers", wrong, status);
+    claim(room_is_poisoned(occupied, sizeof *occupied) && room_is_poisoned(&report, sizeof report),
+          "tribox_voxelize_layers writes although it refuses");
+}
+
+/* A few cells. */
+static const uint64_t *set_before(unsigned choice, const tribox_grid *grid, size_t words)
+{
+    uint64_t *const before = room_mask(64 * words);
+    for (size_t w = 0; w < words; w++)
+        before[w] = choice * UINT64_C(0x0100000000040001) & cells_of_word(grid, w);
+    return before;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    input in = input_of(data, size);
+    asked a = {.how = input_options(&in)};
+    const bool asks_every_cell = a.how.options.axes && !(a.how.options.axes & TRIBOX_AXES_BOX); /* which takes its time */
+    question q = {.grid = draw_grid(&in, asks_every_cell), .options = a.how.options};
+    q.cut = q.grid.size[2] ? input_below(&in, q.grid.size[2] + 1) : 0;
+    const unsigned before = input_byte(&in);
+    float u[TRIANGLES_MOST][3][3];
+    do {
+        input_triangle(&in, u[a.drawn]);
+        memcpy(a.pair[a.drawn].u, u[a.drawn], sizeof u[0]);
+        a.drawn++;
+    } while (!input_is_over(&in) && a.drawn < TRIANGLES_MOST);
+    a.count = a.drawn;
+    q.soup = asked_soup(&a, 0);
+
+    const unsigned wrong = a.how.wrong | (is_sound(&q.grid) ? 0 : 1u << TRIBOX_BAD_GRID);
+    if (wrong)
+        check_refusal(&q, wrong, 0, 0);
+    else {
+        q.words = tribox_grid_words(&q.grid);
+        q.before = set_before(before, &q.grid, q.words);
+        check_refusal(&q, 1u << TRIBOX_BAD_ARGUMENT, q.cut, q.grid.size[2] - q.cut + 1);
+        check_answers(&q, (const float(*)[3][3])u);
+    }
+    room_free_all();
+    return 0;
+}

@@ -1,0 +1,22 @@
+/* no_mesh.c - stands in for tools/mesh.c: no file is a mesh, so that a command ends when it has read its arguments. */
+#include "mesh.h"
+
+#include "message.h"
+
+int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, m); }
+
+int mesh_read_as(const char *path, triangle_format format, mesh *m)
+{
+    *m = (mesh){.coordinates = NULL};
+    return message_failure("%s: no mesh of format %d", path, (int)format);
+}
+
+void mesh_warn(const char *path, const mesh *m) { message_say("%s: %zu triangles", path, m->soup.count); }
+
+void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)
+{
+    message_say("%s: %llu of %llu, first %llu", path, (unsigned long long)not_finite, (unsigned long long)count,
+                (unsigned long long)first);
+}
+
+void mesh_free(mesh *m) { *m = (mesh){.coordinates = NULL}; }

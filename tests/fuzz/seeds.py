@@ -1,0 +1,339 @@
+"""Writes the kept inputs of the fuzz targets: python3 seeds.py FOLDER. input.c and the targets say what the bytes mean.
+
+Inputs named found_* are not written here: they are those for which a fault was once found, and stay.
+"""
+
+import os
+import random
+import struct
+import sys
+
+BITS, LATTICE, FAR_LATTICE, NEAR_KNOWN, BETWEEN_KNOWN, NASTY, POWER, ANY_WAY = range(8)
+SEGMENT, POINT, FLAT_X = 1, 2, 3
+UNIT_ONE, UNIT_EIGHTH, UNIT_HUGE, UNIT_SUBNORMAL = 0, 1, 6, 7
+NO_ORDER = 8
+BYTES_OF_NUMBER = {BITS: 4, LATTICE: 1, FAR_LATTICE: 1, NEAR_KNOWN: 2, BETWEEN_KNOWN: 3, NASTY: 1, POWER: 2}
+NAN_CODE, INFINITY_CODE = 15, 14
+
+
+def lattice(*numbers):
+    return bytes((number + 16) % 32 for number in numbers)
+
+
+def floats(*numbers):
+    return struct.pack("<%df" % len(numbers), *numbers)
+
+
+def drawn(source, way, count):
+    """So many numbers that are written in one way."""
+    if way == ANY_WAY:
+        return b"".join(bytes([w]) + drawn(source, w, 1) for w in source.choices(range(ANY_WAY), k=count))
+    if way == BITS:
+        return floats(*(source.uniform(-2, 2) for _ in range(count)))
+    return source.randbytes(count * BYTES_OF_NUMBER[way])
+
+
+def shape(way, numbers, kind=0):
+    return bytes([way + 8 * kind]) + numbers
+
+
+def options(axes=0, order=0, error=0):
+    return bytes([axes, order, error]) + (b"\0" if error == 0xfd else b"")
+
+
+UNIT_BOX = shape(LATTICE, lattice(-1, 1, -1, 1, -1, 1))
+CONTACTS = {
+    "face": lattice(1, 0, 0, 3, 1, 0, 3, 0, 1),
+    "edge": lattice(0, 2, 0, 2, 0, 0, 3, 3, 0),
+    "vertex": lattice(1, 1, 1, 3, 0, 1, 1, 3, 3),
+    "plane": lattice(3, 0, 0, 0, 3, 0, 0, 0, 3),
+    "beside_edge": lattice(0, 3, 0, 3, 0, 0, 3, 3, 0),
+    "inside": lattice(0, 0, 0, 1, 0, 0, 0, 1, 1),
+    "around": lattice(-9, -9, 0, 9, -9, 0, 0, 9, 0),
+}
+WAYS = {"bits": BITS, "lattice": LATTICE, "far_lattice": FAR_LATTICE, "near": NEAR_KNOWN, "between": BETWEEN_KNOWN,
+        "nasty": NASTY, "powers": POWER, "any_way": ANY_WAY}
+UNITS = {"unit_one": UNIT_ONE, "unit_huge": UNIT_HUGE, "unit_subnormal": UNIT_SUBNORMAL}
+ERRORS = {"accuracy": 0xff, "axes": 0xfe, "order": 0xfd, "kernel": 0xfc}
+
+
+def pairs(is_soup):
+    """A box and triangles, or a triangle and boxes: their heads are the same."""
+    source = random.Random(1)
+    one = (lambda way, kind=0: shape(way, drawn(source, way, 6), kind)) if is_soup else \
+          (lambda way, kind=0: shape(way, drawn(source, way, 9), kind))
+    many = (lambda way, kind=0: shape(way, drawn(source, way, 9), kind)) if is_soup else \
+           (lambda way, kind=0: shape(way, drawn(source, way, 6), kind))
+    files = {}
+    for name, numbers in CONTACTS.items():
+        box, triangle = UNIT_BOX, shape(LATTICE, numbers)
+        files["contact_" + name] = bytes([UNIT_ONE]) + options() + b"\0\1" + (box + triangle if is_soup else triangle + box)
+    for name, way in WAYS.items():
+        files["sixteen_" + name] = (bytes([UNIT_EIGHTH]) + options(order=source.randrange(7)) + bytes([1, 251]) +
+                                    one(BITS if way == NEAR_KNOWN else way) + b"".join(many(way) for _ in range(16)))
+    for name, unit in UNITS.items():
+        files["sixteen_" + name] = (bytes([unit]) + options() + bytes([0, 184]) + one(LATTICE) +
+                                    b"".join(many(LATTICE, source.randrange(6)) for _ in range(16)))
+    for axes in (2, 4, 6):
+        files["axes_%d" % axes] = (bytes([UNIT_ONE]) + options(axes) + bytes([3, 193]) + one(LATTICE) +
+                                   b"".join(many(LATTICE) for _ in range(12)))
+    for name, error in ERRORS.items():
+        files["wrong_" + name] = bytes([UNIT_ONE]) + options(error=error) + b"\0\1" + one(LATTICE) + many(LATTICE)
+    files["none"] = bytes([UNIT_ONE]) + options() + b"\0\0" + one(LATTICE)
+    files["not_finite"] = bytes([UNIT_ONE]) + options() + bytes([0, 190]) + one(LATTICE) + b"".join(
+        shape(NASTY, bytes([code] * 9)) for code in (NAN_CODE, INFINITY_CODE, INFINITY_CODE + 16))
+    if is_soup:
+        files["wrong_box"] = bytes([UNIT_ONE]) + options() + b"\0\5" + shape(NASTY, bytes([NAN_CODE] * 6)) + many(LATTICE)
+        files["empty_box"] = (bytes([UNIT_ONE]) + options() + b"\0\5" + shape(LATTICE, lattice(3, 1, 0, 1, 0, 1), NO_ORDER) +
+                              many(LATTICE))
+        files["flat_box"] = bytes([UNIT_ONE]) + options() + b"\0\5" + shape(LATTICE, lattice(0, 1, 0, 1, 0, 1), 1) + many(LATTICE)
+        files["point_box"] = bytes([UNIT_ONE]) + options() + b"\0\5" + shape(LATTICE, lattice(0, 1, 0, 1, 0, 1), 7) + many(LATTICE)
+    return files
+
+
+def voxelize():
+    source = random.Random(2)
+    triangles = {name: (lambda way: b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(3)))(way)
+                 for name, way in WAYS.items()}
+    tail = bytes([1, 0])  # the cut and what is set before
+    files = {}
+    for name, bits in triangles.items():
+        grid = bytes([LATTICE]) + lattice(-8, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 3) + bytes([source.randrange(12), 3, 3])
+        files["grid_of_units_" + name] = bytes([UNIT_ONE]) + options() + grid + tail + bits
+    for axes in (1, 2, 4):
+        grid = bytes([LATTICE]) + lattice(-3, -2, -1) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([8, 3, 2])
+        files["axes_%d" % axes] = bytes([UNIT_EIGHTH]) + options(axes) + grid + bytes([2, 5]) + triangles["lattice"]
+    for row in (0, 6, 11):
+        grid = bytes([BITS]) + floats(-0.7, -0.3, 0.1) + bytes([BITS]) + floats(0.01, 0.3, 0.2) + bytes([row, 2, 3])
+        files["row_%d" % row] = bytes([UNIT_ONE]) + options() + grid + bytes([0, 255]) + triangles["bits"]
+    fine = bytes([FAR_LATTICE]) + lattice(0, 1, 2) + bytes([BITS]) + floats(0.125, 0.125, 0.0625) + bytes([4, 3, 3])
+    files["as_fine_as_float"] = bytes([UNIT_ONE]) + options() + fine + tail + triangles["near"]
+    for name, cells in {"none": (0, 1, 1), "nan": (float("nan"), 1, 1), "infinite": (float("inf"), 1, 1)}.items():
+        grid = bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(*cells) + bytes([4, 3, 3])
+        files["wrong_cells_" + name] = bytes([UNIT_ONE]) + options() + grid + tail + triangles["lattice"]
+    for name, unit in UNITS.items():
+        grid = bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2) + bytes([4, 3, 3])
+        files[name] = bytes([unit]) + options() + grid + tail + triangles["lattice"]
+    return files
+
+
+WIDTHS = (("uint32", 0), ("uint16", 1), ("no_indices", 2), ("three_bytes", 8))
+
+
+def indexed():
+    source = random.Random(3)
+    files = {}
+    layouts = {"packed": 0, "twelve": 64, "sixteen": 128 + 4, "odd": 128 + 1, "wide": 128 + 60, "too_small": 255}
+    for name, stride in layouts.items():
+        small = b"\5" if stride == 255 else b""
+        for width_name, width in (WIDTHS if name == "packed" else WIDTHS[:2]):
+            count = b"" if width_name == "no_indices" else bytes([190])
+            numbers = b"" if not count else source.randbytes(210).translate(bytes(n % 250 for n in range(256)))
+            vertices = b"".join(shape(LATTICE, drawn(source, LATTICE, 9)) for _ in range(8))
+            files["%s_%s" % (name, width_name)] = (bytes([UNIT_ONE]) + options() + UNIT_BOX + bytes([stride]) + small +
+                                                   bytes([source.randrange(192), width, 24]) + vertices + count + numbers +
+                                                   b"\7\40")
+    head = bytes([UNIT_ONE]) + options() + UNIT_BOX + b"\0\0"
+    one = shape(LATTICE, drawn(source, LATTICE, 9))
+    files["behind_the_last"] = head + bytes([0, 3]) + one + bytes([2, 0, 1, 2, 0, 1, 250])
+    files["greatest_uint16"] = head + bytes([1, 3]) + one + bytes([2, 255, 1, 2, 0, 1, 2])
+    files["greatest_uint32"] = head + bytes([0, 3]) + one + bytes([2, 0, 1, 2, 0, 255, 2])
+    files["no_vertices"] = head + bytes([0, 0, 1, 0, 0, 0])
+    files["nothing"] = head + bytes([0, 0, 0])
+    return files
+
+
+def soup():
+    """As for tribox_overlap, and bits behind: a count and the words of a mask."""
+    files = pairs(True)
+    kept = [name for name in files
+            if name.startswith(("contact_", "not_finite", "empty_box", "wrong_box", "sixteen_n", "sixteen_a"))]
+    return {**{name: files[name] for name in kept},
+            **{"mask_of_%d" % count: files["none"] + shape(LATTICE, bytes(9)) + bytes([count]) + b"\xff" * 32
+               for count in (0, 1, 63, 64, 65, 255)}}
+
+
+def oriented():
+    source = random.Random(4)
+    anywhere, in_frame, any_frame, rotation, positive = b"\1", b"\0", b"\0", b"\1", b"\1\1\1"
+    files = {}
+
+    def drawn_anywhere(way, count):
+        return b"".join(anywhere + shape(way, drawn(source, way, 9)) for _ in range(count))
+
+    def drawn_in_frame(count):
+        return b"".join(in_frame + source.randbytes(9) for _ in range(count))
+
+    frames = {"unit": (1, 0, 0, 0, 1, 0, 0, 0, 1), "diagonal": (1, 1, 0, -1, 1, 0, 0, 0, 1), "sheared": (1, 0, 0, 1, 1, 0, 1, 1, 1),
+              "flat": (1, 0, 0, 1, 0, 0, 0, 0, 1), "zero": (0,) * 9}
+    middle = bytes([LATTICE]) + lattice(0, 1, 0) + bytes([LATTICE]) + lattice(2, 1, 3)
+    for frame, axes in frames.items():
+        box = middle + any_frame + bytes([LATTICE]) + lattice(*axes) + positive
+        for name in ("lattice", "near"):
+            files["%s_%s" % (frame, name)] = bytes([UNIT_ONE]) + options() + bytes([0, 190]) + box + drawn_anywhere(WAYS[name], 5)
+        files[frame + "_in_frame"] = bytes([UNIT_ONE]) + options(int(frame == "unit")) + bytes([0, 190]) + box + drawn_in_frame(8)
+    for name, unit in UNITS.items():
+        box = middle + any_frame + bytes([LATTICE]) + lattice(1, 2, 0, -2, 1, 0, 0, 0, 3) + positive
+        files[name] = bytes([unit]) + options() + bytes([0, 190]) + box + drawn_anywhere(LATTICE, 5)
+    for name in ("bits", "far_lattice", "between", "nasty"):
+        box = (bytes([BITS]) + floats(0.1, 0.2, 0.3) + bytes([BITS]) + floats(0.5, 0.25, 1) + rotation + source.randbytes(4) +
+               positive)
+        files["rotated_" + name] = bytes([UNIT_EIGHTH]) + options() + bytes([1, 190]) + box + drawn_anywhere(WAYS[name], 8)
+    for number in range(4):
+        box = (bytes([BITS]) + drawn(source, BITS, 3) + bytes([BITS]) + drawn(source, BITS, 3) + rotation + source.randbytes(4) +
+               positive)
+        files["rotated_%d_in_frame" % number] = (bytes([UNIT_EIGHTH]) + options(number & 1) + bytes([1, 190]) + box +
+                                                 drawn_in_frame(16))
+    long = middle + any_frame + bytes([FAR_LATTICE]) + lattice(1, 2, 3, 4, 5, 6, 7, 8, 9) + positive
+    files["long_numbers"] = (bytes([UNIT_ONE]) + options() + bytes([0, 10]) + long + drawn_anywhere(FAR_LATTICE, 5) +
+                             drawn_in_frame(5))
+    return files
+
+
+def grid():
+    source = random.Random(5)
+    files = {}
+    for name, way in list(WAYS.items())[::3]:
+        triangles = b"".join(shape(way, drawn(source, way, 9)) for _ in range(3))
+        files["resolution_" + name] = bytes([UNIT_ONE, 0, 0, 1, 99, 0]) + bytes([4, 4, 4]) + triangles
+        files["cell_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([4, 4, 4]) + triangles
+        files["origin_and_size_" + name] = (bytes([UNIT_ONE, 1, 1, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([LATTICE]) +
+                                            lattice(-9, -9, -9) + bytes([40, 40, 40]) + triangles)
+    return files
+
+
+def ply(form, line_end=b"\n", vertices=3, faces=1):
+    header = line_end.join([b"ply", b"format %s 1.0" % form, b"comment a triangle", b"element vertex %d" % vertices,
+                            b"property float x", b"property float y", b"property float z", b"element face %d" % faces,
+                            b"property list uchar int vertex_indices", b"end_header", b""])
+    if form == b"ascii":
+        return header + line_end.join([b"0 0 0", b"1 0 0", b"0 1 0", b"3 0 1 2", b""])
+    order = "<" if form == b"binary_little_endian" else ">"
+    return header + struct.pack(order + "9fB3i", 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2)
+
+
+def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 1\n"):
+    row_words = (size[0] + 63) // 64
+    first, end = size[2] * (shard - 1) // shards, size[2] * shard // shards
+    count = row_words * size[1] * (end - first) if words is None else words
+    return (magic.ljust(16, b"\0") +
+            struct.pack("<2I6f3I5I2Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, *size, shards, 0, 7, 0, 0, 12, 34) + bytes(8 * count))
+
+
+def ply_files():
+    files = {}
+    for name, form in {"ascii": b"ascii", "little": b"binary_little_endian", "big": b"binary_big_endian"}.items():
+        for end_name, line_end in {"lf": b"\n", "cr_lf": b"\r\n", "cr": b"\r"}.items():
+            files["%s_%s" % (name, end_name)] = ply(form, line_end)
+        files[name + "_cut"] = ply(form)[:-1]
+        files[name + "_huge"] = ply(form, vertices=2**64 - 1, faces=2**63)
+    plain, binary = ply(b"ascii"), ply(b"binary_little_endian")
+    files["far_index"] = plain.replace(b"3 0 1 2", b"3 0 1 4294967298")
+    files["strips"] = plain.replace(b"element face", b"element tristrips")
+    files["no_end"] = plain.replace(b"end_header\n", b"")
+    files["many_properties"] = plain.replace(b"property float x", b"property float x\n" * 257)
+    files["first_byte_lf"] = binary.replace(b"end_header\n", b"end_header\n\n")
+    wide_counts = ply(b"binary_little_endian", faces=9).replace(b"list uchar", b"list ushort")
+    files["count_cut"] = wide_counts[:-13] + struct.pack("<H3iB", 3, 0, 1, 2, 1)
+    return files
+
+
+def off_files():
+    plain = b"OFF\n# a triangle\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+    return {"triangle": plain, "cut": plain[:-4], "far_index": plain.replace(b"0 1 2", b"0 1 3"),
+            "negative_index": plain.replace(b"0 1 2", b"0 -1 2"), "huge": b"OFF\n18446744073709551615 1 0\n",
+            "prefixes": b"STCN" + plain}
+
+
+BINARY_STL = b"a triangle".ljust(80) + struct.pack("<I12fH", 1, *[0] * 12, 0)
+TEXT_STL = b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
+
+
+def stl_files():
+    return {"binary": BINARY_STL, "binary_cut": BINARY_STL[:-1], "text": TEXT_STL, "text_cut": TEXT_STL[:-11],
+            "solid_binary": b"solid" + BINARY_STL[5:], "huge": BINARY_STL[:80] + b"\xff" * 4 + BINARY_STL[84:]}
+
+
+def boxes_files():
+    return {"plain": b"0,0,0,1,1,1\n-1 -2 -3 4 5 6\n", "comments": b"# boxes\n\n0 0 0 1 1 1 # one\n\t\n1e-3,2,3,0x1p4,5,6",
+            "empty_box": b"1 1 1 0 0 0\n", "not_finite": b"0 0 0 1 1 inf\n", "too_large": b"0 0 0 1 1 1e39\n",
+            "too_small": b"0 0 0 1 1 1e-60\n", "few": b"0 0 0 1 1\n", "many": b"0 0 0 1 1 1 1\n", "commas": b"0,,0,1,1,1\n",
+            "nul": b"0 0 0 1 1 1\0\n", "long_line": b"0 " * 600 + b"\n", "text": b"lower upper\n", "cr_lf": b"0 0 0 1 1 1\r\n"}
+
+
+def part_files():
+    """The byte in front tells, in units of 8 bytes, where the second of two parts begins; 255: there is but one."""
+    whole, half = part(), part(1, 2)
+    single = {"whole": whole, "one_of_two": half, "more_shards_than_layers": part(2, 9), "cut": whole[:-1], "long": whole + b"\0",
+              "header_cut": whole[:90], "shard_0": part(0, 1), "shards_0": whole[:60] + bytes(4) + whole[64:],
+              "huge": part(size=(2**31, 64, 1), words=0), "magic": part(magic=b"tribox part 2\n")}
+    second = {"two": part(2, 2), "twice": half, "misfit": part(2, 2, size=(71, 2, 3))}
+    return {**{name: b"\xff" + content for name, content in single.items()},
+            **{name: bytes([len(half) // 8]) + half + content for name, content in second.items()}}
+
+
+def triangles_files():
+    """The byte in front: its remainder by 3 is the format, 0 by name, 1 STL, 2 raw floats; 128 and more: by standard input."""
+    by_name, stl, raw, stl_by_stdin, raw_by_stdin = (bytes([choice]) for choice in (0, 1, 2, 130, 131))
+    numbers = struct.pack("<18f", *range(18))
+    return {"binary": stl + BINARY_STL, "binary_cut": stl + BINARY_STL[:-1], "header_cut": stl + BINARY_STL[:70],
+            "long": stl + BINARY_STL + b"x", "text_asked": stl + TEXT_STL, "by_name": by_name + BINARY_STL,
+            "text": by_name + TEXT_STL, "raw": raw + numbers, "raw_cut": raw + numbers[:-1], "stdin": stl_by_stdin + BINARY_STL,
+            "stdin_cut": stl_by_stdin + BINARY_STL[:-1], "stdin_raw": raw_by_stdin + numbers,
+            "stdin_raw_cut": raw_by_stdin + numbers[:-1]}
+
+
+# In the order of the readers of fuzz_files.c.
+READERS = {"ply": ply_files, "off": off_files, "stl": stl_files, "boxes": boxes_files, "part": part_files,
+           "triangles": triangles_files}
+
+
+def files():
+    return {"%s_%s" % (reader, name): bytes([number]) + content
+            for number, (reader, make) in enumerate(READERS.items()) for name, content in make().items()}
+
+
+def command():
+    lines = {
+        "overlap": "overlap a.ply --box 0,0,0,1,1,1",
+        "overlap_equals": "overlap --box=0,0,0,1,1,1 --accuracy=fast --axes=box,edges --order=312 --kernel=scalar a.ply",
+        "overlap_boxes": "overlap a.ply --boxes b.txt --json --list",
+        "overlap_streams": "overlap a.f32 --format f32 --box 0,0,0,1,1,1 --inside",
+        "overlap_oriented": "overlap a.ply --oriented 0,0,0,1,1,1,1,0,0,0,1,0,0,0,1",
+        "overlap_help": "overlap --help",
+        "overlap_twice": "overlap a.ply --json --json",
+        "overlap_no_box": "overlap a.ply",
+        "overlap_operands": "overlap -- --box a.ply",
+        "overlap_wrong_words": "overlap a.ply --accuracy good",
+        "overlap_wrong_axes": "overlap a.ply --axes box,,edges",
+        "overlap_wrong_order": "overlap a.ply --order 123456",
+        "overlap_wrong_kernel": "overlap a.ply --kernel mmx",
+        "voxelize": "voxelize a.ply --resolution 256 -o a.npy",
+        "voxelize_cell": "voxelize a.ply --cell 0.5,0.25,1e-3 --origin -100,-100,0 --size 400,400,200 -o a.raw --quiet",
+        "voxelize_shard": "voxelize a.ply --cell 2 --shard 3/8 -o a.part --threads 2 --json",
+        "voxelize_preview": "voxelize a.ply --resolution 9 -o a.vox --preview a.png --up -z",
+        "voxelize_long_shard": "voxelize a.ply --resolution 9 --shard 0000000000000001/2 -o a.part",
+        "voxelize_too_large": "voxelize a.ply --resolution 99999999999999999999 -o a.binvox",
+        "voxelize_negative": "voxelize a.ply --cell -1 -o a.npy",
+        "merge": "merge a.part b.part -o c.npy",
+        "merge_nothing": "merge -o c.npy",
+        "merge_up": "merge a.part -o c.vox --up y",
+    }
+    return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
+
+
+TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "indexed": indexed, "soup": soup,
+           "oriented": oriented, "grid": grid, "files": files, "command": command}
+
+
+def main():
+    for target, make in TARGETS.items():
+        folder = os.path.join(sys.argv[1], target)
+        os.makedirs(folder, exist_ok=True)
+        for name, content in make().items():
+            with open(os.path.join(folder, name), "wb") as file:
+                file.write(content)
+
+
+if __name__ == "__main__":
+    main()
