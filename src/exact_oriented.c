@@ -36,6 +36,10 @@ static tribox_oriented_integers integers_of(const tribox_oriented_pair *pair)
     count_from(positions.least, in.position, 12);
     count_from(axes.least, in.axis, 9);
     count_from(unit, in.half, 3);
+    if (!is_somewhere) { /* every product is zero, but a shift may be too long for the width that the half lengths take */
+        memset(in.position, 0, sizeof in.position);
+        memset(in.axis, 0, sizeof in.axis);
+    }
     in.shift = is_somewhere ? product - unit : 0;
     in.bits = is_somewhere || is_thick ? end - unit : 0;
     return in;

@@ -7,7 +7,7 @@
 #include "pairs.h"
 
 /* The streams of so many words fit the first cache. */
-enum { BLOCK_WORDS = 8 };
+enum { BLOCK_WORDS = 4 };
 
 /* Whether count things of so many bytes fit the address space. */
 static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
