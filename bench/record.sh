@@ -14,4 +14,5 @@ mkdir -p "$results"
 bench/chart.sh "$build/bench/accuracy" bench/accuracy.gp "$results" "$@"
 rm "$results/accuracy.json" # the same as the CSV, five times as long
 "$build/bench/cgal" >"$results/cgal.txt"
+"$build/bench/inputs" >"$results/inputs.txt"
 echo "$results: done; tables that say 'disturbed' were not measured on a quiet machine"

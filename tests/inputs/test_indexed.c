@@ -57,7 +57,8 @@ static void say(const char *call, const tribox_mesh *mesh, const tribox_options 
 {
     char text[MESH_TEXT];
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
-    snprintf(doing, sizeof doing, "%s, %s, triangles %zu + %zu of %s", call, options->kernel, first, count, mesh_text(mesh, text));
+    const char *const kernel = options->kernel ? options->kernel : "the best kernel";
+    snprintf(doing, sizeof doing, "%s, %s, triangles %zu + %zu of %s", call, kernel, first, count, mesh_text(mesh, text));
     const size_t length = strlen(doing);
     snprintf(doing + length, sizeof doing - length, ", %s %u %u", accuracy[options->accuracy], options->axes, options->order);
 }

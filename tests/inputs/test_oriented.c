@@ -104,7 +104,8 @@ static void say(const tribox_options *options)
 {
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(doing, sizeof doing, "tribox_overlap_oriented, scene %s, seed %" PRIu64 ", %s, %s, axes %u, order %u, count %d",
-             scene_name, args.seed, options->kernel, accuracy[options->accuracy], options->axes, options->order, batch.count);
+             scene_name, args.seed, options->kernel ? options->kernel : "the best kernel", accuracy[options->accuracy],
+             options->axes, options->order, batch.count);
 }
 
 static void fail_at(int i, bool expected)
