@@ -178,6 +178,30 @@ static void test_several_in_a_box(void **state)
     check_several(draw_boxes);
 }
 
+/* In the plane x + y = 2, across the edge x = y = 1 of the cube: it touches there, which a filter leaves undecided. */
+static const float touching[3][3] = {{2.25f, -0.25f, 0.5f}, {-0.25f, 2.25f, 0.25f}, {1.25f, 0.75f, -2}};
+
+/* Bad triangles that are settled beside sound ones. They have a vertex well inside the cube. */
+static void test_bad_beside_undecided(void **state)
+{
+    (void)state;
+    catch_faults();
+    uint64_t expected[WORDS];
+    expect_all_but_spoilt(expected);
+    question q = {.count = COUNT, .box = &cube};
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        q.stream[s] = numbers.stream[s];
+    for (int place = 3; place < 9; place++)
+        for (int kind = 0; kind < BAD_KINDS; kind++) {
+            for (size_t i = 0; i < COUNT; i++)
+                for (int k = 0; k < 9; k++) {
+                    const float from = is_spoilt(i) ? triangle[k / 3][k % 3] : touching[k / 3][k % 3];
+                    numbers.stream[3 * (k % 3) + k / 3][i] = is_spoilt(i) && k == place ? bad_number(kind) : from;
+                }
+            check_everywhere(&q, expected);
+        }
+}
+
 static void test_bad_triangle_and_many_boxes(void **state)
 {
     (void)state;
@@ -267,6 +291,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_each_bound_alone),
         cmocka_unit_test(test_several_in_a_triangle),
         cmocka_unit_test(test_several_in_a_box),
+        cmocka_unit_test(test_bad_beside_undecided),
         cmocka_unit_test(test_bad_triangle_and_many_boxes),
         cmocka_unit_test(test_empty_box_and_soup),
         cmocka_unit_test(test_empty_boxes),
