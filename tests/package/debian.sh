@@ -25,13 +25,13 @@ lintian --allow-root --fail-on error,warning "$work"/out/*.changes
 
 # What Debian would test on a machine with the packages installed, with the packages unpacked.
 for package in libtribox0 libtribox-dev tribox python3-tribox; do
-    dpkg -x "$work/out/${package}_"*.deb "$work/root"
+    dpkg -x "$work/out/${package}_"*.deb "$work/unpacked"
 done
-libdir=$(dirname "$(find "$work/root" -name libtribox.a)")
-export PKG_CONFIG_LIBDIR="$libdir/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/root"
+libdir=$(dirname "$(find "$work/unpacked" -name libtribox.a)")
+export PKG_CONFIG_LIBDIR="$libdir/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/unpacked"
 export PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1
-export PYTHONPATH="$work/root/usr/lib/python3/dist-packages"
-export CMAKE_PREFIX_PATH="$work/root/usr" LD_LIBRARY_PATH="$libdir" PATH="$work/root/usr/bin:$PATH"
+export PYTHONPATH="$work/unpacked/usr/lib/python3/dist-packages"
+export CMAKE_PREFIX_PATH="$work/unpacked/usr" LD_LIBRARY_PATH="$libdir" PATH="$work/unpacked/usr/bin:$PATH"
 cd "$work/repository"
 for test in consumer program module; do
     mkdir "$work/$test"
