@@ -55,18 +55,20 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
 
 /* Words of triangles in streams, waiting to be answered. */
 typedef struct block {
-    float streams[9][64 * BLOCK_WORDS];
-    size_t word[BLOCK_WORDS]; /* of the mask */
+    _Alignas(64) float streams[9][64 * BLOCK_WORDS]; /* no packet in two lines of the cache */
+    size_t word[BLOCK_WORDS];                        /* of the mask */
     size_t words, triangles;
 } block;
 
-static void gather(block *b, const tribox_mesh *mesh, const tribox_kernel *kernel, size_t word, size_t count)
+/* Triangles from `first`, a multiple of 64. */
+static void gather(block *b, const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
 {
     float *to[9];
     for (int k = 0; k < 9; k++)
         to[k] = b->streams[k] + b->triangles;
-    kernel->gather(mesh, 64 * word, count, to);
-    b->word[b->words++] = word;
+    kernel->gather(mesh, first, count, to);
+    for (size_t done = 0; done < count; done += 64)
+        b->word[b->words++] = (first + done) / 64;
     b->triangles += count;
 }
 
@@ -105,12 +107,17 @@ static tribox_report answer(const tribox_mesh *mesh, const tribox_box *box, cons
     tribox_report counts = {0, 0};
     block b;
     b.words = b.triangles = 0;
-    for (size_t first = 0; first < mesh->count; first += 64) {
-        const size_t count = mesh->count - first < 64 ? mesh->count - first : 64;
-        if (!is_box_asked || !plan->kernel->beside(mesh, &row, first, count))
-            gather(&b, mesh, plan->kernel, first / 64, count);
-        else if (mask)
-            mask[first / 64] = 0;
+    for (size_t first = 0, count; first < mesh->count; first += count) {
+        const size_t left = mesh->count - first, room = 64 * BLOCK_WORDS - b.triangles;
+        count = left < 64 ? left : 64;
+        if (is_box_asked && plan->kernel->beside(mesh, &row, first, count)) {
+            if (mask)
+                mask[first / 64] = 0;
+            continue;
+        }
+        /* Near in the mesh is near in space: the next words, up to a full block, are not asked. */
+        count = left < room ? left : room;
+        gather(&b, mesh, plan->kernel, first, count);
         if (b.words == BLOCK_WORDS)
             answer_block(&b, box, plan, mask, &counts);
     }
