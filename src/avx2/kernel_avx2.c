@@ -5,6 +5,7 @@
 #include "kernel/ties.h"
 #include "kernel/packet.h"
 #include "kernel/inside.h"
+#include "kernel/nine.h"
 #include "kernel/gather.h"
 #include "kernel/beside.h"
 #include "kernel/frame.h"

@@ -37,6 +37,12 @@ TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm256_and_ps(a, b); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_ps(b, a, m); }
+TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
+{
+    const __m256i lane = _mm256_loadu_si256((const __m256i *)from);
+    return _mm256_blendv_ps(_mm256_permutevar8x32_ps(a, lane), _mm256_permutevar8x32_ps(b, lane),
+                            _mm256_castsi256_ps(_mm256_slli_epi32(lane, 28)));
+}
 /* Row i has lanes i and i + 4 in its halves: what follows stays within them. */
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {

@@ -40,6 +40,10 @@ TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return avx512_float(_mm512_and_si512
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_blend_ps(m, b, a); }
+TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
+{
+    return _mm512_permutex2var_ps(a, _mm512_loadu_si512(from), b);
+}
 /* Row i has lanes i, i + 4, i + 8 and i + 12 in its quarters: what follows stays within them. */
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {

@@ -71,6 +71,16 @@ TRIBOX_INLINE void gather_kind(const tribox_mesh *mesh, mesh_kind kind, size_t f
     }
 }
 
+TRIBOX_INLINE void gather_nines(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9])
+{
+    const mesh_kind kind = {0, true};
+    size_t at = 0;
+    for (; at + V_LANES <= count; at += V_LANES)
+        gather_nine(vertex_of(mesh, kind, 3 * (first + at)), to, at);
+    for (; at < count; at++)
+        gather_triangle(mesh, kind, first + at, to, at);
+}
+
 static void gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9])
 {
     const bool is_packed = mesh->stride == 12;
@@ -83,6 +93,8 @@ static void gather(const tribox_mesh *mesh, size_t first, size_t count, float *c
         gather_kind(mesh, (mesh_kind){2, true}, first, count, to);
     else if (index_bytes == 2)
         gather_kind(mesh, (mesh_kind){2, false}, first, count, to);
+    else if (is_packed && V_LANES > 8) /* with fewer lanes, blends take longer than transposes */
+        gather_nines(mesh, first, count, to);
     else if (is_packed)
         gather_kind(mesh, (mesh_kind){0, true}, first, count, to);
     else

@@ -41,6 +41,13 @@ TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return neon_number(vandq_u32(neon_bi
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u32(neon_bits(a), neon_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f32(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f32(m, a, b); }
+TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
+{
+    float number[2 * V_LANES];
+    vst1q_f32(number, a);
+    vst1q_f32(number + V_LANES, b);
+    return (vnum){number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]};
+}
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {
     vnum row[4];

@@ -49,6 +49,7 @@ TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return scalar_float(scalar_bits(a) &
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
+TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES]) { return from[0] % 2 ? b : a; }
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4]) { memcpy(to, from[0], 4 * sizeof *to); }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }

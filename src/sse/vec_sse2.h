@@ -37,6 +37,13 @@ TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
+TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
+{
+    float number[2 * V_LANES];
+    _mm_storeu_ps(number, a);
+    _mm_storeu_ps(number + V_LANES, b);
+    return _mm_setr_ps(number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]);
+}
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {
     vnum row[4];

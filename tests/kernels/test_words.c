@@ -293,6 +293,25 @@ static void test_cuts(void **state)
     }
 }
 #else
+/* Any lane of two vectors, at any lane; their bits are kept. */
+static void test_permutes(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "permutes");
+    for (int round = 0; round < 10000; round++) {
+        lane_number a[2 * LANES_MOST], out[LANES_MOST];
+        int32_t from[LANES_MOST];
+        for (unsigned lane = 0; lane < 2 * lanes_count; lane++)
+            a[lane] = number_of_bits((lane_bits)random_bits(&r));
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            from[lane] = random_below(&r, 1000);
+        lanes_permute(a, a + lanes_count, from, out);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            if (bits_of(out[lane]) != bits_of(a[(unsigned)from[lane] % (2 * lanes_count)]))
+                fail_msg("v_permute: lane %u is not lane %d of two vectors", lane, (int)from[lane]);
+    }
+}
+
 /* Four numbers from each of as many places, at any alignment of bytes; their bits are kept. */
 static void test_transposes(void **state)
 {
@@ -378,6 +397,7 @@ int main(int argc, char **argv)
 #if defined(LANES_OF_DOUBLE)
         cmocka_unit_test(test_cuts),
 #else
+        cmocka_unit_test(test_permutes),
         cmocka_unit_test(test_transposes),
 #endif
         cmocka_unit_test(test_bits_of_single_lanes),
