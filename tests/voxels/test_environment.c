@@ -4,41 +4,15 @@
  */
 #include "occupancy.h"
 
-#include <fenv.h>
 #include <string.h>
 
 #include "arguments.h"
 #include "grids.h"
 #include "guard.h"
+#include "settings.h"
 #include "shapes.h"
 
 enum { CELLS_MOST = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-
-enum { FTZ = 0x8000, DAZ = 0x40, MASKED = 0x1f80, STICKY = 0x3f, SETTINGS = 64 };
-
-/* Rounding, FTZ and DAZ, whether exceptions are unmasked, and whether flags are up. */
-static unsigned setting(unsigned k)
-{
-    return k % 4 << 13 | (k & 4 ? FTZ : 0) | (k & 8 ? DAZ : 0) | (k & 16 ? 0 : MASKED) | (k & 32 ? STICKY : 0);
-}
-static unsigned environment_get(void) { return _mm_getcsr(); }
-static void environment_set(unsigned mxcsr) { _mm_setcsr(mxcsr); }
-
-#else
-
-enum { SETTINGS = 4 };
-
-static unsigned setting(unsigned k)
-{
-    static const int rounding[SETTINGS] = {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO};
-    return (unsigned)rounding[k];
-}
-static unsigned environment_get(void) { return (unsigned)fegetround(); }
-static void environment_set(unsigned rounding) { fesetround((int)rounding); }
-#endif
 
 static lattice at;
 static crowd triangles;
