@@ -77,7 +77,10 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
            has_rising_planes(grid, 2);
 }
 
-/* The cell, -1 to size, in which a number lies, up to the rounding of planes: a start for the search. */
+/*
+ * The cell, -1 to size, in which a number lies, up to the rounding of planes: a start for the search. Never below the first cell
+ * that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid, is a double.
+ */
 static int64_t cell_near(const tribox_grid *grid, int a, float x)
 {
     const double at = ((double)x - grid->origin[a]) / grid->cell[a];
@@ -90,8 +93,6 @@ tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, float least, floa
     int64_t first = cell_near(grid, a, least), last = cell_near(grid, a, most);
     while (first >= 0 && tribox_grid_plane(grid, a, (uint64_t)first) >= least)
         first--;
-    while (first < size && tribox_grid_plane(grid, a, (uint64_t)(first + 1)) < least)
-        first++;
     while (last < size && tribox_grid_plane(grid, a, (uint64_t)(last + 1)) <= most)
         last++;
     while (last >= 0 && tribox_grid_plane(grid, a, (uint64_t)last) > most)
