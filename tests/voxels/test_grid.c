@@ -292,6 +292,24 @@ static void test_layers_beyond(void **state)
     assert_int_equal(tribox_voxelize_layers(&soup, &grid, 0, 5, NULL, words, NULL), TRIBOX_OK);
 }
 
+/* A triangle in the plane x + y = 2 meets cells in edges alone, which goes to a slower stage; of that FAST is silent. */
+static void test_undecided(void **state)
+{
+    (void)state;
+    static const float x[3] = {2.25f, -0.25f, 1.25f}, y[3] = {-0.25f, 2.25f, 0.75f}, z[3] = {0.5f, 0.25f, 3.7f};
+    const tribox_soup soup = {{x, x + 1, x + 2}, {y, y + 1, y + 2}, {z, z + 1, z + 2}, 1};
+    const tribox_grid grid = grid_of(4, 4, 4);
+    for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
+        const tribox_options exact = {.axes = axes}, fast = {.axes = axes, .accuracy = TRIBOX_FAST};
+        uint64_t words[16] = {0};
+        tribox_report report;
+        assert_int_equal(tribox_voxelize(&soup, &grid, &exact, words, &report), TRIBOX_OK);
+        assert_in_range(report.undecided, axes == TRIBOX_AXES_ALL, 64);
+        assert_int_equal(tribox_voxelize(&soup, &grid, &fast, words, &report), TRIBOX_OK);
+        assert_int_equal(report.undecided, 0);
+    }
+}
+
 int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
@@ -300,6 +318,7 @@ int main(int argc, char **argv)
         cmocka_unit_test_prestate(test_bad_numbers, &args), cmocka_unit_test_prestate(test_too_large, &args),
         cmocka_unit_test_prestate(test_fineness, &args),    cmocka_unit_test_prestate(test_bad_arguments, &args),
         cmocka_unit_test_prestate(test_bad_options, &args), cmocka_unit_test_prestate(test_layers_beyond, &args),
+        cmocka_unit_test_prestate(test_undecided, &args),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
