@@ -245,7 +245,7 @@ def judge_all(folder, mutants, jobs):
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Puts the faults of mutants.txt into the source, one at a time, and runs the tests.")
-    parser.add_argument("--only", metavar="PATTERN", default="*", help="only the mutants of this name, such as 'axis-*'")
+    parser.add_argument("--only", metavar="PATTERN", nargs="+", default=["*"], help="only the mutants of these names, such as 'axis-*'")
     parser.add_argument("--list", action="store_true", help="print the mutants, look for their texts, and change nothing")
     parser.add_argument("--keep", action="store_true", help="keep the copies of the tree and their builds")
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="mutants tried at a time (default: 2)")
@@ -279,9 +279,10 @@ def print_list(mutants):
 
 def main():
     arguments = parse_arguments()
-    mutants = [mutant for mutant in read_list(os.path.join(FOLDER, "mutants.txt")) if fnmatch.fnmatch(mutant.name, arguments.only)]
+    mutants = [mutant for mutant in read_list(os.path.join(FOLDER, "mutants.txt"))
+               if any(fnmatch.fnmatch(mutant.name, pattern) for pattern in arguments.only)]
     if not mutants:
-        raise SuiteError(f"no mutant is called '{arguments.only}'; --list prints the names")
+        raise SuiteError(f"no mutant is called {' or '.join(arguments.only)}; --list prints the names")
     if arguments.list:
         print_list(mutants)
     check_texts(mutants)
