@@ -6,8 +6,8 @@
 #include "environment.h"
 #include "pairs.h"
 
-/* The streams of so many words fit the first cache. */
-enum { BLOCK_WORDS = 4 };
+/* The streams of so many triangles fit the first cache. */
+enum { BLOCK = 256 };
 
 /* Whether count things of so many bytes fit the address space. */
 static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
@@ -53,41 +53,22 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
     return TRIBOX_OK;
 }
 
-/* Words of triangles in streams, waiting to be answered. */
-typedef struct block {
-    _Alignas(64) float streams[9][64 * BLOCK_WORDS]; /* no packet in two lines of the cache */
-    size_t word[BLOCK_WORDS];                        /* of the mask */
-    size_t words, triangles;
-} block;
-
-/* Triangles from `first`, a multiple of 64. */
-static void gather(block *b, const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
+/* Triangles first .. first + count - 1, of which there are at most BLOCK. */
+static tribox_report answer_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_box *box,
+                                  const tribox_plan *plan, uint64_t *mask)
 {
+    _Alignas(64) float streams[9][BLOCK]; /* no packet in two lines of the cache */
     float *to[9];
+    tribox_soup soup = {.count = count};
     for (int k = 0; k < 9; k++)
-        to[k] = b->streams[k] + b->triangles;
-    kernel->gather(mesh, first, count, to);
-    for (size_t done = 0; done < count; done += 64)
-        b->word[b->words++] = (first + done) / 64;
-    b->triangles += count;
-}
-
-static void answer_block(block *b, const tribox_box *box, const tribox_plan *plan, uint64_t *mask, tribox_report *counts)
-{
-    tribox_soup soup = {.count = b->triangles};
-    uint64_t hit[BLOCK_WORDS];
+        to[k] = streams[k];
     for (int v = 0; v < 3; v++) {
-        soup.x[v] = b->streams[v];
-        soup.y[v] = b->streams[3 + v];
-        soup.z[v] = b->streams[6 + v];
+        soup.x[v] = streams[v];
+        soup.y[v] = streams[3 + v];
+        soup.z[v] = streams[6 + v];
     }
-    const tribox_pairs p = {.soup = &soup, .box = box, .count = soup.count};
-    const tribox_report report = tribox_pairs_answer(&p, plan, hit);
-    for (size_t w = 0; mask && w < b->words; w++)
-        mask[b->word[w]] = hit[w];
-    counts->overlapping += report.overlapping;
-    counts->undecided += report.undecided;
-    b->words = b->triangles = 0;
+    plan->kernel->gather(mesh, first, count, to);
+    return tribox_pairs_answer(&(tribox_pairs){.soup = &soup, .box = box, .count = count}, plan, mask);
 }
 
 static tribox_row row_of(const tribox_box *box)
@@ -105,24 +86,20 @@ static tribox_report answer(const tribox_mesh *mesh, const tribox_box *box, cons
     const bool is_box_asked = plan->axes & TRIBOX_AXES_BOX;
     const tribox_row row = row_of(box);
     tribox_report counts = {0, 0};
-    block b;
-    b.words = b.triangles = 0;
     for (size_t first = 0, count; first < mesh->count; first += count) {
-        const size_t left = mesh->count - first, room = 64 * BLOCK_WORDS - b.triangles;
+        const size_t left = mesh->count - first;
         count = left < 64 ? left : 64;
         if (is_box_asked && plan->kernel->beside(mesh, &row, first, count)) {
             if (mask)
                 mask[first / 64] = 0;
             continue;
         }
-        /* Near in the mesh is near in space: the next words, up to a full block, are not asked. */
-        count = left < room ? left : room;
-        gather(&b, mesh, plan->kernel, first, count);
-        if (b.words == BLOCK_WORDS)
-            answer_block(&b, box, plan, mask, &counts);
+        /* Near in the mesh is near in space: the next words, up to a block, are not asked. */
+        count = left < BLOCK ? left : BLOCK;
+        const tribox_report report = answer_block(mesh, first, count, box, plan, mask ? mask + first / 64 : NULL);
+        counts.overlapping += report.overlapping;
+        counts.undecided += report.undecided;
     }
-    if (b.words)
-        answer_block(&b, box, plan, mask, &counts);
     return counts;
 }
 
