@@ -65,6 +65,16 @@ static void test_default_is_the_widest_that_runs(void **state)
         assert_string_equal(tribox_kernel_name(NULL), widest);
 }
 
+static void test_a_name_changes_no_default(void **state)
+{
+    (void)state;
+    const char *const best = tribox_kernel_name(NULL);
+    for (size_t i = 0; i < tribox_kernel_count(); i++) {
+        name_chosen(tribox_kernel_at(i)->name);
+        assert_string_equal(tribox_kernel_name(NULL), best);
+    }
+}
+
 static void test_table_is_widest_first(void **state)
 {
     (void)state;
@@ -113,6 +123,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_each_kernel_by_name),
         cmocka_unit_test(test_unknown_names),
         cmocka_unit_test(test_default_is_the_widest_that_runs),
+        cmocka_unit_test(test_a_name_changes_no_default),
         cmocka_unit_test(test_table_is_widest_first),
         cmocka_unit_test(test_the_named_kernel_runs),
     };
