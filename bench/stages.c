@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exact.h"
+#include "exact/exact.h"
 #include "plan.h"
 
 /* As in overlap.c, so that the double stage meets the same batches. */

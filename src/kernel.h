@@ -9,8 +9,8 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include "cells.h"
-#include "corners.h"
+#include "kernel_grid.h"
+#include "indices.h"
 #include "tribox.h"
 
 #if defined(__FAST_MATH__)

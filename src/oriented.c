@@ -11,7 +11,7 @@
 
 #include "bits.h"
 #include "environment.h"
-#include "exact_oriented.h"
+#include "exact/oriented.h"
 #include "finite.h"
 #include "pairs.h"
 #include "soup.h"

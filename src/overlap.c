@@ -4,7 +4,7 @@
 #include "bits.h"
 #include "box.h"
 #include "environment.h"
-#include "exact.h"
+#include "exact/exact.h"
 #include "pairs.h"
 #include "soup.h"
 

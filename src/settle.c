@@ -1,7 +1,7 @@
 #include "settle.h"
 
 #include "bits.h"
-#include "exact.h"
+#include "exact/exact.h"
 
 static tribox_pair pair_at(const tribox_batch *batch, unsigned i)
 {

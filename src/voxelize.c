@@ -9,7 +9,7 @@
 
 #include "bits.h"
 #include "environment.h"
-#include "exact.h"
+#include "exact/exact.h"
 #include "grid.h"
 #include "settle.h"
 #include "soup.h"

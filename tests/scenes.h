@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "exact.h"
+#include "exact/exact.h"
 #include "random.h"
 #include "tribox.h"
 

@@ -1,5 +1,5 @@
 #include "avx512/vec_avx512_double.h"
 #define KERNEL avx512
 #include "kernel/axes.h"
-#include "kernel/reach.h"
+#include "kernel/touched.h"
 #include "kernel/rows.h"

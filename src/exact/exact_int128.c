@@ -1,5 +1,5 @@
-#include "exact.h"
-#include "exact_oriented.h"
+#include "exact/exact.h"
+#include "exact/oriented.h"
 #if defined(__SIZEOF_INT128__)
 __extension__ typedef __int128 vnum;
 #include "exact/num_integer.h"
@@ -8,7 +8,7 @@ __extension__ typedef __int128 vnum;
 #define EXACT_IN_INTEGERS tribox_exact_int128
 #include "exact/pair.h"
 #define ORIENTED_IN_INTEGERS tribox_oriented_int128
-#include "exact/oriented.h"
+#include "exact/oriented_pair.h"
 #else
 typedef int translation_unit_is_not_empty;
 #endif

@@ -1,5 +1,5 @@
-#include "exact.h"
-#include "exact_oriented.h"
+#include "exact/exact.h"
+#include "exact/oriented.h"
 typedef int64_t vnum;
 #include "exact/num_integer.h"
 #include "kernel/axes.h"
@@ -7,4 +7,4 @@ typedef int64_t vnum;
 #define EXACT_IN_INTEGERS tribox_exact_int64
 #include "exact/pair.h"
 #define ORIENTED_IN_INTEGERS tribox_oriented_int64
-#include "exact/oriented.h"
+#include "exact/oriented_pair.h"

@@ -1,4 +1,4 @@
-#include "exact.h"
+#include "exact/exact.h"
 /* The longest value, the plane's slack of numbers from 2^-149 to 2^128, takes 3 * 277 + 8 = 839 bits. */
 #define LIMBS 28
 #include "exact/num_limbs.h"

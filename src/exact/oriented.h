@@ -1,26 +1,36 @@
-/* oriented.h - a triangle and an oriented box in integers: moved into the frame of the box, then tested. Included after integers.h. */
+/* oriented.h - one triangle and one oriented box, settled in integers. No allocation, no library. */
+#ifndef TRIBOX_EXACT_ORIENTED_H
+#define TRIBOX_EXACT_ORIENTED_H
 
-bool ORIENTED_IN_INTEGERS(const tribox_oriented_integers *in, unsigned axes)
-{
-    lane_triangle t;
-    lane_box box;
-    lane_shape s;
-    for (int k = 0; k < 3; k++) {
-        for (int j = 0; j < 3; j++) {
-            t.u[j][k] = v_splat(0);
-            for (int a = 0; a < 3; a++) {
-                const vnum d = v_sub(v_shifted(in->position[3 * j + a]), v_shifted(in->position[9 + a]));
-                t.u[j][k] = v_fma(v_shifted(in->axis[3 * k + a]), d, t.u[j][k]);
-            }
-            t.u[j][k] = v_mul(t.u[j][k], v_shifted((tribox_integer){1, in->shift}));
-        }
-        box.hi[k] = v_shifted(in->half[k]);
-        box.lo[k] = v_sub(v_splat(0), box.hi[k]);
-        box.H[k] = v_sub(box.hi[k], box.lo[k]);
-        shape_axis(&s, &t, &box, k);
-        if ((axes & TRIBOX_AXES_BOX) && is_negative(apart_on_box_normal(&s, k)))
-            return false;
-    }
-    shape_normal(&s);
-    return are_plane_and_edges_touching(&s, axes);
-}
+#include "exact/exact.h"
+
+/* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? */
+typedef struct tribox_oriented_pair {
+    float u[3][3];
+    tribox_oriented_box box;
+} tribox_oriented_pair;
+
+/* Whether no axis of the chosen groups separates in the frame of the box: for a finite triangle and a finite box. */
+bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes);
+
+/*
+ * The numbers of such a pair as integers. Positions are in a unit of theirs and axes in theirs; a coordinate in the frame, axis times
+ * position, times 2^shift is in the unit of the half lengths.
+ */
+typedef struct tribox_oriented_integers {
+    tribox_integer position[12]; /* the vertices, then the center */
+    tribox_integer axis[9];
+    tribox_integer half[3];
+    int shift;
+    int bits; /* every coordinate in the frame, and every half length, is below 2^bits units */
+} tribox_oriented_integers;
+
+bool tribox_oriented_int64(const tribox_oriented_integers *in, unsigned axes);
+#if defined(__SIZEOF_INT128__)
+bool tribox_oriented_int128(const tribox_oriented_integers *in, unsigned axes);
+#endif
+enum { TRIBOX_SHORT_BITS = 145 };
+bool tribox_oriented_short(const tribox_oriented_integers *in, unsigned axes);
+bool tribox_oriented_limbs(const tribox_oriented_integers *in, unsigned axes);
+
+#endif

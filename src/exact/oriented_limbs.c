@@ -1,8 +1,8 @@
-#include "exact_oriented.h"
+#include "exact/oriented.h"
 /* The plane's slack in a frame takes 3 * 557 + 8 = 1679 bits. */
 #define LIMBS 56
 #include "exact/num_limbs.h"
 #include "kernel/axes.h"
 #include "exact/integers.h"
 #define ORIENTED_IN_INTEGERS tribox_oriented_limbs
-#include "exact/oriented.h"
+#include "exact/oriented_pair.h"

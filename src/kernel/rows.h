@@ -1,7 +1,7 @@
 /*
  * rows.h - one triangle against rows of grid cells, in double: every axis leaves an interval of a row, and so do all.
  *
- * In places (cells.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these. The
+ * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these. The
  * axis a_ij says that a box overlaps only if, with m = s_i (f_jb, -f_ja) and X the corner of the box that is least along m,
  *   m_a (g_ja - X_a) + m_b (g_jb - X_b) >= 0
  * which is the slack of axes.h, halved. X is a cell's index, or that and one: the left side is linear in the cell. Along x it is a
@@ -17,7 +17,7 @@
  * Divided by |m_x| or |n_x| these bound a limit. An n_x below 2^-46 S / R_x is taken for that, which moves the plane by 2^-46 S:
  * so 2^-43 S is for FAST as well, or a segment, whose n is zero, would be lost.
  *
- * Redundant axes are left out as in settle.h: they are the ties of scenes that lie in the grid's own planes.
+ * Redundant axes are left out as in doubles.h: they are the ties of scenes that lie in the grid's own planes.
  */
 typedef struct row_triangle {
     vnum f[3][3], g[3][3]; /* edges and vertices, [j][a] */

@@ -1,5 +1,5 @@
 #include "neon/vec_neon_double.h"
 #define KERNEL neon
 #include "kernel/axes.h"
-#include "kernel/reach.h"
+#include "kernel/touched.h"
 #include "kernel/rows.h"

@@ -1,5 +1,5 @@
 #include "scalar/vec_scalar_double.h"
 #define KERNEL scalar
 #include "kernel/axes.h"
-#include "kernel/reach.h"
+#include "kernel/touched.h"
 #include "kernel/rows.h"

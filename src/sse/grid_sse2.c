@@ -1,5 +1,5 @@
 #include "sse/vec_sse2_double.h"
 #define KERNEL sse2
 #include "kernel/axes.h"
-#include "kernel/reach.h"
+#include "kernel/touched.h"
 #include "kernel/rows.h"

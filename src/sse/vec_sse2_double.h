@@ -10,7 +10,7 @@
 #include <emmintrin.h>
 #include <stdint.h>
 
-#include "exactness.h"
+#include "inexact_flag.h"
 #include "kernel.h"
 
 #define V_LANES 2

@@ -2,7 +2,7 @@
 #ifndef TRIBOX_TESTS_COMPARE_H
 #define TRIBOX_TESTS_COMPARE_H
 
-#include "exact.h"
+#include "exact/exact.h"
 #include "witness.h"
 
 /* Who answers: the first member of what an answerer knows besides. */

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "exact.h"
+#include "exact/exact.h"
 
 /* The widest separation over the thirteen axes, as a length: above 0 the pair is disjoint, below it the depth. */
 double margin_gap(const tribox_pair *pair);

@@ -1,6 +1,6 @@
-/* corners.h - which vertex stands at a corner of a mesh: corner 3 * i + v is vertex v of triangle i. */
-#ifndef TRIBOX_CORNERS_H
-#define TRIBOX_CORNERS_H
+/* indices.h - which vertex stands at a corner of a mesh: corner 3 * i + v is vertex v of triangle i. */
+#ifndef TRIBOX_INDICES_H
+#define TRIBOX_INDICES_H
 
 #include <string.h>
 

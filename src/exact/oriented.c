@@ -1,5 +1,5 @@
-/* exact_oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers. */
-#include "exact_oriented.h"
+/* oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers. */
+#include "exact/oriented.h"
 
 #include <string.h>
 

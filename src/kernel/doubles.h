@@ -1,5 +1,5 @@
 /*
- * settle.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
+ * doubles.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
  *
  * The processor's inexact flag tells for a whole packet at once that every slack is exact; then its sign decides ties as well. That
  * is for EXACT alone: CONSERVATIVE must answer a pair alike in whatever company it is.

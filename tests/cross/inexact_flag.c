@@ -1,11 +1,11 @@
 /*
- * exactness.c - what exactness.h says of sums, products and quotients that are exact, and of some that are not. Where the flag is
+ * inexact_flag.c - what inexact_flag.h says of sums, products and quotients that are exact, and of some that are not. Where the flag is
  * out of reach it may always say no.
  */
 #include <stdio.h>
 
 #include "environment.h"
-#include "exactness.h"
+#include "inexact_flag.h"
 
 #if defined(__SSE2__) || defined(__aarch64__)
 enum { IS_IN_REACH = true };
@@ -52,7 +52,7 @@ int main(void)
             const bool kept = is_kept(c);
             if (kept == c->is_exact || (!kept && !IS_IN_REACH))
                 continue;
-            fprintf(stderr, "%s is %sexact, but exactness.h says %s\n", c->text, c->is_exact ? "" : "not ", kept ? "yes" : "no");
+            fprintf(stderr, "%s is %sexact, but inexact_flag.h says %s\n", c->text, c->is_exact ? "" : "not ", kept ? "yes" : "no");
             status = 1;
         }
     tribox_environment_leave(callers);

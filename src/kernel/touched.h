@@ -1,5 +1,5 @@
 /*
- * reach.h - which cells of a grid the bounding boxes of triangles touch, in double.
+ * touched.h - which cells of a grid the bounding boxes of triangles touch, in double.
  *
  * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it. Then it is unsure.
  */

@@ -1,9 +1,9 @@
 /*
- * cells.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on an axis
+ * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on an axis
  * is told in cells, in double. An axis has at most some 2^26 cells, as no two planes are one float.
  */
-#ifndef TRIBOX_CELLS_H
-#define TRIBOX_CELLS_H
+#ifndef TRIBOX_KERNEL_GRID_H
+#define TRIBOX_KERNEL_GRID_H
 
 #include "tribox.h"
 

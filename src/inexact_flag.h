@@ -1,10 +1,10 @@
 /*
- * exactness.h - did any operation round since the watch began? The processor's sticky inexact flag knows; where it is out of reach
+ * inexact_flag.h - did any operation round since the watch began? The processor's sticky inexact flag knows; where it is out of reach
  * the answer is no, and costs only time. The arithmetic to be watched stands between the two calls: it starts from memory, and what
  * it comes to is the argument of the second, so that the compiler cannot move it out.
  */
-#ifndef TRIBOX_EXACTNESS_H
-#define TRIBOX_EXACTNESS_H
+#ifndef TRIBOX_INEXACT_FLAG_H
+#define TRIBOX_INEXACT_FLAG_H
 
 #include <stdbool.h>
 #include <stdint.h>

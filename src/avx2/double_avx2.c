@@ -2,4 +2,4 @@
 #define KERNEL avx2
 #include "kernel/axes.h"
 #include "kernel/bounds.h"
-#include "kernel/settle.h"
+#include "kernel/doubles.h"
