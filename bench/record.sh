@@ -3,7 +3,7 @@
 # Run it while the machine does nothing else; building apart it takes four minutes. NAME=... names the folder, BUILD=... the build.
 set -eu
 cd "$(dirname "$0")/.."
-tools/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf gnuplot-nox libassimp-dev libcgal-dev libgmp-dev libmpfr-dev
+packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf gnuplot-nox libassimp-dev libcgal-dev libgmp-dev libmpfr-dev
 processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1 | tr 'A-Z' 'a-z' | tr -cs 'a-z0-9' '-')
 processor=${processor%-}
 results=bench/results/${NAME:-${processor:-unknown}}

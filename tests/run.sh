@@ -3,7 +3,7 @@
 # Arguments go to `meson setup`; BUILD names the build directory, SUITES the suites (all of them), CC and CXX the compilers.
 set -eu
 cd "$(dirname "$0")/.."
-tools/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
+packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
     libassimp-dev libpng-dev libcmocka-dev libgmp-dev libembree-dev libbenchmark-dev libcgal-dev libmpfr-dev \
     python3-numpy python3-cffi python3-cffi-backend parallel openmpi-bin \
     git xz-utils doxygen mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \

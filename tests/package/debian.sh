@@ -13,11 +13,11 @@ for program in dpkg-buildpackage dh lintian fakeroot; do
     command -v $program >/dev/null || { echo "there is no $program: skipped"; exit 77; }
 done
 snapshot "$root" "$work/repository"
-cp -R "$root/tools/debian" "$work/debian"
+cp -R "$root/packaging/debian" "$work/debian"
 (cd "$work" && dpkg-checkbuilddeps) || { echo "a package to build with is missing: skipped"; exit 77; }
 
 # The compilers and flags of a package are Debian's.
-env -u CC -u CXX -u CFLAGS -u CXXFLAGS -u LDFLAGS "$work/repository/tools/debian.sh" "$work/out" >"$work/log" 2>&1 || {
+env -u CC -u CXX -u CFLAGS -u CXXFLAGS -u LDFLAGS "$work/repository/packaging/debian.sh" "$work/out" >"$work/log" 2>&1 || {
     tail -n 60 "$work/log" >&2
     exit 1
 }
@@ -35,5 +35,5 @@ export CMAKE_PREFIX_PATH="$work/unpacked/usr" LD_LIBRARY_PATH="$libdir" PATH="$w
 cd "$work/repository"
 for test in consumer program module; do
     mkdir "$work/$test"
-    AUTOPKGTEST_TMP=$work/$test tools/debian/tests/$test
+    AUTOPKGTEST_TMP=$work/$test packaging/debian/tests/$test
 done

@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 
 only_library='-Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=1 -Dc_args=-U__OPTIMIZE__'
 snapshot "$root" "$work/repository"
-name=tribox-$("$root/tools/version.sh")
+name=tribox-$("$root/packaging/version.sh")
 
 # tarball NAME UMASK: what meson dist writes from a clone of its own
 tarball() (

@@ -8,11 +8,11 @@ trap 'rm -rf "$work"' EXIT
 # A header that has no comment must be a failure, or this test tells nothing.
 documented() (
     cd "$1"
-    { cat tools/doxygen/Doxyfile; printf 'OUTPUT_DIRECTORY = %s\nGENERATE_XML = YES\n' "$work/$2"; } | doxygen -
+    { cat packaging/doxygen/Doxyfile; printf 'OUTPUT_DIRECTORY = %s\nGENERATE_XML = YES\n' "$work/$2"; } | doxygen -
 )
 
-mkdir -p "$work/bare/include" "$work/bare/tools"
-cp -R "$root/tools/doxygen" "$work/bare/tools"
+mkdir -p "$work/bare/include" "$work/bare/packaging"
+cp -R "$root/packaging/doxygen" "$work/bare/packaging"
 sed -e '/^ *\/\*\*/,/\*\//d' "$root/include/tribox.h" >"$work/bare/include/tribox.h"
 if documented "$work/bare" bare_out 2>/dev/null; then
     echo "doxygen takes a header without comments" >&2

@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 cp -R "$here/consumer" "$work/consumer"
 subprojects=$work/consumer/subprojects
 mkdir "$subprojects"
-version=$("$root/tools/version.sh")
+version=$("$root/packaging/version.sh")
 
 case $how in
 tree)

@@ -4,7 +4,7 @@
 set -eu
 here=$PWD
 cd "$(dirname "$0")/.."
-tools/packages.sh gcc libc6-dev meson ninja-build pkgconf libassimp-dev libpng-dev
+packaging/packages.sh gcc libc6-dev meson ninja-build pkgconf libassimp-dev libpng-dev
 test -d build || meson setup build -Dtools=enabled -Dtests=disabled -Dbench=disabled
 meson compile -C build
 program=$PWD/build/tools/tribox
