@@ -13,7 +13,7 @@
 
 #if defined(BENCH_MESHES)
 #include "cells.h"
-#include "mesh.h"
+#include "read/mesh.h"
 #endif
 
 static const char *const scenes_of_all[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "random.h"
+#include "paper/random.h"
 
 /* The cube over a mesh, and its division. */
 typedef struct lattice {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "baseline.h"
+#include "paper/baseline.h"
 #include "loads.h"
 
 static const char *const kernel_names[] = {"avx512", "avx2", "sse2", "neon", "scalar"};

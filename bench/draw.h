@@ -2,7 +2,7 @@
 #ifndef BENCH_DRAW_H
 #define BENCH_DRAW_H
 
-#include "random.h"
+#include "paper/random.h"
 
 /** triangle[j][a] is axis a of vertex j. */
 typedef float triangle[3][3];

@@ -3,7 +3,7 @@
 #define BENCH_MEASURE_H
 
 #include "contest.h"
-#include "random.h"
+#include "paper/random.h"
 
 #ifdef __cplusplus
 extern "C" {

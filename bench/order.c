@@ -9,7 +9,7 @@
 #include "arguments.h"
 #include "contest.h"
 #include "header.h"
-#include "order_report.h"
+#include "sweep/order_report.h"
 #include "order_scenes.h"
 
 typedef struct settings {

@@ -4,12 +4,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "order_octree.h"
-#include "order_why.h"
+#include "sweep/order_octree.h"
+#include "sweep/order_why.h"
 #include "place.h"
 
 #if defined(BENCH_MESHES)
-#include "mesh.h"
+#include "read/mesh.h"
 #endif
 
 /* Small triangles within the shadow of the unit box, above it: one box normal separates them, whatever the other axes do. */

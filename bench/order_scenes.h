@@ -2,7 +2,7 @@
 #ifndef BENCH_ORDER_SCENES_H
 #define BENCH_ORDER_SCENES_H
 
-#include "order_work.h"
+#include "sweep/order_work.h"
 
 size_t order_scene_count(void);
 const char *order_scene_name(size_t index);

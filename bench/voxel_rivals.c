@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "baseline.h"
+#include "paper/baseline.h"
 
 /* The cells of a triangle's bounding box, first to last on each axis. */
 typedef struct cell_range {

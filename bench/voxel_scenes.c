@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "random.h"
+#include "paper/random.h"
 #if defined(BENCH_MESHES)
-#include "mesh.h"
+#include "read/mesh.h"
 #endif
 
 /* Room for the streams and the triangles; count 0 in `made` if there is none. */

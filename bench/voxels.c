@@ -19,7 +19,7 @@
 #include "voxel_rivals.h"
 #include "voxel_scenes.h"
 #if defined(BENCH_MESHES)
-#include "layers.h"
+#include "voxelize/layers.h"
 #endif
 
 enum { ROUNDS_MOST = 101, RESOLUTIONS_MOST = 8, SCENES_MOST = 64 };

@@ -7,14 +7,14 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "demo_voxels.h"
-#include "message.h"
-#include "options.h"
-#include "output.h"
-#include "picture.h"
-#include "picture_png.h"
-#include "preview.h"
-#include "trial.h"
+#include "demo/demo_voxels.h"
+#include "console/message.h"
+#include "console/options.h"
+#include "console/output.h"
+#include "demo/picture.h"
+#include "picture/picture_png.h"
+#include "picture/preview.h"
+#include "demo/trial.h"
 
 static const char help[] = "tribox demo - speed and answers on two built-in scenes; needs no file\n"
                            "\n"

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "kernels.h"
-#include "message.h"
-#include "options.h"
-#include "output.h"
+#include "console/kernels.h"
+#include "console/message.h"
+#include "console/options.h"
+#include "console/output.h"
 
 static const char help[] = "tribox info - version, processor, and the kernels that it can run\n"
                            "\n"

@@ -7,15 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file_out.h"
-#include "message.h"
-#include "options.h"
-#include "output.h"
-#include "part.h"
-#include "preview.h"
-#include "processors.h"
-#include "volume.h"
-#include "voxelize_report.h"
+#include "write/file_out.h"
+#include "console/message.h"
+#include "console/options.h"
+#include "console/output.h"
+#include "write/part.h"
+#include "picture/preview.h"
+#include "console/processors.h"
+#include "write/volume.h"
+#include "voxelize/voxelize_report.h"
 
 static const char help[] = "tribox merge - the parts of a voxelization become one file\n"
                            "\n"

@@ -4,13 +4,13 @@
 
 #include <string.h>
 
-#include "boxes.h"
-#include "mesh.h"
-#include "message.h"
-#include "numbers.h"
-#include "options.h"
-#include "output.h"
-#include "report.h"
+#include "read/boxes.h"
+#include "read/mesh.h"
+#include "console/message.h"
+#include "console/numbers.h"
+#include "console/options.h"
+#include "console/output.h"
+#include "overlap/report.h"
 
 static const char help[] = "tribox overlap - which triangles of a mesh overlap a box?\n"
                            "\n"

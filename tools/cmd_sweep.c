@@ -8,17 +8,17 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "boxes.h"
-#include "kernels.h"
-#include "message.h"
-#include "numbers.h"
-#include "options.h"
-#include "order_octree.h"
-#include "order_report.h"
-#include "output.h"
-#include "sweep_advice.h"
-#include "sweep_chart.h"
-#include "sweep_work.h"
+#include "read/boxes.h"
+#include "console/kernels.h"
+#include "console/message.h"
+#include "console/numbers.h"
+#include "console/options.h"
+#include "sweep/order_octree.h"
+#include "sweep/order_report.h"
+#include "console/output.h"
+#include "sweep/sweep_advice.h"
+#include "sweep/sweep_chart.h"
+#include "sweep/sweep_work.h"
 
 static const char help[] = "tribox sweep - which order of the axes is the fastest for a mesh, and why?\n"
                            "\n"

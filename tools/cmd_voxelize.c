@@ -4,14 +4,14 @@
 
 #include <string.h>
 
-#include "layers.h"
-#include "message.h"
-#include "numbers.h"
-#include "options.h"
-#include "output.h"
-#include "part.h"
-#include "processors.h"
-#include "voxelize_work.h"
+#include "voxelize/layers.h"
+#include "console/message.h"
+#include "console/numbers.h"
+#include "console/options.h"
+#include "console/output.h"
+#include "write/part.h"
+#include "console/processors.h"
+#include "voxelize/voxelize_work.h"
 
 static const char help[] = "tribox voxelize - which cells of a grid does a mesh overlap?\n"
                            "\n"

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "cmd.h"
-#include "message.h"
-#include "output.h"
+#include "console/message.h"
+#include "console/output.h"
 
 /* The program never calls setlocale: numbers are read and written with a point everywhere. */
 

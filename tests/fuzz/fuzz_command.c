@@ -6,7 +6,7 @@
 #include "claim.h"
 #include "cmd.h"
 #include "lines.h"
-#include "message.h"
+#include "console/message.h"
 #include "target.h"
 
 enum { WORDS_MOST = 64 };

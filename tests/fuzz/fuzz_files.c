@@ -10,14 +10,14 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "boxes.h"
+#include "read/boxes.h"
 #include "claim.h"
 #include "lines.h"
-#include "mesh_file.h"
-#include "message.h"
-#include "part.h"
+#include "read/mesh_file.h"
+#include "console/message.h"
+#include "write/part.h"
 #include "target.h"
-#include "triangle_file.h"
+#include "read/triangle_file.h"
 
 typedef struct bytes {
     const uint8_t *first;

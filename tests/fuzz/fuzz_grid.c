@@ -4,7 +4,7 @@
 
 #include "answers.h"
 #include "claim.h"
-#include "grid_choice.h"
+#include "voxelize/grid_choice.h"
 #include "lines.h"
 #include "room.h"
 #include "target.h"

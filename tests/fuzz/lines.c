@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "claim.h"
-#include "message.h"
+#include "console/message.h"
 
 static int said, failed;
 

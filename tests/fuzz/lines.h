@@ -1,4 +1,4 @@
-/* lines.h - stands in for tools/message.c: lines are formatted as there, counted, and not printed. */
+/* lines.h - stands in for tools/console/message.c: lines are formatted as there, counted, and not printed. */
 #ifndef TRIBOX_TESTS_FUZZ_LINES_H
 #define TRIBOX_TESTS_FUZZ_LINES_H
 

@@ -1,7 +1,7 @@
-/* no_mesh.c - stands in for tools/mesh.c: no file is a mesh, so that a command ends when it has read its arguments. */
-#include "mesh.h"
+/* no_mesh.c - stands in for tools/read/mesh.c: no file is a mesh, so that a command ends when it has read its arguments. */
+#include "read/mesh.h"
 
-#include "message.h"
+#include "console/message.h"
 
 int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, m); }
 

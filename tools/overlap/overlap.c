@@ -1,0 +1,55 @@
+/* overlap.c - puts the question of tribox overlap to the library, once for a soup. */
+#define _POSIX_C_SOURCE 200809L
+#include "overlap.h"
+
+#include <stdlib.h>
+
+#include "console/clock.h"
+#include "console/message.h"
+
+int masks_make(size_t count, bool wants_inside, masks *bits)
+{
+    const size_t words = tribox_mask_words(count);
+    bits->overlap = malloc(words * (wants_inside ? 2 : 1) * sizeof *bits->overlap);
+    bits->inside = bits->overlap && wants_inside ? bits->overlap + words : NULL;
+    return bits->overlap ? EXIT_CODE_OK : message_failure("out of memory for the answers of %zu triangles", count);
+}
+
+void masks_free(masks *bits)
+{
+    free(bits->overlap);
+    *bits = (masks){NULL, NULL};
+}
+
+static tribox_status ask(const request *r, const tribox_soup *soup, const masks *bits, const tribox_box *box, tribox_report *report)
+{
+    if (r->has_oriented)
+        return tribox_overlap_oriented(soup, &r->oriented, &r->test, bits->overlap, report);
+    if (r->wants_inside)
+        return tribox_classify(soup, box, &r->test, bits->overlap, bits->inside, report);
+    return tribox_overlap(soup, box, &r->test, bits->overlap, report);
+}
+
+/* In parts, as the library counts no more than 2^32 bits at once. */
+static uint64_t count_bits(const uint64_t *mask, size_t count)
+{
+    const size_t most = (size_t)1 << 30;
+    uint64_t set = 0;
+    for (size_t first = 0; first < count; first += most)
+        set += tribox_mask_indices(mask + first / 64, count - first < most ? count - first : most, NULL);
+    return set;
+}
+
+int overlap_ask(const request *r, const tribox_soup *soup, const masks *bits, answer *a)
+{
+    tribox_report report;
+    const double start = clock_seconds();
+    const tribox_status status = ask(r, soup, bits, &a->box, &report);
+    a->seconds += clock_seconds() - start;
+    if (status)
+        return message_failure("%s", tribox_status_text(status));
+    a->overlapping += report.overlapping;
+    a->undecided += report.undecided;
+    a->inside += bits->inside ? count_bits(bits->inside, soup->count) : 0;
+    return EXIT_CODE_OK;
+}

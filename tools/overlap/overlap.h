@@ -1,0 +1,51 @@
+/* overlap.h - what tribox overlap was asked, and what it found. */
+#ifndef OVERLAP_H
+#define OVERLAP_H
+
+#include <stdbool.h>
+
+#include "read/triangle_file.h"
+#include "tribox.h"
+
+/* What was asked. */
+typedef struct request {
+    const char *mesh_path;
+    triangle_format format; /* OTHER: by the name of the mesh */
+    tribox_box box;         /* with --box */
+    bool has_box;
+    const char *boxes_path;       /* with --boxes, else NULL */
+    tribox_oriented_box oriented; /* with --oriented */
+    bool has_oriented;
+    tribox_options test;
+    bool wants_inside, wants_list, wants_json;
+} request;
+
+/* Bits of triangles: which overlap, and with --inside which of them lie wholly inside; else `inside` is NULL. */
+typedef struct masks {
+    uint64_t *overlap, *inside;
+} masks;
+
+/* One box and what was found out about it. */
+typedef struct answer {
+    tribox_box box; /* not with --oriented */
+    size_t line;    /* of the boxes file; 0 without one */
+    uint64_t triangles, left_out, not_finite;
+    uint64_t overlapping, undecided, inside;
+    int runs;
+    double seconds;       /* of the test alone, of the best run */
+    double total_seconds; /* with reading, where the mesh was streamed; else 0 */
+    uint64_t listed;      /* how many triangles the list has so far */
+} answer;
+
+/* Room for the bits of so many triangles. Returns an exit_code; on success masks_free gives it back. */
+int masks_make(size_t count, bool wants_inside, masks *bits);
+
+void masks_free(masks *bits);
+
+/* Tests triangles once. Adds what is found, and the time, to the answer. Returns an exit_code. */
+int overlap_ask(const request *r, const tribox_soup *soup, const masks *bits, answer *a);
+
+/* Answers about one box while the mesh is read, in memory that does not grow. Closes the file. Returns an exit_code. */
+int overlap_stream(const request *r, triangle_file *file);
+
+#endif

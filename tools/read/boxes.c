@@ -1,0 +1,90 @@
+/* boxes.c - reads boxes from the command line and from files, strictly and independent of the locale. */
+#include "boxes.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "console/message.h"
+#include "console/numbers.h"
+
+/* Bytes of a line without its comment, and of a file's name in messages. */
+enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };
+
+static void note_if_empty(const tribox_box *box, const char *where)
+{
+    for (int a = 0; a < 3; a++)
+        if (box->lo[a] > box->hi[a]) {
+            message_say(
+                "note: %s: the lower bound %.9g exceeds the upper bound %.9g on the %c axis: an empty box, nothing overlaps it",
+                where, (double)box->lo[a], (double)box->hi[a], "xyz"[a]);
+            return;
+        }
+}
+
+bool box_read(const char *text, const char *where, tribox_box *box)
+{
+    float bounds[6];
+    if (!numbers_read(text, where, "LX,LY,LZ,HX,HY,HZ", 6, bounds))
+        return false;
+    memcpy(box->lo, bounds, sizeof box->lo);
+    memcpy(box->hi, bounds + 3, sizeof box->hi);
+    note_if_empty(box, where);
+    return true;
+}
+
+int box_file_open(box_file *boxes, const char *path)
+{
+    const bool is_stdin = !strcmp(path, "-");
+    boxes->file = is_stdin ? stdin : fopen(path, "r");
+    boxes->name = is_stdin ? "stdin" : path;
+    boxes->line = 0;
+    if (!boxes->file)
+        return message_failure("%s: cannot open the boxes file: %s", path, strerror(errno));
+    return EXIT_CODE_OK;
+}
+
+/* Reads a line without its comment into text. Returns false at the end of the file, and after a message when *code says so. */
+static bool read_line(box_file *boxes, char *text, size_t size, int *code)
+{
+    size_t length = 0;
+    bool is_comment = false;
+    int c = getc(boxes->file);
+    if (c == EOF)
+        return false;
+    boxes->line++;
+    for (; c != EOF && c != '\n'; c = getc(boxes->file)) {
+        is_comment |= c == '#';
+        if (is_comment)
+            continue;
+        if (c == '\0' || length + 1 == size) {
+            *code = message_failure("%s:%zu: %s; give a box per line: LX,LY,LZ,HX,HY,HZ", boxes->name, boxes->line,
+                                    c ? "the line is too long" : "a NUL byte, so this is no text file");
+            return false;
+        }
+        text[length++] = (char)c;
+    }
+    text[length] = '\0';
+    return true;
+}
+
+int box_file_next(box_file *boxes, tribox_box *box, bool *end)
+{
+    char text[LINE_MAX_BYTES], where[NAME_SHOWN + 32];
+    int code = EXIT_CODE_OK;
+    do {
+        errno = 0;
+        *end = !read_line(boxes, text, sizeof text, &code);
+        if (*end && !code && ferror(boxes->file))
+            code = message_failure("%s: cannot read the boxes: %s", boxes->name, strerror(errno));
+        if (*end)
+            return code;
+    } while (!text[strspn(text, NUMBERS_BLANKS)]);
+    snprintf(where, sizeof where, "%.*s:%zu", NAME_SHOWN, boxes->name, boxes->line);
+    return box_read(text, where, box) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+}
+
+void box_file_close(box_file *boxes)
+{
+    if (boxes->file != stdin)
+        fclose(boxes->file);
+}

@@ -1,0 +1,55 @@
+/* mesh_file.c - reads a whole file, with a reason for each way in which that fails. */
+#define _POSIX_C_SOURCE 200809L
+#include "mesh_file.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "console/message.h"
+
+static int read_bytes(const char *path, FILE *stream, mesh_file *file)
+{
+    file->bytes = malloc(file->size + 1);
+    if (!file->bytes)
+        return message_failure("%s: out of memory: the file has %zu bytes", path, file->size);
+    errno = 0;
+    if (fread(file->bytes, 1, file->size, stream) == file->size) {
+        file->bytes[file->size] = '\0';
+        return EXIT_CODE_OK;
+    }
+    const char *reason = errno ? strerror(errno) : "it became shorter meanwhile";
+    mesh_file_free(file);
+    return message_failure("%s: cannot read the file: %s", path, reason);
+}
+
+int mesh_file_read(const char *path, mesh_file *file)
+{
+    struct stat about;
+    *file = (mesh_file){NULL, 0};
+    if (stat(path, &about))
+        return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
+    if (!S_ISREG(about.st_mode))
+        return message_failure("%s: is %s; give a mesh file", path, S_ISDIR(about.st_mode) ? "a directory" : "no regular file");
+    if (about.st_size == 0)
+        return message_failure("%s: the file is empty", path);
+    if ((uintmax_t)about.st_size >= SIZE_MAX)
+        return message_failure("%s: the file is too large for the address space", path);
+
+    FILE *stream = fopen(path, "rb");
+    if (!stream)
+        return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
+    file->size = (size_t)about.st_size;
+    const int code = read_bytes(path, stream, file);
+    fclose(stream);
+    return code;
+}
+
+void mesh_file_free(mesh_file *file)
+{
+    free(file->bytes);
+    *file = (mesh_file){NULL, 0};
+}

@@ -1,0 +1,55 @@
+/* sweep_advice.c - EXACT with the default kernel: the fastest order, or axes that may be left out at no false report. */
+#include "sweep_advice.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "console/options.h"
+
+/* The fastest of those that answer exactly as all axes do. */
+static const entrant *fastest_right(const sweep *s, const char *kernel, const entrant *best)
+{
+    for (int x = 0; x < SWEEP_AXES; x++) {
+        const entrant *const one = sweep_find(s, kernel, TRIBOX_EXACT, sweep_axes[x], sweep_default_order);
+        if (!one->unlike && sweep_beats(s, one, best))
+            best = one;
+    }
+    return best;
+}
+
+sweep_advice sweep_advise(const sweep *s)
+{
+    const char *const kernel = tribox_kernel_name(NULL);
+    const entrant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, sweep_default_order);
+    const entrant *const best = sweep_best(s, kernel, TRIBOX_EXACT);
+    const entrant *const advised = fastest_right(s, kernel, sweep_beats(s, best, plain) ? best : plain);
+    return (sweep_advice){.kernel = kernel,
+                          .order = advised->options.order,
+                          .axes = advised->options.axes,
+                          .gain = 1 - sweep_time(s, advised) / sweep_time(s, plain)};
+}
+
+void sweep_advice_text(const sweep_advice *advice, char *text, size_t size)
+{
+    char axes[32] = "";
+    for (int i = 0; i < OPTIONS_AXES_GROUPS; i++) {
+        unsigned bit;
+        const char *const word = options_axes_word(i, &bit);
+        const size_t length = strlen(axes);
+        if (advice->axes & bit)
+            snprintf(axes + length, sizeof axes - length, "%s%s", length ? "," : "", word);
+    }
+    if (advice->axes != TRIBOX_AXES_ALL)
+        snprintf(text, size,
+                 "Use the axes %s here, in the default order: with kernel %s they report nothing false on these pairs and take "
+                 "%.1f %% less time than all axes.",
+                 axes, advice->kernel, 100 * advice->gain);
+    else if (advice->gain > 0)
+        snprintf(text, size, "Use order %u and all axes here: with kernel %s it takes %.1f %% less time than the default order %u.",
+                 advice->order, advice->kernel, 100 * advice->gain, sweep_default_order);
+    else
+        snprintf(text, size,
+                 "Use the default here, order %u and all axes: with kernel %s no other order, and no choice of axes that reports "
+                 "nothing false, is faster beyond the spread.",
+                 sweep_default_order, advice->kernel);
+}

@@ -1,0 +1,123 @@
+/* grid_choice.c - lays a grid around a mesh. */
+#include "grid_choice.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "console/memory.h"
+#include "console/message.h"
+
+/* What the library serves: 2^31 words. */
+static const double words_most = 0x1p31;
+
+static int bounds_of(const char *path, const tribox_soup *soup, tribox_box *bounds)
+{
+    *bounds = (tribox_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    const float *const *const streams[3] = {soup->x, soup->y, soup->z};
+    for (size_t t = 0; t < soup->count; t++) {
+        bool is_finite = true;
+        for (int c = 0; c < 9; c++)
+            is_finite &= isfinite(streams[c / 3][c % 3][t]) != 0;
+        for (int c = 0; is_finite && c < 9; c++) {
+            const float x = streams[c / 3][c % 3][t];
+            bounds->lo[c / 3] = fminf(bounds->lo[c / 3], x);
+            bounds->hi[c / 3] = fmaxf(bounds->hi[c / 3], x);
+        }
+    }
+    return bounds->lo[0] <= bounds->hi[0] ? EXIT_CODE_OK : message_failure("%s: no triangle with finite coordinates in it", path);
+}
+
+/* As tribox_grid states it. */
+static float plane(const tribox_grid *grid, int a, double p)
+{
+    return (float)((double)grid->origin[a] + p * (double)grid->cell[a]);
+}
+
+/* The least float with which `cells` of them reach from the origin to hi. */
+static float cell_reaching(const tribox_grid *grid, int a, double cells, float hi)
+{
+    tribox_grid tried = *grid;
+    tried.cell[a] = (float)(((double)hi - (double)grid->origin[a]) / cells);
+    while (plane(&tried, a, cells) < hi)
+        tried.cell[a] = nextafterf(tried.cell[a], INFINITY);
+    return tried.cell[a];
+}
+
+static int choose_cubes(const char *path, const tribox_box *bounds, uint32_t resolution, tribox_grid *grid)
+{
+    int longest = 0;
+    double sides[3];
+    for (int a = 0; a < 3; a++) {
+        sides[a] = (double)bounds->hi[a] - (double)bounds->lo[a];
+        longest = sides[a] > sides[longest] ? a : longest;
+    }
+    if (!(sides[longest] > 0))
+        return message_failure("%s: all of the mesh lies in one point, of which no side is the longest; give --cell", path);
+    tribox_grid around = *grid;
+    memcpy(around.origin, bounds->lo, sizeof around.origin);
+    const float cell = cell_reaching(&around, longest, resolution, bounds->hi[longest]);
+    for (int a = 0; a < 3; a++)
+        grid->cell[a] = cell;
+    return EXIT_CODE_OK;
+}
+
+/* The least number of cells that reach hi, one at least; more than any grid has where they are too many. */
+static double cells_reaching(const tribox_grid *grid, int a, float hi)
+{
+    double cells = fmax(1, floor(((double)hi - (double)grid->origin[a]) / (double)grid->cell[a]) - 1);
+    while (cells < words_most && plane(grid, a, cells) < hi)
+        cells++;
+    return cells;
+}
+
+static int choose_size(const char *path, const tribox_box *bounds, tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++) {
+        if (grid->origin[a] > bounds->hi[a])
+            return message_failure("%s: the mesh ends at %c = %.9g, before the grid starts at %.9g; move --origin, or give --size",
+                                   path, "xyz"[a], (double)bounds -> hi[a], (double)grid -> origin[a]);
+        const double cells = cells_reaching(grid, a, bounds->hi[a]);
+        grid->size[a] = cells < UINT32_MAX ? (uint32_t)cells : UINT32_MAX;
+    }
+    return EXIT_CODE_OK;
+}
+
+static int refuse_floats(const tribox_grid *grid)
+{
+    for (int a = 0; a < 3; a++)
+        if (!isfinite(plane(grid, a, grid->size[a])))
+            return message_failure("the grid reaches beyond what float holds on the %c axis; choose smaller or fewer cells",
+                                   "xyz"[a]);
+    return message_failure("the grid is finer than float: cells of %.9g x %.9g x %.9g cannot be told apart so far from 0; choose "
+                           "larger cells, or move the mesh towards 0",
+                           (double)grid->cell[0], (double)grid->cell[1], (double)grid->cell[2]);
+}
+
+/* Asks the library, and finds out why it says no. */
+static int check_grid(const tribox_grid *grid)
+{
+    char bytes[16];
+    const double words = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2];
+    if (words > words_most)
+        return message_failure(
+            "a grid of %u x %u x %u cells takes %s, a bit a cell; tribox serves grids of 16.0 GiB at most: choose "
+            "fewer cells",
+            grid->size[0], grid->size[1], grid->size[2], memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes));
+    const tribox_soup nothing = {.count = 0};
+    uint64_t none;
+    return tribox_voxelize_layers(&nothing, grid, 0, 0, NULL, &none, NULL) == TRIBOX_BAD_GRID ? refuse_floats(grid) : EXIT_CODE_OK;
+}
+
+int grid_choose(const grid_choice *choice, const char *path, const tribox_soup *soup, tribox_grid *grid)
+{
+    tribox_box bounds;
+    int code = bounds_of(path, soup, &bounds);
+    memcpy(grid->origin, choice->has_origin ? choice->origin : bounds.lo, sizeof grid->origin);
+    memcpy(grid->cell, choice->cell, sizeof grid->cell);
+    memcpy(grid->size, choice->size, sizeof grid->size);
+    if (!code && choice->resolution)
+        code = choose_cubes(path, &bounds, choice->resolution, grid);
+    if (!code && !choice->has_size)
+        code = choose_size(path, &bounds, grid);
+    return code ? code : check_grid(grid);
+}

@@ -1,0 +1,134 @@
+/* voxelize_work.c - reads a mesh, lays a grid around it, fills it, and writes it. */
+#define _POSIX_C_SOURCE 200809L
+#include "voxelize_work.h"
+
+#include <stdlib.h>
+
+#include "console/clock.h"
+#include "layers.h"
+#include "console/memory.h"
+#include "read/mesh.h"
+#include "console/message.h"
+#include "write/part.h"
+#include "voxelize_report.h"
+
+/* Refuses what does not fit before any of it is taken. */
+static int check_memory(const tribox_grid *grid, uint64_t bytes, uint64_t preview_bytes)
+{
+    char needed[16], there[16];
+    const uint64_t available = memory_available();
+    if (bytes + preview_bytes <= available)
+        return EXIT_CODE_OK;
+    const uint64_t shards = bytes / (available / 2 + 1) + 2;
+    return message_failure(
+        "%u x %u x %u cells take %s of memory here and %s are available: choose fewer cells, or voxelize in parts, "
+        "--shard 1/%u and so on, and join them with 'tribox merge'",
+        grid->size[0], grid->size[1], grid->size[2], memory_text(bytes + preview_bytes, needed), memory_text(available, there),
+        (unsigned)(shards < grid->size[2] ? shards : grid->size[2]));
+}
+
+static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxels_slab *slab, uint64_t **bits)
+{
+    const size_t words = voxels_layer_words(grid) * slab->layers;
+    const int code = check_memory(grid, (uint64_t)words * sizeof **bits, r->preview_path ? preview_memory(grid) : 0);
+    if (code)
+        return code;
+    *bits = calloc(words ? words : 1, sizeof **bits); /* a shard may have no layers */
+    slab->bits = *bits;
+    return *bits ? EXIT_CODE_OK : message_failure("out of memory for %zu words of cells", words);
+}
+
+static int write_answer(const voxelize_request *r, const voxelize_answer *a, const mesh *m, const voxels *v, file_out *out)
+{
+    if (r->format && r->format->check_cells) {
+        const int code = r->format->check_cells(r->out_path, &v->grid, a->report.overlapping);
+        if (code)
+            return code;
+    }
+    progress bar = progress_start("writing", !r->is_quiet);
+    if (r->format)
+        r->format->write(out->stream, v, &bar);
+    else
+        part_write(out->stream,
+                   &(part_header){.magic = PART_MAGIC,
+                                  .byte_order = PART_BYTE_ORDER,
+                                  .shard = r->shard,
+                                  .whole = {.grid = v->grid,
+                                            .shards = r->shards,
+                                            .accuracy = r->test.accuracy,
+                                            .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
+                                            .triangles = m->soup.count,
+                                            .checksum = part_checksum(&m->soup)}},
+                   v->slab[0].bits, &bar);
+    progress_end(&bar);
+    return EXIT_CODE_OK;
+}
+
+static int voxelize(const voxelize_request *r, const mesh *m, const voxels *v, uint64_t *bits, voxelize_answer *a)
+{
+    progress bar = progress_start("voxelizing", !r->is_quiet);
+    const double start = clock_seconds();
+    const tribox_status status = voxelize_in_threads(&m->soup, &v->grid, v->slab[0].first, v->slab[0].layers, &r->test, r->threads,
+                                                     bits, &a->report, bar.is_wanted ? progress_tell : NULL, &bar);
+    a->seconds = clock_seconds() - start;
+    progress_end(&bar);
+    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+/* From the mesh to the files. */
+static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer *a, file_out *out, file_out *picture)
+{
+    uint64_t *bits = NULL;
+    voxels_slab slab;
+    voxels v = {.slab = &slab, .slabs = 1};
+    int code = grid_choose(&r->grid, r->mesh_path, &m->soup, &v.grid);
+    if (!code && r->format && r->format->check_grid)
+        code = r->format->check_grid(r->out_path, &v.grid);
+    if (code)
+        return code;
+    part_layers(&(part_whole){.grid = v.grid, .shards = r->shards}, r->shard, &slab.first, &slab.layers);
+    a->grid = v.grid;
+    a->first = slab.first;
+    a->layers = slab.layers;
+    code = take_memory(r, &v.grid, &slab, &bits);
+    if (!code)
+        code = voxelize(r, m, &v, bits, a);
+    if (!code)
+        code = write_answer(r, a, m, &v, out);
+    if (!code)
+        code = file_out_keep(out);
+    if (!code)
+        code = preview_draw(picture, &v, r->up, r->threads, !r->is_quiet);
+    free(bits);
+    return code;
+}
+
+int voxelize_work(const voxelize_request *r)
+{
+    mesh m;
+    file_out out, picture;
+    voxelize_answer a = {.mesh_path = r->mesh_path,
+                         .out_path = r->out_path,
+                         .preview_path = r->preview_path,
+                         .test = r->test,
+                         .threads = r->threads,
+                         .shard = r->is_part ? r->shard : 0,
+                         .shards = r->shards};
+    int code = mesh_read(r->mesh_path, &m);
+    if (code)
+        return code;
+    mesh_warn(r->mesh_path, &m);
+    a.triangles = m.soup.count;
+    a.not_finite = m.not_finite;
+    code = file_out_open(&out, r->out_path);
+    if (!code) {
+        code = file_out_open(&picture, r->preview_path);
+        if (!code) {
+            code = answer_mesh(r, &m, &a, &out, &picture);
+            file_out_drop(&picture);
+        }
+        file_out_drop(&out);
+    }
+    mesh_free(&m);
+    return code || r->is_quiet ? code : voxelize_report(&a, r->wants_json);
+}

@@ -1,0 +1,147 @@
+/* part.c - writes the part of a grid, reads it back, and sees whether parts are those of one whole. */
+#define _POSIX_C_SOURCE 200809L
+#include "part.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "console/message.h"
+
+_Static_assert(sizeof(part_header) == 96, "part_header is a file format: it has no padding and does not change");
+
+void part_layers(const part_whole *whole, uint32_t shard, uint32_t *first, uint32_t *layers)
+{
+    const uint64_t all = whole->grid.size[2];
+    *first = (uint32_t)(all * (shard - 1) / whole->shards);
+    *layers = (uint32_t)(all * shard / whole->shards) - *first;
+}
+
+uint64_t part_checksum(const tribox_soup *soup)
+{
+    const float *const *const streams[3] = {soup->x, soup->y, soup->z};
+    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    for (int c = 0; c < 9; c++)
+        for (size_t t = 0; t < soup->count; t++) {
+            uint32_t bits;
+            memcpy(&bits, &streams[c / 3][c % 3][t], sizeof bits);
+            sum = (sum ^ bits) * UINT64_C(0x100000001b3); /* FNV-1a, with words in place of bytes */
+            sum ^= sum >> 32;
+        }
+    return sum;
+}
+
+bool part_is_name(const char *path)
+{
+    const size_t length = strlen(path);
+    return length > 5 && !strcmp(path + length - 5, ".part");
+}
+
+void part_write(FILE *to, const part_header *header, const uint64_t *bits, progress *bar)
+{
+    uint32_t first, layers;
+    const size_t words = voxels_layer_words(&header->whole.grid);
+    part_layers(&header->whole, header->shard, &first, &layers);
+    fwrite(header, sizeof *header, 1, to);
+    for (uint32_t k = 0; k < layers && !ferror(to); k++) {
+        fwrite(bits + k * words, sizeof *bits, words, to);
+        progress_tell(bar, (k + 1.0) / layers);
+    }
+}
+
+/* Whether the header is one that a part can have, and the size that the whole file then has. */
+static int check_header(const char *path, const part_header *header, size_t *size)
+{
+    const part_whole *whole = &header->whole;
+    const tribox_soup nothing = {.count = 0};
+    uint32_t first, layers;
+    uint64_t none;
+    if (memcmp(header->magic, PART_MAGIC, sizeof PART_MAGIC))
+        return message_failure("%s: is no part; give the files that tribox voxelize --shard wrote", path);
+    if (header->byte_order != PART_BYTE_ORDER)
+        return message_failure("%s: written on a machine of another byte order; merge it on a machine like that one", path);
+    if (!header->shard || header->shard > whole->shards || tribox_voxelize_layers(&nothing, &whole->grid, 0, 0, NULL, &none, NULL))
+        return message_failure("%s: damaged: its header makes no sense", path);
+    part_layers(whole, header->shard, &first, &layers);
+    *size = sizeof *header + sizeof(uint64_t) * layers * voxels_layer_words(&whole->grid);
+    return EXIT_CODE_OK;
+}
+
+static int map(part *p, int file)
+{
+    struct stat about;
+    size_t needed = 0;
+    if (fstat(file, &about))
+        return message_failure("%s: cannot read the part: %s", p->path, strerror(errno));
+    if (!S_ISREG(about.st_mode))
+        return message_failure("%s: is no regular file; give the files that tribox voxelize --shard wrote", p->path);
+    if (read(file, &p->header, sizeof p->header) != (ssize_t)sizeof p->header)
+        return message_failure("%s: is no part, or only the beginning of one", p->path);
+    const int code = check_header(p->path, &p->header, &needed);
+    if (code)
+        return code;
+    p->size = (size_t)about.st_size;
+    if (p->size != needed)
+        return message_failure("%s: damaged: it has %zu bytes, shard %u of %u has %zu; run that shard again", p->path, p->size,
+                               p->header.shard, p->header.whole.shards, needed);
+    p->mapped = mmap(NULL, p->size, PROT_READ, MAP_PRIVATE, file, 0);
+    return p->mapped != MAP_FAILED ? EXIT_CODE_OK : message_failure("%s: cannot map the part: %s", p->path, strerror(errno));
+}
+
+int part_open(part *p, const char *path)
+{
+    *p = (part){.path = path};
+    const int file = open(path, O_RDONLY);
+    if (file < 0)
+        return message_failure("%s: cannot open the part: %s", path, strerror(errno));
+    const int code = map(p, file);
+    close(file);
+    return code;
+}
+
+void part_close(part *p) { munmap(p->mapped, p->size); }
+
+const uint64_t *part_bits(const part *p) { return (const uint64_t *)((const char *)p->mapped + sizeof p->header); }
+
+static int by_shard(const void *a, const void *b)
+{
+    const uint32_t one = ((const part *)a)->header.shard, other = ((const part *)b)->header.shard;
+    return (one > other) - (one < other);
+}
+
+static int check_alike(const part *a, const part *b)
+{
+    const part_whole *one = &a->header.whole, *other = &b->header.whole;
+    const char *differing = memcmp(&one->grid, &other->grid, sizeof one->grid)                       ? "grid"
+                            : one->shards != other->shards                                           ? "number of shards"
+                            : one->triangles != other->triangles || one->checksum != other->checksum ? "mesh"
+                            : one->accuracy != other->accuracy                                       ? "accuracy"
+                            : one->axes != other->axes                                               ? "choice of axes"
+                                                                                                     : NULL;
+    return differing ? message_failure("%s and %s do not fit: they are of another %s", a->path, b->path, differing) : EXIT_CODE_OK;
+}
+
+int part_join(part *parts, size_t count)
+{
+    const uint32_t shards = parts[0].header.whole.shards;
+    for (size_t i = 1; i < count; i++) {
+        const int code = check_alike(&parts[0], &parts[i]);
+        if (code)
+            return code;
+    }
+    qsort(parts, count, sizeof *parts, by_shard);
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t shard = parts[i].header.shard;
+        if (i && shard == parts[i - 1].header.shard)
+            return message_failure("%s and %s are both shard %u of %u; give each once", parts[i - 1].path, parts[i].path, shard,
+                                   shards);
+        if (shard != i + 1)
+            return message_failure("shard %zu of %u is missing", i + 1, shards);
+    }
+    return count == shards ? EXIT_CODE_OK : message_failure("shard %zu of %u is missing", count + 1, shards);
+}
