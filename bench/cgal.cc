@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "arguments.h"
-#include "header.h"
-#include "measure.h"
+#include "common/command_line.h"
+#include "common/header.h"
+#include "common/measure.h"
 
 namespace
 {

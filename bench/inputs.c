@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
-#include "header.h"
-#include "loads.h"
-#include "measure.h"
+#include "common/command_line.h"
+#include "common/header.h"
+#include "common/loads.h"
+#include "common/measure.h"
 
 /* A scene in every form. */
 typedef struct forms {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "contest.h"
-#include "machine.h"
+#include "common/contest.h"
+#include "common/machine.h"
 
 namespace
 {

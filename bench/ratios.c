@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
-#include "table.h"
+#include "common/command_line.h"
+#include "common/table.h"
 
 typedef struct settings {
     uint64_t seed;

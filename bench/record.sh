@@ -11,7 +11,7 @@ build=${BUILD:-build-bench}
 test -d "$build" || meson setup "$build" -Dtests=disabled
 meson compile -C "$build"
 mkdir -p "$results"
-bench/chart.sh "$build/bench/accuracy" bench/accuracy.gp "$results" "$@"
+bench/accuracy/chart.sh "$build/bench/accuracy" bench/accuracy/accuracy.gp "$results" "$@"
 rm "$results/accuracy.json" # the same as the CSV, five times as long
 "$build/bench/cgal" >"$results/cgal.txt"
 "$build/bench/inputs" >"$results/inputs.txt"

@@ -2,7 +2,7 @@
 #ifndef BENCH_ACCURACY_OPTIONS_H
 #define BENCH_ACCURACY_OPTIONS_H
 
-#include "measure.h"
+#include "common/measure.h"
 
 enum { MESHES_MAX = 64 };
 

@@ -1,6 +1,6 @@
 """Writes the figures of the order sweep into findings.md: every block between <!-- figures: NAME --> and <!-- end -->.
 
-    python3 bench/order_summary.py RESULTS [SECOND]
+    python3 bench/order/order_summary.py RESULTS [SECOND]
 
 RESULTS is a folder that the sweep wrote; SECOND one of another run of the same command, for the block on reproducibility.
 """
@@ -260,7 +260,7 @@ def baseline(r):
 def reproduced(r, second):
     """Cells where a run shows one fastest order, and the other run another."""
     if not second:
-        return "@@a second run: python3 bench/order_summary.py RESULTS SECOND@@"
+        return "@@a second run: python3 bench/order/order_summary.py RESULTS SECOND@@"
     shown = differing = 0
     for cell in r.cells():
         for one, other in ((r, second), (second, r)):

@@ -1,4 +1,4 @@
-#include "cells.h"
+#include "leaves.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 
 #include "sweep/order_octree.h"
 #include "sweep/order_why.h"
-#include "place.h"
+#include "common/place.h"
 
 #if defined(BENCH_MESHES)
 #include "read/mesh.h"

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "header.h"
+#include "common/header.h"
 #include "stages.h"
 
 /** One scene and one choice of axes: what everyone answered, in which time. */

@@ -1,4 +1,4 @@
-/* arguments.h - what the programs of this folder share in reading their command lines. */
+/* command_line.h - what the programs of this folder share in reading their command lines. */
 #ifndef BENCH_ARGUMENTS_H
 #define BENCH_ARGUMENTS_H
 

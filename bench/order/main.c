@@ -1,14 +1,14 @@
 /*
- * order.c - which order of the axes is the fastest, and why? Every kernel, accuracy and order on one scene after the other, in one
+ * main.c - which order of the axes is the fastest, and why? Every kernel, accuracy and order on one scene after the other, in one
  * process. order_sweep.py runs many such processes, joins what they measured, and draws it.
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
-#include "contest.h"
-#include "header.h"
+#include "common/command_line.h"
+#include "common/contest.h"
+#include "common/header.h"
 #include "sweep/order_report.h"
 #include "order_scenes.h"
 

@@ -1,4 +1,4 @@
-/* scenes.h - seeded soups, each with a box to test against. The order of the list is the order of the reports. */
+/* soups.h - seeded soups, each with a box to test against. The order of the list is the order of the reports. */
 #ifndef BENCH_SCENES_H
 #define BENCH_SCENES_H
 

@@ -1,11 +1,11 @@
-#include "arguments.h"
+#include "command_line.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
+#include "soups.h"
 
 int argument_fail(const char *program, const char *what, const char *which, const char *help)
 {

@@ -1,5 +1,5 @@
 /*
- * voxels.c - how fast are soups voxelized, beside the paper's test for each cell and beside Schwarz and Seidel (voxel_rivals.h)?
+ * main.c - how fast are soups voxelized, beside the paper's test for each cell and beside Schwarz and Seidel (voxel_rivals.h)?
  *
  * First all answer once: EXACT alike on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. Then all run in
  * one process, interleaved in rounds; ratios are the medians of the rounds' ratios. The bits are cleared before each pass, outside
@@ -13,9 +13,9 @@
 #include <string.h>
 #include <sys/resource.h>
 
-#include "arguments.h"
-#include "header.h"
-#include "measure.h"
+#include "common/command_line.h"
+#include "common/header.h"
+#include "common/measure.h"
 #include "voxel_rivals.h"
 #include "voxel_scenes.h"
 #if defined(BENCH_MESHES)

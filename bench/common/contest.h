@@ -2,7 +2,7 @@
 #ifndef BENCH_CONTEST_H
 #define BENCH_CONTEST_H
 
-#include "scenes.h"
+#include "soups.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,8 +1,8 @@
-/* cells.h - a mesh against cells of a grid over it, or of an octree: as many scenes, which share the soup. */
+/* leaves.h - a mesh against cells of a grid over it, or of an octree: as many scenes, which share the soup. */
 #ifndef BENCH_CELLS_H
 #define BENCH_CELLS_H
 
-#include "scenes.h"
+#include "common/soups.h"
 
 typedef struct cells {
     scene *at;

@@ -1,5 +1,5 @@
 /*
- * accuracy.c - what does exactness cost, and what does it save one from? Every scene, accuracy, choice of axes and kernel: time,
+ * main.c - what does exactness cost, and what does it save one from? Every scene, accuracy, choice of axes and kernel: time,
  * errors against the true answer, and the stages in which EXACT and CONSERVATIVE come to theirs.
  *
  * The contestants of one choice of axes run interleaved in rounds; nothing is timed before EXACT is the same on every kernel.
@@ -12,7 +12,7 @@
 #include "trade.h"
 
 #if defined(BENCH_MESHES)
-#include "cells.h"
+#include "leaves.h"
 #include "read/mesh.h"
 #endif
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "arguments.h"
+#include "common/command_line.h"
 
 #if defined(BENCH_MESHES)
 enum { HAS_MESHES = 1 };

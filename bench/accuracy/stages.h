@@ -2,7 +2,7 @@
 #ifndef BENCH_STAGES_H
 #define BENCH_STAGES_H
 
-#include "measure.h"
+#include "common/measure.h"
 
 enum { WIDTH_INT64, WIDTH_INT128, WIDTH_LIMBS, WIDTHS };
 

@@ -1,4 +1,4 @@
-#include "scenes.h"
+#include "soups.h"
 
 #include <stdio.h>
 #include <stdlib.h>
