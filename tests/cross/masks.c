@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "drawn.h"
 #include "runnable.h"
 

@@ -6,11 +6,11 @@
 #include <string.h>
 #include <time.h>
 
-#include "trial.h"
+#include "common/ask.h"
 
 #include "compare.h"
-#include "margin.h"
-#include "memory.h"
+#include "contact_margin.h"
+#include "zeroed.h"
 
 enum {
     ACCURACIES = 3,

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
+#include "zeroed.h"
 
 /* The candidates of one triangle, as the library takes them, and room for the answers. */
 typedef struct question {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "memory.h"
+#include "zeroed.h"
 
 /* lo .. lo + extent holds mesh and grid. */
 typedef struct bounds {

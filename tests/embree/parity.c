@@ -5,7 +5,7 @@
 
 #include "crossing.h"
 #include "embree.h"
-#include "memory.h"
+#include "zeroed.h"
 
 enum { CROSSINGS_MOST = 1024, RECASTS_MOST = 100 };
 

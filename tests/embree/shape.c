@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "memory.h"
+#include "zeroed.h"
 
 static shape empty(size_t capacity) { return (shape){.triangles = memory_of(capacity, sizeof(triangle))}; }
 

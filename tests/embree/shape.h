@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "random.h"
+#include "common/random.h"
 #include "tribox.h"
 
 typedef struct triangle {

@@ -4,9 +4,9 @@
  */
 #include <math.h>
 
-#include "trial.h"
+#include "common/ask.h"
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "check.h"
 #include "embree.h"
 

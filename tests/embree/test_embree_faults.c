@@ -4,13 +4,13 @@
  */
 #include <string.h>
 
-#include "trial.h"
+#include "common/ask.h"
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "embree.h"
 #include "faulty.h"
-#include "margin.h"
-#include "memory.h"
+#include "contact_margin.h"
+#include "zeroed.h"
 #include "parity.h"
 
 enum { SKIPPED = 77, CELLS = 32, DATA_SETS = 6 };

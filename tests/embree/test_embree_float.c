@@ -2,9 +2,9 @@
  * test_embree_float.c - the library against rays, on coordinates that round: a breach goes to the exact oracle, CONSERVATIVE and
  * FAST have their bounds. Cells need not be cubes, and planes need not be where origin + p * cell is.
  */
-#include "trial.h"
+#include "common/ask.h"
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "check.h"
 #include "embree.h"
 

@@ -2,12 +2,12 @@
  * test_embree_parity.c - voxels of closed meshes keep inside and outside apart, even for neighbours by a corner; and a single cell
  * that is missing, or a mesh asked with open cells, is seen to leak.
  */
-#include "trial.h"
+#include "common/ask.h"
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "embree.h"
 #include "faulty.h"
-#include "memory.h"
+#include "zeroed.h"
 #include "parity.h"
 
 /* A cell that the surface only grazes has one side around it: its absence is no leak. */

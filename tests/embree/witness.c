@@ -6,7 +6,7 @@
 #include "crossing.h"
 #include "dual.h"
 #include "embree.h"
-#include "memory.h"
+#include "zeroed.h"
 
 /* The cells of one axis that a point may lie in. */
 typedef struct reach {

@@ -3,7 +3,7 @@
 #define TRIBOX_TESTS_FUZZ_ANSWERS_H
 
 #include "input.h"
-#include "oracle.h"
+#include "common/oracle.h"
 
 /* Different pairs are few, since the oracle is slow; a soup repeats them as often as it likes. */
 enum { PAIRS_DRAWN = 16 };

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "guard.h"
+#include "common/guard.h"
 
 enum { POISON = 0xa5 };
 

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "guard.h"
-#include "random.h"
+#include "common/guard.h"
+#include "common/random.h"
 #include "tribox.h"
 
 enum { LAID_TRIANGLES = 5000, LAID_BYTES = 8 << 20 };

@@ -12,8 +12,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "contact.h"
-#include "scenes.h"
+#include "common/contact.h"
+#include "common/scenes.h"
 
 /* A scene of an upright box in double: what is placed. */
 typedef struct upright {

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "fences.h"
 #include "mesh_layout.h"
 #include "runnable.h"

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "drawn.h"
 #include "fences.h"
 #include "runnable.h"

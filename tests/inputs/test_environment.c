@@ -10,12 +10,12 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "drawn.h"
 #include "mesh_layout.h"
 #include "oriented_scenes.h"
 #include "runnable.h"
-#include "settings.h"
+#include "common/settings.h"
 
 static arguments args;
 static drawn numbers;

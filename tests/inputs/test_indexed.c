@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "fences.h"
 #include "mesh_layout.h"
 #include "question.h"

@@ -5,9 +5,9 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
-#include "guard.h"
-#include "random.h"
+#include "common/arguments.h"
+#include "common/guard.h"
+#include "common/random.h"
 #include "tribox.h"
 
 static arguments args;

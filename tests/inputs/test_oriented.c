@@ -12,8 +12,8 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
-#include "guard.h"
+#include "common/arguments.h"
+#include "common/guard.h"
 #include "oriented_oracle.h"
 #include "oriented_scenes.h"
 #include "runnable.h"

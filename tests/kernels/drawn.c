@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "contact.h"
+#include "common/contact.h"
 
 static question question_over(const drawn *numbers, bool is_soup, size_t count)
 {

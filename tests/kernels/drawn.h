@@ -3,7 +3,7 @@
 #define TRIBOX_TESTS_DRAWN_H
 
 #include "question.h"
-#include "scenes.h"
+#include "common/scenes.h"
 
 enum { DRAWN_MOST = 10240, DRAWN_WORDS = DRAWN_MOST / 64 };
 

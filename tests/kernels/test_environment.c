@@ -8,11 +8,11 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "drawn.h"
-#include "guard.h"
+#include "common/guard.h"
 #include "runnable.h"
-#include "settings.h"
+#include "common/settings.h"
 
 static arguments args;
 static drawn numbers;

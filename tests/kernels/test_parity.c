@@ -7,9 +7,9 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "drawn.h"
-#include "guard.h"
+#include "common/guard.h"
 #include "runnable.h"
 
 static arguments args;

@@ -9,9 +9,9 @@
 
 #include <cmocka.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "dispatch.h"
-#include "random.h"
+#include "common/random.h"
 #include "words.h"
 
 static arguments args;

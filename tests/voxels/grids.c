@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "contact.h"
+#include "common/contact.h"
 
 /* Rows that end before, at and after the end of a word. */
 static uint32_t row_length(random_source *r)

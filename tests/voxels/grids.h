@@ -3,7 +3,7 @@
 #define TRIBOX_TESTS_GRIDS_H
 
 #include "lattice.h"
-#include "random.h"
+#include "common/random.h"
 
 typedef struct grid_kind {
     const char *name;

@@ -5,7 +5,7 @@
 #ifndef TRIBOX_TESTS_JUDGE_H
 #define TRIBOX_TESTS_JUDGE_H
 
-#include "oracle.h"
+#include "common/oracle.h"
 
 /* One triangle, its thirteen axes and its interval on each. */
 typedef struct judged {

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "contact.h"
+#include "common/contact.h"
 
 float lattice_place(const tribox_grid *grid, int axis, double p)
 {

@@ -2,7 +2,7 @@
 #ifndef TRIBOX_TESTS_OCCUPANCY_H
 #define TRIBOX_TESTS_OCCUPANCY_H
 
-#include "trial.h"
+#include "common/ask.h"
 
 #include "crowd.h"
 #include "lattice.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact.h"
+#include "common/contact.h"
 
 /* Points are drawn in cells, p[vertex][axis]; whole numbers are planes, and become the very floats of the planes. */
 static void map(const lattice *l, double p[3][3], float u[3][3])

@@ -4,7 +4,7 @@
 
 #include "crowd.h"
 #include "lattice.h"
-#include "random.h"
+#include "common/random.h"
 
 typedef struct shape {
     const char *name;

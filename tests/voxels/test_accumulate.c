@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "grids.h"
 #include "shapes.h"
 

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "grids.h"
 #include "judge.h"
 #include "shapes.h"

@@ -6,10 +6,10 @@
 
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "grids.h"
-#include "guard.h"
-#include "settings.h"
+#include "common/guard.h"
+#include "common/settings.h"
 #include "shapes.h"
 
 enum { CELLS_MOST = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };

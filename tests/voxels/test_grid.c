@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "grids.h"
 #include "judge.h"
 #include "shapes.h"

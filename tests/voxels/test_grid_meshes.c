@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
-#include "mesh.h"
-#include "random.h"
+#include "common/arguments.h"
+#include "common/read_mesh.h"
+#include "common/random.h"
 
 enum {
     SKIPPED = 77,

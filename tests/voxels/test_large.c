@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "judge.h"
-#include "random.h"
+#include "common/random.h"
 
 enum { POINTS = 1000, PAIRS_A_ROUND = 100000 };
 

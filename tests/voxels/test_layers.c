@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "grids.h"
-#include "guard.h"
+#include "common/guard.h"
 #include "shapes.h"
 
 enum { PAIRS_A_ROUND = 100000, CELLS_MOST = 8000, TRIANGLES = 90, THREADS_MOST = 8 };

@@ -2,15 +2,15 @@
  * test_meshes.c - real meshes against nodes of an octree over them: EXACT is the same from every kernel, and the oracle's answer.
  * The meshes are no part of the project. Without their folder the test is skipped (exit code 77).
  */
-#include "trial.h"
+#include "common/ask.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "arguments.h"
-#include "mesh.h"
-#include "random.h"
+#include "common/arguments.h"
+#include "common/read_mesh.h"
+#include "common/random.h"
 
 enum {
     SKIPPED = 77,

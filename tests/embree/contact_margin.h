@@ -1,4 +1,4 @@
-/* margin.h - how far a pair is from contact, in double: what CONSERVATIVE and FAST are allowed to get wrong. */
+/* contact_margin.h - how far a pair is from contact, in double: what CONSERVATIVE and FAST are allowed to get wrong. */
 #ifndef TRIBOX_TESTS_MARGIN_H
 #define TRIBOX_TESTS_MARGIN_H
 

@@ -5,14 +5,14 @@
  * compared with the sizes of both. What is lost there grows with the distance, and the slack does not.
  * Vanishing: triangles so small that their normal is a few multiples of the least float, or none; then its sign is anybody's guess.
  */
-#include "trial.h"
+#include "common/ask.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "arguments.h"
-#include "contact.h"
-#include "random.h"
+#include "common/arguments.h"
+#include "common/contact.h"
+#include "common/random.h"
 
 /* So many bits has the distance of a triangle far away, in units of the last one. */
 enum { UNIT_BITS = 23 };

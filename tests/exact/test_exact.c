@@ -1,10 +1,10 @@
 /* test_exact.c - every scene, every kernel: EXACT is the oracle's answer, CONSERVATIVE never misses, FAST is counted. */
-#include "trial.h"
+#include "common/ask.h"
 
 #include <string.h>
 
-#include "arguments.h"
-#include "scenes.h"
+#include "common/arguments.h"
+#include "common/scenes.h"
 
 /* The pair's box lies among empty ones, in any lane of a whole word or of a tail. */
 enum { BOXES = SCENE_TRIANGLES };

@@ -1,4 +1,4 @@
-#include "margin.h"
+#include "contact_margin.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* trial.h - what the correctness tests share: the kernels of this machine, soups of pairs, and a failure that tells everything. */
+/* ask.h - what the correctness tests share: the kernels of this machine, soups of pairs, and a failure that tells everything. */
 #ifndef TRIBOX_TESTS_TRIAL_H
 #define TRIBOX_TESTS_TRIAL_H
 

@@ -1,9 +1,9 @@
 /* test_oracles.c - the two oracles agree, and every slow stage of the exact test agrees with them where it applies. */
-#include "trial.h"
+#include "common/ask.h"
 
-#include "arguments.h"
+#include "common/arguments.h"
 #include "dispatch.h"
-#include "scenes.h"
+#include "common/scenes.h"
 
 /* How often each stage was asked: a stage that was never asked was not tested. */
 typedef struct reached {

@@ -1,4 +1,4 @@
-/* mesh.h - reads the two mesh formats of the mesh tests: binary little-endian PLY of float triangles, and binary STL. */
+/* read_mesh.h - reads the two mesh formats of the mesh tests: binary little-endian PLY of float triangles, and binary STL. */
 #ifndef TRIBOX_TESTS_MESH_H
 #define TRIBOX_TESTS_MESH_H
 

@@ -1,4 +1,4 @@
-#include "trial.h"
+#include "ask.h"
 
 #include <inttypes.h>
 

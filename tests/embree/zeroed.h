@@ -1,4 +1,4 @@
-/* memory.h - zeroed memory, or the end of the program with a message. */
+/* zeroed.h - zeroed memory, or the end of the program with a message. */
 #ifndef TRIBOX_TESTS_MEMORY_H
 #define TRIBOX_TESTS_MEMORY_H
 

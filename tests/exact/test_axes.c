@@ -1,11 +1,11 @@
 /* test_axes.c - each of the thirteen axes by itself, in every orientation, and the small lattice, on which there is no rounding. */
-#include "trial.h"
+#include "common/ask.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "arguments.h"
-#include "random.h"
+#include "common/arguments.h"
+#include "common/random.h"
 
 /* Triangles and boxes, all of which are asked about each other. */
 enum { CROWD = 80 };

@@ -1,4 +1,4 @@
-#include "mesh.h"
+#include "read_mesh.h"
 
 #include <stdint.h>
 #include <stdio.h>
