@@ -334,6 +334,12 @@ TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const t
  */
 TRIBOX_API const char *tribox_kernel_name(const tribox_options *options);
 
+/**
+ * The kernels that this processor runs, widest first, the scalar one last: the name of kernel i, spelt as in tribox_options.kernel,
+ * or NULL when i is past the last. Name 0 is the default. Static storage.
+ */
+TRIBOX_API const char *tribox_kernel_list(size_t i);
+
 #ifdef __cplusplus
 }
 #endif

@@ -50,6 +50,14 @@ bool tribox_kernel_runs_here(size_t i)
     return table[i].runs_here();
 }
 
+const char *tribox_kernel_list(size_t i)
+{
+    for (size_t k = 0; k < tribox_kernel_count(); k++)
+        if (tribox_kernel_runs_here(k) && !i--)
+            return table[k].kernel->name;
+    return NULL;
+}
+
 const tribox_kernel *tribox_kernel_find(const char *name)
 {
     /* Two threads may both choose on first use: they choose the same. */

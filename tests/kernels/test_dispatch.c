@@ -75,6 +75,19 @@ static void test_a_name_changes_no_default(void **state)
     }
 }
 
+static void test_list_is_what_runs(void **state)
+{
+    (void)state;
+    size_t listed = 0;
+    for (size_t i = 0; i < tribox_kernel_count(); i++)
+        if (tribox_kernel_runs_here(i))
+            assert_string_equal(tribox_kernel_list(listed++), tribox_kernel_at(i)->name);
+    assert_string_equal(tribox_kernel_list(0), tribox_kernel_name(NULL));
+    assert_null(tribox_kernel_list(listed));
+    assert_null(tribox_kernel_list(listed + 1));
+    assert_null(tribox_kernel_list(SIZE_MAX));
+}
+
 static void test_table_is_widest_first(void **state)
 {
     (void)state;
@@ -124,6 +137,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_unknown_names),
         cmocka_unit_test(test_default_is_the_widest_that_runs),
         cmocka_unit_test(test_a_name_changes_no_default),
+        cmocka_unit_test(test_list_is_what_runs),
         cmocka_unit_test(test_table_is_widest_first),
         cmocka_unit_test(test_the_named_kernel_runs),
     };
