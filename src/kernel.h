@@ -26,6 +26,11 @@
 #else
 #define TRIBOX_INLINE static inline
 #endif
+/* The one external symbol of a kernel's object: tribox_<part>_<KERNEL>, KERNEL being the name that the object is compiled for. */
+#define TRIBOX_PASTE_(part, kernel) tribox_##part##_##kernel
+#define TRIBOX_PASTE(part, kernel) TRIBOX_PASTE_(part, kernel)
+#define TRIBOX_SYMBOL(part) TRIBOX_PASTE(part, KERNEL)
+
 /* The bits of a packet, all set: of V_LANES, which a vocabulary defines. */
 #define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
 

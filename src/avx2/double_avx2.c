@@ -1,5 +1,4 @@
+/* double_avx2.c - what float leaves open, in double with AVX2 and FMA. */
 #include "avx2/vec_avx2_double.h"
 #define KERNEL avx2
-#include "kernel/axes.h"
-#include "kernel/bounds.h"
-#include "kernel/doubles.h"
+#include "kernel/double.h"

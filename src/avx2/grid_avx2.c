@@ -1,5 +1,4 @@
+/* grid_avx2.c - cells of grids, in double with AVX2 and FMA. */
 #include "avx2/vec_avx2_double.h"
 #define KERNEL avx2
-#include "kernel/axes.h"
-#include "kernel/touched.h"
-#include "kernel/rows.h"
+#include "kernel/grid.h"

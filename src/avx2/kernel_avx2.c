@@ -1,12 +1,4 @@
+/* kernel_avx2.c - the kernel of AVX2 and FMA: everything in float, and the table of what it does. */
 #include "avx2/vec_avx2.h"
 #define KERNEL avx2
-#include "kernel/axes.h"
-#include "kernel/margin.h"
-#include "kernel/ties.h"
-#include "kernel/packet.h"
-#include "kernel/inside.h"
-#include "kernel/nine.h"
-#include "kernel/gather.h"
-#include "kernel/beside.h"
-#include "kernel/frame.h"
-#include "kernel/batch.h"
+#include "kernel/float.h"

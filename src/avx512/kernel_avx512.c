@@ -1,12 +1,4 @@
+/* kernel_avx512.c - the kernel of AVX-512F: everything in float, and the table of what it does. */
 #include "avx512/vec_avx512.h"
 #define KERNEL avx512
-#include "kernel/axes.h"
-#include "kernel/margin.h"
-#include "kernel/ties.h"
-#include "kernel/packet.h"
-#include "kernel/inside.h"
-#include "kernel/nine.h"
-#include "kernel/gather.h"
-#include "kernel/beside.h"
-#include "kernel/frame.h"
-#include "kernel/batch.h"
+#include "kernel/float.h"

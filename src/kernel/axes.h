@@ -1,5 +1,6 @@
 /*
- * The thirteen axes, stated once, for every instruction set and every kind of number.
+ * axes.h - the thirteen axes, stated once, for every instruction set and every kind of number.
+ * After: a vocabulary (the words v_ and m_, kernel/README.md), or a kind of integer (exact/num_*.h).
  *
  * T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", journal of graphics tools 6(1), 2001, section 2. A convex triangle and
  * a box are disjoint exactly when one of thirteen axes separates them:
@@ -26,8 +27,6 @@
  *   a projection, and the sign of zero is plus or minus, never zero; then the test is complete for degenerate triangles and flat
  *   boxes too. It needs bullet 1 beside it; without bullet 1 the two-sided test serves.
  * - An edge is projected by either of its ends, so vertices 0 and 1 serve all three edges, and vertex 2 needs no V.
- *
- * This text is included after a vocabulary (the words v_ and m_); kernel/README.md defines them.
  */
 
 /* A triangle in lanes: u[j][a] is axis a of vertex j. */

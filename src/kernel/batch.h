@@ -1,5 +1,6 @@
 /*
- * The walks: a soup against one box, or one triangle against many boxes, in words of 64, each in packets of V_LANES.
+ * batch.h - the walks: a soup against one box, or one triangle against many boxes, in words of 64, each in packets of V_LANES.
+ * After: packet.h and every other text of float.h: it ends with the table of what the kernel does. Needs: KERNEL.
  *
  * A walk is one text whose accuracy and sequence of groups (kernel.h) are constants: every instance below keeps only its own
  * tests. Where the box normals come first, x is loaded and asked, then y, then z, each only if a lane is left: far from the box a
@@ -73,21 +74,13 @@ TRIBOX_FOR_EACH_SEQUENCE(FAST_WALKS)
 #define EXACT_BOXES(sequence) [TRIBOX_SEQUENCE_##sequence] = exact_boxes_##sequence,
 #define CONSERVATIVE_BOXES(sequence) [TRIBOX_SEQUENCE_##sequence] = conservative_boxes_##sequence,
 #define FAST_BOXES(sequence) [TRIBOX_SEQUENCE_##sequence] = fast_boxes_##sequence,
-#define KERNEL_SYMBOL_(name) tribox_kernel_##name
-#define KERNEL_SYMBOL(name) KERNEL_SYMBOL_(name)
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
-#define SETTLE_SYMBOL_(name) tribox_settle_##name
-#define SETTLE_SYMBOL(name) SETTLE_SYMBOL_(name)
-
-#define GRID_SYMBOL_(name) tribox_grid_##name
-#define GRID_SYMBOL(name) GRID_SYMBOL_(name)
-
-tribox_settle SETTLE_SYMBOL(KERNEL);
-extern const tribox_grid_kernel GRID_SYMBOL(KERNEL);
-extern const tribox_kernel KERNEL_SYMBOL(KERNEL);
-const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
+tribox_settle TRIBOX_SYMBOL(settle);
+extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
+extern const tribox_kernel TRIBOX_SYMBOL(kernel);
+const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
     .lanes = V_LANES,
     .soup = {[TRIBOX_EXACT] = {TRIBOX_FOR_EACH_SEQUENCE(EXACT_SOUP)},
@@ -101,6 +94,6 @@ const tribox_kernel KERNEL_SYMBOL(KERNEL) = {
     .gather = gather,
     .beside = beside,
     .move = move,
-    .settle = SETTLE_SYMBOL(KERNEL),
-    .grid = &GRID_SYMBOL(KERNEL),
+    .settle = TRIBOX_SYMBOL(settle),
+    .grid = &TRIBOX_SYMBOL(grid),
 };

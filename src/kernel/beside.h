@@ -1,6 +1,8 @@
 /*
- * beside.h - does a word of a mesh lie beside the box, all its vertices beyond one face? Then bullet 1 separates every triangle, and
- * none has to be gathered. Asked of all vertices from the least number to the greatest: they lie side by side in memory, and in most
+ * beside.h - does a word of a mesh lie beside the box, all its vertices beyond one face?
+ * After: gather.h.
+ *
+ * Then bullet 1 separates every triangle, and none has to be gathered. Asked of all vertices from the least number to the greatest: they lie side by side in memory, and in most
  * meshes what is near in number is near in space. Stops at the first vertices that tell otherwise.
  */
 

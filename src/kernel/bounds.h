@@ -1,5 +1,6 @@
 /*
  * bounds.h - how far rounding can move a slack, in the arithmetic of the vocabulary: u is its unit roundoff, V_UNIT.
+ * After: axes.h.
  *
  * With F_a the extent of the triangle on axis a and m_a = max(max_j u_ja - lo_a, hi_a - min_j u_ja), the farthest that triangle
  * and box reach from each other on that axis:

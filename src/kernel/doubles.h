@@ -1,5 +1,6 @@
 /*
  * doubles.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
+ * After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
  *
  * The processor's inexact flag tells for a whole packet at once that every slack is exact; then its sign decides ties as well. That
  * is for EXACT alone: CONSERVATIVE must answer a pair alike in whatever company it is.
@@ -94,11 +95,8 @@ TRIBOX_INLINE uint64_t settle_packet(const tribox_batch *batch, unsigned at, uns
     return overlapping;
 }
 
-#define SETTLE_SYMBOL_(name) tribox_settle_##name
-#define SETTLE_SYMBOL(name) SETTLE_SYMBOL_(name)
-
-tribox_settle SETTLE_SYMBOL(KERNEL);
-uint64_t SETTLE_SYMBOL(KERNEL)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open)
+tribox_settle TRIBOX_SYMBOL(settle);
+uint64_t TRIBOX_SYMBOL(settle)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open)
 {
     uint64_t overlapping = 0;
     *open = 0;

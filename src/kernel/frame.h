@@ -1,5 +1,6 @@
 /*
  * frame.h - triangles moved into the frame of an oriented box: q_k = axis_k . (u - center), and how far rounding can have moved them.
+ * After: axes.h. Needs: V_ETA.
  *
  * The bound. d = u - center is rounded once (a subnormal difference not at all), then two or three products and two sums, fused or not:
  * four roundings on the longest way, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Taken is

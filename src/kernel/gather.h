@@ -1,5 +1,6 @@
 /*
  * gather.h - triangles of a mesh into nine streams: V_LANES vertices at a time, read four floats wide and transposed in registers.
+ * After: nine.h. Needs: v_transpose4.
  *
  * The last vertex cannot be read wide, as nothing has to follow its z: words of triangles that refer to it, and what is left of a
  * packet at the end, go number by number.

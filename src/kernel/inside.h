@@ -1,4 +1,7 @@
-/* inside.h - which triangles lie wholly in the box: all three vertices do, as the box is convex. Input numbers are compared: exact. */
+/*
+ * inside.h - which triangles lie wholly in the box: all three vertices do, as the box is convex. Input numbers are compared: exact.
+ * After: axes.h, packet.h.
+ */
 
 /* The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A difference to itself is zero, or NaN and no order. */
 TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)

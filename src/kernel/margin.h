@@ -1,6 +1,8 @@
 /*
- * margin.h - the bounds of bounds.h, cheaper and coarser, for float: one for all nine edge axes and one for the plane, from the sum
- * of the extents. For the lanes that the box normals leave, m_a <= F_a + H_a. With s = F_x + F_y + F_z and h the longest side of the
+ * margin.h - the bounds of bounds.h, cheaper and coarser, for float: one for all nine edge axes and one for the plane.
+ * After: axes.h. Needs: V_ETA.
+ *
+ * Both come from the sum of the extents. For the lanes that the box normals leave, m_a <= F_a + H_a. With s = F_x + F_y + F_z and h the longest side of the
  * box, products of extents at their largest:
  *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h) <= s / 3 (s s / 2 + s h) + tau (s + 3 h)
  * so the bound on the plane, 48 u S, is at most s times the bound on the edges, 32 u B_i, with room for the roundings of these

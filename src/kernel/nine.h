@@ -1,5 +1,6 @@
 /*
  * nine.h - nine floats a triangle into nine streams, V_LANES triangles at a time, from registers read as they lie in memory.
+ * After: a vocabulary. Needs: v_permute.
  *
  * V_LANES and nine have no common factor, so at each place the nine registers hold nine different numbers of a triangle. Numbers
  * run on within a register: number k at place p is in the one that begins with number k - p, modulo nine. Ordered by what they begin

@@ -1,5 +1,6 @@
 /*
  * packet.h - one packet of V_LANES pairs at one accuracy and in one sequence of groups, both constants.
+ * After: axes.h, margin.h, ties.h.
  *
  * FAST takes the sign of a slack for its truth. CONSERVATIVE and EXACT compare it with its error bound (bounds.h), and leave a lane
  * that has a slack within it to the settling stage.

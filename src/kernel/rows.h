@@ -1,5 +1,6 @@
 /*
  * rows.h - one triangle against rows of grid cells, in double: every axis leaves an interval of a row, and so do all.
+ * After: axes.h, touched.h. Needs: KERNEL, v_div, v_read, v_write_int.
  *
  * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these. The
  * axis a_ij says that a box overlaps only if, with m = s_i (f_jb, -f_ja) and X the corner of the box that is least along m,
@@ -307,11 +308,8 @@ SHAPE(TRIBOX_FLAT_X)
 SHAPE(TRIBOX_FLAT_Y)
 SHAPE(TRIBOX_FLAT_Z)
 
-#define GRID_SYMBOL_(name) tribox_grid_##name
-#define GRID_SYMBOL(name) GRID_SYMBOL_(name)
-
-extern const tribox_grid_kernel GRID_SYMBOL(KERNEL);
-const tribox_grid_kernel GRID_SYMBOL(KERNEL) = {
+extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
+const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
     .reach = reach_word,
     .prepare = {prepare_TRIBOX_SOLID, prepare_TRIBOX_FLAT_X, prepare_TRIBOX_FLAT_Y, prepare_TRIBOX_FLAT_Z},
     .rows = {rows_TRIBOX_SOLID, rows_TRIBOX_FLAT_X, rows_TRIBOX_FLAT_Y, rows_TRIBOX_FLAT_Z},

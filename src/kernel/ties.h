@@ -1,5 +1,6 @@
 /*
  * ties.h - the lanes that overlap for certain although a margin leaves them undecided, or asks for a look at their extents.
+ * After: axes.h, margin.h.
  *
  * Given that the box normals do not separate, these axes are redundant and may be left out, also by the certificate of overlap
  * (bounds.h): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on

@@ -1,5 +1,4 @@
+/* double_neon.c - what float leaves open, in double with NEON. */
 #include "neon/vec_neon_double.h"
 #define KERNEL neon
-#include "kernel/axes.h"
-#include "kernel/bounds.h"
-#include "kernel/doubles.h"
+#include "kernel/double.h"

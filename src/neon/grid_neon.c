@@ -1,5 +1,4 @@
+/* grid_neon.c - cells of grids, in double with NEON. */
 #include "neon/vec_neon_double.h"
 #define KERNEL neon
-#include "kernel/axes.h"
-#include "kernel/touched.h"
-#include "kernel/rows.h"
+#include "kernel/grid.h"

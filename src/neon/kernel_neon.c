@@ -1,12 +1,4 @@
+/* kernel_neon.c - the kernel of NEON: everything in float, and the table of what it does. */
 #include "neon/vec_neon.h"
 #define KERNEL neon
-#include "kernel/axes.h"
-#include "kernel/margin.h"
-#include "kernel/ties.h"
-#include "kernel/packet.h"
-#include "kernel/inside.h"
-#include "kernel/nine.h"
-#include "kernel/gather.h"
-#include "kernel/beside.h"
-#include "kernel/frame.h"
-#include "kernel/batch.h"
+#include "kernel/float.h"

@@ -1,5 +1,4 @@
+/* double_scalar.c - what float leaves open, in double with one lane. */
 #include "scalar/vec_scalar_double.h"
 #define KERNEL scalar
-#include "kernel/axes.h"
-#include "kernel/bounds.h"
-#include "kernel/doubles.h"
+#include "kernel/double.h"

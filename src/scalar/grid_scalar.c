@@ -1,5 +1,4 @@
+/* grid_scalar.c - cells of grids, in double with one lane. */
 #include "scalar/vec_scalar_double.h"
 #define KERNEL scalar
-#include "kernel/axes.h"
-#include "kernel/touched.h"
-#include "kernel/rows.h"
+#include "kernel/grid.h"

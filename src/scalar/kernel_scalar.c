@@ -1,12 +1,4 @@
+/* kernel_scalar.c - the kernel of one lane: everything in float, and the table of what it does. */
 #include "scalar/vec_scalar.h"
 #define KERNEL scalar
-#include "kernel/axes.h"
-#include "kernel/margin.h"
-#include "kernel/ties.h"
-#include "kernel/packet.h"
-#include "kernel/inside.h"
-#include "kernel/nine.h"
-#include "kernel/gather.h"
-#include "kernel/beside.h"
-#include "kernel/frame.h"
-#include "kernel/batch.h"
+#include "kernel/float.h"

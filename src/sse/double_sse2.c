@@ -1,5 +1,4 @@
+/* double_sse2.c - what float leaves open, in double with SSE2. */
 #include "sse/vec_sse2_double.h"
 #define KERNEL sse2
-#include "kernel/axes.h"
-#include "kernel/bounds.h"
-#include "kernel/doubles.h"
+#include "kernel/double.h"

@@ -1,5 +1,4 @@
+/* grid_sse2.c - cells of grids, in double with SSE2. */
 #include "sse/vec_sse2_double.h"
 #define KERNEL sse2
-#include "kernel/axes.h"
-#include "kernel/touched.h"
-#include "kernel/rows.h"
+#include "kernel/grid.h"

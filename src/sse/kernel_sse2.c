@@ -1,12 +1,4 @@
+/* kernel_sse2.c - the kernel of SSE2: everything in float, and the table of what it does. */
 #include "sse/vec_sse2.h"
 #define KERNEL sse2
-#include "kernel/axes.h"
-#include "kernel/margin.h"
-#include "kernel/ties.h"
-#include "kernel/packet.h"
-#include "kernel/inside.h"
-#include "kernel/nine.h"
-#include "kernel/gather.h"
-#include "kernel/beside.h"
-#include "kernel/frame.h"
-#include "kernel/batch.h"
+#include "kernel/float.h"

@@ -1,0 +1,11 @@
+/* float.h - the texts of a kernel in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
+#include "axes.h"
+#include "margin.h"
+#include "ties.h"
+#include "packet.h"
+#include "inside.h"
+#include "nine.h"
+#include "gather.h"
+#include "beside.h"
+#include "frame.h"
+#include "batch.h"
