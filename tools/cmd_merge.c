@@ -95,15 +95,15 @@ static int check_request(request *r)
 static int report(const request *r, const tribox_grid *grid, size_t parts, uint64_t occupied)
 {
     if (r->wants_json) {
-        printf("{\"parts\": %zu, ", parts);
-        voxelize_print_json_grid(grid);
-        printf(", \"occupied\": %" PRIu64 ", \"output\": ", occupied);
-        output_json_string(r->out_path);
-        if (r->preview_path) {
-            printf(", \"preview\": ");
-            output_json_string(r->preview_path);
-        }
-        puts("}");
+        json j = json_to(stdout);
+        json_open_object(&j, NULL);
+        json_whole(&j, "parts", parts);
+        voxelize_json_grid(&j, grid);
+        json_whole(&j, "occupied", occupied);
+        json_string(&j, "output", r->out_path);
+        if (r->preview_path)
+            json_string(&j, "preview", r->preview_path);
+        json_close(&j);
     } else if (!r->is_quiet) {
         printf("parts        %zu\n", parts);
         voxelize_print_grid(grid);

@@ -113,7 +113,7 @@ class Formats(support.TestCase):
             self.assertEqual(self.overlap(mesh, support.UNIT_BOX)["mesh"], mesh)
         mesh = self.write(b"not \xff utf-8.ply".decode(errors="surrogateescape"), content)
         output = subprocess.run([support.program(), "overlap", mesh, "--box", support.UNIT_BOX, "--json"], capture_output=True, check=True)
-        self.assertIn("not \ufffd utf-8.ply", json.loads(output.stdout.decode())["mesh"])
+        self.assertIn("not \udcff utf-8.ply", json.loads(output.stdout.decode())["mesh"])
 
 
 if __name__ == "__main__":

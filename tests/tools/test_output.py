@@ -2,7 +2,10 @@
 
 import json
 import os
+import random
+import re
 import shutil
+import struct
 import subprocess
 
 import meshes
@@ -41,6 +44,55 @@ class Output(support.TestCase):
             done = subprocess.run([support.program(), "overlap", self.mesh, "--boxes", boxes], stdout=full, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 1)
         self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
+
+
+class Json(support.TestCase):
+    def test_paths(self):
+        """Whatever bytes a path has, they can be had back from the object."""
+        names = [b'quote" backslash\\ tab\t line\n', "umlaut \u00fc, euro \u20ac, clef \U0001d11e, end \U0010ffff".encode(), b"byte \xff\x80",
+                 b"cut \xe2\x82", b"cut \xf0\x9d\x84 here", b"overlong \xc0\xaf \xe0\x80\xaf", b"surrogate \xed\xa0\x80\xed\xb0\x80",
+                 b"beyond \xf4\x90\x80\x80 \xf8\x88\x80\x80\x80", bytes(range(1, 47)) + bytes(range(48, 128)), bytes(range(128, 256))]
+        for name in names:
+            path = os.path.join(os.fsencode(self.folder), name)
+            with open(path, "wb") as file:
+                file.write(bytes(36))
+            done = subprocess.run([support.program(), "overlap", path, "--format", "f32", "--box", support.UNIT_BOX, "--json"],
+                                  capture_output=True, check=True)
+            self.assertEqual(json.loads(done.stdout)["mesh"].encode("utf-8", "surrogateescape"), path)
+
+
+class Numbers(support.TestCase):
+    """The shortest decimals that read back as the same floats."""
+
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.obj", meshes.obj([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
+
+    def printed(self, bound):
+        bounds = "0,0,0,%s,1,1" % bound
+        text = self.succeed("overlap", self.mesh, "--box", bounds)
+        found = re.search(r"(?m)^box +0,0,0,(.*),1,1$", text).group(1)
+        self.assertIn('"hi": [%s, 1, 1]' % found, self.succeed("overlap", self.mesh, "--box", bounds, "--json"))
+        return found
+
+    def test_forms(self):
+        for bound in ("0", "10", "50", "557820", "5108010.5", "0.1", "0.00001", "0.000123", "100000000", "123456792", "999999936",
+                      "1e+09", "3.4028235e+38", "9.9999e-06", "1e-45", "1.5"):
+            self.assertEqual(self.printed(bound), bound)
+        self.assertEqual(self.printed("0.30000001"), "0.3")
+        self.assertEqual(self.printed("16777217"), "16777216")
+
+    def test_read_back(self):
+        random_numbers = random.Random(1)
+        numbers = [struct.unpack("<f", struct.pack("<I", random_numbers.randrange(1, 0x7f800000)))[0] for _ in range(2000)]
+        boxes = self.write("boxes.txt", "".join("0 0 0 %.9g 1 1\n" % number for number in numbers))
+        lines = self.succeed("overlap", self.mesh, "--boxes", boxes).splitlines()
+        self.assertEqual(len(lines), len(numbers))
+        for number, line in zip(numbers, lines):
+            text = line.split(",")[3]
+            self.assertEqual(struct.pack("<f", float(text)), struct.pack("<f", number), text)
+            self.assertEqual("e" in text, not 1e-5 <= number < 1e9, text)
+            self.assertLessEqual(len(text.split("e")[0].replace(".", "").strip("0")), 9)
 
 
 class Locale(support.TestCase):

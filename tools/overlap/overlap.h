@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "console/json.h"
 #include "read/triangle_file.h"
 #include "tribox.h"
 
@@ -34,7 +35,7 @@ typedef struct answer {
     int runs;
     double seconds;       /* of the test alone, of the best run */
     double total_seconds; /* with reading, where the mesh was streamed; else 0 */
-    uint64_t listed;      /* how many triangles the list has so far */
+    json json;            /* the object that is being printed */
 } answer;
 
 /* Room for the bits of so many triangles. Returns an exit_code; on success masks_free gives it back. */

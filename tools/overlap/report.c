@@ -49,7 +49,7 @@ static void print_summary(const request *r, const answer *a)
     }
     printf("undecided    %" PRIu64 "\n", a->undecided);
     printf("test         %s, axes ", options_accuracy_word(r->test.accuracy));
-    output_axes(r->test.axes, "", ",");
+    output_axes(r->test.axes);
     printf(", kernel %s\n", tribox_kernel_name(&r->test));
     printf("time         %.3f ms, %.2f ns per triangle (the test alone, ", 1e3 * a->seconds, ns_per_triangle(a));
     if (a->total_seconds > 0)
@@ -67,73 +67,95 @@ static void print_line(const request *r, const answer *a)
     printf("%" PRIu64 " undecided, %.2f ns per triangle\n", a->undecided, ns_per_triangle(a));
 }
 
-static void print_json_oriented(const tribox_oriented_box *box)
+static void print_json_box(json *j, const tribox_box *box)
 {
-    fputs("{\"center\": [", stdout);
-    output_point(box->center, ", ");
-    fputs("], \"half\": [", stdout);
-    output_point(box->half, ", ");
-    for (int k = 0; k < 3; k++) {
-        fputs(k ? "], [" : "], \"axes\": [[", stdout);
-        output_point(box->axis[k], ", ");
-    }
-    fputs("]]}", stdout);
+    json_open_object(j, "box");
+    json_floats(j, "lo", box->lo, 3);
+    json_floats(j, "hi", box->hi, 3);
+    json_close(j);
+}
+
+static void print_json_oriented(json *j, const tribox_oriented_box *box)
+{
+    json_open_object(j, "oriented");
+    json_floats(j, "center", box->center, 3);
+    json_floats(j, "half", box->half, 3);
+    json_open_array(j, "axes");
+    for (int k = 0; k < 3; k++)
+        json_floats(j, NULL, box->axis[k], 3);
+    json_close(j);
+    json_close(j);
 }
 
 /* What is known before the first triangle is tested. */
-static void print_json_head(const request *r, const answer *a)
+static void print_json_head(const request *r, answer *a)
 {
-    printf("{\"mesh\": ");
-    output_json_string(r->mesh_path);
+    a->json = json_to(stdout);
+    json_open_object(&a->json, NULL);
+    json_string(&a->json, "mesh", r->mesh_path);
     if (a->line)
-        printf(", \"line\": %zu", a->line);
-    printf(r->has_oriented ? ", \"oriented\": " : ", \"box\": ");
+        json_whole(&a->json, "line", a->line);
     if (r->has_oriented)
-        print_json_oriented(&r->oriented);
+        print_json_oriented(&a->json, &r->oriented);
     else
-        output_json_box(&a->box);
+        print_json_box(&a->json, &a->box);
+    if (r->wants_list)
+        json_open_array(&a->json, "indices");
 }
 
-static void print_json_tail(const request *r, const answer *a)
+static void print_json_tail(const request *r, answer *a)
 {
-    printf(", \"triangles\": %" PRIu64 ", \"not_finite\": %" PRIu64 ", \"overlapping\": %" PRIu64 ", \"share_percent\": %.6g",
-           a->triangles, a->not_finite, a->overlapping, percent(a, a->overlapping));
-    if (r->wants_inside)
-        printf(", \"inside\": %" PRIu64 ", \"straddling\": %" PRIu64 ", \"missing\": %" PRIu64, a->inside,
-               a->overlapping - a->inside, a->triangles - a->overlapping);
-    printf(", \"undecided\": %" PRIu64 ", \"accuracy\": \"%s\", \"axes\": [", a->undecided,
-           options_accuracy_word(r->test.accuracy));
-    output_axes(r->test.axes, "\"", ", ");
-    printf("], \"kernel\": \"%s\", \"runs\": %d, \"seconds\": %.6g, \"ns_per_triangle\": %.6g", tribox_kernel_name(&r->test),
-           a->runs, a->seconds, ns_per_triangle(a));
+    json *const j = &a->json;
+    if (r->wants_list)
+        json_close(j);
+    json_whole(j, "triangles", a->triangles);
+    json_whole(j, "not_finite", a->not_finite);
+    json_whole(j, "overlapping", a->overlapping);
+    json_number(j, "share_percent", 6, percent(a, a->overlapping));
+    if (r->wants_inside) {
+        json_whole(j, "inside", a->inside);
+        json_whole(j, "straddling", a->overlapping - a->inside);
+        json_whole(j, "missing", a->triangles - a->overlapping);
+    }
+    json_whole(j, "undecided", a->undecided);
+    json_string(j, "accuracy", options_accuracy_word(r->test.accuracy));
+    output_json_axes(j, r->test.axes);
+    json_string(j, "kernel", tribox_kernel_name(&r->test));
+    json_whole(j, "runs", (uint64_t)a->runs);
+    json_number(j, "seconds", 6, a->seconds);
+    json_number(j, "ns_per_triangle", 6, ns_per_triangle(a));
     if (a->total_seconds > 0)
-        printf(", \"total_seconds\": %.6g", a->total_seconds);
-    puts("}");
+        json_number(j, "total_seconds", 6, a->total_seconds);
+    json_close(j);
+}
+
+static void list_triangle(const request *r, answer *a, uint64_t index)
+{
+    if (r->wants_json)
+        json_whole(&a->json, NULL, index);
+    else
+        printf("%" PRIu64 "\n", index);
 }
 
 int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count)
 {
     uint32_t set[TRIANGLE_BLOCK];
-    if (!first && r->wants_json) {
+    if (!first && r->wants_json)
         print_json_head(r, a);
-        printf(", \"indices\": [");
-    }
     for (size_t start = 0; start < count; start += TRIANGLE_BLOCK) {
         const size_t part = count - start < TRIANGLE_BLOCK ? count - start : TRIANGLE_BLOCK;
         const size_t listed = tribox_mask_indices(mask + start / 64, part, set);
         for (size_t i = 0; i < listed; i++)
-            printf("%s%" PRIu64 "%s", r->wants_json && a->listed++ ? ", " : "", first + start + set[i], r->wants_json ? "" : "\n");
+            list_triangle(r, a, first + start + set[i]);
     }
-    /* Lines are of use one by one, part of an object is not. */
+    /* Each line is of use by itself; a part of an object is not. */
     return r->wants_json && !ferror(stdout) ? EXIT_CODE_OK : output_flush();
 }
 
-int report_end(const request *r, const answer *a)
+int report_end(const request *r, answer *a)
 {
     if (r->wants_json) {
-        if (r->wants_list)
-            putchar(']');
-        else
+        if (!r->wants_list)
             print_json_head(r, a);
         print_json_tail(r, a);
     } else if (r->boxes_path) {

@@ -11,6 +11,6 @@
 int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count);
 
 /* Ends the answer, or is all of it where no list is wanted, and writes it out. Returns an exit_code. */
-int report_end(const request *r, const answer *a);
+int report_end(const request *r, answer *a);
 
 #endif

@@ -21,13 +21,13 @@ void voxelize_print_grid(const tribox_grid *grid)
     putchar('\n');
 }
 
-void voxelize_print_json_grid(const tribox_grid *grid)
+void voxelize_json_grid(json *j, const tribox_grid *grid)
 {
-    printf("\"grid\": {\"origin\": [");
-    output_point(grid->origin, ", ");
-    printf("], \"cell\": [");
-    output_point(grid->cell, ", ");
-    printf("], \"size\": [%u, %u, %u]}", grid->size[0], grid->size[1], grid->size[2]);
+    json_open_object(j, "grid");
+    json_floats(j, "origin", grid->origin, 3);
+    json_floats(j, "cell", grid->cell, 3);
+    json_wholes(j, "size", (const size_t[3]){grid->size[0], grid->size[1], grid->size[2]}, 3);
+    json_close(j);
 }
 
 static void print_summary(const voxelize_answer *a)
@@ -40,7 +40,7 @@ static void print_summary(const voxelize_answer *a)
     printf("occupied     %zu cells (%.4g %%)\n", a->report.overlapping, share_percent(a));
     printf("undecided    %zu\n", a->report.undecided);
     printf("test         %s, axes ", options_accuracy_word(a->test.accuracy));
-    output_axes(a->test.axes, "", ",");
+    output_axes(a->test.axes);
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&a->test), a->threads, a->threads == 1 ? "" : "s");
     printf("time         %.3f ms, %.2f ns per triangle (the voxelization alone)\n", 1e3 * a->seconds, ns_per_triangle(a));
     printf("written      %s\n", a->out_path);
@@ -50,25 +50,31 @@ static void print_summary(const voxelize_answer *a)
 
 static void print_json(const voxelize_answer *a)
 {
-    printf("{\"mesh\": ");
-    output_json_string(a->mesh_path);
-    printf(", \"triangles\": %zu, \"not_finite\": %zu, ", a->triangles, a->not_finite);
-    voxelize_print_json_grid(&a->grid);
-    if (a->shard)
-        printf(", \"shard\": %u, \"shards\": %u", a->shard, a->shards);
-    printf(", \"first_layer\": %u, \"layers\": %u, \"occupied\": %zu, \"share_percent\": %.6g, \"undecided\": %zu, \"accuracy\": "
-           "\"%s\", \"axes\": [",
-           a->first, a->layers, a->report.overlapping, share_percent(a), a->report.undecided,
-           options_accuracy_word(a->test.accuracy));
-    output_axes(a->test.axes, "\"", ", ");
-    printf("], \"kernel\": \"%s\", \"threads\": %u, \"seconds\": %.6g, \"ns_per_triangle\": %.6g, \"output\": ",
-           tribox_kernel_name(&a->test), a->threads, a->seconds, ns_per_triangle(a));
-    output_json_string(a->out_path);
-    if (a->preview_path) {
-        printf(", \"preview\": ");
-        output_json_string(a->preview_path);
+    json j = json_to(stdout);
+    json_open_object(&j, NULL);
+    json_string(&j, "mesh", a->mesh_path);
+    json_whole(&j, "triangles", a->triangles);
+    json_whole(&j, "not_finite", a->not_finite);
+    voxelize_json_grid(&j, &a->grid);
+    if (a->shard) {
+        json_whole(&j, "shard", a->shard);
+        json_whole(&j, "shards", a->shards);
     }
-    puts("}");
+    json_whole(&j, "first_layer", a->first);
+    json_whole(&j, "layers", a->layers);
+    json_whole(&j, "occupied", a->report.overlapping);
+    json_number(&j, "share_percent", 6, share_percent(a));
+    json_whole(&j, "undecided", a->report.undecided);
+    json_string(&j, "accuracy", options_accuracy_word(a->test.accuracy));
+    output_json_axes(&j, a->test.axes);
+    json_string(&j, "kernel", tribox_kernel_name(&a->test));
+    json_whole(&j, "threads", a->threads);
+    json_number(&j, "seconds", 6, a->seconds);
+    json_number(&j, "ns_per_triangle", 6, ns_per_triangle(a));
+    json_string(&j, "output", a->out_path);
+    if (a->preview_path)
+        json_string(&j, "preview", a->preview_path);
+    json_close(&j);
 }
 
 int voxelize_report(const voxelize_answer *a, bool wants_json)

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "console/json.h"
 #include "tribox.h"
 
 typedef struct voxelize_answer {
@@ -23,6 +24,6 @@ int voxelize_report(const voxelize_answer *a, bool wants_json);
 
 /* The grid as lines of a summary, and as a member of a JSON object. */
 void voxelize_print_grid(const tribox_grid *grid);
-void voxelize_print_json_grid(const tribox_grid *grid);
+void voxelize_json_grid(json *j, const tribox_grid *grid);
 
 #endif

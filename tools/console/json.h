@@ -1,0 +1,58 @@
+/* json.h - writes JSON to a stream; commas, brackets and quotes are written here and nowhere else. */
+#ifndef JSON_H
+#define JSON_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { JSON_DEPTH_MAX = 15 }; /* objects and arrays inside each other */
+
+typedef struct json {
+    FILE *to;
+    int depth;
+    struct {
+        char end;       /* '}' or ']' */
+        bool is_filled; /* something stands in it, so that a comma is due */
+        bool is_rows;   /* each of its values starts a line */
+    } level[JSON_DEPTH_MAX + 1];
+} json;
+
+/*
+ * A writer at the start of a value. In what follows `key` names a member of an object; it is NULL in an array and for the value
+ * itself. Whether all of it was written, ferror(to) tells in the end.
+ */
+json json_to(FILE *to);
+
+void json_open_object(json *j, const char *key);
+void json_open_array(json *j, const char *key);
+
+/* The same, with each value of the array, or member of the object, on a line of its own. */
+void json_open_rows(json *j, const char *key);
+void json_open_lines(json *j, const char *key);
+
+/* Ends the object or array that was opened last; after the outermost comes a line feed, and another value may follow. */
+void json_close(json *j);
+
+/*
+ * A string; NULL becomes null. JSON is UTF-8, paths are bytes: a byte that is not part of a UTF-8 character becomes the lone
+ * surrogate \udc80 to \udcff, its value plus 0xdc00. So reads Python: json.loads(text).encode("utf-8", "surrogateescape").
+ */
+void json_string(json *j, const char *key, const char *value);
+
+void json_bool(json *j, const char *key, bool value);
+void json_null(json *j, const char *key);
+void json_whole(json *j, const char *key, uint64_t value);
+
+/* A number to so many significant digits. Neither this nor the next writes NaN or infinity, which JSON has not: they become null. */
+void json_number(json *j, const char *key, int digits, double value);
+
+/* A float that reads back as the same float. */
+void json_float(json *j, const char *key, float value);
+
+/* Arrays of numbers. */
+void json_floats(json *j, const char *key, const float *values, size_t count);
+void json_wholes(json *j, const char *key, const size_t *values, size_t count);
+
+#endif
