@@ -9,6 +9,7 @@
 
 #include "demo/demo_voxels.h"
 #include "console/message.h"
+#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "demo/picture.h"
@@ -46,8 +47,10 @@ static const char help[] = "tribox demo - speed and answers on two built-in scen
 
 enum { OPTION_QUICK, OPTION_JSON, OPTION_PICTURE };
 
-static const option options[] = {
-    [OPTION_QUICK] = {"--quick", false}, [OPTION_JSON] = {"--json", false}, [OPTION_PICTURE] = {"--picture", true}, {NULL, false}};
+static const option_entry options[] = {[OPTION_QUICK] = {"quick", 0, false},
+                                       [OPTION_JSON] = {"json", 'j', false},
+                                       [OPTION_PICTURE] = {"picture", 0, true},
+                                       {NULL, 0, false}};
 
 enum { ROUNDS = TRIAL_ROUNDS_MAX, QUICK_ROUNDS = 3 };
 
@@ -208,7 +211,7 @@ static const char *usual_picture(void)
 static int take(void *context, int which, const char *value)
 {
     request *const r = context;
-    if (which == ARGUMENT_OPERAND)
+    if (which == OPTION_OPERAND)
         return message_usage("'%s' is too much: demo takes no file", value);
     if (which == OPTION_QUICK)
         r->rounds = QUICK_ROUNDS;
@@ -221,12 +224,12 @@ static int take(void *context, int which, const char *value)
 
 int cmd_demo(int count, char **words)
 {
-    arguments walk = {.count = count, .next = words, .options = options};
+    options_found found;
     request r = {.rounds = ROUNDS};
-    int code = arguments_read(&walk, take, &r);
+    int code = options_read(count, words, options, take, &r, &found);
     if (code)
         return code;
-    if (walk.wants_help)
+    if (found.wants_help)
         return output_text(help);
     code = preview_check(r.picture_path, "--picture");
     if (code)

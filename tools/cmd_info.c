@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "console/kernels.h"
+#include "console/json.h"
 #include "console/message.h"
-#include "console/options.h"
+#include "console/option_reader.h"
 #include "console/output.h"
 
 static const char help[] = "tribox info - version, processor, and the kernels that it can run\n"
@@ -24,7 +24,7 @@ static const char help[] = "tribox info - version, processor, and the kernels th
                            "Example:\n"
                            "  tribox info --json\n";
 
-static const option options[] = {{"--json", false}, {NULL, false}};
+static const option_entry options[] = {{"json", 'j', false}, {NULL, 0, false}};
 
 /* The processor's model as Linux names it, "unknown" elsewhere. */
 static void read_processor(char *name, size_t size)
@@ -44,24 +44,28 @@ static void read_processor(char *name, size_t size)
         fclose(file);
 }
 
-static int print_json(const char *processor, const char *const *names, int count)
+static int print_json(const char *processor)
 {
-    printf("{\"version\": \"%s\", \"processor\": ", CMD_VERSION);
-    output_json_string(processor);
-    printf(", \"kernels\": [");
-    for (int i = 0; i < count; i++)
-        printf("%s\"%s\"", i ? ", " : "", names[i]);
-    printf("], \"default_kernel\": \"%s\"}\n", tribox_kernel_name(NULL));
+    json j = json_to(stdout);
+    json_open_object(&j, NULL);
+    json_string(&j, "version", CMD_VERSION);
+    json_string(&j, "processor", processor);
+    json_open_array(&j, "kernels");
+    for (size_t i = 0; tribox_kernel_list(i); i++)
+        json_string(&j, NULL, tribox_kernel_list(i));
+    json_close(&j);
+    json_string(&j, "default_kernel", tribox_kernel_name(NULL));
+    json_close(&j);
     return output_flush();
 }
 
-static int print_text(const char *processor, const char *const *names, int count)
+static int print_text(const char *processor)
 {
     printf("version         %s\n", CMD_VERSION);
     printf("processor       %s\n", processor);
     printf("kernels        ");
-    for (int i = 0; i < count; i++)
-        printf(" %s", names[i]);
+    for (size_t i = 0; tribox_kernel_list(i); i++)
+        printf(" %s", tribox_kernel_list(i));
     printf("\ndefault kernel  %s\n", tribox_kernel_name(NULL));
     return output_flush();
 }
@@ -70,21 +74,19 @@ static int take(void *request, int which, const char *value)
 {
     bool *const wants_json = request;
     *wants_json = true;
-    return which == ARGUMENT_OPERAND ? message_usage("'%s' is too much: info takes no file", value) : EXIT_CODE_OK;
+    return which == OPTION_OPERAND ? message_usage("'%s' is too much: info takes no file", value) : EXIT_CODE_OK;
 }
 
 int cmd_info(int count, char **words)
 {
     bool wants_json = false;
-    arguments walk = {.count = count, .next = words, .options = options};
-    const int code = arguments_read(&walk, take, &wants_json);
+    options_found found;
+    const int code = options_read(count, words, options, take, &wants_json, &found);
     if (code)
         return code;
-    if (walk.wants_help)
+    if (found.wants_help)
         return output_text(help);
     char processor[200];
-    const char *names[KERNELS_MAX];
     read_processor(processor, sizeof processor);
-    const int kernels = kernels_here(names);
-    return wants_json ? print_json(processor, names, kernels) : print_text(processor, names, kernels);
+    return wants_json ? print_json(processor) : print_text(processor);
 }

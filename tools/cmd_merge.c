@@ -9,6 +9,7 @@
 
 #include "write/file_out.h"
 #include "console/message.h"
+#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "write/part.h"
@@ -39,9 +40,9 @@ static const char help[] = "tribox merge - the parts of a voxelization become on
 
 enum { OPTION_OUT, OPTION_PREVIEW, OPTION_UP, OPTION_JSON, OPTION_QUIET };
 
-static const option options[] = {
-    [OPTION_OUT] = {"-o", true},       [OPTION_PREVIEW] = {"--preview", true}, [OPTION_UP] = {"--up", true},
-    [OPTION_JSON] = {"--json", false}, [OPTION_QUIET] = {"--quiet", false},    {NULL, false}};
+static const option_entry options[] = {
+    [OPTION_OUT] = {"out", 'o', true},    [OPTION_PREVIEW] = {"preview", 'p', true}, [OPTION_UP] = {"up", 0, true},
+    [OPTION_JSON] = {"json", 'j', false}, [OPTION_QUIET] = {"quiet", 'q', false},    {NULL, 0, false}};
 
 typedef struct request {
     const char **parts; /* paths, with room for all words */
@@ -56,7 +57,7 @@ static int take(void *context, int which, const char *value)
 {
     request *const r = context;
     switch (which) {
-    case ARGUMENT_OPERAND:
+    case OPTION_OPERAND:
         r->parts[r->count++] = value;
         return EXIT_CODE_OK;
     case OPTION_OUT:
@@ -189,10 +190,10 @@ int cmd_merge(int count, char **words)
     request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .up = PICTURE_UP_Z};
     if (!r.parts)
         return message_failure("out of memory for %d arguments", count);
-    arguments walk = {.count = count, .next = words, .options = options};
-    int code = arguments_read(&walk, take, &r);
+    options_found found;
+    int code = options_read(count, words, options, take, &r, &found);
     if (!code)
-        code = walk.wants_help ? output_text(help) : merge_files(&r);
+        code = found.wants_help ? output_text(help) : merge_files(&r);
     free(r.parts);
     return code;
 }

@@ -8,6 +8,7 @@
 #include "read/mesh.h"
 #include "console/message.h"
 #include "console/numbers.h"
+#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "overlap/report.h"
@@ -84,11 +85,11 @@ enum {
     OPTION_JSON
 };
 
-static const option options[] = {
-    [OPTION_BOX] = {"--box", true},       [OPTION_BOXES] = {"--boxes", true},       [OPTION_ORIENTED] = {"--oriented", true},
-    [OPTION_FORMAT] = {"--format", true}, [OPTION_ACCURACY] = {"--accuracy", true}, [OPTION_KERNEL] = {"--kernel", true},
-    [OPTION_ORDER] = {"--order", true},   [OPTION_AXES] = {"--axes", true},         [OPTION_INSIDE] = {"--inside", false},
-    [OPTION_LIST] = {"--list", false},    [OPTION_JSON] = {"--json", false},        {NULL, false}};
+static const option_entry options[] = {
+    [OPTION_BOX] = {"box", 'b', true},     [OPTION_BOXES] = {"boxes", 0, true},       [OPTION_ORIENTED] = {"oriented", 0, true},
+    [OPTION_FORMAT] = {"format", 0, true}, [OPTION_ACCURACY] = {"accuracy", 0, true}, [OPTION_KERNEL] = {"kernel", 0, true},
+    [OPTION_ORDER] = {"order", 0, true},   [OPTION_AXES] = {"axes", 0, true},         [OPTION_INSIDE] = {"inside", 0, false},
+    [OPTION_LIST] = {"list", 'l', false},  [OPTION_JSON] = {"json", 'j', false},      {NULL, 0, false}};
 
 static int read_oriented(const char *text, tribox_oriented_box *box)
 {
@@ -109,8 +110,8 @@ static int take(void *context, int which, const char *value)
 {
     request *const r = context;
     switch (which) {
-    case ARGUMENT_OPERAND:
-        return arguments_take_mesh(value, &r->mesh_path);
+    case OPTION_OPERAND:
+        return options_take_mesh(value, &r->mesh_path);
     case OPTION_BOX:
         r->has_box = true;
         return box_read(value, "--box", &r->box) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
@@ -252,9 +253,9 @@ static int answer_request(const request *r)
 int cmd_overlap(int count, char **words)
 {
     request r = {.mesh_path = NULL};
-    arguments walk = {.count = count, .next = words, .options = options};
-    int code = arguments_read(&walk, take, &r);
-    if (!code && walk.wants_help)
+    options_found found;
+    int code = options_read(count, words, options, take, &r, &found);
+    if (!code && found.wants_help)
         return output_text(help);
     if (!code)
         code = check_request(&r);

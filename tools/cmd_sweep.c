@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "read/boxes.h"
-#include "console/kernels.h"
 #include "console/message.h"
 #include "console/numbers.h"
+#include "console/option_reader.h"
 #include "console/options.h"
 #include "sweep/order_octree.h"
 #include "sweep/order_report.h"
@@ -55,9 +55,9 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
 
 enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_JSON, OPTION_CHART };
 
-static const option options[] = {
-    [OPTION_BOX] = {"--box", true},    [OPTION_OCTREE] = {"--octree", true}, [OPTION_GRID] = {"--grid", true},
-    [OPTION_JSON] = {"--json", false}, [OPTION_CHART] = {"--chart", true},   {NULL, false}};
+static const option_entry options[] = {
+    [OPTION_BOX] = {"box", 'b', true},    [OPTION_OCTREE] = {"octree", 0, true}, [OPTION_GRID] = {"grid", 0, true},
+    [OPTION_JSON] = {"json", 'j', false}, [OPTION_CHART] = {"chart", 0, true},   {NULL, 0, false}};
 
 typedef struct request {
     const char *mesh_path, *chart_path;
@@ -90,8 +90,8 @@ static int take(void *context, int which, const char *value)
 {
     request *const r = context;
     switch (which) {
-    case ARGUMENT_OPERAND:
-        return arguments_take_mesh(value, &r->mesh_path);
+    case OPTION_OPERAND:
+        return options_take_mesh(value, &r->mesh_path);
     case OPTION_BOX:
         return take_wish(r, SWEEP_BOX, value);
     case OPTION_OCTREE:
@@ -155,11 +155,14 @@ static void print_json(const findings *f)
 
 static int measure(findings *f)
 {
-    const char *kernels[KERNELS_MAX];
+    const char *kernels[SWEEP_KERNELS_MAX];
+    size_t kernel_count = 0;
     generator turns = {1};
     if (isatty(STDERR_FILENO))
         message_say("timing %zu pairs", f->work->pairs);
-    sweep_enter(&f->s, kernels, (size_t)kernels_here(kernels));
+    while (kernel_count < SWEEP_KERNELS_MAX && (kernels[kernel_count] = tribox_kernel_list(kernel_count)) != NULL)
+        kernel_count++;
+    sweep_enter(&f->s, kernels, kernel_count);
     const char *failure = sweep_verify(&f->s, f->work);
     if (!failure)
         failure = sweep_measure(&f->s, f->work, 2, 5, &turns);
@@ -231,11 +234,11 @@ static int answer_request(const request *r)
 int cmd_sweep(int count, char **words)
 {
     request r = {.mesh_path = NULL, .wish = {.kind = SWEEP_OCTREE}};
-    arguments walk = {.count = count, .next = words, .options = options};
-    const int code = arguments_read(&walk, take, &r);
+    options_found found;
+    const int code = options_read(count, words, options, take, &r, &found);
     if (code)
         return code;
-    if (walk.wants_help)
+    if (found.wants_help)
         return output_text(help);
     return r.mesh_path ? answer_request(&r) : message_usage("no mesh file given");
 }

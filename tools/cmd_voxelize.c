@@ -7,6 +7,7 @@
 #include "voxelize/layers.h"
 #include "console/message.h"
 #include "console/numbers.h"
+#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "write/part.h"
@@ -74,21 +75,21 @@ enum {
     OPTION_KERNEL
 };
 
-static const option options[] = {[OPTION_RESOLUTION] = {"--resolution", true},
-                                 [OPTION_CELL] = {"--cell", true},
-                                 [OPTION_ORIGIN] = {"--origin", true},
-                                 [OPTION_SIZE] = {"--size", true},
-                                 [OPTION_OUT] = {"-o", true},
-                                 [OPTION_PREVIEW] = {"--preview", true},
-                                 [OPTION_UP] = {"--up", true},
-                                 [OPTION_JSON] = {"--json", false},
-                                 [OPTION_QUIET] = {"--quiet", false},
-                                 [OPTION_THREADS] = {"--threads", true},
-                                 [OPTION_SHARD] = {"--shard", true},
-                                 [OPTION_ACCURACY] = {"--accuracy", true},
-                                 [OPTION_AXES] = {"--axes", true},
-                                 [OPTION_KERNEL] = {"--kernel", true},
-                                 {NULL, false}};
+static const option_entry options[] = {[OPTION_RESOLUTION] = {"resolution", 'r', true},
+                                       [OPTION_CELL] = {"cell", 'c', true},
+                                       [OPTION_ORIGIN] = {"origin", 0, true},
+                                       [OPTION_SIZE] = {"size", 0, true},
+                                       [OPTION_OUT] = {"out", 'o', true},
+                                       [OPTION_PREVIEW] = {"preview", 'p', true},
+                                       [OPTION_UP] = {"up", 0, true},
+                                       [OPTION_JSON] = {"json", 'j', false},
+                                       [OPTION_QUIET] = {"quiet", 'q', false},
+                                       [OPTION_THREADS] = {"threads", 't', true},
+                                       [OPTION_SHARD] = {"shard", 0, true},
+                                       [OPTION_ACCURACY] = {"accuracy", 0, true},
+                                       [OPTION_AXES] = {"axes", 0, true},
+                                       [OPTION_KERNEL] = {"kernel", 0, true},
+                                       {NULL, 0, false}};
 
 enum { CELLS_MOST = INT32_MAX };
 
@@ -122,8 +123,8 @@ static int take(void *request, int which, const char *value)
 {
     voxelize_request *const r = request;
     switch (which) {
-    case ARGUMENT_OPERAND:
-        return arguments_take_mesh(value, &r->mesh_path);
+    case OPTION_OPERAND:
+        return options_take_mesh(value, &r->mesh_path);
     case OPTION_RESOLUTION:
         return numbers_read_whole(value, "--resolution", CELLS_MOST, &r->grid.resolution);
     case OPTION_CELL:
@@ -159,9 +160,9 @@ static int take(void *request, int which, const char *value)
 }
 
 /* What every command line needs, and what excludes each other. */
-static int check_request(voxelize_request *r, unsigned seen)
+static int check_request(voxelize_request *r, const options_found *found)
 {
-    const bool has_resolution = seen >> OPTION_RESOLUTION & 1, has_cell = seen >> OPTION_CELL & 1;
+    const bool has_resolution = options_has(found, OPTION_RESOLUTION), has_cell = options_has(found, OPTION_CELL);
     if (!r->mesh_path)
         return message_usage("no mesh file given");
     if (has_resolution == has_cell)
@@ -175,7 +176,7 @@ static int check_request(voxelize_request *r, unsigned seen)
                              r->out_path);
     if (r->is_part && r->preview_path)
         return message_usage("--preview needs all layers: give it to 'tribox merge'");
-    if (seen >> OPTION_UP & 1 && !r->preview_path)
+    if (options_has(found, OPTION_UP) && !r->preview_path)
         return message_usage("--up needs --preview");
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
@@ -187,11 +188,11 @@ static int check_request(voxelize_request *r, unsigned seen)
 int cmd_voxelize(int count, char **words)
 {
     voxelize_request r = {.threads = processors_here(), .shard = 1, .shards = 1, .up = PICTURE_UP_Z};
-    arguments walk = {.count = count, .next = words, .options = options};
-    int code = arguments_read(&walk, take, &r);
-    if (!code && !walk.wants_help)
-        code = check_request(&r, walk.seen);
+    options_found found;
+    int code = options_read(count, words, options, take, &r, &found);
+    if (!code && !found.wants_help)
+        code = check_request(&r, &found);
     if (code)
         return code;
-    return walk.wants_help ? output_text(help) : voxelize_work(&r);
+    return found.wants_help ? output_text(help) : voxelize_work(&r);
 }

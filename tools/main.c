@@ -1,4 +1,5 @@
 /* main.c - tribox: finds the command and hands it the other arguments. */
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -10,13 +11,14 @@
 
 static const struct {
     const char *name;
-    int (*run)(int count, char **arguments);
+    int (*run)(int count, char **words);
 } commands[] = {{"overlap", cmd_overlap}, {"voxelize", cmd_voxelize}, {"merge", cmd_merge},
                 {"sweep", cmd_sweep},     {"info", cmd_info},         {"demo", cmd_demo}};
 
 static const char help[] = "tribox - which triangles of a mesh overlap an axis-aligned box, and which cells of a grid?\n"
                            "\n"
                            "Usage: tribox COMMAND [ARGUMENT...]\n"
+                           "       tribox help [COMMAND]\n"
                            "       tribox --help | --version\n"
                            "\n"
                            "Commands:\n"
@@ -27,7 +29,7 @@ static const char help[] = "tribox - which triangles of a mesh overlap an axis-a
                            "  info       version, processor, and the kernels that it can run\n"
                            "  demo       speed and answers on two built-in scenes; needs no file\n"
                            "\n"
-                           "'tribox COMMAND --help' tells all about a command.\n"
+                           "'tribox help COMMAND' describes a command; 'man tribox' has the details.\n"
                            "\n"
                            "Exit codes:\n"
                            "  0  success\n"
@@ -38,19 +40,25 @@ static const char help[] = "tribox - which triangles of a mesh overlap an axis-a
                            "  tribox overlap bunny.ply --box -0.05,0.05,-0.05,0.05,0.15,0.05\n"
                            "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n";
 
+static int run_command(int count, char **words)
+{
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+        if (!strcmp(words[0], commands[i].name)) {
+            message_set_command(words[0]);
+            return commands[i].run(count, words);
+        }
+    return message_usage(words[0][0] == '-' ? "unknown option '%s'" : "'%s' is not a command", words[0]);
+}
+
 int main(int argc, char **argv)
 {
-    const char *word = argc > 1 ? argv[1] : NULL;
-    if (!word)
+    static char help_option[] = "--help";
+    if (argc < 2)
         return message_usage("no command given");
-    if (!strcmp(word, "--help") || !strcmp(word, "-h"))
+    const bool is_help = !strcmp(argv[1], "help");
+    if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || (is_help && argc == 2))
         return output_text(help);
-    if (!strcmp(word, "--version"))
+    if (!strcmp(argv[1], "--version"))
         return output_text("tribox " CMD_VERSION "\n");
-    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
-        if (!strcmp(word, commands[i].name)) {
-            message_set_command(word);
-            return commands[i].run(argc - 2, argv + 2);
-        }
-    return message_usage(word[0] == '-' ? "unknown option '%s'" : "'%s' is not a command", word);
+    return is_help ? run_command(2, (char *[]){argv[2], help_option, NULL}) : run_command(argc - 1, argv + 1);
 }

@@ -45,7 +45,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const int count = split((const char *)data, size, words);
     if (count) {
         lines_forget();
-        lines_fit(words[0], run(words[0], count - 1, words + 1));
+        lines_fit(words[0], run(words[0], count, words));
     }
     for (int i = 0; i < count; i++)
         free(words[i]);

@@ -28,15 +28,17 @@ class Help(support.TestCase):
         self.check(text)
         for command in COMMANDS:
             self.assertRegex(text, r"(?m)^  %s " % command)
-        self.assertEqual(self.succeed("-h"), text)
+        for same in (("-h",), ("help",)):
+            self.assertEqual(self.succeed(*same), text)
 
     def test_commands(self):
         for command in COMMANDS:
             text = self.succeed(command, "--help")
             self.check(text)
             for option in OPTIONS[command]:
-                self.assertRegex(text, r"(?m)^  %s " % option)
-            self.assertEqual(self.succeed(command, "-h"), text)
+                self.assertRegex(text, r"(?m)^  (-\w, |-)?%s " % option)
+            for same in ((command, "-h"), (command, "--he"), ("help", command)):
+                self.assertEqual(self.succeed(*same), text)
 
     def test_wins_over_what_is_missing(self):
         self.assertEqual(self.succeed("overlap", "--list", "--help"), self.succeed("overlap", "--help"))
@@ -52,21 +54,29 @@ class WrongCommandLine(support.TestCase):
         self.fail_with(2, r"^tribox: no command given; see 'tribox --help'")
         self.fail_with(2, r"^tribox: 'overlay' is not a command;", "overlay")
         self.fail_with(2, r"^tribox: unknown option '--quick';", "--quick", "demo")
+        self.fail_with(2, r"^tribox: 'overlay' is not a command;", "help", "overlay")
 
     def test_unknown_options(self):
         for command in COMMANDS:
-            for option in ("--colour", "-x", "--js", "--colour=red", "--jsonl"):
+            for option in ("--colour", "-x", "--colour=red", "--jsonl", "--json2=1"):
                 self.fail_with(2, r"^tribox %s: unknown option '%s'; see 'tribox %s --help'" % (command, option, command),
                                command, option)
 
+    def test_ambiguous_options(self):
+        self.fail_with(2, "option '--o' is ambiguous; write more of it", "overlap", "m.obj", "--o", "123")
+        self.fail_with(2, "option '--bo=1' is ambiguous", "overlap", "m.obj", "--bo=1")
+
     def test_given_twice(self):
         self.fail_with(2, "option --json is given twice", "info", "--json", "--json")
+        self.fail_with(2, "option -j is given twice", "info", "--js", "-j")
+        self.fail_with(2, "option -j is given twice", "info", "-jj")
         self.fail_with(2, "option --box is given twice", "overlap", "m.obj", "--box", "0,0,0,1,1,1", "--box=0,0,0,1,1,1")
 
     def test_values(self):
         for option in ("--box", "--boxes", "--oriented", "--format", "--accuracy", "--axes", "--order", "--kernel"):
             self.fail_with(2, "option %s needs a value" % option, "overlap", "m.obj", option)
-        for command, option in (("overlap", "--list"), ("overlap", "--json"), ("info", "--json"), ("demo", "--quick")):
+        self.fail_with(2, "option -b needs a value", "overlap", "m.obj", "-jb")
+        for command, option in (("overlap", "--list"), ("overlap", "--json"), ("info", "--json"), ("demo", "--quick"), ("info", "--help")):
             self.fail_with(2, "option %s takes no value" % option, command, option + "=yes")
 
     def test_operands(self):
@@ -108,7 +118,7 @@ class WrongCommandLine(support.TestCase):
     def test_words(self):
         def wrong(option, *values):
             for value in values:
-                self.fail_with(2, r"^tribox overlap: %s: '.*' is none of .*; see 'tribox overlap --help'" % option,
+                self.fail_with(2, r"^tribox overlap: %s: '.*' (is none of|does not run here; choose one of) .*; see 'tribox overlap --help'" % option,
                                "overlap", "a.obj", "--box", support.UNIT_BOX, option, value)
         wrong("--accuracy", "", "Exact", "exactly", "e")
         wrong("--axes", "", "box,", ",box", "box,planes", "box plane", "all")
@@ -119,7 +129,7 @@ class WrongCommandLine(support.TestCase):
     def test_kernel_of_another_processor(self):
         here = json.loads(self.succeed("info", "--json"))["kernels"]
         for kernel in {"avx512", "avx2", "sse2", "neon", "scalar"} - set(here):
-            self.fail_with(1, "--kernel: this processor cannot run %s; 'tribox info' lists" % kernel,
+            self.fail_with(2, "--kernel: '%s' does not run here; choose one of %s;" % (kernel, ", ".join(here)),
                            "overlap", "a.obj", "--box", support.UNIT_BOX, "--kernel", kernel)
 
     def test_box_numbers(self):
@@ -157,6 +167,17 @@ class RightCommandLine(support.TestCase):
             self.assertEqual(self.count(self.mesh, "--box", box), 1, box)
         self.assertEqual(self.count("--box=-1,-1,-1,1,1,1", self.mesh), 1)
         self.assertRegex(self.succeed("overlap", "--box", "-1,-1,-1,1,1,1", "--", self.mesh), "overlapping  1 ")
+
+    def test_short_and_abbreviated_options(self):
+        expected = self.succeed("overlap", self.mesh, "--list", "--box", support.UNIT_BOX)
+        for options in (("-l", "-b", support.UNIT_BOX), ("-lb", support.UNIT_BOX), ("-b" + support.UNIT_BOX, "--li"),
+                        ("--lis", "--box=" + support.UNIT_BOX)):
+            self.assertEqual(self.succeed("overlap", *options, self.mesh), expected, options)
+
+    def test_operands_after_the_options(self):
+        """A mesh whose name looks like an option."""
+        self.write("--json", meshes.obj([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
+        self.assertIn("mesh         --json\n", self.succeed("overlap", "-b", support.UNIT_BOX, "--", "--json", cwd=self.folder))
 
     def test_ends_of_the_float_range(self):
         self.assertEqual(self.count(self.mesh, "--box", "-3.4028235e38,-1,-1,3.4028235e38,1,1"), 1)

@@ -1,14 +1,19 @@
-/* message.c - messages of the program, each one line on standard error behind the name of the command. */
+/* message.c - messages of the program, each one line on standard error after the names of program and command. */
 #include "message.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 
-static const char *command_name;
+static const char *program_name = "tribox", *command_name;
+
+void message_set_program(const char *program) { program_name = program; }
 
 void message_set_command(const char *command) { command_name = command; }
 
-static void print_program(FILE *file) { fprintf(file, "tribox%s%s", command_name ? " " : "", command_name ? command_name : ""); }
+static void print_program(FILE *file)
+{
+    fprintf(file, "%s%s%s", program_name, command_name ? " " : "", command_name ? command_name : "");
+}
 
 #if defined(__GNUC__)
 __attribute__((nonnull)) /* or gcc, with sanitizers, warns that the format may be NULL */

@@ -15,6 +15,9 @@ enum exit_code {
     EXIT_CODE_USAGE = 2    /* the command line itself is wrong */
 };
 
+/* Names the program, "tribox" by default. */
+void message_set_program(const char *program);
+
 /* Names the running command in every later message; NULL for the program itself. */
 void message_set_command(const char *command);
 

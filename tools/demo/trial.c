@@ -11,13 +11,11 @@
 
 static void enter_all(trial *t)
 {
-    const char *kernels[KERNELS_MAX];
-    const int kernel_count = kernels_here(kernels);
     t->contestants[t->count++] = (contestant){.kernel = NULL};
-    for (int k = 0; k < kernel_count; k++)
+    for (size_t k = 0; k < TRIAL_KERNELS_MAX && tribox_kernel_list(k); k++)
         for (int i = 0; i < TRIAL_ACCURACIES; i++) {
             static const tribox_accuracy accuracies[TRIAL_ACCURACIES] = {TRIBOX_FAST, TRIBOX_CONSERVATIVE, TRIBOX_EXACT};
-            t->contestants[t->count++] = (contestant){.kernel = kernels[k], .accuracy = accuracies[i]};
+            t->contestants[t->count++] = (contestant){.kernel = tribox_kernel_list(k), .accuracy = accuracies[i]};
         }
 }
 

@@ -2,10 +2,9 @@
 #ifndef TRIAL_H
 #define TRIAL_H
 
-#include "console/kernels.h"
 #include "scene.h"
 
-enum { TRIAL_ACCURACIES = 3, TRIAL_CONTESTANTS_MAX = TRIAL_ACCURACIES * KERNELS_MAX + 1, TRIAL_ROUNDS_MAX = 25 };
+enum { TRIAL_KERNELS_MAX = 5, TRIAL_ACCURACIES = 3, TRIAL_CONTESTANTS_MAX = TRIAL_ACCURACIES * TRIAL_KERNELS_MAX + 1, TRIAL_ROUNDS_MAX = 25 };
 
 typedef struct contestant {
     const char *kernel; /* NULL: the paper's algorithm */

@@ -1,7 +1,6 @@
 /* sweep_chart.c - the SVG of a sweep, written line by line. */
 #include "sweep_chart.h"
 
-#include "console/kernels.h"
 
 /* In pixels. */
 enum { WIDTH = 960, LEFT = 90, TOP = 84, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
@@ -91,8 +90,10 @@ static void draw_panel(FILE *to, const sweep *s, const char *kernel, int top)
 
 void sweep_chart(FILE *to, const sweep *s, const char *title)
 {
-    const char *kernels[KERNELS_MAX];
-    const int count = kernels_here(kernels), height = TOP + (count + 1) * (PANEL + GAP);
+    int count = 0;
+    while (tribox_kernel_list((size_t)count))
+        count++;
+    const int height = TOP + (count + 1) * (PANEL + GAP);
     fprintf(
         to,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\">\n"
@@ -101,6 +102,6 @@ void sweep_chart(FILE *to, const sweep *s, const char *title)
     text_at(to, LEFT, 26, "font-size=\"16\"", title);
     draw_legend(to);
     for (int k = 0; k <= count; k++)
-        draw_panel(to, s, k < count ? kernels[k] : NULL, TOP + k * (PANEL + GAP));
+        draw_panel(to, s, tribox_kernel_list((size_t)k), TOP + k * (PANEL + GAP));
     fputs("</svg>\n", to);
 }

@@ -1,0 +1,104 @@
+/* option_reader.c - makes getopt_long's tables from ours, and its errors into lines that name the word. */
+#include "option_reader.h"
+
+#include <getopt.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "message.h"
+
+/* getopt_long returns FIRST + i for the long form of option i, its letter for the short one, and OPERAND. */
+enum { TABLE_MAX = 64, OPERAND = 1, FIRST = 256 };
+
+typedef struct getopt_tables {
+    char letters[2 * TABLE_MAX + 4];
+    struct option names[TABLE_MAX + 2];
+} getopt_tables;
+
+static void make_tables(const option_entry *table, getopt_tables *made)
+{
+    char *letter = made->letters;
+    struct option *name = made->names;
+    *letter++ = '-'; /* operands come in their order */
+    *letter++ = ':'; /* a missing value is told from an unknown option, and no messages are printed */
+    for (int i = 0; table[i].name; i++) {
+        *name++ = (struct option){table[i].name, table[i].takes_value ? required_argument : no_argument, NULL, FIRST + i};
+        if (table[i].letter)
+            *letter++ = table[i].letter;
+        if (table[i].letter && table[i].takes_value)
+            *letter++ = ':';
+    }
+    *name++ = (struct option){"help", no_argument, NULL, 'h'};
+    *name = (struct option){NULL, 0, NULL, 0};
+    *letter++ = 'h';
+    *letter = '\0';
+}
+
+/* The option that getopt_long calls by this number, or -1. */
+static int option_of(const option_entry *table, int number)
+{
+    for (int i = 0; table[i].name; i++)
+        if (number == FIRST + i || number == table[i].letter)
+            return i;
+    return -1;
+}
+
+static int refuse_option(const option_entry *table, int number, const char *what)
+{
+    const int i = option_of(table, number);
+    if (number >= FIRST)
+        return message_usage("option --%s %s", table[i].name, what);
+    return number == 'h' ? message_usage("option --help %s", what) : message_usage("option -%c %s", number, what);
+}
+
+/* How many options begin as the word does. */
+static int count_beginning(const option_entry *table, const char *word)
+{
+    int count = 0;
+    for (int i = 0; table[i].name; i++)
+        count += !strncmp(table[i].name, word + 2, strcspn(word + 2, "="));
+    return count;
+}
+
+/* number: the option in question, 0 for a long one that is not in the table. */
+static int refuse_unknown(const option_entry *table, int number, const char *word)
+{
+    if (number && (number == 'h' || option_of(table, number) >= 0))
+        return refuse_option(table, number, "takes no value");
+    if (number)
+        return message_usage("unknown option '-%c'", number);
+    return message_usage(count_beginning(table, word) > 1 ? "option '%s' is ambiguous; write more of it" : "unknown option '%s'",
+                         word);
+}
+
+static int take_one(const option_entry *table, int number, option_take *take, void *request, options_found *found)
+{
+    if (number == OPERAND)
+        return take(request, OPTION_OPERAND, optarg);
+    const int i = option_of(table, number);
+    if (options_has(found, i))
+        return refuse_option(table, number, "is given twice");
+    found->seen |= UINT64_C(1) << i;
+    return take(request, i, optarg);
+}
+
+int options_read(int count, char **words, const option_entry *table, option_take *take, void *request, options_found *found)
+{
+    getopt_tables tables;
+    int code = EXIT_CODE_OK, number;
+    *found = (options_found){.seen = 0};
+    make_tables(table, &tables);
+    optind = 0; /* starts afresh, though it has run before */
+    while (!code && (number = getopt_long(count, words, tables.letters, tables.names, NULL)) != -1) {
+        found->wants_help = number == 'h';
+        if (found->wants_help)
+            return EXIT_CODE_OK;
+        code = number == '?'   ? refuse_unknown(table, optopt, words[optind - 1])
+               : number == ':' ? refuse_option(table, optopt, "needs a value")
+                               : take_one(table, number, take, request, found);
+    }
+    for (; !code && optind < count; optind++)
+        code = take(request, OPTION_OPERAND, words[optind]);
+    return code;
+}

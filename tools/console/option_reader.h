@@ -1,0 +1,36 @@
+/* option_reader.h - reads a command line by a table of options, on getopt_long: "--json", "--js", "-j", "--box V", "--box=V", "-bV". */
+#ifndef OPTION_READER_H
+#define OPTION_READER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Tables have at most 64 options and end with a NULL name. --help and -h are in none of them. */
+typedef struct option_entry {
+    const char *name; /* "json", without the dashes */
+    char letter;      /* 'j' for -j; 0 for none */
+    bool takes_value;
+} option_entry;
+
+enum { OPTION_OPERAND = -1 };
+
+/*
+ * Takes option `which` of the table, with its value if it has one, or OPTION_OPERAND, which is its own value, into a request. Returns an
+ * exit_code.
+ */
+typedef int option_take(void *request, int which, const char *value);
+
+typedef struct options_found {
+    uint64_t seen;   /* bit i: option i of the table was given */
+    bool wants_help; /* --help or -h was met, which ends the reading */
+} options_found;
+
+/*
+ * Takes everything after words[0]. Options and operands come in any order, each option at most once; "--" ends the options. Stops at
+ * the first word that is wrong. Returns an exit_code, EXIT_CODE_USAGE after a line on standard error.
+ */
+int options_read(int count, char **words, const option_entry *table, option_take *take, void *request, options_found *found);
+
+static inline bool options_has(const options_found *found, int which) { return found->seen >> which & 1; }
+
+#endif
