@@ -1,5 +1,6 @@
 #!/bin/sh
-# A meson project has tribox as a subproject, and finds it by dependency('tribox'): subproject.sh tree|wrap-git|wrap-file ROOT
+# A meson project finds its subproject tribox by dependency('tribox'), and builds the library alone:
+# subproject.sh tree|wrap-git|wrap-file ROOT
 #   tree       the source tree lies under subprojects/
 #   wrap-git   a wrap file names a git repository
 #   wrap-file  a wrap file names the tarball of a release, and its hash
@@ -50,4 +51,8 @@ esac
 
 # Unoptimised and without inlining, the kernels take seconds to compile instead of minutes.
 "$MESON" setup "$work/build" "$work/consumer" -Doptimization=1 -Dc_args=-U__OPTIMIZE__ --force-fallback-for=tribox
+if "$MESON" introspect --targets "$work/build" | grep -qE '/subprojects/tribox[^/"]*/(tools|python|bench|tests)/'; then
+    echo 'a project that uses tribox builds more of it than the library' >&2
+    exit 1
+fi
 "$MESON" test -C "$work/build" consumer
