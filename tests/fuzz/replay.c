@@ -1,6 +1,6 @@
 /*
- * replay.c - runs a fuzz target once on each file of the folders and on each file that it is given: the kept inputs as a test,
- * with any compiler.
+ * replay.c - runs a fuzz target once on each given file and on each file of the given folders: known inputs as a test, with any
+ * compiler.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
@@ -16,7 +16,7 @@ static void fail(const char *path)
     exit(1);
 }
 
-/* The memory has no byte to spare, so that a sanitizer sees what is read beyond. */
+/* The memory is exactly as large as the input, so that a sanitizer sees a read past its end. */
 static void replay_file(const char *path)
 {
     enum { INPUT_MOST = 1 << 20 };
@@ -36,7 +36,7 @@ static void replay_file(const char *path)
     free(data);
 }
 
-/* The file at hand, which a signal would leave unnamed. */
+/* Prints each name before its turn: a signal would not say which file it was. */
 static int replay_folder(const char *path, DIR *folder)
 {
     int files = 0;

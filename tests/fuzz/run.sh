@@ -15,7 +15,7 @@ targets=${*:-overlap boxes voxelize indexed soup oriented grid files command}
 test -d "$build" || CC=${CC:-clang} meson setup "$build" "$root" -Dbuildtype=plain -Doptimization=2 -Ddefault_library=static \
     -Db_sanitize=address,undefined -Db_lundef=false -Dtests=enabled -Dtools=disabled -Dbench=disabled -Dembree=disabled \
     "-Dc_args=-U__OPTIMIZE__ -fsanitize-coverage=inline-8bit-counters,pc-table -fno-sanitize-recover=all -gline-tables-only"
-programs=
+programs=tests/fuzz/seeds.txt
 for target in $targets; do programs="$programs tests/fuzz/fuzz_$target"; done
 # shellcheck disable=SC2086
 ninja -C "$build" $programs
@@ -42,10 +42,12 @@ fuzz()
     mkdir -p "$corpus/$1"
     dictionary=
     case $1 in files | command) dictionary=-dict=$here/parsers.dict ;; esac
+    seeds=$build/tests/fuzz/seeds/$1
+    test ! -d "$here/found/$1" || seeds="$seeds $here/found/$1"
     cd "$TMPDIR"
     # shellcheck disable=SC2086
     exec "$build/tests/fuzz/fuzz_$1" -max_total_time="$share" -max_len=1500 -len_control=0 -timeout=20 -rss_limit_mb=2000 \
-        -print_final_stats=1 -artifact_prefix="$build/found/$1-" $dictionary "$corpus/$1" "$here/seeds/$1" \
+        -print_final_stats=1 -artifact_prefix="$build/found/$1-" $dictionary "$corpus/$1" $seeds \
         >"$build/logs/$1" 2>&1 </dev/null
 }
 

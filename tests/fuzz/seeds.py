@@ -1,10 +1,11 @@
-"""Writes the kept inputs of the fuzz targets: python3 seeds.py FOLDER. input.c and the targets say what the bytes mean.
+"""Writes the first inputs of the fuzz targets into a new folder, and prints their names: python3 seeds.py FOLDER
 
-Inputs named found_* are not written here: they are those for which a fault was once found, and stay.
+input.c and the targets say what the bytes mean. Inputs for which a fault was once found are kept in found/.
 """
 
 import os
 import random
+import shutil
 import struct
 import sys
 
@@ -25,7 +26,7 @@ def floats(*numbers):
 
 
 def drawn(source, way, count):
-    """So many numbers that are written in one way."""
+    """`count` numbers, all written in one way."""
     if way == ANY_WAY:
         return b"".join(bytes([w]) + drawn(source, w, 1) for w in source.choices(range(ANY_WAY), k=count))
     if way == BITS:
@@ -144,7 +145,7 @@ def indexed():
 
 
 def soup():
-    """As for tribox_overlap, and bits behind: a count and the words of a mask."""
+    """As for tribox_overlap, followed by a count and the words of a mask."""
     files = pairs(True)
     kept = [name for name in files
             if name.startswith(("contact_", "not_finite", "empty_box", "wrong_box", "sixteen_n", "sixteen_a"))]
@@ -262,7 +263,7 @@ def boxes_files():
 
 
 def part_files():
-    """The byte in front tells, in units of 8 bytes, where the second of two parts begins; 255: there is but one."""
+    """The first byte is the offset of the second part in units of 8 bytes; 255 means that there is only one."""
     whole, half = part(), part(1, 2)
     single = {"whole": whole, "one_of_two": half, "more_shards_than_layers": part(2, 9), "cut": whole[:-1], "long": whole + b"\0",
               "header_cut": whole[:90], "shard_0": part(0, 1), "shards_0": whole[:60] + bytes(4) + whole[64:],
@@ -273,7 +274,7 @@ def part_files():
 
 
 def triangles_files():
-    """The byte in front: its remainder by 3 is the format, 0 by name, 1 STL, 2 raw floats; 128 and more: by standard input."""
+    """The first byte modulo 3 is the format: 0 by name, 1 STL, 2 raw floats; from 128 on, through standard input."""
     by_name, stl, raw, stl_by_stdin, raw_by_stdin = (bytes([choice]) for choice in (0, 1, 2, 130, 131))
     numbers = struct.pack("<18f", *range(18))
     return {"binary": stl + BINARY_STL, "binary_cut": stl + BINARY_STL[:-1], "header_cut": stl + BINARY_STL[:70],
@@ -327,12 +328,14 @@ TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxel
 
 
 def main():
+    shutil.rmtree(sys.argv[1], ignore_errors=True)
     for target, make in TARGETS.items():
         folder = os.path.join(sys.argv[1], target)
-        os.makedirs(folder, exist_ok=True)
+        os.makedirs(folder)
         for name, content in make().items():
             with open(os.path.join(folder, name), "wb") as file:
                 file.write(content)
+            print(f"{target}/{name}")
 
 
 if __name__ == "__main__":
