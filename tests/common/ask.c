@@ -2,25 +2,12 @@
 
 #include <inttypes.h>
 
-#include "dispatch.h"
-
 const int permutations[ORDERS][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
 unsigned order_digits(int permutation)
 {
     const int *const p = permutations[permutation];
     return (unsigned)(100 * (p[0] + 1) + 10 * (p[1] + 1) + p[2] + 1);
-}
-
-int kernels_here(const char *names[KERNELS_AT_MOST])
-{
-    int count = 0;
-    for (size_t i = 0; i < tribox_kernel_count(); i++)
-        if (tribox_kernel_runs_here(i)) {
-            assert_in_range(count, 0, KERNELS_AT_MOST - 1);
-            names[count++] = tribox_kernel_at(i)->name;
-        }
-    return count;
 }
 
 static const char *accuracy_name(tribox_accuracy accuracy)

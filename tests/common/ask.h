@@ -1,6 +1,6 @@
-/* ask.h - what the correctness tests share: the kernels of this machine, soups of pairs, and a failure that tells everything. */
-#ifndef TRIBOX_TESTS_TRIAL_H
-#define TRIBOX_TESTS_TRIAL_H
+/* ask.h - what the correctness tests share: calls whose answers are checked, and a failure that prints everything. */
+#ifndef TRIBOX_TESTS_ASK_H
+#define TRIBOX_TESTS_ASK_H
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "kernels_here.h"
 #include "oracle.h"
 #include "tribox.h"
 
@@ -16,10 +17,6 @@ enum { ORDERS = 6, AXIS_SETS = 7 };
 /* The six orders of three things: of the groups of axes in a call (order_digits), and of vertices or coordinates. */
 extern const int permutations[ORDERS][3];
 unsigned order_digits(int permutation);
-
-/* The kernels that run here, widest first. */
-enum { KERNELS_AT_MOST = 8 };
-int kernels_here(const char *names[KERNELS_AT_MOST]);
 
 static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
 

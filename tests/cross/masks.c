@@ -17,15 +17,15 @@
 
 #include "common/arguments.h"
 #include "drawn.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 enum { PAIRS_A_ROUND = 10000, ROUNDS_TO_AXES = 5, WORDS_MOST = 1024 };
 
 static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
 enum { ORDERS = sizeof orders / sizeof orders[0] };
 
-static const char *names[RUNNABLE_MOST]; /* the scalar kernel first */
-static size_t kernels;
+static const char *names[KERNELS_MAX]; /* the scalar kernel first */
+static int kernels;
 
 /* FNV-1a, of words as eight bytes each, the lowest first. */
 typedef uint64_t digest;
@@ -238,7 +238,7 @@ static answers exact_answers(ask *asks, const round_of_scene *round, unsigned ax
 {
     const tribox_options options = {.axes = axes, .order = order};
     const answers expected = answers_of(asks, round, options, names[0]);
-    for (size_t k = 1; k < kernels; k++) {
+    for (int k = 1; k < kernels; k++) {
         const answers got = answers_of(asks, round, options, names[k]);
         demand_equal(&expected, names[0], &got, names[k], &options);
     }
@@ -273,7 +273,7 @@ static void ask_rounded(const round_of_scene *round, tribox_accuracy accuracy, b
     const tribox_options options = {.accuracy = accuracy};
     const char *first = NULL;
     answers expected = {.count = 0};
-    for (size_t k = 0; k < kernels; k++) {
+    for (int k = 0; k < kernels; k++) {
         if (kernel_is_fused(names[k]) != is_fused)
             continue;
         answers got = answers_of(ask_pairs, round, options, names[k]);
@@ -398,7 +398,7 @@ int main(int argc, char **argv)
         printf("%s: of another seed, or of other pairs: skipped\n", argv[1]);
         return 77;
     }
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     for (size_t i = 0; i < scene_count(); i++)
         if (scene_is_called(scene_at(i), args.scenes))
             ask_scene(scene_at(i), &args);

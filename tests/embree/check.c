@@ -14,7 +14,7 @@
 
 enum {
     ACCURACIES = 3,
-    LIBRARIES_MOST = ACCURACIES * KERNELS_AT_MOST,
+    LIBRARIES_MOST = ACCURACIES * KERNELS_MAX,
     CELLS_ASKED = 48, /* with tribox_overlap */
     DISPUTES_MOST = 2 /* pairs of a data set that this test's own rounding gets wrong; none was ever seen */
 };
@@ -94,7 +94,7 @@ static size_t most_words(const witness *w)
 
 static void make_libraries(check *c, uint64_t seed)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     c->kernels = kernels_here(kernels);
     c->agreed = memory_of(most_words(&c->witness), sizeof *c->agreed);
     for (int accuracy = 0; accuracy < ACCURACIES; accuracy++)

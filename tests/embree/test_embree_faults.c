@@ -163,7 +163,7 @@ static void reduced_answer(answerer *self, size_t t, const triangle *u, const tr
 static void test_axes_left_out(void **state)
 {
     const setting *const s = *state;
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     for (unsigned axes = 1; axes < TRIBOX_AXES_ALL; axes++)
         for (int kernel = 0; kernel < kernel_count; kernel++) {

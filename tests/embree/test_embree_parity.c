@@ -67,7 +67,7 @@ static void voxelize(mesh *m, const char *kernel)
 
 static void check_mesh(mesh m)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     for (int kernel = 0; kernel < kernel_count; kernel++) {
         voxelize(&m, kernels[kernel]);

@@ -86,7 +86,7 @@ static void ask_crowd(const crowd *c, origin where)
 /* Every kernel and accuracy, on all thirteen axes and on a set of them that is drawn, in orders that are drawn. */
 static void ask_every_way(const crowd *c, const char *test, uint64_t seed, random_source *r)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     for (int kernel = 0; kernel < kernel_count; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {

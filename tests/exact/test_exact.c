@@ -19,7 +19,7 @@ typedef struct trial {
     origin where;
     const scene *scene;
     random_source r;
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     int kernel_count;
     scene_batch batch;
     oracle_axes truth[SCENE_TRIANGLES];

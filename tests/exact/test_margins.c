@@ -358,7 +358,7 @@ enum { SHARE_OF_PAIRS = 50 };
 static void test_margins(void **state)
 {
     const arguments *const args = *state;
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         const kind *const asked = &kinds[k];

@@ -119,7 +119,7 @@ static void check_that_masks_agree(const origin *where, const mesh *m, const tri
 /* Returns how many pairs the oracle was asked about. */
 static size_t try_node(random_source *r, origin *where, const mesh *m, const tribox_box *node, uint64_t *mask, uint64_t *first)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     size_t asked = 0;
     for (int kernel = 0; kernel < kernel_count; kernel++) {

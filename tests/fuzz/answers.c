@@ -4,19 +4,15 @@
 #include <string.h>
 
 #include "claim.h"
+#include "common/kernels_here.h"
 #include "room.h"
 
 const char *const *runnable_kernels(void)
 {
-    static const char *const known[] = {"scalar", "sse2", "avx2", "avx512", "neon"};
-    static const char *here[sizeof known / sizeof known[0] + 1];
-    if (here[0])
-        return here;
-    const char **next = here;
-    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-        if (tribox_kernel_name(&(tribox_options){.kernel = known[i]}))
-            *next++ = known[i];
-    return here;
+    static const char *names[KERNELS_MAX + 1];
+    if (!names[0])
+        kernels_here(names);
+    return names;
 }
 
 drawn_options input_options(input *in)

@@ -8,7 +8,7 @@
 /* Different pairs are few, since the oracle is slow; a soup repeats them as often as it likes. */
 enum { PAIRS_DRAWN = 16 };
 
-/* The kernels that run here, the scalar one first; NULL behind the last. */
+/* The kernels that run here, the scalar one first; NULL after the last. */
 const char *const *runnable_kernels(void);
 
 /* Options, and as bits of 1 << status what is wrong with them. The kernel stays open where nothing is wrong with it. */

@@ -14,12 +14,12 @@
 #include "common/arguments.h"
 #include "drawn.h"
 #include "fences.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
 static drawn numbers;
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 static guarded fence[SOUP_STREAMS];
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
@@ -83,7 +83,7 @@ static question between_fences(const question *from, size_t first, size_t count)
 
 static void check_kernels(const question *q)
 {
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             check_against_mask(q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
 }
@@ -116,7 +116,7 @@ static void test_axes(void **state)
         const question q = between_fences(&all, first, all.count - first);
         for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
             check_against_mask(&q,
-                               &(tribox_options){(tribox_accuracy)(first % 3), axes, orders[first % 7], names[first % kernels]});
+                               &(tribox_options){(tribox_accuracy)(first % 3), axes, orders[first % 7], names[first % (size_t)kernels]});
     }
 }
 
@@ -143,7 +143,7 @@ static void check_one_unlike(float usual, float other)
     for (size_t at = 0; at < DRAWN_MOST - 1; at++) {
         const bool is_edge = at < 260 || (at + 1) % 64 < 2 || (at & (at - 1)) == 0;
         put(at, other);
-        const tribox_options options = {.accuracy = (tribox_accuracy)(at % 3), .kernel = names[at / 3 % kernels]};
+        const tribox_options options = {.accuracy = (tribox_accuracy)(at % 3), .kernel = names[at / 3 % (size_t)kernels]};
         const size_t counts[] = {at, at + 1, at + 2, 10000};
         for (size_t c = 0; is_edge && c < 4; c++) {
             const size_t count = counts[c];
@@ -183,7 +183,7 @@ static void check_not_finite(size_t count, size_t at, int stream, float usual, s
         put(i, i < at ? usual : 0);
     numbers.stream[stream][at] = bad[(at + (size_t)stream) % 4];
     const question packed = soup_of(count), q = between_fences(&packed, 0, count);
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         expect(call, name, &q, &(tribox_options){.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]}, expected);
 }
 
@@ -207,7 +207,7 @@ static void test_empty(void **state)
     catch_faults();
     for (size_t i = 0; i < 200; i++)
         put(i, 0);
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             const tribox_options options = {.accuracy = accuracy, .kernel = names[k]};
             question q = soup_of(0);
@@ -228,7 +228,7 @@ static void test_stops(void **state)
     enum { READABLE = 65536 };
     const size_t count = (size_t)1 << 22, bytes = count * sizeof(float);
     catch_faults();
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (size_t at = 0; at < 4096; at = 3 * at + 1) {
             question q = {.count = count, .box = &cube};
             for (int s = 0; s < SOUP_STREAMS; s++) {
@@ -250,7 +250,7 @@ static void test_stops(void **state)
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scenes),   cmocka_unit_test(test_axes),  cmocka_unit_test(test_one_hit),
         cmocka_unit_test(test_one_miss), cmocka_unit_test(test_empty), cmocka_unit_test(test_not_finite),

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "runnable.h"
+#include "dispatch.h"
 #include "tribox.h"
 
 enum { COUNT = 100, WORDS = 2 };

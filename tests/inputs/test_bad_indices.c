@@ -12,11 +12,11 @@
 #include "common/arguments.h"
 #include "fences.h"
 #include "mesh_layout.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 static mesh_fences fences;
 static guarded out[9], mask_fence;
@@ -111,7 +111,7 @@ static void check_corner(const tribox_mesh *mesh, size_t corner, size_t number)
     const size_t right = mesh_number(mesh, corner), triangle = corner / 3;
     mesh_set_number(mesh, corner, number);
     check_found(mesh, 1, corner);
-    for (size_t k = 0; k < kernels; k++) {
+    for (int k = 0; k < kernels; k++) {
         check_answers_refused(mesh, names[k]);
         check_streams_refused(mesh, 0, mesh->count, names[k]);
         check_streams_refused(mesh, triangle, 1, names[k]);
@@ -190,7 +190,7 @@ static void test_many(void **state)
                 }
             check_found(&mesh, count, count ? first : 3 * mesh.count);
             if (count)
-                check_answers_refused(&mesh, names[(size_t)times % kernels]);
+                check_answers_refused(&mesh, names[times % kernels]);
         }
 }
 
@@ -205,7 +205,7 @@ static void test_too_few_vertices(void **state)
         const size_t missing = count % 2 ? 1 + count % 5 % 3 : 1 + (size_t)random_below(&r, (int)(3 * count));
         mesh.vertices = 3 * count - missing;
         check_found(&mesh, missing, mesh.vertices);
-        for (size_t k = 0; k < kernels; k++) {
+        for (int k = 0; k < kernels; k++) {
             check_answers_refused(&mesh, names[k]);
             check_streams_refused(&mesh, mesh.vertices / 3, count - mesh.vertices / 3, names[k]);
             check_streams_made(&mesh, 0, mesh.vertices / 3, names[k]);
@@ -223,7 +223,7 @@ static void test_no_vertices(void **state)
         tribox_mesh mesh = any_mesh(&r, 70, bytes);
         mesh.vertices = 0;
         check_found(&mesh, 210, 0);
-        for (size_t k = 0; k < kernels; k++) {
+        for (int k = 0; k < kernels; k++) {
             check_answers_refused(&mesh, names[k]);
             check_streams_refused(&mesh, 69, 1, names[k]);
             check_streams_made(&mesh, 70, 0, names[k]);
@@ -276,7 +276,7 @@ static void test_greatest_numbers(void **state)
         for (int c = 0; c < CORNERS; c++)
             indices[c] = number[random_below(&r, NUMBERS - (round % 2))];
         check_found(&mesh, 0, CORNERS);
-        for (size_t k = 0; k < kernels; k++) {
+        for (int k = 0; k < kernels; k++) {
             float got[9][CORNERS / 3], want[9][CORNERS / 3];
             float *const x[3] = {got[0], got[1], got[2]}, *const y[3] = {got[3], got[4], got[5]},
                          *const z[3] = {got[6], got[7], got[8]};
@@ -290,7 +290,7 @@ static void test_greatest_numbers(void **state)
         tribox_mesh less = mesh;
         less.vertices--;
         indices[random_below(&r, CORNERS)] = 0xffffffff;
-        for (size_t k = 0; k < kernels; k++)
+        for (int k = 0; k < kernels; k++)
             check_answers_refused(&less, names[k]);
     }
     munmap(all, bytes);
@@ -306,7 +306,7 @@ static void test_greatest_numbers(void **state)
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_corner),      cmocka_unit_test(test_edges_of_blocks), cmocka_unit_test(test_many),
         cmocka_unit_test(test_too_few_vertices), cmocka_unit_test(test_no_vertices),     cmocka_unit_test(test_greatest_numbers),

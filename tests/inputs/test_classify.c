@@ -14,12 +14,12 @@
 #include "common/arguments.h"
 #include "drawn.h"
 #include "fences.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
 static drawn numbers;
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 static guarded stream_fence[SOUP_STREAMS], mask_fence, inside_fence;
 
@@ -120,7 +120,7 @@ static question between_fences(const question *from, size_t first, size_t count)
 
 static void check_kernels(const question *q)
 {
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             check(q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
 }
@@ -152,7 +152,7 @@ static void test_every_count(void **state)
     }
     for (size_t c = 0; c < sizeof large / sizeof large[0]; c++) {
         const question q = between_fences(&all, 0, large[c]);
-        for (size_t k = 0; k < kernels; k++)
+        for (int k = 0; k < kernels; k++)
             check(&q, &(tribox_options){.accuracy = (tribox_accuracy)(c % 3), .kernel = names[k]});
     }
 }
@@ -166,8 +166,8 @@ static void test_axes(void **state)
     const question q = draw_lattice(&r, &cube, 150);
     for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
         for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++)
-            for (size_t k = 0; k < kernels; k++)
-                check(&q, &(tribox_options){(tribox_accuracy)((o + k) % 3), axes, orders[o], names[k]});
+            for (int k = 0; k < kernels; k++)
+                check(&q, &(tribox_options){(tribox_accuracy)((o + (size_t)k) % 3), axes, orders[o], names[k]});
 }
 
 /* The whole range of floats: FAST must not lose what is inside either. */
@@ -245,7 +245,7 @@ static void test_each_comparison(void **state)
                 const float beside[KINDS] = {ulp, side ? INFINITY : -INFINITY, NAN, -NAN};
                 numbers.stream[s][c * spread + c % spread] = beside[kind];
             }
-            for (size_t k = 0; k < kernels; k++)
+            for (int k = 0; k < kernels; k++)
                 for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
                     check(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
         }
@@ -254,7 +254,7 @@ static void test_each_comparison(void **state)
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_count),     cmocka_unit_test(test_axes),
         cmocka_unit_test(test_scenes),          cmocka_unit_test(test_scenes_clamped),

@@ -14,7 +14,7 @@
 #include "drawn.h"
 #include "mesh_layout.h"
 #include "oriented_scenes.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 #include "common/settings.h"
 
 static arguments args;
@@ -112,9 +112,9 @@ static void check(action *act, const char *name, const asked *q)
 
 static void check_kernels(asked *q, size_t first_action, size_t actions_end)
 {
-    const char *names[RUNNABLE_MOST];
-    const size_t kernels = runnable_kernels(names);
-    for (size_t k = 0; k < kernels; k++)
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = first_action; i < actions_end; i++) {
                 q->options = (tribox_options){.accuracy = accuracy, .kernel = names[k]};

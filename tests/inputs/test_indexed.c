@@ -14,11 +14,11 @@
 #include "fences.h"
 #include "mesh_layout.h"
 #include "question.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 static mesh_fences fences;
 static guarded out[9], mask_fence, report_fence;
@@ -139,7 +139,7 @@ static void check_mesh(random_source *r, const tribox_mesh *mesh, int place)
     say("tribox_mesh_bad_indices", mesh, &(tribox_options){0}, 0, mesh->count);
     assert_int_equal(tribox_mesh_bad_indices(mesh, &first_bad), 0);
     assert_int_equal(first_bad, 3 * mesh->count);
-    for (size_t k = 0; k < kernels; k++) {
+    for (int k = 0; k < kernels; k++) {
         const size_t first = mesh->count ? (size_t)random_below(r, (int)mesh->count) : 0,
                      count = (size_t)random_below(r, (int)(mesh->count - first) + 1);
         check_streams(mesh, &(tribox_options){.kernel = names[k]}, 0, mesh->count, place);
@@ -228,7 +228,7 @@ static void test_ranges(void **state)
         mesh_expect(&mesh, 0, COUNT, expected);
         for (size_t first = 0; first <= COUNT; first++)
             for (size_t count = 0; count <= COUNT - first; count += count < 70 ? 1 : 7)
-                check_streams(&mesh, &(tribox_options){.kernel = names[(first + count) % kernels]}, first, count,
+                check_streams(&mesh, &(tribox_options){.kernel = names[(first + count) % (size_t)kernels]}, first, count,
                               count % 2 ? AT_END : (int)(first % 16));
     }
 }
@@ -251,7 +251,7 @@ static void test_beside(void **state)
         check_mesh(&r, &mesh, AT_END);
         for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
             check_answers(&mesh, &boxes[0],
-                          &(tribox_options){(tribox_accuracy)(axes % 3), axes, 0, names[(axes + (size_t)round) % kernels]}, AT_END);
+                          &(tribox_options){(tribox_accuracy)(axes % 3), axes, 0, names[(axes + (size_t)round) % (size_t)kernels]}, AT_END);
     }
 }
 
@@ -276,7 +276,7 @@ static void test_more_vertices_than_named(void **state)
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_small_counts),
         cmocka_unit_test(test_patterns),

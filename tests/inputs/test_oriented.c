@@ -16,11 +16,11 @@
 #include "common/guard.h"
 #include "oriented_oracle.h"
 #include "oriented_scenes.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 enum { STREAMS = 9, WORDS = (ORIENTED_TRIANGLES + 63) / 64 };
 static guarded fence[STREAMS], mask_fence;
@@ -220,7 +220,7 @@ static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
 {
     lay_soup();
     ask_oracle();
-    for (size_t k = 0; k < kernels; k++) {
+    for (int k = 0; k < kernels; k++) {
         check_exact(r, names[k]);
         *too_many += check_conservative(r, names[k]);
         *wrong += check_fast(names[k]);
@@ -246,7 +246,7 @@ static void test_scenes(void **state)
             hits += population(overlapping);
         }
         print_message("%-14s %zu pairs, %zu overlap; per kernel CONSERVATIVE adds %zu, FAST errs in %zu\n", scene_name, asked, hits,
-                      too_many / kernels, wrong / kernels);
+                      too_many / (size_t)kernels, wrong / (size_t)kernels);
         assert_in_range(hits, asked / 200, asked - asked / 200);
     }
 }
@@ -273,7 +273,7 @@ static void test_empty_boxes(void **state)
                 batch.count = count;
                 lay_soup();
                 batch.box.half[a] = below[b];
-                for (size_t k = 0; k < kernels; k++)
+                for (int k = 0; k < kernels; k++)
                     expect_none(names[k]);
             }
 }
@@ -348,7 +348,7 @@ static void test_large(void **state)
         oriented_draw(s, &r, &batch);
         batch.count = ORIENTED_TRIANGLES;
         ask_oracle();
-        for (size_t k = 0; k < kernels; k++)
+        for (int k = 0; k < kernels; k++)
             for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++)
                 check_large(&(tribox_options){.accuracy = accuracy, .kernel = names[k]}, counts[c]);
     }
@@ -371,7 +371,7 @@ int main(int argc, char **argv)
     args = arguments_parse(argc, argv);
     if (!is_scene_known(args.scenes))
         return 2;
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_empty_boxes),

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "runnable.h"
+#include "dispatch.h"
 
 static const float zeros[100];
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};

@@ -13,7 +13,7 @@
 #include "common/arguments.h"
 #include "drawn.h"
 #include "common/guard.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
 static drawn numbers;
@@ -28,15 +28,15 @@ static struct fences {
 } fence;
 
 /* What each pair gets when it is asked alone. */
-static uint64_t alone[RUNNABLE_MOST][ACCURACIES][DRAWN_WORDS];
+static uint64_t alone[KERNELS_MAX][ACCURACIES][DRAWN_WORDS];
 
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 static void ask_each_alone(const question *q)
 {
     memset(alone, 0, sizeof alone);
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < q->count; i++) {
                 const question pair = question_at(q, i);
@@ -132,7 +132,7 @@ static void check_call(const question *q, const tribox_options *options, const u
 static void check_count(const question *all, size_t count, int place)
 {
     const question q = between_guards(all, count, place);
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             check_call(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, alone[k][accuracy], place);
 }
@@ -191,7 +191,7 @@ static int make_fences(void **state)
     fence.one = guarded_make(sizeof numbers.triangle + 64);
     fence.mask = guarded_make(sizeof alone[0][0] + 64);
     fence.report = guarded_make(sizeof(tribox_report));
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     return 0;
 }
 

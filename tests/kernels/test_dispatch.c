@@ -8,7 +8,7 @@
 
 #include "dispatch.h"
 #include "drawn.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 /* The kernel that the default has to be on an emulated processor; NULL on the real one. */
 static const char *widest;
@@ -105,8 +105,8 @@ static void test_table_is_widest_first(void **state)
 static void test_the_named_kernel_runs(void **state)
 {
     (void)state;
-    const char *names[RUNNABLE_MOST];
-    const size_t count = runnable_kernels(names);
+    const char *names[KERNELS_MAX];
+    const int count = kernels_here(names);
     random_source r = random_named(1, "dispatch");
     const scene near_contact = {.name = "near-contact", .draw = draw_near_contact};
     size_t fused = 0, differing = 0;
@@ -114,7 +114,7 @@ static void test_the_named_kernel_runs(void **state)
         const question q = draw_question(&r, &near_contact, true, &numbers);
         uint64_t first[DRAWN_WORDS], mask[DRAWN_WORDS];
         ask_ok(&q, &(tribox_options){.accuracy = TRIBOX_FAST, .kernel = names[0]}, first, NULL);
-        for (size_t k = 1; k < count; k++) {
+        for (int k = 1; k < count; k++) {
             ask_ok(&q, &(tribox_options){.accuracy = TRIBOX_FAST, .kernel = names[k]}, mask, NULL);
             fused += kernel_is_fused(names[k]);
             differing += kernel_is_fused(names[k]) && memcmp(mask, first, tribox_mask_words(q.count) * sizeof *mask);

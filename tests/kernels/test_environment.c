@@ -11,7 +11,7 @@
 #include "common/arguments.h"
 #include "drawn.h"
 #include "common/guard.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 #include "common/settings.h"
 
 static arguments args;
@@ -58,9 +58,9 @@ static void check(action *act, const char *name, const question *q, const tribox
 
 static void check_question(const question *q)
 {
-    const char *names[RUNNABLE_MOST];
-    const size_t kernels = runnable_kernels(names);
-    for (size_t k = 0; k < kernels; k++)
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             check(question_ask, q->box ? "tribox_overlap" : "tribox_overlap_boxes", q,
                   &(tribox_options){.accuracy = accuracy, .kernel = names[k]});

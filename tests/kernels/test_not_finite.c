@@ -10,7 +10,7 @@
 #include "common/arguments.h"
 #include "drawn.h"
 #include "common/guard.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
 static drawn numbers;
@@ -44,9 +44,9 @@ static void expect_all_but_spoilt(uint64_t expected[WORDS])
 static void check_everywhere(const question *q, const uint64_t expected[WORDS])
 {
     static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
-    const char *names[RUNNABLE_MOST];
-    const size_t kernels = runnable_kernels(names);
-    for (size_t k = 0; k < kernels; k++)
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
                 for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
@@ -184,9 +184,9 @@ static const float touching[3][3] = {{2.25f, -0.25f, 0.5f}, {-0.25f, 2.25f, 0.25
 /* The sound triangles are left to a slower stage, the bad ones are not counted. */
 static void check_undecided(const question *q)
 {
-    const char *names[RUNNABLE_MOST];
-    const size_t kernels = runnable_kernels(names);
-    for (size_t k = 0; k < kernels; k++) {
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    for (int k = 0; k < kernels; k++) {
         const tribox_options options = {.kernel = names[k]};
         uint64_t mask[WORDS];
         tribox_report report;

@@ -10,19 +10,19 @@
 #include "common/arguments.h"
 #include "drawn.h"
 #include "common/guard.h"
-#include "runnable.h"
+#include "common/kernels_here.h"
 
 static arguments args;
 static drawn numbers;
 
 enum { ACCURACIES = TRIBOX_FAST + 1, WORDS = (SCENE_TRIANGLES + 63) / 64 };
 
-static const char *names[RUNNABLE_MOST];
-static size_t kernels;
+static const char *names[KERNELS_MAX];
+static int kernels;
 
 /* One set of axes, default order: the mask of each kernel and accuracy. */
 typedef struct answers {
-    uint64_t mask[RUNNABLE_MOST][ACCURACIES][WORDS];
+    uint64_t mask[KERNELS_MAX][ACCURACIES][WORDS];
 } answers;
 
 static void ask(const question *q, const tribox_options *options, uint64_t *mask)
@@ -36,7 +36,7 @@ static void ask(const question *q, const tribox_options *options, uint64_t *mask
 
 static void ask_kernels(const question *q, unsigned axes, answers *got)
 {
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             ask(q, &(tribox_options){accuracy, axes, 0, names[k]}, got->mask[k][accuracy]);
 }
@@ -44,7 +44,7 @@ static void ask_kernels(const question *q, unsigned axes, answers *got)
 static void check_orders(const question *q, unsigned axes, const answers *got)
 {
     static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
                 const tribox_options options = {accuracy, axes, orders[o], names[k]};
@@ -81,7 +81,7 @@ static void assert_fast_masks_equal(const question *q, const tribox_options *opt
 /* EXACT: what the scalar kernel says, which is the first. FAST: what the first kernel of the same rounding says. */
 static void check_kernels(const question *q, unsigned axes, const answers *got)
 {
-    for (size_t k = 1; k < kernels; k++) {
+    for (int k = 1; k < kernels; k++) {
         size_t peer = 0;
         while (kernel_is_fused(names[peer]) != kernel_is_fused(names[k]))
             peer++;
@@ -95,7 +95,7 @@ static void check_kernels(const question *q, unsigned axes, const answers *got)
 /* What a pair gets does not depend on its neighbours. */
 static void check_alone(const question *q, unsigned axes, const answers *got)
 {
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < q->count; i++) {
                 const tribox_options options = {accuracy, axes, 0, names[k]};
@@ -109,7 +109,7 @@ static void check_alone(const question *q, unsigned axes, const answers *got)
 
 static void check_conservative(const question *q, unsigned axes, const answers *got)
 {
-    for (size_t k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++)
         for (size_t i = 0; i < q->count; i++)
             if (mask_bit(got->mask[k][TRIBOX_EXACT], i) && !mask_bit(got->mask[k][TRIBOX_CONSERVATIVE], i))
                 fail_at_pair(q, &(tribox_options){TRIBOX_CONSERVATIVE, axes, 0, names[k]}, i, true);
@@ -175,7 +175,7 @@ int main(int argc, char **argv)
     args = arguments_parse(argc, argv);
     if (!scene_name_is_known(args.scenes))
         return 2;
-    kernels = runnable_kernels(names);
+    kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_soup),
         cmocka_unit_test(test_boxes),

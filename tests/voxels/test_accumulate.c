@@ -30,7 +30,7 @@ static void draw_question(random_source *r, size_t round)
 
 static tribox_options any_options(random_source *r, tribox_accuracy accuracy)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     return (tribox_options){.accuracy = accuracy, .kernel = kernels[random_below(r, kernel_count)]};
 }
@@ -130,7 +130,7 @@ static void test_order(void **state)
 static void test_not_finite(void **state)
 {
     const arguments *const args = *state;
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
     random_source r = random_named(args->seed, "not finite");

@@ -19,7 +19,7 @@ static uint64_t expected[CELLS_MOST], occupied[CELLS_MOST];
 
 static void check_axes(random_source *r, request *q, unsigned axes)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     memset(expected, 0, sizeof expected);
     for (size_t t = 0; t < triangles.count; t++) {

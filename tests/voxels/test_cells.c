@@ -26,7 +26,7 @@ typedef struct trial {
     lattice at;
     crowd triangles;
     uint64_t *expected, *occupied, *one; /* words for CELLS_MOST cells */
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     int kernel_count;
     size_t trials, asked, set;
     tally conservative, fast;

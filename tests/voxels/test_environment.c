@@ -51,7 +51,7 @@ static void check_setting(unsigned set, const tribox_options *options, const tri
 static void test_voxelize(void **state)
 {
     const arguments *const args = *state;
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     catch_faults();
     random_source r = random_named(args->seed, "environment");

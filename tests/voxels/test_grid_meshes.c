@@ -88,7 +88,7 @@ static size_t choose_triangles(const mesh *m, uint64_t *expected)
 
 static size_t try_grid(request *q, const mesh *m)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     uint64_t *const expected = occupancy_make(at.words), *const occupied = occupancy_make(at.words);
     tally conservative = {0}, fast = {0};

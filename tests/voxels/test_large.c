@@ -86,7 +86,7 @@ static void check_about(const origin *where, const tribox_grid *grid, const judg
 
 static size_t try_triangle(random_source *r, origin *where, const tribox_grid *grid, uint64_t *first, uint64_t *occupied)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     const size_t words = tribox_grid_words(grid);
     crowd c = {.count = 0};

@@ -35,7 +35,7 @@ static void draw_question(random_source *r, size_t round)
 
 static tribox_options any_options(random_source *r)
 {
-    const char *kernels[KERNELS_AT_MOST];
+    const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     return (tribox_options){.accuracy = (tribox_accuracy)random_below(r, 3),
                             .axes = (unsigned)(random_below(r, 4) ? 0 : random_between(r, 1, AXIS_SETS)),
