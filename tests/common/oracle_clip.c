@@ -11,7 +11,7 @@
 #include <gmp.h>
 
 /* Each of six cuts adds at most one corner to the first three. */
-enum { CORNERS_AT_MOST = 9 };
+enum { CORNERS_MAX = 9 };
 
 /* Weights longer than this are divided by what they have in common; shorter ones are not worth it. */
 enum { LONG_BITS = 1024 };
@@ -22,7 +22,7 @@ typedef struct corner {
 } corner;
 
 typedef struct polygon {
-    corner at[CORNERS_AT_MOST];
+    corner at[CORNERS_MAX];
     int count;
 } polygon;
 
@@ -35,7 +35,7 @@ static void prepare(void)
     if (is_ready)
         return;
     is_ready = true;
-    for (int k = 0; k < CORNERS_AT_MOST; k++)
+    for (int k = 0; k < CORNERS_MAX; k++)
         for (int p = 0; p < 2; p++) {
             mpz_init(polygons[p].at[k].value);
             for (int j = 0; j < 3; j++)
@@ -101,7 +101,7 @@ static void cross(corner *to, const corner *p, const corner *q)
 
 static corner *next_corner(polygon *p)
 {
-    assert(p->count < CORNERS_AT_MOST);
+    assert(p->count < CORNERS_MAX);
     return &p->at[p->count++];
 }
 

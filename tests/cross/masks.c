@@ -19,7 +19,7 @@
 #include "drawn.h"
 #include "common/kernels_here.h"
 
-enum { PAIRS_A_ROUND = 10000, ROUNDS_TO_AXES = 5, WORDS_MOST = 1024 };
+enum { PAIRS_A_ROUND = 10000, ROUNDS_TO_AXES = 5, WORDS_MAX = 1024 };
 
 static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
 enum { ORDERS = sizeof orders / sizeof orders[0] };
@@ -70,7 +70,7 @@ typedef struct round_of_scene {
 
 /* Masks and statuses, one after the other. */
 typedef struct answers {
-    uint64_t word[WORDS_MOST];
+    uint64_t word[WORDS_MAX];
     size_t count;
 } answers;
 
@@ -78,8 +78,8 @@ static uint64_t *take_words(answers *to, size_t count)
 {
     uint64_t *const words = to->word + to->count;
     to->count += count;
-    if (to->count > WORDS_MOST) {
-        fputs("masks.c: WORDS_MOST is too small\n", stderr);
+    if (to->count > WORDS_MAX) {
+        fputs("masks.c: WORDS_MAX is too small\n", stderr);
         exit(2);
     }
     return memset(words, 0, count * sizeof *words);
@@ -362,18 +362,18 @@ static void ask_scene(const scene *s, const arguments *args)
     tell_scene(s->name, digests);
 }
 
-enum { TEXT_MOST = 1 << 20 };
+enum { TEXT_MAX = 1 << 20 };
 
 /* The text of a file, with a line's end before the first line. */
 static const char *text_of(const char *path)
 {
-    static char text[TEXT_MOST] = "\n";
+    static char text[TEXT_MAX] = "\n";
     FILE *const file = fopen(path, "r");
     if (!file) {
         fprintf(stderr, "%s: cannot be read; give a file that this program printed\n", path);
         exit(2);
     }
-    text[1 + fread(text + 1, 1, TEXT_MOST - 2, file)] = 0;
+    text[1 + fread(text + 1, 1, TEXT_MAX - 2, file)] = 0;
     fclose(file);
     return text;
 }

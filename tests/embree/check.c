@@ -14,9 +14,9 @@
 
 enum {
     ACCURACIES = 3,
-    LIBRARIES_MOST = ACCURACIES * KERNELS_MAX,
+    LIBRARIES_MAX = ACCURACIES * KERNELS_MAX,
     CELLS_ASKED = 48, /* with tribox_overlap */
-    DISPUTES_MOST = 2 /* pairs of a data set that this test's own rounding gets wrong; none was ever seen */
+    DISPUTES_MAX = 2 /* pairs of a data set that this test's own rounding gets wrong; none was ever seen */
 };
 
 /* The library as an answerer. */
@@ -35,7 +35,7 @@ typedef struct check {
     planes planes;
     witness witness;
     streams streams;
-    library libraries[LIBRARIES_MOST]; /* EXACT first */
+    library libraries[LIBRARIES_MAX]; /* EXACT first */
     int count, kernels;
     uint64_t *agreed;
     uint64_t *occupied, *voxels; /* the union of EXACT's pairs, and what voxelization says */
@@ -111,7 +111,7 @@ static void make_libraries(check *c, uint64_t seed)
 
 static size_t ask_pairs(check *c)
 {
-    answerer *answerers[LIBRARIES_MOST];
+    answerer *answerers[LIBRARIES_MAX];
     for (int k = 0; k < c->count; k++) {
         c->libraries[k].where.function = "tribox_overlap_boxes";
         answerers[k] = &c->libraries[k].base;
@@ -211,7 +211,7 @@ static void check_counts(const check *c, size_t pairs)
     if (c->d->is_exact)
         assert_int_equal(n->soft + n->ghost + n->left_out, 0);
     for (int k = 0; k < c->count; k++)
-        assert_in_range(c->libraries[k].disputes, 0, DISPUTES_MOST);
+        assert_in_range(c->libraries[k].disputes, 0, DISPUTES_MAX);
 }
 
 void check_data_set(data_set *d, uint64_t seed)

@@ -7,13 +7,13 @@
 #include "embree.h"
 #include "zeroed.h"
 
-enum { CROSSINGS_MOST = 1024, RECASTS_MOST = 100 };
+enum { CROSSINGS_MAX = 1024, RECASTS_MAX = 100 };
 
 /* A line too close to a triangle's border, or too nearly within its plane, is drawn again. */
 static const double least_barycentric = 1e-7, least_cosine = 1e-4;
 
 typedef struct line {
-    double place[CROSSINGS_MOST]; /* on the axis, in no order */
+    double place[CROSSINGS_MAX]; /* on the axis, in no order */
     size_t count;
 } line;
 
@@ -36,7 +36,7 @@ static bool cast_line(const planes *p, const shape *s, embree_scene *scene, int 
     along[axis] = 1;
     const embree_hit *hits;
     l->count = embree_cast(scene, from, along, p->at[axis][p->size[axis]] - from[axis] + p->grid.cell[axis], &hits);
-    if (l->count % 2 || l->count > CROSSINGS_MOST)
+    if (l->count % 2 || l->count > CROSSINGS_MAX)
         return false;
     int turns = 0;
     for (size_t k = 0; k < l->count; k++) {
@@ -66,7 +66,7 @@ static bool cast_column(const planes *p, const shape *s, embree_scene *scene, ra
     int tries = 0;
     float from[3];
     do {
-        if (tries++ > RECASTS_MOST)
+        if (tries++ > RECASTS_MAX)
             return false;
         for (int a = 0; a < 3; a++)
             from[a] = a == axis ? p->at[a][0] - p->grid.cell[a] : drawn_between(r, p->at[a][cell[a]], p->at[a][cell[a] + 1]);

@@ -16,7 +16,7 @@ enum {
     SKIPPED = 77,
     DEEPEST_LEVEL = 8,
     NODES_OF_A_LEVEL = 6,
-    ORACLE_AT_MOST = 4000 /* triangles of a node that the oracle is asked about, if their bounding boxes reach the node */
+    ORACLE_MAX = 4000 /* triangles of a node that the oracle is asked about, if their bounding boxes reach the node */
 };
 
 static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
@@ -87,7 +87,7 @@ static size_t check_mask(const origin *where, const mesh *m, const tribox_box *n
         const tribox_pair pair = pair_of(m, i, node);
         reaching += reaches(&pair);
     }
-    const size_t step = reaching / ORACLE_AT_MOST + 1;
+    const size_t step = reaching / ORACLE_MAX + 1;
     for (size_t i = 0, k = 0; i < m->count; i++) {
         const tribox_pair pair = pair_of(m, i, node);
         const bool answer = bit_of(mask, i);

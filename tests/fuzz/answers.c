@@ -78,11 +78,11 @@ bool status_fits(const char *call, unsigned wrong, tribox_status status)
     return !wrong;
 }
 
-enum { WORDS_MOST = (COUNT_MOST + 63) / 64 };
+enum { WORDS_MAX = (COUNT_MAX + 63) / 64 };
 
 /* The bits that are set in the true mask, and those that no accuracy may set: pairs that are not finite, or of an empty box. */
 typedef struct truth {
-    uint64_t overlapping[WORDS_MOST], impossible[WORDS_MOST];
+    uint64_t overlapping[WORDS_MAX], impossible[WORDS_MAX];
 } truth;
 
 static bool can_overlap(const tribox_pair *pair)

@@ -9,13 +9,13 @@
 #include "console/message.h"
 #include "target.h"
 
-enum { WORDS_MOST = 64 };
+enum { WORDS_MAX = 64 };
 
 /* Each word in memory of its own, so that nothing is read behind it. Returns how many there are. */
-static int split(const char *text, size_t size, char *words[WORDS_MOST + 1])
+static int split(const char *text, size_t size, char *words[WORDS_MAX + 1])
 {
     int count = 0;
-    for (const char *end = text + size; text < end && count < WORDS_MOST; count++) {
+    for (const char *end = text + size; text < end && count < WORDS_MAX; count++) {
         const char *const line_end = memchr(text, '\n', (size_t)(end - text));
         const size_t length = (size_t)((line_end ? line_end : end) - text);
         words[count] = malloc(length + 1);
@@ -39,7 +39,7 @@ static int run(const char *name, int count, char **words)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static int is_quiet;
-    char *words[WORDS_MOST + 1];
+    char *words[WORDS_MAX + 1];
     if (!is_quiet++)
         claim(freopen("/dev/null", "w", stdout), "help cannot be sent away");
     const int count = split((const char *)data, size, words);

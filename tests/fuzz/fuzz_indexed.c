@@ -6,15 +6,15 @@
 #include "room.h"
 #include "target.h"
 
-enum { VERTICES_MOST = 24, NUMBERS_DRAWN = 450 };
+enum { VERTICES_MAX = 24, NUMBERS_DRAWN = 450 };
 
 /* A mesh, and its vertex numbers as they are meant. */
 typedef struct question {
     tribox_mesh mesh;
     tribox_box box;
     tribox_options options;
-    uint32_t number[3 * COUNT_MOST];
-    float vertex[VERTICES_MOST][3];
+    uint32_t number[3 * COUNT_MAX];
+    float vertex[VERTICES_MAX][3];
     unsigned wrong;
 } question;
 
@@ -31,7 +31,7 @@ static size_t draw_stride(input *in)
 static void lay_positions(input *in, question *q, size_t shift)
 {
     tribox_mesh *const mesh = &q->mesh;
-    mesh->vertices = input_below(in, VERTICES_MOST + 1);
+    mesh->vertices = input_below(in, VERTICES_MAX + 1);
     const size_t stride = stride_of(mesh), size = mesh->vertices ? (mesh->vertices - 1) * stride + sizeof q->vertex[0] : 0;
     unsigned char *const positions = room_make(size, shift);
     for (size_t n = 0; n < mesh->vertices; n += 3) {

@@ -10,7 +10,7 @@ typedef struct question {
     asked asked;
     tribox_soup soup;
     tribox_box box;
-    uint64_t inside[COUNT_MOST / 64 + 1]; /* which triangles are inside */
+    uint64_t inside[COUNT_MAX / 64 + 1]; /* which triangles are inside */
 } question;
 
 /* By comparison of every coordinate with the bounds. */

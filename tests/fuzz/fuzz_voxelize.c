@@ -7,7 +7,7 @@
 #include "room.h"
 #include "target.h"
 
-enum { TRIANGLES_MOST = 6 };
+enum { TRIANGLES_MAX = 6 };
 
 typedef struct question {
     tribox_grid grid;
@@ -178,12 +178,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     question q = {.grid = draw_grid(&in, asks_every_cell), .options = a.how.options};
     q.cut = q.grid.size[2] ? input_below(&in, q.grid.size[2] + 1) : 0;
     const unsigned before = input_byte(&in);
-    float u[TRIANGLES_MOST][3][3];
+    float u[TRIANGLES_MAX][3][3];
     do {
         input_triangle(&in, u[a.drawn]);
         memcpy(a.pair[a.drawn].u, u[a.drawn], sizeof u[0]);
         a.drawn++;
-    } while (!input_is_over(&in) && a.drawn < TRIANGLES_MOST);
+    } while (!input_is_over(&in) && a.drawn < TRIANGLES_MAX);
     a.count = a.drawn;
     q.soup = asked_soup(&a, 0);
 

@@ -16,7 +16,7 @@ unsigned input_below(input *in, unsigned count) { return input_byte(in) % count;
 size_t input_count(input *in)
 {
     const unsigned choice = input_byte(in);
-    return choice == 255 ? COUNT_MOST : choice < 160 ? choice % 20 : choice - 120;
+    return choice == 255 ? COUNT_MAX : choice < 160 ? choice % 20 : choice - 120;
 }
 
 input input_of(const uint8_t *data, size_t size)

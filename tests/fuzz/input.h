@@ -32,8 +32,8 @@ unsigned input_byte(input *in);
 /* 0 .. count - 1, of one byte. */
 unsigned input_below(input *in, unsigned count);
 
-/* How many: few, as many as a word or two have, and rarely COUNT_MOST, which is more than a block. */
-enum { COUNT_MOST = 600 };
+/* How many: few, as many as a word or two have, and rarely COUNT_MAX, which is more than a block. */
+enum { COUNT_MAX = 600 };
 size_t input_count(input *in);
 
 /* Numbers that are all written in one way, which the first byte chooses. They become known. */

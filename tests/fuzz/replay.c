@@ -19,8 +19,8 @@ static void fail(const char *path)
 /* The memory is exactly as large as the input, so that a sanitizer sees a read past its end. */
 static void replay_file(const char *path)
 {
-    enum { INPUT_MOST = 1 << 20 };
-    static uint8_t buffer[INPUT_MOST];
+    enum { INPUT_MAX = 1 << 20 };
+    static uint8_t buffer[INPUT_MAX];
     FILE *const file = fopen(path, "rb");
     if (!file)
         fail(path);

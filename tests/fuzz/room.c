@@ -6,14 +6,14 @@
 #include "claim.h"
 #include "tribox.h"
 
-enum { ROOMS_MOST = 256 };
+enum { ROOMS_MAX = 256 };
 
-static void *rooms[ROOMS_MOST];
+static void *rooms[ROOMS_MAX];
 static int count;
 
 void *room_make(size_t bytes, size_t shift)
 {
-    claim(count < ROOMS_MOST, "this program makes more than %d rooms", ROOMS_MOST);
+    claim(count < ROOMS_MAX, "this program makes more than %d rooms", ROOMS_MAX);
     unsigned char *const room = malloc(shift + bytes);
     claim(room || !(shift + bytes), "no memory for %zu bytes", shift + bytes);
     rooms[count++] = room;

@@ -8,11 +8,11 @@
 #include <gmp.h>
 
 /* Each of six cuts adds at most one corner to the first three. */
-enum { CORNERS_AT_MOST = 9 };
+enum { CORNERS_MAX = 9 };
 
 typedef struct polygon {
-    mpq_t at[CORNERS_AT_MOST][3];
-    mpq_t value[CORNERS_AT_MOST]; /* on the half-space at hand: negative outside of it */
+    mpq_t at[CORNERS_MAX][3];
+    mpq_t value[CORNERS_MAX]; /* on the half-space at hand: negative outside of it */
     int count;
 } polygon;
 
@@ -26,7 +26,7 @@ static void prepare(void)
         return;
     is_ready = true;
     for (int p = 0; p < 2; p++)
-        for (int c = 0; c < CORNERS_AT_MOST; c++) {
+        for (int c = 0; c < CORNERS_MAX; c++) {
             mpq_init(polygons[p].value[c]);
             for (int k = 0; k < 3; k++)
                 mpq_init(polygons[p].at[c][k]);
@@ -94,7 +94,7 @@ static void cut(const polygon *from, polygon *to)
     to->count = 0;
     for (int c = 0; c < from->count; c++) {
         const int d = (c + 1) % from->count;
-        assert(to->count + 2 <= CORNERS_AT_MOST || c + 1 == from->count);
+        assert(to->count + 2 <= CORNERS_MAX || c + 1 == from->count);
         if (mpq_sgn(from->value[c]) >= 0) {
             for (int k = 0; k < 3; k++)
                 mpq_set(to->at[to->count][k], from->at[c][k]);

@@ -28,7 +28,7 @@ static int set_up(void **state)
 {
     (void)state;
     for (int s = 0; s < SOUP_STREAMS; s++)
-        fence[s] = guarded_make(DRAWN_MOST * sizeof(float));
+        fence[s] = guarded_make(DRAWN_MAX * sizeof(float));
     return 0;
 }
 
@@ -138,9 +138,9 @@ static question soup_of(size_t count)
 static void check_one_unlike(float usual, float other)
 {
     const bool is_hit = fabsf(other) <= 1;
-    for (size_t i = 0; i < DRAWN_MOST; i++)
+    for (size_t i = 0; i < DRAWN_MAX; i++)
         put(i, usual);
-    for (size_t at = 0; at < DRAWN_MOST - 1; at++) {
+    for (size_t at = 0; at < DRAWN_MAX - 1; at++) {
         const bool is_edge = at < 260 || (at + 1) % 64 < 2 || (at & (at - 1)) == 0;
         put(at, other);
         const tribox_options options = {.accuracy = (tribox_accuracy)(at % 3), .kernel = names[at / 3 % (size_t)kernels]};

@@ -27,7 +27,7 @@ static int set_up(void **state)
 {
     (void)state;
     for (int s = 0; s < SOUP_STREAMS; s++)
-        stream_fence[s] = guarded_make(DRAWN_MOST * sizeof(float));
+        stream_fence[s] = guarded_make(DRAWN_MAX * sizeof(float));
     mask_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
     inside_fence = guarded_make(DRAWN_WORDS * sizeof(uint64_t));
     return 0;
@@ -145,7 +145,7 @@ static void test_every_count(void **state)
     static const size_t large[] = {511, 512, 513, 4095, 4096, 4097, 4160, 8193, 10000};
     catch_faults();
     random_source r = random_named(args.seed, "every count");
-    const question all = draw_lattice(&r, &cube, DRAWN_MOST);
+    const question all = draw_lattice(&r, &cube, DRAWN_MAX);
     for (size_t count = 0; count <= 200; count++) {
         const question q = between_fences(&all, 3 * count, count);
         check_kernels(&q);

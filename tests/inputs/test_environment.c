@@ -127,7 +127,7 @@ enum { ORIENTED = 5, ACTIONS = sizeof actions / sizeof actions[0] };
 /* The nine streams of a soup as one array of structures. */
 static tribox_mesh mesh_of(const tribox_soup *soup)
 {
-    static float vertex[3 * DRAWN_MOST][3];
+    static float vertex[3 * DRAWN_MAX][3];
     const float *const *const axis[3] = {soup->x, soup->y, soup->z};
     for (size_t c = 0; c < 3 * soup->count; c++)
         for (int a = 0; a < 3; a++)

@@ -12,14 +12,14 @@
 
 static arguments args;
 
-enum { WORDS = 200, COUNT_MOST = 64 * WORDS };
+enum { WORDS = 200, COUNT_MAX = 64 * WORDS };
 static guarded mask_fence, index_fence;
 
 static int set_up(void **state)
 {
     (void)state;
     mask_fence = guarded_make(WORDS * sizeof(uint64_t));
-    index_fence = guarded_make(COUNT_MOST * sizeof(uint32_t));
+    index_fence = guarded_make(COUNT_MAX * sizeof(uint32_t));
     return 0;
 }
 
@@ -45,7 +45,7 @@ static void check(random_source *r, size_t count, int spread)
 {
     const size_t words = tribox_mask_words(count);
     uint64_t *const mask = guarded_tail(mask_fence, words * sizeof *mask);
-    uint32_t expected[COUNT_MOST];
+    uint32_t expected[COUNT_MAX];
     size_t set = 0;
     for (size_t w = 0; w < words; w++)
         mask[w] = draw_word(r, spread);
@@ -74,7 +74,7 @@ static void test_every_count(void **state)
         for (size_t s = 0; s < sizeof spreads / sizeof spreads[0]; s++)
             check(&r, count, spreads[s]);
     for (size_t s = 0; s < sizeof spreads / sizeof spreads[0]; s++)
-        for (size_t count = COUNT_MOST - 65; count <= COUNT_MOST; count++)
+        for (size_t count = COUNT_MAX - 65; count <= COUNT_MAX; count++)
             check(&r, count, spreads[s]);
 }
 

@@ -56,11 +56,11 @@ question draw_distinct_lanes(random_source *r, bool is_soup, drawn *numbers)
 {
     static const float through_origin[3][3] = {{-0.75f, -0.5f, 0.25f}, {0.5f, -0.25f, -1}, {0.125f, 0.375f, 0.375f}};
     memcpy(numbers->triangle, through_origin, sizeof numbers->triangle);
-    for (size_t i = 0; i < DRAWN_MOST; i += SCENE_TRIANGLES) {
+    for (size_t i = 0; i < DRAWN_MAX; i += SCENE_TRIANGLES) {
         scene_batch batch;
         (i / SCENE_TRIANGLES % 2 ? draw_paper : draw_eighths)(r, &batch);
         numbers->box = batch.box;
-        for (size_t k = 0; k < SCENE_TRIANGLES && i + k < DRAWN_MOST; k++) {
+        for (size_t k = 0; k < SCENE_TRIANGLES && i + k < DRAWN_MAX; k++) {
             put_triangle(numbers, i + k, batch.u[k]);
             if (is_soup)
                 continue;
@@ -71,5 +71,5 @@ question draw_distinct_lanes(random_source *r, bool is_soup, drawn *numbers)
             }
         }
     }
-    return question_over(numbers, is_soup, DRAWN_MOST);
+    return question_over(numbers, is_soup, DRAWN_MAX);
 }

@@ -5,11 +5,11 @@
 #include "question.h"
 #include "common/scenes.h"
 
-enum { DRAWN_MOST = 10240, DRAWN_WORDS = DRAWN_MOST / 64 };
+enum { DRAWN_MAX = 10240, DRAWN_WORDS = DRAWN_MAX / 64 };
 
 /* The numbers that a question points to. */
 typedef struct drawn {
-    float stream[SOUP_STREAMS][DRAWN_MOST];
+    float stream[SOUP_STREAMS][DRAWN_MAX];
     tribox_box box;
     float triangle[3][3];
 } drawn;
@@ -18,7 +18,7 @@ typedef struct drawn {
 question draw_question(random_source *r, const scene *s, bool is_soup, drawn *numbers);
 
 /*
- * DRAWN_MOST pairs about the box of the paper, as different from lane to lane as can be. Zeros overlap: the box holds the origin,
+ * DRAWN_MAX pairs about the box of the paper, as different from lane to lane as can be. Zeros overlap: the box holds the origin,
  * and so does the triangle. A zero past the end of a stream therefore shows.
  */
 question draw_distinct_lanes(random_source *r, bool is_soup, drawn *numbers);

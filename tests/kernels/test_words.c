@@ -148,7 +148,7 @@ static bool may_change_payload(number_word word)
 
 static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)
 {
-    lane_number out[LANES_MOST];
+    lane_number out[LANES_MAX];
     lanes_number(word, a, b, c, out);
     for (unsigned lane = 0; lane < lanes_count; lane++) {
         const lane_number expected = number_of(word, a[0], a[lane], b[lane], c[lane]);
@@ -217,7 +217,7 @@ static lane_number special(unsigned k)
 static void test_special_values(void **state)
 {
     (void)state;
-    lane_number a[LANES_MOST], b[LANES_MOST], c[LANES_MOST];
+    lane_number a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
     const unsigned triples = SPECIALS * SPECIALS * SPECIALS;
     for (unsigned first = 0; first < triples; first += lanes_count) {
         for (unsigned lane = 0; lane < lanes_count; lane++) {
@@ -237,7 +237,7 @@ static void test_random_bits(void **state)
 {
     (void)state;
     random_source r = random_named(args.seed, "words");
-    lane_number a[LANES_MOST], b[LANES_MOST], c[LANES_MOST];
+    lane_number a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
     for (size_t round = 0; round < args.pairs; round++) {
         for (unsigned lane = 0; lane < lanes_count; lane++) {
             a[lane] = any_bits(&r);
@@ -252,16 +252,16 @@ static void test_random_bits(void **state)
 static void test_loads_at_any_alignment(void **state)
 {
     (void)state;
-    enum { FLOATS = 3 * LANES_MOST };
+    enum { FLOATS = 3 * LANES_MAX };
     random_source r = random_named(args.seed, "loads");
     _Alignas(64) float numbers[FLOATS];
-    lane_number out[LANES_MOST];
+    lane_number out[LANES_MAX];
     for (int round = 0; round < 1000; round++) {
         for (unsigned k = 0; k < FLOATS; k++) {
             const uint32_t bits = (uint32_t)random_bits(&r);
             memcpy(&numbers[k], &bits, sizeof bits);
         }
-        for (unsigned at = 0; at < 2 * LANES_MOST; at++) {
+        for (unsigned at = 0; at < 2 * LANES_MAX; at++) {
             lanes_load(numbers + at, out);
             for (unsigned lane = 0; lane < lanes_count; lane++)
                 if (bits_of(out[lane]) != bits_of(numbers[at + lane]) && !(isnan(out[lane]) && isnan(numbers[at + lane])))
@@ -278,9 +278,9 @@ static void test_cuts(void **state)
     (void)state;
     random_source r = random_named(args.seed, "cuts");
     for (int round = 0; round < 10000; round++) {
-        lane_number a[LANES_MOST];
-        int32_t out[LANES_MOST + 2];
-        for (unsigned k = 0; k < LANES_MOST + 2; k++)
+        lane_number a[LANES_MAX];
+        int32_t out[LANES_MAX + 2];
+        for (unsigned k = 0; k < LANES_MAX + 2; k++)
             out[k] = 77;
         for (unsigned lane = 0; lane < lanes_count; lane++)
             a[lane] = ldexp((double)(int32_t)random_bits(&r), -(int)random_below(&r, 31));
@@ -299,8 +299,8 @@ static void test_permutes(void **state)
     (void)state;
     random_source r = random_named(args.seed, "permutes");
     for (int round = 0; round < 10000; round++) {
-        lane_number a[2 * LANES_MOST], out[LANES_MOST];
-        int32_t from[LANES_MOST];
+        lane_number a[2 * LANES_MAX], out[LANES_MAX];
+        int32_t from[LANES_MAX];
         for (unsigned lane = 0; lane < 2 * lanes_count; lane++)
             a[lane] = number_of_bits((lane_bits)random_bits(&r));
         for (unsigned lane = 0; lane < lanes_count; lane++)
@@ -319,9 +319,9 @@ static void test_transposes(void **state)
     enum { BYTES = 1000 };
     random_source r = random_named(args.seed, "transposes");
     unsigned char memory[BYTES];
-    lane_number out[4][LANES_MOST];
+    lane_number out[4][LANES_MAX];
     for (int round = 0; round < 10000; round++) {
-        const void *from[LANES_MOST];
+        const void *from[LANES_MAX];
         for (unsigned k = 0; k < BYTES; k++)
             memory[k] = (unsigned char)random_bits(&r);
         for (unsigned lane = 0; lane < lanes_count; lane++)
@@ -341,7 +341,7 @@ static void test_bits_of_single_lanes(void **state)
     (void)state;
     for (unsigned lane = 0; lane < lanes_count; lane++)
         for (int is_inverse = 0; is_inverse < 2; is_inverse++) {
-            lane_number a[LANES_MOST], b[LANES_MOST], c[LANES_MOST];
+            lane_number a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
             for (unsigned k = 0; k < lanes_count; k++) {
                 a[k] = (k == lane) != is_inverse ? 2 : -1;
                 b[k] = 1;
@@ -357,7 +357,7 @@ static void test_roundings(void **state)
 {
     (void)state;
     const lane_number e = (lane_number)ldexp(1, -HALF_DIGITS), expected = lanes_fused ? e * e : 0;
-    lane_number a[LANES_MOST] = {0}, plus[LANES_MOST] = {0}, minus[LANES_MOST] = {0}, out[LANES_MOST];
+    lane_number a[LANES_MAX] = {0}, plus[LANES_MAX] = {0}, minus[LANES_MAX] = {0}, out[LANES_MAX];
     for (unsigned lane = 0; lane < lanes_count; lane++) {
         a[lane] = 1 + e;
         plus[lane] = 1 + 2 * e;

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-enum { LANES_MOST = 16 };
+enum { LANES_MAX = 16 };
 
 #if defined(LANES_OF_DOUBLE)
 typedef double lane_number;
@@ -60,7 +60,7 @@ void lanes_number(number_word word, const lane_number *a, const lane_number *b, 
 void lanes_cut(const lane_number *a, int32_t *out); /* fractions cut off */
 #else
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out);
-void lanes_transpose(const void *const *from, lane_number out[4][LANES_MOST]);
+void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX]);
 #endif
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);
 

@@ -5,7 +5,7 @@
 
 #include "words.h"
 
-_Static_assert(V_LANES <= LANES_MOST, "LANES_MOST in words.h has to grow with the widest vocabulary");
+_Static_assert(V_LANES <= LANES_MAX, "LANES_MAX in words.h has to grow with the widest vocabulary");
 
 const unsigned lanes_count = V_LANES, lanes_fused = V_FUSED;
 
@@ -23,7 +23,7 @@ void lanes_load(const float *from, lane_number *out) { put(v_load(from), out); }
 
 static vnum copied(vnum a)
 {
-    lane_number memory[LANES_MOST + 1]; /* at any alignment */
+    lane_number memory[LANES_MAX + 1]; /* at any alignment */
     v_write(memory + 1, a);
 #if defined(LANES_OF_DOUBLE)
     return v_read(memory + 1);
@@ -84,7 +84,7 @@ void lanes_permute(const float *a, const float *b, const int32_t *from, lane_num
     put(v_permute(lanes_of(a), lanes_of(b), from), out);
 }
 
-void lanes_transpose(const void *const *from, lane_number out[4][LANES_MOST])
+void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX])
 {
     vnum to[4];
     v_transpose4(from, to);

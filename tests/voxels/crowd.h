@@ -6,11 +6,11 @@
 
 #include "tribox.h"
 
-enum { CROWD_MOST = 4096 };
+enum { CROWD_MAX = 4096 };
 
 typedef struct crowd {
     size_t count;
-    float coordinate[3][3][CROWD_MOST]; /* vertex, axis, triangle */
+    float coordinate[3][3][CROWD_MAX]; /* vertex, axis, triangle */
 } crowd;
 
 /* A float[3][3] as what the library and the judge take: C has no such conversion. */
@@ -21,7 +21,7 @@ static inline void crowd_put(crowd *c, const float u[3][3])
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
             c->coordinate[j][a][c->count] = u[j][a];
-    c->count += c->count < CROWD_MOST - 1;
+    c->count += c->count < CROWD_MAX - 1;
 }
 
 static inline void crowd_get(const crowd *c, size_t t, float u[3][3])

@@ -11,15 +11,15 @@
 #include "grids.h"
 #include "shapes.h"
 
-enum { PAIRS_A_ROUND = 100000, CELLS_MOST = 8000, TRIANGLES = 200, ROUNDS = 250 };
+enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 8000, TRIANGLES = 200, ROUNDS = 250 };
 
 static lattice at;
 static crowd triangles, other;
-static uint64_t whole[CELLS_MOST], noise[CELLS_MOST], occupied[CELLS_MOST];
+static uint64_t whole[CELLS_MAX], noise[CELLS_MAX], occupied[CELLS_MAX];
 
 static void draw_question(random_source *r, size_t round)
 {
-    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     const size_t wanted = (size_t)random_between(r, 1, TRIANGLES);
     for (triangles.count = 0; triangles.count < wanted;) {
         float u[3][3];
@@ -134,7 +134,7 @@ static void test_not_finite(void **state)
     const int kernel_count = kernels_here(kernels);
     static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
     random_source r = random_named(args->seed, "not finite");
-    draw_lattice(&r, grid_kind_at(3), CELLS_MOST, &at);
+    draw_lattice(&r, grid_kind_at(3), CELLS_MAX, &at);
     for (int kernel = 0; kernel < kernel_count; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {

@@ -11,11 +11,11 @@
 #include "judge.h"
 #include "shapes.h"
 
-enum { PAIRS_A_ROUND = 100000, CELLS_MOST = 400, TRIANGLES = 3 };
+enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 400, TRIANGLES = 3 };
 
 static lattice at;
 static crowd triangles;
-static uint64_t expected[CELLS_MOST], occupied[CELLS_MOST];
+static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 
 static void check_axes(random_source *r, request *q, unsigned axes)
 {
@@ -47,7 +47,7 @@ static void test_axis_sets(void **state)
         random_source r = random_named(args->seed, shape_at(s)->name);
         request q = {.scene = shape_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
         for (size_t k = 0; k < 8 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); k++) {
-            draw_lattice(&r, grid_kind_at(k % grid_kind_count()), CELLS_MOST, &at);
+            draw_lattice(&r, grid_kind_at(k % grid_kind_count()), CELLS_MAX, &at);
             for (triangles.count = 0; triangles.count < (random_below(&r, 2) ? 1 : TRIANGLES);) {
                 float u[3][3];
                 draw_shape(&r, shape_at(s), &at, u);
@@ -73,7 +73,7 @@ static void test_judge(void **state)
     random_source r = random_named(args->seed, "judge");
     for (size_t k = 0; k < args->pairs / 10; k++) {
         if (k % 20 == 0)
-            draw_lattice(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MOST, &at);
+            draw_lattice(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MAX, &at);
         tribox_pair pair;
         draw_shape(&r, shape_at(k % shape_count()), &at, pair.u);
         pair.box = lattice_cell(&at, random_below(&r, (int)at.grid.size[0]), random_below(&r, (int)at.grid.size[1]),

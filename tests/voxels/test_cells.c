@@ -14,9 +14,9 @@
 enum {
     PAIRS_A_ROUND = 100000, /* of the arguments: --long asks a hundred times as much */
     ROUNDS = 12,            /* of every shape in every kind of grid */
-    CELLS_MOST = 20000,     /* of a grid */
-    ASKED_MOST = 16000,     /* cells that the judge is asked about in a trial: after so many no further triangle is drawn */
-    ALONE_MOST = 24         /* triangles of a trial that are voxelized one by one */
+    CELLS_MAX = 20000,     /* of a grid */
+    ASKED_MAX = 16000,     /* cells that the judge is asked about in a trial: after so many no further triangle is drawn */
+    ALONE_MAX = 24         /* triangles of a trial that are voxelized one by one */
 };
 
 typedef struct trial {
@@ -25,7 +25,7 @@ typedef struct trial {
     request q;
     lattice at;
     crowd triangles;
-    uint64_t *expected, *occupied, *one; /* words for CELLS_MOST cells */
+    uint64_t *expected, *occupied, *one; /* words for CELLS_MAX cells */
     const char *kernels[KERNELS_MAX];
     int kernel_count;
     size_t trials, asked, set;
@@ -38,9 +38,9 @@ static trial *trial_make(const arguments *args)
     trial *const t = calloc(1, sizeof *t);
     assert_non_null(t);
     t->args = args;
-    t->expected = occupancy_make(CELLS_MOST);
-    t->occupied = occupancy_make(CELLS_MOST);
-    t->one = occupancy_make(CELLS_MOST);
+    t->expected = occupancy_make(CELLS_MAX);
+    t->occupied = occupancy_make(CELLS_MAX);
+    t->one = occupancy_make(CELLS_MAX);
     t->kernel_count = kernels_here(t->kernels);
     return t;
 }
@@ -71,7 +71,7 @@ static void check_together(trial *t)
 /* Among many triangles another may hide what one of them gets wrong. */
 static void check_alone(trial *t)
 {
-    const size_t step = t->triangles.count / ALONE_MOST + 1;
+    const size_t step = t->triangles.count / ALONE_MAX + 1;
     for (size_t k = 0; k < t->triangles.count; k += step) {
         float u[3][3];
         crowd_get(&t->triangles, k, u);
@@ -113,7 +113,7 @@ static void draw_triangles(trial *t, const shape *s)
 {
     const int most = random_below(&t->r, 2) ? random_between(&t->r, 1, 5) : random_between(&t->r, 60, 200);
     size_t cost = 0;
-    for (t->triangles.count = 0; t->triangles.count < (size_t)most && cost < ASKED_MOST;) {
+    for (t->triangles.count = 0; t->triangles.count < (size_t)most && cost < ASKED_MAX;) {
         float u[3][3];
         draw_shape(&t->r, s, &t->at, u);
         cost += occupancy_cost(&t->at, (const_vertices)u, TRIBOX_AXES_ALL);
@@ -156,7 +156,7 @@ static void test_shapes(void **state)
         start(t, kind->name);
         for (int round = 0; round < ROUNDS * rounds(args); round++)
             for (size_t g = 0; g < grid_kind_count(); g++) {
-                draw_lattice(&t->r, grid_kind_at(g), CELLS_MOST, &t->at);
+                draw_lattice(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
                 draw_triangles(t, kind);
                 try_triangles(t, kind->is_within_fast && grid_kind_at(g)->is_within_fast);
             }
@@ -172,7 +172,7 @@ static void test_meshes(void **state)
     start(t, "mesh");
     for (int round = 0; round < ROUNDS * rounds(args); round++)
         for (size_t g = 0; g < grid_kind_count(); g++) {
-            draw_lattice(&t->r, grid_kind_at(g), CELLS_MOST, &t->at);
+            draw_lattice(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
             t->triangles.count = 0;
             draw_mesh(&t->r, &t->at, &t->triangles);
             try_triangles(t, grid_kind_at(g)->is_within_fast);

@@ -12,15 +12,15 @@
 #include "common/settings.h"
 #include "shapes.h"
 
-enum { CELLS_MOST = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };
+enum { CELLS_MAX = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };
 
 static lattice at;
 static crowd triangles;
-static uint64_t expected[CELLS_MOST], occupied[CELLS_MOST];
+static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 
 static void draw_question(random_source *r, size_t round)
 {
-    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     for (triangles.count = 0; triangles.count < TRIANGLES;) {
         float u[3][3];
         draw_shape(r, shape_at((size_t)random_below(r, (int)shape_count())), &at, u);
@@ -78,7 +78,7 @@ static void test_cells(void **state)
     random_source r = random_named(args->seed, "cells");
     const unsigned normal = environment_get();
     for (size_t round = 0; round < 400; round++) {
-        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
         for (unsigned k = 0; k < SETTINGS; k++) {
             int cell[3];
             for (int a = 0; a < 3; a++)

@@ -13,7 +13,7 @@
 #include "judge.h"
 #include "shapes.h"
 
-enum { CELLS_MOST = 8000, PAIRS_A_ROUND = 100000 };
+enum { CELLS_MAX = 8000, PAIRS_A_ROUND = 100000 };
 
 static lattice at;
 
@@ -38,7 +38,7 @@ static void test_cells(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "cells");
     for (size_t round = 0; round < 30 * grid_kind_count(); round++) {
-        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
         for (int n = 0; n < 200; n++) {
             int cell[3];
             for (int a = 0; a < 3; a++)
@@ -114,7 +114,7 @@ static void assert_refused(const tribox_soup *soup, const tribox_grid *grid, con
 /* Either refused, or accepted with words enough: here rows along the axis that is not tried are one cell. */
 static tribox_status status_of(const tribox_grid *grid)
 {
-    static uint64_t words[CELLS_MOST];
+    static uint64_t words[CELLS_MAX];
     const tribox_soup none = {.count = 0};
     return tribox_voxelize(&none, grid, NULL, words, NULL);
 }
@@ -211,7 +211,7 @@ static void test_fineness(void **state)
         if (!is_sound || round % 4)
             continue;
         static crowd triangles;
-        static uint64_t expected[CELLS_MOST], occupied[CELLS_MOST];
+        static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
         request q = {.scene = "fineness", .seed = args->seed, .at = &at, .triangles = &triangles};
         float u[3][3];
         draw_shape(&r, shape_at((size_t)random_below(&r, (int)shape_count())), &at, u);

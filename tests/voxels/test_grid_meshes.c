@@ -14,8 +14,8 @@
 
 enum {
     SKIPPED = 77,
-    TRIANGLES_MOST = CROWD_MOST - 1, /* of a mesh, evenly spread: the oracle looks at every cell of every one */
-    ASKED_MOST = 1000000             /* cells of one grid that the oracle is asked about */
+    TRIANGLES_MAX = CROWD_MAX - 1, /* of a mesh, evenly spread: the oracle looks at every cell of every one */
+    ASKED_MAX = 1000000             /* cells of one grid that the oracle is asked about */
 };
 
 static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
@@ -74,10 +74,10 @@ static void draw_grid(random_source *r, const mesh *m, const tribox_box *bounds,
 /* Triangles evenly spread over the mesh, until the oracle has enough to do. */
 static size_t choose_triangles(const mesh *m, uint64_t *expected)
 {
-    const size_t step = m->count / TRIANGLES_MOST + 1;
+    const size_t step = m->count / TRIANGLES_MAX + 1;
     size_t asked = 0;
     triangles.count = 0;
-    for (size_t i = 0; i < m->count && triangles.count < TRIANGLES_MOST && asked < ASKED_MOST; i += step) {
+    for (size_t i = 0; i < m->count && triangles.count < TRIANGLES_MAX && asked < ASKED_MAX; i += step) {
         float u[3][3];
         vertices_of(m, i, u);
         asked += occupancy_add(&at, (const_vertices)u, TRIBOX_AXES_ALL, expected);

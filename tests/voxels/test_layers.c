@@ -11,17 +11,17 @@
 #include "common/guard.h"
 #include "shapes.h"
 
-enum { PAIRS_A_ROUND = 100000, CELLS_MOST = 8000, TRIANGLES = 90, THREADS_MOST = 8 };
+enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 8000, TRIANGLES = 90, THREADS_MAX = 8 };
 
 static lattice at;
 static crowd triangles;
-static uint64_t whole[CELLS_MOST], parts[CELLS_MOST];
+static uint64_t whole[CELLS_MAX], parts[CELLS_MAX];
 
 static size_t layer_words(void) { return at.row_words * at.grid.size[1]; }
 
 static void draw_question(random_source *r, size_t round)
 {
-    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MOST, &at);
+    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     triangles.count = 0;
     if (random_below(r, 4) == 0)
         draw_mesh(r, &at, &triangles);
@@ -116,7 +116,7 @@ static void *work(void *argument)
 
 static void check_threads(const tribox_options *options, uint32_t threads, size_t set)
 {
-    worker workers[THREADS_MOST];
+    worker workers[THREADS_MAX];
     size_t sum = 0;
     memset(parts, 0, at.words * sizeof *parts);
     for (uint32_t t = 0; t < threads; t++) {
@@ -142,7 +142,7 @@ static void test_threads(void **state)
         tribox_options options = any_options(&r);
         options.kernel = round % 2 ? options.kernel : NULL; /* chosen by all threads at once */
         const size_t set = ask_whole(&options);
-        for (uint32_t threads = 1; threads <= THREADS_MOST; threads++)
+        for (uint32_t threads = 1; threads <= THREADS_MAX; threads++)
             check_threads(&options, threads, set);
     }
 }
