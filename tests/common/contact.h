@@ -22,7 +22,7 @@ contact_part any_contact_part(random_source *r);
 
 void draw_contact(random_source *r, const tribox_box *box, contact_style style, contact_part part, float u[3][3]);
 
-/* The same in two steps: the direction m from the box to the triangle, then a triangle with no point beyond the plane of contact. */
+/* The same in two steps: the direction m from box to triangle, then a triangle with no point beyond the plane of contact. */
 void draw_outward(random_source *r, contact_style style, double m[3]);
 void draw_contact_along(random_source *r, const tribox_box *box, contact_style style, contact_part part, const double m[3],
                         float u[3][3]);

@@ -16,7 +16,7 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "common/kernels_here.h"
 
 enum { PAIRS_A_ROUND = 10000, ROUNDS_TO_AXES = 5, WORDS_MAX = 1024 };
@@ -59,7 +59,7 @@ static const char *const part_names[PARTS] = {"drawn",  "exact",         "axes",
 
 /* One round of a scene. */
 typedef struct round_of_scene {
-    drawn numbers[2]; /* many triangles and a box; a triangle and many boxes */
+    drawn_numbers numbers[2]; /* many triangles and a box; a triangle and many boxes */
     tribox_soup soup;
     tribox_box box;
     tribox_boxes boxes;
@@ -114,8 +114,8 @@ static tribox_oriented_box oriented_about(random_source *r, const tribox_box *bo
 
 static void draw_round(random_source *r, const scene *s, round_of_scene *round)
 {
-    const question triangles = draw_question(r, s, true, &round->numbers[0]);
-    const question boxes = draw_question(r, s, false, &round->numbers[1]);
+    const pair_list triangles = draw_pairs(r, s, true, &round->numbers[0]);
+    const pair_list boxes = draw_pairs(r, s, false, &round->numbers[1]);
     round->soup.count = triangles.count;
     round->boxes.count = boxes.count;
     for (int k = 0; k < 3; k++) {

@@ -6,26 +6,26 @@
 #include "zeroed.h"
 
 /* The candidates of one triangle, as the library takes them, and room for the answers. */
-typedef struct question {
+typedef struct candidate_boxes {
     size_t t;
     tribox_boxes boxes;
     float *bound[6]; /* lo, then hi */
     uint64_t *mask;
     size_t capacity;
-} question;
+} candidate_boxes;
 
-static void question_free(question *q)
+static void candidate_boxes_free(candidate_boxes *q)
 {
     for (int k = 0; k < 6; k++)
         free(q->bound[k]);
     free(q->mask);
 }
 
-static void make_room(question *q, size_t count)
+static void reserve(candidate_boxes *q, size_t count)
 {
     if (count <= q->capacity)
         return;
-    question_free(q);
+    candidate_boxes_free(q);
     q->capacity = 2 * count;
     q->mask = memory_of(tribox_mask_words(q->capacity), sizeof *q->mask);
     for (int k = 0; k < 6; k++) {
@@ -34,11 +34,11 @@ static void make_room(question *q, size_t count)
     }
 }
 
-static void ask_about(question *q, const planes *p, const block *candidates, size_t t)
+static void ask_about(candidate_boxes *q, const planes *p, const block *candidates, size_t t)
 {
     q->t = t;
     q->boxes.count = block_cells(candidates);
-    make_room(q, q->boxes.count);
+    reserve(q, q->boxes.count);
     size_t number = 0;
     int at[3];
     for (at[2] = 0; at[2] < candidates->count[2]; at[2]++)
@@ -54,7 +54,7 @@ static void ask_about(question *q, const planes *p, const block *candidates, siz
 static void breach(const witness *w, answerer *who, size_t t, const int cell[3], bool answer)
 {
     tribox_pair pair = {.box = planes_cell(w->planes, cell)};
-    memcpy(pair.u, w->shape->triangles[t].u, sizeof pair.u);
+    memcpy(pair.u, w->model->triangles[t].u, sizeof pair.u);
     *(answer ? &who->unfounded : &who->missed) += 1;
     if (who->breach)
         who->breach(who, &pair, answer);
@@ -76,7 +76,7 @@ static int lowest_bit(uint64_t word)
     return bit;
 }
 
-static void compare_masks(const witness *w, answerer *who, const question *q)
+static void compare_masks(const witness *w, answerer *who, const candidate_boxes *q)
 {
     for (size_t k = 0; k < tribox_mask_words(q->boxes.count); k++) {
         const uint64_t certain = w->certain[w->first_word[q->t] + k], possible = w->possible[w->first_word[q->t] + k];
@@ -90,7 +90,7 @@ static void compare_masks(const witness *w, answerer *who, const question *q)
     }
 }
 
-static void set_occupied(const witness *w, const question *q, uint64_t *occupied)
+static void set_occupied(const witness *w, const candidate_boxes *q, uint64_t *occupied)
 {
     for (size_t k = 0; k < tribox_mask_words(q->boxes.count); k++)
         for (uint64_t rest = q->mask[k]; rest; rest &= rest - 1) {
@@ -103,19 +103,19 @@ static void set_occupied(const witness *w, const question *q, uint64_t *occupied
 
 size_t compare(const witness *w, answerer *const *answerers, int count, uint64_t *occupied)
 {
-    question q = {0};
+    candidate_boxes q = {0};
     size_t pairs = 0;
-    for (size_t t = 0; t < w->shape->count; t++) {
+    for (size_t t = 0; t < w->model->count; t++) {
         ask_about(&q, w->planes, &w->candidates[t], t);
         pairs += q.boxes.count;
         for (int k = 0; k < count; k++) {
-            answerers[k]->answer(answerers[k], t, &w->shape->triangles[t], &q.boxes, q.mask);
+            answerers[k]->answer(answerers[k], t, &w->model->triangles[t], &q.boxes, q.mask);
             compare_masks(w, answerers[k], &q);
             if (k == 0 && occupied)
                 set_occupied(w, &q, occupied);
         }
     }
-    question_free(&q);
+    candidate_boxes_free(&q);
     return pairs;
 }
 

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "shape.h"
+#include "model.h"
 
 typedef struct crossing {
     double t;           /* from the start of the line */

@@ -2,7 +2,7 @@
 #ifndef TRIBOX_TESTS_EMBREE_H
 #define TRIBOX_TESTS_EMBREE_H
 
-#include "shape.h"
+#include "model.h"
 
 #include <stdbool.h>
 

@@ -30,7 +30,7 @@ static float drawn_between(random_source *r, float lo, float hi)
 }
 
 /* False if the line has to be drawn again. */
-static bool cast_line(const planes *p, const shape *s, embree_scene *scene, int axis, const float from[3], line *l)
+static bool cast_line(const planes *p, const model *s, embree_scene *scene, int axis, const float from[3], line *l)
 {
     float along[3] = {0};
     along[axis] = 1;
@@ -59,7 +59,7 @@ static bool is_inside(const line *l, double place)
 }
 
 /* The column of cells along the axis of which `cell` is one. */
-static bool cast_column(const planes *p, const shape *s, embree_scene *scene, random_source *r, int axis, int cell[3],
+static bool cast_column(const planes *p, const model *s, embree_scene *scene, random_source *r, int axis, int cell[3],
                         uint8_t *sides, size_t *recasts)
 {
     static line l;
@@ -80,7 +80,7 @@ static bool cast_column(const planes *p, const shape *s, embree_scene *scene, ra
     return true;
 }
 
-bool parity_cast(const planes *p, const shape *s, random_source *r, uint8_t *sides, size_t *recasts)
+bool parity_cast(const planes *p, const model *s, random_source *r, uint8_t *sides, size_t *recasts)
 {
     embree_scene *const scene = embree_scene_make(s->triangles, s->count);
     size_t count = 0;

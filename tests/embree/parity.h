@@ -13,10 +13,10 @@ size_t parity_cells(const planes *p);
 /*
  * One line for every column of cells on each axis, through a drawn point of the column, not near its border. Bit a of sides[cell]
  * (x fastest) is set if the cell lies inside by the line along axis a. `recasts`: how many lines had to be drawn again; may be
- * NULL. False if the mesh is not closed: no line gives both an even count of hits and as many ways in as out. Needs Embree and a grid
- * that holds the mesh.
+ * NULL. False if the mesh is not closed: no line gives both an even count of hits and as many ways in as out. Needs Embree, and a
+ * grid that holds the mesh.
  */
-bool parity_cast(const planes *p, const shape *s, random_source *r, uint8_t *sides, size_t *recasts);
+bool parity_cast(const planes *p, const model *s, random_source *r, uint8_t *sides, size_t *recasts);
 
 typedef struct parity_verdict {
     size_t disagreements; /* free cells of which the three lines say different things */

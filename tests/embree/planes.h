@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "shape.h"
+#include "model.h"
 
 enum { PLANES_CELLS = 128 /* on one axis at most */ };
 

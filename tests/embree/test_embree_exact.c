@@ -7,33 +7,33 @@
 #include "common/ask.h"
 
 #include "common/arguments.h"
-#include "check.h"
+#include "data_set.h"
 #include "embree.h"
 
 enum { SKIPPED = 77, EXTENT = 64, FINEST = 1, COARSEST = 4 };
 
-typedef shape maker(random_source *r);
+typedef model maker(random_source *r);
 
-static shape anywhere(random_source *r) { return shape_soup(r, 600, 2); }
-static shape within_8(random_source *r) { return shape_soup(r, 8000, 2.0 * 8 / 63); }
-static shape within_2(random_source *r) { return shape_soup(r, 8000, 2.0 * 2 / 63); }
+static model anywhere(random_source *r) { return model_soup(r, 600, 2); }
+static model within_8(random_source *r) { return model_soup(r, 8000, 2.0 * 8 / 63); }
+static model within_2(random_source *r) { return model_soup(r, 8000, 2.0 * 2 / 63); }
 
-static shape icosphere(random_source *r)
+static model icosphere(random_source *r)
 {
     (void)r;
-    return shape_icosphere(4);
+    return model_icosphere(4);
 }
 
-static shape torus(random_source *r)
+static model torus(random_source *r)
 {
     (void)r;
-    return shape_torus(64, 32, 8.0 / 28);
+    return model_torus(64, 32, 8.0 / 28);
 }
 
-static shape cube(random_source *r)
+static model cube(random_source *r)
 {
     (void)r;
-    return shape_cube(8);
+    return model_cube(8);
 }
 
 /* Made in [-1, 1]^3, then scaled, shifted and snapped. */
@@ -60,24 +60,24 @@ static void check_source(const struct source *from, const struct frame *in, cons
     char name[64];
     (void)snprintf(name, sizeof name, "%s%s, %d %d %d", from->name, in->name, h[0], h[1], h[2]);
     random_source r = random_named(seed, from->name);
-    data_set d = {.name = name, .shape = from->make(&r), .is_exact = true};
-    shape_place(&d.shape, (const double[3]){from->scale, from->scale, from->scale},
+    data_set d = {.name = name, .model = from->make(&r), .is_exact = true};
+    model_place(&d.model, (const double[3]){from->scale, from->scale, from->scale},
                 (const double[3]){from->shift, from->shift, from->shift});
-    shape_snap(&d.shape);
-    shape_place(&d.shape, (const double[3]){(double)in->scale, (double)in->scale, (double)in->scale},
+    model_snap(&d.model);
+    model_place(&d.model, (const double[3]){(double)in->scale, (double)in->scale, (double)in->scale},
                 (const double[3]){(double)in->shift, (double)in->shift, (double)in->shift});
     for (int a = 0; a < 3; a++) {
         d.grid.origin[a] = in->shift;
         d.grid.cell[a] = (float)h[a] * in->scale;
         d.grid.size[a] = (uint32_t)(EXTENT / h[a]);
     }
-    check_data_set(&d, seed);
-    shape_free(&d.shape);
+    data_set_check(&d, seed);
+    model_free(&d.model);
 }
 
 static void check_frame(const struct frame *in, uint64_t seed)
 {
-    check_print_heading();
+    data_set_print_heading();
     for (size_t k = 0; k < sizeof sources / sizeof sources[0]; k++) {
         for (int h = FINEST; h <= COARSEST; h *= 2)
             check_source(&sources[k], in, (const int[3]){h, h, h}, seed);

@@ -18,7 +18,7 @@ enum { SKIPPED = 77, CELLS = 32, DATA_SETS = 6 };
 /* Planes are integers, and so are vertices of the first four. */
 typedef struct data {
     const char *name;
-    shape shape;
+    model model;
     planes planes;
     witness witness;
     uint8_t *sides; /* which cells lie within; NULL if the mesh is not closed */
@@ -29,36 +29,36 @@ typedef struct setting {
     data data[DATA_SETS];
 } setting;
 
-/* The shape begins at `lowest` on each axis, unless it is snapped. Others get sides of their own, for want of exact ties. */
-static void make_data(data *d, const char *name, shape s, double scale, double lowest, bool is_exact)
+/* The model begins at `lowest` on each axis, unless it is snapped. Others get sides of their own, for want of exact ties. */
+static void make_data(data *d, const char *name, model s, double scale, double lowest, bool is_exact)
 {
     const tribox_grid grid = {{-1, -1, -1}, {1, 1, 1}, {CELLS + 1, CELLS + 1, CELLS + 1}};
     const double scales[3] = {scale, is_exact ? scale : 0.9 * scale, is_exact ? scale : 0.8 * scale};
-    *d = (data){.name = name, .shape = s};
-    shape_place(&d->shape, scales, (const double[3]){lowest + scales[0], lowest + scales[1], lowest + scales[2]});
+    *d = (data){.name = name, .model = s};
+    model_place(&d->model, scales, (const double[3]){lowest + scales[0], lowest + scales[1], lowest + scales[2]});
     if (is_exact)
-        shape_snap(&d->shape);
+        model_snap(&d->model);
     assert_true(planes_make(&d->planes, &grid));
-    d->witness = witness_make(&d->planes, &d->shape, is_exact);
+    d->witness = witness_make(&d->planes, &d->model, is_exact);
 }
 
 /* Of a closed mesh. */
 static void find_sides(data *d, random_source *r)
 {
     d->sides = memory_of(parity_cells(&d->planes), sizeof *d->sides);
-    assert_true(parity_cast(&d->planes, &d->shape, r, d->sides, NULL));
+    assert_true(parity_cast(&d->planes, &d->model, r, d->sides, NULL));
 }
 
 static int make_setting(void **state)
 {
     setting *const s = *state;
     random_source r = random_named(s->seed, "faults");
-    make_data(&s->data[0], "soup", shape_soup(&r, 300, 2), 15, 1, true);
-    make_data(&s->data[1], "soup within 4", shape_soup(&r, 4000, 4.0 / 15), 15, 1, true);
-    make_data(&s->data[2], "icosphere", shape_icosphere(3), 14, 2, true);
-    make_data(&s->data[3], "cube", shape_cube(4), 8, 8, true);
-    make_data(&s->data[4], "float soup", shape_soup(&r, 2000, 0.5), 15, 1, false);
-    make_data(&s->data[5], "cube off planes", shape_cube(4), 3.7, 1e-7, false);
+    make_data(&s->data[0], "soup", model_soup(&r, 300, 2), 15, 1, true);
+    make_data(&s->data[1], "soup within 4", model_soup(&r, 4000, 4.0 / 15), 15, 1, true);
+    make_data(&s->data[2], "icosphere", model_icosphere(3), 14, 2, true);
+    make_data(&s->data[3], "cube", model_cube(4), 8, 8, true);
+    make_data(&s->data[4], "float soup", model_soup(&r, 2000, 0.5), 15, 1, false);
+    make_data(&s->data[5], "cube off planes", model_cube(4), 3.7, 1e-7, false);
     find_sides(&s->data[2], &r);
     find_sides(&s->data[3], &r);
     return 0;
@@ -69,7 +69,7 @@ static int free_setting(void **state)
     setting *const s = *state;
     for (int k = 0; k < DATA_SETS; k++) {
         witness_free(&s->data[k].witness);
-        shape_free(&s->data[k].shape);
+        model_free(&s->data[k].model);
         free(s->data[k].sides);
     }
     return 0;
@@ -89,7 +89,7 @@ static size_t words_of(const data *d) { return tribox_grid_words(&d->planes.grid
 static size_t try_fault(const setting *s, const data *d, fault f, const uint64_t *right)
 {
     uint64_t *const occupied = memory_of(words_of(d), sizeof *occupied);
-    faulty x = faulty_make(f, d->shape.count, s->seed);
+    faulty x = faulty_make(f, d->model.count, s->seed);
     answerer *const list[] = {&x.base};
     (void)compare(&d->witness, list, 1, occupied);
     const parity_verdict side = d->sides ? parity_judge(&d->planes, d->sides, occupied) : (parity_verdict){0};
@@ -108,7 +108,7 @@ static void test_faults(void **state)
     uint64_t *right[DATA_SETS];
     for (int k = 0; k < DATA_SETS; k++) {
         const data *const d = &s->data[k];
-        faulty sound = faulty_make(FAULT_NONE, d->shape.count, s->seed);
+        faulty sound = faulty_make(FAULT_NONE, d->model.count, s->seed);
         answerer *const list[] = {&sound.base};
         right[k] = memory_of(words_of(d), sizeof *right[k]);
         (void)compare(&d->witness, list, 1, right[k]);

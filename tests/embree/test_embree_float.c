@@ -5,42 +5,42 @@
 #include "common/ask.h"
 
 #include "common/arguments.h"
-#include "check.h"
+#include "data_set.h"
 #include "embree.h"
 
 enum { SKIPPED = 77 };
 
-typedef shape maker(random_source *r);
+typedef model maker(random_source *r);
 
-static shape anywhere(random_source *r) { return shape_soup(r, 600, 2); }
-static shape many_anywhere(random_source *r) { return shape_soup(r, 6000, 2); }
-static shape small(random_source *r) { return shape_soup(r, 8000, 0.1); }
+static model anywhere(random_source *r) { return model_soup(r, 600, 2); }
+static model many_anywhere(random_source *r) { return model_soup(r, 6000, 2); }
+static model small(random_source *r) { return model_soup(r, 8000, 0.1); }
 
-static shape icosphere(random_source *r)
+static model icosphere(random_source *r)
 {
     (void)r;
-    return shape_icosphere(4);
+    return model_icosphere(4);
 }
 
-static shape torus(random_source *r)
+static model torus(random_source *r)
 {
     (void)r;
-    return shape_torus(64, 32, 2.0 / 7);
+    return model_torus(64, 32, 2.0 / 7);
 }
 
-static shape cube(random_source *r)
+static model cube(random_source *r)
 {
     (void)r;
-    return shape_cube(8);
+    return model_cube(8);
 }
 
 /* All but touching, everywhere: snapped to integers, then moved by an ulp. */
-static shape shaken(random_source *r)
+static model shaken(random_source *r)
 {
-    shape s = shape_icosphere(4);
-    shape_place(&s, (const double[3]){28, 28, 28}, (const double[3]){32, 32, 32});
-    shape_snap(&s);
-    shape_shake(&s, r);
+    model s = model_icosphere(4);
+    model_place(&s, (const double[3]){28, 28, 28}, (const double[3]){32, 32, 32});
+    model_snap(&s);
+    model_shake(&s, r);
     return s;
 }
 
@@ -102,22 +102,22 @@ static const source others[] = {
 static void check_source(const source *from, uint64_t seed)
 {
     random_source r = random_named(seed, from->name);
-    data_set d = {.name = from->name, .shape = from->make(&r), .grid = from->grid};
-    shape_place(&d.shape, from->scale, from->shift);
-    check_data_set(&d, seed);
-    shape_free(&d.shape);
+    data_set d = {.name = from->name, .model = from->make(&r), .grid = from->grid};
+    model_place(&d.model, from->scale, from->shift);
+    data_set_check(&d, seed);
+    model_free(&d.model);
 }
 
 static void test_cubic_cells(void **state)
 {
-    check_print_heading();
+    data_set_print_heading();
     for (size_t k = 0; k < sizeof cubes / sizeof cubes[0]; k++)
         check_source(&cubes[k], *(const uint64_t *)*state);
 }
 
 static void test_other_cells(void **state)
 {
-    check_print_heading();
+    data_set_print_heading();
     for (size_t k = 0; k < sizeof others / sizeof others[0]; k++)
         check_source(&others[k], *(const uint64_t *)*state);
 }

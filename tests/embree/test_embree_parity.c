@@ -15,7 +15,7 @@ enum { SKIPPED = 77, REMOVED = 64, LEAKS_LEAST = 56 };
 
 typedef struct mesh {
     const char *name;
-    shape shape;
+    model model;
     planes planes;
     uint64_t *occupied;
     size_t words;
@@ -24,15 +24,15 @@ typedef struct mesh {
 } mesh;
 
 /* About the origin in a grid from -1.5 to 1.5; a snapped one on integers, in a grid of unit cells. */
-static mesh make_mesh(const char *name, shape s, int cells, bool is_snapped, uint64_t seed)
+static mesh make_mesh(const char *name, model s, int cells, bool is_snapped, uint64_t seed)
 {
-    mesh m = {.name = name, .shape = s};
+    mesh m = {.name = name, .model = s};
     const float edge = is_snapped ? 1 : 3.0f / (float)cells;
     tribox_grid grid;
     if (is_snapped) {
         const double radius = cells * 0.4375;
-        shape_place(&m.shape, (const double[3]){radius, radius, radius}, (const double[3]){0, 0, 0});
-        shape_snap(&m.shape);
+        model_place(&m.model, (const double[3]){radius, radius, radius}, (const double[3]){0, 0, 0});
+        model_snap(&m.model);
     }
     for (int a = 0; a < 3; a++) {
         grid.origin[a] = -edge * (float)cells / 2;
@@ -44,13 +44,13 @@ static mesh make_mesh(const char *name, shape s, int cells, bool is_snapped, uin
     m.occupied = memory_of(m.words, sizeof *m.occupied);
     m.sides = memory_of(parity_cells(&m.planes), sizeof *m.sides);
     random_source r = random_named(seed, name);
-    assert_true(parity_cast(&m.planes, &m.shape, &r, m.sides, &m.recasts));
+    assert_true(parity_cast(&m.planes, &m.model, &r, m.sides, &m.recasts));
     return m;
 }
 
 static void free_mesh(mesh *m)
 {
-    shape_free(&m->shape);
+    model_free(&m->model);
     free(m->occupied);
     free(m->sides);
 }
@@ -58,7 +58,7 @@ static void free_mesh(mesh *m)
 static void voxelize(mesh *m, const char *kernel)
 {
     const tribox_options options = {.kernel = kernel};
-    streams s = streams_make(&m->shape);
+    streams s = streams_make(&m->model);
     for (size_t k = 0; k < m->words; k++)
         m->occupied[k] = 0;
     assert_int_equal(tribox_voxelize(&s.soup, &m->planes.grid, &options, m->occupied, NULL), TRIBOX_OK);
@@ -84,12 +84,12 @@ static void test_closed_meshes(void **state)
 {
     const uint64_t seed = *(const uint64_t *)*state;
     for (int cells = 16; cells <= 128; cells *= cells == 16 ? 4 : 2) {
-        check_mesh(make_mesh("icosphere", shape_icosphere(4), cells, false, seed));
-        check_mesh(make_mesh("torus", shape_torus(64, 32, 2.0 / 7), cells, false, seed));
-        check_mesh(make_mesh("cube", shape_cube(8), cells, false, seed));
-        check_mesh(make_mesh("snapped icosphere", shape_icosphere(4), cells, true, seed));
+        check_mesh(make_mesh("icosphere", model_icosphere(4), cells, false, seed));
+        check_mesh(make_mesh("torus", model_torus(64, 32, 2.0 / 7), cells, false, seed));
+        check_mesh(make_mesh("cube", model_cube(8), cells, false, seed));
+        check_mesh(make_mesh("snapped icosphere", model_icosphere(4), cells, true, seed));
     }
-    check_mesh(make_mesh("snapped torus", shape_torus(64, 32, 2.0 / 7), 64, true, seed));
+    check_mesh(make_mesh("snapped torus", model_torus(64, 32, 2.0 / 7), 64, true, seed));
 }
 
 /* The voxels of a mesh, one of them drawn and taken away: is it missed? */
@@ -115,16 +115,16 @@ static size_t count_leaks(mesh m, uint64_t seed)
 static void test_missing_cell(void **state)
 {
     const uint64_t seed = *(const uint64_t *)*state;
-    assert_in_range(count_leaks(make_mesh("icosphere", shape_icosphere(4), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
-    assert_in_range(count_leaks(make_mesh("torus", shape_torus(64, 32, 2.0 / 7), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
+    assert_in_range(count_leaks(make_mesh("icosphere", model_icosphere(4), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
+    assert_in_range(count_leaks(make_mesh("torus", model_torus(64, 32, 2.0 / 7), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
 }
 
 /* A mesh on the planes of the grid, and cells without their borders: nothing is left of it. */
 static void test_open_cells(void **state)
 {
-    mesh m = make_mesh("cube with open cells", shape_cube(8), 48, false, *(const uint64_t *)*state);
-    witness w = witness_make(&m.planes, &m.shape, false);
-    faulty open = faulty_make(FAULT_OPEN, m.shape.count, 1);
+    mesh m = make_mesh("cube with open cells", model_cube(8), 48, false, *(const uint64_t *)*state);
+    witness w = witness_make(&m.planes, &m.model, false);
+    faulty open = faulty_make(FAULT_OPEN, m.model.count, 1);
     answerer *const list[] = {&open.base};
     (void)compare(&w, list, 1, m.occupied);
     const parity_verdict v = parity_judge(&m.planes, m.sides, m.occupied);

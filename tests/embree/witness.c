@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "crossing.h"
-#include "dual.h"
+#include "plane_scene.h"
 #include "embree.h"
 #include "zeroed.h"
 
@@ -53,7 +53,7 @@ static void mark_vertices(witness *w, size_t t)
         reach at[3];
         bool is_in_grid = true;
         for (int a = 0; a < 3; a++) {
-            at[a] = reach_of_number(w->planes, a, (double)w->shape->triangles[t].u[j][a], 0);
+            at[a] = reach_of_number(w->planes, a, (double)w->model->triangles[t].u[j][a], 0);
             is_in_grid = is_in_grid && at[a].first <= at[a].last;
         }
         mark(w, t, at, true);
@@ -78,9 +78,9 @@ static bool edge_reach(const witness *w, const float p[3], const float q[3], int
     return true;
 }
 
-static void cast_edge(witness *w, dual *d, size_t t, int j)
+static void cast_edge(witness *w, plane_scene *d, size_t t, int j)
 {
-    const float *const p = w->shape->triangles[t].u[j], *const q = w->shape->triangles[t].u[(j + 1) % 3];
+    const float *const p = w->model->triangles[t].u[j], *const q = w->model->triangles[t].u[(j + 1) % 3];
     const float along[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     if (along[0] == 0 && along[1] == 0 && along[2] == 0)
         return;
@@ -88,8 +88,8 @@ static void cast_edge(witness *w, dual *d, size_t t, int j)
     const size_t count = embree_cast(d->scene, p, along, 1 + 0x1p-20f, &hits);
     for (size_t k = 0; k < count; k++) {
         reach at[3];
-        const int axis = dual_axis(d, hits[k].triangle);
-        const bool is_met = edge_reach(w, p, q, axis, dual_plane(d, hits[k].triangle), at);
+        const int axis = plane_scene_axis(d, hits[k].triangle);
+        const bool is_met = edge_reach(w, p, q, axis, plane_scene_plane(d, hits[k].triangle), at);
         if (is_met)
             mark(w, t, at, true);
         w->counts.edges += is_met;
@@ -99,11 +99,11 @@ static void cast_edge(witness *w, dual *d, size_t t, int j)
 
 static void cast_edges(witness *w)
 {
-    dual d = dual_make(w->planes, w->shape);
-    for (size_t t = 0; t < w->shape->count; t++)
+    plane_scene d = plane_scene_make(w->planes, w->model);
+    for (size_t t = 0; t < w->model->count; t++)
         for (int j = 0; j < 3; j++)
             cast_edge(w, &d, t, j);
-    dual_free(&d);
+    plane_scene_free(&d);
 }
 
 /* Embree's own slack at the border of a triangle, as a barycentric coordinate. */
@@ -127,7 +127,7 @@ static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach a
     const size_t count = embree_cast(scene, from, along, highest - from[axis] + cell, &hits);
     for (size_t k = 0; k < count; k++) {
         crossing c;
-        if (!crossing_make(&w->shape->triangles[hits[k].triangle], axis, from, &c) || c.barycentric < softest) {
+        if (!crossing_make(&w->model->triangles[hits[k].triangle], axis, from, &c) || c.barycentric < softest) {
             w->counts.ghost++;
             continue;
         }
@@ -141,7 +141,7 @@ static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach a
 static void cast_lattice(witness *w)
 {
     const planes *const p = w->planes;
-    embree_scene *const scene = embree_scene_make(w->shape->triangles, w->shape->count);
+    embree_scene *const scene = embree_scene_make(w->model->triangles, w->model->count);
     for (int axis = 0; axis < 3; axis++) {
         const int a = (axis + 1) % 3, b = (axis + 2) % 3;
         for (int i = 0; i <= p->size[a]; i++)
@@ -161,20 +161,20 @@ static void cast_lattice(witness *w)
 
 static void find_candidates(witness *w)
 {
-    const size_t count = w->shape->count;
+    const size_t count = w->model->count;
     w->candidates = memory_of(count, sizeof *w->candidates);
     w->first_word = memory_of(count + 1, sizeof *w->first_word);
     for (size_t t = 0; t < count; t++) {
-        w->candidates[t] = planes_candidates(w->planes, &w->shape->triangles[t]);
+        w->candidates[t] = planes_candidates(w->planes, &w->model->triangles[t]);
         w->first_word[t + 1] = w->first_word[t] + tribox_mask_words(block_cells(&w->candidates[t]));
     }
     w->certain = memory_of(w->first_word[count], sizeof *w->certain);
     w->possible = memory_of(w->first_word[count], sizeof *w->possible);
 }
 
-witness witness_make(const planes *p, const shape *s, bool is_exact)
+witness witness_make(const planes *p, const model *s, bool is_exact)
 {
-    witness w = {.planes = p, .shape = s, .is_exact = is_exact};
+    witness w = {.planes = p, .model = s, .is_exact = is_exact};
     find_candidates(&w);
     for (size_t t = 0; t < s->count; t++)
         mark_vertices(&w, t);

@@ -25,7 +25,7 @@ typedef struct witness_counts {
 /* One bit for each candidate of each triangle: words first_word[t] .. first_word[t + 1] - 1 are those of triangle t. */
 typedef struct witness {
     const planes *planes;
-    const shape *shape;
+    const model *model;
     bool is_exact; /* the coordinates are small integers of one unit: no tolerance anywhere */
     block *candidates;
     size_t *first_word;
@@ -35,7 +35,7 @@ typedef struct witness {
 } witness;
 
 /* Needs Embree. Keeps both arguments. */
-witness witness_make(const planes *p, const shape *s, bool is_exact);
+witness witness_make(const planes *p, const model *s, bool is_exact);
 void witness_free(witness *w);
 
 #endif

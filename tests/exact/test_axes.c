@@ -8,26 +8,26 @@
 #include "common/random.h"
 
 /* Triangles and boxes, all of which are asked about each other. */
-enum { CROWD = 80 };
+enum { EACH_MAX = 80 };
 
-typedef struct crowd {
+typedef struct boxes_and_triangles {
     size_t triangles, boxes;
-    float u[CROWD][3][3];
-    tribox_box box[CROWD];
-    bool is_on_lattice[CROWD];       /* of a box: single precision is exact, FAST and CONSERVATIVE must be right */
-    oracle_axes truth[CROWD][CROWD]; /* box, triangle */
-    float coordinate[3][3][CROWD];   /* the triangles as streams: vertex, axis, triangle */
-    float lower[3][CROWD], upper[3][CROWD];
-} crowd;
+    float u[EACH_MAX][3][3];
+    tribox_box box[EACH_MAX];
+    bool is_on_lattice[EACH_MAX];          /* of a box: single precision is exact, FAST and CONSERVATIVE must be right */
+    oracle_axes truth[EACH_MAX][EACH_MAX]; /* box, triangle */
+    float coordinate[3][3][EACH_MAX];      /* the triangles as streams: vertex, axis, triangle */
+    float lower[3][EACH_MAX], upper[3][EACH_MAX];
+} boxes_and_triangles;
 
-static tribox_pair pair_of(const crowd *c, size_t box, size_t triangle)
+static tribox_pair pair_of(const boxes_and_triangles *c, size_t box, size_t triangle)
 {
     tribox_pair pair = {.box = c->box[box]};
     memcpy(pair.u, c->u[triangle], sizeof pair.u);
     return pair;
 }
 
-static void complete(crowd *c)
+static void complete(boxes_and_triangles *c)
 {
     for (size_t b = 0; b < c->boxes; b++)
         for (size_t k = 0; k < c->triangles; k++) {
@@ -45,7 +45,7 @@ static void complete(crowd *c)
     }
 }
 
-static void judge(const crowd *c, const origin *where, size_t box, size_t triangle, bool answer)
+static void check_answer(const boxes_and_triangles *c, const origin *where, size_t box, size_t triangle, bool answer)
 {
     const tribox_accuracy accuracy = where->options.accuracy;
     const bool overlaps = oracle_overlaps(c->truth[box][triangle], where->options.axes);
@@ -56,9 +56,9 @@ static void judge(const crowd *c, const origin *where, size_t box, size_t triang
     fail_pair(where, &pair, answer);
 }
 
-static void ask_crowd(const crowd *c, origin where)
+static void ask_all_pairs(const boxes_and_triangles *c, origin where)
 {
-    uint64_t mask[(CROWD + 63) / 64];
+    uint64_t mask[(EACH_MAX + 63) / 64];
     tribox_soup soup = {.count = c->triangles};
     tribox_boxes boxes = {.count = c->boxes};
     for (int k = 0; k < 3; k++) {
@@ -72,19 +72,19 @@ static void ask_crowd(const crowd *c, origin where)
     for (size_t b = 0; b < c->boxes; b++) {
         ask_soup(&soup, &c->box[b], &where.options, mask);
         for (size_t k = 0; k < c->triangles; k++)
-            judge(c, &where, b, k, bit_of(mask, k));
+            check_answer(c, &where, b, k, bit_of(mask, k));
     }
     where.function = "tribox_overlap_boxes";
     for (size_t k = 0; k < c->triangles; k++) {
         const tribox_pair pair = pair_of(c, 0, k);
         ask_boxes(triangle_of(&pair), &boxes, &where.options, mask);
         for (size_t b = 0; b < c->boxes; b++)
-            judge(c, &where, b, k, bit_of(mask, b));
+            check_answer(c, &where, b, k, bit_of(mask, b));
     }
 }
 
 /* Every kernel and accuracy, on all thirteen axes and on a set of them that is drawn, in orders that are drawn. */
-static void ask_every_way(const crowd *c, const char *test, uint64_t seed, random_source *r)
+static void ask_every_way(const boxes_and_triangles *c, const char *test, uint64_t seed, random_source *r)
 {
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
@@ -96,7 +96,7 @@ static void ask_every_way(const crowd *c, const char *test, uint64_t seed, rando
             for (size_t s = 0; s < sizeof sets / sizeof sets[0]; s++) {
                 where.options.axes = sets[s];
                 where.options.order = order_digits(random_below(r, ORDERS));
-                ask_crowd(c, where);
+                ask_all_pairs(c, where);
             }
         }
 }
@@ -177,7 +177,7 @@ static void check_that_it_alone_decides(int axis, const oracle_axes truth[BOX_SI
 }
 
 /* The thirteen triangles in a frame, each with its vertices in all six orders, and the box in five sizes. */
-static void make_thirteen(const frame *f, crowd *c)
+static void make_thirteen(const frame *f, boxes_and_triangles *c)
 {
     const tribox_box box = box_in_frame(f, &touched_box);
     c->boxes = BOX_SIZES;
@@ -204,7 +204,7 @@ static void test_thirteen_axes(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "thirteen axes");
-    static crowd c;
+    static boxes_and_triangles c;
     for (int mirror = 0; mirror < 8; mirror++)
         for (int axes = 0; axes < ORDERS; axes++)
             for (int is_shifted = 0; is_shifted < 2; is_shifted++) {
@@ -222,7 +222,7 @@ static void test_corner_cuts(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "corner cuts");
     static const int half[3] = {2, 4, 6}, centre[3] = {1, -3, 2};
-    static crowd c;
+    static boxes_and_triangles c;
     c.boxes = 1;
     c.is_on_lattice[0] = true;
     for (int a = 0; a < 3; a++) {
@@ -249,7 +249,7 @@ static void test_corner_cuts(void **state)
 }
 
 /* Triangles and boxes of small whole numbers, flat and degenerate ones among them. */
-static void draw_lattice(random_source *r, crowd *c)
+static void draw_lattice(random_source *r, boxes_and_triangles *c)
 {
     c->triangles = c->boxes = 70; /* a word and a tail */
     for (int a = 0; a < 3; a++) {
@@ -270,7 +270,7 @@ static void test_lattice(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "lattice");
-    static crowd c;
+    static boxes_and_triangles c;
     /* By default 2^20 pairs. */
     for (size_t pairs = 0; pairs < 10 * args->pairs; pairs += c.triangles * c.boxes) {
         draw_lattice(&r, &c);

@@ -15,7 +15,7 @@ typedef struct tally {
     size_t fast_asked, fast_missed, fast_false;
 } tally;
 
-typedef struct trial {
+typedef struct test_run {
     origin where;
     const scene *scene;
     random_source r;
@@ -26,9 +26,9 @@ typedef struct trial {
     float coordinate[3][3][SCENE_TRIANGLES]; /* the batch as streams: vertex, axis, triangle */
     float bound[2][3][BOXES];                /* lo and hi, axis, box */
     tally tally;
-} trial;
+} test_run;
 
-static void draw_batch(trial *t)
+static void draw_batch(test_run *t)
 {
     scene_draw_batch(t->scene, &t->r, &t->batch);
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
@@ -44,7 +44,7 @@ static void draw_batch(trial *t)
     }
 }
 
-static void judge(trial *t, int k, bool answer)
+static void check_answer(test_run *t, int k, bool answer)
 {
     const tribox_accuracy accuracy = t->where.options.accuracy;
     const bool overlaps = oracle_overlaps(t->truth[k], t->where.options.axes);
@@ -62,7 +62,7 @@ static void judge(trial *t, int k, bool answer)
 }
 
 /* The whole batch against its box, the vertices taken in any order. */
-static void ask_batch(trial *t)
+static void ask_batch(test_run *t)
 {
     const int *const vertex = permutations[random_below(&t->r, ORDERS)];
     tribox_soup soup = {.count = SCENE_TRIANGLES};
@@ -75,10 +75,10 @@ static void ask_batch(trial *t)
     t->where.function = "tribox_overlap";
     ask_soup(&soup, &t->batch.box, &t->where.options, mask);
     for (int k = 0; k < SCENE_TRIANGLES; k++)
-        judge(t, k, bit_of(mask, (size_t)k));
+        check_answer(t, k, bit_of(mask, (size_t)k));
 }
 
-static void put_box(trial *t, size_t lane, const tribox_box *box)
+static void put_box(test_run *t, size_t lane, const tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
         t->bound[0][a][lane] = box->lo[a];
@@ -87,7 +87,7 @@ static void put_box(trial *t, size_t lane, const tribox_box *box)
 }
 
 /* The same pairs, one call each: the pair's box in any lane, the others empty. */
-static void ask_batch_as_boxes(trial *t)
+static void ask_batch_as_boxes(test_run *t)
 {
     static const tribox_box empty = {{1, 1, 1}, {-1, -1, -1}};
     tribox_boxes boxes = {.count = BOXES};
@@ -105,7 +105,7 @@ static void ask_batch_as_boxes(trial *t)
         put_box(t, lane, &t->batch.box);
         ask_boxes(triangle_of(&pair), &boxes, &t->where.options, mask);
         put_box(t, lane, &empty);
-        judge(t, k, bit_of(mask, lane));
+        check_answer(t, k, bit_of(mask, lane));
         mask[lane / 64] &= ~(UINT64_C(1) << lane % 64);
         pair.box = empty;
         if (mask[0] || mask[1])
@@ -113,21 +113,21 @@ static void ask_batch_as_boxes(trial *t)
     }
 }
 
-static void choose(trial *t, tribox_accuracy accuracy, unsigned axes, int kernel)
+static void choose(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel)
 {
     t->where.options = (tribox_options){
         .accuracy = accuracy, .axes = axes, .order = order_digits(random_below(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
 }
 
-static int any_kernel(trial *t) { return random_below(&t->r, t->kernel_count); }
+static int any_kernel(test_run *t) { return random_below(&t->r, t->kernel_count); }
 
-static unsigned any_axes(trial *t) { return (unsigned)random_between(&t->r, 1, AXIS_SETS); }
+static unsigned any_axes(test_run *t) { return (unsigned)random_between(&t->r, 1, AXIS_SETS); }
 
 /*
  * EXACT on all thirteen axes from every kernel, and on every set of axes from one of them; then every accuracy once more, in both
  * functions. What is not looped over is drawn afresh each time.
  */
-static void try_batch(trial *t)
+static void try_batch(test_run *t)
 {
     draw_batch(t);
     for (int kernel = 0; kernel < t->kernel_count; kernel++) {
@@ -150,7 +150,7 @@ static void try_batch(trial *t)
 
 static double percent(size_t part, size_t whole) { return whole ? 100 * (double)part / (double)whole : 0; }
 
-static void print_tally(const trial *t)
+static void print_tally(const test_run *t)
 {
     const tally *const n = &t->tally;
     printf("%-20s %9zu %8.2f %9.2f %14.4f %11.4f %10.4f\n", t->scene->name, n->pairs, percent(n->overlaps, n->pairs),
@@ -162,7 +162,7 @@ static void print_tally(const trial *t)
 static void test_scenes(void **state)
 {
     const arguments *const args = *state;
-    static trial t;
+    static test_run t;
     t.kernel_count = kernels_here(t.kernels);
     printf("%-20s %9s %8s %9s %14s %11s %10s\n", "scene", "pairs", "overlap%", "touching%", "conserv. false%", "fast missed%",
            "fast false%");

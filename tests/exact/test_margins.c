@@ -294,21 +294,21 @@ static const kind kinds[] = {
 };
 
 /* One triangle in each order of its vertices, and one box. */
-typedef struct trial {
+typedef struct test_run {
     origin where;
     tribox_pair pair;
     oracle_axes truth;
     float coordinate[3][3][ORDERS];
-} trial;
+} test_run;
 
-static void judge(const trial *t, bool answer)
+static void check_answer(const test_run *t, bool answer)
 {
     const bool overlaps = oracle_overlaps(t->truth, t->where.options.axes);
     if (answer != overlaps && (overlaps || t->where.options.accuracy == TRIBOX_EXACT))
         fail_pair(&t->where, &t->pair, answer);
 }
 
-static void ask(trial *t)
+static void ask(test_run *t)
 {
     tribox_soup soup = {.count = ORDERS};
     tribox_boxes boxes = {.count = 1};
@@ -323,13 +323,13 @@ static void ask(trial *t)
     t->where.function = "tribox_overlap";
     ask_soup(&soup, &t->pair.box, &t->where.options, mask);
     for (size_t order = 0; order < ORDERS; order++)
-        judge(t, bit_of(mask, order));
+        check_answer(t, bit_of(mask, order));
     t->where.function = "tribox_overlap_boxes";
     ask_boxes(triangle_of(&t->pair), &boxes, &t->where.options, mask);
-    judge(t, bit_of(mask, 0));
+    check_answer(t, bit_of(mask, 0));
 }
 
-static void put_pair(trial *t)
+static void put_pair(test_run *t)
 {
     t->truth = oracle_separating(&t->pair);
     for (int order = 0; order < ORDERS; order++)
@@ -339,7 +339,7 @@ static void put_pair(trial *t)
 }
 
 /* With the plane, with the edges and with both, from every kernel. */
-static void ask_every_way(trial *t, unsigned box, const char *const *kernels, int kernel_count, random_source *r)
+static void ask_every_way(test_run *t, unsigned box, const char *const *kernels, int kernel_count, random_source *r)
 {
     for (int kernel = 0; kernel < kernel_count; kernel++)
         for (unsigned axes = TRIBOX_AXES_PLANE; axes < TRIBOX_AXES_ALL; axes += TRIBOX_AXES_PLANE)
@@ -363,7 +363,7 @@ static void test_margins(void **state)
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         const kind *const asked = &kinds[k];
         random_source r = random_named(args->seed, asked->name);
-        trial t = {.where = {.scene = asked->name, .seed = args->seed}};
+        test_run t = {.where = {.scene = asked->name, .seed = args->seed}};
         const size_t pairs = args->pairs / SHARE_OF_PAIRS;
         size_t overlaps = 0;
         for (size_t drawn = 0; drawn < pairs; drawn++) {

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "claim.h"
+#include "ensure.h"
 #include "common/kernels_here.h"
-#include "room.h"
+#include "tight_memory.h"
 
 const char *const *runnable_kernels(void)
 {
@@ -67,14 +67,14 @@ size_t mask_population(const char *call, const uint64_t *mask, size_t count)
     for (size_t w = 0; w < tribox_mask_words(count); w++)
         for (uint64_t left = mask[w]; left; left &= left - 1)
             population++;
-    claim(count % 64 == 0 || mask[count / 64] >> count % 64 == 0, "%s sets bits past the count of %zu", call, count);
+    ensure(count % 64 == 0 || mask[count / 64] >> count % 64 == 0, "%s sets bits past the count of %zu", call, count);
     return population;
 }
 
 bool status_fits(const char *call, unsigned wrong, tribox_status status)
 {
-    claim(wrong ? status && wrong >> status & 1 : status == TRIBOX_OK, "%s returns status %d, expected are the bits of %#x", call,
-          (int)status, wrong);
+    ensure(wrong ? status && wrong >> status & 1 : status == TRIBOX_OK, "%s returns status %d, expected are the bits of %#x", call,
+           (int)status, wrong);
     return !wrong;
 }
 
@@ -112,8 +112,8 @@ static void fail_pair(const asked *a, const tribox_options *o, size_t i, bool bi
     const tribox_pair *const pair = &a->pair[i % a->drawn];
     if (can_overlap(pair))
         oracle_explain(stderr, pair);
-    claim(false, "%s, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is %d", a->call, (int)o->accuracy, o->axes,
-          o->order, o->kernel, i, a->count, bit);
+    ensure(false, "%s, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is %d", a->call, (int)o->accuracy, o->axes,
+           o->order, o->kernel, i, a->count, bit);
 }
 
 static void check_mask(const asked *a, const tribox_options *o, const truth *t, const uint64_t *mask)
@@ -132,10 +132,10 @@ static void check_mask(const asked *a, const tribox_options *o, const truth *t, 
 static void check_report(const asked *a, const tribox_options *o, const uint64_t *mask, const tribox_report *report)
 {
     const size_t population = mask_population(a->call, mask, a->count);
-    claim(report->overlapping == population, "%s reports %zu overlapping, the mask has %zu", a->call, report->overlapping,
-          population);
-    claim(report->undecided <= (o->accuracy == TRIBOX_FAST ? 0 : a->count), "%s reports %zu of %zu undecided", a->call,
-          report->undecided, a->count);
+    ensure(report->overlapping == population, "%s reports %zu overlapping, the mask has %zu", a->call, report->overlapping,
+           population);
+    ensure(report->undecided <= (o->accuracy == TRIBOX_FAST ? 0 : a->count), "%s reports %zu of %zu undecided", a->call,
+           report->undecided, a->count);
 }
 
 /* Counts alone, and a mask alone, are those of both. */
@@ -143,22 +143,22 @@ static void check_halves(const asked *a, asking *ask, const void *about, const t
                          const tribox_report *report)
 {
     tribox_report alone = {0, 0};
-    uint64_t *const again = room_mask(a->count);
+    uint64_t *const again = tight_mask(a->count);
     status_fits(a->call, 0, ask(about, o, NULL, &alone));
-    claim(alone.overlapping == report->overlapping && alone.undecided == report->undecided, "%s without a mask counts otherwise",
-          a->call);
+    ensure(alone.overlapping == report->overlapping && alone.undecided == report->undecided, "%s without a mask counts otherwise",
+           a->call);
     status_fits(a->call, 0, ask(about, o, again, NULL));
-    claim(!memcmp(again, mask, tribox_mask_words(a->count) * sizeof *mask), "%s without a report answers otherwise", a->call);
+    ensure(!memcmp(again, mask, tribox_mask_words(a->count) * sizeof *mask), "%s without a report answers otherwise", a->call);
 }
 
 static void check_refusal(const asked *a, asking *ask, const void *about)
 {
     tribox_report report;
-    uint64_t *const mask = room_mask(a->count);
-    memset(&report, ROOM_POISON, sizeof report);
+    uint64_t *const mask = tight_mask(a->count);
+    memset(&report, POISON, sizeof report);
     status_fits(a->call, a->wrong | a->how.wrong, ask(about, &a->how.options, mask, &report));
-    claim(room_is_poisoned(mask, tribox_mask_words(a->count) * sizeof *mask) && room_is_poisoned(&report, sizeof report),
-          "%s writes although it refuses", a->call);
+    ensure(is_poisoned(mask, tribox_mask_words(a->count) * sizeof *mask) && is_poisoned(&report, sizeof report),
+           "%s writes although it refuses", a->call);
 }
 
 void answers_check(const asked *a, asking *ask, const void *about)
@@ -172,7 +172,7 @@ void answers_check(const asked *a, asking *ask, const void *about)
     for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_report report;
-            uint64_t *const mask = room_mask(a->count);
+            uint64_t *const mask = tight_mask(a->count);
             o.kernel = *kernel;
             o.accuracy = (tribox_accuracy)accuracy;
             status_fits(a->call, 0, ask(about, &o, mask, &report));
@@ -188,7 +188,7 @@ tribox_soup asked_soup(const asked *a, size_t shift)
     tribox_soup soup = {.count = a->count};
     const float **const streams[3] = {soup.x, soup.y, soup.z};
     for (int k = 0; k < 9; k++) {
-        float *const stream = room_make(a->count * sizeof *stream, shift * sizeof *stream);
+        float *const stream = tight_memory(a->count * sizeof *stream, shift * sizeof *stream);
         for (size_t i = 0; i < a->count; i++)
             stream[i] = a->pair[i % a->drawn].u[k % 3][k / 3];
         streams[k / 3][k % 3] = stream;

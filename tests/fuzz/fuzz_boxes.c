@@ -2,17 +2,17 @@
 #include <string.h>
 
 #include "answers.h"
-#include "room.h"
+#include "tight_memory.h"
 #include "target.h"
 
-typedef struct question {
+typedef struct fuzz_case {
     float triangle[3][3];
     tribox_boxes boxes;
-} question;
+} fuzz_case;
 
 static tribox_status ask(const void *about, const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
-    const question *const q = about;
+    const fuzz_case *const q = about;
     return tribox_overlap_boxes(q->triangle, &q->boxes, options, mask, report);
 }
 
@@ -20,7 +20,7 @@ static tribox_boxes asked_boxes(const asked *a, size_t shift)
 {
     tribox_boxes boxes = {.count = a->count};
     for (int k = 0; k < 6; k++) {
-        float *const stream = room_make(a->count * sizeof *stream, shift * sizeof *stream);
+        float *const stream = tight_memory(a->count * sizeof *stream, shift * sizeof *stream);
         for (size_t i = 0; i < a->count; i++) {
             const tribox_box *const box = &a->pair[i % a->drawn].box;
             stream[i] = k < 3 ? box->lo[k] : box->hi[k - 3];
@@ -36,7 +36,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     asked a = {.call = "tribox_overlap_boxes", .how = input_options(&in)};
     const size_t shift = input_below(&in, 4);
     a.count = input_count(&in);
-    question q;
+    fuzz_case q;
     input_triangle(&in, q.triangle);
     do {
         tribox_pair *const pair = &a.pair[a.drawn++];
@@ -46,6 +46,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     a.is_lattice = in.is_lattice;
     q.boxes = asked_boxes(&a, shift);
     answers_check(&a, ask, &q);
-    room_free_all();
+    tight_memory_free_all();
     return 0;
 }

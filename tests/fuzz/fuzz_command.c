@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claim.h"
+#include "ensure.h"
 #include "cmd.h"
 #include "lines.h"
 #include "console/message.h"
@@ -19,7 +19,7 @@ static int split(const char *text, size_t size, char *words[WORDS_MAX + 1])
         const char *const line_end = memchr(text, '\n', (size_t)(end - text));
         const size_t length = (size_t)((line_end ? line_end : end) - text);
         words[count] = malloc(length + 1);
-        claim(words[count], "no memory");
+        ensure(words[count], "no memory");
         memcpy(words[count], text, length);
         words[count][length] = '\0';
         text += length + (line_end != NULL);
@@ -41,7 +41,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static int is_quiet;
     char *words[WORDS_MAX + 1];
     if (!is_quiet++)
-        claim(freopen("/dev/null", "w", stdout), "help cannot be sent away");
+        ensure(freopen("/dev/null", "w", stdout), "help cannot be sent away");
     const int count = split((const char *)data, size, words);
     if (count) {
         lines_forget();

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "read/boxes.h"
-#include "claim.h"
+#include "ensure.h"
 #include "lines.h"
 #include "read/mesh_file.h"
 #include "console/message.h"
@@ -28,7 +28,7 @@ typedef struct bytes {
 static mesh_file mesh_of(bytes b)
 {
     mesh_file file = {malloc(b.size + 1), b.size};
-    claim(file.bytes, "no memory");
+    ensure(file.bytes, "no memory");
     memcpy(file.bytes, b.first, b.size);
     file.bytes[b.size] = '\0';
     return file;
@@ -49,9 +49,9 @@ static void check_ply(bytes b)
     if (mesh_file_is_ply(&file)) {
         const int code = mesh_file_check_ply("a.ply", &file);
         lines_fit("mesh_file_check_ply", code);
-        claim(code || file.bytes[file.size] == '\0', "the NUL byte behind the file is lost");
-        claim(code || number_behind(&file, "\nelement vertex ", "end_header") <= b.size,
-              "more vertices are taken than the file has bytes");
+        ensure(code || file.bytes[file.size] == '\0', "the NUL byte behind the file is lost");
+        ensure(code || number_behind(&file, "\nelement vertex ", "end_header") <= b.size,
+               "more vertices are taken than the file has bytes");
     }
     mesh_file_free(&file);
 }
@@ -61,8 +61,8 @@ static void check_off(bytes b)
     mesh_file file = mesh_of(b);
     const int code = mesh_file_check_off("a.off", &file);
     lines_fit("mesh_file_check_off", code);
-    claim(code || strncmp(file.bytes, "OFF\n", 4) || number_behind(&file, "OFF\n", "#") <= b.size,
-          "more vertices are taken than the file has bytes");
+    ensure(code || strncmp(file.bytes, "OFF\n", 4) || number_behind(&file, "OFF\n", "#") <= b.size,
+           "more vertices are taken than the file has bytes");
     mesh_file_free(&file);
 }
 
@@ -84,10 +84,10 @@ static void check_box_again(const tribox_box *box)
     char text[200];
     tribox_box again;
     for (int a = 0; a < 3; a++)
-        claim(isfinite(box->lo[a]) && isfinite(box->hi[a]), "a box that is not finite was read");
+        ensure(isfinite(box->lo[a]) && isfinite(box->hi[a]), "a box that is not finite was read");
     snprintf(text, sizeof text, "%.9g,%.9g %.9g , %.9g\t%.9g,%.9g", (double)box->lo[0], (double)box->lo[1], (double)box->lo[2],
              (double)box->hi[0], (double)box->hi[1], (double)box->hi[2]);
-    claim(box_read(text, "box", &again) && is_same_box(box, &again), "the box %s is not read as it was written", text);
+    ensure(box_read(text, "box", &again) && is_same_box(box, &again), "the box %s is not read as it was written", text);
 }
 
 static void read_boxes(bytes b)
@@ -124,7 +124,7 @@ static void name_files(void)
 {
     const char *const parent = getenv("TMPDIR");
     snprintf(folder, sizeof folder, "%.40s/fuzz_XXXXXX", parent ? parent : "/tmp");
-    claim(mkdtemp(folder), "cannot make the folder %s", folder);
+    ensure(mkdtemp(folder), "cannot make the folder %s", folder);
     for (int i = 0; i < FILES; i++)
         snprintf(file_name[i], sizeof file_name[i], "%s/a%s", folder, endings[i]);
     atexit(remove_files);
@@ -135,7 +135,7 @@ static const char *write_file(int i, bytes b)
     if (!folder[0])
         name_files();
     FILE *const file = fopen(file_name[i], "wb");
-    claim(file && fwrite(b.first, 1, b.size, file) == b.size && !fclose(file), "cannot write %s", file_name[i]);
+    ensure(file && fwrite(b.first, 1, b.size, file) == b.size && !fclose(file), "cannot write %s", file_name[i]);
     return file_name[i];
 }
 
@@ -145,10 +145,10 @@ static void check_part(const part *p)
     uint32_t first, layers;
     part_layers(&p->header.whole, p->header.shard, &first, &layers);
     const size_t words = layers * voxels_layer_words(&p->header.whole.grid);
-    claim(p->size == sizeof p->header + words * sizeof(uint64_t), "a part of %zu bytes is taken for one of %zu words", p->size,
-          words);
-    claim(voxels_count(part_bits(p), words) <= 64 * words, "more cells are set than there are");
-    claim(first + layers <= p->header.whole.grid.size[2], "a part has layers that its grid has not");
+    ensure(p->size == sizeof p->header + words * sizeof(uint64_t), "a part of %zu bytes is taken for one of %zu words", p->size,
+           words);
+    ensure(voxels_count(part_bits(p), words) <= 64 * words, "more cells are set than there are");
+    ensure(first + layers <= p->header.whole.grid.size[2], "a part has layers that its grid has not");
 }
 
 /* The first byte cuts the input in two parts. */
@@ -183,7 +183,7 @@ static void check_block(bytes b, const triangle_file *file, float *const streams
             const uint32_t expected = at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
             uint32_t bits;
             memcpy(&bits, &streams[k % 3 * 3 + k / 3][i], sizeof bits);
-            claim(bits == expected, "number %zu of triangle %zu of a block is another one", k, i);
+            ensure(bits == expected, "number %zu of triangle %zu of a block is another one", k, i);
         }
 }
 
@@ -197,7 +197,7 @@ static int read_blocks(bytes b, triangle_file *file)
         streams[k] = room[k];
     while (!code && count) {
         code = triangle_file_next(file, streams, &count);
-        claim(file->taken <= b.size / 36, "more triangles than the file has bytes for");
+        ensure(file->taken <= b.size / 36, "more triangles than the file has bytes for");
         if (!code)
             check_block(b, file, streams, count);
     }
@@ -213,14 +213,14 @@ static void read_triangles(bytes b)
     const char *path = write_file(0, rest);
     triangle_file file;
     if (choice & 128 && format != TRIANGLES_OTHER) {
-        claim(freopen(path, "rb", stdin), "standard input cannot be %s", path);
+        ensure(freopen(path, "rb", stdin), "standard input cannot be %s", path);
         path = "-";
     }
     int code = triangle_file_open(path, format, &file);
     if (!code && file.stream) {
         code = read_blocks(rest, &file);
-        claim(code || file.taken * (file.format == TRIANGLES_STL ? 50 : 36) + (file.format == TRIANGLES_STL ? 84 : 0) == rest.size,
-              "%llu triangles are read of %zu bytes", (unsigned long long)file.taken, rest.size);
+        ensure(code || file.taken * (file.format == TRIANGLES_STL ? 50 : 36) + (file.format == TRIANGLES_STL ? 84 : 0) == rest.size,
+               "%llu triangles are read of %zu bytes", (unsigned long long)file.taken, rest.size);
     }
     lines_fit("triangle_file", code);
     triangle_file_close(&file);

@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "answers.h"
-#include "claim.h"
+#include "ensure.h"
 #include "voxelize/grid_choice.h"
 #include "lines.h"
-#include "room.h"
+#include "tight_memory.h"
 #include "target.h"
 
 static float plane(const tribox_grid *grid, int a, uint32_t p)
@@ -40,11 +40,11 @@ static void check_holds(const grid_choice *choice, const tribox_grid *grid, cons
         for (int k = 0; triangle_is_finite(u) && k < 9; k++) {
             const int axis = k % 3;
             const float x = u[k / 3][axis];
-            claim(choice->has_origin || x >= grid->origin[axis], "%a lies below the grid, which begins at %a on axis %d", (double)x,
-                  (double)grid->origin[axis], axis);
-            claim(choice->has_size || x <= plane(grid, axis, grid->size[axis]),
-                  "%a lies above the grid, which ends at %a on axis %d", (double)x, (double)plane(grid, axis, grid->size[axis]),
-                  axis);
+            ensure(choice->has_origin || x >= grid->origin[axis], "%a lies below the grid, which begins at %a on axis %d",
+                   (double)x, (double)grid->origin[axis], axis);
+            ensure(choice->has_size || x <= plane(grid, axis, grid->size[axis]),
+                   "%a lies above the grid, which ends at %a on axis %d", (double)x, (double)plane(grid, axis, grid->size[axis]),
+                   axis);
         }
     }
 }
@@ -73,9 +73,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     lines_fit("grid_choose", code);
     if (!code) {
         status_fits("tribox_voxelize_layers", 0, tribox_voxelize_layers(&nothing, &grid, 0, 0, NULL, &none, NULL));
-        claim(is_as_chosen(&choice, &grid), "the grid is not the one that was asked for");
+        ensure(is_as_chosen(&choice, &grid), "the grid is not the one that was asked for");
         check_holds(&choice, &grid, &a);
     }
-    room_free_all();
+    tight_memory_free_all();
     return 0;
 }

@@ -2,21 +2,21 @@
 #include <string.h>
 
 #include "answers.h"
-#include "claim.h"
-#include "room.h"
+#include "ensure.h"
+#include "tight_memory.h"
 #include "target.h"
 
 enum { VERTICES_MAX = 24, NUMBERS_DRAWN = 450 };
 
 /* A mesh, and its vertex numbers as they are meant. */
-typedef struct question {
+typedef struct fuzz_case {
     tribox_mesh mesh;
     tribox_box box;
     tribox_options options;
     uint32_t number[3 * COUNT_MAX];
     float vertex[VERTICES_MAX][3];
     unsigned wrong;
-} question;
+} fuzz_case;
 
 static size_t stride_of(const tribox_mesh *mesh) { return mesh->stride ? mesh->stride : 12; }
 
@@ -28,12 +28,12 @@ static size_t draw_stride(input *in)
 }
 
 /* Behind the last z there is nothing. */
-static void lay_positions(input *in, question *q, size_t shift)
+static void lay_positions(input *in, fuzz_case *q, size_t shift)
 {
     tribox_mesh *const mesh = &q->mesh;
     mesh->vertices = input_below(in, VERTICES_MAX + 1);
     const size_t stride = stride_of(mesh), size = mesh->vertices ? (mesh->vertices - 1) * stride + sizeof q->vertex[0] : 0;
-    unsigned char *const positions = room_make(size, shift);
+    unsigned char *const positions = tight_memory(size, shift);
     for (size_t n = 0; n < mesh->vertices; n += 3) {
         float u[3][3];
         input_triangle(in, u);
@@ -57,11 +57,11 @@ static uint32_t draw_number(input *in, const tribox_mesh *mesh)
     return mesh->vertices ? byte % (uint32_t)mesh->vertices : 0;
 }
 
-static void lay_indices(input *in, question *q, size_t shift)
+static void lay_indices(input *in, fuzz_case *q, size_t shift)
 {
     tribox_mesh *const mesh = &q->mesh;
     const size_t corners = 3 * mesh->count;
-    unsigned char *const indices = room_make(corners * mesh->index_bytes, shift);
+    unsigned char *const indices = tight_memory(corners * mesh->index_bytes, shift);
     for (size_t k = 0; k < corners; k++) {
         q->number[k] = k < NUMBERS_DRAWN ? draw_number(in, mesh) : q->number[k - NUMBERS_DRAWN];
         const uint16_t narrow = (uint16_t)q->number[k];
@@ -73,10 +73,10 @@ static void lay_indices(input *in, question *q, size_t shift)
     mesh->indices = indices;
 }
 
-static question draw_question(input *in)
+static fuzz_case draw_case(input *in)
 {
     static const unsigned widths[] = {4, 2, 0, 4, 2, 0, 4, 2, 3};
-    question q = {.wrong = 0};
+    fuzz_case q = {.wrong = 0};
     const drawn_options how = input_options(in);
     q.options = how.options;
     q.box = input_box(in);
@@ -95,7 +95,7 @@ static question draw_question(input *in)
 }
 
 /* The indices of some triangles that refer to no vertex, and the place of the first among all. */
-static size_t bad_indices(const question *q, size_t first, size_t count, size_t *place)
+static size_t bad_indices(const fuzz_case *q, size_t first, size_t count, size_t *place)
 {
     size_t found = 0;
     *place = 3 * (first + count);
@@ -105,31 +105,32 @@ static size_t bad_indices(const question *q, size_t first, size_t count, size_t 
     return found;
 }
 
-static void check_bad_indices(const question *q)
+static void check_bad_indices(const fuzz_case *q)
 {
     const bool is_empty = q->wrong >> TRIBOX_BAD_ARGUMENT & 1;
     size_t place = 0, first;
     const size_t count = is_empty ? 0 : bad_indices(q, 0, q->mesh.count, &place);
     const size_t found = tribox_mesh_bad_indices(&q->mesh, &first);
-    claim(found == count && found == tribox_mesh_bad_indices(&q->mesh, NULL), "%zu bad indices found, there are %zu", found, count);
-    claim(first == place, "the first bad index is found at %zu", first);
+    ensure(found == count && found == tribox_mesh_bad_indices(&q->mesh, NULL), "%zu bad indices found, there are %zu", found,
+           count);
+    ensure(first == place, "the first bad index is found at %zu", first);
 }
 
 /* Nine streams of exact size. */
 static void make_streams(size_t count, size_t shift, float *to[9])
 {
     for (int k = 0; k < 9; k++)
-        to[k] = room_make(count * sizeof(float), shift * sizeof(float));
+        to[k] = tight_memory(count * sizeof(float), shift * sizeof(float));
 }
 
-static void expect_streams(const question *q, size_t first, size_t count, float *const to[9])
+static void expect_streams(const fuzz_case *q, size_t first, size_t count, float *const to[9])
 {
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 9; k++)
             to[k][i] = q->vertex[q->number[3 * (first + i) + (size_t)k % 3]][k / 3];
 }
 
-static void check_streams(const question *q, size_t first, size_t count, size_t shift)
+static void check_streams(const fuzz_case *q, size_t first, size_t count, size_t shift)
 {
     size_t place;
     const unsigned arguments = q->wrong & 1u << TRIBOX_BAD_ARGUMENT;
@@ -144,8 +145,8 @@ static void check_streams(const question *q, size_t first, size_t count, size_t 
             tribox_mesh_to_streams(&q->mesh, first, count, &(tribox_options){.kernel = *kernel}, streams, streams + 3, streams + 6);
         status_fits("tribox_mesh_to_streams", arguments ? arguments : is_refused ? 1u << TRIBOX_BAD_INDEX : 0, status);
         for (int k = 0; k < 9; k++)
-            claim(!memcmp(streams[k], expected[k], count * sizeof(float)),
-                  "kernel %s: stream %d of %zu triangles from %zu on is wrong", *kernel, k, count, first);
+            ensure(!memcmp(streams[k], expected[k], count * sizeof(float)),
+                   "kernel %s: stream %d of %zu triangles from %zu on is wrong", *kernel, k, count, first);
     }
 }
 
@@ -154,19 +155,18 @@ static tribox_soup soup_of(float *const s[9], size_t count)
     return (tribox_soup){{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7], s[8]}, count};
 }
 
-static void check_refusal(const question *q, unsigned wrong)
+static void check_refusal(const fuzz_case *q, unsigned wrong)
 {
     const size_t bytes = tribox_mask_words(q->mesh.count) * sizeof(uint64_t);
-    uint64_t *const mask = room_mask(q->mesh.count);
+    uint64_t *const mask = tight_mask(q->mesh.count);
     tribox_report report;
-    memset(&report, ROOM_POISON, sizeof report);
+    memset(&report, POISON, sizeof report);
     status_fits("tribox_overlap_indexed", wrong, tribox_overlap_indexed(&q->mesh, &q->box, &q->options, mask, &report));
-    claim(room_is_poisoned(mask, bytes) && room_is_poisoned(&report, sizeof report),
-          "tribox_overlap_indexed writes although it refuses");
+    ensure(is_poisoned(mask, bytes) && is_poisoned(&report, sizeof report), "tribox_overlap_indexed writes although it refuses");
 }
 
 /* The same as of the streams, at every accuracy. */
-static void check_overlap(const question *q)
+static void check_overlap(const fuzz_case *q)
 {
     const size_t count = q->mesh.count, bytes = tribox_mask_words(count) * sizeof(uint64_t);
     float *streams[9];
@@ -177,13 +177,13 @@ static void check_overlap(const question *q)
     for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_report reports[2];
-            uint64_t *const masks[2] = {room_mask(count), room_mask(count)};
+            uint64_t *const masks[2] = {tight_mask(count), tight_mask(count)};
             o.kernel = *kernel;
             o.accuracy = (tribox_accuracy)accuracy;
             status_fits("tribox_overlap", 0, tribox_overlap(&soup, &q->box, &o, masks[0], &reports[0]));
             status_fits("tribox_overlap_indexed", 0, tribox_overlap_indexed(&q->mesh, &q->box, &o, masks[1], &reports[1]));
-            claim(!memcmp(masks[0], masks[1], bytes) && reports[0].overlapping == reports[1].overlapping,
-                  "accuracy %d, axes %u, kernel %s: the answers about a mesh and its streams differ", accuracy, o.axes, o.kernel);
+            ensure(!memcmp(masks[0], masks[1], bytes) && reports[0].overlapping == reports[1].overlapping,
+                   "accuracy %d, axes %u, kernel %s: the answers about a mesh and its streams differ", accuracy, o.axes, o.kernel);
         }
     status_fits("tribox_overlap_indexed", 0, tribox_overlap_indexed(&q->mesh, &q->box, &o, NULL, NULL));
 }
@@ -191,7 +191,7 @@ static void check_overlap(const question *q)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     input in = input_of(data, size);
-    const question q = draw_question(&in);
+    const fuzz_case q = draw_case(&in);
     const size_t first = q.mesh.count ? input_byte(&in) % q.mesh.count : 0;
     const size_t count = q.mesh.count ? 1 + input_byte(&in) % (q.mesh.count - first) : 0;
     size_t place;
@@ -204,6 +204,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_refusal(&q, 1u << TRIBOX_BAD_INDEX);
     else
         check_overlap(&q);
-    room_free_all();
+    tight_memory_free_all();
     return 0;
 }

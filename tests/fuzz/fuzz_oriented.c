@@ -4,17 +4,17 @@
 #include <string.h>
 
 #include "answers.h"
-#include "claim.h"
+#include "ensure.h"
 #include "oriented_oracle.h"
-#include "room.h"
+#include "tight_memory.h"
 #include "target.h"
 
-typedef struct question {
+typedef struct fuzz_case {
     asked asked;
     tribox_soup soup;
     tribox_oriented_box box;
     bool is_finite, is_empty;
-} question;
+} fuzz_case;
 
 static bool are_finite(const float *numbers, int count)
 {
@@ -79,13 +79,13 @@ static void draw_triangle(input *in, const tribox_oriented_box *box, float u[3][
             draw_vertex_in_frame(in, box, u[j]);
 }
 
-static void explain(const question *q, const tribox_options *o, size_t i)
+static void explain(const fuzz_case *q, const tribox_options *o, size_t i)
 {
     const const_triangle u = triangle_of(&q->asked.pair[i % q->asked.drawn]);
     if (q->is_finite && triangle_is_finite(u))
         oriented_explain(stderr, u, &q->box);
-    claim(false, "tribox_overlap_oriented, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is wrong", (int)o->accuracy,
-          o->axes, o->order, o->kernel, i, q->soup.count);
+    ensure(false, "tribox_overlap_oriented, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is wrong", (int)o->accuracy,
+           o->axes, o->order, o->kernel, i, q->soup.count);
 }
 
 /* What is true of a triangle, by all axes and by its bounds alone. */
@@ -93,7 +93,7 @@ typedef struct truth {
     bool is_possible, overlaps, bounds_overlap;
 } truth;
 
-static void find_truths(const question *q, truth truths[PAIRS_DRAWN])
+static void find_truths(const fuzz_case *q, truth truths[PAIRS_DRAWN])
 {
     for (unsigned i = 0; i < q->asked.drawn; i++) {
         const const_triangle u = triangle_of(&q->asked.pair[i]);
@@ -102,7 +102,7 @@ static void find_truths(const question *q, truth truths[PAIRS_DRAWN])
             continue;
         truths[i].overlaps = oriented_oracle(u, &q->box);
         truths[i].bounds_overlap = oriented_oracle_bounds(u, &q->box);
-        claim(truths[i].bounds_overlap || !truths[i].overlaps, "the two oracles contradict each other");
+        ensure(truths[i].bounds_overlap || !truths[i].overlaps, "the two oracles contradict each other");
     }
 }
 
@@ -117,36 +117,36 @@ static bool is_right(const truth *t, bool bit, const tribox_options *o)
 }
 
 /* Nothing is written where the call refuses. */
-static void ask(const question *q, const tribox_options *o, const truth *truths)
+static void ask(const fuzz_case *q, const tribox_options *o, const truth *truths)
 {
     const char *const call = "tribox_overlap_oriented";
     const size_t count = q->soup.count;
     const bool is_open = o->accuracy == TRIBOX_EXACT && o->axes && o->axes != TRIBOX_AXES_ALL && o->axes != TRIBOX_AXES_BOX;
     const unsigned wrong = q->asked.how.wrong | (is_open ? 1u << TRIBOX_BAD_OPTION : 0) | (q->is_finite ? 0 : 1u << TRIBOX_BAD_BOX);
-    uint64_t *const mask = room_mask(count);
+    uint64_t *const mask = tight_mask(count);
     tribox_report report, alone;
-    memset(&report, ROOM_POISON, sizeof report);
+    memset(&report, POISON, sizeof report);
     if (!status_fits(call, wrong, tribox_overlap_oriented(&q->soup, &q->box, o, mask, &report))) {
-        claim(room_is_poisoned(mask, tribox_mask_words(count) * sizeof *mask) && room_is_poisoned(&report, sizeof report),
-              "%s writes although it refuses", call);
+        ensure(is_poisoned(mask, tribox_mask_words(count) * sizeof *mask) && is_poisoned(&report, sizeof report),
+               "%s writes although it refuses", call);
         return;
     }
     for (size_t i = 0; i < count; i++)
         if (!is_right(&truths[i % q->asked.drawn], mask_bit(mask, i), o))
             explain(q, o, i);
-    claim(report.overlapping == mask_population(call, mask, count), "%s reports %zu overlapping", call, report.overlapping);
-    claim(report.undecided <= (o->accuracy == TRIBOX_FAST ? 0 : count), "%s, accuracy %d, kernel %s, reports %zu of %zu undecided",
-          call, (int)o->accuracy, o->kernel, report.undecided, count);
+    ensure(report.overlapping == mask_population(call, mask, count), "%s reports %zu overlapping", call, report.overlapping);
+    ensure(report.undecided <= (o->accuracy == TRIBOX_FAST ? 0 : count), "%s, accuracy %d, kernel %s, reports %zu of %zu undecided",
+           call, (int)o->accuracy, o->kernel, report.undecided, count);
     if (o->kernel != runnable_kernels()[0])
         return;
     status_fits(call, 0, tribox_overlap_oriented(&q->soup, &q->box, o, NULL, &alone));
-    claim(alone.overlapping == report.overlapping, "%s without a mask counts otherwise", call);
+    ensure(alone.overlapping == report.overlapping, "%s without a mask counts otherwise", call);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     input in = input_of(data, size);
-    question q = {.asked = {.how = input_options(&in)}};
+    fuzz_case q = {.asked = {.how = input_options(&in)}};
     truth truths[PAIRS_DRAWN];
     asked *const a = &q.asked;
     const size_t shift = input_below(&in, 4);
@@ -167,6 +167,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             o.accuracy = a->how.wrong ? a->how.options.accuracy : (tribox_accuracy)accuracy;
             ask(&q, &o, truths);
         }
-    room_free_all();
+    tight_memory_free_all();
     return 0;
 }

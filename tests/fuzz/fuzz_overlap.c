@@ -1,16 +1,16 @@
 /* fuzz_overlap.c - tribox_overlap: a soup and a box. */
 #include "answers.h"
-#include "room.h"
+#include "tight_memory.h"
 #include "target.h"
 
-typedef struct question {
+typedef struct fuzz_case {
     tribox_soup soup;
     tribox_box box;
-} question;
+} fuzz_case;
 
 static tribox_status ask(const void *about, const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
-    const question *const q = about;
+    const fuzz_case *const q = about;
     return tribox_overlap(&q->soup, &q->box, options, mask, report);
 }
 
@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     asked a = {.call = "tribox_overlap", .how = input_options(&in)};
     const size_t shift = input_below(&in, 4);
     a.count = input_count(&in);
-    question q = {.box = input_box(&in)};
+    fuzz_case q = {.box = input_box(&in)};
     a.wrong = box_is_finite(&q.box) ? 0 : 1u << TRIBOX_BAD_BOX;
     do {
         tribox_pair *const pair = &a.pair[a.drawn++];
@@ -30,6 +30,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     a.is_lattice = in.is_lattice;
     q.soup = asked_soup(&a, shift);
     answers_check(&a, ask, &q);
-    room_free_all();
+    tight_memory_free_all();
     return 0;
 }

@@ -3,20 +3,20 @@
 #include <string.h>
 
 #include "answers.h"
-#include "claim.h"
-#include "room.h"
+#include "ensure.h"
+#include "tight_memory.h"
 #include "target.h"
 
 enum { TRIANGLES_MAX = 6 };
 
-typedef struct question {
+typedef struct fuzz_case {
     tribox_grid grid;
     tribox_soup soup;
     tribox_options options;
     size_t words;
     uint32_t cut;           /* the layers in two parts: those below it, and the others */
     const uint64_t *before; /* what is set already */
-} question;
+} fuzz_case;
 
 /* By the definition in tribox.h. */
 static float plane(const tribox_grid *grid, int a, uint32_t p)
@@ -66,7 +66,7 @@ static tribox_boxes all_cells(const tribox_grid *grid)
     tribox_boxes cells = {.count = (size_t)grid->size[0] * grid->size[1] * grid->size[2]};
     float *bound[6];
     for (int k = 0; k < 6; k++)
-        bound[k] = room_make(cells.count * sizeof(float), 0);
+        bound[k] = tight_memory(cells.count * sizeof(float), 0);
     size_t n = 0;
     for (uint32_t k = 0; k < grid->size[2]; k++)
         for (uint32_t j = 0; j < grid->size[1]; j++)
@@ -74,8 +74,8 @@ static tribox_boxes all_cells(const tribox_grid *grid)
                 const tribox_box cell = tribox_grid_cell(grid, i, j, k);
                 const uint32_t at[3] = {i, j, k};
                 for (int a = 0; a < 3; a++) {
-                    claim(cell.lo[a] == plane(grid, a, at[a]) && cell.hi[a] == plane(grid, a, at[a] + 1),
-                          "tribox_grid_cell is not by the planes");
+                    ensure(cell.lo[a] == plane(grid, a, at[a]) && cell.hi[a] == plane(grid, a, at[a] + 1),
+                           "tribox_grid_cell is not by the planes");
                     bound[a][n] = cell.lo[a];
                     bound[3 + a][n] = cell.hi[a];
                 }
@@ -88,11 +88,11 @@ static tribox_boxes all_cells(const tribox_grid *grid)
 }
 
 /* What EXACT has to set: every triangle asked about every cell. */
-static uint64_t *cells_of_each(const question *q, const float u[][3][3])
+static uint64_t *cells_of_each(const fuzz_case *q, const float u[][3][3])
 {
     const tribox_grid *const grid = &q->grid;
     const tribox_boxes cells = all_cells(grid);
-    uint64_t *const occupied = room_mask(64 * q->words), *const mask = room_mask(cells.count);
+    uint64_t *const occupied = tight_mask(64 * q->words), *const mask = tight_mask(cells.count);
     tribox_options o = q->options;
     o.kernel = NULL;
     memcpy(occupied, q->before, q->words * sizeof *occupied);
@@ -109,11 +109,11 @@ static uint64_t *cells_of_each(const question *q, const float u[][3][3])
 static size_t population(const uint64_t *words, size_t count) { return mask_population("tribox_voxelize", words, 64 * count); }
 
 /* The whole, and in two parts. Returns what is set. */
-static uint64_t *voxelize(const question *q, const tribox_options *o)
+static uint64_t *voxelize(const fuzz_case *q, const tribox_options *o)
 {
     const size_t bytes = q->words * sizeof(uint64_t), below = q->words / q->grid.size[2] * q->cut;
-    uint64_t *const whole = room_mask(64 * q->words);
-    uint64_t *const part[2] = {room_mask(64 * below), room_mask(64 * (q->words - below))};
+    uint64_t *const whole = tight_mask(64 * q->words);
+    uint64_t *const part[2] = {tight_mask(64 * below), tight_mask(64 * (q->words - below))};
     tribox_report report, parts[2];
     memcpy(whole, q->before, bytes);
     memcpy(part[0], q->before, below * sizeof *whole);
@@ -122,15 +122,15 @@ static uint64_t *voxelize(const question *q, const tribox_options *o)
     status_fits("tribox_voxelize_layers", 0, tribox_voxelize_layers(&q->soup, &q->grid, 0, q->cut, o, part[0], &parts[0]));
     status_fits("tribox_voxelize_layers", 0,
                 tribox_voxelize_layers(&q->soup, &q->grid, q->cut, q->grid.size[2] - q->cut, o, part[1], &parts[1]));
-    claim(!memcmp(whole, part[0], below * sizeof *whole) && !memcmp(whole + below, part[1], bytes - below * sizeof *whole),
-          "layers are not as in the whole: accuracy %d, axes %u, kernel %s", (int)o->accuracy, o->axes, o->kernel);
-    claim(report.overlapping == population(whole, q->words) - population(q->before, q->words), "%zu cells reported as newly set",
-          report.overlapping);
-    claim(parts[0].overlapping + parts[1].overlapping == report.overlapping, "the reports of the parts do not add up");
+    ensure(!memcmp(whole, part[0], below * sizeof *whole) && !memcmp(whole + below, part[1], bytes - below * sizeof *whole),
+           "layers are not as in the whole: accuracy %d, axes %u, kernel %s", (int)o->accuracy, o->axes, o->kernel);
+    ensure(report.overlapping == population(whole, q->words) - population(q->before, q->words), "%zu cells reported as newly set",
+           report.overlapping);
+    ensure(parts[0].overlapping + parts[1].overlapping == report.overlapping, "the reports of the parts do not add up");
     return whole;
 }
 
-static void check_answers(const question *q, const float u[][3][3])
+static void check_answers(const fuzz_case *q, const float u[][3][3])
 {
     const uint64_t *const expected = cells_of_each(q, u);
     tribox_options o = q->options;
@@ -142,29 +142,29 @@ static void check_answers(const question *q, const float u[][3][3])
             for (size_t w = 0; w < q->words; w++) {
                 const uint64_t lost = accuracy == TRIBOX_FAST ? 0 : expected[w] & ~set[w];
                 const uint64_t extra = set[w] & ~(accuracy == TRIBOX_EXACT ? expected[w] : cells_of_word(&q->grid, w));
-                claim(!lost && !extra && !(q->before[w] & ~set[w]),
-                      "accuracy %d, axes %u, kernel %s: word %zu lacks %#llx, has %#llx too many", accuracy, o.axes, o.kernel, w,
-                      (unsigned long long)lost, (unsigned long long)extra);
+                ensure(!lost && !extra && !(q->before[w] & ~set[w]),
+                       "accuracy %d, axes %u, kernel %s: word %zu lacks %#llx, has %#llx too many", accuracy, o.axes, o.kernel, w,
+                       (unsigned long long)lost, (unsigned long long)extra);
             }
         }
 }
 
 /* Of a grid, options or layers that are refused nothing is written, not even one word. */
-static void check_refusal(const question *q, unsigned wrong, uint32_t first, uint32_t layers)
+static void check_refusal(const fuzz_case *q, unsigned wrong, uint32_t first, uint32_t layers)
 {
     tribox_report report;
-    uint64_t *const occupied = room_mask(64);
-    memset(&report, ROOM_POISON, sizeof report);
+    uint64_t *const occupied = tight_mask(64);
+    memset(&report, POISON, sizeof report);
     const tribox_status status = tribox_voxelize_layers(&q->soup, &q->grid, first, layers, &q->options, occupied, &report);
     status_fits("tribox_voxelize_layers", wrong, status);
-    claim(room_is_poisoned(occupied, sizeof *occupied) && room_is_poisoned(&report, sizeof report),
-          "tribox_voxelize_layers writes although it refuses");
+    ensure(is_poisoned(occupied, sizeof *occupied) && is_poisoned(&report, sizeof report),
+           "tribox_voxelize_layers writes although it refuses");
 }
 
 /* A few cells. */
 static const uint64_t *set_before(unsigned choice, const tribox_grid *grid, size_t words)
 {
-    uint64_t *const before = room_mask(64 * words);
+    uint64_t *const before = tight_mask(64 * words);
     for (size_t w = 0; w < words; w++)
         before[w] = choice * UINT64_C(0x0100000000040001) & cells_of_word(grid, w);
     return before;
@@ -175,7 +175,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     input in = input_of(data, size);
     asked a = {.how = input_options(&in)};
     const bool asks_every_cell = a.how.options.axes && !(a.how.options.axes & TRIBOX_AXES_BOX); /* which takes its time */
-    question q = {.grid = draw_grid(&in, asks_every_cell), .options = a.how.options};
+    fuzz_case q = {.grid = draw_grid(&in, asks_every_cell), .options = a.how.options};
     q.cut = q.grid.size[2] ? input_below(&in, q.grid.size[2] + 1) : 0;
     const unsigned before = input_byte(&in);
     float u[TRIANGLES_MAX][3][3];
@@ -196,6 +196,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_refusal(&q, 1u << TRIBOX_BAD_ARGUMENT, q.cut, q.grid.size[2] - q.cut + 1);
         check_answers(&q, (const float(*)[3][3])u);
     }
-    room_free_all();
+    tight_memory_free_all();
     return 0;
 }

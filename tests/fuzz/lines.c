@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "claim.h"
+#include "ensure.h"
 #include "console/message.h"
 
 static int said, failed;
@@ -11,7 +11,7 @@ static int said, failed;
 static void format_line(const char *format, va_list values)
 {
     char line[4096];
-    claim(vsnprintf(line, sizeof line, format, values) > 0, "the line '%s' cannot be formatted", format);
+    ensure(vsnprintf(line, sizeof line, format, values) > 0, "the line '%s' cannot be formatted", format);
 }
 
 void message_set_command(const char *command) { (void)command; }
@@ -49,7 +49,7 @@ void lines_forget(void) { said = failed = 0; }
 
 void lines_fit(const char *call, int code)
 {
-    claim(code >= EXIT_CODE_OK && code <= EXIT_CODE_USAGE, "%s returns %d, which is no exit code", call, code);
-    claim(code ? said + failed >= 1 && failed <= 1 : !failed, "%s returns %d after %d failures and %d other lines", call, code,
-          failed, said);
+    ensure(code >= EXIT_CODE_OK && code <= EXIT_CODE_USAGE, "%s returns %d, which is no exit code", call, code);
+    ensure(code ? said + failed >= 1 && failed <= 1 : !failed, "%s returns %d after %d failures and %d other lines", call, code,
+           failed, said);
 }

@@ -61,7 +61,7 @@ report()
 tell_failure()
 {
     echo "FAILED: $build/tests/fuzz/fuzz_$1, for an input in $build/found"
-    grep -E 'claim broken|ERROR: |SUMMARY: |runtime error|Test unit written' "$build/logs/$1" || tail -n 20 "$build/logs/$1"
+    grep -E 'broken: |ERROR: |SUMMARY: |runtime error|Test unit written' "$build/logs/$1" || tail -n 20 "$build/logs/$1"
     status=1
 }
 

@@ -1,4 +1,4 @@
-/* target.h - what a fuzz target is: a function that libFuzzer, or replay.c, calls with bytes. It aborts where a claim is broken. */
+/* target.h - a fuzz target: a function that libFuzzer, or replay.c, calls with bytes. It aborts where a promise is broken. */
 #ifndef TRIBOX_TESTS_FUZZ_TARGET_H
 #define TRIBOX_TESTS_FUZZ_TARGET_H
 

@@ -12,12 +12,12 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "fences.h"
 #include "common/kernels_here.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 static const char *names[KERNELS_MAX];
 static int kernels;
 
@@ -42,25 +42,25 @@ static int tear_down(void **state)
 
 typedef tribox_status search(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, size_t *first);
 
-static void expect(search *call, const char *name, const question *q, const tribox_options *options, size_t expected)
+static void expect(search *call, const char *name, const pair_list *q, const tribox_options *options, size_t expected)
 {
-    const tribox_soup soup = question_soup(q);
+    const tribox_soup soup = pair_list_soup(q);
     size_t first = SIZE_MAX;
-    char text[QUESTION_TEXT];
-    snprintf(doing, sizeof doing, "%s: %s", name, question_text(q, options, text));
+    char text[PAIR_LIST_TEXT];
+    snprintf(doing, sizeof doing, "%s: %s", name, pair_list_text(q, options, text));
     const tribox_status status = call(&soup, q->box, options, &first);
     if (status || first != expected)
         fail_msg("%s: %s, %zu where it should be %zu", doing, tribox_status_text(status), first, expected);
 }
 
-static void expect_both(const question *q, const tribox_options *options, size_t first_set, size_t first_clear)
+static void expect_both(const pair_list *q, const tribox_options *options, size_t first_set, size_t first_clear)
 {
     expect(tribox_overlap_any, "any", q, options, first_set);
     expect(tribox_overlap_all, "all", q, options, first_clear);
 }
 
 /* What the mask says. */
-static void check_against_mask(const question *q, const tribox_options *options)
+static void check_against_mask(const pair_list *q, const tribox_options *options)
 {
     static uint64_t mask[DRAWN_WORDS];
     size_t set = 0, clear = 0;
@@ -73,15 +73,15 @@ static void check_against_mask(const question *q, const tribox_options *options)
 }
 
 /* `count` triangles from `first` on, at the end of their fences. */
-static question between_fences(const question *from, size_t first, size_t count)
+static pair_list between_fences(const pair_list *from, size_t first, size_t count)
 {
-    question q = {.count = count, .box = from->box};
+    pair_list q = {.count = count, .box = from->box};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = memcpy(guarded_tail(fence[s], count * sizeof(float)), from->stream[s] + first, count * sizeof(float));
     return q;
 }
 
-static void check_kernels(const question *q)
+static void check_kernels(const pair_list *q)
 {
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
@@ -94,11 +94,11 @@ static void test_scenes(void **state)
     catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
-        const question all = draw_question(&r, scene_at(i), true, &numbers);
+        const pair_list all = draw_pairs(&r, scene_at(i), true, &numbers);
         for (size_t first = 0; first <= all.count; first += 1 + (size_t)random_below(&r, 4)) {
-            const question from = between_fences(&all, first, all.count - first);
+            const pair_list from = between_fences(&all, first, all.count - first);
             check_kernels(&from);
-            const question to = between_fences(&all, 0, first);
+            const pair_list to = between_fences(&all, 0, first);
             check_kernels(&to);
         }
     }
@@ -111,12 +111,12 @@ static void test_axes(void **state)
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
     catch_faults();
     random_source r = random_named(args.seed, "axes");
-    const question all = draw_question(&r, scene_at(0), true, &numbers);
+    const pair_list all = draw_pairs(&r, scene_at(0), true, &numbers);
     for (size_t first = 0; first < all.count; first++) {
-        const question q = between_fences(&all, first, all.count - first);
+        const pair_list q = between_fences(&all, first, all.count - first);
         for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
-            check_against_mask(&q,
-                               &(tribox_options){(tribox_accuracy)(first % 3), axes, orders[first % 7], names[first % (size_t)kernels]});
+            check_against_mask(
+                &q, &(tribox_options){(tribox_accuracy)(first % 3), axes, orders[first % 7], names[first % (size_t)kernels]});
     }
 }
 
@@ -126,9 +126,9 @@ static void put(size_t i, float x)
         numbers.stream[s][i] = s < 3 ? x : 0;
 }
 
-static question soup_of(size_t count)
+static pair_list soup_of(size_t count)
 {
-    question q = {.count = count, .box = &cube};
+    pair_list q = {.count = count, .box = &cube};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = numbers.stream[s];
     return q;
@@ -149,7 +149,7 @@ static void check_one_unlike(float usual, float other)
             const size_t count = counts[c];
             if (c == 3 && (at >= count || at % 7))
                 continue;
-            const question packed = soup_of(count), q = count < 300 ? between_fences(&packed, 0, count) : packed;
+            const pair_list packed = soup_of(count), q = count < 300 ? between_fences(&packed, 0, count) : packed;
             const size_t found = at < count ? at : count, none = count ? 0 : count;
             const size_t unlike = at ? none : count < 2 ? count : 1;
             if (is_hit)
@@ -182,7 +182,7 @@ static void check_not_finite(size_t count, size_t at, int stream, float usual, s
     for (size_t i = 0; i < count; i++)
         put(i, i < at ? usual : 0);
     numbers.stream[stream][at] = bad[(at + (size_t)stream) % 4];
-    const question packed = soup_of(count), q = between_fences(&packed, 0, count);
+    const pair_list packed = soup_of(count), q = between_fences(&packed, 0, count);
     for (int k = 0; k < kernels; k++)
         expect(call, name, &q, &(tribox_options){.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]}, expected);
 }
@@ -210,7 +210,7 @@ static void test_empty(void **state)
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             const tribox_options options = {.accuracy = accuracy, .kernel = names[k]};
-            question q = soup_of(0);
+            pair_list q = soup_of(0);
             memset(q.stream, 0, sizeof q.stream);
             expect_both(&q, &options, 0, 0);
             q.box = &empty;
@@ -230,7 +230,7 @@ static void test_stops(void **state)
     catch_faults();
     for (int k = 0; k < kernels; k++)
         for (size_t at = 0; at < 4096; at = 3 * at + 1) {
-            question q = {.count = count, .box = &cube};
+            pair_list q = {.count = count, .box = &cube};
             for (int s = 0; s < SOUP_STREAMS; s++) {
                 float *const stream = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
                 assert_true(stream != MAP_FAILED);

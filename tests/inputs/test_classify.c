@@ -12,12 +12,12 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "fences.h"
 #include "common/kernels_here.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 static const char *names[KERNELS_MAX];
 static int kernels;
 
@@ -44,7 +44,7 @@ static int tear_down(void **state)
 }
 
 /* False of a NaN, as of every comparison with one; and of all triangles where the box is empty. */
-static bool is_inside(const question *q, size_t i)
+static bool is_inside(const pair_list *q, size_t i)
 {
     for (int s = 0; s < SOUP_STREAMS; s++) {
         const float u = q->stream[s][i];
@@ -54,7 +54,7 @@ static bool is_inside(const question *q, size_t i)
     return true;
 }
 
-static void expect_inside(const question *q, uint64_t *inside)
+static void expect_inside(const pair_list *q, uint64_t *inside)
 {
     memset(inside, 0, tribox_mask_words(q->count) * sizeof *inside);
     for (size_t i = 0; i < q->count; i++)
@@ -63,34 +63,34 @@ static void expect_inside(const question *q, uint64_t *inside)
 
 static uint64_t *words_of(const fenced *place) { return (uint64_t *)(void *)place->at; }
 
-static void ask(const question *q, const tribox_options *options, uint64_t *mask, uint64_t *inside, tribox_report *report)
+static void ask(const pair_list *q, const tribox_options *options, uint64_t *mask, uint64_t *inside, tribox_report *report)
 {
-    const tribox_soup soup = question_soup(q);
+    const tribox_soup soup = pair_list_soup(q);
     const tribox_status status = tribox_classify(&soup, q->box, options, mask, inside, report);
     if (status)
         fail_msg("%s: %s", doing, tribox_status_text(status));
 }
 
-static void assert_report(const question *q, const tribox_options *options, const tribox_report *got, size_t overlapping)
+static void assert_report(const pair_list *q, const tribox_options *options, const tribox_report *got, size_t overlapping)
 {
     if (got->overlapping != overlapping || got->undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count))
         fail_msg("%s: reports %zu of %zu, %zu undecided", doing, got->overlapping, overlapping, got->undecided);
 }
 
 /* Any of the three outputs may be absent. */
-static void check(const question *q, const tribox_options *options)
+static void check(const pair_list *q, const tribox_options *options)
 {
     static uint64_t overlapping[DRAWN_WORDS], within[DRAWN_WORDS];
-    char text[QUESTION_TEXT];
+    char text[PAIR_LIST_TEXT];
     tribox_report report = {0, 0};
     ask_ok(q, options, overlapping, NULL);
     expect_inside(q, within);
     for (size_t w = 0; w < tribox_mask_words(q->count); w++) {
         if (options->accuracy != TRIBOX_FAST && within[w] & ~overlapping[w])
-            fail_msg("%s: what is inside does not overlap", question_text(q, options, text));
+            fail_msg("%s: what is inside does not overlap", pair_list_text(q, options, text));
         overlapping[w] |= within[w];
     }
-    snprintf(doing, sizeof doing, "tribox_classify: %s", question_text(q, options, text));
+    snprintf(doing, sizeof doing, "tribox_classify: %s", pair_list_text(q, options, text));
 
     const size_t bytes = tribox_mask_words(q->count) * sizeof(uint64_t);
     for (int wanted = 0; wanted < 8; wanted++) {
@@ -110,15 +110,15 @@ static void check(const question *q, const tribox_options *options)
 }
 
 /* Streams of some triangles, each at the page behind it. */
-static question between_fences(const question *from, size_t first, size_t count)
+static pair_list between_fences(const pair_list *from, size_t first, size_t count)
 {
-    question q = {.count = count, .box = from->box};
+    pair_list q = {.count = count, .box = from->box};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = memcpy(guarded_tail(stream_fence[s], count * sizeof(float)), from->stream[s] + first, count * sizeof(float));
     return q;
 }
 
-static void check_kernels(const question *q)
+static void check_kernels(const pair_list *q)
 {
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
@@ -126,9 +126,9 @@ static void check_kernels(const question *q)
 }
 
 /* Many vertices of the lattice lie on the faces of the box. */
-static question draw_lattice(random_source *r, const tribox_box *box, size_t count)
+static pair_list draw_lattice(random_source *r, const tribox_box *box, size_t count)
 {
-    question q = {.count = count, .box = box};
+    pair_list q = {.count = count, .box = box};
     for (int s = 0; s < SOUP_STREAMS; s++) {
         q.stream[s] = numbers.stream[s];
         for (size_t i = 0; i < count; i++)
@@ -145,13 +145,13 @@ static void test_every_count(void **state)
     static const size_t large[] = {511, 512, 513, 4095, 4096, 4097, 4160, 8193, 10000};
     catch_faults();
     random_source r = random_named(args.seed, "every count");
-    const question all = draw_lattice(&r, &cube, DRAWN_MAX);
+    const pair_list all = draw_lattice(&r, &cube, DRAWN_MAX);
     for (size_t count = 0; count <= 200; count++) {
-        const question q = between_fences(&all, 3 * count, count);
+        const pair_list q = between_fences(&all, 3 * count, count);
         check_kernels(&q);
     }
     for (size_t c = 0; c < sizeof large / sizeof large[0]; c++) {
-        const question q = between_fences(&all, 0, large[c]);
+        const pair_list q = between_fences(&all, 0, large[c]);
         for (int k = 0; k < kernels; k++)
             check(&q, &(tribox_options){.accuracy = (tribox_accuracy)(c % 3), .kernel = names[k]});
     }
@@ -163,7 +163,7 @@ static void test_axes(void **state)
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
     catch_faults();
     random_source r = random_named(args.seed, "axes");
-    const question q = draw_lattice(&r, &cube, 150);
+    const pair_list q = draw_lattice(&r, &cube, 150);
     for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
         for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++)
             for (int k = 0; k < kernels; k++)
@@ -178,7 +178,7 @@ static void test_scenes(void **state)
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         for (int round = 0; round < 3; round++) {
-            const question q = draw_question(&r, scene_at(i), true, &numbers);
+            const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
             check_kernels(&q);
         }
     }
@@ -192,7 +192,7 @@ static void test_scenes_clamped(void **state)
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         for (int round = 0; round < 3; round++) {
-            const question q = draw_question(&r, scene_at(i), true, &numbers);
+            const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
             for (int s = 0; s < SOUP_STREAMS; s++)
                 for (size_t k = 0; k < q.count; k++) {
                     float *const u = &numbers.stream[s][k];
@@ -233,7 +233,7 @@ static void test_each_comparison(void **state)
     for (size_t b = 0; b < sizeof special / sizeof special[0]; b++)
         for (size_t spread = 1; spread <= 5; spread++) {
             const tribox_box *const box = &special[b];
-            question q = {.count = COUNT * spread, .box = box};
+            pair_list q = {.count = COUNT * spread, .box = box};
             for (int s = 0; s < SOUP_STREAMS; s++) {
                 q.stream[s] = numbers.stream[s];
                 for (size_t i = 0; i < q.count; i++)

@@ -11,14 +11,14 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "mesh_layout.h"
 #include "oriented_scenes.h"
 #include "common/kernels_here.h"
 #include "common/settings.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 static oriented_batch batch;
 
 enum { TRIANGLES = ORIENTED_TRIANGLES, WORDS = (TRIANGLES + 63) / 64 };
@@ -141,10 +141,10 @@ static void test_scenes(void **state)
     catch_faults();
     for (size_t i = 0; i < scene_count(); i += 3) {
         random_source r = random_named(args.seed, scene_at(i)->name);
-        const question q = draw_question(&r, scene_at(i), true, &numbers);
+        const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
         const uint32_t signalling = 0x7fa00001u;
         memcpy(&numbers.stream[0][q.count - 1], &signalling, sizeof signalling);
-        asked ask = {.soup = question_soup(&q), .box = *q.box};
+        asked ask = {.soup = pair_list_soup(&q), .box = *q.box};
         ask.mesh = mesh_of(&ask.soup);
         check_kernels(&ask, 0, ORIENTED);
     }

@@ -13,7 +13,7 @@
 #include "common/arguments.h"
 #include "fences.h"
 #include "mesh_layout.h"
-#include "question.h"
+#include "pair_list.h"
 #include "common/kernels_here.h"
 
 static arguments args;
@@ -251,7 +251,8 @@ static void test_beside(void **state)
         check_mesh(&r, &mesh, AT_END);
         for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
             check_answers(&mesh, &boxes[0],
-                          &(tribox_options){(tribox_accuracy)(axes % 3), axes, 0, names[(axes + (size_t)round) % (size_t)kernels]}, AT_END);
+                          &(tribox_options){(tribox_accuracy)(axes % 3), axes, 0, names[(axes + (size_t)round) % (size_t)kernels]},
+                          AT_END);
     }
 }
 

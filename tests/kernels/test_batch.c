@@ -11,12 +11,12 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "common/guard.h"
 #include "common/kernels_here.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 
 enum { ACCURACIES = TRIBOX_FAST + 1, POISON = 0xa5 };
 
@@ -33,13 +33,13 @@ static uint64_t alone[KERNELS_MAX][ACCURACIES][DRAWN_WORDS];
 static const char *names[KERNELS_MAX];
 static int kernels;
 
-static void ask_each_alone(const question *q)
+static void ask_each_alone(const pair_list *q)
 {
     memset(alone, 0, sizeof alone);
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < q->count; i++) {
-                const question pair = question_at(q, i);
+                const pair_list pair = pair_list_at(q, i);
                 uint64_t bit;
                 ask_ok(&pair, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, &bit, NULL);
                 assert_true(bit < 2);
@@ -64,10 +64,10 @@ static void *placed(guarded g, size_t bytes, size_t offset, int place)
 }
 
 /* Each stream goes through all alignments, and each its own way. */
-static question between_guards(const question *from, size_t count, int place)
+static pair_list between_guards(const pair_list *from, size_t count, int place)
 {
-    question q = {.count = count};
-    for (int s = 0; s < question_streams(from); s++) {
+    pair_list q = {.count = count};
+    for (int s = 0; s < pair_list_streams(from); s++) {
         const size_t bytes = count * sizeof(float), offset = sizeof(float) * (size_t)(place * (2 * s + 1) % 16);
         guarded_read_only(fence.stream[s], false);
         float *const stream = placed(fence.stream[s], bytes, offset, place);
@@ -85,25 +85,25 @@ static question between_guards(const question *from, size_t count, int place)
     return q;
 }
 
-static void assert_poisoned(const unsigned char *first, const unsigned char *end, const question *q, const tribox_options *options)
+static void assert_poisoned(const unsigned char *first, const unsigned char *end, const pair_list *q, const tribox_options *options)
 {
-    char text[QUESTION_TEXT];
+    char text[PAIR_LIST_TEXT];
     for (const unsigned char *byte = first; byte < end; byte++)
         if (*byte != POISON)
-            fail_msg("%s: written beside the mask", question_text(q, options, text));
+            fail_msg("%s: written beside the mask", pair_list_text(q, options, text));
 }
 
-static void assert_report(const question *q, const tribox_options *options, const tribox_report *report, const uint64_t *expected)
+static void assert_report(const pair_list *q, const tribox_options *options, const tribox_report *report, const uint64_t *expected)
 {
-    char text[QUESTION_TEXT];
+    char text[PAIR_LIST_TEXT];
     const size_t overlapping = mask_population(expected, q->count);
     if (report->overlapping != overlapping)
-        fail_msg("%s: the report counts %zu, the mask has %zu", question_text(q, options, text), report->overlapping, overlapping);
+        fail_msg("%s: the report counts %zu, the mask has %zu", pair_list_text(q, options, text), report->overlapping, overlapping);
     if (report->undecided > (options->accuracy == TRIBOX_FAST ? 0 : q->count))
-        fail_msg("%s: %zu undecided", question_text(q, options, text), report->undecided);
+        fail_msg("%s: %zu undecided", pair_list_text(q, options, text), report->undecided);
 }
 
-static void check_call(const question *q, const tribox_options *options, const uint64_t *all, int place)
+static void check_call(const pair_list *q, const tribox_options *options, const uint64_t *all, int place)
 {
     const size_t words = tribox_mask_words(q->count), bytes = words * sizeof(uint64_t);
     uint64_t expected[DRAWN_WORDS] = {0};
@@ -114,7 +114,7 @@ static void check_call(const question *q, const tribox_options *options, const u
     memset(fence.mask.first, POISON, fence.mask.size);
     uint64_t *const mask = placed(fence.mask, bytes, sizeof(uint64_t) * (size_t)(place % 8), place);
     tribox_report *const report = placed(fence.report, sizeof *report, 0, place);
-    question_text(q, options, doing);
+    pair_list_text(q, options, doing);
     ask_ok(q, options, mask, report);
     assert_masks_equal(q, options, expected, mask);
     assert_poisoned(fence.mask.first, (unsigned char *)mask, q, options);
@@ -129,9 +129,9 @@ static void check_call(const question *q, const tribox_options *options, const u
     assert_masks_equal(q, options, expected, mask);
 }
 
-static void check_count(const question *all, size_t count, int place)
+static void check_count(const pair_list *all, size_t count, int place)
 {
-    const question q = between_guards(all, count, place);
+    const pair_list q = between_guards(all, count, place);
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             check_call(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, alone[k][accuracy], place);
@@ -142,7 +142,7 @@ static void check_form(bool is_soup)
     static const size_t large[] = {4095, 4096, 4097, 4159, 8192, 10000};
     catch_faults();
     random_source r = random_named(args.seed, "batch");
-    const question all = draw_distinct_lanes(&r, is_soup, &numbers);
+    const pair_list all = draw_distinct_lanes(&r, is_soup, &numbers);
     ask_each_alone(&all);
     assert_lanes_are_distinct(alone[0][TRIBOX_EXACT], all.count);
     for (int place = 0; place < PLACES; place++)
@@ -172,11 +172,11 @@ static void test_not_finite(void **state)
     catch_faults();
     snprintf(doing, sizeof doing, "tribox_soup_not_finite");
     random_source r = random_named(args.seed, "batch");
-    const question all = draw_distinct_lanes(&r, true, &numbers);
+    const pair_list all = draw_distinct_lanes(&r, true, &numbers);
     for (size_t count = 0; count <= 200; count++)
         for (int place = 0; place <= AT_END; place += AT_END) {
-            const question q = between_guards(&all, count, place);
-            const tribox_soup soup = question_soup(&q);
+            const pair_list q = between_guards(&all, count, place);
+            const tribox_soup soup = pair_list_soup(&q);
             size_t first;
             assert_int_equal(tribox_soup_not_finite(&soup, &first), 0);
             assert_int_equal(first, count);

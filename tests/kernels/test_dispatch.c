@@ -7,13 +7,13 @@
 #include <cmocka.h>
 
 #include "dispatch.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "common/kernels_here.h"
 
 /* The kernel that the default has to be on an emulated processor; NULL on the real one. */
 static const char *widest;
 
-static drawn numbers;
+static drawn_numbers numbers;
 
 static const char *name_chosen(const char *asked) { return tribox_kernel_name(&(tribox_options){.kernel = asked}); }
 
@@ -111,7 +111,7 @@ static void test_the_named_kernel_runs(void **state)
     const scene near_contact = {.name = "near-contact", .draw = draw_near_contact};
     size_t fused = 0, differing = 0;
     for (int round = 0; round < 100; round++) {
-        const question q = draw_question(&r, &near_contact, true, &numbers);
+        const pair_list q = draw_pairs(&r, &near_contact, true, &numbers);
         uint64_t first[DRAWN_WORDS], mask[DRAWN_WORDS];
         ask_ok(&q, &(tribox_options){.accuracy = TRIBOX_FAST, .kernel = names[0]}, first, NULL);
         for (int k = 1; k < count; k++) {

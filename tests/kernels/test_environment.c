@@ -9,22 +9,22 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "common/guard.h"
 #include "common/kernels_here.h"
 #include "common/settings.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 
 enum { WORDS = (SCENE_TRIANGLES + 63) / 64 };
 
 /* Whatever a setting is tried on. */
-typedef tribox_status action(const question *q, const tribox_options *options, uint64_t *mask, tribox_report *report);
+typedef tribox_status action(const pair_list *q, const tribox_options *options, uint64_t *mask, tribox_report *report);
 
-static tribox_status count_not_finite(const question *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
+static tribox_status count_not_finite(const pair_list *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
-    const tribox_soup soup = question_soup(q);
+    const tribox_soup soup = pair_list_soup(q);
     (void)options;
     memset(mask, 0, WORDS * sizeof *mask);
     report->undecided = tribox_soup_not_finite(&soup, &report->overlapping);
@@ -32,7 +32,7 @@ static tribox_status count_not_finite(const question *q, const tribox_options *o
 }
 
 /* The answer under each setting is the one under the setting that a program starts with. */
-static void check(action *act, const char *name, const question *q, const tribox_options *options)
+static void check(action *act, const char *name, const pair_list *q, const tribox_options *options)
 {
     const unsigned normal = environment_get();
     uint64_t expected[WORDS], mask[WORDS];
@@ -56,13 +56,13 @@ static void check(action *act, const char *name, const question *q, const tribox
     }
 }
 
-static void check_question(const question *q)
+static void check_question(const pair_list *q)
 {
     const char *names[KERNELS_MAX];
     const int kernels = kernels_here(names);
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
-            check(question_ask, q->box ? "tribox_overlap" : "tribox_overlap_boxes", q,
+            check(pair_list_overlap, q->box ? "tribox_overlap" : "tribox_overlap_boxes", q,
                   &(tribox_options){.accuracy = accuracy, .kernel = names[k]});
     if (q->box)
         check(count_not_finite, "tribox_soup_not_finite", q, &(tribox_options){.kernel = names[0]});
@@ -76,7 +76,7 @@ static void check_scenes(bool is_soup)
         random_source r = random_named(args.seed, s->name);
         if (!scene_is_called(s, args.scenes))
             continue;
-        const question q = draw_question(&r, s, is_soup, &numbers);
+        const pair_list q = draw_pairs(&r, s, is_soup, &numbers);
         check_question(&q);
     }
 }
@@ -100,7 +100,7 @@ static void test_refusals(void **state)
     catch_faults();
     const unsigned normal = environment_get();
     random_source r = random_named(args.seed, "refusals");
-    question q = draw_question(&r, scene_at(0), true, &numbers);
+    pair_list q = draw_pairs(&r, scene_at(0), true, &numbers);
     static const uint32_t bounds[] = {0x00000001, 0x80000001, 0x7f800001, 0x7fc00000, 0x7f800000};
     for (size_t b = 0; b < sizeof bounds / sizeof bounds[0]; b++)
         for (int axis = 0; axis < 3; axis++)
@@ -113,7 +113,7 @@ static void test_refusals(void **state)
                 snprintf(doing, sizeof doing, "tribox_overlap with bound %#x under setting %#x", bounds[b], set);
                 uint64_t mask[WORDS];
                 environment_set(set);
-                const tribox_status status = question_ask(&q, NULL, mask, NULL);
+                const tribox_status status = pair_list_overlap(&q, NULL, mask, NULL);
                 const unsigned left = environment_get();
                 environment_set(normal);
                 assert_int_equal(status, b < 2 ? TRIBOX_OK : TRIBOX_BAD_BOX);

@@ -8,12 +8,12 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "common/guard.h"
 #include "common/kernels_here.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 
 /* Two whole words and a tail. */
 enum { COUNT = 150, WORDS = (COUNT + 63) / 64 };
@@ -41,7 +41,7 @@ static void expect_all_but_spoilt(uint64_t expected[WORDS])
 }
 
 /* Asks at every kernel, accuracy, axis set and order; the answer is always the same. */
-static void check_everywhere(const question *q, const uint64_t expected[WORDS])
+static void check_everywhere(const pair_list *q, const uint64_t expected[WORDS])
 {
     static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
     const char *names[KERNELS_MAX];
@@ -53,7 +53,7 @@ static void check_everywhere(const question *q, const uint64_t expected[WORDS])
                     const tribox_options options = {accuracy, axes, orders[o], names[k]};
                     uint64_t mask[WORDS];
                     tribox_report report;
-                    question_text(q, &options, doing);
+                    pair_list_text(q, &options, doing);
                     ask_ok(q, &options, mask, &report);
                     assert_masks_equal(q, &options, expected, mask);
                     assert_int_equal(report.overlapping, mask_population(expected, q->count));
@@ -61,7 +61,7 @@ static void check_everywhere(const question *q, const uint64_t expected[WORDS])
 }
 
 /* Triangles with a vertex well inside the cube; every second one is flat on an axis, where min and max are one number. */
-static question draw_hits(random_source *r)
+static pair_list draw_hits(random_source *r)
 {
     for (size_t i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++) {
@@ -71,29 +71,29 @@ static question draw_hits(random_source *r)
             if (i % 2 && a == (int)(i / 2 % 3))
                 numbers.stream[3 * a + 1][i] = numbers.stream[3 * a + 2][i] = numbers.stream[3 * a][i];
         }
-    question q = {.count = COUNT, .box = &cube};
+    pair_list q = {.count = COUNT, .box = &cube};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = numbers.stream[s];
     return q;
 }
 
 /* Boxes about the first vertex of the triangle. */
-static question draw_boxes(random_source *r)
+static pair_list draw_boxes(random_source *r)
 {
     for (size_t i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++) {
             numbers.stream[a][i] = triangle[0][a] - (float)random_uniform(r, 0.1, 4);
             numbers.stream[3 + a][i] = triangle[0][a] + (float)random_uniform(r, 0.1, 4);
         }
-    question q = {.count = COUNT, .triangle = triangle};
+    pair_list q = {.count = COUNT, .triangle = triangle};
     for (int s = 0; s < BOXES_STREAMS; s++)
         q.stream[s] = numbers.stream[s];
     return q;
 }
 
-static void assert_first_and_count(const question *q)
+static void assert_first_and_count(const pair_list *q)
 {
-    const tribox_soup soup = question_soup(q);
+    const tribox_soup soup = pair_list_soup(q);
     size_t first = 0;
     assert_int_equal(tribox_soup_not_finite(&soup, &first), COUNT / 3);
     assert_int_equal(first, 1);
@@ -108,21 +108,21 @@ static void test_sound_pairs_overlap(void **state)
     uint64_t every[WORDS] = {0};
     for (size_t i = 0; i < COUNT; i++)
         every[i / 64] |= UINT64_C(1) << i % 64;
-    const question soup = draw_hits(&r);
+    const pair_list soup = draw_hits(&r);
     check_everywhere(&soup, every);
-    const question boxes = draw_boxes(&r);
+    const pair_list boxes = draw_boxes(&r);
     check_everywhere(&boxes, every);
 }
 
 /* One bad coordinate in each place, or one bad bound. */
-static void check_each_stream(question (*draw)(random_source *))
+static void check_each_stream(pair_list (*draw)(random_source *))
 {
     catch_faults();
     random_source r = random_named(args.seed, "alone");
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
-    const question q = draw(&r);
-    for (int s = 0; s < question_streams(&q); s++)
+    const pair_list q = draw(&r);
+    for (int s = 0; s < pair_list_streams(&q); s++)
         for (int kind = 0; kind < BAD_KINDS; kind++) {
             float sound[COUNT];
             memcpy(sound, numbers.stream[s], sizeof sound);
@@ -149,17 +149,17 @@ static void test_each_bound_alone(void **state)
 }
 
 /* Several at once, so that they meet: inf - inf, inf with NaN. */
-static void check_several(question (*draw)(random_source *))
+static void check_several(pair_list (*draw)(random_source *))
 {
     catch_faults();
     random_source r = random_named(args.seed, "several");
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
     for (int round = 0; round < 20; round++) {
-        const question q = draw(&r);
+        const pair_list q = draw(&r);
         for (size_t i = 0; i < COUNT; i++)
             for (int times = is_spoilt(i) ? random_between(&r, 1, 9) : 0; times > 0; times--)
-                numbers.stream[random_below(&r, question_streams(&q))][i] = bad_number(random_below(&r, BAD_KINDS));
+                numbers.stream[random_below(&r, pair_list_streams(&q))][i] = bad_number(random_below(&r, BAD_KINDS));
         check_everywhere(&q, expected);
         if (q.box)
             assert_first_and_count(&q);
@@ -182,7 +182,7 @@ static void test_several_in_a_box(void **state)
 static const float touching[3][3] = {{2.25f, -0.25f, 0.5f}, {-0.25f, 2.25f, 0.25f}, {1.25f, 0.75f, -2}};
 
 /* The sound triangles are left to a slower stage, the bad ones are not counted. */
-static void check_undecided(const question *q)
+static void check_undecided(const pair_list *q)
 {
     const char *names[KERNELS_MAX];
     const int kernels = kernels_here(names);
@@ -190,7 +190,7 @@ static void check_undecided(const question *q)
         const tribox_options options = {.kernel = names[k]};
         uint64_t mask[WORDS];
         tribox_report report;
-        question_text(q, &options, doing);
+        pair_list_text(q, &options, doing);
         ask_ok(q, &options, mask, &report);
         if (report.undecided != COUNT - COUNT / 3)
             fail_msg("%s: %zu undecided, not %d", doing, report.undecided, COUNT - COUNT / 3);
@@ -204,7 +204,7 @@ static void test_bad_beside_undecided(void **state)
     catch_faults();
     uint64_t expected[WORDS];
     expect_all_but_spoilt(expected);
-    question q = {.count = COUNT, .box = &cube};
+    pair_list q = {.count = COUNT, .box = &cube};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = numbers.stream[s];
     for (int place = 3; place < 9; place++)
@@ -225,7 +225,7 @@ static void test_bad_triangle_and_many_boxes(void **state)
     catch_faults();
     random_source r = random_named(args.seed, "bad triangle");
     static const uint64_t none[WORDS];
-    question q = draw_boxes(&r);
+    pair_list q = draw_boxes(&r);
     for (int place = 0; place < 9; place++)
         for (int kind = 0; kind < BAD_KINDS; kind++) {
             float bad[3][3];
@@ -249,7 +249,7 @@ static void test_empty_box_and_soup(void **state)
     catch_faults();
     random_source r = random_named(args.seed, "empty");
     static const uint64_t none[WORDS];
-    question q = draw_hits(&r);
+    pair_list q = draw_hits(&r);
     for (int axis = 0; axis < 3; axis++)
         for (int gap = 0; gap < 2; gap++) {
             tribox_box box = cube;
@@ -268,7 +268,7 @@ static void test_empty_boxes(void **state)
     expect_all_but_spoilt(expected);
     for (int axis = 0; axis < 3; axis++)
         for (int gap = 0; gap < 2; gap++) {
-            const question q = draw_boxes(&r);
+            const pair_list q = draw_boxes(&r);
             tribox_box box = cube;
             empty_box(&box, axis, gap);
             for (size_t i = 0; i < COUNT; i++)
@@ -285,8 +285,8 @@ static void test_counts(void **state)
 {
     (void)state;
     random_source r = random_named(args.seed, "counts");
-    const question q = draw_hits(&r);
-    const tribox_soup soup = question_soup(&q);
+    const pair_list q = draw_hits(&r);
+    const tribox_soup soup = pair_list_soup(&q);
     size_t first = 1234;
     assert_int_equal(tribox_soup_not_finite(&soup, &first), 0);
     assert_int_equal(first, COUNT);

@@ -8,12 +8,12 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "drawn.h"
+#include "drawn_pairs.h"
 #include "common/guard.h"
 #include "common/kernels_here.h"
 
 static arguments args;
-static drawn numbers;
+static drawn_numbers numbers;
 
 enum { ACCURACIES = TRIBOX_FAST + 1, WORDS = (SCENE_TRIANGLES + 63) / 64 };
 
@@ -25,23 +25,23 @@ typedef struct answers {
     uint64_t mask[KERNELS_MAX][ACCURACIES][WORDS];
 } answers;
 
-static void ask(const question *q, const tribox_options *options, uint64_t *mask)
+static void ask(const pair_list *q, const tribox_options *options, uint64_t *mask)
 {
     tribox_report report;
-    question_text(q, options, doing);
+    pair_list_text(q, options, doing);
     ask_ok(q, options, mask, &report);
     assert_int_equal(report.overlapping, mask_population(mask, q->count));
     assert_true(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : q->count));
 }
 
-static void ask_kernels(const question *q, unsigned axes, answers *got)
+static void ask_kernels(const pair_list *q, unsigned axes, answers *got)
 {
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             ask(q, &(tribox_options){accuracy, axes, 0, names[k]}, got->mask[k][accuracy]);
 }
 
-static void check_orders(const question *q, unsigned axes, const answers *got)
+static void check_orders(const pair_list *q, unsigned axes, const answers *got)
 {
     static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
     for (int k = 0; k < kernels; k++)
@@ -55,7 +55,7 @@ static void check_orders(const question *q, unsigned axes, const answers *got)
 }
 
 /* FAST promises something for |coordinate| <= 2^40; beyond, products overflow, and what a NaN comes to depends on the kernel. */
-static bool is_in_fast_range(const question *q, size_t i)
+static bool is_in_fast_range(const pair_list *q, size_t i)
 {
     float largest = 0;
     for (int k = 0; k < (q->box ? 9 : 6); k++)
@@ -66,7 +66,7 @@ static bool is_in_fast_range(const question *q, size_t i)
     return largest <= 0x1p40f;
 }
 
-static void assert_fast_masks_equal(const question *q, const tribox_options *options, const uint64_t *expected,
+static void assert_fast_masks_equal(const pair_list *q, const tribox_options *options, const uint64_t *expected,
                                     const uint64_t *mask)
 {
     uint64_t kept[2][WORDS] = {{0}};
@@ -79,7 +79,7 @@ static void assert_fast_masks_equal(const question *q, const tribox_options *opt
 }
 
 /* EXACT: what the scalar kernel says, which is the first. FAST: what the first kernel of the same rounding says. */
-static void check_kernels(const question *q, unsigned axes, const answers *got)
+static void check_kernels(const pair_list *q, unsigned axes, const answers *got)
 {
     for (int k = 1; k < kernels; k++) {
         size_t peer = 0;
@@ -93,13 +93,13 @@ static void check_kernels(const question *q, unsigned axes, const answers *got)
 }
 
 /* What a pair gets does not depend on its neighbours. */
-static void check_alone(const question *q, unsigned axes, const answers *got)
+static void check_alone(const pair_list *q, unsigned axes, const answers *got)
 {
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < q->count; i++) {
                 const tribox_options options = {accuracy, axes, 0, names[k]};
-                const question pair = question_at(q, i);
+                const pair_list pair = pair_list_at(q, i);
                 uint64_t bit;
                 ask(&pair, &options, &bit);
                 if (bit != mask_bit(got->mask[k][accuracy], i))
@@ -107,7 +107,7 @@ static void check_alone(const question *q, unsigned axes, const answers *got)
             }
 }
 
-static void check_conservative(const question *q, unsigned axes, const answers *got)
+static void check_conservative(const pair_list *q, unsigned axes, const answers *got)
 {
     for (int k = 0; k < kernels; k++)
         for (size_t i = 0; i < q->count; i++)
@@ -116,14 +116,14 @@ static void check_conservative(const question *q, unsigned axes, const answers *
 }
 
 /* What is left out of the axes can only add overlaps. */
-static void check_more_axes(const question *q, const answers *all, unsigned axes, const answers *some)
+static void check_more_axes(const pair_list *q, const answers *all, unsigned axes, const answers *some)
 {
     for (size_t i = 0; i < q->count; i++)
         if (mask_bit(all->mask[0][TRIBOX_EXACT], i) && !mask_bit(some->mask[0][TRIBOX_EXACT], i))
             fail_at_pair(q, &(tribox_options){TRIBOX_EXACT, axes, 0, names[0]}, i, true);
 }
 
-static void check_question(const question *q, size_t *overlapping)
+static void check_question(const pair_list *q, size_t *overlapping)
 {
     answers all = {{{{0}}}};
     ask_kernels(q, TRIBOX_AXES_ALL, &all);
@@ -149,7 +149,7 @@ static void check_scenes(bool is_soup)
         const scene *const s = scene_at(i);
         random_source r = random_named(args.seed, s->name);
         for (size_t round = 0; scene_is_called(s, args.scenes) && round < rounds; round++) {
-            const question q = draw_question(&r, s, is_soup, &numbers);
+            const pair_list q = draw_pairs(&r, s, is_soup, &numbers);
             check_question(&q, &overlapping);
             asked += q.count;
         }

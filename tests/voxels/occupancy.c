@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "judge.h"
+#include "cell_oracle.h"
 
 static const double band_of_cell = 0x1p-7, band_of_distance = 0x1p-40, band_of_planes = 4;
 
@@ -24,7 +24,7 @@ size_t occupancy_count(const uint64_t *occupied, size_t words)
     return count;
 }
 
-static bool range_of(const lattice *l, const float u[3][3], unsigned axes, int first[3], int last[3])
+static bool range_of(const grid_planes *l, const float u[3][3], unsigned axes, int first[3], int last[3])
 {
     for (int a = 0; a < 3; a++) {
         const int size = (int)l->grid.size[a];
@@ -33,7 +33,7 @@ static bool range_of(const lattice *l, const float u[3][3], unsigned axes, int f
         if (!(axes & TRIBOX_AXES_BOX))
             continue;
         const float least = fminf(fminf(u[0][a], u[1][a]), u[2][a]), most = fmaxf(fmaxf(u[0][a], u[1][a]), u[2][a]);
-        lattice_range(l, a, least, most, &first[a], &last[a]);
+        grid_planes_range(l, a, least, most, &first[a], &last[a]);
         if (first[a] > last[a])
             return false;
         first[a] -= first[a] > 0;
@@ -42,7 +42,7 @@ static bool range_of(const lattice *l, const float u[3][3], unsigned axes, int f
     return true;
 }
 
-size_t occupancy_cost(const lattice *l, const float u[3][3], unsigned axes)
+size_t occupancy_cost(const grid_planes *l, const float u[3][3], unsigned axes)
 {
     int first[3], last[3];
     size_t cost = range_of(l, u, axes, first, last);
@@ -51,25 +51,25 @@ size_t occupancy_cost(const lattice *l, const float u[3][3], unsigned axes)
     return cost;
 }
 
-size_t occupancy_add(const lattice *l, const float u[3][3], unsigned axes, uint64_t *occupied)
+size_t occupancy_add(const grid_planes *l, const float u[3][3], unsigned axes, uint64_t *occupied)
 {
     int first[3], last[3];
     if (!range_of(l, u, axes, first, last))
         return 0;
-    const judged t = judged_make(u);
+    const cell_oracle t = cell_oracle_make(u);
     for (int k = first[2]; k <= last[2]; k++)
         for (int j = first[1]; j <= last[1]; j++)
             for (int i = first[0]; i <= last[0]; i++) {
-                const tribox_box cell = lattice_cell(l, i, j, k);
-                if (judged_overlaps(&t, &cell, axes))
-                    lattice_set(l, occupied, i, j, k);
+                const tribox_box cell = grid_planes_cell(l, i, j, k);
+                if (cell_oracle_overlaps(&t, &cell, axes))
+                    grid_planes_set(l, occupied, i, j, k);
             }
     return occupancy_cost(l, u, axes);
 }
 
 static unsigned axes_of(const request *q) { return q->options.axes ? q->options.axes : TRIBOX_AXES_ALL; }
 
-static void check_row_ends(const lattice *l, const uint64_t *occupied)
+static void check_row_ends(const grid_planes *l, const uint64_t *occupied)
 {
     const unsigned used = l->grid.size[0] % 64;
     for (size_t w = l->row_words - 1; used && w < l->words; w += l->row_words)
@@ -80,7 +80,7 @@ static void check_row_ends(const lattice *l, const uint64_t *occupied)
 void request_ask(const request *q, size_t first, size_t count, uint64_t *occupied)
 {
     static const int as_they_are[3] = {0, 1, 2};
-    const tribox_soup soup = crowd_part(q->triangles, first, count, as_they_are);
+    const tribox_soup soup = triangle_list_part(q->triangles, first, count, as_they_are);
     tribox_report report = {SIZE_MAX, SIZE_MAX};
     memset(occupied, 0, q->at->words * sizeof *occupied);
     assert_int_equal(tribox_voxelize(&soup, &q->at->grid, &q->options, occupied, &report), TRIBOX_OK);
@@ -88,18 +88,18 @@ void request_ask(const request *q, size_t first, size_t count, uint64_t *occupie
     check_row_ends(q->at, occupied);
 }
 
-/* The triangle that alone makes the judge and the library differ about the cell, or else the last of them. */
+/* The triangle that alone makes the oracle and the library differ about the cell, or else the last of them. */
 static size_t culprit(const request *q, size_t first, size_t count, int i, int j, int k)
 {
-    const tribox_box cell = lattice_cell(q->at, i, j, k);
+    const tribox_box cell = grid_planes_cell(q->at, i, j, k);
     uint64_t *const alone = occupancy_make(q->at->words);
     size_t t = first;
     for (; t + 1 < first + count; t++) {
         float u[3][3];
-        crowd_get(q->triangles, t, u);
-        const judged triangle = judged_make((const_vertices)u);
+        triangle_list_get(q->triangles, t, u);
+        const cell_oracle triangle = cell_oracle_make((const_vertices)u);
         request_ask(q, t, 1, alone);
-        if (lattice_bit(q->at, alone, i, j, k) != judged_overlaps(&triangle, &cell, axes_of(q)))
+        if (grid_planes_bit(q->at, alone, i, j, k) != cell_oracle_overlaps(&triangle, &cell, axes_of(q)))
             break;
     }
     free(alone);
@@ -110,18 +110,18 @@ static void fail_cell(const request *q, size_t first, size_t count, const int ce
 {
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     const size_t t = culprit(q, first, count, cell[0], cell[1], cell[2]);
-    tribox_pair pair = {.box = lattice_cell(q->at, cell[0], cell[1], cell[2])};
-    crowd_get(q->triangles, t, pair.u);
+    tribox_pair pair = {.box = grid_planes_cell(q->at, cell[0], cell[1], cell[2])};
+    triangle_list_get(q->triangles, t, pair.u);
     fprintf(stderr, "tribox_voxelize %s cell %d %d %d: %s\n", answer ? "sets" : "does not set", cell[0], cell[1], cell[2], why);
     fprintf(stderr, "  scene %s, seed %" PRIu64 ", triangle %zu of %zu, %s, axes %u, kernel %s\n", q->scene, q->seed, t, count,
             accuracy[q->options.accuracy], axes_of(q), q->options.kernel ? q->options.kernel : "of the library's choice");
-    lattice_print(stderr, &q->at->grid);
+    grid_planes_print(stderr, &q->at->grid);
     oracle_explain(stderr, &pair);
     fail_msg("a cell of scene %s is wrong", q->scene);
 }
 
 /* The place of a bit that differs; false if there is none past the word that *word tells. */
-static bool next_difference(const lattice *l, const uint64_t *a, const uint64_t *b, size_t *word, uint64_t *seen, int cell[3])
+static bool next_difference(const grid_planes *l, const uint64_t *a, const uint64_t *b, size_t *word, uint64_t *seen, int cell[3])
 {
     for (; *word < l->words; ++*word, *seen = 0) {
         const uint64_t rest = (a[*word] ^ b[*word]) & ~*seen;
@@ -144,13 +144,13 @@ void request_check_exact(const request *q, size_t first, size_t count, const uin
     uint64_t seen = 0;
     int cell[3];
     if (next_difference(q->at, expected, occupied, &word, &seen, cell))
-        fail_cell(q, first, count, cell, lattice_bit(q->at, occupied, cell[0], cell[1], cell[2]), "the oracle says otherwise");
+        fail_cell(q, first, count, cell, grid_planes_bit(q->at, occupied, cell[0], cell[1], cell[2]), "the oracle says otherwise");
 }
 
 /* At least the spacing of floats at a number. */
 static double spacing_at(double number) { return 0x1p-23 * number + 0x1p-149; }
 
-static void set_band(const lattice *l, const tribox_box *cell, const float u[3][3], double band[3])
+static void set_band(const grid_planes *l, const tribox_box *cell, const float u[3][3], double band[3])
 {
     for (int a = 0; a < 3; a++) {
         const double lo = cell->lo[a], hi = cell->hi[a];
@@ -165,16 +165,16 @@ static void set_band(const lattice *l, const tribox_box *cell, const float u[3][
 /* Whether some triangle excuses that the cell is set, or all that overlap it that it is not. */
 static bool is_excused(const request *q, const int cell[3], bool answer)
 {
-    const tribox_box box = lattice_cell(q->at, cell[0], cell[1], cell[2]);
+    const tribox_box box = grid_planes_cell(q->at, cell[0], cell[1], cell[2]);
     for (size_t t = 0; t < q->triangles->count; t++) {
         float u[3][3];
         double band[3];
-        crowd_get(q->triangles, t, u);
+        triangle_list_get(q->triangles, t, u);
         set_band(q->at, &box, (const_vertices)u, band);
-        const judged triangle = judged_make((const_vertices)u);
-        if (!answer && !judged_overlaps(&triangle, &box, axes_of(q)))
+        const cell_oracle triangle = cell_oracle_make((const_vertices)u);
+        if (!answer && !cell_oracle_overlaps(&triangle, &box, axes_of(q)))
             continue;
-        if (judged_errs_within(&triangle, &box, axes_of(q), band, answer) == answer)
+        if (cell_oracle_errs_within(&triangle, &box, axes_of(q), band, answer) == answer)
             return answer;
     }
     return !answer;
@@ -187,7 +187,7 @@ void request_check_band(const request *q, const uint64_t *exact, const uint64_t 
     int cell[3];
     count->asked += occupancy_count(exact, q->at->words);
     while (next_difference(q->at, exact, occupied, &word, &seen, cell)) {
-        const bool is_missed = lattice_bit(q->at, exact, cell[0], cell[1], cell[2]);
+        const bool is_missed = grid_planes_bit(q->at, exact, cell[0], cell[1], cell[2]);
         count->missed += is_missed;
         count->extra += !is_missed;
         if (is_missed && q->options.accuracy == TRIBOX_CONSERVATIVE)

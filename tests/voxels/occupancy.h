@@ -1,11 +1,11 @@
-/* occupancy.h - which cells a soup overlaps: what the judge says of every one, and what the library sets. */
+/* occupancy.h - which cells a soup overlaps: what the oracle says of every one, and what the library sets. */
 #ifndef TRIBOX_TESTS_OCCUPANCY_H
 #define TRIBOX_TESTS_OCCUPANCY_H
 
 #include "common/ask.h"
 
-#include "crowd.h"
-#include "lattice.h"
+#include "triangle_list.h"
+#include "common/grid_planes.h"
 
 /* Zeros; fails the test if there is no memory. */
 uint64_t *occupancy_make(size_t words);
@@ -13,20 +13,20 @@ uint64_t *occupancy_make(size_t words);
 size_t occupancy_count(const uint64_t *occupied, size_t words);
 
 /*
- * Asks the judge about every cell that the triangle's bounding box touches and one more on each side, or about every cell of the
+ * Asks the oracle about every cell that the triangle's bounding box touches and one more on each side, or about every cell of the
  * grid where the axes leave the box normals out. Returns how many it asked about.
  */
-size_t occupancy_add(const lattice *l, const float u[3][3], unsigned axes, uint64_t *occupied);
+size_t occupancy_add(const grid_planes *l, const float u[3][3], unsigned axes, uint64_t *occupied);
 
 /* How many cells that would be. */
-size_t occupancy_cost(const lattice *l, const float u[3][3], unsigned axes);
+size_t occupancy_cost(const grid_planes *l, const float u[3][3], unsigned axes);
 
 /* What is asked, for the message of a failure. */
 typedef struct request {
     const char *scene; /* or the name of the test */
     uint64_t seed;
-    const lattice *at;
-    const crowd *triangles;
+    const grid_planes *at;
+    const triangle_list *triangles;
     tribox_options options;
 } request;
 
@@ -46,8 +46,8 @@ typedef struct tally {
 } tally;
 
 /*
- * Fails on a cell missed by CONSERVATIVE, and on any error outside of the band of judge.h: on each axis a 2^7th of the cell, four
- * times the spacing of floats at the farthest plane, as planes are rounded, and a 2^40th of the distance from the cell to the
+ * Fails on a cell missed by CONSERVATIVE, and on any error outside of the band of cell_oracle.h: on each axis 2^-7 of the cell,
+ * four times the spacing of floats at the farthest plane, as planes are rounded, and 2^-40 of the distance from the cell to the
  * farthest vertex.
  */
 void request_check_band(const request *q, const uint64_t *exact, const uint64_t *occupied, tally *count);

@@ -8,23 +8,23 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "grids.h"
-#include "shapes.h"
+#include "grid_kinds.h"
+#include "triangle_kinds.h"
 
 enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 8000, TRIANGLES = 200, ROUNDS = 250 };
 
-static lattice at;
-static crowd triangles, other;
+static grid_planes at;
+static triangle_list triangles, other;
 static uint64_t whole[CELLS_MAX], noise[CELLS_MAX], occupied[CELLS_MAX];
 
-static void draw_question(random_source *r, size_t round)
+static void draw_pairs(random_source *r, size_t round)
 {
-    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
+    draw_grid_of_kind(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     const size_t wanted = (size_t)random_between(r, 1, TRIANGLES);
     for (triangles.count = 0; triangles.count < wanted;) {
         float u[3][3];
-        draw_shape(r, shape_at((size_t)random_below(r, (int)shape_count())), &at, u);
-        crowd_put(&triangles, (const_vertices)u);
+        draw_triangle(r, triangle_kind_at((size_t)random_below(r, (int)triangle_kind_count())), &at, u);
+        triangle_list_put(&triangles, (const_vertices)u);
     }
 }
 
@@ -44,7 +44,7 @@ static size_t ask(const tribox_soup *soup, const tribox_options *options, uint64
 
 static size_t ask_whole(const tribox_options *options)
 {
-    const tribox_soup soup = crowd_soup(&triangles);
+    const tribox_soup soup = triangle_list_soup(&triangles);
     memset(whole, 0, at.words * sizeof *whole);
     return ask(&soup, options, whole);
 }
@@ -55,9 +55,9 @@ static void test_bits_stay(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "bits stay");
     for (size_t round = 0; round < ROUNDS * (args->pairs / PAIRS_A_ROUND); round++) {
-        draw_question(&r, round);
+        draw_pairs(&r, round);
         const tribox_options options = any_options(&r, (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)));
-        const tribox_soup soup = crowd_soup(&triangles);
+        const tribox_soup soup = triangle_list_soup(&triangles);
         size_t news = 0;
         ask_whole(&options);
         for (size_t w = 0; w < at.words; w++) {
@@ -82,14 +82,14 @@ static void test_parts(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "parts");
     for (size_t round = 0; round < ROUNDS * (args->pairs / PAIRS_A_ROUND); round++) {
-        draw_question(&r, round);
+        draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
         const size_t set = ask_whole(&options);
         size_t sum = 0;
         memset(occupied, 0, at.words * sizeof *occupied);
         for (size_t first = 0, count; first < triangles.count; first += count) {
             count = 1 + (size_t)random_below(&r, (int)(triangles.count - first));
-            const tribox_soup part = crowd_part(&triangles, first, count, permutations[random_below(&r, ORDERS)]);
+            const tribox_soup part = triangle_list_part(&triangles, first, count, permutations[random_below(&r, ORDERS)]);
             sum += ask(&part, &options, occupied);
         }
         assert_int_equal(sum, set);
@@ -103,23 +103,23 @@ static void test_order(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "order");
     for (size_t round = 0; round < ROUNDS * (args->pairs / PAIRS_A_ROUND); round++) {
-        draw_question(&r, round);
+        draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
         const size_t set = ask_whole(&options), start = (size_t)random_below(&r, (int)triangles.count);
         other.count = 0;
         for (size_t k = 0; k < triangles.count; k++) {
             float u[3][3], v[3][3];
             const int *const vertex = permutations[random_below(&r, ORDERS)];
-            crowd_get(&triangles, (start + triangles.count - k) % triangles.count, u);
+            triangle_list_get(&triangles, (start + triangles.count - k) % triangles.count, u);
             for (int j = 0; j < 3; j++)
                 memcpy(v[j], u[vertex[j]], sizeof v[j]);
-            crowd_put(&other, (const_vertices)v);
+            triangle_list_put(&other, (const_vertices)v);
             if (random_below(&r, 3))
                 continue;
             v[random_below(&r, 3)][random_below(&r, 3)] = random_below(&r, 2) ? NAN : random_below(&r, 2) ? INFINITY : -INFINITY;
-            crowd_put(&other, (const_vertices)v);
+            triangle_list_put(&other, (const_vertices)v);
         }
-        const tribox_soup soup = crowd_soup(&other);
+        const tribox_soup soup = triangle_list_soup(&other);
         memset(occupied, 0, at.words * sizeof *occupied);
         assert_int_equal(ask(&soup, &options, occupied), set);
         assert_memory_equal(occupied, whole, at.words * sizeof *occupied);
@@ -134,16 +134,16 @@ static void test_not_finite(void **state)
     const int kernel_count = kernels_here(kernels);
     static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
     random_source r = random_named(args->seed, "not finite");
-    draw_lattice(&r, grid_kind_at(3), CELLS_MAX, &at);
+    draw_grid_of_kind(&r, grid_kind_at(3), CELLS_MAX, &at);
     for (int kernel = 0; kernel < kernel_count; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
                 triangles.count = 0;
                 for (int k = 0; k < 9 * 4 * 3; k++) {
                     float u[3][3];
-                    draw_shape(&r, shape_at((size_t)random_below(&r, 4)), &at, u);
+                    draw_triangle(&r, triangle_kind_at((size_t)random_below(&r, 4)), &at, u);
                     u[k % 3][k / 3 % 3] = bad[k / 9 % 4];
-                    crowd_put(&triangles, (const_vertices)u);
+                    triangle_list_put(&triangles, (const_vertices)u);
                 }
                 const tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .axes = axes, .kernel = kernels[kernel]};
                 assert_int_equal(ask_whole(&options), 0);

@@ -7,14 +7,14 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "grids.h"
-#include "judge.h"
-#include "shapes.h"
+#include "grid_kinds.h"
+#include "cell_oracle.h"
+#include "triangle_kinds.h"
 
 enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 400, TRIANGLES = 3 };
 
-static lattice at;
-static crowd triangles;
+static grid_planes at;
+static triangle_list triangles;
 static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 
 static void check_axes(random_source *r, request *q, unsigned axes)
@@ -24,7 +24,7 @@ static void check_axes(random_source *r, request *q, unsigned axes)
     memset(expected, 0, sizeof expected);
     for (size_t t = 0; t < triangles.count; t++) {
         float u[3][3];
-        crowd_get(&triangles, t, u);
+        triangle_list_get(&triangles, t, u);
         occupancy_add(&at, (const_vertices)u, axes, expected);
     }
     for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
@@ -43,15 +43,15 @@ static void test_axis_sets(void **state)
 {
     const arguments *const args = *state;
     size_t set[AXIS_SETS + 1] = {0};
-    for (size_t s = 0; s < shape_count(); s++) {
-        random_source r = random_named(args->seed, shape_at(s)->name);
-        request q = {.scene = shape_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
+    for (size_t s = 0; s < triangle_kind_count(); s++) {
+        random_source r = random_named(args->seed, triangle_kind_at(s)->name);
+        request q = {.scene = triangle_kind_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
         for (size_t k = 0; k < 8 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); k++) {
-            draw_lattice(&r, grid_kind_at(k % grid_kind_count()), CELLS_MAX, &at);
+            draw_grid_of_kind(&r, grid_kind_at(k % grid_kind_count()), CELLS_MAX, &at);
             for (triangles.count = 0; triangles.count < (random_below(&r, 2) ? 1 : TRIANGLES);) {
                 float u[3][3];
-                draw_shape(&r, shape_at(s), &at, u);
-                crowd_put(&triangles, (const_vertices)u);
+                draw_triangle(&r, triangle_kind_at(s), &at, u);
+                triangle_list_put(&triangles, (const_vertices)u);
             }
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
                 check_axes(&r, &q, axes);
@@ -65,7 +65,7 @@ static void test_axis_sets(void **state)
         assert_true(set[axes] > set[TRIBOX_AXES_ALL]);
 }
 
-/* The judge is trusted as far as the two oracles agree with it. */
+/* The cell oracle is trusted as far as the two other oracles agree with it. */
 static void test_judge(void **state)
 {
     const arguments *const args = *state;
@@ -73,20 +73,20 @@ static void test_judge(void **state)
     random_source r = random_named(args->seed, "judge");
     for (size_t k = 0; k < args->pairs / 10; k++) {
         if (k % 20 == 0)
-            draw_lattice(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MAX, &at);
+            draw_grid_of_kind(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MAX, &at);
         tribox_pair pair;
-        draw_shape(&r, shape_at(k % shape_count()), &at, pair.u);
-        pair.box = lattice_cell(&at, random_below(&r, (int)at.grid.size[0]), random_below(&r, (int)at.grid.size[1]),
-                                random_below(&r, (int)at.grid.size[2]));
-        const judged t = judged_make(triangle_of(&pair));
+        draw_triangle(&r, triangle_kind_at(k % triangle_kind_count()), &at, pair.u);
+        pair.box = grid_planes_cell(&at, random_below(&r, (int)at.grid.size[0]), random_below(&r, (int)at.grid.size[1]),
+                                    random_below(&r, (int)at.grid.size[2]));
+        const cell_oracle t = cell_oracle_make(triangle_of(&pair));
         const oracle_axes truth = oracle_separating_gmp(&pair);
         for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
-            assert_int_equal(judged_overlaps(&t, &pair.box, axes), oracle_overlaps(truth, axes));
-        assert_int_equal(judged_overlaps(&t, &pair.box, TRIBOX_AXES_ALL), oracle_clip(&pair));
+            assert_int_equal(cell_oracle_overlaps(&t, &pair.box, axes), oracle_overlaps(truth, axes));
+        assert_int_equal(cell_oracle_overlaps(&t, &pair.box, TRIBOX_AXES_ALL), oracle_clip(&pair));
         overlaps += oracle_overlaps(truth, TRIBOX_AXES_ALL);
         asked++;
     }
-    printf("judge asked about %zu pairs, %zu overlap\n", asked, overlaps);
+    printf("cell oracle asked about %zu pairs, %zu overlap\n", asked, overlaps);
     assert_in_range(overlaps, asked / 100, asked - asked / 100);
 }
 

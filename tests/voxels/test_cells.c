@@ -8,34 +8,34 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "grids.h"
-#include "shapes.h"
+#include "grid_kinds.h"
+#include "triangle_kinds.h"
 
 enum {
     PAIRS_A_ROUND = 100000, /* of the arguments: --long asks a hundred times as much */
-    ROUNDS = 12,            /* of every shape in every kind of grid */
-    CELLS_MAX = 20000,     /* of a grid */
-    ASKED_MAX = 16000,     /* cells that the judge is asked about in a trial: after so many no further triangle is drawn */
-    ALONE_MAX = 24         /* triangles of a trial that are voxelized one by one */
+    ROUNDS = 12,            /* of every kind of triangle in every kind of grid */
+    CELLS_MAX = 20000,      /* of a grid */
+    ASKED_MAX = 16000,      /* cells that the oracle is asked about in a run: at this number no more triangles are drawn */
+    ALONE_MAX = 24          /* triangles of a run that are voxelized one by one */
 };
 
-typedef struct trial {
+typedef struct test_run {
     const arguments *args;
     random_source r;
     request q;
-    lattice at;
-    crowd triangles;
+    grid_planes at;
+    triangle_list triangles;
     uint64_t *expected, *occupied, *one; /* words for CELLS_MAX cells */
     const char *kernels[KERNELS_MAX];
     int kernel_count;
-    size_t trials, asked, set;
+    size_t runs, asked, set;
     tally conservative, fast;
-} trial;
+} test_run;
 
 /* Rows of one cell take a word each. */
-static trial *trial_make(const arguments *args)
+static test_run *test_run_make(const arguments *args)
 {
-    trial *const t = calloc(1, sizeof *t);
+    test_run *const t = calloc(1, sizeof *t);
     assert_non_null(t);
     t->args = args;
     t->expected = occupancy_make(CELLS_MAX);
@@ -45,7 +45,7 @@ static trial *trial_make(const arguments *args)
     return t;
 }
 
-static void trial_free(trial *t)
+static void test_run_free(test_run *t)
 {
     free(t->expected);
     free(t->occupied);
@@ -53,13 +53,13 @@ static void trial_free(trial *t)
     free(t);
 }
 
-static void choose(trial *t, tribox_accuracy accuracy, int kernel)
+static void choose(test_run *t, tribox_accuracy accuracy, int kernel)
 {
     t->q.options =
         (tribox_options){.accuracy = accuracy, .order = order_digits(random_below(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
 }
 
-static void check_together(trial *t)
+static void check_together(test_run *t)
 {
     for (int kernel = 0; kernel < t->kernel_count; kernel++) {
         choose(t, TRIBOX_EXACT, kernel);
@@ -69,12 +69,12 @@ static void check_together(trial *t)
 }
 
 /* Among many triangles another may hide what one of them gets wrong. */
-static void check_alone(trial *t)
+static void check_alone(test_run *t)
 {
     const size_t step = t->triangles.count / ALONE_MAX + 1;
     for (size_t k = 0; k < t->triangles.count; k += step) {
         float u[3][3];
-        crowd_get(&t->triangles, k, u);
+        triangle_list_get(&t->triangles, k, u);
         memset(t->one, 0, t->at.words * sizeof *t->one);
         t->asked += occupancy_add(&t->at, (const_vertices)u, TRIBOX_AXES_ALL, t->one);
         choose(t, TRIBOX_EXACT, random_below(&t->r, t->kernel_count));
@@ -83,7 +83,7 @@ static void check_alone(trial *t)
     }
 }
 
-static void check_band(trial *t, bool is_within_fast)
+static void check_band(test_run *t, bool is_within_fast)
 {
     for (int accuracy = TRIBOX_CONSERVATIVE; accuracy <= TRIBOX_FAST; accuracy++) {
         if (accuracy == TRIBOX_FAST && !is_within_fast)
@@ -94,44 +94,44 @@ static void check_band(trial *t, bool is_within_fast)
     }
 }
 
-static void try_triangles(trial *t, bool is_within_fast)
+static void try_triangles(test_run *t, bool is_within_fast)
 {
     memset(t->expected, 0, t->at.words * sizeof *t->expected);
     for (size_t k = 0; k < t->triangles.count; k++) {
         float u[3][3];
-        crowd_get(&t->triangles, k, u);
+        triangle_list_get(&t->triangles, k, u);
         t->asked += occupancy_add(&t->at, (const_vertices)u, TRIBOX_AXES_ALL, t->expected);
     }
-    t->trials++;
+    t->runs++;
     t->set += occupancy_count(t->expected, t->at.words);
     check_together(t);
     check_alone(t);
     check_band(t, is_within_fast);
 }
 
-static void draw_triangles(trial *t, const shape *s)
+static void draw_triangles(test_run *t, const triangle_kind *s)
 {
     const int most = random_below(&t->r, 2) ? random_between(&t->r, 1, 5) : random_between(&t->r, 60, 200);
     size_t cost = 0;
     for (t->triangles.count = 0; t->triangles.count < (size_t)most && cost < ASKED_MAX;) {
         float u[3][3];
-        draw_shape(&t->r, s, &t->at, u);
+        draw_triangle(&t->r, s, &t->at, u);
         cost += occupancy_cost(&t->at, (const_vertices)u, TRIBOX_AXES_ALL);
-        crowd_put(&t->triangles, (const_vertices)u);
+        triangle_list_put(&t->triangles, (const_vertices)u);
     }
 }
 
-static void start(trial *t, const char *name)
+static void start(test_run *t, const char *name)
 {
     t->r = random_named(t->args->seed, name);
     t->q = (request){.scene = name, .seed = t->args->seed, .at = &t->at, .triangles = &t->triangles};
-    t->trials = t->asked = t->set = 0;
+    t->runs = t->asked = t->set = 0;
     t->conservative = t->fast = (tally){0};
 }
 
-static void print_tally(const char *name, const trial *t)
+static void print_tally(const char *name, const test_run *t)
 {
-    printf("%-16s %7zu %10zu %9zu %12zu %9zu %9zu %9zu\n", name, t->trials, t->asked, t->set, t->conservative.extra, t->fast.asked,
+    printf("%-16s %7zu %10zu %9zu %12zu %9zu %9zu %9zu\n", name, t->runs, t->asked, t->set, t->conservative.extra, t->fast.asked,
            t->fast.missed, t->fast.extra);
     fflush(stdout);
     assert_true(t->set > 0);
@@ -139,7 +139,7 @@ static void print_tally(const char *name, const trial *t)
 
 static void print_head(void)
 {
-    printf("%-16s %7s %10s %9s %12s %9s %9s %9s\n", "", "trials", "asked", "set", "cons. extra", "fast asked", "missed", "extra");
+    printf("%-16s %7s %10s %9s %12s %9s %9s %9s\n", "", "runs", "asked", "set", "cons. extra", "fast asked", "missed", "extra");
 }
 
 static int rounds(const arguments *args) { return (int)(args->pairs / PAIRS_A_ROUND); }
@@ -147,38 +147,38 @@ static int rounds(const arguments *args) { return (int)(args->pairs / PAIRS_A_RO
 static void test_shapes(void **state)
 {
     const arguments *const args = *state;
-    trial *const t = trial_make(args);
+    test_run *const t = test_run_make(args);
     print_head();
-    for (size_t s = 0; s < shape_count(); s++) {
-        const shape *const kind = shape_at(s);
+    for (size_t s = 0; s < triangle_kind_count(); s++) {
+        const triangle_kind *const kind = triangle_kind_at(s);
         if (args->scenes && strcmp(args->scenes, kind->name))
             continue;
         start(t, kind->name);
         for (int round = 0; round < ROUNDS * rounds(args); round++)
             for (size_t g = 0; g < grid_kind_count(); g++) {
-                draw_lattice(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
+                draw_grid_of_kind(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
                 draw_triangles(t, kind);
                 try_triangles(t, kind->is_within_fast && grid_kind_at(g)->is_within_fast);
             }
         print_tally(kind->name, t);
     }
-    trial_free(t);
+    test_run_free(t);
 }
 
 static void test_meshes(void **state)
 {
     const arguments *const args = *state;
-    trial *const t = trial_make(args);
+    test_run *const t = test_run_make(args);
     start(t, "mesh");
     for (int round = 0; round < ROUNDS * rounds(args); round++)
         for (size_t g = 0; g < grid_kind_count(); g++) {
-            draw_lattice(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
+            draw_grid_of_kind(&t->r, grid_kind_at(g), CELLS_MAX, &t->at);
             t->triangles.count = 0;
             draw_mesh(&t->r, &t->at, &t->triangles);
             try_triangles(t, grid_kind_at(g)->is_within_fast);
         }
     print_tally("mesh", t);
-    trial_free(t);
+    test_run_free(t);
 }
 
 int main(int argc, char **argv)

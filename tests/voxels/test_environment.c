@@ -7,31 +7,31 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "grids.h"
+#include "grid_kinds.h"
 #include "common/guard.h"
 #include "common/settings.h"
-#include "shapes.h"
+#include "triangle_kinds.h"
 
 enum { CELLS_MAX = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };
 
-static lattice at;
-static crowd triangles;
+static grid_planes at;
+static triangle_list triangles;
 static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 
-static void draw_question(random_source *r, size_t round)
+static void draw_pairs(random_source *r, size_t round)
 {
-    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
+    draw_grid_of_kind(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     for (triangles.count = 0; triangles.count < TRIANGLES;) {
         float u[3][3];
-        draw_shape(r, shape_at((size_t)random_below(r, (int)shape_count())), &at, u);
-        crowd_put(&triangles, (const_vertices)u);
+        draw_triangle(r, triangle_kind_at((size_t)random_below(r, (int)triangle_kind_count())), &at, u);
+        triangle_list_put(&triangles, (const_vertices)u);
     }
 }
 
 static void check_setting(unsigned set, const tribox_options *options, const tribox_report *expected_report)
 {
     const unsigned normal = environment_get();
-    const tribox_soup soup = crowd_soup(&triangles);
+    const tribox_soup soup = triangle_list_soup(&triangles);
     tribox_report report;
     snprintf(doing, sizeof doing, "tribox_voxelize under setting %#x, accuracy %d, kernel %s", set, (int)options->accuracy,
              options->kernel);
@@ -56,11 +56,11 @@ static void test_voxelize(void **state)
     catch_faults();
     random_source r = random_named(args->seed, "environment");
     for (size_t round = 0; round < 20 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); round++) {
-        draw_question(&r, round);
+        draw_pairs(&r, round);
         const tribox_options options = {.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)),
                                         .axes = (unsigned)random_below(&r, 8) % AXIS_SETS,
                                         .kernel = kernels[random_below(&r, kernel_count)]};
-        const tribox_soup soup = crowd_soup(&triangles);
+        const tribox_soup soup = triangle_list_soup(&triangles);
         tribox_report report;
         memset(expected, 0, at.words * sizeof *expected);
         assert_int_equal(tribox_voxelize(&soup, &at.grid, &options, expected, &report), TRIBOX_OK);
@@ -78,12 +78,12 @@ static void test_cells(void **state)
     random_source r = random_named(args->seed, "cells");
     const unsigned normal = environment_get();
     for (size_t round = 0; round < 400; round++) {
-        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
+        draw_grid_of_kind(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
         for (unsigned k = 0; k < SETTINGS; k++) {
             int cell[3];
             for (int a = 0; a < 3; a++)
                 cell[a] = random_below(&r, (int)at.grid.size[a]);
-            const tribox_box right = lattice_cell(&at, cell[0], cell[1], cell[2]);
+            const tribox_box right = grid_planes_cell(&at, cell[0], cell[1], cell[2]);
             environment_set(setting(k));
             const tribox_box box = tribox_grid_cell(&at.grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);
             const unsigned left = environment_get();

@@ -9,13 +9,13 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "grids.h"
-#include "judge.h"
-#include "shapes.h"
+#include "grid_kinds.h"
+#include "cell_oracle.h"
+#include "triangle_kinds.h"
 
 enum { CELLS_MAX = 8000, PAIRS_A_ROUND = 100000 };
 
-static lattice at;
+static grid_planes at;
 
 static uint32_t bits_of(float x)
 {
@@ -38,13 +38,13 @@ static void test_cells(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "cells");
     for (size_t round = 0; round < 30 * grid_kind_count(); round++) {
-        draw_lattice(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
+        draw_grid_of_kind(&r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
         for (int n = 0; n < 200; n++) {
             int cell[3];
             for (int a = 0; a < 3; a++)
                 cell[a] = random_below(&r, (int)at.grid.size[a]);
             const tribox_box box = tribox_grid_cell(&at.grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);
-            const tribox_box expected = lattice_cell(&at, cell[0], cell[1], cell[2]);
+            const tribox_box expected = grid_planes_cell(&at, cell[0], cell[1], cell[2]);
             assert_boxes_equal(&box, &expected);
             for (int a = 0; a < 3; a++) {
                 uint32_t next[3] = {(uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]};
@@ -98,7 +98,7 @@ static void assert_refused(const tribox_soup *soup, const tribox_grid *grid, con
                                          ? tribox_voxelize_layers(soup, grid, 0, grid ? grid->size[2] : 0, options, words, &report)
                                          : tribox_voxelize(soup, grid, options, words, &report);
         if (status != expected && grid)
-            lattice_print(stderr, grid);
+            grid_planes_print(stderr, grid);
         assert_int_equal(status, expected);
         for (int w = 0; w < 4; w++)
             assert_true(words[w] == poison);
@@ -201,22 +201,22 @@ static void test_fineness(void **state)
         grid.cell[a] = (float)(spacing * (random_below(&r, 4) ? step[random_below(&r, 10)] : random_uniform(&r, 0.4, 2.2)));
         if (!(grid.cell[a] > 0))
             continue;
-        const bool is_sound = lattice_make(&at, &grid);
+        const bool is_sound = grid_planes_make(&at, &grid);
         if (status_of(&grid) != (is_sound ? TRIBOX_OK : TRIBOX_BAD_GRID)) {
-            lattice_print(stderr, &grid);
+            grid_planes_print(stderr, &grid);
             fail_msg("the grid is %s, and the library says otherwise", is_sound ? "sound" : "too fine");
         }
         refused += !is_sound;
         served += is_sound;
         if (!is_sound || round % 4)
             continue;
-        static crowd triangles;
+        static triangle_list triangles;
         static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
         request q = {.scene = "fineness", .seed = args->seed, .at = &at, .triangles = &triangles};
         float u[3][3];
-        draw_shape(&r, shape_at((size_t)random_below(&r, (int)shape_count())), &at, u);
+        draw_triangle(&r, triangle_kind_at((size_t)random_below(&r, (int)triangle_kind_count())), &at, u);
         triangles.count = 0;
-        crowd_put(&triangles, (const_vertices)u);
+        triangle_list_put(&triangles, (const_vertices)u);
         memset(expected, 0, at.words * sizeof *expected);
         occupancy_add(&at, (const_vertices)u, TRIBOX_AXES_ALL, expected);
         request_ask(&q, 0, 1, occupied);

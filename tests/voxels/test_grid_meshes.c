@@ -14,8 +14,8 @@
 
 enum {
     SKIPPED = 77,
-    TRIANGLES_MAX = CROWD_MAX - 1, /* of a mesh, evenly spread: the oracle looks at every cell of every one */
-    ASKED_MAX = 1000000             /* cells of one grid that the oracle is asked about */
+    TRIANGLES_MAX = TRIANGLE_LIST_MAX - 1, /* of a mesh, evenly spread: the oracle looks at every cell of every one */
+    ASKED_MAX = 1000000                    /* cells of one grid that the oracle is asked about */
 };
 
 static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
@@ -23,8 +23,8 @@ static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "
 
 static const int resolutions[] = {7, 32, 64, 130, 300};
 
-static lattice at;
-static crowd triangles;
+static grid_planes at;
+static triangle_list triangles;
 
 static void vertices_of(const mesh *m, size_t i, float u[3][3])
 {
@@ -46,7 +46,7 @@ static tribox_box bounds_of(const mesh *m)
 }
 
 /*
- * About `resolution` cells along the longest side. Kind 0: cubes from the lowest corner of the mesh; 1: another length on each axis;
+ * About `resolution` cells along the longest side. Kind 0: cubes from the lowest corner of the mesh; 1: a length for each axis;
  * 2: the origin is a vertex, so that a part lies outside; 3: cells that end at both ends of the bounds.
  */
 static void draw_grid(random_source *r, const mesh *m, const tribox_box *bounds, int resolution, int kind)
@@ -68,7 +68,7 @@ static void draw_grid(random_source *r, const mesh *m, const tribox_box *bounds,
             grid.size[a] = (uint32_t)random_between(r, 1, resolution);
         }
     }
-    assert_true(lattice_make(&at, &grid));
+    assert_true(grid_planes_make(&at, &grid));
 }
 
 /* Triangles evenly spread over the mesh, until the oracle has enough to do. */
@@ -81,7 +81,7 @@ static size_t choose_triangles(const mesh *m, uint64_t *expected)
         float u[3][3];
         vertices_of(m, i, u);
         asked += occupancy_add(&at, (const_vertices)u, TRIBOX_AXES_ALL, expected);
-        crowd_put(&triangles, (const_vertices)u);
+        triangle_list_put(&triangles, (const_vertices)u);
     }
     return asked;
 }

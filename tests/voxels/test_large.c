@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "judge.h"
+#include "cell_oracle.h"
 #include "common/random.h"
 
 enum { POINTS = 1000, PAIRS_A_ROUND = 100000 };
@@ -35,7 +35,7 @@ static void draw_triangle(random_source *r, const tribox_grid *grid, float u[3][
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
             const double at = grid->size[a] * (base[a] + shrink[a] * random_uniform(r, -0.2, 1.2));
-            u[j][a] = lattice_place(grid, a, is_whole ? floor(at) : at);
+            u[j][a] = grid_planes_place(grid, a, is_whole ? floor(at) : at);
         }
 }
 
@@ -57,7 +57,7 @@ static bool is_set(const tribox_grid *grid, const uint64_t *occupied, const int6
     return occupied[row * ((grid->size[0] + 63) / 64) + (size_t)cell[0] / 64] >> cell[0] % 64 & 1;
 }
 
-static void check_cell(const origin *where, const tribox_grid *grid, const judged *t, const uint64_t *occupied,
+static void check_cell(const origin *where, const tribox_grid *grid, const cell_oracle *t, const uint64_t *occupied,
                        const int64_t cell[3])
 {
     for (int a = 0; a < 3; a++)
@@ -65,15 +65,16 @@ static void check_cell(const origin *where, const tribox_grid *grid, const judge
             return;
     const tribox_box box = tribox_grid_cell(grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);
     const bool answer = is_set(grid, occupied, cell);
-    if (answer == judged_overlaps(t, &box, TRIBOX_AXES_ALL))
+    if (answer == cell_oracle_overlaps(t, &box, TRIBOX_AXES_ALL))
         return;
     tribox_pair pair = {.box = box};
     memcpy(pair.u, t->u, sizeof pair.u);
-    lattice_print(stderr, grid);
+    grid_planes_print(stderr, grid);
     fail_pair(where, &pair, answer);
 }
 
-static void check_about(const origin *where, const tribox_grid *grid, const judged *t, const uint64_t *occupied, const double p[3])
+static void check_about(const origin *where, const tribox_grid *grid, const cell_oracle *t, const uint64_t *occupied,
+                        const double p[3])
 {
     int64_t middle[3];
     for (int a = 0; a < 3; a++)
@@ -89,11 +90,11 @@ static size_t try_triangle(random_source *r, origin *where, const tribox_grid *g
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     const size_t words = tribox_grid_words(grid);
-    crowd c = {.count = 0};
+    triangle_list c = {.count = 0};
     float u[3][3];
     draw_triangle(r, grid, u);
-    crowd_put(&c, (const_vertices)u);
-    const tribox_soup soup = crowd_soup(&c);
+    triangle_list_put(&c, (const_vertices)u);
+    const tribox_soup soup = triangle_list_soup(&c);
     tribox_report report;
     for (int kernel = 0; kernel < kernel_count; kernel++) {
         uint64_t *const words_of = kernel ? occupied : first;
@@ -104,7 +105,7 @@ static size_t try_triangle(random_source *r, origin *where, const tribox_grid *g
         if (kernel && memcmp(first, occupied, words * sizeof *first))
             fail_msg("kernels %s and %s differ", kernels[0], kernels[kernel]);
     }
-    const judged t = judged_make((const_vertices)u);
+    const cell_oracle t = cell_oracle_make((const_vertices)u);
     for (int k = 0; k < POINTS; k++) {
         double p[3];
         draw_point(r, (const_vertices)u, p);

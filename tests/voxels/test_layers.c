@@ -7,29 +7,29 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "grids.h"
+#include "grid_kinds.h"
 #include "common/guard.h"
-#include "shapes.h"
+#include "triangle_kinds.h"
 
 enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 8000, TRIANGLES = 90, THREADS_MAX = 8 };
 
-static lattice at;
-static crowd triangles;
+static grid_planes at;
+static triangle_list triangles;
 static uint64_t whole[CELLS_MAX], parts[CELLS_MAX];
 
 static size_t layer_words(void) { return at.row_words * at.grid.size[1]; }
 
-static void draw_question(random_source *r, size_t round)
+static void draw_pairs(random_source *r, size_t round)
 {
-    draw_lattice(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
+    draw_grid_of_kind(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     triangles.count = 0;
     if (random_below(r, 4) == 0)
         draw_mesh(r, &at, &triangles);
     const size_t wanted = triangles.count + (size_t)random_between(r, 1, TRIANGLES);
     while (triangles.count < wanted) {
         float u[3][3];
-        draw_shape(r, shape_at((size_t)random_below(r, (int)shape_count())), &at, u);
-        crowd_put(&triangles, (const_vertices)u);
+        draw_triangle(r, triangle_kind_at((size_t)random_below(r, (int)triangle_kind_count())), &at, u);
+        triangle_list_put(&triangles, (const_vertices)u);
     }
 }
 
@@ -44,7 +44,7 @@ static tribox_options any_options(random_source *r)
 
 static size_t ask_whole(const tribox_options *options)
 {
-    const tribox_soup soup = crowd_soup(&triangles);
+    const tribox_soup soup = triangle_list_soup(&triangles);
     tribox_report report;
     memset(whole, 0, at.words * sizeof *whole);
     assert_int_equal(tribox_voxelize(&soup, &at.grid, options, whole, &report), TRIBOX_OK);
@@ -55,7 +55,7 @@ static size_t ask_whole(const tribox_options *options)
 /* The slab's words lie between guards, first against the one behind, then against the one before. */
 static size_t ask_slab(const tribox_options *options, uint32_t first, uint32_t layers)
 {
-    const tribox_soup soup = crowd_soup(&triangles);
+    const tribox_soup soup = triangle_list_soup(&triangles);
     const size_t words = layers * layer_words(), bytes = words * sizeof(uint64_t);
     const guarded g = guarded_make(bytes ? bytes : 1);
     tribox_report report = {0, 0};
@@ -79,7 +79,7 @@ static void test_slabs(void **state)
     catch_faults();
     random_source r = random_named(args->seed, "slabs");
     for (size_t round = 0; round < 500 * (args->pairs / PAIRS_A_ROUND); round++) {
-        draw_question(&r, round);
+        draw_pairs(&r, round);
         const tribox_options options = any_options(&r);
         const size_t set = ask_whole(&options);
         const uint32_t size = at.grid.size[2];
@@ -108,7 +108,7 @@ typedef struct worker {
 static void *work(void *argument)
 {
     worker *const w = argument;
-    const tribox_soup soup = crowd_soup(&triangles);
+    const tribox_soup soup = triangle_list_soup(&triangles);
     w->status =
         tribox_voxelize_layers(&soup, &at.grid, w->first, w->layers, w->options, parts + w->first * layer_words(), &w->report);
     return NULL;
@@ -138,7 +138,7 @@ static void test_threads(void **state)
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "threads");
     for (size_t round = 0; round < 100 * (args->pairs / PAIRS_A_ROUND); round++) {
-        draw_question(&r, round);
+        draw_pairs(&r, round);
         tribox_options options = any_options(&r);
         options.kernel = round % 2 ? options.kernel : NULL; /* chosen by all threads at once */
         const size_t set = ask_whole(&options);

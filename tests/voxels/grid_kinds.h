@@ -1,8 +1,8 @@
-/* grids.h - what the tests of voxels ask, one half: named kinds of grids. */
-#ifndef TRIBOX_TESTS_GRIDS_H
-#define TRIBOX_TESTS_GRIDS_H
+/* grid_kinds.h - what the tests of voxels ask, one half: named kinds of grids. */
+#ifndef TRIBOX_TESTS_GRID_KINDS_H
+#define TRIBOX_TESTS_GRID_KINDS_H
 
-#include "lattice.h"
+#include "common/grid_planes.h"
 #include "common/random.h"
 
 typedef struct grid_kind {
@@ -15,6 +15,6 @@ size_t grid_kind_count(void);
 const grid_kind *grid_kind_at(size_t i);
 
 /* Draws until the planes rise strictly. At most `cells` cells. */
-void draw_lattice(random_source *r, const grid_kind *kind, size_t cells, lattice *l);
+void draw_grid_of_kind(random_source *r, const grid_kind *kind, size_t cells, grid_planes *l);
 
 #endif

@@ -1,4 +1,4 @@
-#include "question.h"
+#include "pair_list.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -7,48 +7,48 @@
 
 #include <cmocka.h>
 
-static const char *call_name(const question *q) { return q->box ? "tribox_overlap" : "tribox_overlap_boxes"; }
+static const char *call_name(const pair_list *q) { return q->box ? "tribox_overlap" : "tribox_overlap_boxes"; }
 
-int question_streams(const question *q) { return q->box ? SOUP_STREAMS : BOXES_STREAMS; }
+int pair_list_streams(const pair_list *q) { return q->box ? SOUP_STREAMS : BOXES_STREAMS; }
 
-question question_at(const question *q, size_t i)
+pair_list pair_list_at(const pair_list *q, size_t i)
 {
-    question one = *q;
+    pair_list one = *q;
     one.count = 1;
-    for (int s = 0; s < question_streams(q); s++)
+    for (int s = 0; s < pair_list_streams(q); s++)
         one.stream[s] += i;
     return one;
 }
 
-tribox_soup question_soup(const question *q)
+tribox_soup pair_list_soup(const pair_list *q)
 {
     const float *const *const s = q->stream;
     return (tribox_soup){{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7], s[8]}, q->count};
 }
 
-static tribox_boxes boxes_of(const question *q)
+static tribox_boxes boxes_of(const pair_list *q)
 {
     const float *const *const s = q->stream;
     return (tribox_boxes){{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, q->count};
 }
 
-tribox_status question_ask(const question *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
+tribox_status pair_list_overlap(const pair_list *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
-    const tribox_soup soup = question_soup(q);
+    const tribox_soup soup = pair_list_soup(q);
     const tribox_boxes boxes = boxes_of(q);
     return q->box ? tribox_overlap(&soup, q->box, options, mask, report)
                   : tribox_overlap_boxes(q->triangle, &boxes, options, mask, report);
 }
 
-const char *question_text(const question *q, const tribox_options *options, char text[QUESTION_TEXT])
+const char *pair_list_text(const pair_list *q, const tribox_options *options, char text[PAIR_LIST_TEXT])
 {
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
-    snprintf(text, QUESTION_TEXT, "%s, kernel %s, %s, axes %u, order %u, count %zu", call_name(q), options->kernel,
+    snprintf(text, PAIR_LIST_TEXT, "%s, kernel %s, %s, axes %u, order %u, count %zu", call_name(q), options->kernel,
              accuracy[options->accuracy], options->axes, options->order, q->count);
     return text;
 }
 
-static void print_pair(const question *q, size_t i)
+static void print_pair(const pair_list *q, size_t i)
 {
     for (int v = 0; v < 3; v++) {
         float u[3];
@@ -61,10 +61,10 @@ static void print_pair(const question *q, size_t i)
                     (double)(q->box ? q->box->hi[a] : q->stream[3 + a][i]));
 }
 
-void fail_at_pair(const question *q, const tribox_options *options, size_t i, bool expected)
+void fail_at_pair(const pair_list *q, const tribox_options *options, size_t i, bool expected)
 {
-    char text[QUESTION_TEXT];
-    print_error("%s: bit %zu is %d and should be %d\n", question_text(q, options, text), i, !expected, expected);
+    char text[PAIR_LIST_TEXT];
+    print_error("%s: bit %zu is %d and should be %d\n", pair_list_text(q, options, text), i, !expected, expected);
     if (i < q->count)
         print_pair(q, i);
     else
@@ -72,7 +72,7 @@ void fail_at_pair(const question *q, const tribox_options *options, size_t i, bo
     fail();
 }
 
-void assert_masks_equal(const question *q, const tribox_options *options, const uint64_t *expected, const uint64_t *mask)
+void assert_masks_equal(const pair_list *q, const tribox_options *options, const uint64_t *expected, const uint64_t *mask)
 {
     const size_t words = tribox_mask_words(q->count);
     if (!words || !memcmp(mask, expected, words * sizeof *mask))
@@ -83,12 +83,12 @@ void assert_masks_equal(const question *q, const tribox_options *options, const 
     fail_at_pair(q, options, i, mask_bit(expected, i));
 }
 
-void ask_ok(const question *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
+void ask_ok(const pair_list *q, const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
-    const tribox_status status = question_ask(q, options, mask, report);
-    char text[QUESTION_TEXT];
+    const tribox_status status = pair_list_overlap(q, options, mask, report);
+    char text[PAIR_LIST_TEXT];
     if (status)
-        fail_msg("%s: %s", question_text(q, options, text), tribox_status_text(status));
+        fail_msg("%s: %s", pair_list_text(q, options, text), tribox_status_text(status));
 }
 
 size_t mask_population(const uint64_t *mask, size_t count)

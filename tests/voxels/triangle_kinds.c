@@ -1,4 +1,4 @@
-#include "shapes.h"
+#include "triangle_kinds.h"
 
 #include <float.h>
 #include <math.h>
@@ -7,19 +7,19 @@
 #include "common/contact.h"
 
 /* Points are drawn in cells, p[vertex][axis]; whole numbers are planes, and become the very floats of the planes. */
-static void map(const lattice *l, double p[3][3], float u[3][3])
+static void map(const grid_planes *l, double p[3][3], float u[3][3])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            u[j][a] = lattice_place(&l->grid, a, p[j][a]);
+            u[j][a] = grid_planes_place(&l->grid, a, p[j][a]);
 }
 
-static int size_of(const lattice *l, int a) { return (int)l->grid.size[a]; }
+static int size_of(const grid_planes *l, int a) { return (int)l->grid.size[a]; }
 
 static double power(random_source *r, double least, double most) { return exp2(random_uniform(r, least, most)); }
 
 /* On a plane, at a quarter of a cell, or anywhere. */
-static double draw_along(random_source *r, const lattice *l, int a)
+static double draw_along(random_source *r, const grid_planes *l, int a)
 {
     switch (random_below(r, 4)) {
     case 0:
@@ -31,13 +31,13 @@ static double draw_along(random_source *r, const lattice *l, int a)
     }
 }
 
-static void draw_anchor(random_source *r, const lattice *l, double c[3])
+static void draw_anchor(random_source *r, const grid_planes *l, double c[3])
 {
     for (int a = 0; a < 3; a++)
         c[a] = draw_along(r, l, a);
 }
 
-static void draw_about(random_source *r, const lattice *l, double radius, float u[3][3])
+static void draw_about(random_source *r, const grid_planes *l, double radius, float u[3][3])
 {
     double c[3], p[3][3];
     draw_anchor(r, l, c);
@@ -47,11 +47,11 @@ static void draw_about(random_source *r, const lattice *l, double radius, float 
     map(l, p, u);
 }
 
-static void draw_tiny(random_source *r, const lattice *l, float u[3][3]) { draw_about(r, l, power(r, -14, -1), u); }
-static void draw_few(random_source *r, const lattice *l, float u[3][3]) { draw_about(r, l, power(r, -1, 1), u); }
-static void draw_tens(random_source *r, const lattice *l, float u[3][3]) { draw_about(r, l, power(r, 2, 5), u); }
+static void draw_tiny(random_source *r, const grid_planes *l, float u[3][3]) { draw_about(r, l, power(r, -14, -1), u); }
+static void draw_few(random_source *r, const grid_planes *l, float u[3][3]) { draw_about(r, l, power(r, -1, 1), u); }
+static void draw_tens(random_source *r, const grid_planes *l, float u[3][3]) { draw_about(r, l, power(r, 2, 5), u); }
 
-static void draw_whole(random_source *r, const lattice *l, float u[3][3])
+static void draw_whole(random_source *r, const grid_planes *l, float u[3][3])
 {
     double p[3][3];
     for (int j = 0; j < 3; j++)
@@ -61,7 +61,7 @@ static void draw_whole(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* The anchor lies inside, on an edge or at a vertex. */
-static void draw_through(random_source *r, const lattice *l, double radius, float u[3][3])
+static void draw_through(random_source *r, const grid_planes *l, double radius, float u[3][3])
 {
     double c[3], p[3][3], w[3];
     draw_anchor(r, l, c);
@@ -77,11 +77,11 @@ static void draw_through(random_source *r, const lattice *l, double radius, floa
     map(l, p, u);
 }
 
-static void draw_larger(random_source *r, const lattice *l, float u[3][3]) { draw_through(r, l, power(r, 5, 10), u); }
-static void draw_million(random_source *r, const lattice *l, float u[3][3]) { draw_through(r, l, power(r, 18, 23), u); }
+static void draw_larger(random_source *r, const grid_planes *l, float u[3][3]) { draw_through(r, l, power(r, 5, 10), u); }
+static void draw_million(random_source *r, const grid_planes *l, float u[3][3]) { draw_through(r, l, power(r, 18, 23), u); }
 
 /* Long on one axis, within a row of cells on the others. */
-static void draw_row(random_source *r, const lattice *l, float u[3][3])
+static void draw_row(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int along = random_below(r, 5) % 3;
     const double length = power(r, 0, 9), across = power(r, -10, 0.5);
@@ -94,7 +94,7 @@ static void draw_row(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* Thin on one axis, often with no thickness at all. */
-static void draw_layer(random_source *r, const lattice *l, float u[3][3])
+static void draw_layer(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int flat = random_below(r, 3);
     const double across = power(r, 0, 6), thickness = random_below(r, 2) ? 0 : power(r, -8, 0);
@@ -107,7 +107,7 @@ static void draw_layer(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* An edge of slope 2^-k, so that it crosses from row to row within the length of many cells, or never. */
-static void draw_slope(random_source *r, const lattice *l, float u[3][3])
+static void draw_slope(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int along = random_below(r, 4) % 3;
     const double length = power(r, 2, 9);
@@ -122,7 +122,7 @@ static void draw_slope(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* A plane all but parallel to a plane of the grid. */
-static void draw_tilted(random_source *r, const lattice *l, float u[3][3])
+static void draw_tilted(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int normal = random_below(r, 3);
     const double across = power(r, 1, 8);
@@ -141,7 +141,7 @@ static void draw_tilted(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* One edge of nearly no length. */
-static void draw_needle(random_source *r, const lattice *l, float u[3][3])
+static void draw_needle(random_source *r, const grid_planes *l, float u[3][3])
 {
     const double length = power(r, -2, 8), width = length * power(r, -26, -8);
     double p[3][3];
@@ -154,7 +154,7 @@ static void draw_needle(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* A vertex all but on the edge of the other two. */
-static void draw_cap(random_source *r, const lattice *l, float u[3][3])
+static void draw_cap(random_source *r, const grid_planes *l, float u[3][3])
 {
     const double length = power(r, -2, 8), height = length * power(r, -26, -8), t = random_uniform(r, 0, 1);
     double p[3][3];
@@ -167,7 +167,7 @@ static void draw_cap(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* Along an axis, from lattice point to lattice point, or any; the third vertex is one of the others, or halfway. */
-static void draw_segment(random_source *r, const lattice *l, float u[3][3])
+static void draw_segment(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int kind = random_below(r, 3), along = random_below(r, 3);
     const double length = power(r, 0, 7);
@@ -185,7 +185,7 @@ static void draw_segment(random_source *r, const lattice *l, float u[3][3])
     map(l, p, u);
 }
 
-static void draw_point(random_source *r, const lattice *l, float u[3][3])
+static void draw_point(random_source *r, const grid_planes *l, float u[3][3])
 {
     double p[3][3];
     draw_anchor(r, l, p[0]);
@@ -195,7 +195,7 @@ static void draw_point(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* Three points of the lattice, or of one 2^k times as fine: it touches corners, edges and faces of cells exactly. */
-static void draw_lattice_points(random_source *r, const lattice *l, float u[3][3])
+static void draw_lattice_points(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int fine = random_below(r, 2) ? 1 : 1 << random_below(r, 4), reach = random_below(r, 2) ? 4 : 40;
     double c[3], p[3][3];
@@ -207,7 +207,7 @@ static void draw_lattice_points(random_source *r, const lattice *l, float u[3][3
 }
 
 /* The same with vertices far beyond the grid: a plane through many of its corners. */
-static void draw_lattice_plane(random_source *r, const lattice *l, float u[3][3])
+static void draw_lattice_plane(random_source *r, const grid_planes *l, float u[3][3])
 {
     double c[3], p[3][3];
     int e[2][3];
@@ -226,7 +226,7 @@ static void draw_lattice_plane(random_source *r, const lattice *l, float u[3][3]
 }
 
 /* All of it in one plane of the grid. */
-static void draw_on_plane(random_source *r, const lattice *l, float u[3][3])
+static void draw_on_plane(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int flat = random_below(r, 3), plane = random_between(r, 0, size_of(l, flat));
     const bool is_whole = random_below(r, 2);
@@ -242,7 +242,7 @@ static void draw_on_plane(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* An edge along a line of the grid. */
-static void draw_on_line(random_source *r, const lattice *l, float u[3][3])
+static void draw_on_line(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int along = random_below(r, 3);
     const double length = power(r, 0, 7);
@@ -256,7 +256,7 @@ static void draw_on_line(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* An edge through corners of the grid, across faces or across cells. */
-static void draw_diagonal(random_source *r, const lattice *l, float u[3][3])
+static void draw_diagonal(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int length = random_between(r, 1, 60);
     double p[3][3];
@@ -269,12 +269,12 @@ static void draw_diagonal(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* Touching one cell from outside, up to rounding, with a face, an edge, a corner or its own plane. */
-static void draw_touching(random_source *r, const lattice *l, float u[3][3])
+static void draw_touching(random_source *r, const grid_planes *l, float u[3][3])
 {
     int at[3];
     for (int a = 0; a < 3; a++)
         at[a] = random_below(r, size_of(l, a));
-    const tribox_box cell = lattice_cell(l, at[0], at[1], at[2]);
+    const tribox_box cell = grid_planes_cell(l, at[0], at[1], at[2]);
     const float *const length = l->grid.cell;
     const bool is_cubic = length[0] == length[1] && length[0] == length[2];
     const contact_style style = {.step = is_cubic && random_below(r, 2) ? (double)length[0] / 4 : 0,
@@ -283,7 +283,7 @@ static void draw_touching(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* Just outside of the grid on one axis, or just on its outermost planes. */
-static void draw_beside(random_source *r, const lattice *l, float u[3][3])
+static void draw_beside(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int axis = random_below(r, 3), side = random_below(r, 2);
     const float limit = l->plane[axis][side ? size_of(l, axis) : 0];
@@ -300,7 +300,7 @@ static void draw_beside(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* From cell to hundreds of cells, another length on each axis. */
-static void draw_own_lengths(random_source *r, const lattice *l, float u[3][3])
+static void draw_own_lengths(random_source *r, const grid_planes *l, float u[3][3])
 {
     double c[3], p[3][3];
     draw_anchor(r, l, c);
@@ -313,7 +313,7 @@ static void draw_own_lengths(random_source *r, const lattice *l, float u[3][3])
 }
 
 /* Each number a plane of the grid, zero, the least float or an end of the float range. */
-static void draw_extremes(random_source *r, const lattice *l, float u[3][3])
+static void draw_extremes(random_source *r, const grid_planes *l, float u[3][3])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
@@ -323,7 +323,7 @@ static void draw_extremes(random_source *r, const lattice *l, float u[3][3])
         }
 }
 
-static void draw_random_bits(random_source *r, const lattice *l, float u[3][3])
+static void draw_random_bits(random_source *r, const grid_planes *l, float u[3][3])
 {
     (void)l;
     for (int j = 0; j < 3; j++)
@@ -334,7 +334,7 @@ static void draw_random_bits(random_source *r, const lattice *l, float u[3][3])
             } while (!isfinite(u[j][a]));
 }
 
-static const shape shapes[] = {
+static const triangle_kind kinds[] = {
     {"tiny", draw_tiny, true},
     {"few", draw_few, true},
     {"tens", draw_tens, true},
@@ -361,11 +361,11 @@ static const shape shapes[] = {
     {"random bits", draw_random_bits, false},
 };
 
-size_t shape_count(void) { return sizeof shapes / sizeof shapes[0]; }
+size_t triangle_kind_count(void) { return sizeof kinds / sizeof kinds[0]; }
 
-const shape *shape_at(size_t i) { return &shapes[i]; }
+const triangle_kind *triangle_kind_at(size_t i) { return &kinds[i]; }
 
-void draw_shape(random_source *r, const shape *s, const lattice *l, float u[3][3])
+void draw_triangle(random_source *r, const triangle_kind *s, const grid_planes *l, float u[3][3])
 {
     s->draw(r, l, u);
     const int ulps = random_below(r, 4) ? 0 : random_between(r, 1, 3);

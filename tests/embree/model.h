@@ -1,6 +1,6 @@
-/* shape.h - what is voxelized here: soups that are drawn, and closed meshes made of formulas. */
-#ifndef TRIBOX_TESTS_SHAPE_H
-#define TRIBOX_TESTS_SHAPE_H
+/* model.h - what is voxelized here: soups that are drawn, and closed meshes made of formulas. */
+#ifndef TRIBOX_TESTS_MODEL_H
+#define TRIBOX_TESTS_MODEL_H
 
 #include <stddef.h>
 
@@ -11,27 +11,27 @@ typedef struct triangle {
     float u[3][3]; /* vertex, axis */
 } triangle;
 
-typedef struct shape {
+typedef struct model {
     size_t count;
     triangle *triangles;
-} shape;
+} model;
 
 /* Triangles in [-1, 1]^3, of which the vertices lie within `size` of each other on every axis; 2 is anywhere. */
-shape shape_soup(random_source *r, size_t count, double size);
+model model_soup(random_source *r, size_t count, double size);
 
 /* Closed meshes about the origin, within [-1, 1]^3: of 20 * 4^levels, 2 * around * across and 12 * steps^2 triangles. */
-shape shape_icosphere(int levels);
-shape shape_torus(int around, int across, double tube);
-shape shape_cube(int steps);
+model model_icosphere(int levels);
+model model_torus(int around, int across, double tube);
+model model_cube(int steps);
 
 /* x to scale * x + shift, rounded once; and to the nearest integer. */
-void shape_place(shape *s, const double scale[3], const double shift[3]);
-void shape_snap(shape *s);
+void model_place(model *s, const double scale[3], const double shift[3]);
+void model_snap(model *s);
 
 /* Every coordinate up or down by one ulp, or not at all. The mesh is no longer closed. */
-void shape_shake(shape *s, random_source *r);
+void model_shake(model *s, random_source *r);
 
-void shape_free(shape *s);
+void model_free(model *s);
 
 /* The same triangles as the library takes them. */
 typedef struct streams {
@@ -39,7 +39,7 @@ typedef struct streams {
     float *memory;
 } streams;
 
-streams streams_make(const shape *s);
+streams streams_make(const model *s);
 void streams_free(streams *s);
 
 #endif

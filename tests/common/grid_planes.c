@@ -1,19 +1,19 @@
-#include "lattice.h"
+#include "common/grid_planes.h"
 
 #include <math.h>
 
-#include "common/contact.h"
+#include "contact.h"
 
-float lattice_place(const tribox_grid *grid, int axis, double p)
+float grid_planes_place(const tribox_grid *grid, int axis, double p)
 {
     return nearest_float((double)grid->origin[axis] + p * (double)grid->cell[axis]);
 }
 
-bool lattice_make(lattice *l, const tribox_grid *grid)
+bool grid_planes_make(grid_planes *l, const tribox_grid *grid)
 {
     l->grid = *grid;
     for (int a = 0; a < 3; a++) {
-        if (grid->size[a] > LATTICE_CELLS)
+        if (grid->size[a] > GRID_PLANES_CELLS)
             return false;
         for (uint32_t p = 0; p <= grid->size[a]; p++) {
             l->plane[a][p] = (float)((double)grid->origin[a] + (double)p * (double)grid->cell[a]);
@@ -26,7 +26,7 @@ bool lattice_make(lattice *l, const tribox_grid *grid)
     return true;
 }
 
-tribox_box lattice_cell(const lattice *l, int i, int j, int k)
+tribox_box grid_planes_cell(const grid_planes *l, int i, int j, int k)
 {
     const int at[3] = {i, j, k};
     tribox_box box;
@@ -37,7 +37,7 @@ tribox_box lattice_cell(const lattice *l, int i, int j, int k)
     return box;
 }
 
-void lattice_range(const lattice *l, int axis, float least, float most, int *first, int *last)
+void grid_planes_range(const grid_planes *l, int axis, float least, float most, int *first, int *last)
 {
     const int size = (int)l->grid.size[axis];
     const float *const plane = l->plane[axis];
@@ -50,7 +50,7 @@ void lattice_range(const lattice *l, int axis, float least, float most, int *fir
         }
 }
 
-void lattice_print(FILE *out, const tribox_grid *grid)
+void grid_planes_print(FILE *out, const tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++)
         fprintf(out, "  %c   origin %a, cell %a, size %u\n", "xyz"[a], (double)grid -> origin[a], (double)grid -> cell[a],

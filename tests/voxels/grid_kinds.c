@@ -1,4 +1,4 @@
-#include "grids.h"
+#include "grid_kinds.h"
 
 #include <float.h>
 #include <math.h>
@@ -195,13 +195,13 @@ size_t grid_kind_count(void) { return sizeof kinds / sizeof kinds[0]; }
 
 const grid_kind *grid_kind_at(size_t i) { return &kinds[i]; }
 
-void draw_lattice(random_source *r, const grid_kind *kind, size_t cells, lattice *l)
+void draw_grid_of_kind(random_source *r, const grid_kind *kind, size_t cells, grid_planes *l)
 {
     do {
         tribox_grid grid;
         draw_size(r, grid.size);
         kind->draw(r, &grid);
-        if ((size_t)grid.size[0] * grid.size[1] * grid.size[2] <= cells && lattice_make(l, &grid))
+        if ((size_t)grid.size[0] * grid.size[1] * grid.size[2] <= cells && grid_planes_make(l, &grid))
             return;
     } while (true);
 }

@@ -1,4 +1,4 @@
-#include "dual.h"
+#include "plane_scene.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@ typedef struct bounds {
     float lo[3], extent[3];
 } bounds;
 
-static bounds bounds_of(const planes *p, const shape *s)
+static bounds bounds_of(const planes *p, const model *s)
 {
     bounds b;
     for (int a = 0; a < 3; a++) {
@@ -40,10 +40,10 @@ static triangle plane_triangle(const bounds *b, int axis, float plane)
     return t;
 }
 
-dual dual_make(const planes *p, const shape *s)
+plane_scene plane_scene_make(const planes *p, const model *s)
 {
     const bounds b = bounds_of(p, s);
-    dual d = {0};
+    plane_scene d = {0};
     triangle *const triangles = memory_of(3 * (PLANES_CELLS + 1), sizeof *triangles);
     int count = 0;
     for (int a = 0; a < 3; a++) {
@@ -56,8 +56,8 @@ dual dual_make(const planes *p, const shape *s)
     return d;
 }
 
-void dual_free(dual *d) { embree_scene_free(d->scene); }
+void plane_scene_free(plane_scene *d) { embree_scene_free(d->scene); }
 
-int dual_axis(const dual *d, unsigned number) { return ((int)number >= d->first[1]) + ((int)number >= d->first[2]); }
+int plane_scene_axis(const plane_scene *d, unsigned number) { return ((int)number >= d->first[1]) + ((int)number >= d->first[2]); }
 
-int dual_plane(const dual *d, unsigned number) { return (int)number - d->first[dual_axis(d, number)]; }
+int plane_scene_plane(const plane_scene *d, unsigned number) { return (int)number - d->first[plane_scene_axis(d, number)]; }

@@ -1,4 +1,4 @@
-#include "shape.h"
+#include "model.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -6,9 +6,9 @@
 
 #include "zeroed.h"
 
-static shape empty(size_t capacity) { return (shape){.triangles = memory_of(capacity, sizeof(triangle))}; }
+static model empty(size_t capacity) { return (model){.triangles = memory_of(capacity, sizeof(triangle))}; }
 
-static void put(shape *s, const double a[3], const double b[3], const double c[3])
+static void put(model *s, const double a[3], const double b[3], const double c[3])
 {
     const double *const corner[3] = {a, b, c};
     for (int j = 0; j < 3; j++)
@@ -17,15 +17,15 @@ static void put(shape *s, const double a[3], const double b[3], const double c[3
     s->count++;
 }
 
-static void put_quad(shape *s, const double a[3], const double b[3], const double c[3], const double d[3])
+static void put_quad(model *s, const double a[3], const double b[3], const double c[3], const double d[3])
 {
     put(s, a, b, c);
     put(s, a, c, d);
 }
 
-shape shape_soup(random_source *r, size_t count, double size)
+model model_soup(random_source *r, size_t count, double size)
 {
-    shape s = empty(count);
+    model s = empty(count);
     while (s.count < count) {
         double v[3][3];
         for (int a = 0; a < 3; a++) {
@@ -48,7 +48,7 @@ static void middle(const double a[3], const double b[3], double m[3])
         m[k] /= length;
 }
 
-static void put_patch(shape *s, int levels, const double a[3], const double b[3], const double c[3])
+static void put_patch(model *s, int levels, const double a[3], const double b[3], const double c[3])
 {
     if (!levels) {
         put(s, a, b, c);
@@ -81,10 +81,10 @@ static double volume(const double a[3], const double b[3], const double c[3])
 
 static bool is_edge(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0.4; }
 
-shape shape_icosphere(int levels)
+model model_icosphere(int levels)
 {
     enum { VERTICES = 12 };
-    shape s = empty((size_t)20 << 2 * levels);
+    model s = empty((size_t)20 << 2 * levels);
     double v[VERTICES][3];
     for (int k = 0; k < VERTICES; k++)
         icosahedron_vertex(k, v[k]);
@@ -107,9 +107,9 @@ static void torus_vertex(int i, int around, int j, int across, double tube, doub
     v[2] = tube * sin(q);
 }
 
-shape shape_torus(int around, int across, double tube)
+model model_torus(int around, int across, double tube)
 {
-    shape s = empty(2 * (size_t)around * (size_t)across);
+    model s = empty(2 * (size_t)around * (size_t)across);
     for (int i = 0; i < around; i++)
         for (int j = 0; j < across; j++) {
             double v[4][3];
@@ -129,9 +129,9 @@ static void cube_vertex(int face, int i, int j, int steps, double v[3])
     v[(axis + 2) % 3] = 2.0 * (is_upper ? j : i) / steps - 1;
 }
 
-shape shape_cube(int steps)
+model model_cube(int steps)
 {
-    shape s = empty(12 * (size_t)steps * (size_t)steps);
+    model s = empty(12 * (size_t)steps * (size_t)steps);
     for (int face = 0; face < 6; face++)
         for (int i = 0; i < steps; i++)
             for (int j = 0; j < steps; j++) {
@@ -143,7 +143,7 @@ shape shape_cube(int steps)
     return s;
 }
 
-void shape_place(shape *s, const double scale[3], const double shift[3])
+void model_place(model *s, const double scale[3], const double shift[3])
 {
     for (size_t t = 0; t < s->count; t++)
         for (int j = 0; j < 3; j++)
@@ -151,7 +151,7 @@ void shape_place(shape *s, const double scale[3], const double shift[3])
                 s->triangles[t].u[j][a] = (float)(scale[a] * (double)s->triangles[t].u[j][a] + shift[a]);
 }
 
-void shape_snap(shape *s)
+void model_snap(model *s)
 {
     for (size_t t = 0; t < s->count; t++)
         for (int j = 0; j < 3; j++)
@@ -159,7 +159,7 @@ void shape_snap(shape *s)
                 s->triangles[t].u[j][a] = rintf(s->triangles[t].u[j][a]);
 }
 
-void shape_shake(shape *s, random_source *r)
+void model_shake(model *s, random_source *r)
 {
     for (size_t t = 0; t < s->count; t++)
         for (int j = 0; j < 3; j++)
@@ -169,13 +169,13 @@ void shape_shake(shape *s, random_source *r)
             }
 }
 
-void shape_free(shape *s)
+void model_free(model *s)
 {
     free(s->triangles);
-    *s = (shape){0};
+    *s = (model){0};
 }
 
-streams streams_make(const shape *s)
+streams streams_make(const model *s)
 {
     streams made = {.soup.count = s->count, .memory = memory_of(9 * s->count, sizeof(float))};
     for (int j = 0; j < 3; j++) {

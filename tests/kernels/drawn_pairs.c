@@ -1,12 +1,12 @@
-#include "drawn.h"
+#include "drawn_pairs.h"
 
 #include <string.h>
 
 #include "common/contact.h"
 
-static question question_over(const drawn *numbers, bool is_soup, size_t count)
+static pair_list pairs_over(const drawn_numbers *numbers, bool is_soup, size_t count)
 {
-    question q = {.count = count};
+    pair_list q = {.count = count};
     for (int s = 0; s < SOUP_STREAMS; s++)
         q.stream[s] = numbers->stream[s];
     if (is_soup)
@@ -16,7 +16,7 @@ static question question_over(const drawn *numbers, bool is_soup, size_t count)
     return q;
 }
 
-static void put_triangle(drawn *numbers, size_t i, float u[3][3])
+static void put_triangle(drawn_numbers *numbers, size_t i, float u[3][3])
 {
     for (int a = 0; a < 3; a++)
         for (int v = 0; v < 3; v++)
@@ -29,7 +29,7 @@ static float draw_bound(random_source *r, float bound, float triangle[3][3], int
     return nudged(r, random_below(r, 4) ? bound : triangle[random_below(r, 3)][a], 2);
 }
 
-static void put_box(random_source *r, drawn *numbers, size_t i, const tribox_box *box)
+static void put_box(random_source *r, drawn_numbers *numbers, size_t i, const tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
         const float p = draw_bound(r, box->lo[a], numbers->triangle, a), q = draw_bound(r, box->hi[a], numbers->triangle, a);
@@ -38,7 +38,7 @@ static void put_box(random_source *r, drawn *numbers, size_t i, const tribox_box
     }
 }
 
-question draw_question(random_source *r, const scene *s, bool is_soup, drawn *numbers)
+pair_list draw_pairs(random_source *r, const scene *s, bool is_soup, drawn_numbers *numbers)
 {
     scene_batch batch;
     s->draw(r, &batch);
@@ -49,10 +49,10 @@ question draw_question(random_source *r, const scene *s, bool is_soup, drawn *nu
             put_triangle(numbers, i, batch.u[i]);
         else
             put_box(r, numbers, i, &batch.box);
-    return question_over(numbers, is_soup, SCENE_TRIANGLES);
+    return pairs_over(numbers, is_soup, SCENE_TRIANGLES);
 }
 
-question draw_distinct_lanes(random_source *r, bool is_soup, drawn *numbers)
+pair_list draw_distinct_lanes(random_source *r, bool is_soup, drawn_numbers *numbers)
 {
     static const float through_origin[3][3] = {{-0.75f, -0.5f, 0.25f}, {0.5f, -0.25f, -1}, {0.125f, 0.375f, 0.375f}};
     memcpy(numbers->triangle, through_origin, sizeof numbers->triangle);
@@ -71,5 +71,5 @@ question draw_distinct_lanes(random_source *r, bool is_soup, drawn *numbers)
             }
         }
     }
-    return question_over(numbers, is_soup, DRAWN_MAX);
+    return pairs_over(numbers, is_soup, DRAWN_MAX);
 }

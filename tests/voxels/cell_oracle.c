@@ -1,19 +1,19 @@
-#include "judge.h"
+#include "cell_oracle.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Rounding in double stays below 2^-48 of the sum of all products taken positive; nothing underflows, floats have no smaller cubes. */
+/* Rounding in double stays below 2^-48 of the sum of the products' magnitudes; cubes of floats do not underflow. */
 static const double doubt = 0x1p-42;
 
-static void set_edge_axis(judged *t, int number, int i, const double f[3])
+static void set_edge_axis(cell_oracle *t, int number, int i, const double f[3])
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     t->axis[number][a] = -f[b];
     t->axis[number][b] = f[a];
 }
 
-static void set_plane_axis(judged *t, double f[3][3])
+static void set_plane_axis(cell_oracle *t, double f[3][3])
 {
     for (int i = 0; i < 3; i++) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
@@ -22,7 +22,7 @@ static void set_plane_axis(judged *t, double f[3][3])
     }
 }
 
-static void set_axes(judged *t)
+static void set_axes(cell_oracle *t)
 {
     double f[3][3];
     for (int j = 0; j < 3; j++)
@@ -39,9 +39,9 @@ static void set_axes(judged *t)
     set_plane_axis(t, f);
 }
 
-judged judged_make(const float u[3][3])
+cell_oracle cell_oracle_make(const float u[3][3])
 {
-    judged t;
+    cell_oracle t;
     memset(&t, 0, sizeof t);
     memcpy(t.u, u, sizeof t.u);
     set_axes(&t);
@@ -60,7 +60,7 @@ judged judged_make(const float u[3][3])
 }
 
 /* Below zero: the intervals on axis k overlap; above: they are apart. Zero where rounding leaves that open. */
-static double gap_on_axis(const judged *t, const tribox_box *box, int k)
+static double gap_on_axis(const cell_oracle *t, const tribox_box *box, int k)
 {
     double least = 0, most = 0, weight = t->weight[k];
     for (int a = 0; a < 3; a++) {
@@ -78,7 +78,7 @@ static unsigned group_of(int k)
     return k < ORACLE_PLANE ? TRIBOX_AXES_BOX : k < ORACLE_EDGES ? TRIBOX_AXES_PLANE : TRIBOX_AXES_EDGES;
 }
 
-bool judged_overlaps(const judged *t, const tribox_box *box, unsigned groups)
+bool cell_oracle_overlaps(const cell_oracle *t, const tribox_box *box, unsigned groups)
 {
     bool is_open = false;
     for (int k = 0; k < ORACLE_AXES; k++) {
@@ -96,7 +96,7 @@ bool judged_overlaps(const judged *t, const tribox_box *box, unsigned groups)
     return oracle_overlaps(oracle_separating(&pair), groups);
 }
 
-static double tolerance_on_axis(const judged *t, int k, const double band[3])
+static double tolerance_on_axis(const cell_oracle *t, int k, const double band[3])
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
@@ -110,7 +110,7 @@ static double tolerance_on_axis(const judged *t, int k, const double band[3])
     return sum;
 }
 
-bool judged_errs_within(const judged *t, const tribox_box *box, unsigned groups, const double band[3], bool answer)
+bool cell_oracle_errs_within(const cell_oracle *t, const tribox_box *box, unsigned groups, const double band[3], bool answer)
 {
     for (int k = 0; k < ORACLE_AXES; k++) {
         if (!(groups & group_of(k)))

@@ -1,5 +1,5 @@
-/* bodies.c - closed meshes, in cells of the grid. */
-#include "shapes.h"
+/* closed_meshes.c - closed meshes, in cells of the grid. */
+#include "triangle_kinds.h"
 
 #include <math.h>
 
@@ -10,10 +10,10 @@ typedef struct pose {
     double centre[3], radius[3];
 } pose;
 
-static void put_point(const lattice *l, const pose *at, const double p[3], float v[3])
+static void put_point(const grid_planes *l, const pose *at, const double p[3], float v[3])
 {
     for (int a = 0; a < 3; a++)
-        v[a] = lattice_place(&l->grid, a, at->centre[a] + at->radius[a] * p[a]);
+        v[a] = grid_planes_place(&l->grid, a, at->centre[a] + at->radius[a] * p[a]);
 }
 
 typedef void surface(double s, double t, double p[3]);
@@ -34,7 +34,7 @@ static void torus(double s, double t, double p[3])
 }
 
 /* Two triangles for each of n x m patches. */
-static void put_surface(const lattice *l, const pose *at, surface *of, int n, int m, crowd *c)
+static void put_surface(const grid_planes *l, const pose *at, surface *of, int n, int m, triangle_list *c)
 {
     static const int corner[2][3][2] = {{{0, 0}, {1, 0}, {0, 1}}, {{1, 0}, {1, 1}, {0, 1}}};
     for (int i = 0; i < n; i++)
@@ -46,12 +46,12 @@ static void put_surface(const lattice *l, const pose *at, surface *of, int n, in
                     of((double)(i + corner[half][v][0]) / n, (double)(j + corner[half][v][1]) / m, p);
                     put_point(l, at, p, u[v]);
                 }
-                crowd_put(c, (const_vertices)u);
+                triangle_list_put(c, (const_vertices)u);
             }
 }
 
 /* Twelve triangles between two corners, often planes of the grid. */
-static void put_cuboid(random_source *r, const lattice *l, crowd *c)
+static void put_cuboid(random_source *r, const grid_planes *l, triangle_list *c)
 {
     double corner[2][3];
     const bool is_whole = random_below(r, 4);
@@ -66,15 +66,15 @@ static void put_cuboid(random_source *r, const lattice *l, crowd *c)
                 float u[3][3];
                 for (int v = 0; v < 3; v++) {
                     const int b = (a + 1) % 3, d = (a + 2) % 3, across = (v + half + 1) % 4 & 1, along = (v + half) / 2 & 1;
-                    u[v][a] = lattice_place(&l->grid, a, corner[side][a]);
-                    u[v][b] = lattice_place(&l->grid, b, corner[across][b]);
-                    u[v][d] = lattice_place(&l->grid, d, corner[along][d]);
+                    u[v][a] = grid_planes_place(&l->grid, a, corner[side][a]);
+                    u[v][b] = grid_planes_place(&l->grid, b, corner[across][b]);
+                    u[v][d] = grid_planes_place(&l->grid, d, corner[along][d]);
                 }
-                crowd_put(c, (const_vertices)u);
+                triangle_list_put(c, (const_vertices)u);
             }
 }
 
-void draw_mesh(random_source *r, const lattice *l, crowd *c)
+void draw_mesh(random_source *r, const grid_planes *l, triangle_list *c)
 {
     pose at;
     for (int a = 0; a < 3; a++) {

@@ -1,32 +1,32 @@
 /*
- * judge.h - the oracle's answer for one triangle and very many boxes, quickly: the thirteen projections in double, and the exact
- * oracle wherever they come near each other. Shares no line of arithmetic with the library.
+ * cell_oracle.h - the oracle's answer for one triangle and very many boxes, quickly: the thirteen projections in double,
+ * and the exact oracle wherever they come near each other. Shares no line of arithmetic with the library.
  */
-#ifndef TRIBOX_TESTS_JUDGE_H
-#define TRIBOX_TESTS_JUDGE_H
+#ifndef TRIBOX_TESTS_CELL_ORACLE_H
+#define TRIBOX_TESTS_CELL_ORACLE_H
 
 #include "common/oracle.h"
 
 /* One triangle, its thirteen axes and its interval on each. */
-typedef struct judged {
+typedef struct cell_oracle {
     float u[3][3];
     double axis[ORACLE_AXES][3];
     double slack[ORACLE_AXES][3]; /* an upper bound on each component of the axis, before anything cancels */
     double least[ORACLE_AXES], most[ORACLE_AXES];
     double weight[ORACLE_AXES]; /* the largest sum of products, taken positive, that made the interval */
-} judged;
+} cell_oracle;
 
-judged judged_make(const float u[3][3]);
+cell_oracle cell_oracle_make(const float u[3][3]);
 
 /* Whether no axis of the chosen groups, a union of TRIBOX_AXES_*, separates the triangle and the box (lo <= hi). */
-bool judged_overlaps(const judged *t, const tribox_box *box, unsigned groups);
+bool cell_oracle_overlaps(const cell_oracle *t, const tribox_box *box, unsigned groups);
 
 /*
  * Whether a wrong answer errs within a band of contact. A box moved by the band changes the slack of an axis by at most
  *   F_a band_b + F_b band_a        on the axes of e_i and an edge, F the extents of the triangle
  *   sum of F_a F_b band_i          on the plane
- * and by so much the slack may have been taken wrongly; the box normals are always told rightly. Axes of length zero excuse nothing.
+ * and by that much the slack may be wrong; the box normals are always right. Axes of length zero excuse nothing.
  */
-bool judged_errs_within(const judged *t, const tribox_box *box, unsigned groups, const double band[3], bool answer);
+bool cell_oracle_errs_within(const cell_oracle *t, const tribox_box *box, unsigned groups, const double band[3], bool answer);
 
 #endif

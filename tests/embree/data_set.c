@@ -1,4 +1,4 @@
-#include "check.h"
+#include "data_set.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -16,7 +16,7 @@ enum {
     ACCURACIES = 3,
     LIBRARIES_MAX = ACCURACIES * KERNELS_MAX,
     CELLS_ASKED = 48, /* with tribox_overlap */
-    DISPUTES_MAX = 2 /* pairs of a data set that this test's own rounding gets wrong; none was ever seen */
+    DISPUTES_MAX = 2  /* pairs of a data set that this test's own rounding gets wrong; none was ever seen */
 };
 
 /* The library as an answerer. */
@@ -87,7 +87,7 @@ static void library_breach(answerer *self, const tribox_pair *pair, bool answer)
 static size_t most_words(const witness *w)
 {
     size_t most = 0;
-    for (size_t t = 0; t < w->shape->count; t++)
+    for (size_t t = 0; t < w->model->count; t++)
         most = w->first_word[t + 1] - w->first_word[t] > most ? w->first_word[t + 1] - w->first_word[t] : most;
     return most;
 }
@@ -125,13 +125,13 @@ static void ask_cell(check *c, library *l, const int cell[3], uint64_t *mask)
     const tribox_box box = planes_cell(&c->planes, cell);
     l->where.function = "tribox_overlap";
     ask_soup(&c->streams.soup, &box, &l->where.options, mask);
-    for (size_t t = 0; t < c->d->shape.count; t++)
+    for (size_t t = 0; t < c->d->model.count; t++)
         compare_pair(&c->witness, &l->base, t, cell, bit_of(mask, t));
 }
 
 static void ask_cells(check *c)
 {
-    uint64_t *const mask = memory_of(tribox_mask_words(c->d->shape.count), sizeof *mask);
+    uint64_t *const mask = memory_of(tribox_mask_words(c->d->model.count), sizeof *mask);
     for (int k = 0; k < CELLS_ASKED; k++) {
         int cell[3];
         for (int a = 0; a < 3; a++)
@@ -169,7 +169,7 @@ static void check_voxels(check *c, const library *l)
     }
 }
 
-void check_print_heading(void)
+void data_set_print_heading(void)
 {
     printf("%-28s %9s %10s %8s %8s %8s %7s %7s %6s %6s %7s %8s %8s %9s %8s %8s %8s %8s\n", "data set", "triangles", "candidates",
            "pairs", "certain", "possible", "lattice", "grazing", "soft", "ghosts", "edges", "vertices", "left out", "disputes",
@@ -187,7 +187,7 @@ static size_t bits_in(const uint64_t *words, size_t count)
 static void print_line(const check *c, size_t candidates, size_t pairs, double seconds)
 {
     const witness_counts *const n = &c->witness.counts;
-    const size_t words = c->witness.first_word[c->d->shape.count];
+    const size_t words = c->witness.first_word[c->d->model.count];
     const size_t certain = bits_in(c->witness.certain, words), possible = bits_in(c->witness.possible, words);
     size_t disputes = 0, conservative = 0, fast_missed = 0, fast_unfounded = 0;
     for (int k = 0; k < c->count; k++) {
@@ -198,7 +198,7 @@ static void print_line(const check *c, size_t candidates, size_t pairs, double s
         fast_unfounded += l->where.options.accuracy == TRIBOX_FAST ? l->base.unfounded : 0;
     }
     printf("%-28s %9zu %10zu %8zu %8zu %8zu %7zu %7zu %6zu %6zu %7zu %8zu %8zu %9zu %8zu %8zu %8zu %8.2f\n", c->d->name,
-           c->d->shape.count, candidates, pairs, certain, possible - certain, n->solid, n->grazing, n->soft, n->ghost, n->edges,
+           c->d->model.count, candidates, pairs, certain, possible - certain, n->solid, n->grazing, n->soft, n->ghost, n->edges,
            n->vertices, n->left_out, disputes, conservative, fast_missed, fast_unfounded, seconds);
     fflush(stdout);
 }
@@ -214,13 +214,13 @@ static void check_counts(const check *c, size_t pairs)
         assert_in_range(c->libraries[k].disputes, 0, DISPUTES_MAX);
 }
 
-void check_data_set(data_set *d, uint64_t seed)
+void data_set_check(data_set *d, uint64_t seed)
 {
     const clock_t start = clock();
     check c = {.d = d, .r = random_named(seed, d->name), .words = tribox_grid_words(&d->grid)};
     assert_true(planes_make(&c.planes, &d->grid));
-    c.witness = witness_make(&c.planes, &d->shape, d->is_exact);
-    c.streams = streams_make(&d->shape);
+    c.witness = witness_make(&c.planes, &d->model, d->is_exact);
+    c.streams = streams_make(&d->model);
     c.occupied = memory_of(c.words, sizeof *c.occupied);
     c.voxels = memory_of(c.words, sizeof *c.voxels);
     make_libraries(&c, seed);
