@@ -1,8 +1,9 @@
-/* memory.c - the least of what Linux calls available, what the control group leaves, and what the limit of the process leaves. */
+/* memory.c - the least of what Linux calls available and what the limits of the control group and of the process leave. */
 #define _POSIX_C_SOURCE 200809L
 #include "memory.h"
 
 #include <inttypes.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -10,55 +11,47 @@
 
 static uint64_t least(uint64_t a, uint64_t b) { return a < b ? a : b; }
 
-static uint64_t rest(uint64_t limit, uint64_t used) { return used < limit ? limit - used : 0; }
+static uint64_t left(uint64_t limit, uint64_t used) { return used < limit ? limit - used : 0; }
 
-/* The number behind `key` in a file of lines; without a key the first one. Returns whether there is one. */
-static int read_number(const char *path, const char *key, uint64_t *number)
+/* The number after `key` at the start of a line; with an empty key the first number. False where the file has none. */
+static bool read_number(const char *path, const char *key, uint64_t *number)
 {
     char line[256];
-    int found = 0;
+    bool is_found = false;
     FILE *file = fopen(path, "r");
-    while (file && !found && fgets(line, sizeof line, file))
-        if (!strncmp(line, key, strlen(key)))
-            found = sscanf(line + strlen(key), "%" SCNu64, number) == 1;
+    while (file && !is_found && fgets(line, sizeof line, file))
+        is_found = !strncmp(line, key, strlen(key)) && sscanf(line + strlen(key), "%" SCNu64, number) == 1;
     if (file)
         fclose(file);
-    return found;
+    return is_found;
 }
 
-static uint64_t of_system(void)
+static uint64_t left_by_system(void)
 {
     uint64_t kib;
     return read_number("/proc/meminfo", "MemAvailable:", &kib) ? 1024 * kib : UINT64_MAX;
 }
 
-/* Of the group that a container sees as the topmost. Pages of files count as used there, but can be had. */
-static uint64_t of_group(void)
+/* The control group (version 2) that a container sees as the topmost. Cached pages of files count as used there, but can be had. */
+static uint64_t left_by_group(void)
 {
-    static const char *const files[][4] = {
-        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current", "/sys/fs/cgroup/memory.stat", "inactive_file"},
-        {"/sys/fs/cgroup/memory/memory.limit_in_bytes", "/sys/fs/cgroup/memory/memory.usage_in_bytes",
-         "/sys/fs/cgroup/memory/memory.stat", "total_inactive_file"}}; /* versions 2 and 1 */
-    for (int i = 0; i < 2; i++) {
-        uint64_t limit, used, pages = 0;
-        if (!read_number(files[i][0], "", &limit) || !read_number(files[i][1], "", &used))
-            continue;
-        read_number(files[i][2], files[i][3], &pages);
-        return rest(limit, rest(used, pages));
-    }
-    return UINT64_MAX;
+    uint64_t limit, used, cached = 0;
+    if (!read_number("/sys/fs/cgroup/memory.max", "", &limit) || !read_number("/sys/fs/cgroup/memory.current", "", &used))
+        return UINT64_MAX;
+    read_number("/sys/fs/cgroup/memory.stat", "inactive_file", &cached);
+    return left(limit, left(used, cached));
 }
 
-static uint64_t of_process(void)
+static uint64_t left_by_process(void)
 {
     struct rlimit limit;
     uint64_t pages;
     if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY || !read_number("/proc/self/statm", "", &pages))
         return UINT64_MAX;
-    return rest(limit.rlim_cur, pages * (uint64_t)sysconf(_SC_PAGESIZE));
+    return left(limit.rlim_cur, pages * (uint64_t)sysconf(_SC_PAGESIZE));
 }
 
-uint64_t memory_available(void) { return least(of_system(), least(of_group(), of_process())); }
+uint64_t memory_available(void) { return least(left_by_system(), least(left_by_group(), left_by_process())); }
 
 const char *memory_text(uint64_t bytes, char text[16])
 {
