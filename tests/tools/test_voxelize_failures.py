@@ -87,7 +87,7 @@ class NothingHalfWritten(Failures):
         self.there = sorted(self.there + ["folder.npy", "full.npy"])
         self.refuse(1, "folder.npy: is a directory; give the name of a file", "voxelize", self.mesh, "--cell", "1", "-o",
                   self.path("folder.npy"))
-        self.refuse(1, "full.npy: is no regular file", "voxelize", self.mesh, "--cell", "1", "-o", self.path("full.npy"))
+        self.refuse(1, "full.npy: is not a regular file", "voxelize", self.mesh, "--cell", "1", "-o", self.path("full.npy"))
 
     def test_read_only_folder(self):
         if os.geteuid() == 0:
@@ -101,7 +101,7 @@ class NothingHalfWritten(Failures):
         limit = (resource.RLIMIT_FSIZE, 2000)
         for ending in ("npy", "raw", "binvox", "vox"):
             for command in (("voxelize", self.mesh, "--resolution", "40"), ("merge", self.part)):
-                self.refuse(1, r"x\.%s: cannot write all of it: File too large; nothing is left of it" % ending, *command,
+                self.refuse(1, r"x\.%s: cannot write all of it: File too large; nothing was kept" % ending, *command,
                           "-o", self.path("x." + ending), limit=limit)
         self.refuse(1, "x.part: cannot write all of it: File too large", "voxelize", self.mesh, "--resolution", "40", "--shard", "1/1",
                   "-o", self.path("x.part"), limit=limit)
@@ -124,19 +124,50 @@ class NothingHalfWritten(Failures):
         self.assertEqual(os.stat(self.path("new.npy")).st_mode & 0o777, 0o666 & ~mask)
 
     def test_interrupted(self):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            # under nohup a child would ignore SIGHUP, and rightly
-            process = subprocess.Popen([support.program(), "voxelize", self.mesh, "--resolution", "900", "--quiet", "-o",
-                                        self.path("big.npy")], stderr=subprocess.PIPE,
-                                       preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
-            deadline = time.monotonic() + 60
-            while sorted(os.listdir(self.folder)) == self.there and time.monotonic() < deadline:
-                time.sleep(0.001)
-            self.assertNotEqual(sorted(os.listdir(self.folder)), self.there)
-            process.send_signal(number)
-            process.communicate()
-            self.assertEqual(process.returncode, -number)
-            self.assertEqual(sorted(os.listdir(self.folder)), self.there)
+        """Nothing stands under the name; what the name was before stays. The unfinished file has a name of its own."""
+        self.write("big.npy", "what was there")
+        self.there = sorted(self.there + ["big.npy"])
+        process = subprocess.Popen([support.program(), "voxelize", self.mesh, "--resolution", "900", "--quiet", "-o",
+                                    self.path("big.npy")], stderr=subprocess.PIPE)
+        deadline = time.monotonic() + 60
+        while sorted(os.listdir(self.folder)) == self.there and time.monotonic() < deadline:
+            time.sleep(0.001)
+        process.send_signal(signal.SIGTERM)
+        process.communicate()
+        self.assertEqual(process.returncode, -signal.SIGTERM)
+        left = set(os.listdir(self.folder)) - set(self.there)
+        self.assertEqual(len(left), 1)
+        self.assertRegex(left.pop(), r"\A\.tribox-\w{6}\Z")
+        self.assertEqual(volumes.read(self.path("big.npy")), b"what was there")
+
+    def test_longest_names(self):
+        longest = os.pathconf(self.folder, "PC_NAME_MAX")
+        for length in (longest - 7, longest):
+            path = self.path("x" * (length - 4) + ".npy")
+            self.succeed("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", path)
+            self.assertTrue(os.path.isfile(path))
+            self.there = sorted(self.there + [os.path.basename(path)])
+        self.refuse(1, "x.npy: cannot write all of it: File name too long; nothing was kept", "voxelize", self.mesh, "--resolution", "4",
+                    "-o", self.path("x" * (longest - 3) + ".npy"))
+
+    def test_links(self):
+        """The file that a symbolic link leads to is written, wherever it is, and the link stays."""
+        os.mkdir(self.path("elsewhere"))
+        for name in ("real.npy", "elsewhere/real.npy"):
+            self.write(name, "what was there")
+            os.symlink(name, self.path("link.npy"))
+            os.symlink("link.npy", self.path("link_to_link.npy"))
+            before = sorted(os.listdir(self.folder))
+            self.succeed("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", self.path("link_to_link.npy"))
+            self.assertEqual(sorted(os.listdir(self.folder)), before)
+            self.assertEqual(os.readlink(self.path("link.npy")), name)
+            self.assertEqual(max(volumes.read_npy(self.path(name))[0]), 4)
+            os.unlink(self.path("link.npy"))
+            os.unlink(self.path("link_to_link.npy"))
+        os.symlink("nowhere.npy", self.path("dangling.npy"))
+        self.there = sorted(os.listdir(self.folder))
+        self.refuse(1, "dangling.npy: cannot follow this link: No such file or directory", "voxelize", self.mesh, "--resolution", "4",
+                    "-o", self.path("dangling.npy"))
 
     def test_mesh_that_is_none(self):
         self.refuse(1, "missing.ply: cannot open the mesh file", "voxelize", self.path("missing.ply"), "--cell", "1", "-o",

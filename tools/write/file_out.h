@@ -1,17 +1,21 @@
-/* file_out.h - a file that appears under its name only when all of it is written. */
+/* file_out.h - a file that appears under its name only when all of it has been written. */
 #ifndef FILE_OUT_H
 #define FILE_OUT_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
-/* Until it is kept it is written beside, as NAME.XXXXXX; that file goes when the program fails or is interrupted. */
+/*
+ * Until it is kept the file is ".tribox-" and six letters in the folder where it will be; a run that is killed leaves that behind, and
+ * whatever stood under the name as it was. Where the name is a symbolic link, the file that it leads to is written.
+ */
 typedef struct file_out {
-    FILE *stream;
-    const char *path;
-    char *beside; /* NULL when nothing is open */
+    FILE *stream;     /* NULL when nothing is open */
+    const char *path; /* as it was given */
+    char *target, *beside;
 } file_out;
 
-/* Returns an exit_code. At most four are open at a time. A path of NULL opens nothing, and the rest then does nothing. */
+/* Returns an exit_code. A path of NULL opens nothing, and the other calls then do nothing. */
 int file_out_open(file_out *out, const char *path);
 
 /* Writes out all that is pending and gives the file its name. Returns an exit_code; on failure nothing is left. */
