@@ -1,11 +1,11 @@
 #!/bin/sh
-# Doxygen reads the header without a warning and describes every exported function: doxygen.sh ROOT SYMBOLS
+# Doxygen reads the header without a warning and describes every function: doxygen.sh ROOT
 set -eu
-root=$1 symbols=$2
+root=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# A header that has no comment must be a failure, or this test tells nothing.
+# A header that has no comment must be a failure, or this test proves nothing.
 documented() (
     cd "$1"
     { cat packaging/doxygen/Doxyfile; printf 'OUTPUT_DIRECTORY = %s\nGENERATE_XML = YES\n' "$work/$2"; } | doxygen -
@@ -15,14 +15,14 @@ mkdir -p "$work/bare/include" "$work/bare/packaging"
 cp -R "$root/packaging/doxygen" "$work/bare/packaging"
 sed -e '/^ *\/\*\*/,/\*\//d' "$root/include/tribox.h" >"$work/bare/include/tribox.h"
 if documented "$work/bare" bare_out 2>/dev/null; then
-    echo "doxygen takes a header without comments" >&2
+    echo "Doxygen accepts a header without comments" >&2
     exit 1
 fi
 
 documented "$root" out
-while read -r symbol; do
+"$root/packaging/symbols.sh" | while read -r symbol; do
     if ! grep -q "<name>$symbol</name>" "$work/out/xml/tribox_8h.xml"; then
-        echo "$symbol is not in the pages that doxygen makes" >&2
+        echo "$symbol is not in Doxygen's pages" >&2
         exit 1
     fi
-done <"$symbols"
+done

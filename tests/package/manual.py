@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The manual page of the header says what the header says: manual.py HEADER PAGE SYMBOLS
+"""The manual page made from the header has all that the header declares: manual.py HEADER PAGE
 
-Prototypes and types agree to the letter, every exported function and every constant is named."""
+Prototypes and types agree to the letter, every function, constant and sentence about a function is there."""
 import re
 import sys
 
-header_path, page_path, symbols_path = sys.argv[1:]
+header_path, page_path = sys.argv[1:]
 
 
 def read(path):
@@ -52,21 +52,38 @@ def difference(what, header, page):
         yield f"{what} of the page that the header has not: {text}"
 
 
-header = re.sub(r"/\*.*?\*/", "", read(header_path), flags=re.S)
+def words_of_page(text):
+    """The words in order, without macros."""
+    text = re.sub(r"(?m)^\.(Bl|El|Pp|Bd|Ed)\b.*", "", text)
+    return re.findall(r"\w+", re.sub(r"(?m)^\.(It )?([A-Z][a-z] )?", "", text.replace("\\(ha", "^")))
+
+
+def lost_sentences(header, page):
+    """Comments of declarations and members whose words do not stand in the page one after another."""
+    words = " ".join(words_of_page(page))
+    for comment in re.findall(r"(?<=[;,\d]) +/\* (.*?) \*/$|^/\*\*(.*?)\*/", header, re.M | re.S):
+        told = " ".join(re.findall(r"\w+", "".join(comment)))
+        if told not in words:
+            yield f"comment of the header that the page does not have: {told[:100]}"
+
+
+text = read(header_path)
+header = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
 page = read(page_path)
 synopsis = re.search(r"^\.Sh SYNOPSIS\n(.*?)^\.Sh ", page, re.M | re.S).group(1)
 name_section = re.search(r"^\.Sh NAME\n(.*?)^\.Nd ", page, re.M | re.S).group(1)
-symbols = set(read(symbols_path).split())
+prototypes = declarations_of_header(header)
+functions = {re.search(r"(\w+)\(", prototype).group(1) for prototype in prototypes}
 constants = set(re.findall(r"\b(TRIBOX_[A-Z_]+)\b", header)) - {"TRIBOX_H", "TRIBOX_API", "TRIBOX_SHARED", "TRIBOX_SHARED_BUILD"}
 
 faults = []
-faults += difference("prototype", declarations_of_header(header), declarations_of_page(synopsis.splitlines()))
+faults += difference("prototype", prototypes, declarations_of_page(synopsis.splitlines()))
 faults += difference("type", structs(header), structs(page))
-faults += difference("name", symbols, set(re.findall(r"^\.Nm (\w+)", name_section, re.M)) - {"tribox"})
-faults += difference("constant", constants, set(re.findall(r"\b(TRIBOX_[A-Z_]+)\b", page)))
-faults += [f"symbol that the header does not declare: {name}" for name in sorted(symbols) if f"{name}(" not in header]
+faults += difference("name", functions, set(re.findall(r"^\.Nm (\w+)", name_section, re.M)) - {"tribox"})
+faults += [f"constant of the header that the page does not name: {name}" for name in sorted(constants) if name not in page]
+faults += lost_sentences(text, page)
 
 for fault in faults:
     print(fault, file=sys.stderr)
-print(f"{len(symbols)} functions, {len(constants)} constants, {len(structs(header))} types")
-sys.exit(1 if faults else 0)
+print(f"{len(functions)} functions, {len(constants)} constants, {len(structs(header))} types")
+sys.exit(1 if faults or not functions else 0)

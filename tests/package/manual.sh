@@ -1,28 +1,27 @@
 #!/bin/sh
-# The manual pages: no warning of those who read them, and the example of tribox(3) compiles and runs: manual.sh ROOT LIBDIR
+# The manual pages draw no warning from mandoc and groff, and the example of tribox(3) compiles and runs: manual.sh ROOT LIBDIR
 # The installed page is found under the name of every function.
 . "$(dirname "$0")/installed.sh"
 source=$1 libdir_built=$2
-page=$source/include/tribox.3
+page=$(find "$root" -name tribox.3)
 
 for each in "$page" "$source/tools/tribox.1"; do
     if command -v mandoc >/dev/null; then
-        mandoc -Tlint -Wwarning "$each" || die "mandoc warns of ${each##*/}"
+        mandoc -Tlint -Wwarning "$each" || die "mandoc warns about ${each##*/}"
     fi
     if command -v groff >/dev/null; then
         warnings=$(groff -ww -mdoc -Tascii "$each" 2>&1 >/dev/null)
-        test -z "$warnings" || die "groff warns of ${each##*/}: $warnings"
+        test -z "$warnings" || die "groff warns about ${each##*/}: $warnings"
     fi
 done
 
-man3=$(dirname "$(find "$root" -name tribox.3)")
-while read -r symbol; do
-    test -f "$man3/$symbol.3" || die "there is no manual page under the name of $symbol"
-done <"$here/symbols.txt"
+for symbol in $("$source/packaging/symbols.sh"); do
+    test -f "${page%/*}/$symbol.3" || die "no manual page is installed under the name of $symbol"
+done
 
 awk '/^\.Sh/ { inside = 0 } /^\.Sh EXAMPLES/ { inside = 1 } /^\.Ed/ { literal = 0 }
      inside && literal { gsub(/\\e/, "\\"); print } /^\.Bd/ { literal = 1 }' "$page" >"$work/example.c"
 $CC $SANITIZER -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$source/include" "$work/example.c" -o "$work/example" \
     -L"$libdir_built" -ltribox -lm -Wl,-rpath,"$libdir_built"
 "$work/example" >"$work/printed"
-printf 'triangle 0: overlaps\ntriangle 1: misses\n' | diff - "$work/printed" || die "the example of tribox(3) prints something else"
+printf '1 of 2 triangles overlap\ntriangle 0: overlaps\ntriangle 1: misses\n' | diff - "$work/printed" || die "the example of tribox(3) prints something else"

@@ -1,14 +1,24 @@
 #!/bin/sh
-# The shared library has its name, and exports the public functions and nothing else: shared.sh NM READELF LIBRARY SYMBOLS
+# The shared library has its name, and exports the functions of the header and nothing else. Debian's list of symbols names the same.
+# shared.sh NM READELF LIBRARY ROOT
 set -eu
-nm=$1 readelf=$2 library=$3 symbols=$4
+nm=$1 readelf=$2 library=$3 root=$4
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
 soname=$("$readelf" -d "$library" | sed -n 's/.*(SONAME).*\[\(.*\)\].*/\1/p')
 if test "$soname" != libtribox.so.0; then
     echo "the SONAME is '$soname' and should be libtribox.so.0" >&2
     exit 1
 fi
-if ! "$nm" -D --defined-only "$library" | awk '{ print $NF }' | LC_ALL=C sort | diff -u "$symbols" -; then
-    echo "the exported symbols (+) are not those of symbols.txt (-); a new public function belongs in both" >&2
+"$root/packaging/symbols.sh" >"$work/header"
+test -s "$work/header" || { echo "the header declares no function" >&2; exit 1; }
+if ! "$nm" -D --defined-only "$library" | awk '{ print $NF }' | LC_ALL=C sort | diff -u "$work/header" -; then
+    echo "the exported symbols (+) are not the functions of include/tribox.h (-)" >&2
+    exit 1
+fi
+list=packaging/debian/libtribox0.symbols
+if ! sed -n 's/^ \(tribox_[a-z_]*\)@.*/\1/p' "$root/$list" | diff -u "$work/header" -; then
+    echo "$list (+) does not list the functions of include/tribox.h (-)" >&2
     exit 1
 fi
