@@ -5,12 +5,6 @@
 
 #include "common/command_line.h"
 
-#if defined(BENCH_MESHES)
-enum { HAS_MESHES = 1 };
-#else
-enum { HAS_MESHES = 0 };
-#endif
-
 static const char usage[] =
     "usage: accuracy [--quick] [--scene NAME] [--csv FILE] [--json FILE] [--rounds N] [--seed N]\n"
     "                [--octree DEPTH | --grid N] [--cells N] [--no-scenes] [MESH...]\n"
@@ -99,8 +93,6 @@ static const struct {
 
 static int read_mesh(settings *s, const char *path)
 {
-    if (!HAS_MESHES)
-        return fail("cannot read the mesh", path, "this build has no libassimp; install libassimp-dev and build again");
     if (s->meshes == MESHES_MAX)
         return fail("too many meshes, from", path, "give 64 at most");
     s->mesh[s->meshes++] = path;

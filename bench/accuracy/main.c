@@ -9,12 +9,9 @@
 #include <string.h>
 
 #include "accuracy_options.h"
-#include "trade.h"
-
-#if defined(BENCH_MESHES)
 #include "leaves.h"
 #include "read/mesh.h"
-#endif
+#include "trade.h"
 
 static const char *const scenes_of_all[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
                                             "touching-ulp", "offset", "needles", "caps"};
@@ -148,7 +145,6 @@ static bool is_asked(const settings *s, const char *name)
     return false;
 }
 
-#if defined(BENCH_MESHES)
 /* The name of a file without its folder and its ending. */
 static void name_of_file(const char *path, char name[64])
 {
@@ -175,9 +171,6 @@ static bool run_mesh(const char *path, const settings *s, output *out)
     mesh_free(&read);
     return is_right;
 }
-#else
-static bool run_mesh(const char *path, const settings *s, output *out) { return (void)path, (void)s, (void)out, false; }
-#endif
 
 static bool run_all(const settings *s, output *out)
 {

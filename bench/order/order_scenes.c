@@ -7,10 +7,7 @@
 #include "sweep/order_octree.h"
 #include "sweep/order_why.h"
 #include "common/place.h"
-
-#if defined(BENCH_MESHES)
 #include "read/mesh.h"
-#endif
 
 /* Small triangles within the shadow of the unit box, above it: one box normal separates them, whatever the other axes do. */
 static void draw_above(generator *g, triangle t, int axis)
@@ -149,7 +146,6 @@ bool order_scene_make(size_t index, size_t count, uint64_t seed, order_work *wor
     return index == TORUS ? make_torus(count, work) : make_drawn(&recipes[index], count, seed, work);
 }
 
-#if defined(BENCH_MESHES)
 bool order_scene_of_mesh(const char *path, size_t count, order_work *work)
 {
     mesh m;
@@ -159,11 +155,3 @@ bool order_scene_of_mesh(const char *path, size_t count, order_work *work)
     mesh_free(&m);
     return is_made;
 }
-#else
-bool order_scene_of_mesh(const char *path, size_t count, order_work *work)
-{
-    (void)count;
-    (void)work;
-    return fail(path, "this program was built without libassimp, which reads meshes");
-}
-#endif

@@ -18,9 +18,7 @@
 #include "common/measure.h"
 #include "voxel_rivals.h"
 #include "voxel_scenes.h"
-#if defined(BENCH_MESHES)
 #include "voxelize/layers.h"
-#endif
 
 enum { ROUNDS_MOST = 101, RESOLUTIONS_MOST = 8, SCENES_MOST = 64 };
 
@@ -78,24 +76,11 @@ static const char usage[] =
 
 static int fail(const char *what, const char *which, const char *help) { return argument_fail("voxels", what, which, help); }
 
-static bool runs(const task *t, contestant_index c)
-{
-#if !defined(BENCH_MESHES)
-    if (c == TWO_THREADS)
-        return false;
-#endif
-    (void)t;
-    return c < CONTESTANT_COUNT;
-}
-
 /* What tribox answers, into the bits. */
 static tribox_status answer(const task *t, const tribox_options *options, unsigned threads, tribox_report *report)
 {
-#if defined(BENCH_MESHES)
     if (threads > 1)
         return voxelize_in_threads(&t->scene->soup, &t->grid, 0, t->grid.size[2], options, threads, t->bits, report, NULL, NULL);
-#endif
-    (void)threads;
     return tribox_voxelize(&t->scene->soup, &t->grid, options, t->bits, report);
 }
 
@@ -234,17 +219,16 @@ static void time_rounds(const task *t, generator *order, finding *f)
             const contestant_index c = turns[turn];
             const size_t at = round ? round - 1 : 0;
             f->is_once[c] = c >= RIVAL_SEIDEL && round > 1 && seconds[c][0] / (double)f->step[c] > t->s->limit / (double)rounds;
-            if (runs(t, c))
-                seconds[c][at] = f->is_once[c] ? seconds[c][0] : seconds_of(t, c, f->step[c]);
+            seconds[c][at] = f->is_once[c] ? seconds[c][0] : seconds_of(t, c, f->step[c]);
         }
     }
     for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
         for (size_t round = 0; round < rounds; round++)
             ratios[round] = seconds[c][round] / seconds[EXACT][round];
-        f->to_exact[c] = runs(t, c) ? median(ratios, rounds) : -1;
+        f->to_exact[c] = median(ratios, rounds);
     }
     for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++)
-        f->seconds[c] = runs(t, c) ? median(seconds[c], rounds) : -1;
+        f->seconds[c] = median(seconds[c], rounds);
 }
 
 static void print_table(const task *t, const finding *f)
@@ -254,8 +238,6 @@ static void print_table(const task *t, const finding *f)
            t->grid.size[1], t->grid.size[2], t->scene->soup.count, f->set, (double)t->words * 8 / 1048576);
     printf("%-18s %14s %12s %16s %10s\n", "", "ns a triangle", "ns a cell", "million tri./s", "x exact");
     for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-        if (!runs(t, c))
-            continue;
         printf("%-18s %14.1f %12.2f %16.3f %10.2f", contestants[c], 1e9 * f->seconds[c] / triangles,
                1e9 * f->seconds[c] / (double)f->set, triangles / f->seconds[c] / 1e6, f->to_exact[c]);
         if (f->step[c] > 1)
@@ -275,8 +257,6 @@ static void print_json(const task *t, const finding *f, bool is_first)
            t->grid.size[1], t->grid.size[2], t->scene->soup.count, f->set, f->unlike);
     const char *separator = "";
     for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-        if (!runs(t, c))
-            continue;
         printf("%s\"%s\": {\"ns_triangle\": %.3f, \"ns_cell\": %.3f, \"to_exact\": %.4f, \"one_of\": %zu}", separator,
                contestants[c], 1e9 * f->seconds[c] / (double)t->scene->soup.count, 1e9 * f->seconds[c] / (double)f->set,
                f->to_exact[c], f->step[c]);

@@ -6,9 +6,7 @@
 #include <string.h>
 
 #include "paper/random.h"
-#if defined(BENCH_MESHES)
 #include "read/mesh.h"
-#endif
 
 /* Room for the streams and the triangles; count 0 in `made` if there is none. */
 static bool make_room(voxel_scene *made, size_t count)
@@ -88,7 +86,6 @@ bool voxel_scene_make(int which, uint64_t seed, voxel_scene *made)
 
 bool voxel_scene_read(const char *path, voxel_scene *made)
 {
-#if defined(BENCH_MESHES)
     mesh m;
     if (mesh_read(path, &m) != 0)
         return false;
@@ -111,11 +108,6 @@ bool voxel_scene_read(const char *path, voxel_scene *made)
         fill_streams(made);
     mesh_free(&m);
     return is_made;
-#else
-    fprintf(stderr, "voxels: %s: built without libassimp, so without meshes\n", path);
-    (void)made;
-    return false;
-#endif
 }
 
 void voxel_scene_free(voxel_scene *made) { free(made->storage); }

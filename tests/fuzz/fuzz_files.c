@@ -1,5 +1,5 @@
 /*
- * fuzz_files.c - the readers of files of the program: boxes, parts, triangles one behind the other, and the checks of meshes.
+ * fuzz_files.c - the readers of files of the program: meshes, boxes, parts, and triangles one after another.
  * The first byte chooses the reader, the others are the file.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -10,68 +10,57 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "read/boxes.h"
+#include "console/message.h"
 #include "ensure.h"
 #include "lines.h"
-#include "read/mesh_file.h"
-#include "console/message.h"
-#include "write/part.h"
-#include "target.h"
+#include "read/boxes.h"
+#include "read/readers.h"
 #include "read/triangle_file.h"
+#include "target.h"
+#include "write/part.h"
 
 typedef struct bytes {
     const uint8_t *first;
     size_t size;
 } bytes;
 
-/* In memory of its own, with the NUL byte that mesh_file promises and nothing behind it. */
-static mesh_file mesh_of(bytes b)
+/* In memory of its own, with the NUL byte that whole_file promises and nothing after it. */
+static whole_file file_of(bytes b)
 {
-    mesh_file file = {malloc(b.size + 1), b.size};
+    whole_file file = {malloc(b.size + 1), b.size};
     ensure(file.bytes, "no memory");
     memcpy(file.bytes, b.first, b.size);
     file.bytes[b.size] = '\0';
     return file;
 }
 
-/* The whole number behind the first `word`; 0 if there is none, or an `end` before it. */
-static unsigned long long number_behind(const mesh_file *file, const char *word, const char *end)
+/* Every corner of a triangle is a vertex that was read, and memory is in proportion to the file. */
+static void check_mesh(const indexed_mesh *m, size_t size)
 {
-    const char *const at = strstr(file->bytes, word), *const end_at = strstr(file->bytes, end);
-    unsigned long long number = 0;
-    return at && (!end_at || at < end_at) && sscanf(at + strlen(word), "%llu", &number) == 1 ? number : 0;
+    for (size_t i = 0; i < 3 * m->triangles; i++)
+        ensure(m->corners[i] < m->vertices, "triangle %zu has vertex %u of %zu", i / 3, m->corners[i], m->vertices);
+    ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 3, "room for %zu vertices of %zu bytes", m->vertices_max,
+           size);
+    ensure(m->triangles <= size && m->face_max <= 2 * size, "%zu triangles of %zu bytes", m->triangles, size);
+    ensure(m->rounded <= m->vertices && (m->moved > 0) == (m->rounded > 0), "%zu vertices moved by %g", m->rounded, m->moved);
 }
 
-/* A header that promises more than the file has bytes is never taken. */
-static void check_ply(bytes b)
+static void read_mesh(bytes b, const char *name, int (*read)(const char *, const whole_file *, indexed_mesh *))
 {
-    mesh_file file = mesh_of(b);
-    if (mesh_file_is_ply(&file)) {
-        const int code = mesh_file_check_ply("a.ply", &file);
-        lines_fit("mesh_file_check_ply", code);
-        ensure(code || file.bytes[file.size] == '\0', "the NUL byte behind the file is lost");
-        ensure(code || number_behind(&file, "\nelement vertex ", "end_header") <= b.size,
-               "more vertices are taken than the file has bytes");
-    }
-    mesh_file_free(&file);
+    whole_file file = file_of(b);
+    indexed_mesh m = {.positions = NULL};
+    const int code = read(name, &file, &m);
+    lines_fit(name, code);
+    check_mesh(&m, b.size);
+    indexed_mesh_free(&m);
+    whole_file_free(&file);
 }
 
-static void check_off(bytes b)
-{
-    mesh_file file = mesh_of(b);
-    const int code = mesh_file_check_off("a.off", &file);
-    lines_fit("mesh_file_check_off", code);
-    ensure(code || strncmp(file.bytes, "OFF\n", 4) || number_behind(&file, "OFF\n", "#") <= b.size,
-           "more vertices are taken than the file has bytes");
-    mesh_file_free(&file);
-}
+static void read_any_ply(bytes b) { read_mesh(b, "a.ply", read_ply); }
 
-static void check_stl(bytes b)
-{
-    mesh_file file = mesh_of(b);
-    lines_fit("mesh_file_check_stl", mesh_file_check_stl("a.stl", &file));
-    mesh_file_free(&file);
-}
+static void read_any_off(bytes b) { read_mesh(b, "a.off", read_off); }
+
+static void read_any_stl(bytes b) { read_mesh(b, "a.stl", read_stl_text); }
 
 static bool is_same_box(const tribox_box *one, const tribox_box *other)
 {
@@ -228,7 +217,7 @@ static void read_triangles(bytes b)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static void (*const readers[])(bytes) = {check_ply, check_off, check_stl, read_boxes, read_parts, read_triangles};
+    static void (*const readers[])(bytes) = {read_any_ply, read_any_off, read_any_stl, read_boxes, read_parts, read_triangles};
     if (!size)
         return 0;
     lines_forget();

@@ -230,7 +230,15 @@ def ply_files():
         files[name + "_huge"] = ply(form, vertices=2**64 - 1, faces=2**63)
     plain, binary = ply(b"ascii"), ply(b"binary_little_endian")
     files["far_index"] = plain.replace(b"3 0 1 2", b"3 0 1 4294967298")
-    files["strips"] = plain.replace(b"element face", b"element tristrips")
+    files["strips"] = plain.replace(b"element face", b"element tristrips").replace(b"3 0 1 2", b"8 0 1 2 -1 0 1 2 1")
+    files["doubles"] = plain.replace(b"float", b"double").replace(b"1 0 0", b"1e39 16777217 -0.1234567890123")
+    header, body = plain.split(b"element vertex 3\n")
+    vertex, face = body.split(b"element face 1\n")
+    face, values = face.split(b"end_header\n")
+    files["faces_first"] = header + b"element face 1\n" + face + b"element vertex 3\n" + vertex + b"end_header\n3 0 1 2\n" + values[:-8]
+    files["other_elements"] = plain.replace(b"element vertex", b"element other 1\nproperty list char double d\nelement vertex").replace(
+        b"end_header\n", b"end_header\n2 0.5 1\n")
+    files["float_lists"] = plain.replace(b"uchar int", b"int8 float").replace(b"3 0 1 2", b"3 0 1 1.5")
     files["no_end"] = plain.replace(b"end_header\n", b"")
     files["many_properties"] = plain.replace(b"property float x", b"property float x\n" * 257)
     files["first_byte_lf"] = binary.replace(b"end_header\n", b"end_header\n\n")
@@ -243,7 +251,9 @@ def off_files():
     plain = b"OFF\n# a triangle\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
     return {"triangle": plain, "cut": plain[:-4], "far_index": plain.replace(b"0 1 2", b"0 1 3"),
             "negative_index": plain.replace(b"0 1 2", b"0 -1 2"), "huge": b"OFF\n18446744073709551615 1 0\n",
-            "prefixes": b"STCN" + plain}
+            "prefixes": b"STCN" + plain, "comments": plain.replace(b"\n", b" 255 0 0#red\n\n").replace(b"OFF", b"OFF\n#"),
+            "counts_at_once": plain.replace(b"OFF\n# a triangle\n", b"OFF"), "binary": b"OFF BINARY\n" + bytes(20),
+            "polygons": b"OFF 5 3 0\n0 0 0\n4 0 0\n1 1 0\n0 4 0\n9e9 1.23456789012345 nan\n4 0 1 2 3\n5 4 0 2 1 3\n2 0 1\n"}
 
 
 BINARY_STL = b"a triangle".ljust(80) + struct.pack("<I12fH", 1, *[0] * 12, 0)

@@ -1,6 +1,7 @@
 """Files that are no mesh, or only part of one: one clear line each, and never an answer."""
 
 import os
+import re
 
 import meshes
 import support
@@ -17,7 +18,7 @@ class BadMeshes(support.TestCase):
     def test_no_file(self):
         self.refuse(os.path.join(self.folder, "missing.ply"), "cannot open the mesh file: No such file")
         self.refuse(self.folder, "is a directory; give a mesh file")
-        self.refuse("/dev/null", "is no regular file")
+        self.refuse("/dev/null", "is not a regular file")
         for name in ("empty.obj", "empty.ply", "empty.off", "empty.stl", "empty.f32", "empty"):
             self.refuse(self.write(name, ""), "the file is empty")
         for name in ("folder.obj", "folder.stl", "folder.f32"):
@@ -35,10 +36,12 @@ class BadMeshes(support.TestCase):
             self.refuse(path, "cannot open the mesh file: Permission denied")
 
     def test_no_mesh(self):
-        for name in ("notes.txt", "notes.obj", "notes.gltf", "notes.ply", "no_ending"):
+        for name in ("notes.txt", "notes.obj", "notes.gltf", "no_ending"):
             self.refuse(self.write(name, "hello\n"), "not a mesh that libassimp can read, or a damaged one")
-        self.refuse(self.write("notes.stl", "hello\n"), "truncated, or no STL file")
-        self.refuse(self.write("notes.off", "OFF\n"), "truncated, or no text")
+        self.refuse(self.write("notes.ply", "hello\n"), "not a PLY file: it does not begin with 'ply'")
+        self.refuse(self.write("notes.stl", "hello\n"), "truncated, or not an STL file")
+        self.refuse(self.write("notes.off", "hello\n"), "not an OFF file: it does not begin with 'OFF'")
+        self.refuse(self.write("counts.off", "OFF\n"), "truncated, or not text")
         for name in ("bytes.ply", "bytes.stl", "bytes.obj", "bytes.off", "bytes.glb"):
             self.refuse(self.write(name, bytes(range(256)) * 40), ".")
 
@@ -57,15 +60,48 @@ class BadMeshes(support.TestCase):
         self.refuse(self.write("negative.off", b"OFF\n3 1 0\n" + vertices + b"3 0 -1 2\n"), "damaged: face 0 refers to vertex -1")
         self.refuse(self.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "not a mesh that libassimp can read, or a damaged")
 
-    def test_strips_of_ply(self):
-        content = meshes.ply_header("ascii", 4, 1, element="tristrips") + b"0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n"
-        self.refuse(self.write("strips.ply", content), "has triangle strips")
-
     def test_header_of_ply(self):
         whole = meshes.ply_ascii(TRIANGLES)
         for old, new in ((b"property float x", b"property number x"), (b"list uchar int", b"list uchar"),
                          (b"element vertex 60", b"element vertex many"), (b"format ascii", b"format morse")):
-            self.refuse(self.write("header.ply", whole.replace(old, new)), "not a sound PLY file: '.*' in its header makes no sense")
+            self.refuse(self.write("header.ply", whole.replace(old, new)), "not a sound PLY file: '.*' in its header is not understood")
+        for old, new, pattern in ((b"property float z\n", b"", "promises 60 of 'vertex' without one x, one y and one z each"),
+                                  (b"float z", b"float x", "promises 60 of 'vertex' without one x, one y and one z each"),
+                                  (b"vertex_indices", b"vertices", "promises 20 of 'face' without one list vertex_indices each"),
+                                  (b"format ascii 1.0\n", b"", "header does not say which format it has"),
+                                  (b"element face", b"element vertex", "header has 'vertex' twice")):
+            self.refuse(self.write("header.ply", whole.replace(old, new)), "not a sound PLY file: .*" + pattern)
+
+    def test_words_that_are_not_numbers(self):
+        """The line is named."""
+        for name, old, line in (("ascii.ply", b"end_header\n", 11), ("text.off", b"60 20 0\n", 4)):
+            whole = meshes.FORMATS[name](TRIANGLES)
+            for word in (b"1,5", b"0.5f", b"x", b"1.IND", b"--1"):
+                start = whole.index(old) + len(old)
+                end = whole.index(b" ", start)
+                self.refuse(self.write(name, whole[:start] + word + whole[end:]), "damaged: line %d has '%s' where a (number|coordinate of a vertex) "
+                            "should be" % (line, re.escape(word.decode())))
+        content = meshes.off(TRIANGLES)
+        for old, new, pattern in ((b"3 0 1 2\n", b"3 0 1\n", "line 64 ends where the number of a vertex should follow"),
+                                  (b"3 0 1 2\n", b"3 0 1 #2\n", "line 64 ends where the number of a vertex should follow"),
+                                  (b"60 20 0\n", b"60 20 0\n1 2\n", "line 4 ends where a coordinate of a vertex should follow"),
+                                  (b"3 0 1 2\n", b"3 0 1 2.5\n", "line 64 has '2.5' where the number of a vertex should be")):
+            self.refuse(self.write("words.off", content.replace(old, new, 1)), "damaged: " + pattern)
+
+    def test_grammar_of_stl(self):
+        whole = meshes.stl_ascii(TRIANGLES)
+        for old, new, pattern in ((b"outer", b"inner", "line 3 has 'inner' where 'outer' should be"),
+                                  (b"endloop", b"vertex 1 2 3\nendloop", "line 7 has 'vertex' where 'endloop' should be"),
+                                  (b"vertex", b"normal", "line 4 has 'normal' where 'vertex' should be"),
+                                  (b"facet", b"point", "line 2 has 'point' where 'facet' or 'endsolid' should be"),
+                                  (b"endsolid test\n", b"endsolid test\nmore\n", "line 143 has 'more' where 'solid' should be")):
+            count = -1 if old.startswith(b"end") and b"more" in new else 1
+            self.refuse(self.write("grammar.stl", whole.replace(old, new, count) + b" \n"), "damaged: " + pattern)
+
+    def test_other_kinds_of_off(self):
+        self.refuse(self.write("binary.off", b"OFF BINARY\n" + bytes(99)), "is binary, and only OFF as text is read")
+        for word in ("4OFF", "nOFF", "C4nOFF"):
+            self.refuse(self.write("four.off", word + "\n3 1 0\n"), "has vertices of other than three coordinates")
 
 
 class TruncatedMeshes(support.TestCase):
@@ -85,7 +121,7 @@ class TruncatedMeshes(support.TestCase):
         self.refuse_cuts("ascii.ply", 3, "truncated: ")
 
     def test_stl(self):
-        self.refuse_cuts("binary.stl", 1, "truncated, or no STL file")
+        self.refuse_cuts("binary.stl", 1, "truncated, or not an STL file")
         self.refuse_cuts("solid.stl", 1, "(truncated|no triangles|not a mesh)")
         self.refuse_cuts("ascii.stl", 14, "(truncated|not a mesh)")
 
@@ -95,8 +131,8 @@ class TruncatedMeshes(support.TestCase):
         for size in [*range(1, 75), *range(75, len(whole), 29), len(whole) - 36, len(whole) - 1]:
             path = self.write("cut.f32", whole[:size])
             if size % 36:
-                self.fail_with(1, r"^tribox overlap: [^\n]*cut.f32: truncated, or no raw triangles: behind %d triangles of 36 bytes it "
-                               "has %d bytes more; write it anew" % divmod(size, 36), "overlap", path, "--box", support.UNIT_BOX)
+                self.fail_with(1, r"^tribox overlap: [^\n]*cut.f32: truncated, or not raw triangles: after %d triangles of 36 bytes it "
+                               "has %d bytes more; write it again" % divmod(size, 36), "overlap", path, "--box", support.UNIT_BOX)
             else:
                 self.assertEqual(self.overlap(path, support.UNIT_BOX)["triangles"], size // 36)
 

@@ -1,5 +1,6 @@
 """Mesh files: the same triangles from every format, bit for bit where the format is binary, and what a scene does to them."""
 
+import itertools
 import json
 import math
 import random
@@ -51,6 +52,107 @@ class Formats(support.TestCase):
             for line_end in ("\n", "\r\n", "\r"):
                 mesh = self.write("first.ply", meshes.ply_binary([(point, point, point)], line_end=line_end))
                 self.assertEqual(self.overlap(mesh, "%.9g,2,3,%.9g,2,3" % (x, x))["indices"], [0], (first, line_end))
+
+    def test_types_of_ply(self):
+        """Coordinates, counts and indices of every type, beside elements and properties that nobody asks for."""
+        whole, indices = [("char", "b"), ("uchar", "B"), ("int16", "h"), ("uint16", "H"), ("int", "i"), ("uint32", "I")], [0, 1, 2, 0, 3, 1]
+        corners = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (3, 2, 1)]
+        for (count, count_code), (number, code) in itertools.product(whole, whole + [("float", "f"), ("double", "d")]):
+            lines = ["ply", "format %s 1.0", "obj_info a test", "element camera 2", "property double view", "property list uchar short more",
+                     "element vertex 4", "property uchar red"] + ["property %s %s" % (number, axis) for axis in "xyz"]
+            lines += ["property list int float weights", "element face 2", "property list uchar float texcoord",
+                      "property list %s %s vertex_index" % (count, number), "property float quality", "end_header", ""]
+            form = "dB2hdB" + ("B3" + code + "i3f") * 4 + ("Bf" + count_code + "3" + code + "f") * 2
+            values = [1.5, 2, 7, 8, 2.5, 0]
+            for corner in corners:
+                values += [255, *corner, 3, 0.5, 0.25, 0.125]
+            for i in range(2):
+                values += [1, 0.5, 3, *indices[3 * i:3 * i + 3], 9]
+            for name, body in (("ascii", " ".join(map(str, values)).encode()), ("binary_little_endian", struct.pack("<" + form, *values)),
+                               ("binary_big_endian", struct.pack(">" + form, *values))):
+                mesh = self.write("types.ply", ("\n".join(lines) % name).encode() + body)
+                self.assertEqual(self.overlap(mesh, "3,2,1,3,2,1")["indices"], [1], (count, number, name))
+                self.assertEqual(self.overlap(mesh, "0,4,0,0,4,0")["indices"], [0], (count, number, name))
+
+    def test_faces_before_vertices_of_ply(self):
+        header = meshes.ply_header("ascii", 3, 2).split(b"\n")
+        vertex, face = header[3:7], header[7:9]
+        mesh = self.write("turned.ply", b"\n".join(header[:3] + face + vertex + header[9:]) + b"3 0 0 0\n3 0 1 2\n9 9 9\n1 0 0\n0 1 0\n")
+        self.assertEqual(self.overlap(mesh, "0.5,0.5,0,0.5,0.5,0")["indices"], [1])
+
+    def test_strips_of_ply(self):
+        header = meshes.ply_header("ascii", 5, 1, element="tristrips").replace(b"uchar", b"int")
+        mesh = self.write("strips.ply", header + b"0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 9 9\n8 0 1 2 3 -1 2 3 4\n")
+        self.assertEqual(self.overlap(mesh, "-9,-9,-9,9,9,9")["triangles"], 3)
+        for box, indices in (("0,0,0,0,0,0", [0]), ("1,1,0,1,1,0", [1, 2]), ("9,9,9,9,9,9", [2])):
+            self.assertEqual(self.overlap(mesh, box)["indices"], indices)
+
+    def test_kinds_of_off(self):
+        """Comments anywhere, colours and normals after coordinates, colours after faces, counts beside the keyword."""
+        vertices, faces = ("0 0 0", "1 0 0", "0 1 0", "1 1 0"), ("3 0 1 2", "4 0 1 3 2")
+        for keyword in ("OFF\n", "OFF # a comment\n", "OFF ", "OFF", "# first\n\nOFF\n", "COFF\n", "NOFF\n", "STCNOFF\n"):
+            for more in ("", " # red", "#red", " 255 0 0", " 0.5 0.5 0.5 1 # half", " 7"):
+                for line_end in ("\n", "\r\n", "\r", "\n\n# between\n"):
+                    content = keyword + "4 2 0" + "".join(line_end + line + more for line in vertices + faces)
+                    mesh = self.write("kinds.off", content.replace("\n", line_end) if line_end[0] == "\r" else content)
+                    answer = self.overlap(mesh, "0,0,0,0,0,0")
+                    self.assertEqual((answer["triangles"], answer["indices"]), (3, [0, 1, 2]), content)
+
+    def test_layout_of_stl(self):
+        """Letters of either case, names of solids, lines that are not those of others."""
+        text = meshes.stl_ascii([((0, 0, 0), (1, 0, 0), (0, 1, 0))]).decode()
+        for content in (text.upper(), text.replace("\n", "\r\n"), text.replace("\n", "\n\t\n "), text.replace("solid test", "solid"),
+                        text.replace("solid test", "solid a facet of endsolid"), text.replace("0 0 1", "nan nan nan"),
+                        "solid\n" + " ".join(text.split("\n")[1:-2]) + "\nendsolid"):
+            self.assertEqual(self.overlap(self.write("layout.stl", content), "0.5,0.5,0,0.5,0.5,0")["indices"], [0], content)
+
+    def test_text_is_rounded_to_the_nearest(self):
+        """Numbers between two floats, and halfway but for their last digit."""
+        for text, bits in (("16777217", 0x4B800000), ("16777217.0000000000001", 0x4B800001), ("16777219", 0x4B800002), ("0.1", 0x3DCCCCCD),
+                           ("1e-45", 1), ("7e-46", 0), ("3.4028235677e38", 0x7F7FFFFF), ("+.5e0", 0x3F000000)):
+            point, triangle = "%s 0 0\n" % text, "3 0 1 2\n"
+            for name, content in (("near.ply", meshes.ply_header("ascii", 3, 1).decode() + 3 * point + triangle),
+                                  ("near.off", "OFF 3 1 0\n" + 3 * point + triangle)):
+                result = support.run("overlap", self.write(name, content), "--box", "%.9g,0,0,%.9g,0,0" % (2 * (float_of(bits),)), "--list")
+                self.assertEqual((result.code, result.stdout), (0, "0\n"), text)
+
+    def test_what_rounding_moves(self):
+        """Doubles, and numbers with more digits than a float has, are rounded with a warning; those that a float gives back are not."""
+        header = meshes.ply_header("ascii", 3, 1).decode()
+        cases = [(name, numbers) for name in ("moved.ply", "moved.off") for numbers in
+                 (("0.1", None), ("557820.25", None), ("557820.15", "0.025"), ("100.099998", None), ("0.333333333333", "9.9e-09"),
+                  ("1234567890", "46"), ("1e99", None))]
+        for name, (number, moved) in cases:
+            body = "%s 0 0\n1 0 0\n0 1 %s\n3 0 1 2\n" % (number, number)
+            path = self.write(name, (header if name == "moved.ply" else "OFF 3 1 0\n") + body)
+            result = support.run("overlap", path, "--box", support.UNIT_BOX)
+            if moved:
+                self.assertRegex(result.stderr, "rounding to float moved coordinates of 2 vertices by up to %s; subtract an origin first" % moved)
+            else:
+                self.assertNotIn("rounding", result.stderr, number)
+        for values, moved in ((struct.pack("<9d", 5108010.25, *[0] * 8), "0.25"), (struct.pack("<9d", *range(9)), None)):
+            content = meshes.ply_header("binary_little_endian", 3, 1).replace(b"float", b"double") + values + struct.pack("<B3i", 3, 0, 1, 2)
+            result = support.run("overlap", self.write("doubles.ply", content), "--box", support.UNIT_BOX)
+            self.assertEqual(result.code, 0)
+            if moved:
+                self.assert_one_line(result.stderr, "coordinates of 1 vertex by up to 0.25")
+            else:
+                self.assertEqual(result.stderr, "")
+
+    def test_polygons_of_ply_and_off(self):
+        """A fan around a corner that sees all of the polygon; one that has no such corner earns a warning."""
+        arrow = ("0 0 0", "0 4 0", "1 1 0", "4 0 0")
+        for first in range(4):
+            turned = arrow[first:] + arrow[:first]
+            for name, start in (("arrow.ply", meshes.ply_header("ascii", 4, 1).decode()), ("arrow.off", "OFF 4 1 0\n")):
+                mesh = self.write(name, start + "".join(p + "\n" for p in turned) + "4 0 1 2 3\n")
+                self.assertEqual(self.overlap(mesh, "2,2,0,2,2,0")["overlapping"], 0)
+                self.assertEqual(self.overlap(mesh, "0.5,0.5,0,0.5,0.5,0")["overlapping"] > 0, True)
+        comb = "OFF 8 1 0\n0 0 0\n6 0 0\n6 4 0\n5 4 0\n5 1 0\n1 1 0\n1 4 0\n0 4 0\n8 0 1 2 3 4 5 6 7\n"
+        self.succeed_with_note("warning: .*comb.off: 1 concave polygon cannot be cut into a fan", "overlap", self.write("comb.off", comb), "--box", "0,0,0,1,1,1")
+        mixed = "OFF 4 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0\n2 0 1\n0\n3 0 0 1\n4 0 1 2 3\n"
+        self.assertRegex(self.succeed("overlap", self.write("mixed.off", mixed), "--box", support.UNIT_BOX),
+                         r"(?m)^triangles +3 \(and 2 points or lines, left out\)$")
 
     def test_polygons(self):
         mesh = self.write("polygons.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 2 5 0\n"

@@ -43,11 +43,14 @@ class Gigantic(support.TestCase):
                 other = header.replace(b"end_header", b"element other " + count + b"\nend_header")
                 self.refuse("other.ply", other + body, "not a sound PLY file: the header promises [0-9]+ of 'other' without")
                 other = header.replace(b"end_header", b"element other " + count + b"\nproperty double d\nend_header")
-                self.refuse("other.ply", other + body, "truncated: the header promises [0-9]+ of 'other', the file ends in number 1")
+                self.refuse("other.ply", other + body, "truncated: the header promises [0-9]+ of 'other', the file has bytes for [0-9]+ at most")
 
     def test_lists_of_ply(self):
-        for count in GIGANTIC + ("-1",):
+        for count in GIGANTIC:
             self.refuse("list.ply", meshes.ply_header("ascii", 3, 1) + (VERTICES + count + " 0 1 2\n").encode(), "truncated: ")
+        for count in ("-1", "1.5"):
+            self.refuse("list.ply", meshes.ply_header("ascii", 3, 1) + (VERTICES + count + " 0 1 2\n").encode(),
+                        "damaged: number 0 of 'face' has a list of %s values" % count)
         header = meshes.ply_header("binary_little_endian", 3, 1).replace(b"list uchar", b"list uint")
         for count in (0x7FFFFFFF, 0x80000000, 0xFFFFFFFF):
             body = meshes.pack_floats(TRIANGLES[:1]) + struct.pack("<I3i", count, 0, 1, 2)
@@ -64,11 +67,11 @@ class Gigantic(support.TestCase):
         whole = meshes.stl_binary(TRIANGLES * 4)
         self.assertEqual((50 * (80 + 2 ** 31) + 84) % 2 ** 32, len(whole))
         for count in (0, 79, 81, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1, 80 + 2 ** 31):
-            what = "truncated" if count > 80 else "has bytes behind its last triangle"
+            what = "truncated" if count > 80 else "has bytes after its last triangle"
             for header in (whole[:80], b"solid" + whole[5:80], bytes(80)):
                 content = header + struct.pack("<I", count) + whole[84:]
-                self.refuse("count.stl", content, "%s, or no STL file: it has 4084 bytes where a binary STL file of %d triangles, as "
-                            "its header says, has %d; write it anew" % (what, count, 84 + 50 * count))
+                self.refuse("count.stl", content, "%s, or not an STL file: it has 4084 bytes where a binary STL file of %d triangles, as "
+                            "its header says, has %d; write it again" % (what, count, 84 + 50 * count))
 
     def test_gltf(self):
         for count in GIGANTIC:

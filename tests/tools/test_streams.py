@@ -127,7 +127,7 @@ class Streams(support.TestCase):
             with self.fed(path, pack(TRIANGLES)):
                 self.assertEqual(self.ask(path, "--format", form, "--box", support.UNIT_BOX)[0]["triangles"], len(TRIANGLES))
         with self.fed(path, b""):
-            self.fail_with(1, "fifo: is no regular file, and the whole mesh is needed; save it", "overlap", path, "--format", "f32",
+            self.fail_with(1, "fifo: is not a regular file, and the whole mesh is needed; save it", "overlap", path, "--format", "f32",
                            "--boxes", "-")
 
     def test_printed_as_they_come(self):
@@ -186,19 +186,19 @@ class Cut(support.TestCase):
         for count in (0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK):
             for rest in (1, 17, 35):
                 self.refuse(whole[:36 * count + rest], "f32", "truncated: %d triangles were read, then it ends with %d of 36 bytes of the "
-                            "next; write it anew$" % (count, rest), "--json")
+                            "next; write it again$" % (count, rest), "--json")
 
     def test_stl(self):
         whole = meshes.stl_binary(TRIANGLES)
         for count in (0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, len(TRIANGLES) - 1):
             for rest in (0, 1, 49):
                 self.refuse(whole[:84 + 50 * count + rest], "stl", "truncated: %d of %d promised triangles were read, then it ends with %d "
-                            "of 50 bytes of the next; write it anew$" % (count, len(TRIANGLES), rest), "--json")
+                            "of 50 bytes of the next; write it again$" % (count, len(TRIANGLES), rest), "--json")
 
     def test_header_of_stl(self):
         whole = bytes(80) + meshes.stl_binary(TRIANGLES)[80:]
         for size in (1, 79, 80, 83):
-            self.refuse(whole[:size], "stl", "truncated, or no STL file: it has %d bytes, the header alone of a binary STL file has 84" % size)
+            self.refuse(whole[:size], "stl", "truncated, or not an STL file: it has %d bytes, but the header alone of a binary one has 84" % size)
 
     def test_nothing(self):
         self.refuse(b"", "stl", "the file is empty")
@@ -212,7 +212,7 @@ class Cut(support.TestCase):
         for count in (1, BLOCK, BLOCK + 1):
             for more in (b"\0", bytes(50), bytes(5000)):
                 self.refuse(meshes.stl_binary(TRIANGLES[:count]) + more, "stl",
-                            "has bytes behind the %d triangles that are promised; write it anew$" % count)
+                            "has bytes after the %d triangles that its header promises; write it again$" % count)
 
     def test_gigantic(self):
         for count in (2 ** 31, 2 ** 32 - 1):
@@ -233,7 +233,7 @@ class Cut(support.TestCase):
                                   capture_output=True, timeout=120)
             os.close(folder)
             self.assertEqual((done.returncode, done.stdout), (1, b""))
-            self.assert_one_line(done.stderr.decode(), "stdin: cannot read the mesh( behind 0 triangles)?: Is a directory")
+            self.assert_one_line(done.stderr.decode(), "stdin: cannot read the mesh( after 0 triangles)?: Is a directory")
 
     def test_list_up_to_the_cut(self):
         """What is printed is right; that it is not all, the exit code tells."""

@@ -7,7 +7,7 @@
 #include "console/message.h"
 #include "console/numbers.h"
 
-/* Bytes of a line without its comment, and of a file's name in messages. */
+/* Most bytes of a line without its comment, and of a file's name in messages. */
 enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };
 
 static void note_if_empty(const tribox_box *box, const char *where)
@@ -43,7 +43,7 @@ int box_file_open(box_file *boxes, const char *path)
     return EXIT_CODE_OK;
 }
 
-/* Reads a line without its comment into text. Returns false at the end of the file, and after a message when *code says so. */
+/* Reads a line without its comment. Returns false at the end of the file, or after a message, which sets *code. */
 static bool read_line(box_file *boxes, char *text, size_t size, int *code)
 {
     size_t length = 0;
@@ -58,7 +58,7 @@ static bool read_line(box_file *boxes, char *text, size_t size, int *code)
             continue;
         if (c == '\0' || length + 1 == size) {
             *code = message_failure("%s:%zu: %s; give a box per line: LX,LY,LZ,HX,HY,HZ", boxes->name, boxes->line,
-                                    c ? "the line is too long" : "a NUL byte, so this is no text file");
+                                    c ? "the line is too long" : "a NUL byte, so this is not a text file");
             return false;
         }
         text[length++] = (char)c;

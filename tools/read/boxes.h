@@ -8,8 +8,8 @@
 #include "tribox.h"
 
 /*
- * Reads a box from text. On an error says on standard error where it is, what is wrong and what to do, and returns false.
- * where: names the text in messages, "--box" or "boxes.txt:12". A box with lo > hi is only noted there: it is the empty box.
+ * Reads a box from text. Returns false after a message on standard error that says where it is, what is wrong and what to do.
+ * where: what to call the text in messages, as "--box" or "boxes.txt:12". A box with lo > hi is empty, which only earns a note.
  */
 bool box_read(const char *text, const char *where, tribox_box *box);
 
@@ -17,13 +17,13 @@ bool box_read(const char *text, const char *where, tribox_box *box);
 typedef struct box_file {
     FILE *file;
     const char *name;
-    size_t line; /* the number of the line last read */
+    size_t line; /* the last line that was read, counted from 1 */
 } box_file;
 
 /* Opens a file, "-" for standard input. Returns an exit_code. */
 int box_file_open(box_file *boxes, const char *path);
 
-/* Reads the next box; *end tells that there is none. Returns an exit_code. */
+/* Reads the next box; *end receives whether there is none. Returns an exit_code. */
 int box_file_next(box_file *boxes, tribox_box *box, bool *end);
 
 void box_file_close(box_file *boxes);

@@ -1,4 +1,4 @@
-/* triangle_file.c - opens files of triangles with a look at their sizes, and turns their bytes into streams. */
+/* triangle_file.c - opens files of triangles, checks their sizes, and turns their bytes into streams. */
 #define _POSIX_C_SOURCE 200809L
 #include "triangle_file.h"
 
@@ -14,20 +14,20 @@
 #include "console/message.h"
 #include "tribox.h"
 
-enum { FLOATS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, RECORD_MOST = 50 };
+enum { FLOATS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, RECORD_MAX = 50 };
 
 /* The bytes of a triangle, and where in them its floats begin. */
 static const struct {
     const char *word, *ending;
     size_t record, floats_at;
-} formats[] = {[TRIANGLES_STL] = {"stl", ".stl", RECORD_MOST, 12}, [TRIANGLES_F32] = {"f32", ".f32", 4 * FLOATS, 0}};
+} formats[] = {[TRIANGLES_STL] = {"stl", ".stl", RECORD_MAX, 12}, [TRIANGLES_F32] = {"f32", ".f32", 4 * FLOATS, 0}};
 
 int triangle_format_read(const char *text, triangle_format *format)
 {
     for (*format = TRIANGLES_STL; *format <= TRIANGLES_F32; ++*format)
         if (!strcmp(text, formats[*format].word))
             return EXIT_CODE_OK;
-    return message_usage("--format: '%s' is none of stl, f32", text);
+    return message_usage("--format: '%s' is neither stl nor f32", text);
 }
 
 static triangle_format format_of_name(const char *path)
@@ -59,24 +59,24 @@ static int open_stream(const char *path, triangle_file *file)
 
 static int refuse_stl_size(const triangle_file *file, uint64_t due)
 {
-    const char *what = file->size < due ? "truncated" : "has bytes behind its last triangle";
-    return message_failure("%s: %s, or no STL file: it has %" PRIu64 " bytes where a binary STL file of %" PRIu64
-                           " triangles, as its header says, has %" PRIu64 "; write it anew",
+    const char *what = file->size < due ? "truncated" : "has bytes after its last triangle";
+    return message_failure("%s: %s, or not an STL file: it has %" PRIu64 " bytes where a binary STL file of %" PRIu64
+                           " triangles, as its header says, has %" PRIu64 "; write it again",
                            file->name, what, file->size, file->promised, due);
 }
 
-/* What is text is left to others where nobody has said that the file is binary. */
-static int leave_text(triangle_file *file, bool is_asked)
+/* Text is left to read_stl_text, unless --format says that the file is binary. */
+static int leave_text(triangle_file *file, bool is_given)
 {
     const char *name = file->name;
     triangle_file_close(file);
-    if (!is_asked)
+    if (!is_given)
         return EXIT_CODE_OK;
     return message_failure("%s: is text, and only binary STL can be streamed; give it as a file named .stl, without --format",
                            name);
 }
 
-/* Nothing that UTF-8 has not, and no control characters but white space. */
+/* Only bytes that occur in UTF-8, and of control characters only white space. */
 static bool is_text(const unsigned char *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -85,8 +85,8 @@ static bool is_text(const unsigned char *bytes, size_t count)
     return true;
 }
 
-/* A binary file may begin like text, with "solid": its size tells first. */
-static int open_stl(triangle_file *file, bool is_asked)
+/* A binary file may begin with "solid", like text: its size counts for more. */
+static int open_stl(triangle_file *file, bool is_given)
 {
     unsigned char header[STL_HEADER];
     errno = 0;
@@ -96,11 +96,11 @@ static int open_stl(triangle_file *file, bool is_asked)
     if (!got)
         return message_failure("%s: the file is empty", file->name);
     file->promised = got < sizeof header ? 0 : little_get32(header + STL_COUNT_AT);
-    const uint64_t due = STL_HEADER + RECORD_MOST * file->promised; /* 38 bits at most */
+    const uint64_t due = STL_HEADER + RECORD_MAX * file->promised; /* 38 bits at most */
     if (is_text(header, got) && file->size != due)
-        return leave_text(file, is_asked);
+        return leave_text(file, is_given);
     if (got < sizeof header)
-        return message_failure("%s: truncated, or no STL file: it has %zu bytes, the header alone of a binary STL file has %d",
+        return message_failure("%s: truncated, or not an STL file: it has %zu bytes, but the header alone of a binary one has %d",
                                file->name, got, STL_HEADER);
     return file->is_sized && file->size != due ? refuse_stl_size(file, due) : EXIT_CODE_OK;
 }
@@ -111,42 +111,42 @@ static int open_f32(triangle_file *file)
     file->promised = file->is_sized ? whole : UINT64_MAX;
     if (!file->is_sized || !rest)
         return EXIT_CODE_OK;
-    return message_failure("%s: truncated, or no raw triangles: behind %" PRIu64 " triangles of 36 bytes it has %" PRIu64
-                           " bytes more; write it anew",
+    return message_failure("%s: truncated, or not raw triangles: after %" PRIu64 " triangles of 36 bytes it has %" PRIu64
+                           " bytes more; write it again",
                            file->name, whole, rest);
 }
 
 int triangle_file_open(const char *path, triangle_format format, triangle_file *file)
 {
-    const bool is_asked = format != TRIANGLES_OTHER;
-    *file = (triangle_file){.name = path, .format = is_asked ? format : format_of_name(path), .size = UINT64_MAX};
+    const bool is_given = format != TRIANGLES_OTHER;
+    *file = (triangle_file){.name = path, .format = is_given ? format : format_of_name(path), .size = UINT64_MAX};
     if (file->format == TRIANGLES_OTHER)
         return EXIT_CODE_OK;
     int code = open_stream(path, file);
     if (!code)
-        code = file->format == TRIANGLES_STL ? open_stl(file, is_asked) : open_f32(file);
+        code = file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_f32(file);
     if (code || !file->stream)
         return code;
-    file->bytes = malloc(TRIANGLE_BLOCK * RECORD_MOST);
+    file->bytes = malloc(TRIANGLE_BLOCK * RECORD_MAX);
     return file->bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", path);
 }
 
-/* Says how far a file came that ends too soon, in place of going on with less. */
+/* Says after how many triangles the file ends too soon. */
 static int refuse_end(const triangle_file *file, size_t got, int error)
 {
     const size_t record = formats[file->format].record;
     const uint64_t whole = file->taken + got / record;
     if (error)
-        return message_failure("%s: cannot read the mesh behind %" PRIu64 " triangles: %s", file->name, whole, strerror(error));
+        return message_failure("%s: cannot read the mesh after %" PRIu64 " triangles: %s", file->name, whole, strerror(error));
     char promise[48] = "";
     if (file->promised != UINT64_MAX)
         snprintf(promise, sizeof promise, " of %" PRIu64 " promised", file->promised);
     return message_failure("%s: truncated: %" PRIu64 "%s triangles were read, then it ends with %zu of %zu bytes of the next; "
-                           "write it anew",
+                           "write it again",
                            file->name, whole, promise, got % record, record);
 }
 
-/* From the bytes of records to floats of this machine, one triangle behind the other, in the same place. */
+/* Turns records into the floats of this machine, in place. */
 static void unpack(triangle_file *file, size_t count)
 {
     const size_t record = formats[file->format].record, at = formats[file->format].floats_at;
@@ -161,7 +161,7 @@ static int check_end(const triangle_file *file)
 {
     if (getc(file->stream) == EOF)
         return EXIT_CODE_OK;
-    return message_failure("%s: has bytes behind the %" PRIu64 " triangles that are promised; write it anew", file->name,
+    return message_failure("%s: has bytes after the %" PRIu64 " triangles that its header promises; write it again", file->name,
                            file->promised);
 }
 
@@ -169,14 +169,14 @@ int triangle_file_next(triangle_file *file, float *const streams[9], size_t *cou
 {
     const size_t record = formats[file->format].record;
     const uint64_t left = file->promised - file->taken;
-    const size_t asked = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
+    const size_t wanted = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
     *count = 0;
-    if (!asked)
+    if (!wanted)
         return check_end(file);
     errno = 0;
-    const size_t got = fread(file->bytes, 1, asked * record, file->stream);
+    const size_t got = fread(file->bytes, 1, wanted * record, file->stream);
     const int error = ferror(file->stream) ? errno : 0;
-    if (error || got % record || (got < asked * record && file->promised != UINT64_MAX))
+    if (error || got % record || (got < wanted * record && file->promised != UINT64_MAX))
         return refuse_end(file, got, error);
     *count = got / record;
     file->taken += *count;

@@ -1,6 +1,6 @@
-/* mesh_file.c - reads a whole file, with a reason for each way in which that fails. */
+/* whole_file.c - reads a whole file, with a reason for each way that can fail. */
 #define _POSIX_C_SOURCE 200809L
-#include "mesh_file.h"
+#include "whole_file.h"
 
 #include <errno.h>
 #include <stdint.h>
@@ -11,7 +11,7 @@
 
 #include "console/message.h"
 
-static int read_bytes(const char *path, FILE *stream, mesh_file *file)
+static int read_bytes(const char *path, FILE *stream, whole_file *file)
 {
     file->bytes = malloc(file->size + 1);
     if (!file->bytes)
@@ -21,19 +21,19 @@ static int read_bytes(const char *path, FILE *stream, mesh_file *file)
         file->bytes[file->size] = '\0';
         return EXIT_CODE_OK;
     }
-    const char *reason = errno ? strerror(errno) : "it became shorter meanwhile";
-    mesh_file_free(file);
+    const char *reason = errno ? strerror(errno) : "it became shorter while it was read";
+    whole_file_free(file);
     return message_failure("%s: cannot read the file: %s", path, reason);
 }
 
-int mesh_file_read(const char *path, mesh_file *file)
+int whole_file_read(const char *path, whole_file *file)
 {
     struct stat about;
-    *file = (mesh_file){NULL, 0};
+    *file = (whole_file){NULL, 0};
     if (stat(path, &about))
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
     if (!S_ISREG(about.st_mode))
-        return message_failure("%s: is %s; give a mesh file", path, S_ISDIR(about.st_mode) ? "a directory" : "no regular file");
+        return message_failure("%s: is %s; give a mesh file", path, S_ISDIR(about.st_mode) ? "a directory" : "not a regular file");
     if (about.st_size == 0)
         return message_failure("%s: the file is empty", path);
     if ((uintmax_t)about.st_size >= SIZE_MAX)
@@ -48,8 +48,8 @@ int mesh_file_read(const char *path, mesh_file *file)
     return code;
 }
 
-void mesh_file_free(mesh_file *file)
+void whole_file_free(whole_file *file)
 {
     free(file->bytes);
-    *file = (mesh_file){NULL, 0};
+    *file = (whole_file){NULL, 0};
 }

@@ -1,0 +1,124 @@
+/* indexed_mesh.c - collects vertices and triangles, and cuts polygons into fans. */
+#include "indexed_mesh.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/message.h"
+
+/* Corners of a polygon that are tried: with all of them a file could ask for years. */
+enum { APEXES_MAX = 64, TRIANGLES_AT_FIRST = 1024 };
+
+int indexed_mesh_reserve(const char *path, uint64_t vertices, indexed_mesh *m)
+{
+    if (vertices > UINT32_MAX)
+        return message_failure("%s: %" PRIu64 " vertices, more than 4294967295; split the mesh", path, vertices);
+    m->positions = vertices < SIZE_MAX / sizeof(float[3]) ? malloc((size_t)(vertices + 1) * sizeof(float[3])) : NULL;
+    m->vertices_max = (size_t)vertices;
+    return m->positions ? EXIT_CODE_OK : message_failure("%s: out of memory for %" PRIu64 " vertices", path, vertices);
+}
+
+void indexed_mesh_add_vertex(const float position[3], const double moved[3], indexed_mesh *m)
+{
+    memcpy(m->positions + 3 * m->vertices++, position, sizeof(float[3]));
+    const double most = fmax(fmax(moved[0], moved[1]), moved[2]);
+    m->rounded += most > 0;
+    m->moved = fmax(m->moved, most);
+}
+
+int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *m)
+{
+    if (corners <= m->face_max)
+        return EXIT_CODE_OK;
+    uint32_t *const face = corners <= SIZE_MAX / (2 * sizeof *face) ? realloc(m->face, 2 * (size_t)corners * sizeof *face) : NULL;
+    if (!face)
+        return message_failure("%s: out of memory for a face with %" PRIu64 " corners", path, corners);
+    m->face = face;
+    m->face_max = 2 * (size_t)corners;
+    return EXIT_CODE_OK;
+}
+
+static int grow(const char *path, indexed_mesh *m)
+{
+    const size_t most = m->triangles_max ? 2 * m->triangles_max : TRIANGLES_AT_FIRST;
+    uint32_t *const corners = most <= SIZE_MAX / sizeof(uint32_t[3]) ? realloc(m->corners, most * sizeof(uint32_t[3])) : NULL;
+    if (!corners)
+        return message_failure("%s: out of memory for more than %zu triangles", path, m->triangles);
+    m->corners = corners;
+    m->triangles_max = most;
+    return EXIT_CODE_OK;
+}
+
+int indexed_mesh_add_triangle(const char *path, uint32_t a, uint32_t b, uint32_t c, indexed_mesh *m)
+{
+    const int code = m->triangles < m->triangles_max ? EXIT_CODE_OK : grow(path, m);
+    if (!code)
+        memcpy(m->corners + 3 * m->triangles++, (uint32_t[3]){a, b, c}, sizeof(uint32_t[3]));
+    return code;
+}
+
+typedef struct vector {
+    double x, y, z;
+} vector;
+
+static vector difference(const indexed_mesh *m, uint32_t to, uint32_t from)
+{
+    const float *p = m->positions + 3 * (size_t)to, *q = m->positions + 3 * (size_t)from;
+    return (vector){(double)p[0] - (double)q[0], (double)p[1] - (double)q[1], (double)p[2] - (double)q[2]};
+}
+
+static double dot(vector a, vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/* Triangle k of the fan around corner `first`: a normal as long as twice its area. */
+static vector fan_normal(const indexed_mesh *m, size_t corners, size_t first, size_t k)
+{
+    const uint32_t *face = m->face, apex = face[first];
+    const vector a = difference(m, face[(first + k + 1) % corners], apex), b = difference(m, face[(first + k + 2) % corners], apex);
+    return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* A corner sees all of a polygon where no triangle of its fan is turned over, but for rounding. */
+static bool sees_all(const indexed_mesh *m, size_t corners, size_t first, vector normal)
+{
+    for (size_t k = 0; k + 2 < corners; k++)
+        if (dot(fan_normal(m, corners, first, k), normal) < -1e-6 * dot(normal, normal))
+            return false;
+    return true;
+}
+
+static bool find_apex(const indexed_mesh *m, size_t corners, size_t *apex)
+{
+    vector normal = {0, 0, 0};
+    for (size_t k = 0; k + 2 < corners; k++) {
+        const vector part = fan_normal(m, corners, 0, k);
+        normal = (vector){normal.x + part.x, normal.y + part.y, normal.z + part.z};
+    }
+    for (*apex = 0; *apex < corners && *apex < APEXES_MAX; ++*apex)
+        if (sees_all(m, corners, *apex, normal))
+            return true;
+    *apex = 0;
+    return false;
+}
+
+int indexed_mesh_add_face(const char *path, size_t corners, indexed_mesh *m)
+{
+    int code = EXIT_CODE_OK;
+    size_t apex = 0;
+    m->left_out += corners == 1 || corners == 2;
+    if (corners > 3 && !find_apex(m, corners, &apex))
+        m->miscut++;
+    for (size_t k = 0; !code && k + 2 < corners; k++)
+        code =
+            indexed_mesh_add_triangle(path, m->face[apex], m->face[(apex + k + 1) % corners], m->face[(apex + k + 2) % corners], m);
+    return code;
+}
+
+void indexed_mesh_free(indexed_mesh *m)
+{
+    free(m->positions);
+    free(m->corners);
+    free(m->face);
+    *m = (indexed_mesh){.positions = NULL};
+}

@@ -1,0 +1,177 @@
+/* ply_header.c - reads the header of a PLY file, and refuses what it does not understand. */
+#include "ply_header.h"
+
+#include <inttypes.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "console/message.h"
+#include "words.h"
+
+enum { LINE_SHOWN = 60 };
+
+static const struct {
+    const char *name;
+    ply_type type;
+} types[] = {{"char", PLY_INT8},   {"int8", PLY_INT8},     {"uchar", PLY_UINT8},   {"uint8", PLY_UINT8},
+             {"short", PLY_INT16}, {"int16", PLY_INT16},   {"ushort", PLY_UINT16}, {"uint16", PLY_UINT16},
+             {"int", PLY_INT32},   {"int32", PLY_INT32},   {"uint", PLY_UINT32},   {"uint32", PLY_UINT32},
+             {"float", PLY_FLOAT}, {"float32", PLY_FLOAT}, {"double", PLY_DOUBLE}, {"float64", PLY_DOUBLE}};
+
+size_t ply_type_size(ply_type type)
+{
+    static const size_t sizes[] = {[PLY_NONE] = 0,  [PLY_INT8] = 1,   [PLY_UINT8] = 1, [PLY_INT16] = 2, [PLY_UINT16] = 2,
+                                   [PLY_INT32] = 4, [PLY_UINT32] = 4, [PLY_FLOAT] = 4, [PLY_DOUBLE] = 8};
+    return sizes[type];
+}
+
+/* Which of these names the last word is; `count` if it is none of them. */
+static int find(const words *w, const char *const names[], int count)
+{
+    int i = 0;
+    while (i < count && !words_is(w, names[i]))
+        i++;
+    return i;
+}
+
+static bool read_format(words *w, ply_header *h)
+{
+    static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    const int format = words_next_on_line(w) ? find(w, names, 3) : 3;
+    h->format = (ply_format)format;
+    return format < 3;
+}
+
+static bool read_type(words *w, ply_type *type)
+{
+    *type = PLY_NONE;
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
+        if (words_is(w, types[i].name))
+            *type = types[i].type;
+    return *type != PLY_NONE;
+}
+
+static ply_role role_of(const words *name, ply_kind kind, bool is_list)
+{
+    static const char *const coordinates[] = {"x", "y", "z"};
+    if (kind == PLY_VERTICES && !is_list) {
+        const int axis = find(name, coordinates, 3);
+        return axis < 3 ? (ply_role)axis : PLY_SKIPPED;
+    }
+    const bool is_corners = is_list && (words_is(name, "vertex_indices") || words_is(name, "vertex_index"));
+    return (kind == PLY_FACES || kind == PLY_STRIPS) && is_corners ? PLY_CORNERS : PLY_SKIPPED;
+}
+
+/* property TYPE NAME, or property list COUNT_TYPE TYPE NAME */
+static bool read_property(words *w, ply_header *h)
+{
+    if (!h->element_count || h->property_count == PLY_PROPERTIES_MAX || !words_next_on_line(w))
+        return false;
+    ply_element *const e = &h->elements[h->element_count - 1];
+    ply_property *const p = &h->properties[h->property_count];
+    const bool is_list = words_is(w, "list");
+    *p = (ply_property){.count = PLY_NONE};
+    if (is_list && (!words_next_on_line(w) || !read_type(w, &p->count) || p->count >= PLY_FLOAT || !words_next_on_line(w)))
+        return false;
+    if (!read_type(w, &p->type) || !words_next_on_line(w))
+        return false;
+    p->role = role_of(w, e->kind, is_list);
+    h->property_count++;
+    e->property_count++;
+    return true;
+}
+
+/* element NAME COUNT */
+static bool read_element(words *w, ply_header *h)
+{
+    static const char *const kinds[] = {"vertex", "face", "tristrips"};
+    if (h->element_count == PLY_ELEMENTS_MAX || !words_next_on_line(w))
+        return false;
+    ply_element *const e = &h->elements[h->element_count++];
+    *e = (ply_element){.name = w->word,
+                       .name_length = words_shown(w),
+                       .kind = (ply_kind)find(w, kinds, 3),
+                       .properties = h->properties + h->property_count};
+    return words_next_on_line(w) && words_whole(w, &e->count);
+}
+
+/* Reads what follows the first word of a line. */
+static bool read_line(words *w, ply_header *h)
+{
+    if (words_is(w, "format"))
+        return read_format(w, h);
+    if (words_is(w, "element"))
+        return read_element(w, h);
+    if (words_is(w, "property"))
+        return read_property(w, h);
+    return words_is(w, "comment") || words_is(w, "obj_info");
+}
+
+static int count_role(const ply_element *e, ply_role role)
+{
+    int count = 0;
+    for (int i = 0; i < e->property_count; i++)
+        count += e->properties[i].role == role;
+    return count;
+}
+
+/* What the element lacks; NULL if it has all that is needed. */
+static const char *lacking(const ply_element *e)
+{
+    if (!e->property_count)
+        return "without a property";
+    if (e->kind == PLY_VERTICES && (count_role(e, PLY_X) != 1 || count_role(e, PLY_Y) != 1 || count_role(e, PLY_Z) != 1))
+        return "without one x, one y and one z each";
+    if ((e->kind == PLY_FACES || e->kind == PLY_STRIPS) && count_role(e, PLY_CORNERS) != 1)
+        return "without one list vertex_indices each";
+    return NULL;
+}
+
+static int check_elements(const char *path, const ply_header *h)
+{
+    int seen[PLY_OTHER + 1] = {0};
+    for (int i = 0; i < h->element_count; i++) {
+        const ply_element *e = &h->elements[i];
+        if (e->kind != PLY_OTHER && seen[e->kind]++)
+            return message_failure("%s: not a sound PLY file: its header has '%.*s' twice", path, e->name_length, e->name);
+        if (e->count && lacking(e))
+            return message_failure("%s: not a sound PLY file: the header promises %" PRIu64 " of '%.*s' %s", path, e->count,
+                                   e->name_length, e->name, lacking(e));
+    }
+    return EXIT_CODE_OK;
+}
+
+static int refuse_line(const char *path, const char *line)
+{
+    const size_t length = strcspn(line, "\r\n");
+    return message_failure("%s: not a sound PLY file: '%.*s' in its header is not understood", path,
+                           length < LINE_SHOWN ? (int)length : LINE_SHOWN, line);
+}
+
+int ply_header_read(const char *path, const whole_file *file, ply_header *h)
+{
+    words w = words_of(path, file, '\0');
+    bool has_format = false;
+    h->element_count = h->property_count = 0;
+    if (!words_next(&w) || w.word != file->bytes || !words_is(&w, "ply"))
+        return message_failure("%s: not a PLY file: it does not begin with 'ply'", path);
+    while (words_next(&w) && !words_is(&w, "end_header")) {
+        const char *const line = w.word;
+        has_format |= words_is(&w, "format");
+        const bool is_sound = read_line(&w, h);
+        words_skip_line(&w);
+        if (w.at == w.end)
+            break;
+        if (!is_sound)
+            return refuse_line(path, line);
+    }
+    if (!words_is(&w, "end_header"))
+        return message_failure("%s: truncated: the PLY header does not end", path);
+    if (!has_format)
+        return message_failure("%s: not a sound PLY file: its header does not say which format it has", path);
+    /* One line end follows. Where lines end in CR alone, the first value may begin with the byte of LF. */
+    const size_t line_end = file->bytes[3] == '\r' && file->bytes[4] == '\n' ? 2 : 1;
+    const size_t left = (size_t)(w.end - w.at);
+    h->size = (size_t)(w.at - w.text) + (left < line_end ? left : line_end);
+    return check_elements(path, h);
+}

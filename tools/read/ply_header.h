@@ -1,0 +1,60 @@
+/* ply_header.h - the header of a PLY file: which elements follow it, and which values each of them has. */
+#ifndef PLY_HEADER_H
+#define PLY_HEADER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "whole_file.h"
+
+enum { PLY_ELEMENTS_MAX = 32, PLY_PROPERTIES_MAX = 1024 };
+
+typedef enum ply_format { PLY_ASCII, PLY_LITTLE_ENDIAN, PLY_BIG_ENDIAN } ply_format;
+
+typedef enum ply_type {
+    PLY_NONE,
+    PLY_INT8,
+    PLY_UINT8,
+    PLY_INT16,
+    PLY_UINT16,
+    PLY_INT32,
+    PLY_UINT32,
+    PLY_FLOAT,
+    PLY_DOUBLE
+} ply_type;
+
+/* What a value is for. PLY_CORNERS: the list of a face's vertices. */
+typedef enum ply_role { PLY_X, PLY_Y, PLY_Z, PLY_CORNERS, PLY_SKIPPED } ply_role;
+
+typedef struct ply_property {
+    ply_type count; /* of the number of values in a list; PLY_NONE: a single value */
+    ply_type type;
+    ply_role role;
+} ply_property;
+
+typedef enum ply_kind { PLY_VERTICES, PLY_FACES, PLY_STRIPS, PLY_OTHER } ply_kind;
+
+typedef struct ply_element {
+    const char *name; /* not terminated: name_length bytes of the file */
+    int name_length;
+    ply_kind kind;
+    uint64_t count;
+    const ply_property *properties;
+    int property_count;
+} ply_element;
+
+typedef struct ply_header {
+    ply_format format;
+    ply_element elements[PLY_ELEMENTS_MAX];
+    int element_count;
+    ply_property properties[PLY_PROPERTIES_MAX];
+    int property_count;
+    size_t size; /* bytes up to the first value */
+} ply_header;
+
+/* Reads and checks the header. The file has to outlive it. Returns an exit_code. */
+int ply_header_read(const char *path, const whole_file *file, ply_header *header);
+
+size_t ply_type_size(ply_type type);
+
+#endif

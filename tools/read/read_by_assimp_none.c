@@ -1,0 +1,11 @@
+/* read_by_assimp_none.c - what a build without libassimp says of the formats that it would read. */
+#include "console/message.h"
+#include "readers.h"
+
+int read_by_assimp(const char *path, mesh *m)
+{
+    (void)m;
+    return message_failure("%s: not a PLY, OFF, STL or .f32 file, and this program was built without libassimp, which reads other "
+                           "formats; install libassimp-dev and build it again, or save the mesh as PLY",
+                           path);
+}

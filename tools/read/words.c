@@ -1,0 +1,157 @@
+/* words.c - finds the words of a text, and reads numbers strictly: a word is a number from its first character to its last. */
+#include "words.h"
+
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "console/message.h"
+
+/* No double has room for more digits in an integer, and every integer of as many digits is a double. */
+enum { EXACT_DIGITS = 15, SHOWN_MAX = 40 };
+
+static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+words words_of(const char *path, const whole_file *file, char comment)
+{
+    const char *const end = file->bytes + file->size;
+    return (words){.path = path, .text = file->bytes, .end = end, .at = file->bytes, .word = end, .comment = comment};
+}
+
+static bool is_comment(const words *w) { return w->comment && *w->at == w->comment; }
+
+static void skip_to_line_end(words *w)
+{
+    while (w->at < w->end && !is_line_end(*w->at))
+        w->at++;
+}
+
+static bool take_word(words *w)
+{
+    w->word = w->at;
+    while (w->at < w->end && !is_blank(*w->at) && !is_comment(w))
+        w->at++;
+    w->length = (size_t)(w->at - w->word);
+    return w->length;
+}
+
+bool words_next(words *w)
+{
+    for (;;) {
+        while (w->at < w->end && is_blank(*w->at))
+            w->at++;
+        if (w->at == w->end || !is_comment(w))
+            return take_word(w);
+        skip_to_line_end(w);
+    }
+}
+
+bool words_next_on_line(words *w)
+{
+    while (w->at < w->end && is_blank(*w->at) && !is_line_end(*w->at))
+        w->at++;
+    if (w->at < w->end && (is_line_end(*w->at) || is_comment(w))) {
+        w->length = 0;
+        return false;
+    }
+    return take_word(w);
+}
+
+void words_skip_line(words *w) { skip_to_line_end(w); }
+
+bool words_is(const words *w, const char *expected)
+{
+    return w->length == strlen(expected) && !strncasecmp(w->word, expected, w->length);
+}
+
+bool words_whole(const words *w, uint64_t *number)
+{
+    const bool is_negative = w->length && *w->word == '-';
+    *number = 0;
+    for (size_t i = is_negative; i < w->length; i++) {
+        if (!is_digit(w->word[i]))
+            return false;
+        const uint64_t digit = (uint64_t)(w->word[i] - '0');
+        *number = *number > (UINT64_MAX - digit) / 10 ? UINT64_MAX : 10 * *number + digit;
+    }
+    if (is_negative && *number)
+        *number = UINT64_MAX;
+    return w->length > is_negative;
+}
+
+bool words_number(const words *w, double *number)
+{
+    uint64_t whole;
+    if (w->length <= EXACT_DIGITS && *w->word != '-' && words_whole(w, &whole)) {
+        *number = (double)whole;
+        return true;
+    }
+    char *end;
+    *number = strtod(w->word, &end);
+    return w->length && end == w->word + w->length;
+}
+
+/* The digits of a decimal number from its first that is not 0, and the value of one in its last place. */
+static int count_digits(const words *w, double *last_place)
+{
+    int digits = 0, decimals = 0;
+    bool is_decimal = false;
+    long exponent = 0;
+    for (size_t i = 0; i < w->length; i++) {
+        const char c = w->word[i];
+        if (c == 'e' || c == 'E') {
+            exponent = strtol(w->word + i + 1, NULL, 10);
+            break;
+        }
+        is_decimal |= c == '.';
+        decimals += is_digit(c) && is_decimal;
+        digits += is_digit(c) && (digits || c != '0');
+    }
+    *last_place = pow(10, (double)exponent - decimals);
+    return digits;
+}
+
+bool words_coordinate(const words *w, float *number, double *moved)
+{
+    char *end;
+    *number = strtof(w->word, &end);
+    *moved = 0;
+    if (!w->length || end != w->word + w->length)
+        return false;
+    double last_place;
+    /* Shorter numbers all come back from their floats. A little more than half, since the numbers compared are rounded, too. */
+    if (w->length > FLT_DIG && isfinite(*number) && count_digits(w, &last_place) > FLT_DIG) {
+        const double distance = fabs(strtod(w->word, NULL) - (double)*number);
+        *moved = distance > 0.501 * last_place ? distance : 0;
+    }
+    return true;
+}
+
+bool words_is_cut(const words *w) { return w->at == w->end; }
+
+uint64_t words_line(const words *w)
+{
+    uint64_t line = 1;
+    for (const char *c = w->text; c < w->word; c++)
+        line += *c == '\n' || (*c == '\r' && c[1] != '\n');
+    return line;
+}
+
+int words_shown(const words *w) { return w->length < SHOWN_MAX ? (int)w->length : SHOWN_MAX; }
+
+int words_refuse(const words *w, const char *due)
+{
+    if (words_is_cut(w))
+        return message_failure("%s: truncated: the file ends where %s should follow", w->path, due);
+    if (!w->length)
+        return message_failure("%s: damaged: line %" PRIu64 " ends where %s should follow", w->path, words_line(w), due);
+    return message_failure("%s: damaged: line %" PRIu64 " has '%.*s' where %s should be", w->path, words_line(w), words_shown(w),
+                           w->word, due);
+}

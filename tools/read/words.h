@@ -1,0 +1,56 @@
+/* words.h - the words of a text, one after another, and the numbers that they spell; independent of the locale. */
+#ifndef WORDS_H
+#define WORDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "whole_file.h"
+
+typedef struct words {
+    const char *path; /* for messages */
+    const char *text, *end;
+    const char *at;   /* what follows the last word */
+    const char *word; /* the last word, `length` bytes; none at the end of the text */
+    size_t length;
+    char comment; /* starts a comment that ends with its line; NUL: there are no comments */
+} words;
+
+words words_of(const char *path, const whole_file *file, char comment);
+
+/* Moves to the next word. Returns false at the end of the text. */
+bool words_next(words *w);
+
+/* Moves to the next word of this line. Returns false, and stays on the line, where there is none. */
+bool words_next_on_line(words *w);
+
+void words_skip_line(words *w);
+
+/* Whether the last word is this one; upper case and lower case are the same. */
+bool words_is(const words *w, const char *expected);
+
+/* Reads a whole number; negative ones, and those beyond 64 bits, become UINT64_MAX. Returns false where the word is not one. */
+bool words_whole(const words *w, uint64_t *number);
+
+bool words_number(const words *w, double *number);
+
+/*
+ * Reads the float nearest to a number. moved: receives how far that is from the number, or 0 where the float, written with as many
+ * digits, gives the number back: 0.1 has not moved, 557820.15 has.
+ */
+bool words_coordinate(const words *w, float *number, double *moved);
+
+/* Says that the text ends too soon, or has another word, where `due` should be. Returns EXIT_CODE_FAILURE. */
+int words_refuse(const words *w, const char *due);
+
+/* Whether the text ends with the last word, which may then be part of a longer one. */
+bool words_is_cut(const words *w);
+
+/* The line of the last word, counted from 1. */
+uint64_t words_line(const words *w);
+
+/* What to show of the last word in a message, with %.*s. */
+int words_shown(const words *w);
+
+#endif
