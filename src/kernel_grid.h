@@ -1,6 +1,6 @@
 /*
- * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on an axis
- * is told in cells, in double. An axis has at most some 2^26 cells, as no two planes are one float.
+ * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on
+ * an axis is told in cells, in double. An axis has at most some 2^26 cells, as no two planes are one float.
  */
 #ifndef TRIBOX_KERNEL_GRID_H
 #define TRIBOX_KERNEL_GRID_H
@@ -32,14 +32,15 @@ enum { TRIBOX_STRIP = 32 };
 
 /*
  * Which projections of a triangle matter: all and its plane; or, where its box lies in one layer of cells across an axis, the one
- * along that axis alone, as there it overlaps a cell exactly if its shadow does.
+ * along that axis alone, as there it overlaps a cell exactly if its shadow does (PROOFS.md 7.4).
  */
 typedef enum tribox_shape { TRIBOX_SOLID, TRIBOX_FLAT_X, TRIBOX_FLAT_Y, TRIBOX_FLAT_Z, TRIBOX_SHAPES } tribox_shape;
 
 /*
  * Limits on the cells of rows along x, linear in row j and layer k. Of triangle t, with i, j and k counted from its base:
- *   a side leaves a row where at + j_slope * j + k_slope * k >= 0, up to its error
- *   an upper limit leaves the cells i < at + slope * (j or k), up to its error; a lower limit those that are not below
+ *   a side keeps a row where at + j_slope * j + k_slope * k >= 0, up to its error
+ *   an upper limit keeps the cells with i + 1 <= at + slope * (j or k), a lower limit those with i + 1 > at + slope * (j or k),
+ *   up to their errors (PROOFS.md 7.5)
  */
 typedef struct tribox_side {
     double at[TRIBOX_STRIP], j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
@@ -72,8 +73,8 @@ typedef struct tribox_limits {
 } tribox_limits;
 
 /*
- * margin: 1 for error bounds, 0 for none. The numbers of the strip after the last triangle, up to a multiple of 8, have to be finite,
- * and cells not zero.
+ * margin: 1 for error bounds, 0 for none. The numbers of the strip after the last triangle, up to a multiple of 8, have to be
+ * finite, and cells not zero.
  */
 typedef void tribox_strip_prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin,
                                   tribox_limits *limits);

@@ -23,9 +23,9 @@
  * Deviations from the paper:
  * - The box is lo, hi and not centre, half: bullet 1 compares the numbers of the input themselves and is exact, as the sign of a
  *   rounded difference is the sign of the difference.
- * - Of the two sides of an edge axis only the outer one is tested: the sign of n_i tells which. One sign serves the three edges of
- *   a projection, and the sign of zero is plus or minus, never zero; then the test is complete for degenerate triangles and flat
- *   boxes too. It needs bullet 1 beside it; without bullet 1 the two-sided test serves.
+ * - Of the two sides of an edge axis only the outer one is tested, and the sign of n_i says which that is. One sign serves all
+ *   three edges of a projection, and where n_i is zero it may be either. With bullet 1 beside it the test is complete, for
+ *   degenerate triangles and flat boxes too: PROOFS.md 1 proves it. Without bullet 1 the two-sided slacks are needed.
  * - An edge is projected by either of its ends, so vertices 0 and 1 serve all three edges, and vertex 2 needs no V.
  */
 
@@ -118,13 +118,13 @@ TRIBOX_INLINE vnum add_edge_reach(const lane_shape *s, int i, int j, vnum to)
     return v_fma(s->H[a], v_abs(s->f[j][b]), v_fma(s->H[b], v_abs(s->f[j][a]), to));
 }
 
-/* One-sided: the box against the outer side of edge j. Theorem: with bullets 1 and 2 this is the whole test. */
+/* One-sided: the box against the outer side of edge j. With bullets 1 and 2 this is the whole test (PROOFS.md 1). */
 TRIBOX_INLINE vnum edge_slack(const lane_shape *s, int i, int j)
 {
     return add_edge_reach(s, i, j, v_flip(edge_projection(s, i, j), v_sign(s->n[i])));
 }
 
-/* Two-sided, for axis sets without bullet 1: the triangle spans [-P, -P + 2 n_i] on the axis. */
+/* Two-sided, for axis sets without bullet 1 (PROOFS.md 1): the triangle spans [-P, -P + 2 n_i] on the axis. */
 TRIBOX_INLINE vnum edge_slack_both_sides(const lane_shape *s, int i, int j)
 {
     const vnum middle = v_abs(v_sub(s->n[i], edge_projection(s, i, j)));

@@ -2,8 +2,9 @@
  * beside.h - does a word of a mesh lie beside the box, all its vertices beyond one face?
  * After: gather.h.
  *
- * Then bullet 1 separates every triangle, and none has to be gathered. Asked of all vertices from the least number to the greatest: they lie side by side in memory, and in most
- * meshes what is near in number is near in space. Stops at the first vertices that tell otherwise.
+ * Then bullet 1 separates every triangle, and none has to be gathered. Asked of all vertices from the least number to the greatest:
+ * they lie side by side in memory, and in most meshes what is near in number is near in space. Stops at the first vertices that
+ * tell otherwise.
  */
 
 /* Vertices more than this are not asked: gathering would cost less. */

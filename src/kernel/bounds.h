@@ -2,21 +2,17 @@
  * bounds.h - how far rounding can move a slack, in the arithmetic of the vocabulary: u is its unit roundoff, V_UNIT.
  * After: axes.h.
  *
- * With F_a the extent of the triangle on axis a and m_a = max(max_j u_ja - lo_a, hi_a - min_j u_ja), the farthest that triangle
- * and box reach from each other on that axis:
- *   edges of projection i   |error of a slack| <= 2 K u B_i + eta,   B_i = F_a m_b + F_b m_a,   K = 16 one-sided, 32 two-sided
- *   plane                   |error of a slack| <= 2 24 u S + eta,    S = sum over i of (F_a F_b + tau) m_i
- * The factor 2 stands for the doubled units. Counting roundings a monomial, the worst of fused and not: an edge axis has 7 u B'
- * (B' = 2 B_i: 5 for products with V or H, 2 for V itself), and a sign of n_i that rounding turned costs 8 u B' more, as then
- * |n_i| <= 8 u F_a F_b; 15 u, rounded up to 16. The plane has 11 u times |n| <= 2 F_a F_b: 22 u, rounded up to 24.
+ * With F_a the extent of the triangle on axis a and m_a = max(max_j u_ja - lo_a, hi_a - min_j u_ja), the largest distance between
+ * a point of the triangle and a point of the box on that axis:
+ *   edges of projection i   2 K u B_i + eta,  B_i = F_a m_b + F_b m_a,                  K = 16 one-sided, 32 two-sided
+ *   plane                   2 24 u S + eta,   S = sum over i of (F_a F_b + tau) m_i
+ * The factor 2 stands for the doubled units. Counted are 7 u (2 B_i) for the roundings of a one-sided slack and 6 u more where they
+ * turn the sign of n_i, 17 for a two-sided slack, and 20 u (2 S) for the plane: PROOFS.md 3, operation by operation, fused or not.
  *
- * eta and tau stand for underflow, and are zero in double, which float input leaves room: every term is a multiple of 2^-447 and
- * below 2^400. In float at most ten products underflow, each by 2^-150, which eta = 2^-120 covers; tau = 2^-110 covers an n that
- * underflows and then meets a large V.
+ * eta and tau stand for underflow in float (PROOFS.md 3.7) and are zero in double (6.1).
  *
- * A slack beyond its bound has the sign of the true slack. A negative one separates. All of them positive is overlap, if in float
- * besides every F_a is 0 or at least 2^-55: a turned sign of n_i then still leaves a slack below 9 u B' on some edge, which the
- * bound exceeds. The extents come from the input: from rounded V they could all vanish.
+ * A slack below minus its bound separates (3.4). If all are above their bounds, triangle and box overlap, in float provided that
+ * every F_a is 0 or at least 2^-55 (5.1). The extents come from the input: from rounded V they could all vanish.
  */
 
 /* The bounds where nothing underflows. */

@@ -2,10 +2,9 @@
  * doubles.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
  * After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
  *
- * The processor's inexact flag tells for a whole packet at once that every slack is exact; then its sign decides ties as well. That
- * is for EXACT alone: CONSERVATIVE must answer a pair alike in whatever company it is.
- * Otherwise these are left out, as they are redundant given that the box normals do not separate: the plane when the triangle is
- * flat on an axis, the edges of a projection in which it is flat, and an edge parallel to an axis of its projection.
+ * The processor's inexact flag says for a whole packet at once that every slack is exact; then its sign decides ties as well. That
+ * is for EXACT alone: CONSERVATIVE must answer a pair alike in whatever company it is (PROOFS.md 6.4). The flag only saves time.
+ * Otherwise redundant axes are left out (PROOFS.md 2), and the rest are compared with the bounds of bounds.h (PROOFS.md 6.3).
  */
 
 /* Nine edge slacks and the plane's: the ones not asked are left positive. */

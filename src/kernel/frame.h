@@ -1,10 +1,10 @@
 /*
- * frame.h - triangles moved into the frame of an oriented box: q_k = axis_k . (u - center), and how far rounding can have moved them.
+ * frame.h - triangles moved into the frame of an oriented box, q_k = axis_k . (u - center), and a bound on what that rounds.
  * After: axes.h. Needs: V_ETA.
  *
- * The bound. d = u - center is rounded once (a subnormal difference not at all), then two or three products and two sums, fused or not:
- * four roundings on the longest way, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Taken is
- * 8 u of S_k as computed, from the largest |d_a| of the three vertices, plus V_ETA; that covers the roundings of S_k and of itself.
+ * The bound. d = u - center is rounded once, then two or three products and two sums, fused or not: four roundings on the longest
+ * way, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Used is 8 u S_k, from the largest
+ * |d_a| of the three vertices, plus V_ETA (PROOFS.md 8.1).
  */
 
 enum { FRAME_K = 8 };

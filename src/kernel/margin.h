@@ -2,32 +2,31 @@
  * margin.h - the bounds of bounds.h, cheaper and coarser, for float: one for all nine edge axes and one for the plane.
  * After: axes.h. Needs: V_ETA.
  *
- * Both come from the sum of the extents. For the lanes that the box normals leave, m_a <= F_a + H_a. With s = F_x + F_y + F_z and h the longest side of the
- * box, products of extents at their largest:
- *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h) <= s / 3 (s s / 2 + s h) + tau (s + 3 h)
- * so the bound on the plane, 48 u S, is at most s times the bound on the edges, 32 u B_i, with room for the roundings of these
- * lines; 34 for 32 makes room in the other. Neither is ever below the finer bound. sigma >= s is the sum over the axes of
- * |f_0a| + |f_1a|, which no NaN and no infinity can leave finite.
+ * Both come from the sum of the extents. With s = F_x + F_y + F_z and h the longest side of the box, PROOFS.md 4 has
+ *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h)
+ * for the lanes that the box normals leave. So the bound on the plane, 48 u S, is at most s times that on the edges, 32 u B_i; 34
+ * in place of 32 makes room for the roundings of these lines. s is taken as sigma >= s, the sum over the axes of |f_0a| + |f_1a|,
+ * which is not finite if any coordinate is not.
  *
- * Where the box normals are not asked, m_a <= F_a + (|V_0a| + H_a) / 2 does the same: h grows by the sum of the |V_0a|.
+ * Where the box normals are not tested, h grows by the sum of the |V_0a| (PROOFS.md 4.5).
  */
 typedef struct lane_margin {
-    vmask holds; /* finite, and small enough that no product overflows */
+    vmask holds; /* finite, and small enough that no product overflows (PROOFS.md 4.6) */
     vnum edges, plane;
 } lane_margin;
 
 /* The terms of a margin that come from the box alone. */
 typedef struct lane_box_margin {
     vnum most;  /* of sigma */
-    vnum least; /* of every |f_0a| + |f_1a| but zero, for a certificate of overlap: negative where none is asked */
+    vnum least; /* of every |f_0a| + |f_1a| but zero, for a certificate of overlap: negative where extents do not matter */
     vnum edges; /* of the coefficient of sigma */
     vnum eta;   /* of the plane, with what tau comes to */
 } lane_box_margin;
 
 /*
- * The certificate asks F_a >= 2^-55, but only where a bound of the box lies between the least and the greatest u_ja: elsewhere the
+ * The certificate needs F_a >= 2^-55, but only where a bound of the box lies between the least and the greatest u_ja: elsewhere the
  * box spans the triangle on axis a, and no edge separates in a projection that has it. Two floats less than 2^-55 apart are below
- * 2^-31, so a box without a bound that small asks nothing: least is then negative.
+ * 2^-31, so for a box without a bound that small, extents do not matter: the result is then negative (PROOFS.md 5.2).
  */
 TRIBOX_INLINE vnum least_extent(const lane_box *box)
 {

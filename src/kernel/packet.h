@@ -93,8 +93,8 @@ TRIBOX_INLINE vnum all_edges_slack(const lane_shape *s, bool is_box_asked)
 }
 
 /*
- * Bullet 3 for one lane, which leaves after the first axis that separates, as in the paper; packets, in which some lane nearly always
- * goes on, ask all nine at once. *sure loses the lane if a slack is within the error.
+ * Bullet 3 for one lane, which leaves after the first axis that separates, as in the paper; packets, in which some lane nearly
+ * always goes on, ask all nine at once. *sure loses the lane if a slack is within the error.
  */
 TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked, uint64_t left, vnum error, vmask *sure)
 {
@@ -142,8 +142,8 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
 }
 
 /*
- * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *sure keeps the lanes beyond it on the good side. The first
- * slack comes before the margin, so that fewer numbers are alive at a time.
+ * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *sure keeps the lanes beyond it on the good side. The
+ * first slack comes before the margin, so that fewer numbers are alive at a time.
  */
 TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool is_box_asked, bool is_first,
                                       const lane_box_margin *box, uint64_t left, lane_margin *margin, vmask *sure)
@@ -168,8 +168,8 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool 
 }
 
 /*
- * The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage. looks_again:
- * with the second look of ties.h, for which more numbers have to be kept.
+ * The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage.
+ * looks_again: with the second look of ties.h, for which more numbers have to be kept.
  */
 TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at, unsigned sequence, tribox_accuracy accuracy,
                               bool looks_again, uint64_t *open)

@@ -2,23 +2,26 @@
  * rows.h - one triangle against rows of grid cells, in double: every axis leaves an interval of a row, and so do all.
  * After: axes.h, touched.h. Needs: KERNEL, v_div, v_read, v_write_int.
  *
- * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these. The
- * axis a_ij says that a box overlaps only if, with m = s_i (f_jb, -f_ja) and X the corner of the box that is least along m,
+ * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these,
+ * and s_i is the sign of n_i. The axis a_ij says that a cell overlaps only if, with m_a = s_i f_jb, m_b = -s_i f_ja and X the
+ * corner of the cell that is least along m,
  *   m_a (g_ja - X_a) + m_b (g_jb - X_b) >= 0
- * which is the slack of axes.h, halved. X is a cell's index, or that and one: the left side is linear in the cell. Along x it is a
- * limit on i; in the projection along x it is a side, which takes or leaves whole rows. The plane limits i from both ends:
+ * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that and one: the left side is linear in the cell.
+ * Along x it is a limit on i; in the projection along x it is a side, which takes or leaves whole rows. The plane limits i from
+ * both ends:
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
- * Error bounds. With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, which no |g - X| exceeds, a place and the plane
- * that it is compared with are off by at most E_a = error_a + 2^-49 F_a together. So the left side of every a_ij is off by at most
+ * Error bounds (PROOFS.md 7.2, 7.6). With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, the size of g - X, a
+ * place and the plane that it is compared with are off by at most E_a = error_a + 2^-49 F_a together, and the left side of every
+ * a_ij by
  *   W_i = F_b (E_a + 2^-44 R_a) + F_a (E_b + 2^-44 R_b)
- * where the powers of two cover, at u = 2^-53, the roundings of these lines (below 16 u F R), and what the certificate of overlap
- * asks where rounding turned the sign of n_i (bounds.h: 9 times the 8 u of f and n). The plane is off by at most
+ * where 2^-44, 512 u at u = 2^-53, covers the roundings of these lines and a sign of n_i that they turn. The plane is off by at
+ * most
  *   sum of |n_a| E_a + 2^-43 S     S = sum of F_a F_b R_i
- * Divided by |m_x| or |n_x| these bound a limit. An n_x below 2^-46 S / R_x is taken for that, which moves the plane by 2^-46 S:
- * so 2^-43 S is for FAST as well, or a segment, whose n is zero, would be lost.
+ * Divided by |m_x| or |n_x| these bound a limit. Where n_x is below 2^-46 S / R_x, that is used in its place, which moves the plane
+ * by 2^-46 S (PROOFS.md 7.7). FAST keeps 2^-43 S: without it a segment, whose n is zero, would be lost.
  *
- * Redundant axes are left out as in doubles.h: they are the ties of scenes that lie in the grid's own planes.
+ * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */
 typedef struct row_triangle {
     vnum f[3][3], g[3][3]; /* edges and vertices, [j][a] */
@@ -207,8 +210,8 @@ typedef struct row_ends {
 } row_ends;
 
 /*
- * Whole cells. A limit is one more than a place, so that cutting off its fraction rounds it up; clear of zero and of `cells` by
- * half, the ends of the row are right whatever the limits.
+ * Whole cells. A limit is one more than a place, so that cutting off its fraction rounds up (PROOFS.md 7.5); clamped half a cell
+ * clear of zero and of `cells`, both ends lie in the row whatever the limits.
  */
 TRIBOX_INLINE void write_ends(int32_t *first, int32_t *end, const row_ends *ends, vnum cells)
 {
@@ -283,7 +286,7 @@ TRIBOX_INLINE void limit_rows(const tribox_limits *limits, unsigned t, double ro
     }
 }
 
-/* One error for all limits costs fewer operations; a large one, of an edge nearly parallel to x, would open too many cells. */
+/* One error for all limits, the largest, costs fewer operations; that of an edge nearly parallel to x would open too many cells. */
 TRIBOX_INLINE void walk_rows(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out,
                              tribox_shape shape)
 {

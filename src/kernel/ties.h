@@ -2,14 +2,14 @@
  * ties.h - the lanes that overlap for certain although a margin leaves them undecided, or asks for a look at their extents.
  * After: axes.h, margin.h.
  *
- * Given that the box normals do not separate, these axes are redundant and may be left out, also by the certificate of overlap
- * (bounds.h): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on
- * an axis. An edge parallel to e_i has slack zero on a_ij wherever it lies, so that without this no triangle with such an edge
- * would be certain.
+ * Where the box normals do not separate, these axes are redundant and can be left out, by the certificate of overlap too (PROOFS.md
+ * 2, 5.1): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on an
+ * axis. An edge parallel to e_i has slack zero on a_ij wherever it lies, so without this no triangle with such an edge would be
+ * certain. To test a redundant axis all the same would only leave more pairs open.
  */
 TRIBOX_INLINE vmask is_positive(vnum a) { return v_gt(a, v_splat(0)); }
 
-/* The certificate asks that every extent is zero or not too small. */
+/* The certificate needs every extent to be zero or not too small (PROOFS.md 5.1). */
 TRIBOX_INLINE vmask is_certificate_sound(const lane_shape *s, const lane_box_margin *box)
 {
     vmask sound = v_gt(v_splat(1), v_splat(0));

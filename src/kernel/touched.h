@@ -2,7 +2,8 @@
  * touched.h - which cells of a grid the bounding boxes of triangles touch, in double.
  * After: axes.h. Needs: v_write_int.
  *
- * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it. Then it is unsure.
+ * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it; then it is unsure
+ * (PROOFS.md 7.2, 7.3).
  */
 
 /* To the nearest integer, for places in a grid: below 2^51. */
