@@ -1,6 +1,7 @@
 """Loads libtribox: the file that the environment variable TRIBOX_LIBRARY names, or the installed library."""
 
 import os
+from itertools import count, takewhile
 
 from ._ffi import ffi
 
@@ -12,7 +13,7 @@ def load():
     try:
         library = ffi.dlopen(path)
     except OSError as error:
-        raise ImportError(f"{error}; install libtribox, or let TRIBOX_LIBRARY name the file {NAME}") from None
+        raise ImportError(f"{error}; install libtribox, or set TRIBOX_LIBRARY to the path of {NAME}") from None
     try:
         for function in dir(library):
             getattr(library, function)
@@ -21,16 +22,23 @@ def load():
     return library
 
 
+def list_kernels():
+    """Of each kernel that this processor runs the name, and the library's own spelling, which lives as long as the library."""
+    pointers = map(lib.tribox_kernel_list, count())
+    return {ffi.string(pointer).decode(): pointer for pointer in takewhile(bool, pointers)}
+
+
 lib = load()
+KERNELS = list_kernels()
 
 
-def kernel_named(name):
-    """The library's spelling of a kernel, which lives for ever; a null pointer if this processor cannot run it. None: the best."""
-    text = ffi.NULL if name is None else ffi.new("char[]", str(name).encode())
-    return lib.tribox_kernel_name(ffi.new("tribox_options *", {"kernel": text}))
+def kernels():
+    """The names of the kernels that this processor runs, widest first. The first is the default."""
+    return list(KERNELS)
 
 
 def kernel_name(name=None):
-    """The kernel that calls run with kernel=name; None if this processor cannot run it."""
-    text = kernel_named(name)
-    return ffi.string(text).decode() if text else None
+    """The kernel that calls run with kernel=name; None if the name is unknown, or this processor cannot run that kernel."""
+    if name is None:
+        return kernels()[0]
+    return name if isinstance(name, str) and name in KERNELS else None

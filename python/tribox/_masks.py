@@ -1,4 +1,4 @@
-"""Bits of the library, and what NumPy people want to hold: arrays of bool."""
+"""The library's bits, and NumPy's arrays of bool."""
 
 import sys
 
@@ -28,25 +28,25 @@ def bools(words, count):
 
 
 def check_out(out, shape, packed_shape):
-    """out is an array of bool of one shape, or of uint64, for bits, of the other. Tells whether it is for bits."""
+    """Whether out is for packed bits: uint64 of one shape, where bool has the other. Anything else is an error."""
     dtype = out.dtype if isinstance(out, np.ndarray) else None
     if dtype != BOOL and dtype != WORD:
-        raise InputTypeError(f"out is {dtype or type(out).__name__}; it is a NumPy array of bool, or of uint64 for packed bits")
+        raise InputTypeError(f"out is {dtype or type(out).__name__}; give a NumPy array of bool, or of uint64 for packed bits")
     wanted = shape if dtype == BOOL else packed_shape
     if out.shape != wanted:
-        raise InputError(f"out has shape {out.shape}; it is {wanted}")
+        raise InputError(f"out has shape {out.shape}; give {wanted}")
     if not out.flags.writeable or dtype == WORD and not out.flags.c_contiguous:
         raise InputError("out is read-only, or not contiguous")
     return dtype == WORD
 
 
 def mask_indices(mask):
-    """The numbers of the bits that are set in packed words, in ascending order, as uint32."""
+    """The indices of the set bits of packed words, in ascending order, as uint32."""
     if not isinstance(mask, np.ndarray) or mask.dtype != WORD or not mask.flags.c_contiguous:
-        raise InputTypeError("mask is a contiguous array of uint64, as packed=True returns it")
+        raise InputTypeError("mask must be a contiguous array of uint64, as packed=True returns it")
     words, count = pointer_to(mask), 64 * mask.size
     if count > 1 << 32:
-        raise InputError(f"mask has {mask.size} words; more than 2^26 go in parts")
+        raise InputError(f"mask has {mask.size} words; list more than 2^26 in parts")
     indices = np.empty(lib.tribox_mask_indices(words, count, ffi.NULL), np.uint32)
     lib.tribox_mask_indices(words, count, ffi.from_buffer("uint32_t[]", indices))
     return indices

@@ -1,49 +1,23 @@
 """Which triangles overlap a box?"""
 
-from numpy import ndarray
-
-from ._errors import InputError, error_of
+from ._arguments import check, options_of, three, three_times_three
+from ._errors import InputError
 from ._ffi import ffi
 from ._library import lib
 from ._masks import bools, check_out, new_words, pointer_to
-from ._options import options_of
 from ._triangles import SOUP, check_floats, check_indices, held, soups
 
 BOX, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_oriented_box *")
 ALL = lib.TRIBOX_AXES_ALL
 
 
-def three(name, numbers):
-    try:
-        x, y, z = map(float, numbers.tolist() if isinstance(numbers, ndarray) else numbers)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} = {numbers!r}; it is three numbers: x, y, z") from None
-    return x, y, z
-
-
-def three_times_three(name, rows):
-    try:
-        first, second, third = rows
-    except (TypeError, ValueError):
-        raise InputError(f"{name} = {rows!r}; it is three times three numbers") from None
-    return [three(f"{name}[{number}]", row) for number, row in enumerate((first, second, third))]
-
-
-def check(status, **arguments):
-    """Raises what a status stands for. arguments: those of the call that it may be about."""
-    if status:
-        options = ("accuracy", "axes", "order")
-        is_option = status == lib.TRIBOX_BAD_OPTION
-        raise error_of(status, **{name: value for name, value in arguments.items() if (name in options) == is_option})
-
-
 def overlap(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False, out=None):
-    """Tells for each triangle whether it overlaps the closed box from lo to hi: an array of n bool.
+    """Tests every triangle against the closed box from lo to hi. Returns an array of n bool.
 
-    triangles: an array of shape (n, 3, 3) of float32, a Mesh or a Soup; read where they lie.
-    lo, hi: three numbers each; like all lone numbers they are rounded to float32. lo > hi on an axis is the empty box.
+    triangles: an array of shape (n, 3, 3) of float32, a Mesh or a Soup; read in place.
+    lo, hi: three numbers each; like all lone numbers they are rounded to float32. lo > hi on an axis makes the empty box.
     accuracy: "exact", "conservative" or "fast". axes: a union of AXES_BOX, AXES_PLANE and AXES_EDGES.
-    order: of the groups of axes, such as 132; it changes no answer. kernel: a name, such as "avx2".
+    order: the order of the groups of axes, such as 132; it changes no answer. kernel: a name, such as "avx2".
     packed: returns uint64 words instead; bit i % 64 of word i // 64 is triangle i.
     out: an array to write to and return: n bool, or uint64 words for packed bits.
     """
@@ -84,7 +58,7 @@ def first_triangle(call, triangles, lo, hi, accuracy, axes, order, kernel):
 
 
 def overlap_any(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
-    """Whether any triangle overlaps the box. What comes after the first of them is mostly not looked at."""
+    """Whether any triangle overlaps the box. Most of what follows the first that does is not tested."""
     return first_triangle(lib.tribox_overlap_any, triangles, lo, hi, accuracy, axes, order, kernel)
 
 
@@ -94,7 +68,7 @@ def overlap_all(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kerne
 
 
 def classify(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
-    """Two arrays of bool (or packed bits): which triangles overlap the box, and which of them lie wholly inside."""
+    """Tells which triangles overlap the box, and which of them lie wholly inside: two arrays of bool, or of packed bits."""
     box = ffi.new(BOX, (three("lo", lo), three("hi", hi)))
     options = options_of(accuracy, axes, order, kernel)
     count = held(triangles)[0].count
@@ -121,7 +95,7 @@ def overlap_oriented(triangles, center, half, frame, *, accuracy="exact", axes=A
 
 
 def overlap_boxes(triangle, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
-    """Tells for each of many boxes whether one triangle overlaps it: an array of n bool.
+    """Tests one triangle against many boxes. Returns an array of n bool.
 
     triangle: three vertices of three numbers. lo, hi: arrays of shape (3, n) of float32: axis, box; each row is contiguous.
     """
@@ -139,7 +113,7 @@ def bounds(name, array):
     """Pointers to the rows of bounds of boxes."""
     check_floats(name, array)
     if array.ndim != 2 or len(array) != 3 or array.shape[1] > 1 and array.strides[1] != 4:
-        raise InputError(f"{name} has shape {array.shape} and strides {array.strides}; it is (3, n) with contiguous rows: "
+        raise InputError(f"{name} has shape {array.shape} and strides {array.strides}; give (3, n) with contiguous rows: "
                          f"np.ascontiguousarray({name}.T) of an array (n, 3)")
     start = array.__array_interface__["data"][0]
     return [ffi.cast("float *", start + axis * array.strides[0]) for axis in range(3)]

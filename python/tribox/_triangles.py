@@ -23,7 +23,7 @@ def check_floats(name, array):
 
 
 def address_of(array):
-    """Where an array begins that from_buffer refuses, as it is not contiguous."""
+    """Where an array begins. from_buffer takes contiguous arrays alone."""
     return ffi.cast("void *", array.__array_interface__["data"][0])
 
 
@@ -33,7 +33,7 @@ def mesh_without_faces(triangles):
         check_floats("triangles", triangles)
     shape = triangles.shape
     if shape[1:] != (3, 3):
-        raise InputError(f"triangles has shape {shape}; it is (n, 3, 3): triangle, vertex, axis")
+        raise InputError(f"triangles has shape {shape}; give (n, 3, 3): triangle, vertex, axis")
     count = shape[0]
     if triangles.flags.c_contiguous:
         return new(MESH, (from_buffer(triangles), 12, 3 * count, NULL, 0, count))
@@ -49,13 +49,13 @@ def mesh_without_faces(triangles):
 class Mesh:
     """Vertices, an array of shape (m, 3) of float32, and faces, of shape (n, 3) of uint16, uint32 or int32. Nothing is copied.
 
-    Vertices may lie apart by any stride of 12 bytes or more; faces are contiguous.
+    Vertices may be 12 bytes or more apart; faces are contiguous.
     """
 
     def __init__(self, vertices, faces):
         check_floats("vertices", vertices)
         if vertices.ndim != 2 or vertices.shape[1] != 3:
-            raise InputError(f"vertices has shape {vertices.shape}; it is (m, 3): vertex, axis")
+            raise InputError(f"vertices has shape {vertices.shape}; give (m, 3): vertex, axis")
         if len(vertices) and (vertices.strides[1] != 4 or len(vertices) > 1 and vertices.strides[0] < 12):
             raise InputError(f"vertices has the strides {vertices.strides}, which cannot be read in place; copy it once: "
                              "np.ascontiguousarray(vertices)")
@@ -63,7 +63,7 @@ class Mesh:
             raise InputTypeError(f"faces is {getattr(faces, 'dtype', type(faces).__name__)}; the library reads arrays of uint16, "
                                  "uint32 or int32; convert it once: np.asarray(faces, np.uint32)")
         if faces.ndim != 2 or faces.shape[1] != 3 or not faces.flags.c_contiguous:
-            raise InputError(f"faces has shape {faces.shape} and strides {faces.strides}; it is (n, 3), contiguous")
+            raise InputError(f"faces has shape {faces.shape} and strides {faces.strides}; give (n, 3), contiguous")
         count = len(vertices)
         if faces.dtype.kind == "i":
             count = min(count, 1 << 31)  # negative numbers, read as unsigned, refer to no vertex
@@ -73,6 +73,9 @@ class Mesh:
 
     def __len__(self):
         return len(self.faces)
+
+    def __repr__(self):
+        return f"<tribox.Mesh: {len(self.vertices)} vertices, {len(self)} faces of {self.faces.dtype}>"
 
 
 class Soup:
@@ -87,12 +90,12 @@ class Soup:
         except TypeError:
             raise InputTypeError(f"streams is of type {type(streams).__name__}; give an array of shape (3, 3, n)") from None
         if [len(axis) for axis in nested] != [3, 3, 3]:
-            raise InputError("streams has to hold three axes of three vertices each: shape (3, 3, n)")
+            raise InputError("streams must hold three axes of three vertices each: shape (3, 3, n)")
         for stream in (stream for axis in nested for stream in axis):
             check_floats("a stream", stream)
             if stream.ndim != 1 or len(stream) != len(nested[0][0]) or len(stream) > 1 and stream.strides[0] != 4:
-                raise InputError(f"a stream has shape {stream.shape} and strides {stream.strides}; all nine are contiguous, "
-                                 "of one length")
+                raise InputError(f"a stream has shape {stream.shape} and strides {stream.strides}; give nine contiguous "
+                                 "arrays of one length")
         self.streams = streams
         pointers = [[ffi.cast("float *", address_of(stream)) for stream in axis] for axis in nested]
         self.struct = new(SOUP, (*pointers, len(nested[0][0])))
@@ -100,9 +103,12 @@ class Soup:
     def __len__(self):
         return self.struct.count
 
+    def __repr__(self):
+        return f"<tribox.Soup: {len(self)} triangles>"
+
     @classmethod
     def of(cls, triangles):
-        """A copy of a mesh, or of an array of shape (n, 3, 3), as streams: for triangles that are asked many times."""
+        """A copy of a mesh, or of an array of shape (n, 3, 3), as streams: for triangles that are tested many times."""
         struct, faces = held(triangles)
         if ffi.typeof(struct) is SOUP:
             return cls(np.array(triangles.T if isinstance(triangles, np.ndarray) else triangles.streams, order="C"))
@@ -113,7 +119,7 @@ class Soup:
 
 
 def held(triangles):
-    """The struct of triangles in any form, and their faces, if any, for messages. The struct points into what the caller holds."""
+    """The struct of triangles in any form, and their faces, if any, for messages. The struct points into the caller's arrays."""
     if isinstance(triangles, np.ndarray):
         return mesh_without_faces(triangles), None
     if isinstance(triangles, Mesh):

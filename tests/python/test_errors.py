@@ -38,8 +38,8 @@ class Errors(cases.TestCase):
                     pattern = r"a bound of the box is NaN or infinite: lo = \(0, .*\), hi = \(1, 1, 1\)"
                     self.refuse(InputError, "BAD_BOX", pattern, call, form, (0, value, 0), (1, 1, 1))
                 for odd in ((1, 2), (1, 2, 3, 4), 1, None, "abc", (1, "x", 2), (1, None, 2), np.zeros((3, 2)), ()):
-                    self.refuse(InputError, None, "^hi = .*; it is three numbers: x, y, z", call, form, LO, odd)
-                    self.refuse(InputError, None, "^lo = .*; it is three numbers: x, y, z", call, form, odd, HI)
+                    self.refuse(InputError, None, "^hi = .*; give three numbers: x, y, z", call, form, LO, odd)
+                    self.refuse(InputError, None, "^lo = .*; give three numbers: x, y, z", call, form, odd, HI)
 
     def test_options(self):
         def oriented(form, lo, hi, **options):
@@ -52,9 +52,9 @@ class Errors(cases.TestCase):
                 refuse(InputError, "BAD_OPTION", "unknown .*axis set.*: .*axes = 8, order = 0", call, form, LO, HI, axes=8)
                 refuse(InputError, None, "axes = -1", call, form, LO, HI, axes=-1)
                 refuse(InputError, None, "order = '123'", call, form, LO, HI, order="123")
-                pattern = "accuracy = 'exakt'; it is one of 'exact', 'conservative', 'fast'"
+                pattern = "accuracy = 'exakt'; give one of 'exact', 'conservative', 'fast'"
                 refuse(InputError, None, pattern, call, form, LO, HI, accuracy="exakt")
-                pattern = "kernel = 'sse9'; this processor runs scalar"
+                pattern = "kernel = 'sse9'; this processor runs .*scalar"
                 refuse(InputError, "NO_KERNEL", pattern, call, form, LO, HI, kernel="sse9")
         for options in (dict(axes=8), dict(accuracy=1), dict(kernel="")):
             with self.assertRaises(InputError):
@@ -67,7 +67,7 @@ class Errors(cases.TestCase):
             bad = faces.copy().astype(dtype)
             bad[17, 2] = bad[20, 0] = wrong
             mesh = tribox.Mesh(vertices, bad)
-            pattern = fr"faces\[17, 2\] is {wrong}, but there are {count} vertices; 2 of the indices are wrong"
+            pattern = fr"faces\[17, 2\] is {wrong}, but there are {count} vertices; wrong indices in all: 2"
             for call in self.calls:
                 self.refuse(BadIndexError, "BAD_INDEX", pattern, call, mesh, LO, HI)
             self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.voxelize, mesh, *GRID)
@@ -100,7 +100,7 @@ class Errors(cases.TestCase):
         for form in self.forms:
             refuse(InputError, "BAD_BOX", r"half = \(1, inf, 1\)", tribox.overlap_oriented, form, LO, (1, INF, 1), np.eye(3))
             for frame in (np.eye(3)[:2], np.eye(4), 3, None):
-                pattern = "frame = .*; it is three times three numbers"
+                pattern = "frame = .*; give three times three numbers"
                 refuse(InputError, None, pattern, tribox.overlap_oriented, form, LO, HI, frame)
             refuse(InputError, None, r"frame\[0\] = .*three numbers", tribox.overlap_oriented, form, LO, HI, np.eye(4)[:3])
 
@@ -114,24 +114,31 @@ class Errors(cases.TestCase):
         refuse(InputError, None, "lo has shape .* strides", tribox.overlap_boxes, one, bounds[:, ::2], bounds[:, ::2])
         refuse(InputError, None, r"lo has shape \(3, 9\) and hi \(3, 8\)", tribox.overlap_boxes, one, bounds, bounds[:, :8])
         for odd in (self.triangles[:2, 0], 3, None):
-            pattern = "triangle = .*; it is three times three numbers"
+            pattern = "triangle = .*; give three times three numbers"
             refuse(InputError, None, pattern, tribox.overlap_boxes, odd, bounds, bounds)
         refuse(InputError, "BAD_OPTION", "order = 7", tribox.overlap_boxes, one, bounds, bounds, order=7)
 
     def test_grid(self):
-        for origin, cell, size in (((NAN, 0, 0), 1, (4, 5, 6)), ((0, 0, 0), 0, (4, 5, 6)), ((0, 0, 0), (1, -1, 1), (4, 5, 6)),
-                                   ((0, 0, 0), 1, (4, 0, 6)), ((1e8, 0, 0), 1, (4, 5, 6)),
-                                   ((0, 0, 0), 1, (1 << 20, 1 << 20, 1 << 20))):
-            self.refuse(InputError, "BAD_GRID", r"the grid is .*: origin = .*, cell = .*, size = ", tribox.voxelize,
-                        self.triangles, origin, cell, size)
+        for origin, cell, size, cause in (
+                ((NAN, 0, 0), 1, (4, 5, 6), "the origin or the cell is not finite as float32 on the x axis"),
+                ((0, 0, 0), (1, 1e39, 1), (4, 5, 6), "the origin or the cell is not finite as float32 on the y axis"),
+                ((0, 0, 0), 0, (4, 5, 6), "the cell or the size is not greater than zero on the x axis"),
+                ((0, 0, 0), (1, -1, 1), (4, 5, 6), "the cell or the size is not greater than zero on the y axis"),
+                ((0, 0, 0), 1, (4, 5, 0), "the cell or the size is not greater than zero on the z axis"),
+                ((0, 0, 3e38), 1e37, (4, 5, 6), "the grid ends beyond the largest float32 on the z axis"),
+                ((0, 0, 0), 1, (1 << 20, 1 << 20, 1 << 20), "the grid takes 1.342e.08 GiB, .* can take 16 at most; choose fewer"),
+                ((0, 1e8, 0), 1, (4, 5, 6), "float32 cannot tell cells of 1 apart on the y axis, .* cells of 16 are large enough"),
+                ((0, 0, 0), 1, (1, 1, (1 << 24) + 1), "float32 cannot .*; choose fewer cells, or move the origin towards 0")):
+            self.refuse(InputError, "BAD_GRID", f"^{cause}.*: origin = .*, cell = .*, size = ", tribox.voxelize, self.triangles,
+                        origin, cell, size)
         for size in ((1, 2), 3, None, "xyz", (1, -2, 3), (1, 1 << 32, 1), (1, 2, 3, 4), (NAN, 1, 1), (1.5, 1, 1)):
-            pattern = "^size = .*; it is three numbers of cells"
+            pattern = "^size = .*; give three numbers of cells"
             self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, (0, 0, 0), 1, size)
         for origin, cell, word in (((0, 0), 1, "origin"), ((0, 0, 0), (1, 1), "cell"), ((0, 0, 0), "x", "cell")):
-            pattern = f"^{word} = .*; it is three numbers"
+            pattern = f"^{word} = .*; give three numbers"
             self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, origin, cell, (1, 1, 1))
         for layers in ((0, 7), (6, 1), (-1, 2), (1 << 32, 1), (0, "x"), (0,), (0, 1.5), 3):
-            self.refuse(InputError, None, r"layers = .*of the 6 layers", tribox.voxelize, self.triangles, *GRID, layers=layers)
+            self.refuse(InputError, None, r"layers = .*within the 6 layers", tribox.voxelize, self.triangles, *GRID, layers=layers)
 
     def test_out(self):
         read_only = np.zeros(70, bool)
@@ -142,11 +149,11 @@ class Errors(cases.TestCase):
                 pattern = "^out is .*bool, or of uint64 for packed bits"
                 refuse(InputTypeError, None, pattern, tribox.overlap, form, LO, HI, out=out)
             for out in (np.zeros(69, bool), np.zeros((70, 1), bool), np.zeros(3, np.uint64)):
-                refuse(InputError, None, r"^out has shape .*; it is \((70|2),\)", tribox.overlap, form, LO, HI, out=out)
+                refuse(InputError, None, r"^out has shape .*; give \((70|2),\)", tribox.overlap, form, LO, HI, out=out)
             for out in (read_only, np.zeros(4, np.uint64)[::2]):
                 refuse(InputError, None, "^out is read-only, or not contiguous", tribox.overlap, form, LO, HI, out=out)
-        refuse(InputError, None, r"it is \(6, 5, 4\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((4, 5, 6), bool))
-        refuse(InputError, None, r"it is \(6, 5, 1\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((6, 5, 2), np.uint64))
+        refuse(InputError, None, r"give \(6, 5, 4\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((4, 5, 6), bool))
+        refuse(InputError, None, r"give \(6, 5, 1\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((6, 5, 2), np.uint64))
 
     def test_nothing_is_written(self):
         vertices, faces = cases.shared_vertices(np.resize(self.triangles, (70000, 3, 3)), np.uint32)
@@ -163,9 +170,64 @@ class Errors(cases.TestCase):
 
     def test_mask_indices(self):
         for odd in ([1], np.zeros(2, bool), np.zeros(4, np.uint64)[::2]):
-            self.refuse(InputTypeError, None, "mask is a contiguous array of uint64", tribox.mask_indices, odd)
+            self.refuse(InputTypeError, None, "mask must be a contiguous array of uint64", tribox.mask_indices, odd)
         huge = np.broadcast_to(np.uint64(0), (1, 1 << 27))
         self.refuse(InputTypeError, None, "contiguous", tribox.mask_indices, huge)
+
+
+    def test_sufficient_cell(self):
+        """The cell that a message recommends does, and a quarter of it does not."""
+        for start in (1e8, -1e8, 3, -1e30, 2.0 ** 24 - 4):
+            for size in (1, 5, 1000):
+                cell = tribox._voxelize.sufficient_cell(float(np.float32(start)), size)
+                self.assertFalse(tribox.voxelize(self.triangles[:0], (start, 0, 0), (cell, 1, 1), (size, 1, 1)).any())
+                with self.assertRaises(InputError):
+                    tribox.voxelize(self.triangles[:0], (start, 0, 0), (cell / 4, 1, 1), (max(size, 5), 1, 1))
+
+
+class Oddities(cases.TestCase):
+    """Arguments that Python itself stumbles over, in every place that takes them."""
+
+    def setUp(self):
+        self.triangles = cases.lattice(10)
+
+    def calls(self, odd, **options):
+        """(status, call) for each place of three numbers, with `odd` among them."""
+        one, corner, far, frame = (0, 0, 0), (odd, 0, 0), (1, 1, 1), np.eye(3)
+        bounds = np.zeros((3, 2), np.float32)
+        for call in (tribox.overlap, tribox.overlap_any, tribox.overlap_all, tribox.classify):
+            yield "BAD_BOX", lambda call=call: call(self.triangles, corner, far, **options)
+            yield "BAD_BOX", lambda call=call: call(self.triangles, one, corner, **options)
+        yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, corner, far, frame, **options)
+        yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, one, corner, frame, **options)
+        yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, one, far, (corner, far, far), **options)
+        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, corner, 1, (2, 2, 2), **options)
+        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, one, (odd, 1, 1), (2, 2, 2), **options)
+        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, one, odd, (2, 2, 2), **options)
+        yield None, lambda: tribox.overlap_boxes((corner, far, far), bounds, bounds, **options)
+
+    def test_huge_numbers(self):
+        for odd in (10 ** 400, -10 ** 400, 10 ** 5000):
+            for status, call in self.calls(odd):
+                if status is None:
+                    self.assertFalse(call().any())
+                else:
+                    self.refuse(InputError, status, "infinite|not finite|not greater than zero", call)
+            self.refuse(InputError, None, "^size = ", tribox.voxelize, self.triangles, (0, 0, 0), 1, (odd, 1, 1))
+            self.refuse(InputError, None, "^layers = ", tribox.voxelize, self.triangles, *GRID, layers=(0, odd))
+            self.refuse(InputError, None, "^axes = ", tribox.overlap, self.triangles, LO, HI, axes=odd)
+        self.refuse(InputError, None, "^cell = ", tribox.voxelize, self.triangles, (0, 0, 0), ((1, 2), 3, [4]), (1, 1, 1))
+
+    def test_words(self):
+        for name, known, status in (("accuracy", "exact", None), ("kernel", tribox.kernel_name(), "NO_KERNEL")):
+            for odd in ([known], {known}, "\udcff", f"{known}\0x", f"{known} ", known.upper(), known.encode(), np.array([known] * 2),
+                        1):
+                for _, call in self.calls(0, **{name: odd}):
+                    self.refuse(InputError, status, f"^{name} = ", call)
+        for odd in ([7], {}, 7.0, "7", np.array([7, 7])):
+            self.refuse(InputError, None, "^axes = .*order = ", tribox.overlap, self.triangles, LO, HI, axes=odd)
+        for odd in ("\udcff", f"{tribox.kernel_name()}\0x", [], 5):
+            self.assertIsNone(tribox.kernel_name(odd))
 
 
 class Library(cases.TestCase):
@@ -180,7 +242,7 @@ class Library(cases.TestCase):
 
     def test_not_there(self):
         self.assertRegex(self.import_with("/no/libtribox.so"),
-                         "ImportError: .*/no/libtribox.so.*; install libtribox, or let TRIBOX_LIBRARY name the file libtribox.so.0")
+                         "ImportError: .*/no/libtribox.so.*; install libtribox, or set TRIBOX_LIBRARY to the path of libtribox.so.0")
 
     def test_another(self):
         self.assertRegex(self.import_with("libc.so.6"), "ImportError: libc.so.6 does not fit this module: .*tribox_")

@@ -9,7 +9,7 @@ import tribox
 import cases
 from cases import HI, LO
 
-KERNELS = [name for name in ("scalar", "sse2", "avx2", "avx512", "neon") if tribox.kernel_name(name)]
+KERNELS = tribox.kernels()
 ORDERS = (123, 132, 213, 231, 312, 321)
 MANY = 2 * 65536 + 77  # more than two blocks
 
@@ -53,10 +53,10 @@ class Overlap(cases.TestCase):
 
     def test_options(self):
         """What no answer on these triangles would tell: the options reach the library."""
-        options = tribox._options.options_of("fast", 3, 213, "scalar")
+        options = tribox._arguments.options_of("fast", 3, 213, "scalar")
         self.assertEqual((options.accuracy, options.axes, options.order), (2, 3, 213))
         self.assertEqual(tribox._ffi.ffi.string(options.kernel), b"scalar")
-        self.assertEqual(tribox._options.options_of("conservative", 7, 0, None).accuracy, 1)
+        self.assertEqual(tribox._arguments.options_of("conservative", 7, 0, None).accuracy, 1)
 
     def test_axes(self):
         box = np.all((self.triangles.min(1) <= HI) & (self.triangles.max(1) >= LO), 1)
@@ -199,6 +199,13 @@ class Documents(unittest.TestCase):
                 self.assertTrue(getattr(tribox, name).__doc__, name)
         self.assertIn(tribox.kernel_name(), KERNELS)
         self.assertIsNone(tribox.kernel_name("sse9"))
+        self.assertEqual((tribox.kernel_name(), tribox.kernel_name("scalar")), (KERNELS[0], KERNELS[-1]))
+
+    def test_repr(self):
+        triangles = np.zeros((4, 3, 3), np.float32)
+        mesh = tribox.Mesh(triangles[0], np.array([[0, 1, 2]], np.uint16))
+        self.assertEqual(repr(mesh), "<tribox.Mesh: 3 vertices, 1 faces of uint16>")
+        self.assertEqual(repr(tribox.Soup.of(triangles)), "<tribox.Soup: 4 triangles>")
 
 
 if __name__ == "__main__":

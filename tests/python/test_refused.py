@@ -24,7 +24,7 @@ class Refused(cases.TestCase):
 
     def test_shapes(self):
         for shape in ((), (9,), (3, 3), (1, 9), (3, 3, 4), (1, 3, 2), (1, 1, 3, 3)):
-            self.refuse_triangles(InputError, r"has shape \(.*; it is \(n, 3, 3\)", np.zeros(shape, np.float32))
+            self.refuse_triangles(InputError, r"has shape \(.*; give \(n, 3, 3\)", np.zeros(shape, np.float32))
 
     def test_strides(self):
         triangles = cases.lattice(20)
@@ -40,7 +40,7 @@ class Refused(cases.TestCase):
         refuse = self.refuse
         refuse(InputTypeError, None, r"vertices has dtype float64.*astype", tribox.Mesh, vertices.astype(float), faces)
         refuse(InputTypeError, None, "vertices is of type list", tribox.Mesh, vertices.tolist(), faces)
-        refuse(InputError, None, r"vertices has shape \(.*, 2\); it is \(m, 3\)", tribox.Mesh, vertices[:, :2], faces)
+        refuse(InputError, None, r"vertices has shape \(.*, 2\); give \(m, 3\)", tribox.Mesh, vertices[:, :2], faces)
         apart = np.repeat(vertices, 2, 1)[:, ::2]
         for odd in (vertices[::-1], np.asfortranarray(vertices), apart, np.broadcast_to(vertices[:1], vertices.shape)):
             refuse(InputError, None, r"vertices has the strides .*np\.ascontiguousarray\(vertices\)", tribox.Mesh, odd, faces)
@@ -49,14 +49,14 @@ class Refused(cases.TestCase):
                    faces.astype(dtype))
         refuse(InputTypeError, None, r"faces is list", tribox.Mesh, vertices, faces.tolist())
         for odd in (faces[:, :2], faces.ravel(), faces[::2], np.asfortranarray(faces)):
-            refuse(InputError, None, r"faces has shape .*it is \(n, 3\), contiguous", tribox.Mesh, vertices, odd)
+            refuse(InputError, None, r"faces has shape .*give \(n, 3\), contiguous", tribox.Mesh, vertices, odd)
 
     def test_streams(self):
         streams = np.zeros((3, 3, 8), np.float32)
         for odd in (streams[:2], streams[:, :2], [], [streams[0]] * 4):
-            self.refuse(InputError, None, "streams has to hold three axes of three vertices each", tribox.Soup, odd)
+            self.refuse(InputError, None, "streams must hold three axes of three vertices each", tribox.Soup, odd)
         for odd in (streams[:, :, ::2], streams[..., None], [*streams[:2], [*streams[2][:2], streams[2][2][:7]]]):
-            self.refuse(InputError, None, "a stream has shape .*all nine are contiguous, of one length", tribox.Soup, odd)
+            self.refuse(InputError, None, "a stream has shape .*give nine contiguous arrays of one length", tribox.Soup, odd)
         self.refuse(InputTypeError, None, "a stream has dtype float64", tribox.Soup, streams.astype(float))
         self.refuse(InputTypeError, None, "a stream is of type list", tribox.Soup, streams.tolist())
         for odd in (3, np.zeros(3, np.float32), None):
