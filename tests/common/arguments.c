@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PAIRS = 100000, PAIRS_LONG = 10000000 };
+enum { PAIRS = 100000, PAIRS_LONG = 10000000, PAIRS_SHORT = 10000 };
 
-static const char usage[] = "usage: %s [--seed N] [--long] [--scenes NAME] [--meshes FOLDER]\n"
+static const char usage[] = "usage: %s [--seed N] [--long | --short] [--scenes NAME] [--meshes FOLDER]\n"
                             "  --seed N         the seed of everything drawn (default: TRIBOX_TEST_SEED, else 1)\n"
                             "  --long           ten million pairs a scene instead of a hundred thousand\n"
+                            "  --short          ten thousand pairs a scene\n"
                             "  --scenes NAME    only this scene, or this family of scenes\n"
                             "  --meshes FOLDER  the folder of the mesh files (default: TRIBOX_MESHES)\n";
 
@@ -20,10 +21,15 @@ static uint64_t seed_of(const char *text)
     errno = 0;
     const unsigned long long seed = strtoull(text, &end, 0);
     if (errno || end == text || *end) {
-        fprintf(stderr, "the seed '%s' is no number from 0 to 2^64 - 1; give one, such as --seed 7\n", text);
+        fprintf(stderr, "the seed '%s' is not a number from 0 to 2^64 - 1; give one, such as --seed 7\n", text);
         exit(2);
     }
     return seed;
+}
+
+size_t arguments_rounds(const arguments *args, size_t pairs_a_round)
+{
+    return args->pairs > pairs_a_round ? args->pairs / pairs_a_round : 1;
 }
 
 static const char *non_empty(const char *text) { return text && *text ? text : NULL; }
@@ -34,8 +40,8 @@ arguments arguments_parse(int argc, char **argv)
     arguments args = {.pairs = PAIRS, .meshes = non_empty(getenv("TRIBOX_MESHES"))};
     for (int k = 1; k < argc; k++) {
         const char *const value = k + 1 < argc ? argv[k + 1] : NULL;
-        if (!strcmp(argv[k], "--long")) {
-            args.pairs = PAIRS_LONG;
+        if (!strcmp(argv[k], "--long") || !strcmp(argv[k], "--short")) {
+            args.pairs = argv[k][2] == 'l' ? PAIRS_LONG : PAIRS_SHORT;
             continue;
         }
         const char **const option = !strcmp(argv[k], "--seed")     ? &seed

@@ -231,7 +231,7 @@ static void test_scenes(void **state)
 {
     (void)state;
     catch_faults();
-    const size_t rounds = args.pairs / (ORIENTED_TRIANGLES * 50);
+    const size_t rounds = arguments_rounds(&args, ORIENTED_TRIANGLES * 50);
     for (int s = 0; s < ORIENTED_SCENES; s++) {
         size_t asked = 0, hits = 0, too_many = 0, wrong = 0;
         scene_name = oriented_scenes[s].name;

@@ -143,7 +143,7 @@ static void check_question(const pair_list *q, size_t *overlapping)
 static void check_scenes(bool is_soup)
 {
     catch_faults();
-    const size_t rounds = args.pairs / 50000;
+    const size_t rounds = arguments_rounds(&args, 50000);
     size_t asked = 0, overlapping = 0;
     for (size_t i = 0; i < scene_count(); i++) {
         const scene *const s = scene_at(i);

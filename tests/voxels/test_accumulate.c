@@ -54,7 +54,7 @@ static void test_bits_stay(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "bits stay");
-    for (size_t round = 0; round < ROUNDS * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)));
         const tribox_soup soup = triangle_list_soup(&triangles);
@@ -81,7 +81,7 @@ static void test_parts(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "parts");
-    for (size_t round = 0; round < ROUNDS * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
         const size_t set = ask_whole(&options);
@@ -102,7 +102,7 @@ static void test_order(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "order");
-    for (size_t round = 0; round < ROUNDS * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
         const size_t set = ask_whole(&options), start = (size_t)random_below(&r, (int)triangles.count);

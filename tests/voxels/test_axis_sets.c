@@ -46,7 +46,7 @@ static void test_axis_sets(void **state)
     for (size_t s = 0; s < triangle_kind_count(); s++) {
         random_source r = random_named(args->seed, triangle_kind_at(s)->name);
         request q = {.scene = triangle_kind_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
-        for (size_t k = 0; k < 8 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); k++) {
+        for (size_t k = 0; k < 8 * grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); k++) {
             draw_grid_of_kind(&r, grid_kind_at(k % grid_kind_count()), CELLS_MAX, &at);
             for (triangles.count = 0; triangles.count < (random_below(&r, 2) ? 1 : TRIANGLES);) {
                 float u[3][3];

@@ -142,7 +142,7 @@ static void print_head(void)
     printf("%-16s %7s %10s %9s %12s %9s %9s %9s\n", "", "runs", "asked", "set", "cons. extra", "fast asked", "missed", "extra");
 }
 
-static int rounds(const arguments *args) { return (int)(args->pairs / PAIRS_A_ROUND); }
+static int rounds(const arguments *args) { return (int)arguments_rounds(args, PAIRS_A_ROUND); }
 
 static void test_shapes(void **state)
 {

@@ -55,7 +55,7 @@ static void test_voxelize(void **state)
     const int kernel_count = kernels_here(kernels);
     catch_faults();
     random_source r = random_named(args->seed, "environment");
-    for (size_t round = 0; round < 20 * grid_kind_count() * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < 20 * grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = {.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)),
                                         .axes = (unsigned)random_below(&r, 8) % AXIS_SETS,

@@ -188,7 +188,7 @@ static void test_fineness(void **state)
     /* the planes that coincide lie at the first, not at the last */
     const tribox_grid fine = {{-1, 0, 0}, {0x1p-25f, 1, 1}, {33554432, 1, 1}};
     assert_int_equal(status_of(&fine), TRIBOX_BAD_GRID);
-    for (size_t round = 0; round < 20000 * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < 20000 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         const int a = random_below(&r, 3), exponent = random_between(&r, -149, 100);
         tribox_grid grid = grid_of(1, 1, 1);
         grid.size[a] = (uint32_t)random_between(&r, 1, 1 << random_between(&r, 1, 10));

@@ -124,7 +124,7 @@ static void test_large(void **state)
         const size_t words = tribox_grid_words(grid);
         uint64_t *const first = occupancy_make(words), *const occupied = occupancy_make(words);
         size_t set = 0;
-        for (size_t k = 0; k < 3 * (args->pairs / PAIRS_A_ROUND); k++)
+        for (size_t k = 0; k < 3 * arguments_rounds(args, PAIRS_A_ROUND); k++)
             set += try_triangle(&r, &where, grid, first, occupied);
         printf("%8u x %6u x %6u: %zu cells set\n", (unsigned)grid->size[0], (unsigned)grid->size[1], (unsigned)grid->size[2], set);
         fflush(stdout);

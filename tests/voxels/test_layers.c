@@ -78,7 +78,7 @@ static void test_slabs(void **state)
     const arguments *const args = *state;
     catch_faults();
     random_source r = random_named(args->seed, "slabs");
-    for (size_t round = 0; round < 500 * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < 500 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r);
         const size_t set = ask_whole(&options);
@@ -137,7 +137,7 @@ static void test_threads(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "threads");
-    for (size_t round = 0; round < 100 * (args->pairs / PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < 100 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         tribox_options options = any_options(&r);
         options.kernel = round % 2 ? options.kernel : NULL; /* chosen by all threads at once */
