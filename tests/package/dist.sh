@@ -7,7 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 . "$here/snapshot.sh"
 
-only_library='-Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=1 -Dc_args=-U__OPTIMIZE__'
+only_library='-Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=0'
 snapshot "$root" "$work/repository"
 name=tribox-$("$root/packaging/version.sh")
 

@@ -7,6 +7,7 @@ root=$1
 version=$("$root/packaging/version.sh")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+export CCACHE_DISABLE=1 # or the second build would be a copy of the first
 
 # build SOURCE BUILD ARGUMENTS...: a copy of the tree, built
 build() {
