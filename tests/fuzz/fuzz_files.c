@@ -140,6 +140,27 @@ static void check_part(const part *p)
     ensure(first + layers <= p->header.whole.grid.size[2], "a part has layers that its grid has not");
 }
 
+/* With the checksum that its bytes ask for, or nothing after the checksum would ever be read. */
+static const char *write_part(int i, bytes b)
+{
+    part_header header;
+    if (b.size < sizeof header)
+        return write_file(i, b);
+    const size_t words = (b.size - sizeof header) / sizeof(uint64_t);
+    uint8_t *const copy = malloc(b.size);
+    uint64_t *const body = malloc((words + 1) * sizeof *body);
+    ensure(copy && body, "no memory");
+    memcpy(copy, b.first, b.size);
+    memcpy(&header, copy, sizeof header);
+    memcpy(body, copy + sizeof header, words * sizeof *body);
+    header.checksum = part_checksum(&header, body, words);
+    memcpy(copy, &header, sizeof header);
+    const char *const name = write_file(i, (bytes){copy, b.size});
+    free(body);
+    free(copy);
+    return name;
+}
+
 /* The first byte cuts the input in two parts. */
 static void read_parts(bytes b)
 {
@@ -149,7 +170,7 @@ static void read_parts(bytes b)
     int opened = 0;
     for (int code = 0; !code && opened < FILES && (!opened || halves[opened].size); opened += !code) {
         lines_forget();
-        code = part_open(&parts[opened], write_file(opened, halves[opened]));
+        code = part_open(&parts[opened], write_part(opened, halves[opened]));
         lines_fit("part_open", code);
         if (!code)
             check_part(&parts[opened]);

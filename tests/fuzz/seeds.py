@@ -213,12 +213,12 @@ def ply(form, line_end=b"\n", vertices=3, faces=1):
     return header + struct.pack(order + "9fB3i", 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2)
 
 
-def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 1\n"):
+def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 2\n"):
     row_words = (size[0] + 63) // 64
     first, end = size[2] * (shard - 1) // shards, size[2] * shard // shards
     count = row_words * size[1] * (end - first) if words is None else words
     return (magic.ljust(16, b"\0") +
-            struct.pack("<2I6f3I5I2Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, *size, shards, 0, 7, 0, 0, 12, 34) + bytes(8 * count))
+            struct.pack("<2I6f3I3I3Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, *size, shards, 0, 7, 12, 34, 0) + bytes(8 * count))
 
 
 def ply_files():
@@ -277,7 +277,7 @@ def part_files():
     whole, half = part(), part(1, 2)
     single = {"whole": whole, "one_of_two": half, "more_shards_than_layers": part(2, 9), "cut": whole[:-1], "long": whole + b"\0",
               "header_cut": whole[:90], "shard_0": part(0, 1), "shards_0": whole[:60] + bytes(4) + whole[64:],
-              "huge": part(size=(2**31, 64, 1), words=0), "magic": part(magic=b"tribox part 2\n")}
+              "huge": part(size=(2**31, 64, 1), words=0), "magic": part(magic=b"tribox part 1\n")}
     second = {"two": part(2, 2), "twice": half, "misfit": part(2, 2, size=(71, 2, 3))}
     return {**{name: b"\xff" + content for name, content in single.items()},
             **{name: bytes([len(half) // 8]) + half + content for name, content in second.items()}}

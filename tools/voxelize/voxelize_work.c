@@ -58,7 +58,7 @@ static int write_answer(const voxelize_request *r, const voxelize_answer *a, con
                                             .accuracy = r->test.accuracy,
                                             .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
                                             .triangles = m->soup.count,
-                                            .checksum = part_checksum(&m->soup)}},
+                                            .mesh_checksum = part_mesh_checksum(&m->soup)}},
                    v->slab[0].bits, &bar);
     progress_end(&bar);
     return EXIT_CODE_OK;

@@ -1,10 +1,10 @@
-/* part.c - writes the part of a grid, reads it back, and sees whether parts are those of one whole. */
+/* part.c - writes a part of a grid, reads it back, and checks that parts belong together. */
 #define _POSIX_C_SOURCE 200809L
 #include "part.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <inttypes.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -22,17 +22,36 @@ void part_layers(const part_whole *whole, uint32_t shard, uint32_t *first, uint3
     *layers = (uint32_t)(all * shard / whole->shards) - *first;
 }
 
-uint64_t part_checksum(const tribox_soup *soup)
+/* FNV-1a with words in place of bytes. Each step is a bijection of the sum and of the word. */
+static uint64_t add_word(uint64_t sum, uint64_t word)
+{
+    sum = (sum ^ word) * UINT64_C(0x100000001b3);
+    return sum ^ sum >> 32;
+}
+
+static const uint64_t empty_sum = UINT64_C(0xcbf29ce484222325);
+
+uint64_t part_mesh_checksum(const tribox_soup *soup)
 {
     const float *const *const streams[3] = {soup->x, soup->y, soup->z};
-    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    uint64_t sum = empty_sum;
     for (int c = 0; c < 9; c++)
         for (size_t t = 0; t < soup->count; t++) {
             uint32_t bits;
             memcpy(&bits, &streams[c / 3][c % 3][t], sizeof bits);
-            sum = (sum ^ bits) * UINT64_C(0x100000001b3); /* FNV-1a, with words in place of bytes */
-            sum ^= sum >> 32;
+            sum = add_word(sum, bits);
         }
+    return sum;
+}
+
+uint64_t part_checksum(const part_header *header, const uint64_t *words, size_t count)
+{
+    uint64_t head[offsetof(part_header, checksum) / sizeof(uint64_t)], sum = empty_sum;
+    memcpy(head, header, sizeof head);
+    for (size_t i = 0; i < sizeof head / sizeof head[0]; i++)
+        sum = add_word(sum, head[i]);
+    for (size_t i = 0; i < count; i++)
+        sum = add_word(sum, words[i]);
     return sum;
 }
 
@@ -47,44 +66,75 @@ void part_write(FILE *to, const part_header *header, const uint64_t *bits, progr
     uint32_t first, layers;
     const size_t words = voxels_layer_words(&header->whole.grid);
     part_layers(&header->whole, header->shard, &first, &layers);
-    fwrite(header, sizeof *header, 1, to);
+    part_header complete = *header;
+    complete.checksum = part_checksum(header, bits, layers * words);
+    fwrite(&complete, sizeof complete, 1, to);
     for (uint32_t k = 0; k < layers && !ferror(to); k++) {
         fwrite(bits + k * words, sizeof *bits, words, to);
         progress_tell(bar, (k + 1.0) / layers);
     }
 }
 
-/* Whether the header is one that a part can have, and the size that the whole file then has. */
-static int check_header(const char *path, const part_header *header, size_t *size)
+static bool is_sound(const part_header *header)
 {
     const part_whole *whole = &header->whole;
+    const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
     const tribox_soup nothing = {.count = 0};
-    uint32_t first, layers;
     uint64_t none;
-    if (memcmp(header->magic, PART_MAGIC, sizeof PART_MAGIC))
-        return message_failure("%s: is no part; give the files that tribox voxelize --shard wrote", path);
+    return header->shard && header->shard <= whole->shards && whole->axes &&
+           !tribox_voxelize_layers(&nothing, &whole->grid, 0, 0, &options, &none, NULL);
+}
+
+static int check_header(const char *path, const part_header *header)
+{
+    static const char magic[sizeof header->magic] = PART_MAGIC, any_version[] = "tribox part ";
+    if (memcmp(header->magic, any_version, sizeof any_version - 1))
+        return message_failure("%s: not a part file; give the files that tribox voxelize --shard wrote", path);
+    if (memcmp(header->magic, magic, sizeof magic))
+        return message_failure("%s: damaged, or written by another version of tribox; run that shard again", path);
     if (header->byte_order != PART_BYTE_ORDER)
         return message_failure("%s: written on a machine of another byte order; merge it on a machine like that one", path);
-    if (!header->shard || header->shard > whole->shards || tribox_voxelize_layers(&nothing, &whole->grid, 0, 0, NULL, &none, NULL))
-        return message_failure("%s: damaged: its header makes no sense", path);
-    part_layers(whole, header->shard, &first, &layers);
-    *size = sizeof *header + sizeof(uint64_t) * layers * voxels_layer_words(&whole->grid);
+    return is_sound(header) ? EXIT_CODE_OK : message_failure("%s: damaged: its header makes no sense; run that shard again", path);
+}
+
+/* Whether a row has a bit set beyond its last cell. */
+static bool has_strays(const part *p, size_t words)
+{
+    const size_t row_words = tribox_grid_row_words(&p->header.whole.grid);
+    const uint32_t used = p->header.whole.grid.size[0] % 64;
+    const uint64_t *bits = part_bits(p);
+    bool is_stray = false;
+    for (size_t end = row_words; used && end <= words; end += row_words)
+        is_stray |= bits[end - 1] >> used != 0;
+    return is_stray;
+}
+
+static int check_words(const part *p, size_t words)
+{
+    if (part_checksum(&p->header, part_bits(p), words) != p->header.checksum)
+        return message_failure("%s: damaged: its checksum does not match its content; run shard %u of %u again", p->path,
+                               p->header.shard, p->header.whole.shards);
+    if (has_strays(p, words))
+        return message_failure("%s: damaged: it has cells outside the grid; run shard %u of %u again", p->path, p->header.shard,
+                               p->header.whole.shards);
     return EXIT_CODE_OK;
 }
 
 static int map(part *p, int file)
 {
     struct stat about;
-    size_t needed = 0;
+    uint32_t first, layers;
     if (fstat(file, &about))
         return message_failure("%s: cannot read the part: %s", p->path, strerror(errno));
     if (!S_ISREG(about.st_mode))
-        return message_failure("%s: is no regular file; give the files that tribox voxelize --shard wrote", p->path);
+        return message_failure("%s: not a regular file; give the files that tribox voxelize --shard wrote", p->path);
     if (read(file, &p->header, sizeof p->header) != (ssize_t)sizeof p->header)
-        return message_failure("%s: is no part, or only the beginning of one", p->path);
-    const int code = check_header(p->path, &p->header, &needed);
+        return message_failure("%s: not a part file, or only the beginning of one", p->path);
+    const int code = check_header(p->path, &p->header);
     if (code)
         return code;
+    part_layers(&p->header.whole, p->header.shard, &first, &layers);
+    const size_t words = layers * voxels_layer_words(&p->header.whole.grid), needed = sizeof p->header + words * sizeof(uint64_t);
     p->size = (size_t)about.st_size;
     if (p->size != needed)
         return message_failure("%s: damaged: it has %zu bytes, shard %u of %u has %zu; run that shard again", p->path, p->size,
@@ -99,8 +149,13 @@ int part_open(part *p, const char *path)
     const int file = open(path, O_RDONLY);
     if (file < 0)
         return message_failure("%s: cannot open the part: %s", path, strerror(errno));
-    const int code = map(p, file);
+    int code = map(p, file);
     close(file);
+    if (code)
+        return code;
+    code = check_words(p, (p->size - sizeof p->header) / sizeof(uint64_t));
+    if (code)
+        part_close(p);
     return code;
 }
 
@@ -117,13 +172,14 @@ static int by_shard(const void *a, const void *b)
 static int check_alike(const part *a, const part *b)
 {
     const part_whole *one = &a->header.whole, *other = &b->header.whole;
-    const char *differing = memcmp(&one->grid, &other->grid, sizeof one->grid)                       ? "grid"
-                            : one->shards != other->shards                                           ? "number of shards"
-                            : one->triangles != other->triangles || one->checksum != other->checksum ? "mesh"
-                            : one->accuracy != other->accuracy                                       ? "accuracy"
-                            : one->axes != other->axes                                               ? "choice of axes"
-                                                                                                     : NULL;
-    return differing ? message_failure("%s and %s do not fit: they are of another %s", a->path, b->path, differing) : EXIT_CODE_OK;
+    const char *differing = memcmp(&one->grid, &other->grid, sizeof one->grid)                                 ? "grid"
+                            : one->shards != other->shards                                                     ? "number of shards"
+                            : one->triangles != other->triangles || one->mesh_checksum != other->mesh_checksum ? "mesh"
+                            : one->accuracy != other->accuracy                                                 ? "accuracy"
+                            : one->axes != other->axes                                                         ? "choice of axes"
+                                                                                                               : NULL;
+    return differing ? message_failure("%s and %s do not fit together: they differ in the %s", a->path, b->path, differing)
+                     : EXIT_CODE_OK;
 }
 
 int part_join(part *parts, size_t count)
@@ -141,7 +197,8 @@ int part_join(part *parts, size_t count)
             return message_failure("%s and %s are both shard %u of %u; give each once", parts[i - 1].path, parts[i].path, shard,
                                    shards);
         if (shard != i + 1)
-            return message_failure("shard %zu of %u is missing", i + 1, shards);
+            return message_failure("shard %zu of %u is missing; give the parts of all shards", i + 1, shards);
     }
-    return count == shards ? EXIT_CODE_OK : message_failure("shard %zu of %u is missing", count + 1, shards);
+    return count == shards ? EXIT_CODE_OK
+                           : message_failure("shard %zu of %u is missing; give the parts of all shards", count + 1, shards);
 }

@@ -1,4 +1,4 @@
-/* part.h - the share of one of several runs, "shard 2 of 8", as a file that tribox merge reads. */
+/* part.h - what one of several runs has voxelized, "shard 2 of 8", as a file that tribox merge reads. */
 #ifndef PART_H
 #define PART_H
 
@@ -13,9 +13,8 @@ typedef struct part_whole {
     tribox_grid grid;
     uint32_t shards;
     uint32_t accuracy, axes; /* as in tribox_options */
-    uint32_t unused[2];      /* 0 */
     uint64_t triangles;
-    uint64_t checksum; /* of their coordinates */
+    uint64_t mesh_checksum; /* of their coordinates */
 } part_whole;
 
 /* The first bytes of a part, in the byte order of the machine that wrote it; layers of words follow. See tribox(1), FORMATS. */
@@ -24,19 +23,24 @@ typedef struct part_header {
     uint32_t byte_order;
     uint32_t shard; /* 1 .. shards */
     part_whole whole;
+    uint64_t checksum; /* of all that stands before it and of the words after it */
 } part_header;
 
-#define PART_MAGIC "tribox part 1\n"
+#define PART_MAGIC "tribox part 2\n"
 enum { PART_BYTE_ORDER = 0x01020304 };
 
 /* The layers of shard 1 .. shards: whole ones, as equal in number as can be, none where there are more shards than layers. */
 void part_layers(const part_whole *whole, uint32_t shard, uint32_t *first, uint32_t *layers);
 
-/* A number that other coordinates hardly have. */
-uint64_t part_checksum(const tribox_soup *soup);
+/* A 64-bit hash of the coordinates. */
+uint64_t part_mesh_checksum(const tribox_soup *soup);
+
+/* The checksum that a header should have with these words after it. A single changed word always changes it. */
+uint64_t part_checksum(const part_header *header, const uint64_t *words, size_t count);
 
 bool part_is_name(const char *path);
 
+/* Writes header and words; the checksum is found here, not taken from the header. */
 void part_write(FILE *to, const part_header *header, const uint64_t *bits, progress *bar);
 
 /* A part in memory that the system reads from the file as it is needed. */
@@ -47,7 +51,7 @@ typedef struct part {
     size_t size;
 } part;
 
-/* Opens a part and checks that it is all there. Returns an exit_code; on success part_close gives it back. */
+/* Opens a part and checks that it is whole and undamaged. Returns an exit_code; on success part_close gives it back. */
 int part_open(part *p, const char *path);
 void part_close(part *p);
 
