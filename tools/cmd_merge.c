@@ -115,14 +115,12 @@ static int report(const request *r, const tribox_grid *grid, size_t parts, uint6
     return output_flush();
 }
 
-static int write_files(const request *r, const voxels *v, uint64_t occupied)
+static int write_files(const request *r, const voxels *v)
 {
     file_out out, picture;
     int code = EXIT_CODE_OK;
     if (r->format->check_grid)
         code = r->format->check_grid(r->out_path, &v->grid);
-    if (!code && r->format->check_cells)
-        code = r->format->check_cells(r->out_path, &v->grid, occupied);
     if (!code)
         code = file_out_open(&out, r->out_path);
     if (code)
@@ -158,7 +156,7 @@ static int merge(const request *r, part *parts, size_t count)
     }
     const voxels v = {.grid = parts[0].header.whole.grid, .slab = slabs, .slabs = filled};
     const uint64_t occupied = voxels_occupied(&v);
-    code = write_files(r, &v, occupied);
+    code = write_files(r, &v);
     free(slabs);
     return code ? code : report(r, &v.grid, count, occupied);
 }

@@ -175,13 +175,20 @@ class Files(Voxelize):
         self.check_all("--cell", "5", "--size", "1,1,1")
         self.check_all("--cell", "1", "--origin", "50,50,50", "--size", "3,4,5")  # nothing in it
 
-    def test_vox_of_several_models(self):
-        for size in ((256, 4, 4), (257, 4, 4), (4, 300, 4), (4, 4, 600), (260, 3, 513)):
+    def test_vox_of_the_largest_size(self):
+        for size in ((256, 4, 4), (3, 256, 4), (4, 4, 256)):
             options = ("--cell", "%.9g,%.9g,%.9g" % tuple(4 / n for n in size), "--origin=-2,-2,-2", "--size", "%d,%d,%d" % size)
             _, expected = self.cells(*options)
-            self.voxelize("many.vox", *options)
-            self.assertEqual(volumes.read_vox(self.path("many.vox")), (size, expected), size)
+            self.voxelize("large.vox", *options)
+            self.assertEqual(volumes.read_vox(self.path("large.vox")), (size, expected), size)
             self.assertTrue(expected)
+
+    def test_vox_ends_at_256(self):
+        for size in ("257,1,1", "1,257,1", "1,1,1000"):
+            self.fail_with(1, r"no.vox: .vox holds at most 256 cells on each axis, the grid has %s; choose fewer cells, or write .npy, "
+                           ".binvox or .raw" % size.replace(",", " x "), "voxelize", self.mesh, "--cell", "1", "--size", size, "-o",
+                           self.path("no.vox"))
+        self.assertFalse(os.path.exists(self.path("no.vox")))
 
     def test_numpy_reads(self):
         python = volumes.python_with_numpy()

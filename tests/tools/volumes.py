@@ -68,101 +68,19 @@ def read_binvox(path):
     return (width,) * 3, cells, [float(x) for x in words[1][1:]], float(words[2][1])
 
 
-def chunks(data):
-    """The chunks of a RIFF-like file one after the other, children behind their parent: (id, content)."""
-    at = 0
-    while at < len(data):
-        name, content, children = data[at:at + 4].decode(), *struct.unpack_from("<II", data, at + 4)
-        at += 12
-        yield name, data[at:at + content]
-        at += content
-    assert at == len(data)
-
-
-class Fields:
-    def __init__(self, data):
-        self.data, self.at = data, 0
-
-    def number(self):
-        self.at += 4
-        return struct.unpack_from("<i", self.data, self.at - 4)[0]
-
-    def string(self):
-        length = self.number()
-        self.at += length
-        return self.data[self.at - length:self.at].decode()
-
-    def dictionary(self):
-        return {self.string(): self.string() for _ in range(self.number())}
-
-    def end(self):
-        assert self.at == len(self.data)
-
-
-def read_vox_places(nodes):
-    """Walks the scene graph from node 0. Returns for each model its translation."""
-    places = {}
-
-    def walk(node, at):
-        kind, value = nodes[node]
-        if kind == "nTRN":
-            child, move = value
-            walk(child, [a + b for a, b in zip(at, move)])
-        elif kind == "nGRP":
-            for child in value:
-                walk(child, at)
-        else:
-            assert value not in places
-            places[value] = at
-    walk(0, [0, 0, 0])
-    return places
-
-
-def read_node(name, fields, nodes):
-    node = fields.number()
-    assert fields.dictionary() == {} and node not in nodes
-    if name == "nTRN":
-        child, reserved, _, frames = (fields.number() for _ in range(4))
-        assert reserved == -1 and frames == 1
-        nodes[node] = name, (child, [int(n) for n in fields.dictionary().get("_t", "0 0 0").split()])
-    elif name == "nGRP":
-        nodes[node] = name, [fields.number() for _ in range(fields.number())]
-    else:
-        assert fields.number() == 1
-        nodes[node] = name, fields.number()
-        assert fields.dictionary() == {}
-    fields.end()
-
-
 def read_vox(path):
-    """MagicaVoxel: models of at most 256 cells a side. A translation moves the cell at size // 2 of its model.
-
-    Cells are counted from the lowest corner of all models."""
+    """MagicaVoxel: the chunk MAIN with one model, its size and a list of cells."""
     data = read(path)
-    assert data[:4] == b"VOX " and struct.unpack_from("<I", data, 4)[0] == 150
-    assert data[8:12] == b"MAIN" and struct.unpack_from("<II", data, 12) == (0, len(data) - 20)
-    sizes, models, nodes = [], [], {}
-    for name, content in chunks(data[20:]):
-        if name == "SIZE":
-            sizes.append(struct.unpack("<3I", content))
-            assert max(sizes[-1]) <= 256
-        elif name == "XYZI":
-            count = struct.unpack_from("<I", content)[0]
-            assert len(content) == 4 + 4 * count and set(content[7::4]) <= {1}
-            models.append({tuple(content[4 + 4 * n:7 + 4 * n]) for n in range(count)})
-            assert len(models[-1]) == count
-        else:
-            read_node(name, Fields(content), nodes)
-    places = read_vox_places(nodes) if nodes else {0: [n // 2 for n in sizes[0]]}
-    assert sorted(places) == list(range(len(models))) == list(range(len(sizes)))
-    corners = [[t - n // 2 for t, n in zip(places[m], sizes[m])] for m in range(len(models))]
-    lowest = [min(corner[a] for corner in corners) for a in range(3)]
-    size = tuple(max(c[a] + n[a] for c, n in zip(corners, sizes)) - lowest[a] for a in range(3))
-    cells = set()
-    for corner, model in zip(corners, models):
-        assert all(x < n for cell in model for x, n in zip(cell, sizes[corners.index(corner)]))
-        cells.update(tuple(x + c - low for x, c, low in zip(cell, corner, lowest)) for cell in model)
-    return size, cells
+    assert data[:8] == struct.pack("<4sI", b"VOX ", 150)
+    assert data[8:20] == struct.pack("<4sII", b"MAIN", 0, len(data) - 20)
+    assert data[20:32] == struct.pack("<4sII", b"SIZE", 12, 0)
+    size = struct.unpack_from("<3I", data, 32)
+    assert data[44:56] == struct.pack("<4sII", b"XYZI", len(data) - 56, 0)
+    count = struct.unpack_from("<I", data, 56)[0]
+    cells = [tuple(data[60 + 4 * n:64 + 4 * n]) for n in range(count)]
+    assert len(data) == 60 + 4 * count and len(set(cells)) == count
+    assert max(size) <= 256 and all(c == 1 and i < size[0] and j < size[1] and k < size[2] for i, j, k, c in cells)
+    return size, {cell[:3] for cell in cells}
 
 
 def float_of(number):

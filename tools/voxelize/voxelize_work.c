@@ -38,13 +38,8 @@ static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxel
     return *bits ? EXIT_CODE_OK : message_failure("out of memory for %zu words of cells", words);
 }
 
-static int write_answer(const voxelize_request *r, const voxelize_answer *a, const mesh *m, const voxels *v, file_out *out)
+static void write_answer(const voxelize_request *r, const mesh *m, const voxels *v, file_out *out)
 {
-    if (r->format && r->format->check_cells) {
-        const int code = r->format->check_cells(r->out_path, &v->grid, a->report.overlapping);
-        if (code)
-            return code;
-    }
     progress bar = progress_start("writing", !r->is_quiet);
     if (r->format)
         r->format->write(out->stream, v, &bar);
@@ -61,7 +56,6 @@ static int write_answer(const voxelize_request *r, const voxelize_answer *a, con
                                             .mesh_checksum = part_mesh_checksum(&m->soup)}},
                    v->slab[0].bits, &bar);
     progress_end(&bar);
-    return EXIT_CODE_OK;
 }
 
 static int voxelize(const voxelize_request *r, const mesh *m, const voxels *v, uint64_t *bits, voxelize_answer *a)
@@ -93,10 +87,10 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
     code = take_memory(r, &v.grid, &slab, &bits);
     if (!code)
         code = voxelize(r, m, &v, bits, a);
-    if (!code)
-        code = write_answer(r, a, m, &v, out);
-    if (!code)
+    if (!code) {
+        write_answer(r, m, &v, out);
         code = file_out_keep(out);
+    }
     if (!code)
         code = preview_draw(picture, &v, r->up, r->threads, !r->is_quiet);
     free(bits);

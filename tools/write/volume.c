@@ -5,10 +5,10 @@
 
 #include "console/message.h"
 
-static const volume_format formats[] = {{".npy", NULL, NULL, volume_write_npy},
-                                        {".raw", NULL, NULL, volume_write_raw},
-                                        {".binvox", volume_check_binvox, NULL, volume_write_binvox},
-                                        {".vox", NULL, volume_check_vox, volume_write_vox}};
+static const volume_format formats[] = {{".npy", NULL, volume_write_npy},
+                                        {".raw", NULL, volume_write_raw},
+                                        {".binvox", volume_check_binvox, volume_write_binvox},
+                                        {".vox", volume_check_vox, volume_write_vox}};
 
 const volume_format *volume_format_of(const char *path)
 {
@@ -18,6 +18,6 @@ const volume_format *volume_format_of(const char *path)
         if (length > size && !strcmp(path + length - size, formats[i].ending))
             return &formats[i];
     }
-    message_usage("-o: '%s' ends in none of .npy, .binvox, .vox, .raw", path);
+    message_usage("-o: '%s' does not end in .npy, .binvox, .vox or .raw", path);
     return NULL;
 }

@@ -14,23 +14,12 @@ const uint64_t *voxels_layer(const voxels *v, uint32_t k)
     return v->slab[low].bits + (size_t)(k - v->slab[low].first) * voxels_layer_words(&v->grid);
 }
 
-static unsigned bits_of(uint64_t word)
-{
-#if defined(__GNUC__)
-    return (unsigned)__builtin_popcountll(word);
-#else
-    unsigned bits = 0;
-    for (; word; word &= word - 1)
-        bits++;
-    return bits;
-#endif
-}
-
 uint64_t voxels_count(const uint64_t *words, size_t count)
 {
+    enum { WORDS_MAX = 1 << 26 }; /* the library counts up to 2^32 bits at once */
     uint64_t bits = 0;
-    for (size_t w = 0; w < count; w++)
-        bits += bits_of(words[w]);
+    for (size_t w = 0; w < count; w += WORDS_MAX)
+        bits += tribox_mask_indices(words + w, 64 * (count - w < WORDS_MAX ? count - w : WORDS_MAX), NULL);
     return bits;
 }
 

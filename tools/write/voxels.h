@@ -14,7 +14,7 @@ typedef struct voxels_slab {
 
 typedef struct voxels {
     tribox_grid grid;
-    const voxels_slab *slab; /* one behind the other, without gaps */
+    const voxels_slab *slab; /* one after the other, without gaps */
     size_t slabs;
 } voxels;
 
@@ -23,7 +23,7 @@ const uint64_t *voxels_layer(const voxels *v, uint32_t k);
 
 static inline bool voxels_bit(const uint64_t *row, uint32_t i) { return row[i / 64] >> i % 64 & 1; }
 
-/* How many bits are set in some words. */
+/* How many bits are set in `count` words. */
 uint64_t voxels_count(const uint64_t *words, size_t count);
 
 /* How many cells are set in all layers. */
