@@ -118,7 +118,7 @@ class WrongCommandLine(support.TestCase):
     def test_words(self):
         def wrong(option, *values):
             for value in values:
-                self.fail_with(2, r"^tribox overlap: %s: '.*' (is none of|does not run here; choose one of) .*; see 'tribox overlap --help'" % option,
+                self.fail_with(2, r"^tribox overlap: %s: '.*' (is none of|is neither|does not run here; choose one of) .*; see 'tribox overlap --help'" % option,
                                "overlap", "a.obj", "--box", support.UNIT_BOX, option, value)
         wrong("--accuracy", "", "Exact", "exactly", "e")
         wrong("--axes", "", "box,", ",box", "box,planes", "box plane", "all")
