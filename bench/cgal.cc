@@ -10,12 +10,18 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "common/command_line.h"
+extern "C" {
+#include "console/json.h"
+#include "console/message.h"
+#include "console/option_reader.h"
+}
+
+#include "common/entries.h"
 #include "common/header.h"
-#include "common/measure.h"
+#include "common/soups.h"
+#include "common/whole.h"
 
 namespace
 {
@@ -26,10 +32,10 @@ using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 constexpr const char *scene_names[] = {"paper",        "sparse", "cad",     "cad-tenths", "touching",
                                        "touching-ulp", "offset", "needles", "caps"};
 
-// EXACT of avx2 in so many times the speed of CGAL's exact kernels, on the scene of the paper.
+// How many times as fast as CGAL EXACT of avx2 is to be, with CGAL's exact kernels, on the scene of the paper.
 constexpr double goal = 80;
 
-// The first so many triangles of a scene: CGAL takes seconds for all of them where it needs exact numbers.
+// Of a scene the first triangles: CGAL takes seconds for all of them where it needs exact numbers.
 constexpr size_t triangles_most = 16384;
 
 class Peer
@@ -39,7 +45,11 @@ class Peer
     virtual void answer(uint64_t *mask) const = 0;
     virtual bool is_degenerate(size_t i) const = 0;
 
-    static void run(const void *peer, const scene *, uint64_t *mask) { static_cast<const Peer *>(peer)->answer(mask); }
+    static bool run(const contestant *self, uint64_t *mask, tribox_report *)
+    {
+        static_cast<const Peer *>(self->question)->answer(mask);
+        return true;
+    }
 };
 
 template <class Kernel> CGAL::Bbox_3 make_box(const tribox_box &b, const CGAL::Bbox_3 *)
@@ -56,11 +66,11 @@ template <class Kernel> typename Kernel::Iso_cuboid_3 make_box(const tribox_box 
 template <class Kernel, class Box> class CgalPeer : public Peer
 {
   public:
-    explicit CgalPeer(const scene &at) : box_(make_box<Kernel>(at.box, static_cast<const Box *>(nullptr)))
+    explicit CgalPeer(const timing_job &job) : box_(make_box<Kernel>(job.box, static_cast<const Box *>(nullptr)))
     {
         using Point = typename Kernel::Point_3;
-        for (size_t i = 0; i < at.soup.count; i++) {
-            const float(*u)[3] = at.triangles[i];
+        for (size_t i = 0; i < job.soup.count; i++) {
+            const float(*u)[3] = job.triangles[i];
             triangles_.emplace_back(Point(u[0][0], u[0][1], u[0][2]), Point(u[1][0], u[1][1], u[1][2]),
                                     Point(u[2][0], u[2][1], u[2][2]));
         }
@@ -86,12 +96,12 @@ template <class Kernel, class Box> class CgalPeer : public Peer
 
 struct Entry {
     const char *name;
-    std::unique_ptr<Peer> (*make)(const scene &);
+    std::unique_ptr<Peer> (*make)(const timing_job &);
 };
 
-template <class Kernel, class Box> std::unique_ptr<Peer> make_peer(const scene &at)
+template <class Kernel, class Box> std::unique_ptr<Peer> make_peer(const timing_job &job)
 {
-    return std::make_unique<CgalPeer<Kernel, Box>>(at);
+    return std::make_unique<CgalPeer<Kernel, Box>>(job);
 }
 
 constexpr Entry entries[] = {
@@ -111,17 +121,18 @@ Field enter(const scene &at)
 {
     Field field;
     contestant all[CONTESTANTS_MAX];
-    const size_t count = contest_enter(all);
+    const size_t count = contestants_enter(&at.work, all);
     for (size_t c = 0; c < count; c++)
-        if (all[c].kind == CONTESTANT_KERNEL && all[c].options.accuracy == TRIBOX_EXACT)
+        if (all[c].promise == PROMISE_EXACT)
             field.list.push_back(all[c]);
     for (const Entry &entry : entries) {
         contestant one{};
         std::snprintf(one.name, sizeof one.name, "%s", entry.name);
-        field.peers.push_back(entry.make(at));
-        one.kind = CONTESTANT_PEER;
+        field.peers.push_back(entry.make(at.work.jobs[0]));
         one.run = Peer::run;
-        one.peer = field.peers.back().get();
+        one.question = field.peers.back().get();
+        one.promise = PROMISE_ROUNDED; // of degenerate triangles CGAL promises nothing
+        one.pairs = static_cast<double>(at.work.pairs);
         field.list.push_back(one);
     }
     return field;
@@ -131,13 +142,13 @@ struct Disagreement {
     size_t proper = 0, degenerate = 0; // triangles
 };
 
-Disagreement compare(const Peer &peer, const std::vector<uint64_t> &truth, size_t count)
+Disagreement compare(const Peer &peer, const std::vector<uint64_t> &exact, size_t count)
 {
     Disagreement found;
-    std::vector<uint64_t> told(truth.size());
-    peer.answer(told.data());
+    std::vector<uint64_t> answer(exact.size());
+    peer.answer(answer.data());
     for (size_t i = 0; i < count; i++)
-        if ((truth[i / 64] ^ told[i / 64]) >> (i % 64) & 1)
+        if ((exact[i / 64] ^ answer[i / 64]) >> (i % 64) & 1)
             ++(peer.is_degenerate(i) ? found.degenerate : found.proper);
     return found;
 }
@@ -153,16 +164,18 @@ size_t count_degenerate(const Peer &peer, size_t count)
 // Whether EXACT is the same on all kernels and CGAL agrees with it on every triangle that is not degenerate.
 bool verify(const Field &field, const scene &at)
 {
+    const size_t count = at.work.pairs;
+    const truth from = truth_of_work(&at.work);
     std::vector<score> scores(field.list.size());
-    if (!contest_verify(field.list.data(), field.list.size(), &at, scores.data()))
+    std::vector<uint64_t> exact(at.work.words);
+    if (!entries_verify(field.list.data(), field.list.size(), at.name, &from, scores.data()) ||
+        !contestant_truth(&at.work, TRIBOX_AXES_ALL, exact.data()))
         return false;
-    std::vector<uint64_t> truth(tribox_mask_words(at.soup.count));
-    contest_run(&field.list[0], &at, truth.data());
-    std::printf("\nscene %s: %zu triangles, %s; %zu degenerate\n", at.name, at.soup.count, at.what,
-                count_degenerate(*field.peers[0], at.soup.count));
+    std::printf("\nscene %s: %zu triangles, %s; %zu degenerate\n", at.name, count, at.what,
+                count_degenerate(*field.peers[0], count));
     bool is_right = true;
     for (size_t p = 0; p < field.peers.size(); p++) {
-        const Disagreement found = compare(*field.peers[p], truth, at.soup.count);
+        const Disagreement found = compare(*field.peers[p], exact, count);
         if (found.proper || found.degenerate)
             std::printf("%-20s unlike EXACT on %zu triangles that are not degenerate, and on %zu that are\n", entries[p].name,
                         found.proper, found.degenerate);
@@ -198,9 +211,9 @@ void print_goal(const Field &field, const samples &taken, const char *peer)
 void time_scene(const Field &field, const scene &at, const effort &how, generator *order)
 {
     static samples taken;
-    std::vector<uint64_t> mask(tribox_mask_words(at.soup.count));
+    std::vector<uint64_t> mask(at.work.words);
     const size_t widest = 0, avx2 = index_of(field, "avx2-exact");
-    measure(field.list.data(), field.list.size(), &at, 1, how, order, mask.data(), &taken);
+    measure(field.list.data(), field.list.size(), how, order, mask.data(), &taken);
     std::printf("%-20s %9s %9s   %-30s\n", "", "ns per", "triangle", "times the time of, by median (by least)");
     std::printf("%-20s %9s %9s   %19s  %19s\n", "contestant", "median", "least", field.list[widest].name, field.list[avx2].name);
     for (size_t c = 0; c < field.list.size(); c++) {
@@ -213,7 +226,7 @@ void time_scene(const Field &field, const scene &at, const effort &how, generato
     if (!std::strcmp(at.name, "paper") && avx2 != widest)
         for (const Entry &entry : entries)
             print_goal(field, taken, entry.name);
-    measure_warn_if_disturbed(&taken);
+    measure_warn_if_disturbed(stdout, &taken);
     std::fflush(stdout);
 }
 
@@ -228,9 +241,9 @@ bool run_scene(const char *name, const Settings &s, generator *order)
 {
     size_t index;
     scene at;
-    if (!argument_scene("cgal", name, &index) || !scene_make(index, s.seed, &at))
+    if (!scene_find(name, &index) || !scene_make(index, s.seed, &at))
         return false;
-    at.soup.count = std::min(at.soup.count, triangles_most);
+    timing_work_shorten(&at.work, triangles_most);
     bool is_right;
     {
         const Field field = enter(at);
@@ -242,57 +255,54 @@ bool run_scene(const char *name, const Settings &s, generator *order)
     return is_right;
 }
 
-constexpr const char *usage = "usage: cgal [--verify] [--scene NAME] [--rounds N] [--seed N]\n"
+constexpr const char *usage = "Usage: cgal [--verify] [--scene NAME] [--rounds N] [--seed N]\n"
                               "Compares EXACT with CGAL's do_intersect on the same triangles: answers, then speed.\n"
                               "  --verify       answers alone\n"
                               "  --scene NAME   one scene; without it nine of them, in a minute\n"
                               "  --rounds N     measure N rounds, 5 to 1000, however long they take\n"
                               "  --seed N       of the scenes and of the order within the rounds\n";
 
-int fail(const char *what, const char *which, const char *help) { return argument_fail("cgal", what, which, help); }
+enum { OPTION_VERIFY, OPTION_SCENE, OPTION_ROUNDS, OPTION_SEED };
 
-// 0, or the exit status.
-int read_settings(int argc, char **argv, Settings *s)
+constexpr option_entry options[] = {
+    {"verify", 0, false}, {"scene", 's', true}, {"rounds", 'r', true}, {"seed", 0, true}, {nullptr, 0, false}};
+
+extern "C" int take(void *request, int which, const char *value)
 {
-    for (int i = 1; i < argc; i++) {
-        const std::string option = argv[i];
-        uint64_t rounds;
-        size_t index;
-        if (option == "--verify") {
-            s->is_timed = false;
-            continue;
-        }
-        if (option != "--scene" && option != "--rounds" && option != "--seed")
-            return fail("unknown option", argv[i], "see cgal --help");
-        if (++i == argc)
-            return fail("no value after", option.c_str(), "see cgal --help");
-        if (option == "--scene") {
-            s->scene = argv[i];
-            if (!argument_scene("cgal", s->scene, &index))
-                return 2;
-        } else if (option == "--rounds") {
-            if (!argument_number(argv[i], MEASURE_LEAST, MEASURE_MOST, &rounds))
-                return fail("bad number of rounds", argv[i], "give 5 to 1000");
-            s->how = {static_cast<size_t>(rounds), 1e9, 2e-3};
-        } else if (!argument_number(argv[i], 0, UINT64_MAX, &s->seed)) {
-            return fail("bad seed", argv[i], "give a whole number below 2^64");
-        }
+    Settings &s = *static_cast<Settings *>(request);
+    size_t index;
+    uint64_t rounds;
+    switch (which) {
+    case OPTION_VERIFY:
+        s.is_timed = false;
+        return EXIT_CODE_OK;
+    case OPTION_SCENE:
+        s.scene = value;
+        return scene_find(value, &index) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+    case OPTION_ROUNDS:
+        if (whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
+            return EXIT_CODE_USAGE;
+        s.how = {static_cast<size_t>(rounds), 1e9, 2e-3};
+        return EXIT_CODE_OK;
+    case OPTION_SEED:
+        return whole_read(value, "seed", 0, UINT64_MAX, &s.seed);
+    default:
+        return message_usage("unexpected '%s'", value);
     }
-    return 0;
 }
 
 } // namespace
 
 int main(int argc, char **argv)
 {
-    if (argc == 2 && !std::strcmp(argv[1], "--help")) {
-        std::fputs(usage, stdout);
-        return 0;
-    }
     Settings s;
-    const int status = read_settings(argc, argv, &s);
-    if (status)
-        return status;
+    options_found found;
+    message_set_program("cgal");
+    const int code = options_read(argc, argv, options, take, &s, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return std::fputs(usage, stdout) < 0;
     const run r = {argc, argv, s.seed, machine_here()};
     header_text(stdout, "", &r);
     std::printf("CGAL       %s, in C++17 with -O3 and without its assertions\n", CGAL_VERSION_STR);

@@ -1,15 +1,13 @@
-/*
- * ratios.c - how many times faster than the paper's test is each kernel, on a machine that other work may share?
- *
- * Ratios survive there where times do not: all contestants run in one process, interleaved in rounds, and are compared pair by
- * pair within a round. Nothing is timed before all answers agree.
- */
+/* ratios.c - how many times as fast as the paper's test is each kernel, and what does each accuracy cost? */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/command_line.h"
+#include "common/soups.h"
 #include "common/table.h"
+#include "common/whole.h"
+#include "console/message.h"
+#include "console/option_reader.h"
 
 typedef struct settings {
     uint64_t seed;
@@ -20,48 +18,46 @@ typedef struct settings {
 } settings;
 
 static const char usage[] =
-    "usage: ratios [--scene NAME] [--filter PART] [--rounds N] [--seed N] [--json]\n"
-    "Times every kernel and accuracy against the paper's test, one thread, and prints a table for each scene.\n"
+    "Usage: ratios [--scene NAME] [--filter PART] [--rounds N] [--seed N] [--json]\n"
+    "Times every kernel and accuracy against the paper's test, on one thread, and prints a table for each scene.\n"
     "  --scene NAME   one scene; without it all of them, in a minute and a half\n"
     "  --filter PART  only contestants whose name contains PART (avx2, exact, avx2-fast, ...), and always the baseline\n"
     "  --rounds N     measure N rounds, 5 to 1000, however long they take; without it 31, or fewer where a scene is slow\n"
     "  --seed N       of the scenes and of the order within the rounds\n"
     "  --json         JSON instead of tables\n";
 
-static int fail(const char *what, const char *which, const char *help) { return argument_fail("ratios", what, which, help); }
+enum { OPTION_SCENE, OPTION_FILTER, OPTION_ROUNDS, OPTION_SEED, OPTION_JSON };
 
-/* 0, or the exit status. */
-static int read_settings(int argc, char **argv, settings *s)
+static const option_entry options[] = {
+    [OPTION_SCENE] = {"scene", 's', true}, [OPTION_FILTER] = {"filter", 'f', true}, [OPTION_ROUNDS] = {"rounds", 'r', true},
+    [OPTION_SEED] = {"seed", 0, true},     [OPTION_JSON] = {"json", 'j', false},    {NULL, 0, false}};
+
+static int take(void *request, int which, const char *value)
 {
-    for (int i = 1; i < argc; i++) {
-        const char *const option = argv[i];
-        if (!strcmp(option, "--json")) {
-            s->is_json = true;
-            continue;
-        }
-        const bool is_known =
-            !strcmp(option, "--scene") || !strcmp(option, "--filter") || !strcmp(option, "--rounds") || !strcmp(option, "--seed");
-        if (!is_known)
-            return fail("unknown option", option, "see ratios --help");
-        if (++i == argc)
-            return fail("no value after", option, "see ratios --help");
-        uint64_t rounds;
-        if (!strcmp(option, "--scene")) {
-            size_t index;
-            s->scene = argv[i];
-            if (!argument_scene("ratios", s->scene, &index))
-                return 2;
-        } else if (!strcmp(option, "--filter"))
-            s->filter = argv[i];
-        else if (!strcmp(option, "--seed") && !argument_number(argv[i], 0, UINT64_MAX, &s->seed))
-            return fail("bad seed", argv[i], "give a whole number below 2^64");
-        else if (!strcmp(option, "--rounds")) {
-            if (!argument_number(argv[i], MEASURE_LEAST, MEASURE_MOST, &rounds))
-                return fail("bad number of rounds", argv[i], "give 5 to 1000");
-            s->how = (effort){.rounds = (size_t)rounds, .seconds = 1e9, .sample = 2e-3};
-        }
+    settings *const s = request;
+    size_t index;
+    uint64_t rounds;
+    switch (which) {
+    case OPTION_SCENE:
+        s->scene = value;
+        return scene_find(value, &index) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+    case OPTION_FILTER:
+        s->filter = value;
+        return EXIT_CODE_OK;
+    case OPTION_ROUNDS:
+        s->how.seconds = 1e9;
+        if (whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
+            return EXIT_CODE_USAGE;
+        s->how.rounds = (size_t)rounds;
+        return EXIT_CODE_OK;
+    case OPTION_SEED:
+        return whole_read(value, "seed", 0, UINT64_MAX, &s->seed);
+    case OPTION_JSON:
+        s->is_json = true;
+        return EXIT_CODE_OK;
+    default:
+        return message_usage("unexpected '%s'", value);
     }
-    return 0;
 }
 
 /* Those that the filter keeps, the baseline first. */
@@ -69,25 +65,28 @@ static size_t keep_named(contestant *list, size_t count, const char *part)
 {
     size_t kept = 0;
     for (size_t c = 0; c < count; c++)
-        if (!part || list[c].kind == CONTESTANT_BASELINE || strstr(list[c].name, part))
+        if (!part || entry_is_baseline(&list[c]) || strstr(list[c].name, part))
             list[kept++] = list[c];
     return kept;
 }
 
-static bool run_scene(size_t index, const settings *s, const contestant *list, size_t count, generator *order, bool is_first)
+static bool run_scene(size_t index, const settings *s, generator *order, json *out)
 {
     static samples taken;
+    contestant list[CONTESTANTS_MAX];
     score scores[CONTESTANTS_MAX];
     scene at;
     if (!scene_make(index, s->seed, &at))
         return false;
-    uint64_t *const mask = calloc(tribox_mask_words(at.soup.count), sizeof *mask);
-    const bool is_right = mask && contest_verify(list, count, &at, scores);
+    const truth from = truth_of_work(&at.work);
+    const size_t count = keep_named(list, entries_make(&at.work, list), s->filter);
+    uint64_t *const mask = calloc(at.work.words, sizeof *mask);
+    const bool is_right = mask && entries_verify(list, count, at.name, &from, scores);
     if (is_right) {
-        measure(list, count, &at, 1, s->how, order, mask, &taken);
+        measure(list, count, s->how, order, mask, &taken);
         const result r = {&at, list, scores, &taken};
         if (s->is_json)
-            json_scene(&r, is_first);
+            table_json(out, &r);
         else
             table_scene(&r);
     }
@@ -96,37 +95,50 @@ static bool run_scene(size_t index, const settings *s, const contestant *list, s
     return is_right;
 }
 
+static bool run_scenes(const settings *s, json *out)
+{
+    generator order = {~s->seed};
+    for (size_t i = 0; i < scene_count(); i++)
+        if ((!s->scene || !strcmp(s->scene, scene_name(i))) && !run_scene(i, s, &order, out))
+            return false;
+    return true;
+}
+
+static bool has_named(const char *part)
+{
+    contestant list[CONTESTANTS_MAX];
+    const timing_work none = {.count = 0};
+    const size_t count = entries_make(&none, list);
+    for (size_t c = 0; c < count; c++)
+        if (strstr(list[c].name, part))
+            return true;
+    return false;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc == 2 && !strcmp(argv[1], "--help")) {
-        fputs(usage, stdout);
-        return 0;
-    }
+    options_found found;
     settings s = {.seed = 1, .how = {.rounds = 31, .seconds = 8, .sample = 2e-3}};
-    const int status = read_settings(argc, argv, &s);
-    if (status)
-        return status;
-
-    contestant list[CONTESTANTS_MAX];
-    const size_t count = keep_named(list, contest_enter(list), s.filter);
-    if (s.filter && count == 1 && !strstr(list[0].name, s.filter))
-        return fail("no contestant here has in its name", s.filter, "the table of a run without --filter has them all");
+    message_set_program("ratios");
+    const int code = options_read(argc, argv, options, take, &s, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return fputs(usage, stdout) < 0;
+    if (s.filter && !has_named(s.filter))
+        return message_usage("--filter: no contestant here has '%s' in its name; a run without --filter shows them all", s.filter);
     const run r = {argc, argv, s.seed, machine_here()};
-    if (s.is_json)
-        json_begin(&r);
-    else
-        table_begin(&r);
-
-    generator order = {~s.seed};
-    bool is_first = true;
-    for (size_t i = 0; i < scene_count(); i++) {
-        if (s.scene && strcmp(s.scene, scene_name(i)) != 0)
-            continue;
-        if (!run_scene(i, &s, list, count, &order, is_first))
-            return 1;
-        is_first = false;
+    json out = json_to(stdout);
+    if (!s.is_json) {
+        header_text(stdout, "", &r);
+        return !run_scenes(&s, &out);
     }
-    if (s.is_json)
-        json_end();
-    return 0;
+    json_open_object(&out, NULL);
+    header_json(&out, &r);
+    json_open_rows(&out, "scenes");
+    if (!run_scenes(&s, &out))
+        return EXIT_CODE_FAILURE;
+    json_close(&out);
+    json_close(&out);
+    return EXIT_CODE_OK;
 }

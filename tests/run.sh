@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
-    libassimp-dev libpng-dev libcmocka-dev libgmp-dev libembree-dev libbenchmark-dev libcgal-dev libmpfr-dev \
+    libassimp-dev libpng-dev libcmocka-dev libgmp-dev libembree-dev libcgal-dev libmpfr-dev \
     python3-numpy python3-cffi python3-cffi-backend parallel openmpi-bin \
     git xz-utils doxygen mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross \

@@ -13,7 +13,8 @@
 #include "console/numbers.h"
 #include "console/option_reader.h"
 #include "console/options.h"
-#include "sweep/order_octree.h"
+#include "sweep/cells.h"
+#include "sweep/octree.h"
 #include "sweep/order_report.h"
 #include "console/output.h"
 #include "sweep/sweep_advice.h"
@@ -83,7 +84,7 @@ static int take_wish(request *r, sweep_kind kind, const char *value)
         return message_usage("--box, --octree and --grid exclude each other");
     return kind == SWEEP_BOX      ? read_box(value, &r->wish.box)
            : kind == SWEEP_OCTREE ? numbers_read_whole(value, "--octree", OCTREE_DEPTH_MOST, &r->wish.depth)
-                                  : numbers_read_whole(value, "--grid", SWEEP_GRID_MOST, &r->wish.along);
+                                  : numbers_read_whole(value, "--grid", CELLS_ALONG_MOST, &r->wish.along);
 }
 
 static int take(void *context, int which, const char *value)
@@ -111,7 +112,7 @@ static int take(void *context, int which, const char *value)
 typedef struct findings {
     const request *r;
     const mesh *m;
-    const order_work *work;
+    const timing_work *work;
     char work_text[128];
     sweep s;
     why w;
@@ -139,33 +140,30 @@ static void print_text(const findings *f)
 
 static void print_json(const findings *f)
 {
-    printf("{\"mesh\": ");
-    output_json_string(f->r->mesh_path);
-    printf(", \"triangles\": %zu, \"tested\": ", f->m->soup.count);
-    output_json_string(f->work_text);
-    printf(", \"soups\": %zu, ", f->work->count);
-    report_json_why(stdout, &f->w);
-    printf(",\n ");
-    report_json_sweep(stdout, &f->s);
-    printf(",\n \"advice\": {\"kernel\": \"%s\", \"order\": %u, \"axes\": %u, \"gain_percent\": %.4g, \"text\": ", f->advice.kernel,
-           f->advice.order, f->advice.axes, 100 * f->advice.gain);
-    output_json_string(f->advice_text);
-    puts("}}");
+    json to = json_to(stdout);
+    json_open_object(&to, NULL);
+    json_string(&to, "mesh", f->r->mesh_path);
+    json_whole(&to, "triangles", f->m->soup.count);
+    json_string(&to, "tested", f->work_text);
+    json_whole(&to, "soups", f->work->count);
+    report_json_why(&to, &f->w);
+    report_json_sweep(&to, &f->s);
+    json_open_object(&to, "advice");
+    json_string(&to, "kernel", f->advice.kernel);
+    json_whole(&to, "order", f->advice.order);
+    json_whole(&to, "axes", f->advice.axes);
+    json_number(&to, "gain_percent", 4, 100 * f->advice.gain);
+    json_string(&to, "text", f->advice_text);
+    json_close(&to);
+    json_close(&to);
 }
 
-static int measure(findings *f)
+static int find(findings *f)
 {
-    const char *kernels[SWEEP_KERNELS_MAX];
-    size_t kernel_count = 0;
     generator turns = {1};
     if (isatty(STDERR_FILENO))
         message_say("timing %zu pairs", f->work->pairs);
-    while (kernel_count < SWEEP_KERNELS_MAX && (kernels[kernel_count] = tribox_kernel_list(kernel_count)) != NULL)
-        kernel_count++;
-    sweep_enter(&f->s, kernels, kernel_count);
-    const char *failure = sweep_verify(&f->s, f->work);
-    if (!failure)
-        failure = sweep_measure(&f->s, f->work, 2, 5, &turns);
+    const char *const failure = sweep_run(&f->s, f->work, 2, &turns);
     if (failure)
         return message_failure("%s: %s", f->r->mesh_path, failure);
     why_find(f->work, &f->w);
@@ -187,7 +185,7 @@ static int close_chart(const char *path, FILE *chart)
     return fclose(chart) || is_lost ? message_failure("--chart: '%s' could not be written to its end", path) : EXIT_CODE_OK;
 }
 
-static int sweep_mesh(const request *r, const mesh *m, const order_work *work, const sweep_wish *wish)
+static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, const sweep_wish *wish)
 {
     static findings f;
     FILE *chart;
@@ -198,7 +196,7 @@ static int sweep_mesh(const request *r, const mesh *m, const order_work *work, c
     int code = open_chart(r->chart_path, &chart);
     if (code)
         return code;
-    code = measure(&f);
+    code = find(&f);
     if (chart) {
         if (!code)
             sweep_chart(chart, &f.s, "Nanoseconds per pair of a triangle and a box, by the order of the axes");
@@ -217,7 +215,7 @@ static int sweep_mesh(const request *r, const mesh *m, const order_work *work, c
 static int answer_request(const request *r)
 {
     mesh m;
-    order_work work;
+    timing_work work;
     sweep_wish wish = r->wish;
     int code = mesh_read(r->mesh_path, &m);
     if (code)
@@ -225,7 +223,7 @@ static int answer_request(const request *r)
     code = sweep_work_make(r->mesh_path, &m, &wish, &work);
     if (!code) {
         code = sweep_mesh(r, &m, &work, &wish);
-        order_work_free(&work);
+        timing_work_free(&work);
     }
     mesh_free(&m);
     return code;

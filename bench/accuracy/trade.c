@@ -1,21 +1,26 @@
+/* trade.c - the reports of accuracy. */
 #include "trade.h"
 
 #include <math.h>
 #include <string.h>
 
-static size_t pairs_of(const trade *t) { return t->at->soup.count * t->scenes; }
-
 static double share_of(size_t part, size_t of, double unit) { return of ? unit * (double)part / (double)of : NAN; }
 
-/* Whether a contestant has stages: FAST and the baseline are one. */
-static bool is_staged(const contestant *one) { return one->kind == CONTESTANT_KERNEL && one->options.accuracy != TRIBOX_FAST; }
-
-static const char *kernel_of(const contestant *one) { return one->kind == CONTESTANT_KERNEL ? one->options.kernel : one->name; }
+static const char *kernel_of(const contestant *one) { return one->options.kernel ? one->options.kernel : one->name; }
 
 static const char *accuracy_of(const contestant *one)
 {
-    const char *const dash = one->kind == CONTESTANT_KERNEL ? strchr(one->name, '-') : NULL;
-    return dash ? dash + 1 : one->name;
+    return one->options.kernel ? contestant_accuracy_word(one->options.accuracy) : one->name;
+}
+
+/* What a pair that float leaves undecided costs beyond a pair that it decides, in nanoseconds; NAN where there are next to none. */
+static double undecided_ns(const trade *t, size_t c)
+{
+    const double share = (double)t->scores[c].undecided / (double)t->at->work.pairs, least_share = 5e-3;
+    const size_t fast = entry_fast_of(t->list, t->taken->contestants, c);
+    if (fast == c || share < least_share)
+        return NAN;
+    return (measure_spread(t->taken, c).least - measure_spread(t->taken, fast).least) / share;
 }
 
 /* A column of a row: a text, or else a number, NAN for none. */
@@ -44,29 +49,16 @@ static void add_errors(row *r, const score *s, size_t pairs)
     add_number(r, "untrue_per_million_of_all_axes", share_of(s->of_all.untrue, pairs, 1e6));
 }
 
-static void add_stages(row *r, const stages *s)
-{
-    add_number(r, "left_by_float_percent", s ? share_of(s->left_by_float, s->pairs, 100) : NAN);
-    add_number(r, "left_by_double_percent", s ? share_of(s->left_by_double, s->pairs, 100) : NAN);
-    add_number(r, "walk_ns_per_triangle", s ? s->walk : NAN);
-    add_number(r, "settle_ns_per_pair_left", s ? s->settle : NAN);
-    add_number(r, "double_ns_per_pair_left", s ? s->in_double : NAN);
-    add_number(r, "integers_ns_per_pair_left", s ? s->integers : NAN);
-    add_number(r, "int64_ns", s ? s->width[WIDTH_INT64] : NAN);
-    add_number(r, "int128_ns", s ? s->width[WIDTH_INT128] : NAN);
-    add_number(r, "limbs_ns", s ? s->width[WIDTH_LIMBS] : NAN);
-}
-
 static row row_of(const trade *t, size_t c)
 {
     const contestant *const one = &t->list[c];
-    const size_t fast = contest_fast_of(t->list, t->taken->contestants, c);
+    const size_t fast = entry_fast_of(t->list, t->taken->contestants, c);
     const spread ns = measure_spread(t->taken, c), slower = measure_ratio(t->taken, c, fast);
-    const bool has_fast = one->kind == CONTESTANT_KERNEL;
+    const bool has_fast = one->options.kernel;
     row r = {.count = 0};
     add_text(&r, "scene", t->at->name);
-    add_number(&r, "triangles", (double)t->at->soup.count);
-    add_number(&r, "boxes", (double)t->scenes);
+    add_number(&r, "triangles", (double)t->at->work.jobs[0].soup.count);
+    add_number(&r, "boxes", (double)t->at->work.count);
     add_text(&r, "axes", t->axes);
     add_text(&r, "kernel", kernel_of(one));
     add_text(&r, "accuracy", accuracy_of(one));
@@ -78,8 +70,9 @@ static row row_of(const trade *t, size_t c)
     add_number(&r, "times_fast_lower_quartile", has_fast ? slower.lower_quartile : NAN);
     add_number(&r, "times_fast_median", has_fast ? slower.median : NAN);
     add_number(&r, "times_fast_upper_quartile", has_fast ? slower.upper_quartile : NAN);
-    add_errors(&r, &t->scores[c], pairs_of(t));
-    add_stages(&r, is_staged(one) ? &t->apart[c] : NULL);
+    add_errors(&r, &t->scores[c], t->at->work.pairs);
+    add_number(&r, "undecided_percent", has_fast ? share_of(t->scores[c].undecided, t->at->work.pairs, 100) : NAN);
+    add_number(&r, "ns_per_undecided_pair", undecided_ns(t, c));
     return r;
 }
 
@@ -111,46 +104,32 @@ void trade_csv(FILE *to, const trade *t, bool is_first)
     fflush(to);
 }
 
-void trade_json_begin(FILE *to, const run *r)
-{
-    fprintf(to, "{");
-    header_json(to, r);
-    fprintf(to, ",\n \"rows\": [");
-}
-
-void trade_json(FILE *to, const trade *t, bool is_first)
+void trade_json(json *to, const trade *t)
 {
     for (size_t c = 0; c < t->taken->contestants; c++) {
         const row r = row_of(t, c);
-        fprintf(to, "%s\n  {", is_first && c == 0 ? "" : ",");
-        for (size_t k = 0; k < r.count; k++) {
-            const column *const of = &r.of[k];
-            fprintf(to, "%s\"%s\": ", k ? ", " : "", of->name);
-            if (of->text)
-                json_string(to, of->text);
-            else if (isnan(of->number))
-                fprintf(to, "null");
+        json_open_object(to, NULL);
+        for (size_t k = 0; k < r.count; k++)
+            if (r.of[k].text)
+                json_string(to, r.of[k].name, r.of[k].text);
             else
-                fprintf(to, "%.7g", of->number);
-        }
-        fprintf(to, "}");
+                json_number(to, r.of[k].name, 7, r.of[k].number);
+        json_close(to);
     }
-    fflush(to);
+    fflush(to->to);
 }
-
-void trade_json_end(FILE *to) { fprintf(to, "\n ]}\n"); }
 
 void trade_table_scene(const trade *t)
 {
-    printf("\nscene %s: %zu triangles, %s; ", t->at->name, t->at->soup.count, t->at->what);
-    if (t->scenes > 1)
-        printf("%zu boxes\n", t->scenes);
+    const tribox_box *const box = &t->at->work.jobs[0].box;
+    printf("\nscene %s: %zu triangles, %s; ", t->at->name, t->at->work.jobs[0].soup.count, t->at->what);
+    if (t->at->work.count > 1)
+        printf("%zu boxes\n", t->at->work.count);
     else
-        printf("box [%.8g, %.8g]^3\n", (double)t->at->box.lo[0], (double)t->at->box.hi[0]);
-    printf("%-31s %15s %7s  %26s  %19s  %-42s\n", "", "ns per triangle", "times", "a million pairs", "left, percent", "ns");
-    printf("%-11s %-19s %7s %7s %7s  %8s %8s %8s  %9s %9s  %6s %6s %6s %8s %6s %6s %6s\n", "axes", "contestant", "median", "least",
-           "fast", "missed", "untrue", "extra", "by float", "by double", "walk", "settle", "double", "integers", "int64", "int128",
-           "limbs");
+        printf("box [%.8g, %.8g]^3\n", (double)box->lo[0], (double)box->hi[0]);
+    printf("%-31s %15s %7s  %26s  %18s\n", "", "ns per triangle", "times", "a million pairs", "undecided");
+    printf("%-11s %-19s %7s %7s %7s  %8s %8s %8s  %9s %8s\n", "axes", "contestant", "median", "least", "fast", "missed", "untrue",
+           "extra", "percent", "ns each");
 }
 
 /* A number in `width` columns, or a dash where there is none. */
@@ -162,23 +141,10 @@ static void print_number(double number, int width, int decimals)
         printf(" %*.*f", width, decimals, number);
 }
 
-static void print_stages(const stages *s)
-{
-    print_number(s ? share_of(s->left_by_float, s->pairs, 100) : NAN, 10, 4);
-    print_number(s ? share_of(s->left_by_double, s->pairs, 100) : NAN, 9, 4);
-    print_number(s ? s->walk : NAN, 7, 2);
-    print_number(s ? s->settle : NAN, 6, 1);
-    print_number(s ? s->in_double : NAN, 6, 1);
-    print_number(s ? s->integers : NAN, 8, 1);
-    for (int w = 0; w < WIDTHS; w++)
-        print_number(s ? s->width[w] : NAN, 6, 0);
-    printf("\n");
-}
-
 static void print_row(const trade *t, size_t c)
 {
     const contestant *const one = &t->list[c];
-    const size_t fast = contest_fast_of(t->list, t->taken->contestants, c), pairs = pairs_of(t);
+    const size_t fast = entry_fast_of(t->list, t->taken->contestants, c), pairs = t->at->work.pairs;
     const spread ns = measure_spread(t->taken, c);
     const score *const s = &t->scores[c];
     printf("%-11s %-19s", t->axes, one->name);
@@ -188,7 +154,9 @@ static void print_row(const trade *t, size_t c)
     print_number(share_of(s->of_accuracy.missed, pairs, 1e6), 9, 1);
     print_number(share_of(s->of_accuracy.untrue, pairs, 1e6), 8, 1);
     print_number(share_of(s->of_all.untrue, pairs, 1e6), 8, 0);
-    print_stages(is_staged(one) ? &t->apart[c] : NULL);
+    print_number(one->options.kernel ? share_of(s->undecided, pairs, 100) : NAN, 10, 4);
+    print_number(undecided_ns(t, c), 8, 1);
+    printf("\n");
 }
 
 /* What the project set out to reach, in times the time of FAST of the same kernel. */
@@ -208,7 +176,7 @@ static void print_goals(const trade *t, size_t c)
     for (size_t g = 0; g < sizeof goals / sizeof goals[0]; g++) {
         if (strcmp(goals[g].scene, t->at->name) != 0 || strcmp(goals[g].contestant, t->list[c].name) != 0)
             continue;
-        const size_t fast = contest_fast_of(t->list, t->taken->contestants, c);
+        const size_t fast = entry_fast_of(t->list, t->taken->contestants, c);
         const double slower = measure_ratio(t->taken, c, fast).median;
         const double by_least = measure_spread(t->taken, c).least / measure_spread(t->taken, fast).least;
         printf("goal: %s at most %.2f times fast: %s, %.2f (by least %.2f)\n", goals[g].contestant, goals[g].most,
@@ -219,13 +187,13 @@ static void print_goals(const trade *t, size_t c)
 void trade_table(const trade *t)
 {
     const bool is_all = !strcmp(t->axes, "all");
-    const char *const widest = kernel_of(&t->list[t->taken->contestants > 1 && t->list[0].kind != CONTESTANT_KERNEL]);
+    const char *const widest = kernel_of(&t->list[t->taken->contestants > 1 && !t->list[0].options.kernel]);
     for (size_t c = 0; c < t->taken->contestants; c++)
         if (is_all || !strcmp(kernel_of(&t->list[c]), widest))
             print_row(t, c);
     for (size_t c = 0; is_all && c < t->taken->contestants; c++)
         print_goals(t, c);
     if (is_all)
-        measure_warn_if_disturbed(t->taken);
+        measure_warn_if_disturbed(stdout, t->taken);
     fflush(stdout);
 }

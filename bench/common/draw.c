@@ -1,3 +1,4 @@
+/* draw.c - triangles anywhere about the box. */
 #include "draw.h"
 
 #include <stdbool.h>

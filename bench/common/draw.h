@@ -4,7 +4,7 @@
 
 #include "paper/random.h"
 
-/** triangle[j][a] is axis a of vertex j. */
+/* triangle[j][a] is axis a of vertex j. */
 typedef float triangle[3][3];
 
 typedef void draw_triangle(generator *g, triangle t);

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "console/json.h"
 #include "machine.h"
 
 #ifdef __cplusplus
@@ -18,14 +19,11 @@ typedef struct run {
     machine on;
 } run;
 
-/** Processor, compiler, flags, commit, command, seed and limits, a line each; `mark` in front of each line. */
+/* Processor, compiler, flags, commit, command, seed and limits, a line each; `mark` starts each line. */
 void header_text(FILE *to, const char *mark, const run *r);
 
-/** The same as members of a JSON object whose brace the caller has opened; no comma behind the last. */
-void header_json(FILE *to, const run *r);
-
-/** The text in quotes, as JSON wants it. */
-void json_string(FILE *to, const char *text);
+/* The same as members of a JSON object that the caller has opened. */
+void header_json(json *to, const run *r);
 
 #ifdef __cplusplus
 }

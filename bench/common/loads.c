@@ -1,3 +1,4 @@
+/* loads.c - reads, and nothing else. */
 #include "loads.h"
 
 #include <string.h>

@@ -8,10 +8,10 @@
 extern "C" {
 #endif
 
-/** The exclusive or of the bits of all coordinates: it takes all nine streams, whole, and one instruction for each load. */
+/* The exclusive or of the bits of all coordinates: it takes all nine streams, whole, and one instruction for each load. */
 uint32_t loads_all(const tribox_soup *soup);
 
-/** The exclusive or of so many words, at any alignment. */
+/* The exclusive or of `count` words, at any alignment. */
 uint32_t loads_words(const void *words, size_t count);
 
 #ifdef __cplusplus

@@ -1,3 +1,4 @@
+/* machine.c - asks Linux about the processor. */
 #include "machine.h"
 
 #include <stdio.h>

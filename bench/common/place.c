@@ -1,3 +1,4 @@
+/* place.c - sorts triangles along a Morton curve. */
 #include "place.h"
 
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 
 #include "draw.h"
 
-/**
+/*
  * Sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024 x 1024 x 1024 cells of
  * the cube [-reach, reach]^3, in which they lie. False if memory fails.
  */

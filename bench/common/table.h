@@ -1,10 +1,12 @@
-/* table.h - prints what was measured: a table for people, or JSON. */
+/* table.h - prints what was measured of a scene: a table for people, or JSON. */
 #ifndef BENCH_TABLE_H
 #define BENCH_TABLE_H
 
+#include "entries.h"
 #include "header.h"
-#include "measure.h"
+#include "soups.h"
 
+/* The paper's test is the first of the list. */
 typedef struct result {
     const scene *at;
     const contestant *list;
@@ -12,11 +14,9 @@ typedef struct result {
     const samples *taken;
 } result;
 
-void table_begin(const run *r);
 void table_scene(const result *r);
 
-void json_begin(const run *r);
-void json_scene(const result *r, bool is_first);
-void json_end(void);
+/* A member of an array of scenes. */
+void table_json(json *to, const result *r);
 
 #endif

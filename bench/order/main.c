@@ -1,16 +1,17 @@
 /*
- * main.c - which order of the axes is the fastest, and why? Every kernel, accuracy and order on one scene after the other, in one
+ * main.c - which order of the axes is the fastest, and why? Measures every kernel, accuracy and order on one scene after the other, in one
  * process. order_sweep.py runs many such processes, joins what they measured, and draws it.
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/command_line.h"
-#include "common/contest.h"
 #include "common/header.h"
-#include "sweep/order_report.h"
+#include "common/whole.h"
+#include "console/message.h"
+#include "console/option_reader.h"
 #include "order_scenes.h"
+#include "sweep/order_report.h"
 
 typedef struct settings {
     const char *scene; /* NULL for all */
@@ -20,17 +21,24 @@ typedef struct settings {
 } settings;
 
 static const char usage[] =
-    "usage: order [--scene NAME | --mesh FILE] [--size N] [--seconds N] [--seed N] [--turns N] [--json]\n"
+    "Usage: order [--scene NAME | --mesh FILE] [--size N] [--seconds N] [--seed N] [--turns N] [--json]\n"
     "       order --list\n"
-    "Times every order of the axes, with every kernel and accuracy, one thread, and tells which axes reject what.\n"
+    "Times every order of the axes, with every kernel and accuracy, on one thread, and counts which axes reject what.\n"
     "  --scene NAME  one scene; without it all of them, in a minute or two\n"
     "  --mesh FILE   the leaves of an octree of a mesh\n"
     "  --size N      pairs of a triangle and a box, 64 to 100 million; without it 20,000\n"
-    "  --seconds N   rounds for so long, 5 rounds at least; without it 2\n"
+    "  --seconds N   start rounds for N seconds, but measure 5 at least; without it 2\n"
     "  --seed N      of the scenes\n"
-    "  --turns N     seed of the turns that the contestants take\n"
-    "  --json        JSON, with the times of all rounds, in place of tables\n"
+    "  --turns N     seed of the order within the rounds\n"
+    "  --json        JSON, with the times of all rounds, instead of tables\n"
     "  --list        the names of the scenes\n";
+
+enum { OPTION_SCENE, OPTION_MESH, OPTION_SIZE, OPTION_SECONDS, OPTION_SEED, OPTION_TURNS, OPTION_JSON, OPTION_LIST };
+
+static const option_entry options[] = {
+    [OPTION_SCENE] = {"scene", 's', true},   [OPTION_MESH] = {"mesh", 0, true},    [OPTION_SIZE] = {"size", 0, true},
+    [OPTION_SECONDS] = {"seconds", 0, true}, [OPTION_SEED] = {"seed", 0, true},    [OPTION_TURNS] = {"turns", 0, true},
+    [OPTION_JSON] = {"json", 'j', false},    [OPTION_LIST] = {"list", 'l', false}, {NULL, 0, false}};
 
 static bool is_scene(const char *name)
 {
@@ -40,65 +48,38 @@ static bool is_scene(const char *name)
     return false;
 }
 
-static int take_value(settings *s, const char *option, const char *value)
+static int take(void *request, int which, const char *value)
 {
-    if (!strcmp(option, "--mesh"))
-        s->mesh = value;
-    else if (!strcmp(option, "--scene") && !is_scene(value))
-        return argument_fail("order", "unknown scene", value, "see order --list");
-    else if (!strcmp(option, "--scene"))
+    settings *const s = request;
+    switch (which) {
+    case OPTION_SCENE:
         s->scene = value;
-    else if (!strcmp(option, "--size") && !argument_number(value, 64, 100000000, &s->size))
-        return argument_fail("order", "bad size", value, "give 64 to 100000000");
-    else if (!strcmp(option, "--seconds") && !argument_number(value, 0, 3600, &s->seconds))
-        return argument_fail("order", "bad number of seconds", value, "give 0 to 3600");
-    else if (!strcmp(option, "--seed") && !argument_number(value, 0, UINT64_MAX, &s->seed))
-        return argument_fail("order", "bad seed", value, "give a whole number below 2^64");
-    else if (!strcmp(option, "--turns") && !argument_number(value, 0, UINT64_MAX, &s->turns))
-        return argument_fail("order", "bad seed", value, "give a whole number below 2^64");
-    return 0;
-}
-
-/* 0, or the exit status. */
-static int read_settings(int argc, char **argv, settings *s)
-{
-    static const char *const with_value[] = {"--scene", "--mesh", "--size", "--seconds", "--seed", "--turns"};
-    for (int i = 1; i < argc; i++) {
-        const char *const option = argv[i];
-        bool takes_value = false;
-        for (size_t o = 0; o < sizeof with_value / sizeof with_value[0]; o++)
-            takes_value |= !strcmp(option, with_value[o]);
-        if (!strcmp(option, "--json"))
-            s->is_json = true;
-        else if (!strcmp(option, "--list"))
-            s->is_list = true;
-        else if (!takes_value)
-            return argument_fail("order", "unknown option", option, "see order --help");
-        else if (i + 1 == argc)
-            return argument_fail("order", "no value after", option, "see order --help");
-        else {
-            const int status = take_value(s, option, argv[++i]);
-            if (status)
-                return status;
-        }
+        return is_scene(value) ? EXIT_CODE_OK : message_usage("unknown scene '%s'; order --list names them", value);
+    case OPTION_MESH:
+        s->mesh = value;
+        return EXIT_CODE_OK;
+    case OPTION_SIZE:
+        return whole_read(value, "size", 64, 100000000, &s->size);
+    case OPTION_SECONDS:
+        return whole_read(value, "seconds", 0, 3600, &s->seconds);
+    case OPTION_SEED:
+        return whole_read(value, "seed", 0, UINT64_MAX, &s->seed);
+    case OPTION_TURNS:
+        return whole_read(value, "turns", 0, UINT64_MAX, &s->turns);
+    case OPTION_JSON:
+        s->is_json = true;
+        return EXIT_CODE_OK;
+    case OPTION_LIST:
+        s->is_list = true;
+        return EXIT_CODE_OK;
+    default:
+        return message_usage("unexpected '%s'", value);
     }
-    return s->scene && s->mesh ? argument_fail("order", "one of --scene and", "--mesh", "each is a scene of its own") : 0;
-}
-
-static size_t kernels_here(const char **names)
-{
-    contestant all[CONTESTANTS_MAX];
-    const size_t count = contest_enter(all);
-    size_t kernels = 0;
-    for (size_t c = 0; c < count; c++)
-        if (all[c].kind == CONTESTANT_KERNEL && all[c].options.accuracy == TRIBOX_EXACT)
-            names[kernels++] = all[c].options.kernel;
-    return kernels;
 }
 
 typedef struct result {
     const char *name, *what;
-    const order_work *work;
+    const timing_work *work;
     const sweep *s;
     const why *w;
 } result;
@@ -115,68 +96,59 @@ static void print_text(const result *r)
     fflush(stdout);
 }
 
-static void print_json(const result *r, bool is_first)
+static void print_json(json *to, const result *r)
 {
-    printf("%s\n{\"scene\": ", is_first ? "" : ",");
-    json_string(stdout, r->name);
-    printf(", \"what\": ");
-    json_string(stdout, r->what);
-    printf(", \"soups\": %zu, ", r->work->count);
-    report_json_why(stdout, r->w);
-    printf(",\n ");
-    report_json_sweep(stdout, r->s);
-    printf("}");
+    json_open_object(to, NULL);
+    json_string(to, "scene", r->name);
+    json_string(to, "what", r->what);
+    json_whole(to, "soups", r->work->count);
+    report_json_why(to, r->w);
+    report_json_sweep(to, r->s);
+    json_close(to);
 }
 
-static bool run_work(const char *name, const char *what, const order_work *work, const settings *s, bool is_first)
+static bool run_work(const char *name, const char *what, const timing_work *work, const settings *s, json *out)
 {
     static sweep swept;
     static why found;
-    const char *kernels[SWEEP_KERNELS_MAX];
     generator turns = {s->turns};
-    sweep_enter(&swept, kernels, kernels_here(kernels));
-    const char *failure = sweep_verify(&swept, work);
-    if (!failure)
-        failure = sweep_measure(&swept, work, (double)s->seconds, 5, &turns);
-    if (failure) {
-        fprintf(stderr, "order: scene %s: %s; nothing is reported\n", name, failure);
-        return false;
-    }
+    const char *const failure = sweep_run(&swept, work, (double)s->seconds, &turns);
+    if (failure)
+        return message_failure("scene %s: %s; nothing is reported", name, failure) == EXIT_CODE_OK;
     why_find(work, &found);
     const result r = {name, what, work, &swept, &found};
     if (s->is_json)
-        print_json(&r, is_first);
+        print_json(out, &r);
     else
         print_text(&r);
     return true;
 }
 
-static bool run_mesh(const settings *s)
+static bool run_mesh(const settings *s, json *out)
 {
     const char *const slash = strrchr(s->mesh, '/');
-    order_work work;
+    timing_work work;
     if (!order_scene_of_mesh(s->mesh, (size_t)s->size, &work))
         return false;
-    const bool is_run = run_work(slash ? slash + 1 : s->mesh, "a mesh against the leaves of its octree", &work, s, true);
-    order_work_free(&work);
+    const bool is_run = run_work(slash ? slash + 1 : s->mesh, "a mesh against the leaves of its octree", &work, s, out);
+    timing_work_free(&work);
     return is_run;
 }
 
-static bool run_scenes(const settings *s)
+static bool run_scenes(const settings *s, json *out)
 {
-    bool is_first = true, is_run = true;
-    for (size_t i = 0; is_run && i < order_scene_count(); i++) {
-        order_work work;
+    for (size_t i = 0; i < order_scene_count(); i++) {
+        timing_work work;
         if (s->scene && strcmp(s->scene, order_scene_name(i)) != 0)
             continue;
-        is_run = order_scene_make(i, (size_t)s->size, s->seed, &work);
+        if (!order_scene_make(i, (size_t)s->size, s->seed, &work))
+            return false;
+        const bool is_run = run_work(order_scene_name(i), order_scene_what(i), &work, s, out);
+        timing_work_free(&work);
         if (!is_run)
             return false;
-        is_run = run_work(order_scene_name(i), order_scene_what(i), &work, s, is_first);
-        order_work_free(&work);
-        is_first = false;
     }
-    return is_run;
+    return true;
 }
 
 static int list_scenes(void)
@@ -186,29 +158,34 @@ static int list_scenes(void)
     return 0;
 }
 
+static bool run_chosen(const settings *s, json *out) { return s->mesh ? run_mesh(s, out) : run_scenes(s, out); }
+
 int main(int argc, char **argv)
 {
-    if (argc == 2 && !strcmp(argv[1], "--help")) {
-        fputs(usage, stdout);
-        return 0;
-    }
+    options_found found;
     settings s = {.size = 20000, .seconds = 2, .seed = 1, .turns = 1};
-    const int status = read_settings(argc, argv, &s);
-    if (status)
-        return status;
+    message_set_program("order");
+    const int code = options_read(argc, argv, options, take, &s, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return fputs(usage, stdout) < 0;
+    if (s.scene && s.mesh)
+        return message_usage("--scene and --mesh exclude each other");
     if (s.is_list)
         return list_scenes();
-
     const run r = {argc, argv, s.seed, machine_here()};
-    if (s.is_json) {
-        printf("{");
-        header_json(stdout, &r);
-        printf(",\n\"scenes\": [");
-    } else {
+    json out = json_to(stdout);
+    if (!s.is_json) {
         header_text(stdout, "", &r);
+        return !run_chosen(&s, &out);
     }
-    const bool is_run = s.mesh ? run_mesh(&s) : run_scenes(&s);
-    if (s.is_json)
-        printf("]}\n");
-    return is_run ? 0 : 1;
+    json_open_object(&out, NULL);
+    header_json(&out, &r);
+    json_open_rows(&out, "scenes");
+    if (!run_chosen(&s, &out))
+        return EXIT_CODE_FAILURE;
+    json_close(&out);
+    json_close(&out);
+    return EXIT_CODE_OK;
 }

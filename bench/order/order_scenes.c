@@ -1,12 +1,14 @@
+/* order_scenes.c - draws the scenes. */
 #include "order_scenes.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sweep/order_octree.h"
-#include "sweep/order_why.h"
 #include "common/place.h"
+#include "sweep/octree.h"
+#include "sweep/order_why.h"
+
 #include "read/mesh.h"
 
 /* Small triangles within the shadow of the unit box, above it: one box normal separates them, whatever the other axes do. */
@@ -83,20 +85,19 @@ static const char *draw_all(const struct recipe *recipe, const tribox_box *box, 
     return !recipe->is_sorted || place_sort(triangles, count, 8.5f) ? NULL : "out of memory";
 }
 
-static bool make_drawn(const struct recipe *recipe, size_t count, uint64_t seed, order_work *work)
+static bool make_drawn(const struct recipe *recipe, size_t count, uint64_t seed, timing_work *work)
 {
     const float half = recipe->size / 2;
     const tribox_box box = {{-half, -half, -half}, {half, half, half}};
-    if (!order_work_make(work, 1, order_work_room(count)))
+    if (!timing_work_make(work, 1, timing_work_room(count)))
         return fail(recipe->name, "out of memory");
     const char *const failure = draw_all(recipe, &box, count, &(generator){seed}, work->triangles);
     if (failure) {
-        order_work_free(work);
+        timing_work_free(work);
         return fail(recipe->name, failure);
     }
-    order_job job = order_work_soup(work, count);
-    job.box = box;
-    order_work_add(work, &job);
+    const timing_job job = timing_work_soup(work, count);
+    timing_work_add(work, &job, &box);
     return true;
 }
 
@@ -122,31 +123,31 @@ static void write_torus(float (*triangles)[3][3])
             }
 }
 
-static bool make_octree(const char *name, const tribox_soup *soup, size_t count, order_work *work)
+static bool make_octree(const char *name, const tribox_soup *soup, size_t count, timing_work *work)
 {
     const char *const failure = octree_work(soup, octree_depth_for(soup->count), count, work);
     return !failure || fail(name, failure);
 }
 
-static bool make_torus(size_t count, order_work *work)
+static bool make_torus(size_t count, timing_work *work)
 {
     enum { TRIANGLES = 2 * AROUND * ACROSS };
-    order_work torus;
-    if (!order_work_make(&torus, 1, order_work_room(TRIANGLES)))
+    timing_work torus;
+    if (!timing_work_make(&torus, 1, timing_work_room(TRIANGLES)))
         return fail("octree", "out of memory");
     write_torus(torus.triangles);
-    const order_job job = order_work_soup(&torus, TRIANGLES);
+    const timing_job job = timing_work_soup(&torus, TRIANGLES);
     const bool is_made = make_octree("octree", &job.soup, count, work);
-    order_work_free(&torus);
+    timing_work_free(&torus);
     return is_made;
 }
 
-bool order_scene_make(size_t index, size_t count, uint64_t seed, order_work *work)
+bool order_scene_make(size_t index, size_t count, uint64_t seed, timing_work *work)
 {
     return index == TORUS ? make_torus(count, work) : make_drawn(&recipes[index], count, seed, work);
 }
 
-bool order_scene_of_mesh(const char *path, size_t count, order_work *work)
+bool order_scene_of_mesh(const char *path, size_t count, timing_work *work)
 {
     mesh m;
     if (mesh_read(path, &m))

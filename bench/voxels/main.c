@@ -1,10 +1,9 @@
 /*
  * main.c - how fast are soups voxelized, beside the paper's test for each cell and beside Schwarz and Seidel (voxel_rivals.h)?
  *
- * First all answer once: EXACT alike on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. Then all run in
- * one process, interleaved in rounds; ratios are the medians of the rounds' ratios. The bits are cleared before each pass, outside
- * the time. A rival that takes too long for one pass is timed once, and where even that would take minutes, on every so manyth
- * triangle; the table says so.
+ * EXACT has to be the same on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. The bits are cleared before
+ * each pass, outside the time. A rival that takes too long for one pass is timed once, and if even that would take minutes, on every
+ * n-th triangle; the table says so.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -13,47 +12,33 @@
 #include <string.h>
 #include <sys/resource.h>
 
-#include "common/command_line.h"
+#include "common/entries.h"
 #include "common/header.h"
-#include "common/measure.h"
+#include "common/whole.h"
+#include "console/clock.h"
+#include "console/message.h"
+#include "console/option_reader.h"
 #include "voxel_rivals.h"
 #include "voxel_scenes.h"
 #include "voxelize/layers.h"
 
-enum { ROUNDS_MOST = 101, RESOLUTIONS_MOST = 8, SCENES_MOST = 64 };
+enum { ROUNDS_MAX = 101, RESOLUTIONS_MAX = 8, MESHES_MAX = 64 };
 
-typedef enum contestant_index {
-    EXACT,
-    CONSERVATIVE,
-    FAST,
-    TWO_THREADS,
-    RIVAL_SEIDEL,
-    RIVAL_CELLS,
-    CONTESTANT_COUNT
-} contestant_index;
-static const char *const contestants[CONTESTANT_COUNT] = {"exact",          "conservative", "fast", "exact, 2 threads",
-                                                          "Schwarz-Seidel", "cell by cell"};
+enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, TIMED };
+static const char *const names[TIMED] = {"exact", "conservative", "fast", "exact, 2 threads", "Schwarz-Seidel", "cell by cell"};
 
 typedef struct settings {
     uint64_t seed, rounds;
-    double limit; /* seconds for a pass of a rival */
+    uint64_t limit_ms; /* for a pass of a rival */
     const char *kernel;
     bool is_json, has_scenes;
-    uint32_t resolution[RESOLUTIONS_MOST];
+    uint32_t resolution[RESOLUTIONS_MAX];
     size_t resolutions;
-    const char *mesh[SCENES_MOST];
+    const char *mesh[MESHES_MAX];
     size_t meshes;
 } settings;
 
-/* What was found of one soup and resolution. */
-typedef struct finding {
-    double seconds[CONTESTANT_COUNT];  /* medians; for a sample of the triangles scaled up; negative if not run */
-    double to_exact[CONTESTANT_COUNT]; /* median of the rounds' ratios to EXACT */
-    size_t step[CONTESTANT_COUNT];     /* every so manyth triangle was run */
-    bool is_once[CONTESTANT_COUNT];    /* in one round alone */
-    size_t set, unlike;                /* cells of EXACT, and those that Schwarz and Seidel's test tells otherwise */
-} finding;
-
+/* A soup and a grid. */
 typedef struct task {
     const voxel_scene *scene;
     const settings *s;
@@ -61,41 +46,47 @@ typedef struct task {
     size_t words;
     uint64_t *bits;
     float (*sample)[3][3]; /* room for the triangles that a rival is timed on */
+    size_t step[TIMED];    /* every step-th triangle is timed */
 } task;
 
+/* What was found of it. */
+typedef struct finding {
+    contestant list[CONTESTANTS_MAX]; /* the first TIMED of them are timed */
+    score scores[CONTESTANTS_MAX];
+    samples taken;
+} finding;
+
 static const char usage[] =
-    "usage: voxels [--resolution N]... [--rounds N] [--kernel NAME] [--seed N] [--limit SECONDS] [--no-scenes] [--quick] [--json] "
+    "Usage: voxels [--resolution N]... [--rounds N] [--kernel NAME] [--seed N] [--limit SECONDS] [--no-scenes] [--quick] [--json] "
     "[MESH...]\n"
     "Times tribox_voxelize against the paper's test for each cell and against Schwarz and Seidel 2010, and prints a table.\n"
     "  MESH             a mesh file, besides the three soups that are made here; $TRIBOX_MESHES may name a folder to look in\n"
-    "  --resolution N   cells along the longest side, 2 to 2048; may be repeated; without it 256 and 1024\n"
+    "  --resolution N   cells along the longest side, 2 to 2048, or several, as in 64,512; without it 256,1024\n"
     "  --rounds N       rounds, 3 to 101; without it 9\n"
-    "  --limit SECONDS  rivals that would take longer for a pass get every so manyth triangle; without it 5\n"
+    "  --kernel NAME    the kernel to time; without it the widest\n"
+    "  --seed N         of the soups and of the order within the rounds\n"
+    "  --limit SECONDS  rivals that would take longer for a pass get every n-th triangle; without it 5\n"
     "  --no-scenes      meshes alone\n"
-    "  --quick          128 cells, 3 rounds: some seconds\n";
+    "  --quick          128 cells, 3 rounds: some seconds\n"
+    "  --json           JSON instead of tables\n";
 
-static int fail(const char *what, const char *which, const char *help) { return argument_fail("voxels", what, which, help); }
-
-/* What tribox answers, into the bits. */
-static tribox_status answer(const task *t, const tribox_options *options, unsigned threads, tribox_report *report)
+static void clear(const contestant *self, uint64_t *bits)
 {
-    if (threads > 1)
-        return voxelize_in_threads(&t->scene->soup, &t->grid, 0, t->grid.size[2], options, threads, t->bits, report, NULL, NULL);
-    return tribox_voxelize(&t->scene->soup, &t->grid, options, t->bits, report);
+    const task *const t = self->question;
+    memset(bits, 0, t->words * sizeof *bits);
 }
 
-static void pass(const task *t, contestant_index c, const float (*triangles)[3][3], size_t count)
+static bool run_tribox(const contestant *self, uint64_t *bits, tribox_report *report)
 {
-    static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_CONSERVATIVE, TRIBOX_FAST, TRIBOX_EXACT};
-    if (c == RIVAL_SEIDEL)
-        voxelize_schwarz_seidel(&t->grid, triangles, count, t->bits);
-    else if (c == RIVAL_CELLS)
-        voxelize_cell_by_cell(&t->grid, triangles, count, t->bits);
-    else
-        answer(t, &(tribox_options){.accuracy = accuracies[c], .kernel = t->s->kernel}, c == TWO_THREADS ? 2 : 1, NULL);
+    const task *const t = self->question;
+    return !tribox_voxelize(&t->scene->soup, &t->grid, &self->options, bits, report);
 }
 
-static void clear(const task *t) { memset(t->bits, 0, t->words * sizeof *t->bits); }
+static bool run_threads(const contestant *self, uint64_t *bits, tribox_report *report)
+{
+    const task *const t = self->question;
+    return !voxelize_in_threads(&t->scene->soup, &t->grid, 0, t->grid.size[2], &self->options, 2, bits, report, NULL, NULL);
+}
 
 static size_t pick_sample(const task *t, size_t step)
 {
@@ -105,275 +96,311 @@ static size_t pick_sample(const task *t, size_t step)
     return count;
 }
 
-/* The seconds of a pass over every `step`th triangle, scaled up to all. */
-static double seconds_of(const task *t, contestant_index c, size_t step)
+static bool run_rival(const task *t, voxel_rival *rival, size_t step, uint64_t *bits)
 {
     const bool is_sample = step > 1;
-    const size_t all = t->scene->soup.count, count = is_sample ? pick_sample(t, step) : all;
-    clear(t);
-    const double begin = measure_now();
-    pass(t, c, (const float(*)[3][3])(is_sample ? t->sample : t->scene->triangles), count);
-    return (measure_now() - begin) * (double)all / (double)count;
+    const size_t count = is_sample ? (t->scene->soup.count + step - 1) / step : t->scene->soup.count;
+    rival(&t->grid, (const float(*)[3][3])(is_sample ? t->sample : t->scene->triangles), count, bits);
+    return true;
 }
 
-/* Every how manyth triangle a rival can do in the time: a coarse sample tells the time of a finer one. */
-static size_t step_of(const task *t, contestant_index c)
+static bool run_seidel(const contestant *self, uint64_t *bits, tribox_report *report)
 {
-    if (c < RIVAL_SEIDEL)
-        return 1;
-    size_t step = t->scene->soup.count;
-    while (step > 1 && seconds_of(t, c, step) / (double)(step / 2 + 1) < t->s->limit)
+    const task *const t = self->question;
+    (void)report;
+    return run_rival(t, voxelize_schwarz_seidel, t->step[RIVAL_SEIDEL], bits);
+}
+
+static bool run_cells(const contestant *self, uint64_t *bits, tribox_report *report)
+{
+    const task *const t = self->question;
+    (void)report;
+    return run_rival(t, voxelize_cell_by_cell, t->step[RIVAL_CELLS], bits);
+}
+
+/* The sample of the rival is picked anew, as both rivals share the room. */
+static void clear_and_pick(const contestant *self, uint64_t *bits)
+{
+    const task *const t = self->question;
+    const size_t step = t->step[self->run == run_seidel ? RIVAL_SEIDEL : RIVAL_CELLS];
+    clear(self, bits);
+    if (step > 1)
+        pick_sample(t, step);
+}
+
+/* Those that are timed, then EXACT on every kernel, to be verified. */
+static size_t enter(const task *t, contestant *list)
+{
+    const contestant common = {.prepare = clear,
+                               .question = t,
+                               .options = {.kernel = t->s->kernel},
+                               .promise = PROMISE_EXACT,
+                               .pairs = (double)t->scene->soup.count};
+    const char *kernel;
+    for (int c = 0; c < TIMED; c++)
+        list[c] = common;
+    list[EXACT].run = list[CONSERVATIVE].run = list[FAST].run = run_tribox;
+    list[CONSERVATIVE].options.accuracy = TRIBOX_CONSERVATIVE;
+    list[CONSERVATIVE].promise = PROMISE_SUPERSET;
+    list[FAST].options.accuracy = TRIBOX_FAST;
+    list[FAST].promise = PROMISE_ROUNDED;
+    list[TWO_THREADS].run = run_threads;
+    list[TWO_THREADS].has_threads = true;
+    list[RIVAL_SEIDEL].run = run_seidel;
+    list[RIVAL_CELLS].run = run_cells;
+    for (int c = RIVAL_SEIDEL; c <= RIVAL_CELLS; c++) {
+        list[c].prepare = clear_and_pick;
+        list[c].options.kernel = NULL;
+        list[c].promise = PROMISE_NOTHING; /* until it is known to be fast enough */
+    }
+    for (int c = 0; c < TIMED; c++)
+        snprintf(list[c].name, sizeof list[c].name, "%s", names[c]);
+    size_t count = TIMED;
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++) {
+        list[count] = list[EXACT];
+        list[count].options.kernel = kernel;
+        snprintf(list[count++].name, sizeof list[0].name, "exact on %s", kernel);
+    }
+    return count;
+}
+
+static bool find_truth(const void *question, unsigned axes, uint64_t *bits)
+{
+    const task *const t = question;
+    memset(bits, 0, t->words * sizeof *bits);
+    return !tribox_voxelize(&t->scene->soup, &t->grid, &(tribox_options){.axes = axes, .kernel = "scalar"}, bits, NULL);
+}
+
+/* The seconds of a pass over every step-th triangle. */
+static double seconds_of(task *t, contestant *rival, int c, size_t step)
+{
+    t->step[c] = step;
+    rival->prepare(rival, t->bits);
+    const double begin = clock_seconds();
+    rival->run(rival, t->bits, NULL);
+    return clock_seconds() - begin;
+}
+
+/* Which part of the triangles a rival can do in the time: the time of a coarse sample foretells that of a finer one. */
+static void choose_step(task *t, contestant *rival, int c)
+{
+    const double limit = 1e-3 * (double)t->s->limit_ms;
+    const size_t all = t->scene->soup.count;
+    size_t step = all;
+    double seconds = seconds_of(t, rival, c, step);
+    while (step > 1 && 4 * seconds < limit) {
         step = step / 4 ? step / 4 : 1;
-    return step;
+        seconds = seconds_of(t, rival, c, step);
+    }
+    rival->pairs = (double)((all + step - 1) / step);
+    rival->is_timed_once = seconds > limit / (double)t->s->rounds;
+    rival->promise = step == 1 ? PROMISE_ROUNDED : PROMISE_NOTHING;
 }
 
-static int by_value(const void *a, const void *b)
+static bool answer(task *t, generator *order, finding *f)
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *values, size_t count)
-{
-    qsort(values, count, sizeof *values, by_value);
-    return values[count / 2];
-}
-
-static size_t count_bits(const uint64_t *words, size_t count)
-{
-    size_t sum = 0;
-    for (size_t w = 0; w < count; w++)
-        for (uint64_t rest = words[w]; rest; rest &= rest - 1)
-            sum++;
-    return sum;
-}
-
-static bool fail_at(const task *t, const char *what)
-{
-    fprintf(stderr, "voxels: %s, %u cells along x: %s; nothing is timed\n", t->scene->name, t->grid.size[0], what);
-    return false;
-}
-
-/* Whether the bits are those of `exact`, or hold them. */
-static bool is_right(const task *t, const uint64_t *exact, bool is_superset_enough)
-{
-    for (size_t w = 0; w < t->words; w++)
-        if (is_superset_enough ? exact[w] & ~t->bits[w] : exact[w] ^ t->bits[w])
-            return false;
+    const size_t count = enter(t, f->list);
+    const truth from = {find_truth, t, t->words};
+    if (!entries_verify(f->list, count, t->scene->name, &from, f->scores))
+        return false;
+    for (int c = RIVAL_SEIDEL; c <= RIVAL_CELLS; c++)
+        choose_step(t, &f->list[c], c);
+    if (!entries_verify(&f->list[RIVAL_SEIDEL], 1, t->scene->name, &from, &f->scores[RIVAL_SEIDEL]))
+        return false;
+    const effort how = {.rounds = (size_t)t->s->rounds, .seconds = 1e9};
+    measure(f->list, TIMED, how, order, t->bits, &f->taken);
     return true;
 }
 
-/* Lets tribox answer on every kernel before anything is timed; exact receives the cells. */
-static bool verify(const task *t, uint64_t *exact, finding *f)
+static double ns_per_cell(const task *t, const finding *f, size_t c)
 {
-    static const char *const kernels[] = {"avx512", "avx2", "sse2", "scalar"};
-    tribox_report report;
-    clear(t);
-    const tribox_status status = answer(t, &(tribox_options){.kernel = t->s->kernel}, 1, &report);
-    if (status)
-        return fail_at(t, tribox_status_text(status));
-    f->set = report.overlapping;
-    memcpy(exact, t->bits, t->words * sizeof *exact);
-    if (count_bits(exact, t->words) != f->set)
-        return fail_at(t, "the report counts other cells than are set");
-    for (size_t k = 0; k < sizeof kernels / sizeof kernels[0]; k++) {
-        const tribox_options options = {.kernel = kernels[k]};
-        clear(t);
-        if (tribox_kernel_name(&options) && (answer(t, &options, 1, NULL) || !is_right(t, exact, false)))
-            return fail_at(t, "the kernels do not agree");
-    }
-    clear(t);
-    if (answer(t, &(tribox_options){.kernel = t->s->kernel}, 2, NULL) || !is_right(t, exact, false))
-        return fail_at(t, "two threads answer otherwise than one");
-    clear(t);
-    if (answer(t, &(tribox_options){.accuracy = TRIBOX_CONSERVATIVE, .kernel = t->s->kernel}, 1, NULL) || !is_right(t, exact, true))
-        return fail_at(t, "CONSERVATIVE misses cells");
-    return true;
+    return measure_spread(&f->taken, c).median * (double)t->scene->soup.count / (double)f->scores[EXACT].overlapping;
 }
 
-static void count_unlike(const task *t, uint64_t *exact, finding *f)
-{
-    if (f->step[RIVAL_SEIDEL] > 1)
-        return;
-    clear(t);
-    pass(t, RIVAL_SEIDEL, (const float(*)[3][3])t->scene->triangles, t->scene->soup.count);
-    for (size_t w = 0; w < t->words; w++)
-        exact[w] ^= t->bits[w];
-    f->unlike = count_bits(exact, t->words);
-}
-
-static void time_rounds(const task *t, generator *order, finding *f)
-{
-    static double seconds[CONTESTANT_COUNT][ROUNDS_MOST], ratios[ROUNDS_MOST];
-    const size_t rounds = (size_t)t->s->rounds;
-    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++)
-        f->step[c] = step_of(t, c);
-    for (size_t round = 0; round < rounds + 1; round++) { /* the first warms up, and is written over */
-        contestant_index turns[CONTESTANT_COUNT];
-        for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-            const size_t j = random_below(order, c + 1u);
-            turns[c] = turns[j];
-            turns[j] = c;
-        }
-        for (int turn = 0; turn < CONTESTANT_COUNT; turn++) {
-            const contestant_index c = turns[turn];
-            const size_t at = round ? round - 1 : 0;
-            f->is_once[c] = c >= RIVAL_SEIDEL && round > 1 && seconds[c][0] / (double)f->step[c] > t->s->limit / (double)rounds;
-            seconds[c][at] = f->is_once[c] ? seconds[c][0] : seconds_of(t, c, f->step[c]);
-        }
-    }
-    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-        for (size_t round = 0; round < rounds; round++)
-            ratios[round] = seconds[c][round] / seconds[EXACT][round];
-        f->to_exact[c] = median(ratios, rounds);
-    }
-    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++)
-        f->seconds[c] = median(seconds[c], rounds);
-}
+static double times_exact(const finding *f, size_t c) { return measure_ratio(&f->taken, c, EXACT).median; }
 
 static void print_table(const task *t, const finding *f)
 {
-    const double triangles = (double)t->scene->soup.count;
     printf("\n%s, %u x %u x %u cells: %zu triangles, %zu cells set; %.1f MiB of bits\n", t->scene->name, t->grid.size[0],
-           t->grid.size[1], t->grid.size[2], t->scene->soup.count, f->set, (double)t->words * 8 / 1048576);
+           t->grid.size[1], t->grid.size[2], t->scene->soup.count, f->scores[EXACT].overlapping, (double)t->words * 8 / 1048576);
     printf("%-18s %14s %12s %16s %10s\n", "", "ns a triangle", "ns a cell", "million tri./s", "x exact");
-    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-        printf("%-18s %14.1f %12.2f %16.3f %10.2f", contestants[c], 1e9 * f->seconds[c] / triangles,
-               1e9 * f->seconds[c] / (double)f->set, triangles / f->seconds[c] / 1e6, f->to_exact[c]);
-        if (f->step[c] > 1)
-            printf("   one of %zu triangles", f->step[c]);
-        printf("%s\n", f->is_once[c] ? "   timed once" : "");
+    for (size_t c = 0; c < TIMED; c++) {
+        const double ns = measure_spread(&f->taken, c).median;
+        printf("%-18s %14.1f %12.2f %16.3f %10.2f", f->list[c].name, ns, ns_per_cell(t, f, c), 1e3 / ns, times_exact(f, c));
+        if (t->step[c] > 1)
+            printf("   one of %zu triangles", t->step[c]);
+        printf("%s\n", f->list[c].is_timed_once ? "   timed once" : "");
     }
-    if (f->step[RIVAL_SEIDEL] == 1)
-        printf("cells that Schwarz and Seidel's test, in float and with planes that are no floats, tells otherwise: %zu\n",
-               f->unlike);
+    if (t->step[RIVAL_SEIDEL] == 1)
+        printf("cells for which Schwarz and Seidel's test, in float and with rounded planes, has another answer: %zu\n",
+               score_unlike(&f->scores[RIVAL_SEIDEL]));
 }
 
-static void print_json(const task *t, const finding *f, bool is_first)
+static void print_json(json *to, const task *t, const finding *f)
 {
-    printf("%s\n  {\"scene\": ", is_first ? "" : ",");
-    json_string(stdout, t->scene->name);
-    printf(", \"size\": [%u, %u, %u], \"triangles\": %zu, \"set\": %zu, \"unlike\": %zu, \"contestants\": {", t->grid.size[0],
-           t->grid.size[1], t->grid.size[2], t->scene->soup.count, f->set, f->unlike);
-    const char *separator = "";
-    for (contestant_index c = EXACT; c < CONTESTANT_COUNT; c++) {
-        printf("%s\"%s\": {\"ns_triangle\": %.3f, \"ns_cell\": %.3f, \"to_exact\": %.4f, \"one_of\": %zu}", separator,
-               contestants[c], 1e9 * f->seconds[c] / (double)t->scene->soup.count, 1e9 * f->seconds[c] / (double)f->set,
-               f->to_exact[c], f->step[c]);
-        separator = ", ";
+    json_open_object(to, NULL);
+    json_string(to, "scene", t->scene->name);
+    json_open_array(to, "size");
+    for (int a = 0; a < 3; a++)
+        json_whole(to, NULL, t->grid.size[a]);
+    json_close(to);
+    json_whole(to, "triangles", t->scene->soup.count);
+    json_whole(to, "set", f->scores[EXACT].overlapping);
+    json_whole(to, "unlike", score_unlike(&f->scores[RIVAL_SEIDEL]));
+    json_open_lines(to, "contestants");
+    for (size_t c = 0; c < TIMED; c++) {
+        json_open_object(to, f->list[c].name);
+        json_number(to, "ns_triangle", 6, measure_spread(&f->taken, c).median);
+        json_number(to, "ns_cell", 6, ns_per_cell(t, f, c));
+        json_number(to, "to_exact", 5, times_exact(f, c));
+        json_whole(to, "one_of", t->step[c]);
+        json_close(to);
     }
-    printf("}}");
+    json_close(to);
+    json_close(to);
 }
 
 /* Products of the ratios over the soups that were read from files, for each resolution. */
 typedef struct means {
-    double logarithm[RESOLUTIONS_MOST][CONTESTANT_COUNT];
+    double logarithm[RESOLUTIONS_MAX][TIMED];
     size_t count;
 } means;
 
-static bool run_scene(const voxel_scene *at, const settings *s, generator *order, means *m, bool is_mesh, bool *is_first)
+static bool run_grid(const voxel_scene *at, uint32_t resolution, const settings *s, generator *order, json *out, finding *f)
 {
+    task t = {.scene = at, .s = s, .grid = voxel_scene_grid(at, resolution)};
+    for (size_t c = 0; c < TIMED; c++)
+        t.step[c] = 1;
+    t.words = tribox_grid_words(&t.grid);
+    t.bits = malloc(t.words * sizeof *t.bits);
+    t.sample = malloc(at->soup.count * sizeof *t.sample);
+    const bool is_answered = t.bits && t.sample
+                                 ? answer(&t, order, f)
+                                 : message_failure("out of memory for %zu words of bits; choose a lower resolution", t.words) == 0;
+    if (is_answered && s->is_json)
+        print_json(out, &t, f);
+    else if (is_answered)
+        print_table(&t, f);
+    fflush(stdout);
+    free(t.bits);
+    free(t.sample);
+    return is_answered;
+}
+
+static bool run_scene(const voxel_scene *at, const settings *s, generator *order, json *out, means *of_meshes)
+{
+    static finding f;
     for (size_t r = 0; r < s->resolutions; r++) {
-        task t = {.scene = at, .s = s, .grid = voxel_scene_grid(at, s->resolution[r])};
-        finding f = {.unlike = 0};
-        t.words = tribox_grid_words(&t.grid);
-        t.bits = malloc(2 * t.words * sizeof *t.bits);
-        t.sample = malloc(at->soup.count * sizeof *t.sample);
-        if (!t.bits || !t.sample)
-            fprintf(stderr, "voxels: no memory for %zu words of bits; take a lower resolution\n", 2 * t.words);
-        const bool is_verified = t.bits && t.sample && verify(&t, t.bits + t.words, &f);
-        if (is_verified) {
-            time_rounds(&t, order, &f);
-            count_unlike(&t, t.bits + t.words, &f);
-            if (s->is_json)
-                print_json(&t, &f, *is_first);
-            else
-                print_table(&t, &f);
-            fflush(stdout);
-        }
-        free(t.bits);
-        free(t.sample);
-        if (!is_verified)
+        if (!run_grid(at, s->resolution[r], s, order, out, &f))
             return false;
-        *is_first = false;
-        for (contestant_index c = EXACT; is_mesh && c < CONTESTANT_COUNT; c++)
-            m->logarithm[r][c] += log(f.to_exact[c]);
+        for (size_t c = 0; of_meshes && c < TIMED; c++)
+            of_meshes->logarithm[r][c] += log(times_exact(&f, c));
     }
-    m->count += is_mesh;
+    if (of_meshes)
+        of_meshes->count++;
     return true;
 }
 
 static void print_means(const means *m, const settings *s)
 {
-    struct rusage usage_here;
+    struct rusage here;
     if (m->count) {
         printf("\ngeometric means over %zu meshes, x exact:\n%-18s", m->count, "cells");
         for (size_t r = 0; r < s->resolutions; r++)
             printf(" %8u", s->resolution[r]);
         printf(" %8s\n", "all");
     }
-    for (contestant_index c = CONSERVATIVE; m->count && c < CONTESTANT_COUNT; c++) {
+    for (size_t c = CONSERVATIVE; m->count && c < TIMED; c++) {
         double all = 0;
-        printf("%-18s", contestants[c]);
+        printf("%-18s", names[c]);
         for (size_t r = 0; r < s->resolutions; r++) {
             printf(" %8.2f", exp(m->logarithm[r][c] / (double)m->count));
             all += m->logarithm[r][c];
         }
         printf(" %8.2f\n", exp(all / (double)(m->count * s->resolutions)));
     }
-    if (!getrusage(RUSAGE_SELF, &usage_here))
-        printf("most memory of the process: %.0f MiB, three copies of a soup and two grids of bits among it\n",
-               (double)usage_here.ru_maxrss / 1024);
+    if (!getrusage(RUSAGE_SELF, &here))
+        printf("peak memory of the process: %.0f MiB, with three copies of a soup and five grids of bits\n",
+               (double)here.ru_maxrss / 1024);
 }
 
-/* 0, or the exit status. */
-static int read_settings(int argc, char **argv, settings *s)
+enum { OPTION_RESOLUTION, OPTION_ROUNDS, OPTION_KERNEL, OPTION_SEED, OPTION_LIMIT, OPTION_NO_SCENES, OPTION_QUICK, OPTION_JSON };
+
+static const option_entry options[] = {[OPTION_RESOLUTION] = {"resolution", 'r', true},
+                                       [OPTION_ROUNDS] = {"rounds", 0, true},
+                                       [OPTION_KERNEL] = {"kernel", 'k', true},
+                                       [OPTION_SEED] = {"seed", 0, true},
+                                       [OPTION_LIMIT] = {"limit", 0, true},
+                                       [OPTION_NO_SCENES] = {"no-scenes", 0, false},
+                                       [OPTION_QUICK] = {"quick", 'q', false},
+                                       [OPTION_JSON] = {"json", 'j', false},
+                                       {NULL, 0, false}};
+
+/* Numbers with commas between them. */
+static int take_resolutions(settings *s, const char *value)
 {
-    for (int i = 1; i < argc; i++) {
-        const char *const option = argv[i];
-        uint64_t number;
-        if (!strcmp(option, "--json"))
-            s->is_json = true;
-        else if (!strcmp(option, "--no-scenes"))
-            s->has_scenes = false;
-        else if (!strcmp(option, "--quick")) {
-            s->resolution[0] = 128;
-            s->resolutions = 1;
-            s->rounds = 3;
-            s->limit = 0.2;
-        } else if (option[0] != '-') {
-            if (s->meshes == SCENES_MOST)
-                return fail("too many meshes", option, "run voxels more than once");
-            s->mesh[s->meshes++] = option;
-        } else if (++i == argc)
-            return fail("unknown option, or no value after", option, "see voxels --help");
-        else if (!strcmp(option, "--resolution")) {
-            if (s->resolutions == RESOLUTIONS_MOST || !argument_number(argv[i], 2, 2048, &number))
-                return fail("bad resolution", argv[i], "give 2 to 2048, eight times at most");
-            s->resolution[s->resolutions++] = (uint32_t)number;
-        } else if (!strcmp(option, "--rounds")) {
-            if (!argument_number(argv[i], 3, ROUNDS_MOST, &s->rounds))
-                return fail("bad number of rounds", argv[i], "give 3 to 101");
-        } else if (!strcmp(option, "--limit")) {
-            if (!argument_number(argv[i], 1, 3600, &number))
-                return fail("bad number of seconds", argv[i], "give 1 to 3600");
-            s->limit = (double)number;
-        } else if (!strcmp(option, "--seed")) {
-            if (!argument_number(argv[i], 0, UINT64_MAX, &s->seed))
-                return fail("bad seed", argv[i], "give a whole number below 2^64");
-        } else if (!strcmp(option, "--kernel")) {
-            s->kernel = argv[i];
-            if (!tribox_kernel_name(&(tribox_options){.kernel = s->kernel}))
-                return fail("no kernel here of that name", argv[i], "see tribox info");
-        } else
-            return fail("unknown option", option, "see voxels --help");
+    for (s->resolutions = 0;; value++) {
+        const size_t length = strcspn(value, ",");
+        char number[16];
+        uint64_t resolution;
+        snprintf(number, sizeof number, "%.*s", (int)length, value);
+        if (whole_read(number, "resolution", 2, 2048, &resolution))
+            return EXIT_CODE_USAGE;
+        if (s->resolutions == RESOLUTIONS_MAX)
+            return message_usage("--resolution: give %d at most", RESOLUTIONS_MAX);
+        s->resolution[s->resolutions++] = (uint32_t)resolution;
+        value += length;
+        if (!*value)
+            return EXIT_CODE_OK;
     }
-    if (!s->resolutions) {
-        s->resolution[0] = 256;
-        s->resolution[1] = 1024;
-        s->resolutions = 2;
+}
+
+static int take_limit(settings *s, const char *value)
+{
+    uint64_t seconds;
+    const int code = whole_read(value, "limit", 1, 3600, &seconds);
+    s->limit_ms = code ? s->limit_ms : 1000 * seconds;
+    return code;
+}
+
+static int take_mesh(settings *s, const char *path)
+{
+    if (s->meshes == MESHES_MAX)
+        return message_usage("'%s' is one mesh too many: give %d at most", path, MESHES_MAX);
+    s->mesh[s->meshes++] = path;
+    return EXIT_CODE_OK;
+}
+
+static int take(void *request, int which, const char *value)
+{
+    settings *const s = request;
+    switch (which) {
+    case OPTION_RESOLUTION:
+        return take_resolutions(s, value);
+    case OPTION_ROUNDS:
+        return whole_read(value, "rounds", 3, ROUNDS_MAX, &s->rounds);
+    case OPTION_KERNEL:
+        s->kernel = tribox_kernel_name(&(tribox_options){.kernel = value});
+        return s->kernel ? EXIT_CODE_OK : message_usage("--kernel: there is no '%s' here; see tribox info", value);
+    case OPTION_SEED:
+        return whole_read(value, "seed", 0, UINT64_MAX, &s->seed);
+    case OPTION_LIMIT:
+        return take_limit(s, value);
+    case OPTION_NO_SCENES:
+        s->has_scenes = false;
+        return EXIT_CODE_OK;
+    case OPTION_QUICK:
+        s->resolution[0] = 128;
+        s->resolutions = 1;
+        s->rounds = 3;
+        s->limit_ms = 200;
+        return EXIT_CODE_OK;
+    case OPTION_JSON:
+        s->is_json = true;
+        return EXIT_CODE_OK;
+    default:
+        return take_mesh(s, value);
     }
-    return 0;
 }
 
 static bool read_mesh(const char *name, voxel_scene *made)
@@ -384,41 +411,62 @@ static bool read_mesh(const char *name, voxel_scene *made)
     return voxel_scene_read(strchr(name, '/') || !folder ? name : path, made);
 }
 
-int main(int argc, char **argv)
+static bool run_all(const settings *s, json *out, means *m)
 {
-    if (argc == 2 && !strcmp(argv[1], "--help")) {
-        fputs(usage, stdout);
-        return 0;
-    }
-    settings s = {.seed = 1, .rounds = 9, .limit = 5, .has_scenes = true};
-    const int status = read_settings(argc, argv, &s);
-    if (status)
-        return status;
-    const run r = {argc, argv, s.seed, machine_here()};
-    if (s.is_json) {
-        printf("{");
-        header_json(stdout, &r);
-        printf(",\n \"kernel\": \"%s\", \"results\": [", tribox_kernel_name(&(tribox_options){.kernel = s.kernel}));
-    } else {
-        header_text(stdout, "", &r);
-        printf("kernel     %s\n", tribox_kernel_name(&(tribox_options){.kernel = s.kernel}));
-    }
-    generator order = {~s.seed};
-    means m = {.count = 0};
-    bool is_first = true, is_done = true;
-    for (size_t i = 0; is_done && i < (s.has_scenes ? VOXEL_SCENES : 0) + s.meshes; i++) {
-        const size_t mesh = i - (s.has_scenes ? VOXEL_SCENES : 0);
-        const bool is_mesh = !s.has_scenes || i >= VOXEL_SCENES;
-        voxel_scene at;
-        is_done = is_mesh ? read_mesh(s.mesh[mesh], &at) : voxel_scene_make((int)i, s.seed, &at);
-        if (is_done) {
-            is_done = run_scene(&at, &s, &order, &m, is_mesh, &is_first);
+    generator order = {~s->seed};
+    bool is_run = true;
+    voxel_scene at;
+    for (int i = 0; is_run && s->has_scenes && i < VOXEL_SCENES; i++) {
+        is_run = voxel_scene_make(i, s->seed, &at);
+        if (is_run) {
+            is_run = run_scene(&at, s, &order, out, NULL);
             voxel_scene_free(&at);
         }
     }
-    if (s.is_json)
-        printf("]}\n");
-    else if (is_done)
+    for (size_t i = 0; is_run && i < s->meshes; i++) {
+        is_run = read_mesh(s->mesh[i], &at);
+        if (is_run) {
+            is_run = run_scene(&at, s, &order, out, m);
+            voxel_scene_free(&at);
+        }
+    }
+    return is_run;
+}
+
+int main(int argc, char **argv)
+{
+    options_found found;
+    settings s = {.seed = 1,
+                  .rounds = 9,
+                  .limit_ms = 5000,
+                  .kernel = tribox_kernel_name(NULL),
+                  .has_scenes = true,
+                  .resolution = {256, 1024},
+                  .resolutions = 2};
+    means m = {.count = 0};
+    message_set_program("voxels");
+    const int code = options_read(argc, argv, options, take, &s, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return fputs(usage, stdout) < 0;
+    const run r = {argc, argv, s.seed, machine_here()};
+    json out = json_to(stdout);
+    if (!s.is_json) {
+        header_text(stdout, "", &r);
+        printf("kernel     %s\n", s.kernel);
+        if (!run_all(&s, &out, &m))
+            return EXIT_CODE_FAILURE;
         print_means(&m, &s);
-    return !is_done;
+        return EXIT_CODE_OK;
+    }
+    json_open_object(&out, NULL);
+    header_json(&out, &r);
+    json_string(&out, "kernel", s.kernel);
+    json_open_rows(&out, "results");
+    if (!run_all(&s, &out, &m))
+        return EXIT_CODE_FAILURE;
+    json_close(&out);
+    json_close(&out);
+    return EXIT_CODE_OK;
 }

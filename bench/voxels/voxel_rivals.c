@@ -1,9 +1,11 @@
+/* voxel_rivals.c - the paper's test for each cell, and the voxelization of Schwarz and Seidel. */
 #include "voxel_rivals.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-#include "paper/baseline.h"
+#include "paper/paper.h"
+#include "paper/paper_axes.h"
 
 /* The cells of a triangle's bounding box, first to last on each axis. */
 typedef struct cell_range {
@@ -51,7 +53,7 @@ void voxelize_cell_by_cell(const tribox_grid *grid, const float (*triangles)[3][
                     float center[3];
                     for (int a = 0; a < 3; a++)
                         center[a] = grid->origin[a] + ((float)at[a] + 0.5f) * grid->cell[a];
-                    row[i / 64] |= (uint64_t)baseline_overlap(center, half, triangles[t]) << i % 64;
+                    row[i / 64] |= (uint64_t)paper_overlaps(center, half, triangles[t], PAPER_ORDER) << i % 64;
                 }
             }
     }

@@ -14,15 +14,15 @@ extern "C" {
 
 typedef void voxel_rival(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied);
 
-/** The paper's test (baseline.h) called for every cell that the bounding box of a triangle touches. */
+/* The paper's test for every cell that the bounding box of a triangle touches. */
 voxel_rival voxelize_cell_by_cell;
 
-/**
+/*
  * The surface voxelization of M. Schwarz, H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs", ACM Transactions on
  * Graphics 29(6), 2010: per triangle its plane's two critical points and nine edge functions in the three projections; per cell of
  * the bounding box the plane and the edges. What does not depend on x is taken out of the row; a row that its edges reject is
- * passed over. A triangle whose box spans cells on one axis alone overlaps them all; one whose box is one cell thick is told by the
- * edges of one projection. Walks that leave out cells, by columns along the largest axis of the normal, are not in it.
+ * passed over. A triangle whose box spans cells on one axis alone overlaps them all; for one whose box is one cell thick the edges
+ * of one projection decide. Walks that leave out cells, by columns along the largest axis of the normal, are not in it.
  */
 voxel_rival voxelize_schwarz_seidel;
 

@@ -1,3 +1,4 @@
+/* voxel_scenes.c - makes and reads soups to voxelize. */
 #include "voxel_scenes.h"
 
 #include <math.h>
@@ -21,7 +22,7 @@ static bool make_room(voxel_scene *made, size_t count)
         made->soup.z[v] = storage + (size_t)(3 * v + 2) * count;
     }
     if (!storage)
-        fprintf(stderr, "voxels: no memory for %zu triangles\n", count);
+        fprintf(stderr, "voxels: out of memory for %zu triangles\n", count);
     return storage;
 }
 

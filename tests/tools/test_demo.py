@@ -46,7 +46,8 @@ class Demo(support.TestCase):
             self.assertLess(row["unlike_exact"], scene["triangles"] / 1000)
             self.assertGreater(row["ns_per_triangle"], 0)
             self.assertAlmostEqual(row["ns_per_triangle"] * row["million_triangles_per_second"] / 1000, 1, places=3)
-            self.assertAlmostEqual(row["ns_per_triangle"] * row["times_paper"] / rows[0]["ns_per_triangle"], 1, places=3)
+            self.assertGreater(row["times_paper"], 0)
+        self.assertEqual(rows[0]["times_paper"], 1)
 
     def test_json(self):
         demo = json.loads(self.succeed("demo", "--quick", "--json"))
@@ -61,21 +62,15 @@ class Demo(support.TestCase):
 
     def test_text(self):
         text = self.succeed("demo", "--quick")
-        self.assertLessEqual(max(map(len, text.splitlines())), 100)
+        lines = text.splitlines()
+        self.assertLessEqual(max(map(len, lines)), 100)
+        self.assertLessEqual(len(lines), 24)
         self.assertRegex(text, r"\A[\x20-\x7e\n]*\Z")
-        rows = re.findall(r"(?m)^(\w+) +(-|fast|conservative|exact)((?: +[\d.]+){5})$", text)
+        rows = re.findall(r"(?m)^(\w+) +(-|fast|conservative|exact)((?: +[\d.]+){6})$", text)
         expected = [(kernel, accuracy or "-") for kernel, accuracy in self.expected_rows()]
-        self.assertEqual([row[:2] for row in rows], 2 * expected)
-        self.assertEqual({row[2].split()[-1] for row in rows if row[1] == "exact"}, {"0"})
-        self.assertEqual(len({len(line) for line in text.splitlines() if re.match(r"kernel +accuracy|paper +-", line)}), 1)
-
-    def test_picture(self):
-        text = self.succeed("demo", "--quick")
-        picture = [line for line in text.splitlines() if re.fullmatch(r"[ .:\-=+*#]+", line)]
-        self.assertEqual(len(picture), 24)
-        self.assertLessEqual(max(map(len, picture)), 60)
-        self.assertGreater("".join(picture).count("#"), 20)
-        self.assertGreater("".join(picture).count("*"), 20)
+        self.assertEqual([row[:2] for row in rows], expected)
+        self.assertEqual({column for row in rows if row[1] == "exact" for column in row[2].split()[2::3]}, {"0"})
+        self.assertEqual(len({len(line) for line in lines if re.match(r"kernel +accuracy|paper +-", line)}), 1)
 
     def test_picture_of_the_voxels(self):
         path = os.path.join(self.folder, "knot.png")
@@ -84,7 +79,7 @@ class Demo(support.TestCase):
             self.assertEqual((result.code, os.listdir(self.folder)), (1, []))
             self.skipTest("built without libpng")
         self.assertEqual((result.code, result.stderr, os.listdir(self.folder)), (0, "", ["knot.png"]))
-        self.assertRegex(result.stdout, r"(?m)^Voxels of the mesh: 123 x 128 x 53 cells, \d+ of them overlap it; [\d.]+ ms, ")
+        self.assertRegex(result.stdout, r"(?m)^Voxels of the mesh: 123 x 128 x 53 cells, \d+ of them occupied; [\d.]+ ms, ")
         self.assertIn("drawn in %s\n" % path, result.stdout)
         self.assertEqual(volumes.read_png(path)[:2], (1280, 960))
         self.fail_with(2, "--picture: 'knot.jpg' does not end in .png", "demo", "--picture", "knot.jpg")
@@ -124,7 +119,7 @@ class Demo(support.TestCase):
         return text
 
     def test_bold_on_a_terminal_only(self):
-        self.assertEqual(self.on_terminal(TERM="xterm").count(b"\x1b[1m"), 4)
+        self.assertEqual(self.on_terminal(TERM="xterm").count(b"\x1b[1m"), 1)
         self.assertNotIn(b"\x1b", self.on_terminal(TERM="dumb"))
         self.assertNotIn(b"\x1b", self.on_terminal(TERM="xterm", NO_COLOR="1"))
         self.assertNotIn(b"\x1b", self.on_terminal())

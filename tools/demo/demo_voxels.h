@@ -2,15 +2,14 @@
 #ifndef DEMO_VOXELS_H
 #define DEMO_VOXELS_H
 
-#include <stdbool.h>
-
-#include "write/file_out.h"
+#include "console/json.h"
 #include "tribox.h"
+#include "write/file_out.h"
 
 /*
- * Voxelizes the soup, draws it into the file if one is open, which it keeps, and prints what came of it, in lines or as a member of a
- * JSON object. Returns an exit_code.
+ * Voxelizes the soup, draws it into the file if one is open, which it keeps, and prints the result: in lines, or, if `to` is not NULL, as
+ * the member "voxels" of the JSON object that is open. Returns an exit_code.
  */
-int demo_voxels(const tribox_soup *soup, file_out *picture, bool wants_json);
+int demo_voxels(const tribox_soup *soup, file_out *picture, json *to);
 
 #endif

@@ -2,7 +2,6 @@
 #include "scene.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
@@ -14,44 +13,30 @@ static const double pi = 3.14159265358979323846;
 
 static int allocate(scene *s, size_t count)
 {
-    s->soup.count = count;
-    s->triangles = malloc(count * sizeof *s->triangles);
-    s->coordinates = malloc(9 * count * sizeof *s->coordinates);
-    if (s->triangles && s->coordinates)
+    if (timing_work_make(&s->work, 1, timing_work_room(count)))
         return EXIT_CODE_OK;
-    scene_free(s);
     return message_failure("out of memory for a scene of %zu triangles", count);
 }
 
-/* From the triangles and the box to the streams and the centre. */
-static void complete(scene *s)
+static void complete(scene *s, size_t count, const tribox_box *box)
 {
-    float *next = s->coordinates;
-    for (int a = 0; a < 3; a++)
-        for (int v = 0; v < 3; v++) {
-            (a == 0 ? s->soup.x : a == 1 ? s->soup.y : s->soup.z)[v] = next;
-            for (size_t i = 0; i < s->soup.count; i++)
-                *next++ = s->triangles[i][v][a];
-        }
-    for (int a = 0; a < 3; a++) {
-        s->center[a] = 0.5f * (s->box.lo[a] + s->box.hi[a]);
-        s->half[a] = 0.5f * (s->box.hi[a] - s->box.lo[a]);
-    }
+    const timing_job job = timing_work_soup(&s->work, count);
+    timing_work_add(&s->work, &job, box);
 }
 
 int scene_make_random(scene *s)
 {
-    *s = (scene){.title = "Random triangles, vertices uniform in [-2,2]^3 (the workload of the paper)",
-                 .box = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}}};
+    static const tribox_box box = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
+    *s = (scene){.title = "random triangles, as in the paper"};
     const int code = allocate(s, RANDOM_TRIANGLES);
     if (code)
         return code;
     generator g = {SCENE_SEED};
-    for (size_t i = 0; i < s->soup.count; i++)
+    for (size_t i = 0; i < RANDOM_TRIANGLES; i++)
         for (int v = 0; v < 3; v++)
             for (int a = 0; a < 3; a++)
-                s->triangles[i][v][a] = random_between(&g, -2, 2);
-    complete(s);
+                s->work.triangles[i][v][a] = random_between(&g, -2, 2);
+    complete(s, RANDOM_TRIANGLES, &box);
     return EXIT_CODE_OK;
 }
 
@@ -77,11 +62,13 @@ static void knot_point(int ring, int corner, float point[3])
 
 int scene_make_knot(scene *s)
 {
-    *s = (scene){.title = "A mesh: a tube along a trefoil knot", .box = {{0.2f, -0.6f, -1.0f}, {2.2f, 1.4f, 1.0f}}};
-    const int code = allocate(s, 2 * KNOT_RINGS * KNOT_CORNERS);
+    enum { COUNT = 2 * KNOT_RINGS * KNOT_CORNERS };
+    static const tribox_box box = {{0.2f, -0.6f, -1.0f}, {2.2f, 1.4f, 1.0f}};
+    *s = (scene){.title = "a mesh: a tube along a knot"};
+    const int code = allocate(s, COUNT);
     if (code)
         return code;
-    float(*triangle)[3][3] = s->triangles;
+    float(*triangle)[3][3] = s->work.triangles;
     for (int ring = 0; ring < KNOT_RINGS; ring++)
         for (int corner = 0; corner < KNOT_CORNERS; corner++, triangle += 2) {
             float quad[4][3];
@@ -91,14 +78,6 @@ int scene_make_knot(scene *s)
             memcpy(triangle[1][0], quad[0], sizeof quad[0]);
             memcpy(triangle[1][1], quad[2], 2 * sizeof quad[0]);
         }
-    complete(s);
+    complete(s, COUNT, &box);
     return EXIT_CODE_OK;
-}
-
-void scene_free(scene *s)
-{
-    free(s->triangles);
-    free(s->coordinates);
-    s->triangles = NULL;
-    s->coordinates = NULL;
 }

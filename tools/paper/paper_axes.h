@@ -1,10 +1,10 @@
 /*
  * paper_axes.h - the axes as published: T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", journal of graphics tools 6(1),
- * 2001. Written from the formulas of its section 2, in the paper's symbols (c, h, v, f, n, p, r). A predicate tells whether an axis
+ * 2001. Written from the formulas of its section 2, in the paper's symbols (c, h, v, f, n, p, r). A predicate is true if an axis
  * separates a triangle from the box [-h, h].
  */
-#ifndef BENCH_PAPER_AXES_H
-#define BENCH_PAPER_AXES_H
+#ifndef PAPER_AXES_H
+#define PAPER_AXES_H
 
 #include <math.h>
 #include <stdbool.h>
@@ -47,6 +47,41 @@ static inline bool apart_on_plane(const float v_0[3], const float f_0[3], const 
     const float d = n[0] * v_0[0] + n[1] * v_0[1] + n[2] * v_0[2];
     const float r = h[0] * fabsf(n[0]) + h[1] * fabsf(n[1]) + h[2] * fabsf(n[2]);
     return fabsf(d) > r;
+}
+
+#if defined(__GNUC__)
+#define PAPER_INLINE static inline __attribute__((always_inline))
+#else
+#define PAPER_INLINE static inline
+#endif
+
+/* A triangle seen from the centre of the box: its vertices, and its edges. */
+typedef struct shape {
+    float v[3][3], f[3][3];
+} shape;
+
+PAPER_INLINE bool apart_on_group(const shape *s, const float h[3], unsigned group)
+{
+    const float(*const v)[3] = s->v, (*const f)[3] = s->f;
+    if (group == 1)
+        return apart_on_box_normal(v, h, 0) || apart_on_box_normal(v, h, 1) || apart_on_box_normal(v, h, 2);
+    if (group == 2)
+        return apart_on_plane(v[0], f[0], f[1], h);
+    return apart_on_axes_of_edge(v[0], v[2], f[0], h) || apart_on_axes_of_edge(v[1], v[0], f[1], h) ||
+           apart_on_axes_of_edge(v[2], v[1], f[2], h);
+}
+
+/* The whole test of triangle u against the box with centre c and half size h. order: of the groups, a constant if it is to be fast. */
+PAPER_INLINE bool paper_overlaps(const float c[3], const float h[3], const float u[3][3], unsigned order)
+{
+    shape s;
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            s.v[j][a] = u[j][a] - c[a];
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            s.f[j][a] = s.v[(j + 1) % 3][a] - s.v[j][a];
+    return !apart_on_group(&s, h, order / 100) && !apart_on_group(&s, h, order / 10 % 10) && !apart_on_group(&s, h, order % 10);
 }
 
 #endif

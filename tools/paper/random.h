@@ -1,6 +1,6 @@
 /* random.h - a seeded generator: the same scenes and the same permutations wherever the seed is the same. */
-#ifndef BENCH_RANDOM_H
-#define BENCH_RANDOM_H
+#ifndef RANDOM_H
+#define RANDOM_H
 
 #include <stddef.h>
 #include <stdint.h>

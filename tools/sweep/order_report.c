@@ -1,11 +1,12 @@
+/* order_report.c - what a sweep measured, and why, as text and as JSON. */
 #include "order_report.h"
 
 #include <string.h>
 
-/* The entrants of a kernel stand together behind those of the paper's test; the first of them, or NULL behind the last. */
-static const entrant *next_kernel(const sweep *s, const entrant *after)
+/* The contestants of a kernel stand together after those of the paper's test; the first of the next kernel, or NULL after the last. */
+static const contestant *next_kernel(const sweep *s, const contestant *after)
 {
-    for (const entrant *e = after ? after + 1 : s->list; e < s->list + s->entrants; e++)
+    for (const contestant *e = after ? after + 1 : s->list; e < s->list + s->count; e++)
         if (e->options.kernel && (!after || strcmp(e->options.kernel, after->options.kernel) != 0))
             return e;
     return NULL;
@@ -13,9 +14,9 @@ static const entrant *next_kernel(const sweep *s, const entrant *after)
 
 static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accuracy accuracy)
 {
-    const entrant *const best = sweep_best(s, kernel, accuracy);
-    const entrant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_default_order);
-    fprintf(to, "%-8s %-12s", kernel ? kernel : "paper", kernel ? sweep_accuracy_word(accuracy) : "");
+    const contestant *const best = sweep_best(s, kernel, accuracy);
+    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_default_order);
+    fprintf(to, "%-8s %-12s", kernel ? kernel : "paper", kernel ? contestant_accuracy_word(accuracy) : "");
     for (int o = 0; o < SWEEP_ORDERS; o++)
         fprintf(to, " %8.3f", sweep_time(s, sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o])));
     if (sweep_beats(s, best, plain))
@@ -26,13 +27,13 @@ static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accur
 
 void report_times(FILE *to, const sweep *s)
 {
-    fprintf(to, "Nanoseconds per pair, least of %zu rounds, by order: 1 box normals, 2 plane, 3 edges\n\n", s->rounds);
+    fprintf(to, "Nanoseconds per pair, least of %zu rounds, by order: 1 box normals, 2 plane, 3 edges\n\n", s->taken.rounds);
     fprintf(to, "%-21s", "kernel   accuracy");
     for (int o = 0; o < SWEEP_ORDERS; o++)
         fprintf(to, " %8u", sweep_orders[o]);
     fprintf(to, "   faster than %u\n", sweep_default_order);
     print_row(to, s, NULL, TRIBOX_FAST);
-    for (const entrant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
+    for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
         for (int a = 0; a < SWEEP_ACCURACIES; a++)
             print_row(to, s, k->options.kernel, sweep_accuracies[a]);
 }
@@ -42,11 +43,11 @@ static void print_axes_row(FILE *to, const sweep *s, unsigned axes, size_t pairs
     static const char *const names[] = {"", "box", "plane", "box,plane", "edges", "box,edges", "plane,edges", "all"};
     size_t reported = 0, unlike = 0;
     fprintf(to, "%-12s", names[axes]);
-    for (const entrant *k = next_kernel(s, NULL); k; k = next_kernel(s, k)) {
-        const entrant *const e = sweep_find(s, k->options.kernel, TRIBOX_EXACT, axes, sweep_default_order);
+    for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k)) {
+        const contestant *const e = sweep_find(s, k->options.kernel, TRIBOX_EXACT, axes, sweep_default_order);
         fprintf(to, " %8.3f", sweep_time(s, e));
-        reported = e->overlapping;
-        unlike = e->unlike;
+        reported = sweep_score(s, e)->overlapping;
+        unlike = score_unlike(sweep_score(s, e));
     }
     fprintf(to, " %12zu %12zu %9.3f\n", reported, unlike, 100 * (double)unlike / (double)pairs);
 }
@@ -54,7 +55,7 @@ static void print_axes_row(FILE *to, const sweep *s, unsigned axes, size_t pairs
 void report_axes(FILE *to, const sweep *s, const why *w)
 {
     fprintf(to, "Axes left out, EXACT: nanoseconds per pair, and pairs that are reported and do not overlap\n\n%-12s", "axes");
-    for (const entrant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
+    for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
         fprintf(to, " %8s", k->options.kernel);
     fprintf(to, " %12s %12s %9s\n", "reported", "false", "% of all");
     print_axes_row(to, s, TRIBOX_AXES_ALL, w->pairs);
@@ -100,8 +101,7 @@ static void print_first(FILE *to, const why *w)
 
 static void print_left(FILE *to, const why *w)
 {
-    fprintf(to, "Percent of the packets left after the first, second and third group; bytes loaded per pair\n\n%-8s",
-            "lanes");
+    fprintf(to, "Percent of the packets left after the first, second and third group; bytes loaded per pair\n\n%-8s", "lanes");
     for (int l = 0; l < WHY_WIDTHS; l++)
         fprintf(to, "  %14u %5s", why_lanes[l], "bytes");
     fprintf(to, "\n");
@@ -126,56 +126,69 @@ void report_why(FILE *to, const why *w)
     print_left(to, w);
 }
 
-void report_json_sweep(FILE *to, const sweep *s)
+static void json_contestant(json *to, const sweep *s, size_t c)
 {
-    fprintf(to, "\"rounds\": %zu, \"entrants\": [", s->rounds);
-    for (size_t e = 0; e < s->entrants; e++) {
-        const entrant *const one = &s->list[e];
-        const char *const kernel = one->options.kernel ? one->options.kernel : "paper";
-        fprintf(to, "%s\n  {\"kernel\": \"%s\", \"lanes\": %u, \"accuracy\": \"%s\", \"axes\": %u, \"order\": %u", e ? "," : "",
-                kernel, why_lanes[why_width_of(kernel)], sweep_accuracy_word(one->options.accuracy), one->options.axes,
-                one->options.order);
-        if (one->options.kernel)
-            fprintf(to, ", \"undecided\": %zu", one->undecided);
-        fprintf(to, ", \"reported\": %zu, \"unlike_exact\": %zu, \"ns_per_pair\": [", one->overlapping, one->unlike);
-        for (size_t r = 0; r < s->rounds; r++)
-            fprintf(to, "%s%.5g", r ? ", " : "", s->ns[e][r]);
-        fprintf(to, "]}");
+    const contestant *const one = &s->list[c];
+    const char *const kernel = one->options.kernel ? one->options.kernel : one->name;
+    json_open_object(to, NULL);
+    json_string(to, "kernel", kernel);
+    json_whole(to, "lanes", why_lanes[why_width_of(kernel)]);
+    json_string(to, "accuracy", contestant_accuracy_word(one->options.accuracy));
+    json_whole(to, "axes", one->options.axes);
+    json_whole(to, "order", one->options.order);
+    if (one->options.kernel)
+        json_whole(to, "undecided", s->scores[c].undecided);
+    json_whole(to, "reported", s->scores[c].overlapping);
+    json_whole(to, "unlike_exact", score_unlike(&s->scores[c]));
+    json_open_array(to, "ns_per_pair");
+    for (size_t r = 0; r < s->taken.rounds; r++)
+        json_number(to, NULL, 5, s->taken.ns[c][r]);
+    json_close(to);
+    json_close(to);
+}
+
+void report_json_sweep(json *to, const sweep *s)
+{
+    json_whole(to, "rounds", s->taken.rounds);
+    json_open_rows(to, "entrants");
+    for (size_t c = 0; c < s->count; c++)
+        json_contestant(to, s, c);
+    json_close(to);
+}
+
+static void json_order(json *to, const why *w, int o)
+{
+    json_open_object(to, NULL);
+    json_whole(to, "order", why_orders[o]);
+    json_wholes(to, "first", w->order[o].first, WHY_AXES);
+    json_open_rows(to, "lanes");
+    for (int l = 0; l < WHY_WIDTHS; l++) {
+        json_open_object(to, NULL);
+        json_whole(to, "lanes", why_lanes[l]);
+        json_whole(to, "packets", w->packets[l]);
+        json_wholes(to, "packets_left", w->order[o].packets_left[l], 3);
+        json_whole(to, "bytes", w->order[o].bytes[l]);
+        json_close(to);
     }
-    fprintf(to, "]");
+    json_close(to);
+    json_close(to);
 }
 
-static void json_counts(FILE *to, const char *name, const size_t *counts, size_t length)
+void report_json_why(json *to, const why *w)
 {
-    fprintf(to, "\"%s\": [", name);
-    for (size_t i = 0; i < length; i++)
-        fprintf(to, "%s%zu", i ? ", " : "", counts[i]);
-    fprintf(to, "]");
-}
-
-void report_json_why(FILE *to, const why *w)
-{
-    fprintf(to, "\"pairs\": %zu, \"overlapping\": %zu,\n \"axes\": {\"names\": [", w->pairs, w->overlapping);
+    json_whole(to, "pairs", w->pairs);
+    json_whole(to, "overlapping", w->overlapping);
+    json_open_object(to, "axes");
+    json_open_array(to, "names");
     for (int axis = 0; axis < WHY_AXES; axis++)
-        fprintf(to, "%s\"%s\"", axis ? ", " : "", why_axis_name(axis));
-    fprintf(to, "], ");
-    json_counts(to, "separates", w->apart, WHY_AXES);
-    fprintf(to, ", ");
-    json_counts(to, "no_box_normal_does", w->unboxed, WHY_AXES);
-    fprintf(to, ", ");
-    json_counts(to, "alone", w->only, WHY_AXES);
-    fprintf(to, "},\n \"orders\": [");
-    for (int o = 0; o < WHY_ORDERS; o++) {
-        const why_order *const order = &w->order[o];
-        fprintf(to, "%s\n  {\"order\": %u, ", o ? "," : "", why_orders[o]);
-        json_counts(to, "first", order->first, WHY_AXES);
-        fprintf(to, ", \"lanes\": [");
-        for (int l = 0; l < WHY_WIDTHS; l++) {
-            fprintf(to, "%s\n   {\"lanes\": %u, \"packets\": %zu, ", l ? "," : "", why_lanes[l], w->packets[l]);
-            json_counts(to, "packets_left", order->packets_left[l], 3);
-            fprintf(to, ", \"bytes\": %zu}", order->bytes[l]);
-        }
-        fprintf(to, "]}");
-    }
-    fprintf(to, "]");
+        json_string(to, NULL, why_axis_name(axis));
+    json_close(to);
+    json_wholes(to, "separates", w->apart, WHY_AXES);
+    json_wholes(to, "no_box_normal_does", w->unboxed, WHY_AXES);
+    json_wholes(to, "alone", w->only, WHY_AXES);
+    json_close(to);
+    json_open_rows(to, "orders");
+    for (int o = 0; o < WHY_ORDERS; o++)
+        json_order(to, w, o);
+    json_close(to);
 }

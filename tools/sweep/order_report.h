@@ -1,25 +1,26 @@
 /* order_report.h - prints what a sweep measured, and why: tables for people, members of a JSON object for programs. */
-#ifndef BENCH_ORDER_REPORT_H
-#define BENCH_ORDER_REPORT_H
+#ifndef ORDER_REPORT_H
+#define ORDER_REPORT_H
 
 #include <stdio.h>
 
-#include "order_measure.h"
+#include "console/json.h"
+#include "order_sweep.h"
 #include "order_why.h"
 
-/** Nanoseconds per pair of every kernel, accuracy and order; how the default compares. */
+/* Nanoseconds per pair of every kernel, accuracy and order; how the default compares. */
 void report_times(FILE *to, const sweep *s);
 
-/** What leaving axes out costs in false reports, and gains in time. */
+/* What leaving axes out costs in false reports, and gains in time. */
 void report_axes(FILE *to, const sweep *s, const why *w);
 
-/** Which axis rejects first, what is left after each group, and what is loaded, for every order. */
+/* Which axis rejects first, what is left after each group, and what is loaded, for every order. */
 void report_why(FILE *to, const why *w);
 
-/** Members "rounds" and "entrants": what each answered, and the nanoseconds per pair of each round. */
-void report_json_sweep(FILE *to, const sweep *s);
+/* Members "rounds" and "entrants": what each answered, and the nanoseconds per pair of each round. */
+void report_json_sweep(json *to, const sweep *s);
 
-/** Members "pairs", "overlapping", "axes" and "orders". */
-void report_json_why(FILE *to, const why *w);
+/* Members "pairs", "overlapping", "axes" and "orders". */
+void report_json_why(json *to, const why *w);
 
 #endif

@@ -173,7 +173,7 @@ static void count_packets(why *found, const uint64_t rejected[WHY_AXES], size_t 
     }
 }
 
-static void count_word(why *found, const order_job *job, size_t first)
+static void count_word(why *found, const timing_job *job, size_t first)
 {
     static const float zeros[3][3]; /* the lanes past the end of a soup hold zeros */
     const size_t rest = job->soup.count - first, count = rest < 64 ? rest : 64;
@@ -192,7 +192,7 @@ static void count_word(why *found, const order_job *job, size_t first)
     count_packets(found, rejected, count);
 }
 
-void why_find(const order_work *work, why *found)
+void why_find(const timing_work *work, why *found)
 {
     memset(found, 0, sizeof *found);
     for (size_t i = 0; i < work->count; i++)

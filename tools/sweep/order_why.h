@@ -1,23 +1,23 @@
 /* order_why.h - why an order is fast or slow: which axis rejects, and what is still left and loaded after each group of axes. */
-#ifndef BENCH_ORDER_WHY_H
-#define BENCH_ORDER_WHY_H
+#ifndef ORDER_WHY_H
+#define ORDER_WHY_H
 
-#include "order_work.h"
+#include "timing/work.h"
 
-/** The thirteen axes: 0 to 2 the box normals x, y, z; 3 the plane; 4 + 3 i + j the edge axis e_i x f_j. */
+/* The thirteen axes: 0 to 2 the box normals x, y, z; 3 the plane; 4 + 3 i + j the edge axis e_i x f_j. */
 enum { WHY_AXES = 13, WHY_PLANE = 3, WHY_EDGES = 4 };
 enum { WHY_ORDERS = 6, WHY_WIDTHS = 4 };
 
-/** A short name of an axis: x y z plane xe0 xe1 xe2 ye0 ... */
+/* A short name of an axis: x y z plane xe0 xe1 xe2 ye0 ... */
 const char *why_axis_name(int axis);
 
 extern const unsigned why_orders[WHY_ORDERS]; /* 123, 132, ... */
 extern const unsigned why_lanes[WHY_WIDTHS];  /* 1, 4, 8, 16 */
 
-/** The index of a kernel's lanes in why_lanes, by its name; "paper" has one. */
+/* The index of a kernel's lanes in why_lanes, by its name; "paper" has one. */
 int why_width_of(const char *kernel);
 
-/** A triangle against a box, in double: bit k tells of axis k. */
+/* A triangle against a box, in double: bit k tells of axis k. */
 typedef struct why_axes {
     unsigned apart; /* the axis separates the two */
     unsigned
@@ -42,6 +42,6 @@ typedef struct why {
     why_order order[WHY_ORDERS];
 } why;
 
-void why_find(const order_work *work, why *found);
+void why_find(const timing_work *work, why *found);
 
 #endif

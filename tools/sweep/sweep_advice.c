@@ -7,11 +7,11 @@
 #include "console/options.h"
 
 /* The fastest of those that answer exactly as all axes do. */
-static const entrant *fastest_right(const sweep *s, const char *kernel, const entrant *best)
+static const contestant *fastest_right(const sweep *s, const char *kernel, const contestant *best)
 {
     for (int x = 0; x < SWEEP_AXES; x++) {
-        const entrant *const one = sweep_find(s, kernel, TRIBOX_EXACT, sweep_axes[x], sweep_default_order);
-        if (!one->unlike && sweep_beats(s, one, best))
+        const contestant *const one = sweep_find(s, kernel, TRIBOX_EXACT, sweep_axes[x], sweep_default_order);
+        if (!score_unlike(sweep_score(s, one)) && sweep_beats(s, one, best))
             best = one;
     }
     return best;
@@ -20,9 +20,9 @@ static const entrant *fastest_right(const sweep *s, const char *kernel, const en
 sweep_advice sweep_advise(const sweep *s)
 {
     const char *const kernel = tribox_kernel_name(NULL);
-    const entrant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, sweep_default_order);
-    const entrant *const best = sweep_best(s, kernel, TRIBOX_EXACT);
-    const entrant *const advised = fastest_right(s, kernel, sweep_beats(s, best, plain) ? best : plain);
+    const contestant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, sweep_default_order);
+    const contestant *const best = sweep_best(s, kernel, TRIBOX_EXACT);
+    const contestant *const advised = fastest_right(s, kernel, sweep_beats(s, best, plain) ? best : plain);
     return (sweep_advice){.kernel = kernel,
                           .order = advised->options.order,
                           .axes = advised->options.axes,

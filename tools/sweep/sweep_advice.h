@@ -2,7 +2,7 @@
 #ifndef SWEEP_ADVICE_H
 #define SWEEP_ADVICE_H
 
-#include "order_measure.h"
+#include "order_sweep.h"
 
 typedef struct sweep_advice {
     const char *kernel; /* that the advice is for: the default one */

@@ -1,7 +1,6 @@
 /* sweep_chart.c - the SVG of a sweep, written line by line. */
 #include "sweep_chart.h"
 
-
 /* In pixels. */
 enum { WIDTH = 960, LEFT = 90, TOP = 84, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
 
@@ -55,14 +54,14 @@ static void draw_bar(FILE *to, int x, int base, double height, int order, double
 /* The bars of a kernel at an accuracy, from x on. most: the time of a bar as high as the panel. */
 static void draw_group(FILE *to, const sweep *s, const char *kernel, tribox_accuracy accuracy, int x, int base, double most)
 {
-    const entrant *const best = sweep_best(s, kernel, accuracy);
+    const contestant *const best = sweep_best(s, kernel, accuracy);
     for (int o = 0; o < SWEEP_ORDERS; o++) {
-        const entrant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
+        const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
         const double ns = sweep_time(s, one);
         draw_bar(to, x + o * BAR, base, PANEL * ns / most, o, ns, one == best);
     }
     text_at(to, x + SWEEP_ORDERS * BAR / 2.0, base + 17, "font-size=\"12\" text-anchor=\"middle\"",
-            kernel ? sweep_accuracy_word(accuracy) : "as published");
+            kernel ? contestant_accuracy_word(accuracy) : "as published");
 }
 
 /* The slowest order of a kernel at any accuracy. */
@@ -71,7 +70,7 @@ static double most_of(const sweep *s, const char *kernel)
     double most = 0;
     for (int a = 0; a < SWEEP_ACCURACIES; a++)
         for (int o = 0; o < SWEEP_ORDERS; o++) {
-            const entrant *const one = sweep_find(s, kernel, sweep_accuracies[a], TRIBOX_AXES_ALL, sweep_orders[o]);
+            const contestant *const one = sweep_find(s, kernel, sweep_accuracies[a], TRIBOX_AXES_ALL, sweep_orders[o]);
             if (one && sweep_time(s, one) > most)
                 most = sweep_time(s, one);
         }

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "order_measure.h"
+#include "order_sweep.h"
 
 /* title: one line above the panels; any text. */
 void sweep_chart(FILE *to, const sweep *s, const char *title);

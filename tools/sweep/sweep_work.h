@@ -3,10 +3,7 @@
 #define SWEEP_WORK_H
 
 #include "read/mesh.h"
-#include "order_work.h"
-
-/* Cells along the longest side of the mesh, at most: more are finer than floats can tell apart. */
-enum { SWEEP_GRID_MOST = 4096 };
+#include "timing/work.h"
 
 typedef enum sweep_kind { SWEEP_OCTREE, SWEEP_GRID, SWEEP_BOX } sweep_kind;
 
@@ -17,10 +14,10 @@ typedef struct sweep_wish {
     unsigned along; /* of SWEEP_GRID: cells along the longest side */
 } sweep_wish;
 
-/* Makes the work. Returns an exit_code; on success order_work_free gives the memory back. path: of the mesh, for messages. */
-int sweep_work_make(const char *path, const mesh *m, sweep_wish *wish, order_work *work);
+/* Makes the work. Returns an exit_code; on success timing_work_free gives the memory back. path: of the mesh, for messages. */
+int sweep_work_make(const char *path, const mesh *m, sweep_wish *wish, timing_work *work);
 
 /* The wish in words, as in "the leaves of an octree of depth 6, ...". */
-void sweep_work_describe(const sweep_wish *wish, const order_work *work, char *text, size_t size);
+void sweep_work_describe(const sweep_wish *wish, const timing_work *work, char *text, size_t size);
 
 #endif

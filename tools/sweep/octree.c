@@ -1,4 +1,5 @@
-#include "order_octree.h"
+/* octree.c - divides a mesh into an octree, and asks of its last division what overlaps. */
+#include "octree.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -121,7 +122,7 @@ static tribox_box child_box(const cube *c, unsigned depth, const node *parent, s
 }
 
 /* Appends the child of a node to the next level, if a triangle overlaps it. scratch: the node's triangles as a job. */
-static bool divide_into(const level *from, const node *parent, size_t child, const order_job *scratch, const cube *c,
+static bool divide_into(const level *from, const node *parent, size_t child, const timing_job *scratch, const cube *c,
                         uint64_t *mask, level *to)
 {
     node n = {.first = to->list_count};
@@ -138,43 +139,43 @@ static bool divide_into(const level *from, const node *parent, size_t child, con
 static bool divide(const tribox_soup *soup, const cube *c, const level *from, level *to)
 {
     uint64_t *const mask = malloc((tribox_mask_words(soup->count) + 1) * sizeof *mask);
-    order_work scratch;
-    bool is_done = order_work_make(&scratch, 1, order_work_room(soup->count)) && mask;
+    timing_work scratch;
+    bool is_done = timing_work_make(&scratch, 1, timing_work_room(soup->count)) && mask;
     to->depth = from->depth + 1;
     for (size_t n = 0; is_done && n < from->node_count; n++) {
         const node *const parent = &from->nodes[n];
         scratch.used = 0;
-        const order_job job = order_work_copy(&scratch, soup, from->list + parent->first, parent->count);
+        const timing_job job = timing_work_copy(&scratch, soup, from->list + parent->first, parent->count);
         for (size_t child = 0; is_done && child < CHILDREN; child++)
             is_done = divide_into(from, parent, child, &job, c, mask, to);
     }
-    order_work_free(&scratch);
+    timing_work_free(&scratch);
     free(mask);
     return is_done;
 }
 
 /* The last division, as work: every step-th node against its eight children. */
-static bool make_work(const tribox_soup *soup, const cube *c, const level *last, size_t pairs_most, order_work *work)
+static bool make_work(const tribox_soup *soup, const cube *c, const level *last, size_t pairs_most, timing_work *work)
 {
     const size_t pairs = CHILDREN * last->list_count, step = pairs / pairs_most + 1;
     size_t room = 0, nodes = 0;
     for (size_t n = 0; n < last->node_count; n += step, nodes++)
-        room += order_work_room(last->nodes[n].count);
-    if (!order_work_make(work, CHILDREN * nodes, room))
+        room += timing_work_room(last->nodes[n].count);
+    if (!timing_work_make(work, CHILDREN * nodes, room))
         return false;
     for (size_t n = 0; n < last->node_count; n += step) {
         const node *const parent = &last->nodes[n];
-        order_job job = order_work_copy(work, soup, last->list + parent->first, parent->count);
+        const timing_job job = timing_work_copy(work, soup, last->list + parent->first, parent->count);
         for (size_t child = 0; child < CHILDREN; child++) {
             size_t cell[3];
-            job.box = child_box(c, last->depth + 1, parent, child, cell);
-            order_work_add(work, &job);
+            const tribox_box box = child_box(c, last->depth + 1, parent, child, cell);
+            timing_work_add(work, &job, &box);
         }
     }
     return true;
 }
 
-const char *octree_work(const tribox_soup *soup, unsigned depth, size_t pairs_most, order_work *work)
+const char *octree_work(const tribox_soup *soup, unsigned depth, size_t pairs_most, timing_work *work)
 {
     level at = {.depth = 0}, next = {.depth = 0};
     cube c;

@@ -1,0 +1,28 @@
+/* entries.h - the usual field of a benchmark: the paper's test, the loads alone, and every kernel at every accuracy. */
+#ifndef BENCH_ENTRIES_H
+#define BENCH_ENTRIES_H
+
+#include "timing/measure.h"
+#include "timing/verify.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The paper's test is called "baseline". Returns how many there are. */
+size_t entries_make(const timing_work *work, contestant *list);
+
+/* Whether this is the paper's test. */
+bool entry_is_baseline(const contestant *one);
+
+/* The index of FAST of the same kernel and axes; that of the contestant itself if there is none. */
+size_t entry_fast_of(const contestant *list, size_t count, size_t c);
+
+/* Verifies; says on stderr who is wrong, and on which scene. */
+bool entries_verify(const contestant *list, size_t count, const char *scene, const truth *from, score *scores);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
