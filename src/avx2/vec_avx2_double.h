@@ -41,6 +41,9 @@ TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_pd(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_pd(b, a, m); }
 
+TRIBOX_INLINE vmask m_all(void) { return _mm256_castsi256_pd(_mm256_set1_epi32(-1)); }
+TRIBOX_INLINE vmask m_none(void) { return _mm256_setzero_pd(); }
+TRIBOX_INLINE vmask m_not(vmask a) { return _mm256_andnot_pd(a, m_all()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm256_or_pd(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_pd(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_pd(b, a); }

@@ -63,6 +63,9 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi32_mask(avx512_bits(a), _mm512_setzero_si512()); }
+TRIBOX_INLINE vmask m_all(void) { return (vmask)0xffff; }
+TRIBOX_INLINE vmask m_none(void) { return 0; }
+TRIBOX_INLINE vmask m_not(vmask a) { return (vmask)~a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }

@@ -45,6 +45,9 @@ TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_double(_mm512_or_si5
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_mov_pd(b, m, a); }
 
+TRIBOX_INLINE vmask m_all(void) { return (vmask)0xff; }
+TRIBOX_INLINE vmask m_none(void) { return 0; }
+TRIBOX_INLINE vmask m_not(vmask a) { return (vmask)~a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }

@@ -37,23 +37,22 @@ TRIBOX_INLINE void widen(lane_range *range, vnum slack, vnum error, vmask redund
     range->most = v_min(range->most, v_select(redundant, v_splat(INFINITY), v_add(slack, error)));
 }
 
-TRIBOX_INLINE vmask is_zero(vnum a) { return m_andnot(v_gt(v_splat(1), v_splat(0)), v_gt(v_abs(a), v_splat(0))); }
+TRIBOX_INLINE vmask is_zero(vnum a) { return m_not(v_gt(v_abs(a), v_splat(0))); }
 
 TRIBOX_INLINE lane_range range_of(const lane_slacks *slack, const lane_triangle *t, const lane_box *box, const lane_shape *s,
                                   bool is_box_asked)
 {
     const lane_bounds bound = bounds_of(t, box);
-    const vmask none = v_gt(v_splat(0), v_splat(0));
     lane_range range = {v_splat(INFINITY), v_splat(INFINITY)};
-    vmask is_flat = none;
+    vmask is_flat = m_none();
     for (int i = 0; i < 3; i++) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
         const vnum error = is_box_asked ? bound.edges[i] : both_sides_bound(&bound, i);
         for (int j = 0; j < 3; j++)
-            widen(&range, slack->edge[i][j], error, is_box_asked ? m_or(is_zero(s->f[j][a]), is_zero(s->f[j][b])) : none);
+            widen(&range, slack->edge[i][j], error, is_box_asked ? m_or(is_zero(s->f[j][a]), is_zero(s->f[j][b])) : m_none());
         is_flat = m_or(is_flat, is_zero(bound.F[i]));
     }
-    widen(&range, slack->plane, bound.plane, is_box_asked ? is_flat : none);
+    widen(&range, slack->plane, bound.plane, is_box_asked ? is_flat : m_none());
     return range;
 }
 

@@ -55,7 +55,6 @@ TRIBOX_INLINE vmask apart_in_frame(const lane_frame *frame, vnum q[3][3], const 
 
 static void move(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words, tribox_moved *moved)
 {
-    const vmask none = v_gt(v_splat(0), v_splat(0));
     lane_frame frame;
     vnum worst[3] = {v_splat(0), v_splat(0), v_splat(0)};
     splat_frame(&frame, box);
@@ -63,7 +62,7 @@ static void move(const tribox_soup *soup, const tribox_oriented_box *box, size_t
         moved->apart[word] = moved->wild[word] = 0;
         for (size_t lane = 0; lane < 64; lane += V_LANES) {
             vnum q[3][3], error[3];
-            vmask apart = none, tame = m_andnot(v_gt(v_splat(1), v_splat(0)), none);
+            vmask apart = m_none(), tame = m_all();
             move_packet(soup, &frame, first + 64 * word + lane, q, error);
             for (int k = 0; k < 3; k++) {
                 for (int j = 0; j < 3; j++)

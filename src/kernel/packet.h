@@ -133,7 +133,7 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
         left &= ~m_bits(v_gt(v_splat(0), plane_slack(s, *reach)));
     }
     if (group == 3 && V_LANES == 1) {
-        vmask sure = v_gt(v_splat(1), v_splat(0));
+        vmask sure = m_all();
         return left_by_each_edge(s, is_box_asked, left, v_splat(0), &sure);
     }
     if (group == 3)

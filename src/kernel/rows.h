@@ -145,7 +145,7 @@ TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_tri
 {
     const vnum zero = v_splat(0), one = v_splat(1);
     vnum n[3], S = zero, error = zero, least = zero, most = zero, d = zero;
-    vmask asked = v_gt(one, zero);
+    vmask asked = m_all();
     for (int i = 0; i < 3; i++)
         S = v_fma(v_mul(t->F[(i + 1) % 3], t->F[(i + 2) % 3]), t->R[i], S);
     for (int a = 0; a < 3; a++) {

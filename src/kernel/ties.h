@@ -12,7 +12,7 @@ TRIBOX_INLINE vmask is_positive(vnum a) { return v_gt(a, v_splat(0)); }
 /* The certificate needs every extent to be zero or not too small (PROOFS.md 5.1). */
 TRIBOX_INLINE vmask is_certificate_sound(const lane_shape *s, const lane_box_margin *box)
 {
-    vmask sound = v_gt(v_splat(1), v_splat(0));
+    vmask sound = m_all();
     for (int a = 0; a < 3; a++) {
         const vnum sum = extent_sum(s, a);
         sound = m_andnot(sound, m_andnot(is_positive(sum), v_gt(sum, box->least)));
@@ -23,7 +23,7 @@ TRIBOX_INLINE vmask is_certificate_sound(const lane_shape *s, const lane_box_mar
 /* Every edge axis is beyond its margin, or redundant. */
 TRIBOX_INLINE vmask are_edges_certain(const lane_shape *s, const lane_margin *margin)
 {
-    vmask sure = v_gt(v_splat(1), v_splat(0));
+    vmask sure = m_all();
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const vnum shorter = v_min(v_abs(s->f[j][(i + 1) % 3]), v_abs(s->f[j][(i + 2) % 3]));
@@ -37,5 +37,5 @@ TRIBOX_INLINE vmask is_plane_certain(const lane_shape *s, const lane_margin *mar
 {
     const vnum thinnest = lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2));
     const vmask clear = v_gt(plane_slack(s, plane_reach(s)), margin->plane);
-    return m_andnot(v_gt(v_splat(1), v_splat(0)), m_andnot(is_positive(thinnest), clear));
+    return m_or(m_not(is_positive(thinnest)), clear);
 }

@@ -64,6 +64,9 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return vcltzq_s32(vreinterpretq_s32_f32(a)); }
+TRIBOX_INLINE vmask m_all(void) { return vdupq_n_u32(UINT32_MAX); }
+TRIBOX_INLINE vmask m_none(void) { return vdupq_n_u32(0); }
+TRIBOX_INLINE vmask m_not(vmask a) { return vmvnq_u32(a); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return vorrq_u32(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u32(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u32(a, b); }

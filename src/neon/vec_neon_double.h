@@ -45,6 +45,9 @@ TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u64(neon_
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f64(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f64(m, a, b); }
 
+TRIBOX_INLINE vmask m_all(void) { return vdupq_n_u64(UINT64_MAX); }
+TRIBOX_INLINE vmask m_none(void) { return vdupq_n_u64(0); }
+TRIBOX_INLINE vmask m_not(vmask a) { return veorq_u64(a, m_all()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return vorrq_u64(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u64(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u64(a, b); }

@@ -53,6 +53,9 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES]) { retu
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4]) { memcpy(to, from[0], 4 * sizeof *to); }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }
+TRIBOX_INLINE vmask m_all(void) { return true; }
+TRIBOX_INLINE vmask m_none(void) { return false; }
+TRIBOX_INLINE vmask m_not(vmask a) { return !a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }

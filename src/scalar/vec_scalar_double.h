@@ -39,6 +39,9 @@ TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return copysign(1.0, signbit(a) ||
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
 
+TRIBOX_INLINE vmask m_all(void) { return true; }
+TRIBOX_INLINE vmask m_none(void) { return false; }
+TRIBOX_INLINE vmask m_not(vmask a) { return !a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }

@@ -58,6 +58,9 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
+TRIBOX_INLINE vmask m_all(void) { return _mm_castsi128_ps(_mm_set1_epi32(-1)); }
+TRIBOX_INLINE vmask m_none(void) { return _mm_setzero_ps(); }
+TRIBOX_INLINE vmask m_not(vmask a) { return _mm_andnot_ps(a, m_all()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_ps(b, a); }

@@ -41,6 +41,9 @@ TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_pd(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_pd(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
 
+TRIBOX_INLINE vmask m_all(void) { return _mm_castsi128_pd(_mm_set1_epi32(-1)); }
+TRIBOX_INLINE vmask m_none(void) { return _mm_setzero_pd(); }
+TRIBOX_INLINE vmask m_not(vmask a) { return _mm_andnot_pd(a, m_all()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_pd(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_pd(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_pd(b, a); }

@@ -110,6 +110,12 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
         return is_negative(a) && is_negative(b);
     case V_EITHER:
         return is_negative(a) || is_negative(b);
+    case M_ALL:
+        return true;
+    case M_NONE:
+        return false;
+    case M_NOT:
+        return !(a > b);
     case M_OR:
         return a > b || b > c;
     case M_AND:
@@ -132,8 +138,8 @@ static const char *const number_names[NUMBER_WORDS] = {
 };
 
 static const char *const mask_names[MASK_WORDS] = {
-    [V_GT] = "v_gt", [M_SIGNS] = "m_signs",   [V_BOTH] = "v_both", [V_EITHER] = "v_either",
-    [M_OR] = "m_or", [M_ANDNOT] = "m_andnot", [M_AND] = "m_and",
+    [V_GT] = "v_gt",     [M_SIGNS] = "m_signs", [V_BOTH] = "v_both", [V_EITHER] = "v_either", [M_ALL] = "m_all",
+    [M_NONE] = "m_none", [M_NOT] = "m_not",     [M_OR] = "m_or",     [M_AND] = "m_and",       [M_ANDNOT] = "m_andnot",
 };
 
 /* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */

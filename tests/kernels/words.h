@@ -45,6 +45,9 @@ typedef enum mask_word {
     M_SIGNS,  /* the sign of a */
     V_BOTH,   /* the signs of a and b */
     V_EITHER, /* the sign of a or b */
+    M_ALL,    /* always */
+    M_NONE,   /* never */
+    M_NOT,    /* not a > b */
     M_OR,     /* a > b or b > c */
     M_AND,    /* a > b and b > c */
     M_ANDNOT, /* a > b and not b > c */

@@ -104,6 +104,12 @@ static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
         return m_signs(v_both(a, b));
     case V_EITHER:
         return m_signs(v_either(a, b));
+    case M_ALL:
+        return m_all();
+    case M_NONE:
+        return m_none();
+    case M_NOT:
+        return m_not(v_gt(a, b));
     case M_OR:
         return m_or(v_gt(a, b), v_gt(b, c));
     case M_AND:
