@@ -13,4 +13,14 @@ static inline bool tribox_is_finite(float number)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
+/* Whether all nine coordinates of a triangle are finite. */
+static inline bool tribox_triangle_is_finite(const float u[3][3])
+{
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            if (!tribox_is_finite(u[j][a]))
+                return false;
+    return true;
+}
+
 #endif

@@ -5,7 +5,7 @@
 #include "environment.h"
 #include "finite.h"
 
-#define WORDS_MOST (UINT64_C(1) << 31)
+#define WORDS_MAX (UINT64_C(1) << 31)
 
 size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
 
@@ -73,7 +73,7 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
         if (!tribox_is_finite(grid->origin[a]) || !tribox_is_finite(grid->cell[a]) || !(grid->cell[a] > 0) || !grid->size[a] ||
             !tribox_is_finite(tribox_grid_plane(grid, a, grid->size[a])))
             return false;
-    return tribox_grid_words(grid) <= WORDS_MOST && has_rising_planes(grid, 0) && has_rising_planes(grid, 1) &&
+    return tribox_grid_words(grid) <= WORDS_MAX && has_rising_planes(grid, 0) && has_rising_planes(grid, 1) &&
            has_rising_planes(grid, 2);
 }
 

@@ -1,5 +1,5 @@
 /*
- * What a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
+ * kernel.h - what a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
  *
  * A walk answers words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy asked,
  * and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
@@ -9,8 +9,8 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include "kernel_grid.h"
 #include "indices.h"
+#include "kernel_grid.h"
 #include "tribox.h"
 
 #if defined(__FAST_MATH__)
@@ -63,7 +63,7 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
 
-/* So many triangles of the soup from 64 * word, a multiple of TRIBOX_LANES_MOST and all of them present, against one box. */
+/* So many triangles of the soup from 64 * word, a multiple of TRIBOX_LANES_MAX and all of them present, against one box. */
 typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t triangles, uint64_t *hit,
                               uint64_t *open);
 
@@ -71,8 +71,8 @@ typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, si
 typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t count, uint64_t *hit,
                                uint64_t *open);
 
-/* Every kernel's lanes divide it. */
-enum { TRIBOX_LANES_MOST = 16 };
+/* The most lanes of float, and of double. The lanes of every kernel divide them. */
+enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /*
  * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order u_00 u_01 .. u_22, lo, hi (u_ja is
@@ -87,24 +87,24 @@ typedef struct tribox_batch {
  * The first `count` pairs of a batch, in double: the bits of those that overlap, and in *open of those that double cannot decide.
  * is_exact: ties may be decided by what happens to be exact, since something exact will decide them all.
  */
-typedef uint64_t tribox_settle(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
+typedef uint64_t tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
 
 /* Of those triangles of a word that are candidates: the ones wholly in the box. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
 
 /* The greatest vertex number of triangles first .. first + count - 1 of a mesh, 0 of none. The mesh states its stride here and below. */
-typedef size_t tribox_greatest(const tribox_mesh *mesh, size_t first, size_t count);
+typedef size_t tribox_greatest_vertex(const tribox_mesh *mesh, size_t first, size_t count);
 
 /* These triangles, with all their vertices there, as nine streams x_0 x_1 x_2 y_0 .. z_2. */
 typedef void tribox_gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9]);
 
 /* A box beside positions x y z x y z ...: the bounds of axis k % 3 at place k. */
-typedef struct tribox_row {
-    float lo[3 * TRIBOX_LANES_MOST], hi[3 * TRIBOX_LANES_MOST];
-} tribox_row;
+typedef struct tribox_box_pattern {
+    float lo[3 * TRIBOX_LANES_MAX], hi[3 * TRIBOX_LANES_MAX];
+} tribox_box_pattern;
 
 /* Whether the box normals separate all of these triangles, and it is cheap to tell so. */
-typedef bool tribox_beside(const tribox_mesh *mesh, const tribox_row *box, size_t first, size_t count);
+typedef bool tribox_is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, size_t first, size_t count);
 
 /* Words of triangles in the frame of an oriented box. */
 enum { TRIBOX_MOVED_WORDS = 8 };
@@ -116,7 +116,8 @@ typedef struct tribox_moved {
 } tribox_moved;
 
 /* `words` whole words of a soup, from triangle `first` on. */
-typedef void tribox_move(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words, tribox_moved *moved);
+typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words,
+                             tribox_moved *moved);
 
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
@@ -124,11 +125,11 @@ typedef struct tribox_kernel {
     tribox_soup_walk *soup[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_boxes_walk *boxes[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_inside *inside;
-    tribox_greatest *greatest;
+    tribox_greatest_vertex *greatest_vertex;
     tribox_gather *gather;
-    tribox_beside *beside;
-    tribox_move *move;
-    tribox_settle *settle;
+    tribox_is_beside *is_beside;
+    tribox_to_frame *to_frame;
+    tribox_in_double *in_double;
     const tribox_grid_kernel *grid;
 } tribox_kernel;
 

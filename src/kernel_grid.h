@@ -17,15 +17,15 @@ typedef struct tribox_lattice {
 } tribox_lattice;
 
 /* Which cells the bounding boxes of 64 triangles touch. */
-typedef struct tribox_reach {
+typedef struct tribox_touched {
     double base[3][64], cells[3][64]; /* within the grid, on each axis: the first, and how many */
     int32_t word[64], bit[64];        /* where the first cell's bit is, in words from the first of the layers asked */
     uint64_t spans[3];                /* triangles with more than one cell on the axis, be they outside */
     uint64_t unsure;                  /* triangles of which rounding leaves all this open: only planes themselves can tell */
-} tribox_reach;
+} tribox_touched;
 
 /* The finite triangles of a word of the soup that touch the layers asked: all, and of the unsure ones also others. */
-typedef uint64_t tribox_reach_walk(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_reach *reach);
+typedef uint64_t tribox_touched_walk(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_touched *touched);
 
 /* Triangles whose cells are told row by row, some at a time. */
 enum { TRIBOX_STRIP = 32 };
@@ -73,10 +73,10 @@ typedef struct tribox_limits {
 } tribox_limits;
 
 /*
- * margin: 1 for error bounds, 0 for none. The numbers of the strip after the last triangle, up to a multiple of 8, have to be
- * finite, and cells not zero.
+ * bound_scale: 1 for error bounds, 0 for none. The numbers of the strip after the last triangle, up to a multiple of
+ * TRIBOX_DOUBLES_MAX (kernel.h), have to be finite, and cells not zero.
  */
-typedef void tribox_strip_prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin,
+typedef void tribox_strip_prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale,
                                   tribox_limits *limits);
 
 /*
@@ -91,7 +91,7 @@ typedef struct tribox_row_cells {
 typedef void tribox_rows_walk(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out);
 
 typedef struct tribox_grid_kernel {
-    tribox_reach_walk *reach;
+    tribox_touched_walk *touched;
     tribox_strip_prepare *prepare[TRIBOX_SHAPES];
     tribox_rows_walk *rows[TRIBOX_SHAPES];
 } tribox_grid_kernel;

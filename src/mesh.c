@@ -31,7 +31,7 @@ static tribox_mesh with_stride(const tribox_mesh *mesh)
 
 static bool is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
 {
-    return !count || kernel->greatest(mesh, first, count) < mesh->vertices;
+    return !count || kernel->greatest_vertex(mesh, first, count) < mesh->vertices;
 }
 
 tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
@@ -54,8 +54,8 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
 }
 
 /* Triangles first .. first + count - 1, of which there are at most BLOCK. */
-static tribox_report answer_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_box *box,
-                                  const tribox_plan *plan, uint64_t *mask)
+static tribox_report answer_mesh_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_box *box,
+                                       const tribox_plan *plan, uint64_t *mask)
 {
     _Alignas(64) float streams[9][BLOCK]; /* no packet in two lines of the cache */
     float *to[9];
@@ -71,32 +71,32 @@ static tribox_report answer_block(const tribox_mesh *mesh, size_t first, size_t 
     return tribox_pairs_answer(&(tribox_pairs){.soup = &soup, .box = box, .count = count}, plan, mask);
 }
 
-static tribox_row row_of(const tribox_box *box)
+static tribox_box_pattern box_pattern_of(const tribox_box *box)
 {
-    tribox_row row;
-    for (int k = 0; k < 3 * TRIBOX_LANES_MOST; k++) {
-        row.lo[k] = box->lo[k % 3];
-        row.hi[k] = box->hi[k % 3];
+    tribox_box_pattern pattern;
+    for (int k = 0; k < 3 * TRIBOX_LANES_MAX; k++) {
+        pattern.lo[k] = box->lo[k % 3];
+        pattern.hi[k] = box->hi[k % 3];
     }
-    return row;
+    return pattern;
 }
 
-static tribox_report answer(const tribox_mesh *mesh, const tribox_box *box, const tribox_plan *plan, uint64_t *mask)
+static tribox_report answer_mesh(const tribox_mesh *mesh, const tribox_box *box, const tribox_plan *plan, uint64_t *mask)
 {
     const bool is_box_asked = plan->axes & TRIBOX_AXES_BOX;
-    const tribox_row row = row_of(box);
+    const tribox_box_pattern pattern = box_pattern_of(box);
     tribox_report counts = {0, 0};
     for (size_t first = 0, count; first < mesh->count; first += count) {
         const size_t left = mesh->count - first;
         count = left < 64 ? left : 64;
-        if (is_box_asked && plan->kernel->beside(mesh, &row, first, count)) {
+        if (is_box_asked && plan->kernel->is_beside(mesh, &pattern, first, count)) {
             if (mask)
                 mask[first / 64] = 0;
             continue;
         }
         /* Near in the mesh is near in space: the next words, up to a block, are not asked. */
         count = left < BLOCK ? left : BLOCK;
-        const tribox_report report = answer_block(mesh, first, count, box, plan, mask ? mask + first / 64 : NULL);
+        const tribox_report report = answer_mesh_block(mesh, first, count, box, plan, mask ? mask + first / 64 : NULL);
         counts.overlapping += report.overlapping;
         counts.undecided += report.undecided;
     }
@@ -121,7 +121,7 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     if (!tribox_box_is_empty(box))
-        counts = answer(&stated, box, &plan, mask);
+        counts = answer_mesh(&stated, box, &plan, mask);
     else if (mask)
         memset(mask, 0, tribox_mask_words(mesh->count) * sizeof *mask);
     tribox_environment_leave(callers);

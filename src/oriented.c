@@ -54,7 +54,7 @@ static tribox_box box_in_frame(const question *q, const tribox_moved *moved, int
     return box;
 }
 
-static tribox_oriented_pair pair_at(const question *q, const tribox_soup *soup, size_t i)
+static tribox_oriented_pair oriented_pair_at(const question *q, const tribox_soup *soup, size_t i)
 {
     tribox_oriented_pair pair = {.box = *q->box};
     for (int v = 0; v < 3; v++) {
@@ -66,9 +66,9 @@ static tribox_oriented_pair pair_at(const question *q, const tribox_soup *soup, 
 }
 
 /* Whether triangle i of a soup overlaps, in integers. */
-static bool settle(question *q, const tribox_soup *soup, size_t i)
+static bool overlaps_in_integers(question *q, const tribox_soup *soup, size_t i)
 {
-    const tribox_oriented_pair pair = pair_at(q, soup, i);
+    const tribox_oriented_pair pair = oriented_pair_at(q, soup, i);
     if (!tribox_triangle_is_finite(pair.u))
         return false;
     q->counts.undecided++;
@@ -105,13 +105,13 @@ static void answer_in_frame(question *q, const tribox_moved *moved, const tribox
 }
 
 /* `count` triangles from `first` on, to word `to` of the mask. */
-static void answer_block(question *q, const tribox_soup *soup, size_t first, size_t count, size_t to)
+static void answer_oriented_block(question *q, const tribox_soup *soup, size_t first, size_t count, size_t to)
 {
     const size_t words = tribox_mask_words(count);
     tribox_moved moved;
     uint64_t hit[TRIBOX_MOVED_WORDS], open[TRIBOX_MOVED_WORDS];
     tribox_soup frame = {.count = count};
-    q->plan->kernel->move(soup, q->box, first, words, &moved);
+    q->plan->kernel->to_frame(soup, q->box, first, words, &moved);
     for (int v = 0; v < 3; v++) {
         frame.x[v] = moved.number[v];
         frame.y[v] = moved.number[3 + v];
@@ -126,7 +126,7 @@ static void answer_block(question *q, const tribox_soup *soup, size_t first, siz
         hit[w] &= ~(moved.apart[w] | moved.wild[w]);
         for (uint64_t left = (open[w] | moved.wild[w]) & present; left; left &= left - 1) {
             const unsigned lane = tribox_lowest_bit(left);
-            hit[w] |= (uint64_t)settle(q, soup, first + 64 * w + lane) << lane;
+            hit[w] |= (uint64_t)overlaps_in_integers(q, soup, first + 64 * w + lane) << lane;
         }
         q->counts.overlapping += tribox_count_bits(hit[w]);
         if (q->mask)
@@ -134,17 +134,17 @@ static void answer_block(question *q, const tribox_soup *soup, size_t first, siz
     }
 }
 
-static void answer(question *q)
+static void answer_oriented(question *q)
 {
     const size_t words = q->soup->count / 64, tail = q->soup->count % 64;
     for (size_t word = 0; word < words; word += TRIBOX_MOVED_WORDS) {
         const size_t block = words - word < TRIBOX_MOVED_WORDS ? words - word : TRIBOX_MOVED_WORDS;
-        answer_block(q, q->soup, 64 * word, 64 * block, word);
+        answer_oriented_block(q, q->soup, 64 * word, 64 * block, word);
     }
     if (tail) {
         float scratch[9][64] = {{0}};
         const tribox_soup last = tribox_soup_tail(q->soup, scratch);
-        answer_block(q, &last, 0, tail, words);
+        answer_oriented_block(q, &last, 0, tail, words);
     }
     if (q->plan->accuracy == TRIBOX_FAST)
         q->counts.undecided = 0;
@@ -167,7 +167,7 @@ tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_orie
     question q = {.soup = soup, .box = box, .plan = &plan, .mask = mask};
     const tribox_environment callers = tribox_environment_enter();
     if (!is_empty(box))
-        answer(&q);
+        answer_oriented(&q);
     else if (mask)
         memset(mask, 0, tribox_mask_words(soup->count) * sizeof *mask);
     tribox_environment_leave(callers);

@@ -4,12 +4,13 @@
 #include "bits.h"
 #include "box.h"
 #include "environment.h"
-#include "exact/exact.h"
+#include "finite.h"
 #include "pairs.h"
 #include "soup.h"
 
 /* What a soup and a box are checked for, in this order. */
-static tribox_status check(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, tribox_plan *plan)
+static tribox_status check_soup_and_box(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
+                                        tribox_plan *plan)
 {
     if (!box || !tribox_soup_is_readable(soup))
         return TRIBOX_BAD_ARGUMENT;
@@ -30,7 +31,7 @@ static bool is_none(const tribox_pairs *p)
     return p->soup ? tribox_box_is_empty(p->box) : !tribox_triangle_is_finite(p->triangle);
 }
 
-static void answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, tribox_report *report)
+static void answer_pairs(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, tribox_report *report)
 {
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
@@ -47,10 +48,10 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
                              tribox_report *report)
 {
     tribox_plan plan;
-    const tribox_status status = check(soup, box, options, &plan);
+    const tribox_status status = check_soup_and_box(soup, box, options, &plan);
     if (status)
         return status;
-    answer(&(tribox_pairs){.soup = soup, .box = box, .count = soup->count}, &plan, mask, report);
+    answer_pairs(&(tribox_pairs){.soup = soup, .box = box, .count = soup->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
 
@@ -66,7 +67,7 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)
         return status;
-    answer(&(tribox_pairs){.triangle = triangle, .boxes = boxes, .count = boxes->count}, &plan, mask, report);
+    answer_pairs(&(tribox_pairs){.triangle = triangle, .boxes = boxes, .count = boxes->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
 
@@ -90,7 +91,7 @@ static tribox_status find_unlike(const tribox_soup *soup, const tribox_box *box,
                                  size_t *first)
 {
     tribox_plan plan;
-    const tribox_status status = first ? check(soup, box, options, &plan) : TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = first ? check_soup_and_box(soup, box, options, &plan) : TRIBOX_BAD_ARGUMENT;
     if (status)
         return status;
     const tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
@@ -149,7 +150,7 @@ tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, co
                               uint64_t *inside, tribox_report *report)
 {
     tribox_plan plan;
-    const tribox_status status = check(soup, box, options, &plan);
+    const tribox_status status = check_soup_and_box(soup, box, options, &plan);
     if (status)
         return status;
     const tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};

@@ -7,8 +7,8 @@
 #include "settle.h"
 #include "soup.h"
 
-/* So many pairs from 64 * word, a multiple of TRIBOX_LANES_MOST. */
-static void walk(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t count, uint64_t *hit, uint64_t *open)
+/* So many pairs from 64 * word, a multiple of TRIBOX_LANES_MAX. */
+static void walk_pairs(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t count, uint64_t *hit, uint64_t *open)
 {
     if (p->soup)
         plan->kernel->soup[plan->accuracy][plan->sequence](p->soup, p->box, word, count, hit, open);
@@ -20,7 +20,7 @@ static void walk(const tribox_pairs *p, const tribox_plan *plan, size_t word, si
 static void walk_tail(const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit, uint64_t *open)
 {
     const size_t tail = p->count % 64, first = p->count - tail,
-                 lanes = (tail + TRIBOX_LANES_MOST - 1) & ~(size_t)(TRIBOX_LANES_MOST - 1);
+                 lanes = (tail + TRIBOX_LANES_MAX - 1) & ~(size_t)(TRIBOX_LANES_MAX - 1);
     float scratch[9][64];
     tribox_soup soup;
     tribox_boxes boxes = {.count = 64};
@@ -35,7 +35,7 @@ static void walk_tail(const tribox_pairs *p, const tribox_plan *plan, uint64_t *
     tribox_pairs word = *p;
     word.soup = p->soup ? &soup : NULL;
     word.boxes = p->soup ? NULL : &boxes;
-    walk(&word, plan, 0, lanes, hit, open);
+    walk_pairs(&word, plan, 0, lanes, hit, open);
     *hit &= ~(~UINT64_C(0) << tail);
     *open &= ~(~UINT64_C(0) << tail);
 }
@@ -55,7 +55,7 @@ static void fill_number(gathering *g, int k, const float *stream, float constant
         number[i] = stream ? stream[g->lane[i]] : constant;
 }
 
-static void fill(gathering *g, const tribox_pairs *p, size_t start)
+static void fill_batch(gathering *g, const tribox_pairs *p, size_t start)
 {
     for (int a = 0; a < 3; a++) {
         for (int v = 0; v < 3; v++) {
@@ -87,9 +87,9 @@ static uint64_t finite_pairs(const gathering *g)
  * Settles what is gathered, and adds those that overlap to the hits of the block. Returns how many there were with finite numbers.
  * What the others come to is ignored.
  */
-static size_t settle(gathering *g, const tribox_pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
+static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
 {
-    fill(g, p, start);
+    fill_batch(g, p, start);
     const uint64_t finite = finite_pairs(g);
     for (uint64_t left = tribox_settle_batch(&g->batch, g->count, finite, plan); left; left &= left - 1) {
         const size_t lane = g->lane[tribox_lowest_bit(left)];
@@ -103,7 +103,7 @@ void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, siz
                              uint64_t *open)
 {
     const size_t whole = word + words <= p->count / 64 ? words : words - 1;
-    walk(p, plan, word, 64 * whole, hit, open);
+    walk_pairs(p, plan, word, 64 * whole, hit, open);
     if (whole < words)
         walk_tail(p, plan, hit + whole, open + whole);
 }
@@ -118,10 +118,10 @@ size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan,
         for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
             g.lane[g.count++] = 64 * w + tribox_lowest_bit(rest);
             if (g.count == TRIBOX_BATCH)
-                undecided += settle(&g, p, plan, 64 * word, hit);
+                undecided += settle_gathered(&g, p, plan, 64 * word, hit);
         }
     if (g.count)
-        undecided += settle(&g, p, plan, 64 * word, hit);
+        undecided += settle_gathered(&g, p, plan, 64 * word, hit);
     return plan->accuracy == TRIBOX_FAST ? 0 : undecided;
 }
 

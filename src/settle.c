@@ -3,7 +3,7 @@
 #include "bits.h"
 #include "exact/exact.h"
 
-static tribox_pair pair_at(const tribox_batch *batch, unsigned i)
+static tribox_pair batch_pair_at(const tribox_batch *batch, unsigned i)
 {
     tribox_pair pair;
     for (int k = 0; k < 9; k++)
@@ -16,10 +16,10 @@ static tribox_pair pair_at(const tribox_batch *batch, unsigned i)
 }
 
 /* Lanes up to a whole packet repeat the last: none is garbage. */
-static void fill_up(tribox_batch *batch, unsigned count)
+static void fill_up_batch(tribox_batch *batch, unsigned count)
 {
     for (int k = 0; k < 15; k++)
-        for (unsigned i = count; i % 8; i++)
+        for (unsigned i = count; i % TRIBOX_DOUBLES_MAX; i++)
             batch->number[k][i] = batch->number[k][count - 1];
 }
 
@@ -27,15 +27,15 @@ uint64_t tribox_settle_batch(tribox_batch *batch, unsigned count, uint64_t finit
 {
     const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
     uint64_t open;
-    fill_up(batch, count);
-    const uint64_t overlapping = plan->kernel->settle(batch, count, plan->axes, is_exact, &open) & finite;
+    fill_up_batch(batch, count);
+    const uint64_t overlapping = plan->kernel->in_double(batch, count, plan->axes, is_exact, &open) & finite;
     open &= finite;
     if (!is_exact)
         return overlapping | open;
     uint64_t settled = 0;
     for (; open; open &= open - 1) {
         const unsigned i = tribox_lowest_bit(open);
-        const tribox_pair pair = pair_at(batch, i);
+        const tribox_pair pair = batch_pair_at(batch, i);
         settled |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
     }
     return overlapping | settled;

@@ -9,7 +9,7 @@
 
 #include "bits.h"
 #include "environment.h"
-#include "exact/exact.h"
+#include "finite.h"
 #include "grid.h"
 #include "settle.h"
 #include "soup.h"
@@ -17,7 +17,7 @@
 /* Triangles of one shape that wait for their rows. */
 typedef struct crowd {
     tribox_strip strip;
-    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* of their first cells, as in tribox_reach */
+    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* of their first cells, as in tribox_touched */
 } crowd;
 
 /* One call. */
@@ -63,12 +63,12 @@ static size_t set_cells(uint64_t *row, int64_t first, int64_t last)
     return set + set_bits(word, to);
 }
 
-static uint64_t *row_of(const voxels *v, int64_t j, int64_t k)
+static uint64_t *row_words_at(const voxels *v, int64_t j, int64_t k)
 {
     return v->occupied + ((size_t)(k - v->first_layer) * v->grid->size[1] + (size_t)j) * v->row_words;
 }
 
-static void settle_open(voxels *v)
+static void settle_open_cells(voxels *v)
 {
     if (!v->open)
         return;
@@ -81,7 +81,7 @@ static void settle_open(voxels *v)
 }
 
 /* Cells first to last of row (j, k), of which only their own boxes can tell; those that are set need no answer. */
-static void settle_cells(voxels *v, const float u[9], uint64_t *row, int64_t first, int64_t last, int64_t j, int64_t k)
+static void add_open_cells(voxels *v, const float u[9], uint64_t *row, int64_t first, int64_t last, int64_t j, int64_t k)
 {
     for (int64_t i = first; i <= last; i++) {
         uint64_t *const word = row + i / 64;
@@ -99,7 +99,7 @@ static void settle_cells(voxels *v, const float u[9], uint64_t *row, int64_t fir
             v->batch.number[12 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a] + 1);
         }
         if (v->open == TRIBOX_BATCH)
-            settle_open(v);
+            settle_open_cells(v);
     }
 }
 
@@ -142,8 +142,8 @@ static bool is_row_open(const tribox_row_cells *cells, unsigned n)
 }
 
 /* These cells are asked by their own boxes. */
-static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const row_range *r, row_place at, unsigned rows,
-                        const tribox_row_cells *cells)
+static void add_open_rows(voxels *v, const tribox_strip *strip, unsigned t, const row_range *r, row_place at, unsigned rows,
+                          const tribox_row_cells *cells)
 {
     float u[9];
     for (int n = 0; n < 9; n++)
@@ -156,8 +156,8 @@ static void settle_rows(voxels *v, const tribox_strip *strip, unsigned t, const 
         const int64_t sure = has_sure ? r->base + cells->first_sure[n] : end,
                       sure_end = has_sure ? r->base + cells->end_sure[n] : end;
         uint64_t *const row = at.word - r->base / 64;
-        settle_cells(v, u, row, first, sure - 1, at.j, at.k);
-        settle_cells(v, u, row, sure_end, end - 1, at.j, at.k);
+        add_open_cells(v, u, row, first, sure - 1, at.j, at.k);
+        add_open_cells(v, u, row, sure_end, end - 1, at.j, at.k);
     }
 }
 
@@ -220,7 +220,7 @@ static void set_rows(voxels *v, const crowd *c, unsigned t, tribox_shape shape, 
             memcpy(cells.end_sure, cells.end_maybe, sizeof cells.end_sure);
         }
         if ((r.is_narrow ? set_narrow_rows : set_wide_rows)(v, &r, at, rows, &cells))
-            settle_rows(v, strip, t, &r, at, rows, &cells);
+            add_open_rows(v, strip, t, &r, at, rows, &cells);
         if (row + 64 < end)
             at = place_of(v, &r, (row + 64) % r.wide, (row + 64) / r.wide);
     }
@@ -233,7 +233,7 @@ static void set_crowd(voxels *v, tribox_shape shape)
     tribox_limits limits;
     if (!strip->count)
         return;
-    for (unsigned t = strip->count; t % 8; t++) {
+    for (unsigned t = strip->count; t % TRIBOX_DOUBLES_MAX; t++) {
         for (int n = 0; n < 9; n++)
             strip->u[n][t] = strip->u[n][strip->count - 1];
         for (int a = 0; a < 3; a++) {
@@ -248,7 +248,7 @@ static void set_crowd(voxels *v, tribox_shape shape)
 }
 
 /* Triangle i of the soup joins the crowd of its shape. */
-static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, const tribox_reach *reach, tribox_shape shape)
+static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, const tribox_touched *touched, tribox_shape shape)
 {
     const unsigned lane = i % 64;
     crowd *const c = &v->crowds[shape];
@@ -260,31 +260,31 @@ static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, const tribo
         strip->u[3 * j + 2][t] = soup->z[j][i];
     }
     for (int a = 0; a < 3; a++) {
-        strip->base[a][t] = reach->base[a][lane];
-        strip->cells[a][t] = reach->cells[a][lane];
+        strip->base[a][t] = touched->base[a][lane];
+        strip->cells[a][t] = touched->cells[a][lane];
     }
-    c->word[t] = reach->word[lane];
-    c->bit[t] = reach->bit[lane];
+    c->word[t] = touched->word[lane];
+    c->bit[t] = touched->bit[lane];
     if (++strip->count == TRIBOX_STRIP)
         set_crowd(v, shape);
 }
 
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
-static void set_line(voxels *v, const tribox_reach *reach, unsigned lane)
+static void set_line(voxels *v, const tribox_touched *touched, unsigned lane)
 {
-    const int64_t along = (int64_t)reach->cells[0][lane], rows = (int64_t)reach->cells[1][lane];
-    const int64_t first_k = (int64_t)reach->base[2][lane], end_k = first_k + (int64_t)reach->cells[2][lane];
+    const int64_t along = (int64_t)touched->cells[0][lane], rows = (int64_t)touched->cells[1][lane];
+    const int64_t first_k = (int64_t)touched->base[2][lane], end_k = first_k + (int64_t)touched->cells[2][lane];
     size_t set = 0;
     for (int64_t k = most_of(first_k, v->first_layer); k < least_of(end_k, v->end_layer); k++) {
-        uint64_t *row = v->occupied + reach->word[lane] + (k - first_k) * (int64_t)v->grid->size[1] * (int64_t)v->row_words;
+        uint64_t *row = v->occupied + touched->word[lane] + (k - first_k) * (int64_t)v->grid->size[1] * (int64_t)v->row_words;
         for (int64_t j = 0; j < rows; j++, row += v->row_words)
-            set += set_cells(row, reach->bit[lane], reach->bit[lane] + along - 1);
+            set += set_cells(row, touched->bit[lane], touched->bit[lane] + along - 1);
     }
     v->counts.overlapping += set;
 }
 
 /* What the planes say of triangle i of the soup, which the kernel was not sure of. */
-static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, tribox_reach *reach, uint64_t *touching)
+static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, tribox_touched *touched, uint64_t *touching)
 {
     const float *const *const streams[3] = {soup->x, soup->y, soup->z};
     const unsigned lane = i % 64;
@@ -301,32 +301,33 @@ static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, t
         const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->grid->size[a];
         is_inside &= cells.first < end && cells.last >= from;
         base[a] = most_of(cells.first, 0);
-        reach->base[a][lane] = (double)base[a];
-        reach->cells[a][lane] = (double)(least_of(cells.last + 1, v->grid->size[a]) - base[a]);
-        reach->spans[a] = cells.last > cells.first ? reach->spans[a] | bit : reach->spans[a] & ~bit;
+        touched->base[a][lane] = (double)base[a];
+        touched->cells[a][lane] = (double)(least_of(cells.last + 1, v->grid->size[a]) - base[a]);
+        touched->spans[a] = cells.last > cells.first ? touched->spans[a] | bit : touched->spans[a] & ~bit;
     }
-    reach->word[lane] = (int32_t)(((base[2] - v->first_layer) * v->grid->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
-    reach->bit[lane] = (int32_t)(base[0] % 64);
+    touched->word[lane] =
+        (int32_t)(((base[2] - v->first_layer) * v->grid->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
+    touched->bit[lane] = (int32_t)(base[0] % 64);
     if (!is_inside)
         *touching &= ~bit;
 }
 
 static void set_word(voxels *v, const tribox_soup *soup, size_t word)
 {
-    tribox_reach reach;
-    uint64_t touching = v->plan.kernel->grid->reach(soup, word, &v->lattice, &reach);
-    for (uint64_t left = reach.unsure; left; left &= left - 1)
-        tell_by_planes(v, soup, 64 * word + tribox_lowest_bit(left), &reach, &touching);
-    const uint64_t x = reach.spans[0], y = reach.spans[1], z = reach.spans[2];
+    tribox_touched touched;
+    uint64_t touching = v->plan.kernel->grid->touched(soup, word, &v->lattice, &touched);
+    for (uint64_t left = touched.unsure; left; left &= left - 1)
+        tell_by_planes(v, soup, 64 * word + tribox_lowest_bit(left), &touched, &touching);
+    const uint64_t x = touched.spans[0], y = touched.spans[1], z = touched.spans[2];
 
     size_t set = 0;
     for (uint64_t left = touching & ~(x | y | z); left; left &= left - 1) {
         const unsigned lane = tribox_lowest_bit(left);
-        set += set_bits(v->occupied + reach.word[lane], UINT64_C(1) << reach.bit[lane]);
+        set += set_bits(v->occupied + touched.word[lane], UINT64_C(1) << touched.bit[lane]);
     }
     v->counts.overlapping += set;
     for (uint64_t left = touching & (x ^ y ^ z) & ~(x & y & z); left; left &= left - 1)
-        set_line(v, &reach, tribox_lowest_bit(left));
+        set_line(v, &touched, tribox_lowest_bit(left));
 
     uint64_t shaped[TRIBOX_SHAPES] = {x & y & z, ~x & y & z, x & ~y & z, x & y & ~z};
     if (!(v->plan.axes & TRIBOX_AXES_EDGES)) { /* a shadow is told by edges */
@@ -335,7 +336,7 @@ static void set_word(voxels *v, const tribox_soup *soup, size_t word)
     }
     for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
         for (uint64_t left = touching & shaped[shape]; left; left &= left - 1)
-            join_crowd(v, soup, 64 * word + tribox_lowest_bit(left), &reach, shape);
+            join_crowd(v, soup, 64 * word + tribox_lowest_bit(left), &touched, shape);
 }
 
 static tribox_lattice lattice_of(const tribox_grid *grid, uint32_t first, uint32_t layers)
@@ -368,7 +369,7 @@ static void set_soup(voxels *v, const tribox_soup *soup)
     }
     for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
         set_crowd(v, shape);
-    settle_open(v);
+    settle_open_cells(v);
 }
 
 /* Without the box normals a triangle may overlap cells anywhere: every cell is asked by its own box. */
@@ -385,9 +386,9 @@ static void set_soup_by_cells(voxels *v, const tribox_soup *soup)
         if (tribox_triangle_is_finite(triangle))
             for (int64_t k = v->first_layer; k < v->end_layer; k++)
                 for (int64_t j = 0; j < v->grid->size[1]; j++)
-                    settle_cells(v, u, row_of(v, j, k), 0, (int64_t)v->grid->size[0] - 1, j, k);
+                    add_open_cells(v, u, row_words_at(v, j, k), 0, (int64_t)v->grid->size[0] - 1, j, k);
     }
-    settle_open(v);
+    settle_open_cells(v);
 }
 
 tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,

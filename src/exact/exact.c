@@ -3,17 +3,6 @@
 
 #include <string.h>
 
-#include "finite.h"
-
-bool tribox_triangle_is_finite(const float u[3][3])
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            if (!tribox_is_finite(u[j][a]))
-                return false;
-    return true;
-}
-
 tribox_integer tribox_integer_of(float number)
 {
     uint32_t bits;

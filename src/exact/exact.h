@@ -12,9 +12,6 @@ typedef struct tribox_pair {
     tribox_box box;
 } tribox_pair;
 
-/* Whether all nine coordinates of the triangle are finite. */
-bool tribox_triangle_is_finite(const float u[3][3]);
-
 /*
  * Whether no axis of the chosen groups separates, in integers: for a finite triangle and a box with finite lo <= hi, and where the
  * axes have BOX, a pair that the box normals do not separate.

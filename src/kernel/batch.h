@@ -32,8 +32,8 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
  * Two loops, so that scenes without ties keep fewer numbers: from the first word on that leaves several lanes open, the rest of the
  * walk takes the second look of ties.h. What it decides a slower stage would decide alike.
  */
-TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, unsigned sequence,
-                        tribox_accuracy accuracy)
+TRIBOX_INLINE void walk_words(const lane_source *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, unsigned sequence,
+                              tribox_accuracy accuracy)
 {
     const bool has_second_look = accuracy != TRIBOX_FAST && sequence_has(sequence, 1) && sequence != 1;
     const size_t words = (count + 63) / 64;
@@ -54,12 +54,13 @@ TRIBOX_INLINE void walk(const lane_source *from, size_t word, size_t count, uint
     static void name##_soup_##sequence(const tribox_soup *soup, const tribox_box *box, size_t word, size_t count, uint64_t *hit, \
                                        uint64_t *open) \
     { \
-        walk(&(lane_source){.is_soup = true, .soup = soup, .box = box}, word, count, hit, open, sequence, accuracy); \
+        walk_words(&(lane_source){.is_soup = true, .soup = soup, .box = box}, word, count, hit, open, sequence, accuracy); \
     } \
     static void name##_boxes_##sequence(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t count, \
                                         uint64_t *hit, uint64_t *open) \
     { \
-        walk(&(lane_source){.is_soup = false, .triangle = triangle, .boxes = boxes}, word, count, hit, open, sequence, accuracy); \
+        walk_words(&(lane_source){.is_soup = false, .triangle = triangle, .boxes = boxes}, word, count, hit, open, sequence, \
+                   accuracy); \
     }
 #define EXACT_WALKS(sequence) WALKS(exact, TRIBOX_EXACT, sequence)
 #define CONSERVATIVE_WALKS(sequence) WALKS(conservative, TRIBOX_CONSERVATIVE, sequence)
@@ -77,7 +78,7 @@ TRIBOX_FOR_EACH_SEQUENCE(FAST_WALKS)
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
-tribox_settle TRIBOX_SYMBOL(settle);
+tribox_in_double TRIBOX_SYMBOL(double);
 extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
 extern const tribox_kernel TRIBOX_SYMBOL(kernel);
 const tribox_kernel TRIBOX_SYMBOL(kernel) = {
@@ -90,10 +91,10 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
               [TRIBOX_CONSERVATIVE] = {TRIBOX_FOR_EACH_SEQUENCE(CONSERVATIVE_BOXES)},
               [TRIBOX_FAST] = {TRIBOX_FOR_EACH_SEQUENCE(FAST_BOXES)}},
     .inside = inside,
-    .greatest = greatest,
+    .greatest_vertex = greatest_vertex,
     .gather = gather,
-    .beside = beside,
-    .move = move,
-    .settle = TRIBOX_SYMBOL(settle),
+    .is_beside = is_beside,
+    .to_frame = to_frame,
+    .in_double = TRIBOX_SYMBOL(double),
     .grid = &TRIBOX_SYMBOL(grid),
 };

@@ -8,7 +8,7 @@
  */
 
 /* Vertices more than this are not asked: gathering would cost less. */
-enum { BESIDE_MOST = 768 };
+enum { BESIDE_MAX = 768 };
 
 /* Position k of 3 * V_LANES floats is axis k % 3 of a vertex. */
 #define BESIDE_AXIS(a) ((UINT64_C(0x249249249249) << (a)) & (~UINT64_C(0) >> (64 - 3 * V_LANES)))
@@ -19,11 +19,11 @@ TRIBOX_INLINE bool has_whole_axis(uint64_t bits)
            (bits & BESIDE_AXIS(2)) == BESIDE_AXIS(2);
 }
 
-static bool beside(const tribox_mesh *mesh, const tribox_row *box, size_t first, size_t count)
+static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, size_t first, size_t count)
 {
     const vertex_span span = span_of_mesh(mesh, first, count);
     const size_t vertices = span.greatest + 1 - span.least;
-    if (mesh->stride != 12 || (uintptr_t)mesh->positions % sizeof(float) || vertices < V_LANES || vertices > BESIDE_MOST)
+    if (mesh->stride != 12 || (uintptr_t)mesh->positions % sizeof(float) || vertices < V_LANES || vertices > BESIDE_MAX)
         return false;
     const float *const position = (const float *)mesh->positions + 3 * span.least;
     vnum lo[3], hi[3];

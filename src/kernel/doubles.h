@@ -65,7 +65,7 @@ TRIBOX_INLINE vnum least_slack(const lane_slacks *slack)
 }
 
 /* One packet of the batch, from pair `at`: the lanes that overlap, and in *open those that stay undecided. */
-TRIBOX_INLINE uint64_t settle_packet(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact, uint64_t *open)
+TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact, uint64_t *open)
 {
     lane_triangle t;
     lane_box box;
@@ -93,14 +93,14 @@ TRIBOX_INLINE uint64_t settle_packet(const tribox_batch *batch, unsigned at, uns
     return overlapping;
 }
 
-tribox_settle TRIBOX_SYMBOL(settle);
-uint64_t TRIBOX_SYMBOL(settle)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open)
+tribox_in_double TRIBOX_SYMBOL(double);
+uint64_t TRIBOX_SYMBOL(double)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open)
 {
     uint64_t overlapping = 0;
     *open = 0;
     for (unsigned at = 0; at < count; at += V_LANES) {
         uint64_t packet_open;
-        overlapping |= settle_packet(batch, at, axes, is_exact, &packet_open) << at;
+        overlapping |= packet_in_double(batch, at, axes, is_exact, &packet_open) << at;
         *open |= packet_open << at;
     }
     const uint64_t present = ~UINT64_C(0) >> (TRIBOX_BATCH - count);

@@ -53,7 +53,7 @@ TRIBOX_INLINE vmask apart_in_frame(const lane_frame *frame, vnum q[3][3], const 
     return m_or(v_gt(v_sub(least, error[k]), frame->half[k]), v_gt(v_sub(v_splat(0), frame->half[k]), v_add(most, error[k])));
 }
 
-static void move(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words, tribox_moved *moved)
+static void to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words, tribox_moved *moved)
 {
     lane_frame frame;
     vnum worst[3] = {v_splat(0), v_splat(0), v_splat(0)};

@@ -109,4 +109,7 @@ TRIBOX_INLINE vertex_span span_of_mesh(const tribox_mesh *mesh, size_t first, si
                                     : span_of_vertices(mesh, (mesh_kind){4, false}, first, count);
 }
 
-static size_t greatest(const tribox_mesh *mesh, size_t first, size_t count) { return span_of_mesh(mesh, first, count).greatest; }
+static size_t greatest_vertex(const tribox_mesh *mesh, size_t first, size_t count)
+{
+    return span_of_mesh(mesh, first, count).greatest;
+}

@@ -17,16 +17,16 @@
             NINE_PLACE(54 + k), NINE_PLACE(63 + k), NINE_PLACE(72 + k), NINE_PLACE(81 + k), NINE_PLACE(90 + k), \
             NINE_PLACE(99 + k), NINE_PLACE(108 + k), NINE_PLACE(117 + k), NINE_PLACE(126 + k), NINE_PLACE(135 + k) \
     }
-static const int32_t nine_places[9][TRIBOX_LANES_MOST] = {NINE_PLACES(0), NINE_PLACES(1), NINE_PLACES(2),
-                                                          NINE_PLACES(3), NINE_PLACES(4), NINE_PLACES(5),
-                                                          NINE_PLACES(6), NINE_PLACES(7), NINE_PLACES(8)};
+static const int32_t nine_places[9][TRIBOX_LANES_MAX] = {NINE_PLACES(0), NINE_PLACES(1), NINE_PLACES(2),
+                                                         NINE_PLACES(3), NINE_PLACES(4), NINE_PLACES(5),
+                                                         NINE_PLACES(6), NINE_PLACES(7), NINE_PLACES(8)};
 #undef NINE_PLACES
 #undef NINE_PLACE
 
 /* Negative at the places that have bit 0, 1, 2. */
-static const float nine_bits[3][TRIBOX_LANES_MOST] = {{1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1},
-                                                      {1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1},
-                                                      {1, 1, 1, 1, -1, -1, -1, -1, 1, 1, 1, 1, -1, -1, -1, -1}};
+static const float nine_bits[3][TRIBOX_LANES_MAX] = {{1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1},
+                                                     {1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1},
+                                                     {1, 1, 1, 1, -1, -1, -1, -1, 1, 1, 1, 1, -1, -1, -1, -1}};
 
 /* Triangles at `from` to places `at` and on of the streams x_0 x_1 x_2 y_0 .. z_2. */
 TRIBOX_INLINE void gather_nine(const float *from, float *const to[9], size_t at)

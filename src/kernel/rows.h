@@ -79,9 +79,9 @@ TRIBOX_INLINE row_axis axis_of(const row_triangle *t, int i, int j)
                       m_and(is_not_zero(m_a), is_not_zero(m_b))};
 }
 
-TRIBOX_INLINE void write_sides(tribox_limits *limits, unsigned at, const row_triangle *t, vnum margin)
+TRIBOX_INLINE void write_sides(tribox_limits *limits, unsigned at, const row_triangle *t, vnum bound_scale)
 {
-    const vnum zero = v_splat(0), error = v_mul(margin, edges_error(t, 0));
+    const vnum zero = v_splat(0), error = v_mul(bound_scale, edges_error(t, 0));
     for (int j = 0; j < 3; j++) {
         const row_axis axis = axis_of(t, 0, j);
         v_write(&limits->side[j].at[at], v_select(axis.asked, axis.slack, v_splat(INFINITY)));
@@ -112,9 +112,9 @@ TRIBOX_INLINE void write_limit(tribox_limit *limit, unsigned at, const row_limit
  * The three edges of the projection along i, 1 or 2: at most two of their limits are upper and at most two lower, as the m_x sum up
  * to zero. One limit may fill both places. Returns the largest error.
  */
-TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_triangle *t, int i, vnum margin)
+TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_triangle *t, int i, vnum bound_scale)
 {
-    const vnum zero = v_splat(0), error = v_mul(margin, edges_error(t, i));
+    const vnum zero = v_splat(0), error = v_mul(bound_scale, edges_error(t, i));
     const row_limit no_upper = {v_splat(INFINITY), zero, zero}, no_lower = {v_splat(-INFINITY), zero, zero};
     row_limit limit[3];
     vmask is_upper[3], is_lower[3];
@@ -141,7 +141,7 @@ TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_tr
 }
 
 /* Returns the error of its limits. */
-TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_triangle *t, vnum margin)
+TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_triangle *t, vnum bound_scale)
 {
     const vnum zero = v_splat(0), one = v_splat(1);
     vnum n[3], S = zero, error = zero, least = zero, most = zero, d = zero;
@@ -160,7 +160,7 @@ TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_tri
         d = v_fma(n[a], t->g[0][a], d);
     }
     const vnum per_n = v_div(one, n[0]);
-    error = v_select(asked, v_mul(v_fma(v_splat(0x1p-43), S, v_mul(margin, error)), per_n), zero);
+    error = v_select(asked, v_mul(v_fma(v_splat(0x1p-43), S, v_mul(bound_scale, error)), per_n), zero);
     v_write(&limits->plane.upper[at], v_select(asked, v_fma(v_sub(d, least), per_n, one), v_splat(INFINITY)));
     v_write(&limits->plane.lower[at], v_select(asked, v_fma(v_sub(d, most), per_n, one), v_splat(-INFINITY)));
     v_write(&limits->plane.j_slope[at], v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero));
@@ -178,7 +178,7 @@ TRIBOX_INLINE row_triangle without_extent(const row_triangle *t)
     return point;
 }
 
-TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin,
+TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale,
                            tribox_limits *limits, tribox_shape shape)
 {
     for (unsigned at = 0; at < strip->count; at += V_LANES) {
@@ -191,13 +191,13 @@ TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *latt
         const row_triangle edges = axes & TRIBOX_AXES_EDGES ? t : without_extent(&t);
         const row_triangle plane = axes & TRIBOX_AXES_PLANE ? t : without_extent(&t);
         if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_X)
-            write_sides(limits, at, &edges, v_splat(margin));
+            write_sides(limits, at, &edges, v_splat(bound_scale));
         if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_Y)
-            error = v_max(error, write_limits(limits, at, &edges, 1, v_splat(margin)));
+            error = v_max(error, write_limits(limits, at, &edges, 1, v_splat(bound_scale)));
         if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_Z)
-            error = v_max(error, write_limits(limits, at, &edges, 2, v_splat(margin)));
+            error = v_max(error, write_limits(limits, at, &edges, 2, v_splat(bound_scale)));
         if (shape == TRIBOX_SOLID)
-            error = v_max(error, write_plane(limits, at, &plane, v_splat(margin)));
+            error = v_max(error, write_plane(limits, at, &plane, v_splat(bound_scale)));
         v_write(&limits->error[at], error);
         for (int a = 0; a < 2; a++)
             v_write(&limits->cells[a][at], v_read(&strip->cells[a][at]));
@@ -297,10 +297,10 @@ TRIBOX_INLINE void walk_rows(const tribox_limits *limits, unsigned t, double row
 }
 
 #define SHAPE(shape) \
-    static void prepare_##shape(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double margin, \
+    static void prepare_##shape(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale, \
                                 tribox_limits *limits) \
     { \
-        prepare(strip, lattice, axes, margin, limits, shape); \
+        prepare(strip, lattice, axes, bound_scale, limits, shape); \
     } \
     static void rows_##shape(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out) \
     { \
@@ -313,7 +313,7 @@ SHAPE(TRIBOX_FLAT_Z)
 
 extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
 const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
-    .reach = reach_word,
+    .touched = touched_cells,
     .prepare = {prepare_TRIBOX_SOLID, prepare_TRIBOX_FLAT_X, prepare_TRIBOX_FLAT_Y, prepare_TRIBOX_FLAT_Z},
     .rows = {rows_TRIBOX_SOLID, rows_TRIBOX_FLAT_X, rows_TRIBOX_FLAT_Y, rows_TRIBOX_FLAT_Z},
 };

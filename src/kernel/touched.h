@@ -20,15 +20,15 @@ TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
     return rounded(v_sub(v_min(v_max(place, v_splat(-0.5)), v_add(size, half)), half));
 }
 
-/* What reach tells of a packet. */
-typedef struct packet_reach {
+/* What is known of a packet. */
+typedef struct packet_touched {
     vnum base[3];
     uint64_t touching, unsure, spans[3];
-} packet_reach;
+} packet_touched;
 
 /* Axis a of the triangles from `at`; those that touch cells from .. end - 1 stay. */
-TRIBOX_INLINE void reach_axis(packet_reach *packet, const float *const stream[3], size_t at, const tribox_lattice *lattice, int a,
-                              double from, double end, tribox_reach *reach, int lane)
+TRIBOX_INLINE void touch_on_axis(packet_touched *packet, const float *const stream[3], size_t at, const tribox_lattice *lattice,
+                                 int a, double from, double end, tribox_touched *touched, int lane)
 {
     const vnum x0 = v_load(stream[0] + at), x1 = v_load(stream[1] + at), x2 = v_load(stream[2] + at);
     const vnum origin = v_splat(lattice->origin[a]), per_cell = v_splat(lattice->per_cell[a]);
@@ -38,20 +38,20 @@ TRIBOX_INLINE void reach_axis(packet_reach *packet, const float *const stream[3]
     const vnum first = cell_of(v_sub(least, error), size), last = cell_of(v_add(most, error), size);
     const vnum first_not_below = cell_of(v_add(least, error), size), last_not_above = cell_of(v_sub(most, error), size);
     packet->base[a] = v_max(first, v_splat(0));
-    v_write(&reach->base[a][lane], packet->base[a]);
-    v_write(&reach->cells[a][lane], v_sub(v_min(v_add(last, v_splat(1)), size), packet->base[a]));
+    v_write(&touched->base[a][lane], packet->base[a]);
+    v_write(&touched->cells[a][lane], v_sub(v_min(v_add(last, v_splat(1)), size), packet->base[a]));
     packet->unsure |= m_bits(m_or(v_gt(first_not_below, first), v_gt(last, last_not_above)));
     packet->spans[a] = m_bits(v_gt(last, first));
     packet->touching &= m_bits(m_andnot(v_gt(v_splat(end), first), v_gt(v_splat(from), last)));
 }
 
 /* Where the bits of the first cells are. */
-TRIBOX_INLINE void write_words(const packet_reach *packet, const tribox_lattice *lattice, tribox_reach *reach, int lane)
+TRIBOX_INLINE void write_words(const packet_touched *packet, const tribox_lattice *lattice, tribox_touched *touched, int lane)
 {
     const vnum row = v_fma(v_sub(packet->base[2], v_splat(lattice->first_layer)), v_splat(lattice->size[1]), packet->base[1]);
     const vnum word = rounded(v_sub(v_mul(packet->base[0], v_splat(1.0 / 64)), v_splat(0.5 - 1.0 / 128)));
-    v_write_int(&reach->word[lane], v_fma(row, v_splat(lattice->row_words), word));
-    v_write_int(&reach->bit[lane], v_sub(packet->base[0], v_mul(word, v_splat(64))));
+    v_write_int(&touched->word[lane], v_fma(row, v_splat(lattice->row_words), word));
+    v_write_int(&touched->bit[lane], v_sub(packet->base[0], v_mul(word, v_splat(64))));
 }
 
 /* No NaN and no infinity, which min and max may lose: such a number makes the sum one. */
@@ -63,28 +63,28 @@ TRIBOX_INLINE uint64_t finite_at(const tribox_soup *soup, size_t at)
     return m_bits(v_gt(v_splat(INFINITY), v_abs(sum)));
 }
 
-static uint64_t reach_word(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_reach *reach)
+static uint64_t touched_cells(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_touched *touched)
 {
     uint64_t touching = 0;
-    reach->spans[0] = reach->spans[1] = reach->spans[2] = reach->unsure = 0;
+    touched->spans[0] = touched->spans[1] = touched->spans[2] = touched->unsure = 0;
     for (int lane = 0; lane < 64; lane += V_LANES) {
         const size_t at = 64 * word + (size_t)lane;
-        packet_reach packet = {.touching = LANES_ALL};
-        reach_axis(&packet, soup->z, at, lattice, 2, lattice->first_layer, lattice->end_layer, reach, lane);
+        packet_touched packet = {.touching = LANES_ALL};
+        touch_on_axis(&packet, soup->z, at, lattice, 2, lattice->first_layer, lattice->end_layer, touched, lane);
         if (!packet.touching)
             continue;
-        reach_axis(&packet, soup->y, at, lattice, 1, 0, lattice->size[1], reach, lane);
+        touch_on_axis(&packet, soup->y, at, lattice, 1, 0, lattice->size[1], touched, lane);
         if (!packet.touching)
             continue;
-        reach_axis(&packet, soup->x, at, lattice, 0, 0, lattice->size[0], reach, lane);
+        touch_on_axis(&packet, soup->x, at, lattice, 0, 0, lattice->size[0], touched, lane);
         packet.touching &= finite_at(soup, at);
         if (!packet.touching)
             continue;
-        write_words(&packet, lattice, reach, lane);
+        write_words(&packet, lattice, touched, lane);
         touching |= packet.touching << lane;
-        reach->unsure |= (packet.unsure & packet.touching) << lane;
+        touched->unsure |= (packet.unsure & packet.touching) << lane;
         for (int a = 0; a < 3; a++)
-            reach->spans[a] |= (packet.spans[a] & packet.touching) << lane;
+            touched->spans[a] |= (packet.spans[a] & packet.touching) << lane;
     }
     return touching;
 }

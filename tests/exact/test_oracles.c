@@ -59,10 +59,10 @@ static void check_settled(const origin *where, const judged_batch *judged, const
                           unsigned axes, reached *count)
 {
     origin here = *where;
-    here.function = "settle";
+    here.function = "in_double";
     here.options = (tribox_options){.axes = axes, .kernel = kernel->name};
     uint64_t open;
-    const uint64_t overlapping = kernel->settle(&g->pairs, g->count, axes, true, &open);
+    const uint64_t overlapping = kernel->in_double(&g->pairs, g->count, axes, true, &open);
     assert_true(!(overlapping & open) && (g->count == TRIBOX_BATCH || (overlapping | open) >> g->count == 0));
     for (unsigned i = 0; i < g->count; i++) {
         const bool is_open = open >> i & 1, answer = overlapping >> i & 1;
