@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include "indices.h"
 #include "kernel_grid.h"
-#include "tribox.h"
+#include "soup.h"
 
 #if defined(__FAST_MATH__)
 #error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"
@@ -75,8 +75,8 @@ typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *b
 enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /*
- * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order u_00 u_01 .. u_22, lo, hi (u_ja is
- * axis a of vertex j). All are finite, and none is apart on a box normal if these are asked.
+ * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
+ * (x_j is the x of vertex j), then lo and hi. All are finite, and none is apart on a box normal if these are asked.
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {

@@ -58,7 +58,7 @@ typedef struct tribox_slab {
 /* Triangles of one shape. */
 typedef struct tribox_strip {
     unsigned count;
-    float u[9][TRIBOX_STRIP];      /* u[3 * v + a][t]: axis a of vertex v */
+    float u[9][TRIBOX_STRIP];      /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of triangle t at [t] */
     double base[3][TRIBOX_STRIP];  /* the first cell of its range, within the grid */
     double cells[3][TRIBOX_STRIP]; /* how many there are on each axis, within the grid */
 } tribox_strip;

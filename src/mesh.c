@@ -1,10 +1,9 @@
 /* mesh.c - triangles by index, or nine floats each: gathered into streams, block by block. */
-#include <string.h>
-
 #include "box.h"
 #include "dispatch.h"
 #include "environment.h"
 #include "pairs.h"
+#include "soup.h"
 
 /* The streams of so many triangles fit the first cache. */
 enum { BLOCK = 256 };
@@ -59,14 +58,9 @@ static tribox_report answer_mesh_block(const tribox_mesh *mesh, size_t first, si
 {
     _Alignas(64) float streams[9][BLOCK]; /* no packet in two lines of the cache */
     float *to[9];
-    tribox_soup soup = {.count = count};
+    const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
-    for (int v = 0; v < 3; v++) {
-        soup.x[v] = streams[v];
-        soup.y[v] = streams[3 + v];
-        soup.z[v] = streams[6 + v];
-    }
     plan->kernel->gather(mesh, first, count, to);
     return tribox_pairs_answer(&(tribox_pairs){.soup = &soup, .box = box, .count = count}, plan, mask);
 }
@@ -120,13 +114,12 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
 
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
-    if (!tribox_box_is_empty(box))
+    if (tribox_box_is_empty(box))
+        tribox_pairs_write_none(mesh->count, mask);
+    else
         counts = answer_mesh(&stated, box, &plan, mask);
-    else if (mask)
-        memset(mask, 0, tribox_mask_words(mesh->count) * sizeof *mask);
     tribox_environment_leave(callers);
-    if (report)
-        *report = counts;
+    tribox_plan_report(&plan, counts, report);
     return TRIBOX_OK;
 }
 

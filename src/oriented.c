@@ -57,11 +57,9 @@ static tribox_box box_in_frame(const question *q, const tribox_moved *moved, int
 static tribox_oriented_pair oriented_pair_at(const question *q, const tribox_soup *soup, size_t i)
 {
     tribox_oriented_pair pair = {.box = *q->box};
-    for (int v = 0; v < 3; v++) {
-        pair.u[v][0] = soup->x[v][i];
-        pair.u[v][1] = soup->y[v][i];
-        pair.u[v][2] = soup->z[v][i];
-    }
+    for (int v = 0; v < 3; v++)
+        for (int a = 0; a < 3; a++)
+            pair.u[v][a] = tribox_soup_axis(soup, a)[v][i];
     return pair;
 }
 
@@ -110,13 +108,8 @@ static void answer_oriented_block(question *q, const tribox_soup *soup, size_t f
     const size_t words = tribox_mask_words(count);
     tribox_moved moved;
     uint64_t hit[TRIBOX_MOVED_WORDS], open[TRIBOX_MOVED_WORDS];
-    tribox_soup frame = {.count = count};
     q->plan->kernel->to_frame(soup, q->box, first, words, &moved);
-    for (int v = 0; v < 3; v++) {
-        frame.x[v] = moved.number[v];
-        frame.y[v] = moved.number[3 + v];
-        frame.z[v] = moved.number[6 + v];
-    }
+    const tribox_soup frame = tribox_soup_of(&moved.number[0][0], 64 * TRIBOX_MOVED_WORDS, count);
     if (q->plan->accuracy == TRIBOX_EXACT)
         answer_exactly(q, &moved, &frame, words, hit, open);
     else
@@ -146,8 +139,6 @@ static void answer_oriented(question *q)
         const tribox_soup last = tribox_soup_tail(q->soup, scratch);
         answer_oriented_block(q, &last, 0, tail, words);
     }
-    if (q->plan->accuracy == TRIBOX_FAST)
-        q->counts.undecided = 0;
 }
 
 tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box, const tribox_options *options,
@@ -166,12 +157,11 @@ tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_orie
 
     question q = {.soup = soup, .box = box, .plan = &plan, .mask = mask};
     const tribox_environment callers = tribox_environment_enter();
-    if (!is_empty(box))
+    if (is_empty(box))
+        tribox_pairs_write_none(soup->count, mask);
+    else
         answer_oriented(&q);
-    else if (mask)
-        memset(mask, 0, tribox_mask_words(soup->count) * sizeof *mask);
     tribox_environment_leave(callers);
-    if (report)
-        *report = q.counts;
+    tribox_plan_report(&plan, q.counts, report);
     return TRIBOX_OK;
 }

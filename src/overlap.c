@@ -19,12 +19,6 @@ static tribox_status check_soup_and_box(const tribox_soup *soup, const tribox_bo
     return tribox_plan_make(options, plan);
 }
 
-static void write_none(size_t count, uint64_t *mask)
-{
-    if (mask)
-        memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
-}
-
 /* Whether no pair can overlap: an empty box, or a triangle that is not finite. */
 static bool is_none(const tribox_pairs *p)
 {
@@ -36,12 +30,11 @@ static void answer_pairs(const tribox_pairs *p, const tribox_plan *plan, uint64_
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     if (is_none(p))
-        write_none(p->count, mask);
+        tribox_pairs_write_none(p->count, mask);
     else
         counts = tribox_pairs_answer(p, plan, mask);
     tribox_environment_leave(callers);
-    if (report)
-        *report = counts;
+    tribox_plan_report(plan, counts, report);
 }
 
 tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t *mask,
@@ -157,14 +150,13 @@ tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, co
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     if (is_none(&p)) {
-        write_none(soup->count, mask);
-        write_none(soup->count, inside);
+        tribox_pairs_write_none(soup->count, mask);
+        tribox_pairs_write_none(soup->count, inside);
     } else {
         counts = classify(&p, &plan, mask, inside);
     }
     tribox_environment_leave(callers);
-    if (report)
-        *report = counts;
+    tribox_plan_report(&plan, counts, report);
     return TRIBOX_OK;
 }
 

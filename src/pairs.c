@@ -58,10 +58,8 @@ static void fill_number(gathering *g, int k, const float *stream, float constant
 static void fill_batch(gathering *g, const tribox_pairs *p, size_t start)
 {
     for (int a = 0; a < 3; a++) {
-        for (int v = 0; v < 3; v++) {
-            const float *const *const streams = !p->soup ? NULL : a == 0 ? p->soup->x : a == 1 ? p->soup->y : p->soup->z;
-            fill_number(g, 3 * v + a, streams ? streams[v] + start : NULL, streams ? 0 : p->triangle[v][a]);
-        }
+        for (int v = 0; v < 3; v++)
+            fill_number(g, 3 * a + v, p->soup ? tribox_soup_axis(p->soup, a)[v] + start : NULL, p->soup ? 0 : p->triangle[v][a]);
         fill_number(g, 9 + a, p->soup ? NULL : p->boxes->lo[a] + start, p->soup ? p->box->lo[a] : 0);
         fill_number(g, 12 + a, p->soup ? NULL : p->boxes->hi[a] + start, p->soup ? p->box->hi[a] : 0);
     }
@@ -122,7 +120,7 @@ size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan,
         }
     if (g.count)
         undecided += settle_gathered(&g, p, plan, 64 * word, hit);
-    return plan->accuracy == TRIBOX_FAST ? 0 : undecided;
+    return undecided;
 }
 
 size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
@@ -130,6 +128,12 @@ size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan,
     uint64_t open[TRIBOX_BLOCK_WORDS];
     tribox_pairs_walk_block(p, plan, word, words, hit, open);
     return tribox_pairs_settle_block(p, plan, word, words, open, hit);
+}
+
+void tribox_pairs_write_none(size_t count, uint64_t *mask)
+{
+    if (mask)
+        memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
 }
 
 tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)

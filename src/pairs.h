@@ -27,6 +27,9 @@ size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan,
 /* Both: one bit for each pair that overlaps. Returns how many pairs with finite numbers the kernel left open. */
 size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit);
 
+/* No pair overlaps: clears the mask, which may be NULL. */
+void tribox_pairs_write_none(size_t count, uint64_t *mask);
+
 /* Answers all pairs, and counts. mask may be NULL. */
 tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask);
 

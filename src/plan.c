@@ -46,6 +46,14 @@ tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan)
     return plan->kernel ? TRIBOX_OK : TRIBOX_NO_KERNEL;
 }
 
+void tribox_plan_report(const tribox_plan *plan, tribox_report counts, tribox_report *report)
+{
+    if (plan->accuracy == TRIBOX_FAST)
+        counts.undecided = 0;
+    if (report)
+        *report = counts;
+}
+
 const char *tribox_kernel_name(const tribox_options *options)
 {
     const tribox_kernel *const kernel = tribox_kernel_find(options ? options->kernel : NULL);

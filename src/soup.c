@@ -20,13 +20,10 @@ bool tribox_soup_is_readable(const tribox_soup *soup)
 tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64])
 {
     const size_t tail = soup->count % 64, first = soup->count - tail;
-    tribox_soup word = {.count = 64};
-    for (int v = 0; v < 3; v++) {
-        word.x[v] = memcpy(scratch[v], soup->x[v] + first, tail * sizeof(float));
-        word.y[v] = memcpy(scratch[3 + v], soup->y[v] + first, tail * sizeof(float));
-        word.z[v] = memcpy(scratch[6 + v], soup->z[v] + first, tail * sizeof(float));
-    }
-    return word;
+    for (int a = 0; a < 3; a++)
+        for (int v = 0; v < 3; v++)
+            memcpy(scratch[3 * a + v], tribox_soup_axis(soup, a)[v] + first, tail * sizeof(float));
+    return tribox_soup_of(&scratch[0][0], 64, 64);
 }
 
 static bool is_triangle_finite(const tribox_soup *soup, size_t i)

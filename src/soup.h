@@ -1,4 +1,4 @@
-/* soup.h - what every call asks of a soup before it reads it. */
+/* soup.h - the streams of a soup by axis, and what every call checks before it reads them. */
 #ifndef TRIBOX_SOUP_H
 #define TRIBOX_SOUP_H
 
@@ -11,6 +11,24 @@ static inline bool tribox_is_addressable(size_t count) { return count <= PTRDIFF
 
 /* Whether the soup can be read: no NULL where triangles are, and a count that fits. */
 bool tribox_soup_is_readable(const tribox_soup *soup);
+
+/* The three streams of axis a: one for each vertex. */
+static inline const float *const *tribox_soup_axis(const tribox_soup *soup, int a)
+{
+    return a == 0 ? soup->x : a == 1 ? soup->y : soup->z;
+}
+
+/* `count` triangles whose nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 lie in memory `length` floats apart. */
+static inline tribox_soup tribox_soup_of(const float *streams, size_t length, size_t count)
+{
+    tribox_soup soup = {.count = count};
+    for (size_t v = 0; v < 3; v++) {
+        soup.x[v] = streams + v * length;
+        soup.y[v] = streams + (3 + v) * length;
+        soup.z[v] = streams + (6 + v) * length;
+    }
+    return soup;
+}
 
 /* The last count % 64 triangles in a word of their own: the numbers after them stay what scratch holds, which should be zeros. */
 tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64]);

@@ -254,12 +254,9 @@ static void join_crowd(voxels *v, const tribox_soup *soup, size_t i, const tribo
     crowd *const c = &v->crowds[shape];
     tribox_strip *const strip = &c->strip;
     const unsigned t = strip->count;
-    for (int j = 0; j < 3; j++) {
-        strip->u[3 * j][t] = soup->x[j][i];
-        strip->u[3 * j + 1][t] = soup->y[j][i];
-        strip->u[3 * j + 2][t] = soup->z[j][i];
-    }
     for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            strip->u[3 * a + j][t] = tribox_soup_axis(soup, a)[j][i];
         strip->base[a][t] = touched->base[a][lane];
         strip->cells[a][t] = touched->cells[a][lane];
     }
@@ -286,16 +283,16 @@ static void set_line(voxels *v, const tribox_touched *touched, unsigned lane)
 /* What the planes say of triangle i of the soup, which the kernel was not sure of. */
 static void tell_by_planes(const voxels *v, const tribox_soup *soup, size_t i, tribox_touched *touched, uint64_t *touching)
 {
-    const float *const *const streams[3] = {soup->x, soup->y, soup->z};
     const unsigned lane = i % 64;
     const uint64_t bit = UINT64_C(1) << lane;
     bool is_inside = true;
     int64_t base[3];
     for (int a = 0; a < 3; a++) {
-        float least = streams[a][0][i], most = least;
+        const float *const *const stream = tribox_soup_axis(soup, a);
+        float least = stream[0][i], most = least;
         for (int j = 1; j < 3; j++) {
-            least = streams[a][j][i] < least ? streams[a][j][i] : least;
-            most = streams[a][j][i] > most ? streams[a][j][i] : most;
+            least = stream[j][i] < least ? stream[j][i] : least;
+            most = stream[j][i] > most ? stream[j][i] : most;
         }
         const tribox_cells cells = tribox_grid_cells(v->grid, a, least, most);
         const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->grid->size[a];
@@ -377,12 +374,9 @@ static void set_soup_by_cells(voxels *v, const tribox_soup *soup)
 {
     for (size_t t = 0; t < soup->count; t++) {
         float u[9];
-        for (int j = 0; j < 3; j++) {
-            u[3 * j] = soup->x[j][t];
-            u[3 * j + 1] = soup->y[j][t];
-            u[3 * j + 2] = soup->z[j][t];
-        }
-        const float triangle[3][3] = {{u[0], u[1], u[2]}, {u[3], u[4], u[5]}, {u[6], u[7], u[8]}};
+        for (int k = 0; k < 9; k++)
+            u[k] = tribox_soup_axis(soup, k / 3)[k % 3][t];
+        const float triangle[3][3] = {{u[0], u[3], u[6]}, {u[1], u[4], u[7]}, {u[2], u[5], u[8]}};
         if (tribox_triangle_is_finite(triangle))
             for (int64_t k = v->first_layer; k < v->end_layer; k++)
                 for (int64_t j = 0; j < v->grid->size[1]; j++)
@@ -416,10 +410,7 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
         for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
             v.crowds[shape].strip.count = 0;
         (v.plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(&v, soup);
-        if (v.plan.accuracy == TRIBOX_FAST)
-            v.counts.undecided = 0;
-        if (report)
-            *report = v.counts;
+        tribox_plan_report(&v.plan, v.counts, report);
     }
     tribox_environment_leave(callers);
     return has_layers ? TRIBOX_OK : is_sound ? TRIBOX_BAD_ARGUMENT : TRIBOX_BAD_GRID;

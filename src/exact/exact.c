@@ -34,14 +34,13 @@ tribox_span tribox_span_of(const tribox_integer *numbers, int count)
 
 tribox_integers tribox_integers_of(const tribox_pair *pair)
 {
-    float number[15];
-    memcpy(number, pair->u, 9 * sizeof *number);
-    memcpy(number + 9, pair->box.lo, 3 * sizeof *number);
-    memcpy(number + 12, pair->box.hi, 3 * sizeof *number);
-
     tribox_integers in;
-    for (int k = 0; k < 15; k++)
-        in.number[k] = tribox_integer_of(number[k]);
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            in.number[3 * a + j] = tribox_integer_of(pair->u[j][a]);
+        in.number[9 + a] = tribox_integer_of(pair->box.lo[a]);
+        in.number[12 + a] = tribox_integer_of(pair->box.hi[a]);
+    }
     const tribox_span span = tribox_span_of(in.number, 15);
     for (int k = 0; k < 15; k++)
         in.number[k].shift = in.number[k].odd ? in.number[k].shift - span.least : 0;

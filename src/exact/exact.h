@@ -33,7 +33,7 @@ typedef struct tribox_span {
 
 tribox_span tribox_span_of(const tribox_integer *numbers, int count);
 
-/* The fifteen numbers of a pair in one unit. Vertices, then lo, then hi. */
+/* The fifteen numbers of a pair in one unit: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, then lo, then hi. */
 typedef struct tribox_integers {
     tribox_integer number[15];
     int bits; /* every number is below 2^bits units */

@@ -21,7 +21,8 @@ static tribox_oriented_integers integers_of(const tribox_oriented_pair *pair)
 {
     tribox_oriented_integers in;
     float position[12], axis[9];
-    memcpy(position, pair->u, 9 * sizeof *position);
+    for (int k = 0; k < 9; k++)
+        position[k] = pair->u[k % 3][k / 3];
     memcpy(position + 9, pair->box.center, 3 * sizeof *position);
     memcpy(axis, pair->box.axis, sizeof axis);
     const tribox_span positions = read_integers(position, 12, in.position);

@@ -18,7 +18,7 @@ bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes);
  * position, times 2^shift is in the unit of the half lengths.
  */
 typedef struct tribox_oriented_integers {
-    tribox_integer position[12]; /* the vertices, then the center */
+    tribox_integer position[12]; /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, then the center */
     tribox_integer axis[9];
     tribox_integer half[3];
     int shift;

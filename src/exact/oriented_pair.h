@@ -9,7 +9,7 @@ bool ORIENTED_IN_INTEGERS(const tribox_oriented_integers *in, unsigned axes)
         for (int j = 0; j < 3; j++) {
             t.u[j][k] = v_splat(0);
             for (int a = 0; a < 3; a++) {
-                const vnum d = v_sub(v_shifted(in->position[3 * j + a]), v_shifted(in->position[9 + a]));
+                const vnum d = v_sub(v_shifted(in->position[3 * a + j]), v_shifted(in->position[9 + a]));
                 t.u[j][k] = v_fma(v_shifted(in->axis[3 * k + a]), d, t.u[j][k]);
             }
             t.u[j][k] = v_mul(t.u[j][k], v_shifted((tribox_integer){1, in->shift}));

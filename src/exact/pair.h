@@ -7,7 +7,7 @@ bool EXACT_IN_INTEGERS(const tribox_integers *in, unsigned axes)
     lane_shape s;
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            t.u[j][a] = v_shifted(in->number[3 * j + a]);
+            t.u[j][a] = v_shifted(in->number[3 * a + j]);
         box.lo[a] = v_shifted(in->number[9 + a]);
         box.hi[a] = v_shifted(in->number[12 + a]);
         box.H[a] = v_sub(box.hi[a], box.lo[a]);

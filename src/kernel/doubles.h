@@ -73,7 +73,7 @@ TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, 
     tribox_exactness_watch();
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            t.u[j][a] = v_load(&batch->number[3 * j + a][at]);
+            t.u[j][a] = v_load(&batch->number[3 * a + j][at]);
         box.lo[a] = v_load(&batch->number[9 + a][at]);
         box.hi[a] = v_load(&batch->number[12 + a][at]);
         box.H[a] = v_sub(box.hi[a], box.lo[a]);

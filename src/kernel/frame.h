@@ -31,11 +31,10 @@ TRIBOX_INLINE vnum dot3(const vnum a[3], const vnum b[3]) { return v_fma(a[2], b
 /* A packet moved, and in error[k] the bounds of its lanes. */
 TRIBOX_INLINE void move_packet(const tribox_soup *soup, const lane_frame *frame, size_t at, vnum q[3][3], vnum error[3])
 {
-    const float *const *const stream[3] = {soup->x, soup->y, soup->z};
     vnum d[3][3], most[3];
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            d[j][a] = v_sub(v_load(stream[a][j] + at), frame->center[a]);
+            d[j][a] = v_sub(v_load(tribox_soup_axis(soup, a)[j] + at), frame->center[a]);
         most[a] = lane_max3(v_abs(d[0][a]), v_abs(d[1][a]), v_abs(d[2][a]));
     }
     for (int k = 0; k < 3; k++) {

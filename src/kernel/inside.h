@@ -6,7 +6,7 @@
 /* The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A difference to itself is zero, or NaN and no order. */
 TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
 {
-    const float *const *const stream = a == 0 ? soup->x : a == 1 ? soup->y : soup->z;
+    const float *const *const stream = tribox_soup_axis(soup, a);
     const vnum u0 = v_load(stream[0] + at), u1 = v_load(stream[1] + at), u2 = v_load(stream[2] + at);
     const vmask is_finite = v_gt(v_splat(1), v_add(v_add(v_sub(u0, u0), v_sub(u1, u1)), v_sub(u2, u2)));
     const vmask is_beyond = m_or(v_gt(box->lo[a], lane_min3(u0, u1, u2)), v_gt(lane_max3(u0, u1, u2), box->hi[a]));

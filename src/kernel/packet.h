@@ -69,7 +69,7 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const lane_source *from, size_t 
                                  lane_shape *s)
 {
     if (from->is_soup) {
-        const float *const *const stream = a == 0 ? from->soup->x : a == 1 ? from->soup->y : from->soup->z;
+        const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
             p->t.u[j][a] = v_load(stream[j] + at);
     } else {

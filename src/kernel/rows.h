@@ -35,7 +35,7 @@ TRIBOX_INLINE void place_axis(row_triangle *t, const tribox_strip *strip, unsign
     const vnum base = v_read(&strip->base[a][at]);
     vnum u[3];
     for (int j = 0; j < 3; j++)
-        u[j] = v_load(&strip->u[3 * j + a][at]);
+        u[j] = v_load(&strip->u[3 * a + j][at]);
     for (int j = 0; j < 3; j++) {
         t->f[j][a] = v_mul(v_sub(u[(j + 1) % 3], u[j]), per_cell);
         t->g[j][a] = v_sub(v_mul(v_sub(u[j], origin), per_cell), base);

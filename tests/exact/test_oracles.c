@@ -47,7 +47,7 @@ static void gather(gathered_pairs *g, const tribox_pair *pair, int triangle)
 {
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            g->pairs.number[3 * j + a][g->count] = pair->u[j][a];
+            g->pairs.number[3 * a + j][g->count] = pair->u[j][a];
         g->pairs.number[9 + a][g->count] = pair->box.lo[a];
         g->pairs.number[12 + a][g->count] = pair->box.hi[a];
     }
