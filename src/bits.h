@@ -13,6 +13,14 @@ static inline unsigned tribox_count_bits(uint64_t word)
     return (unsigned)(word * UINT64_C(0x0101010101010101) >> 56);
 }
 
+/* Sets bits of a word. Returns how many of them were not set before. */
+static inline unsigned tribox_set_bits(uint64_t *word, uint64_t bits)
+{
+    const uint64_t before = *word;
+    *word = before | bits;
+    return tribox_count_bits(bits & ~before);
+}
+
 /* The index of the lowest bit of a word that has one. */
 static inline unsigned tribox_lowest_bit(uint64_t word)
 {

@@ -58,9 +58,10 @@ typedef struct tribox_slab {
 /* Triangles of one shape. */
 typedef struct tribox_strip {
     unsigned count;
-    float u[9][TRIBOX_STRIP];      /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of triangle t at [t] */
-    double base[3][TRIBOX_STRIP];  /* the first cell of its range, within the grid */
-    double cells[3][TRIBOX_STRIP]; /* how many there are on each axis, within the grid */
+    float u[9][TRIBOX_STRIP];                      /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of triangle t at [t] */
+    double base[3][TRIBOX_STRIP];                  /* the first cell of its range, within the grid */
+    double cells[3][TRIBOX_STRIP];                 /* how many there are on each axis, within the grid */
+    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, as in tribox_touched */
 } tribox_strip;
 
 /* Their limits, as far as the shape has them. */

@@ -1,0 +1,164 @@
+/* voxel_rows.c - the rows of one triangle: the kernel limits them, sure cells are set, open ones are tested by their own boxes. */
+#include "voxel_rows.h"
+
+#include <string.h>
+
+#include "grid.h"
+#include "settle.h"
+
+void tribox_voxels_settle_open(tribox_voxels *v)
+{
+    if (!v->open)
+        return;
+    v->counts.undecided += v->open;
+    for (uint64_t left = tribox_settle_batch(&v->batch, v->open, ~UINT64_C(0), &v->plan); left; left &= left - 1) {
+        const unsigned i = tribox_lowest_bit(left);
+        v->counts.overlapping += tribox_set_bits(v->cell[i].word, v->cell[i].bit);
+    }
+    v->open = 0;
+}
+
+void tribox_voxels_add_open(tribox_voxels *v, const float u[9], int64_t first, int64_t last, int64_t j, int64_t k)
+{
+    uint64_t *const row = v->occupied + ((size_t)(k - v->first_layer) * v->grid->size[1] + (size_t)j) * v->row_words;
+    for (int64_t i = first; i <= last; i++) {
+        uint64_t *const word = row + i / 64;
+        const uint64_t bit = UINT64_C(1) << i % 64;
+        if (*word & bit)
+            continue;
+        const int64_t at[3] = {i, j, k};
+        const unsigned to = v->open++;
+        v->cell[to].word = word;
+        v->cell[to].bit = bit;
+        for (int n = 0; n < 9; n++)
+            v->batch.number[n][to] = u[n];
+        for (int a = 0; a < 3; a++) {
+            v->batch.number[9 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a]);
+            v->batch.number[12 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a] + 1);
+        }
+        if (v->open == TRIBOX_BATCH)
+            tribox_voxels_settle_open(v);
+    }
+}
+
+/* The rows of one triangle: layers of `wide` rows, cells along x counted from base, whose bit is `bit` of a row's `word`. */
+typedef struct row_range {
+    int64_t base, first_j, first_k, wide;
+    ptrdiff_t word, skip; /* skip: from the end of the last row of a layer to the first of the next */
+    int bit;
+    bool is_narrow; /* no row has cells in two words */
+} row_range;
+
+/* Where a walk over rows stands; `word` is the one of the first cell. */
+typedef struct row_place {
+    int64_t j, k;
+    uint64_t *word;
+} row_place;
+
+/* The place of row j of layer k, both counted from the first. */
+static row_place place_of(const tribox_voxels *v, const row_range *r, int64_t j, int64_t k)
+{
+    return (row_place){r->first_j + j, r->first_k + k,
+                       v->occupied + r->word + (k * (int64_t)v->grid->size[1] + j) * (int64_t)v->row_words};
+}
+
+static void next_row(row_place *at, const tribox_voxels *v, const row_range *r)
+{
+    at->word += v->row_words;
+    if (++at->j == r->first_j + r->wide) {
+        at->j = r->first_j;
+        at->k++;
+        at->word += r->skip;
+    }
+}
+
+/* Whether row n has cells that may overlap but do not surely do so. */
+static bool is_row_open(const tribox_row_cells *cells, unsigned n)
+{
+    return cells->first_maybe[n] < cells->end_maybe[n] &&
+           (cells->first_maybe[n] != cells->first_sure[n] || cells->end_maybe[n] != cells->end_sure[n]);
+}
+
+/* The open cells of these rows are tested by their own boxes. */
+static void add_open_rows(tribox_voxels *v, const tribox_strip *strip, unsigned t, const row_range *r, row_place at, unsigned rows,
+                          const tribox_row_cells *cells)
+{
+    float u[9];
+    for (int n = 0; n < 9; n++)
+        u[n] = strip->u[n][t];
+    for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
+        if (!is_row_open(cells, n))
+            continue;
+        const bool has_sure = cells->first_sure[n] < cells->end_sure[n];
+        const int64_t first = r->base + cells->first_maybe[n], end = r->base + cells->end_maybe[n];
+        const int64_t sure = has_sure ? r->base + cells->first_sure[n] : end,
+                      sure_end = has_sure ? r->base + cells->end_sure[n] : end;
+        tribox_voxels_add_open(v, u, first, sure - 1, at.j, at.k);
+        tribox_voxels_add_open(v, u, sure_end, end - 1, at.j, at.k);
+    }
+}
+
+/* The bits below bit n, which is at most 63. */
+static uint64_t bits_below(int n) { return (UINT64_C(1) << n) - 1; }
+
+/* Sets the sure cells of rows that lie in one word each, without a branch on what they hold. Returns whether any cell is open. */
+static bool set_narrow_rows(tribox_voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
+{
+    uint64_t open = 0;
+    size_t set = 0;
+    for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
+        const uint64_t maybe = bits_below(cells->end_maybe[n]) & ~bits_below(cells->first_maybe[n]);
+        const uint64_t sure = bits_below(cells->end_sure[n]) & ~bits_below(cells->first_sure[n]);
+        const uint64_t before = *at.word;
+        *at.word = before | sure << r->bit;
+        set += tribox_count_bits(sure & ~(before >> r->bit));
+        open |= maybe & ~sure;
+    }
+    v->counts.overlapping += set;
+    return open;
+}
+
+/* The same for rows of any length. */
+static bool set_wide_rows(tribox_voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
+{
+    bool is_open = false;
+    size_t set = 0;
+    for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
+        if (cells->first_sure[n] < cells->end_sure[n])
+            set += tribox_set_cells(at.word, r->bit + cells->first_sure[n], r->bit + cells->end_sure[n] - 1);
+        is_open |= is_row_open(cells, n);
+    }
+    v->counts.overlapping += set;
+    return is_open;
+}
+
+void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigned t, tribox_shape shape,
+                            const tribox_limits *limits)
+{
+    const row_range r = {
+        .base = (int64_t)strip->base[0][t],
+        .first_j = (int64_t)strip->base[1][t],
+        .first_k = (int64_t)strip->base[2][t],
+        .wide = (int64_t)strip->cells[1][t],
+        .word = strip->word[t],
+        .skip = ((ptrdiff_t)v->grid->size[1] - (ptrdiff_t)strip->cells[1][t]) * (ptrdiff_t)v->row_words,
+        .bit = strip->bit[t],
+        .is_narrow = strip->bit[t] + strip->cells[0][t] < 64,
+    };
+    const int64_t first_layer = tribox_greatest(v->first_layer - r.first_k, 0);
+    const int64_t end = tribox_least((int64_t)strip->cells[2][t], v->end_layer - r.first_k) * r.wide;
+    row_place at = place_of(v, &r, 0, first_layer);
+    for (int64_t row = first_layer * r.wide; row < end; row += 64) {
+        const unsigned rows = (unsigned)tribox_least(end - row, 64);
+        tribox_row_cells cells;
+        v->plan.kernel->grid->rows[shape](limits, t, (double)row, rows, &cells);
+        if (v->plan.accuracy == TRIBOX_CONSERVATIVE) {
+            memcpy(cells.first_sure, cells.first_maybe, sizeof cells.first_sure);
+            memcpy(cells.end_sure, cells.end_maybe, sizeof cells.end_sure);
+        }
+        if ((r.is_narrow ? set_narrow_rows : set_wide_rows)(v, &r, at, rows, &cells))
+            add_open_rows(v, strip, t, &r, at, rows, &cells);
+        if (row + 64 < end)
+            at = place_of(v, &r, (row + 64) % r.wide, (row + 64) / r.wide);
+    }
+}
