@@ -16,8 +16,9 @@
 #if defined(__FAST_MATH__)
 #error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"
 #endif
-#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
-#error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0); on 32-bit x86 compile with -msse2 -mfpmath=sse"
+/* 16 is gcc's method for gnu11 on processors with FP16: only types narrower than float are widened. */
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
 /* Unoptimised and sanitized builds do not force it: with every word inlined and little folded a kernel takes gcc minutes. */

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Sources refuse flags that would break their promises, and say what to do: refusals.sh ROOT x86|other COMPILER...
+# Sources refuse flags that would break their promises, say what to do, and refuse no others: refusals.sh ROOT x86|other COMPILER...
 set -eu
 cd "$1"
 family=$2
@@ -21,6 +21,16 @@ refuses() {
     fi
 }
 
+# compiles FILE FLAGS...: with a compiler that knows the flags
+compiles() {
+    file=$1
+    shift
+    if : | $compiler -fsyntax-only "$@" -x c - 2>/dev/null && ! $compiler -fsyntax-only -Iinclude -Isrc "$@" "src/$file"; then
+        echo "src/$file: does not compile with '$*'" >&2
+        status=1
+    fi
+}
+
 refuses 'cannot be compiled with -ffast-math' scalar/kernel_scalar.c -ffast-math
 refuses 'cannot be compiled with -ffast-math' overlap.c -ffast-math
 if test "$family" = x86; then
@@ -29,6 +39,7 @@ if test "$family" = x86; then
     refuses 'compile this file with AVX2 and FMA' avx2/kernel_avx2.c -mavx -mfma
     refuses 'compile this file with AVX-512F' avx512/kernel_avx512.c -mavx2 -mfma
     refuses 'little-endian AArch64' neon/kernel_neon.c
+    compiles scalar/kernel_scalar.c -std=gnu11 -march=sapphirerapids
     refuses 'for the baseline' dispatch.c -DTRIBOX_X86 -mavx
 fi
 exit $status
