@@ -1,4 +1,4 @@
-/* The table of kernels: names, never lanes. */
+/* dispatch.h - the table of kernels: names, never lanes. */
 #ifndef TRIBOX_DISPATCH_H
 #define TRIBOX_DISPATCH_H
 

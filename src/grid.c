@@ -1,4 +1,5 @@
-#include "grid.h"
+/* grid.c - whether a grid can be served, its cells as boxes, and which cells an interval touches. */
+#include "grid_planes.h"
 
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* plan.c - from the options of a call to the kernel, the accuracy and the sequence of groups that it runs. */
 #include "plan.h"
 
 #include "dispatch.h"

@@ -1,3 +1,4 @@
+/* settle.c - a batch of open pairs: in double all at once, then one by one in integers. */
 #include "settle.h"
 
 #include "bits.h"

@@ -1,3 +1,4 @@
+/* soup.c - checks of soups, their last word, and the count of triangles that are not finite. */
 #include "soup.h"
 
 #include <string.h>

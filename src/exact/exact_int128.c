@@ -1,3 +1,4 @@
+/* exact_int128.c - pairs and oriented pairs in 128-bit integers, where the compiler has them. */
 #include "exact/exact.h"
 #include "exact/oriented.h"
 #if defined(__SIZEOF_INT128__)

@@ -1,3 +1,4 @@
+/* exact_int64.c - pairs and oriented pairs in 64-bit integers. */
 #include "exact/exact.h"
 #include "exact/oriented.h"
 typedef int64_t vnum;

@@ -1,3 +1,4 @@
+/* exact_limbs.c - pairs in integers of any length that floats can need. */
 #include "exact/exact.h"
 /* The longest value, the plane's slack of numbers from 2^-149 to 2^128, takes 3 * 277 + 8 = 839 bits. */
 #define LIMBS 28

@@ -1,3 +1,4 @@
+/* oriented_limbs.c - oriented pairs in limbs, as many as floats can need. */
 #include "exact/oriented.h"
 /* The plane's slack in a frame takes 3 * 557 + 8 = 1679 bits. */
 #define LIMBS 56

@@ -1,3 +1,4 @@
+/* oriented_short.c - oriented pairs in limbs, as many as ordinary scenes need. */
 #include "exact/oriented.h"
 /* As long as numbers of ordinary scenes need: 3 * TRIBOX_SHORT_BITS + 8 = 443 bits. What is shorter is copied faster. */
 #define LIMBS 16
