@@ -21,10 +21,10 @@ typedef struct tribox_touched {
     double base[3][64], cells[3][64]; /* within the grid, on each axis: the first, and how many */
     int32_t word[64], bit[64];        /* where the first cell's bit is, in words from the first of the layers asked */
     uint64_t spans[3];                /* triangles with more than one cell on the axis, be they outside */
-    uint64_t unsure;                  /* triangles of which rounding leaves all this open: only planes themselves can tell */
+    uint64_t uncertain;               /* triangles of which rounding leaves all this open: only planes themselves can tell */
 } tribox_touched;
 
-/* The finite triangles of a word of the soup that touch the layers asked: all, and of the unsure ones also others. */
+/* The finite triangles of a word of the soup that touch the layers asked: all, and of the uncertain ones also others. */
 typedef uint64_t tribox_touched_walk(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_touched *touched);
 
 /* Triangles whose cells are told row by row, some at a time. */
@@ -81,11 +81,11 @@ typedef void tribox_strip_prepare(const tribox_strip *strip, const tribox_lattic
                                   tribox_limits *limits);
 
 /*
- * Of each of 64 rows the cells that may overlap, and of those the ones that surely do: from first to before end, none where
+ * Of each of 64 rows the cells that may overlap, and of those the ones that certainly do: from first to before end, none where
  * end <= first. All lie from 0 to cells[0].
  */
 typedef struct tribox_row_cells {
-    int32_t first_maybe[64], end_maybe[64], first_sure[64], end_sure[64];
+    int32_t first_maybe[64], end_maybe[64], first_certain[64], end_certain[64];
 } tribox_row_cells;
 
 /* Rows from `row` of triangle t: row j + cells[1] * k is row j of layer k. At most 64. */

@@ -1,4 +1,4 @@
-/* voxel_rows.c - the rows of one triangle: the kernel limits them, sure cells are set, open ones are tested by their own boxes. */
+/* voxel_rows.c - the rows of one triangle: the kernel limits them, certain cells are set, open ones are tested by their own boxes. */
 #include "voxel_rows.h"
 
 #include <string.h>
@@ -72,11 +72,11 @@ static void next_row(row_place *at, const tribox_voxels *v, const row_range *r)
     }
 }
 
-/* Whether row n has cells that may overlap but do not surely do so. */
+/* Whether row n has cells that may overlap but do not certainly do so. */
 static bool is_row_open(const tribox_row_cells *cells, unsigned n)
 {
     return cells->first_maybe[n] < cells->end_maybe[n] &&
-           (cells->first_maybe[n] != cells->first_sure[n] || cells->end_maybe[n] != cells->end_sure[n]);
+           (cells->first_maybe[n] != cells->first_certain[n] || cells->end_maybe[n] != cells->end_certain[n]);
 }
 
 /* The open cells of these rows are tested by their own boxes. */
@@ -89,30 +89,30 @@ static void add_open_rows(tribox_voxels *v, const tribox_strip *strip, unsigned 
     for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
         if (!is_row_open(cells, n))
             continue;
-        const bool has_sure = cells->first_sure[n] < cells->end_sure[n];
+        const bool has_certain = cells->first_certain[n] < cells->end_certain[n];
         const int64_t first = r->base + cells->first_maybe[n], end = r->base + cells->end_maybe[n];
-        const int64_t sure = has_sure ? r->base + cells->first_sure[n] : end,
-                      sure_end = has_sure ? r->base + cells->end_sure[n] : end;
-        tribox_voxels_add_open(v, u, first, sure - 1, at.j, at.k);
-        tribox_voxels_add_open(v, u, sure_end, end - 1, at.j, at.k);
+        const int64_t certain = has_certain ? r->base + cells->first_certain[n] : end,
+                      certain_end = has_certain ? r->base + cells->end_certain[n] : end;
+        tribox_voxels_add_open(v, u, first, certain - 1, at.j, at.k);
+        tribox_voxels_add_open(v, u, certain_end, end - 1, at.j, at.k);
     }
 }
 
 /* The bits below bit n, which is at most 63. */
 static uint64_t bits_below(int n) { return (UINT64_C(1) << n) - 1; }
 
-/* Sets the sure cells of rows that lie in one word each, without a branch on what they hold. Returns whether any cell is open. */
+/* Sets the certain cells of rows that lie in one word each, without a branch on what they hold. Returns whether any cell is open. */
 static bool set_narrow_rows(tribox_voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
 {
     uint64_t open = 0;
     size_t set = 0;
     for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
         const uint64_t maybe = bits_below(cells->end_maybe[n]) & ~bits_below(cells->first_maybe[n]);
-        const uint64_t sure = bits_below(cells->end_sure[n]) & ~bits_below(cells->first_sure[n]);
+        const uint64_t certain = bits_below(cells->end_certain[n]) & ~bits_below(cells->first_certain[n]);
         const uint64_t before = *at.word;
-        *at.word = before | sure << r->bit;
-        set += tribox_count_bits(sure & ~(before >> r->bit));
-        open |= maybe & ~sure;
+        *at.word = before | certain << r->bit;
+        set += tribox_count_bits(certain & ~(before >> r->bit));
+        open |= maybe & ~certain;
     }
     v->counts.overlapping += set;
     return open;
@@ -124,8 +124,8 @@ static bool set_wide_rows(tribox_voxels *v, const row_range *r, row_place at, un
     bool is_open = false;
     size_t set = 0;
     for (unsigned n = 0; n < rows; n++, next_row(&at, v, r)) {
-        if (cells->first_sure[n] < cells->end_sure[n])
-            set += tribox_set_cells(at.word, r->bit + cells->first_sure[n], r->bit + cells->end_sure[n] - 1);
+        if (cells->first_certain[n] < cells->end_certain[n])
+            set += tribox_set_cells(at.word, r->bit + cells->first_certain[n], r->bit + cells->end_certain[n] - 1);
         is_open |= is_row_open(cells, n);
     }
     v->counts.overlapping += set;
@@ -153,8 +153,8 @@ void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigne
         tribox_row_cells cells;
         v->plan.kernel->grid->rows[shape](limits, t, (double)row, rows, &cells);
         if (v->plan.accuracy == TRIBOX_CONSERVATIVE) {
-            memcpy(cells.first_sure, cells.first_maybe, sizeof cells.first_sure);
-            memcpy(cells.end_sure, cells.end_maybe, sizeof cells.end_sure);
+            memcpy(cells.first_certain, cells.first_maybe, sizeof cells.first_certain);
+            memcpy(cells.end_certain, cells.end_maybe, sizeof cells.end_certain);
         }
         if ((r.is_narrow ? set_narrow_rows : set_wide_rows)(v, &r, at, rows, &cells))
             add_open_rows(v, strip, t, &r, at, rows, &cells);

@@ -1,4 +1,4 @@
-/* voxel_rows.h - bits of cells, row by row: those that surely overlap are set, open ones wait for their batch. */
+/* voxel_rows.h - bits of cells, row by row: those that certainly overlap are set, open ones wait for their batch. */
 #ifndef TRIBOX_VOXEL_ROWS_H
 #define TRIBOX_VOXEL_ROWS_H
 

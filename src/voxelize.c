@@ -73,7 +73,7 @@ static void set_line(tribox_voxels *v, const tribox_touched *touched, unsigned l
     v->counts.overlapping += set;
 }
 
-/* The cells that triangle i of the soup touches, where the kernel was not sure: from the planes themselves. */
+/* The cells that triangle i of the soup touches, where the kernel was not certain: from the planes themselves. */
 static void touch_by_planes(const tribox_voxels *v, const tribox_soup *soup, size_t i, tribox_touched *touched, uint64_t *touching)
 {
     const unsigned lane = i % 64;
@@ -107,7 +107,7 @@ static void set_word(voxelization *call, const tribox_soup *soup, size_t word)
     tribox_voxels *const v = &call->voxels;
     tribox_touched touched;
     uint64_t touching = v->plan.kernel->grid->touched(soup, word, &call->lattice, &touched);
-    for (uint64_t left = touched.unsure; left; left &= left - 1)
+    for (uint64_t left = touched.uncertain; left; left &= left - 1)
         touch_by_planes(v, soup, 64 * word + tribox_lowest_bit(left), &touched, &touching);
     const uint64_t x = touched.spans[0], y = touched.spans[1], z = touched.spans[2];
 

@@ -11,7 +11,7 @@
  * Where the box normals are not tested, h grows by the sum of the |V_0a| (PROOFS.md 4.5).
  */
 typedef struct lane_margin {
-    vmask holds; /* finite, and small enough that no product overflows (PROOFS.md 4.6) */
+    vmask is_valid; /* finite, and small enough that no product overflows (PROOFS.md 4.6) */
     vnum edges, plane;
 } lane_margin;
 
@@ -67,7 +67,7 @@ TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *
     const vnum sigma = v_add(v_add(extent_sum(s, 0), extent_sum(s, 1)), extent_sum(s, 2));
     const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box.edges), v_splat(V_ETA));
     return (lane_margin){
-        .holds = v_gt(box.most, sigma),
+        .is_valid = v_gt(box.most, sigma),
         .edges = is_box_asked ? edges : v_add(edges, edges),
         .plane = v_fma(sigma, edges, box.eta),
     };

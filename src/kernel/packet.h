@@ -94,16 +94,16 @@ TRIBOX_INLINE vnum all_edges_slack(const lane_shape *s, bool is_box_asked)
 
 /*
  * Bullet 3 for one lane, which leaves after the first axis that separates, as in the paper; packets, in which some lane nearly
- * always goes on, ask all nine at once. *sure loses the lane if a slack is within the error.
+ * always goes on, ask all nine at once. *certain loses the lane if a slack is within the error.
  */
-TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked, uint64_t left, vnum error, vmask *sure)
+TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked, uint64_t left, vnum error, vmask *certain)
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const vnum slack = is_box_asked ? edge_slack(s, i, j) : edge_slack_both_sides(s, i, j);
             if (m_bits(v_gt(v_splat(0), v_add(slack, error))))
                 return 0;
-            *sure = m_and(*sure, v_gt(slack, error));
+            *certain = m_and(*certain, v_gt(slack, error));
         }
     return left;
 }
@@ -133,8 +133,8 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
         left &= ~m_bits(v_gt(v_splat(0), plane_slack(s, *reach)));
     }
     if (group == 3 && V_LANES == 1) {
-        vmask sure = m_all();
-        return left_by_each_edge(s, is_box_asked, left, v_splat(0), &sure);
+        vmask certain = m_all();
+        return left_by_each_edge(s, is_box_asked, left, v_splat(0), &certain);
     }
     if (group == 3)
         left &= ~m_bits(v_gt(v_splat(0), all_edges_slack(s, is_box_asked)));
@@ -142,11 +142,11 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
 }
 
 /*
- * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *sure keeps the lanes beyond it on the good side. The
+ * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *certain keeps the lanes beyond it on the good side. The
  * first slack comes before the margin, so that fewer numbers are alive at a time.
  */
 TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool is_box_asked, bool is_first,
-                                      const lane_box_margin *box, uint64_t left, lane_margin *margin, vmask *sure)
+                                      const lane_box_margin *box, uint64_t left, lane_margin *margin, vmask *certain)
 {
     if (group == 1)
         return left & ~m_bits(apart_on_box_normals(s));
@@ -155,16 +155,16 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool 
     if (group == 3 && V_LANES == 1) {
         if (is_first) {
             *margin = margin_of(s, box, is_box_asked);
-            *sure = margin->holds;
+            *certain = margin->is_valid;
         }
-        return m_bits(margin->holds) ? left_by_each_edge(s, is_box_asked, left, margin->edges, sure) : left;
+        return m_bits(margin->is_valid) ? left_by_each_edge(s, is_box_asked, left, margin->edges, certain) : left;
     }
     const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : all_edges_slack(s, is_box_asked);
     if (is_first)
         *margin = margin_of(s, box, is_box_asked);
     const vnum error = group == 2 ? margin->plane : margin->edges;
-    *sure = is_first ? v_gt(slack, error) : m_and(*sure, v_gt(slack, error));
-    return left & ~m_bits(m_and(margin->holds, v_gt(v_splat(0), v_add(slack, error))));
+    *certain = is_first ? v_gt(slack, error) : m_and(*certain, v_gt(slack, error));
+    return left & ~m_bits(m_and(margin->is_valid, v_gt(v_splat(0), v_add(slack, error))));
 }
 
 /*
@@ -207,27 +207,27 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
     if (!from->is_soup)
         p->margin = box_margin_of(&p->box);
     lane_margin margin;
-    vmask sure;
-    left = left_by_margin(&s, first, is_box_asked, true, &p->margin, left, &margin, &sure);
+    vmask certain;
+    left = left_by_margin(&s, first, is_box_asked, true, &p->margin, left, &margin, &certain);
     if (!left)
         return 0;
-    left = left_by_margin(&s, second, is_box_asked, first < 2, &p->margin, left, &margin, &sure);
+    left = left_by_margin(&s, second, is_box_asked, first < 2, &p->margin, left, &margin, &certain);
     if (!left)
         return 0;
-    left = left_by_margin(&s, third, is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &sure);
-    sure = sequence == 1 ? margin_of(&s, &p->margin, is_box_asked).holds : m_and(sure, margin.holds);
+    left = left_by_margin(&s, third, is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &certain);
+    certain = sequence == 1 ? margin_of(&s, &p->margin, is_box_asked).is_valid : m_and(certain, margin.is_valid);
 
-    const bool is_certified = accuracy == TRIBOX_EXACT && is_box_asked && sequence_has(sequence, 3);
-    uint64_t hit = left & m_bits(sure);
-    if (is_certified)
+    const bool needs_certificate = accuracy == TRIBOX_EXACT && is_box_asked && sequence_has(sequence, 3);
+    uint64_t hit = left & m_bits(certain);
+    if (needs_certificate)
         hit &= m_bits(v_gt(v_splat(0), p->margin.least));
-    if (left & ~hit && is_box_asked && sequence != 1 && (is_certified || looks_again)) {
-        const vmask sound = sequence_has(sequence, 3) ? is_certificate_sound(&s, &p->margin) : margin.holds;
-        hit |= left & m_bits(m_and(sure, sound));
+    if (left & ~hit && is_box_asked && sequence != 1 && (needs_certificate || looks_again)) {
+        const vmask certifiable = sequence_has(sequence, 3) ? are_extents_certifiable(&s, &p->margin) : margin.is_valid;
+        hit |= left & m_bits(m_and(certain, certifiable));
         if (looks_again && left & ~hit) {
-            const vmask edges = sequence_has(sequence, 3) ? are_edges_certain(&s, &margin) : margin.holds;
-            const vmask plane = sequence_has(sequence, 2) ? is_plane_certain(&s, &margin) : margin.holds;
-            hit |= left & m_bits(m_and(m_and(sound, margin.holds), m_and(edges, plane)));
+            const vmask edges = sequence_has(sequence, 3) ? are_edges_certain(&s, &margin) : margin.is_valid;
+            const vmask plane = sequence_has(sequence, 2) ? is_plane_certain(&s, &margin) : margin.is_valid;
+            hit |= left & m_bits(m_and(m_and(certifiable, margin.is_valid), m_and(edges, plane)));
         }
     }
     *open = left & ~hit;

@@ -204,7 +204,7 @@ TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *latt
     }
 }
 
-/* The limits of rows in lanes: of what may overlap, and of what surely does. */
+/* The limits of rows in lanes: of what may overlap, and of what certainly does. */
 typedef struct row_ends {
     vnum side, upper, lower;
 } row_ends;
@@ -228,14 +228,14 @@ TRIBOX_INLINE void limit(row_ends *ends, vnum upper, vnum lower)
 }
 
 /* Limits with their own errors, or without any where one error will be taken for all. */
-TRIBOX_INLINE void limit_both(row_ends *maybe, row_ends *sure, vnum upper, vnum lower, vnum upper_error, vnum lower_error,
+TRIBOX_INLINE void limit_both(row_ends *maybe, row_ends *certain, vnum upper, vnum lower, vnum upper_error, vnum lower_error,
                               bool is_error_common)
 {
     if (is_error_common) {
         limit(maybe, upper, lower);
     } else {
         limit(maybe, v_add(upper, upper_error), v_sub(lower, lower_error));
-        limit(sure, v_sub(upper, upper_error), v_add(lower, lower_error));
+        limit(certain, v_sub(upper, upper_error), v_add(lower, lower_error));
     }
 }
 
@@ -250,20 +250,20 @@ TRIBOX_INLINE void limit_rows(const tribox_limits *limits, unsigned t, double ro
     for (unsigned at = 0; at < rows; at += V_LANES) {
         const vnum r = v_add(v_splat(row), v_load(&count[at])), half = v_splat(0.5);
         const vnum k = rounded(v_fms(v_add(r, half), per_wide, half)), j = v_sub(r, v_mul(k, wide));
-        row_ends maybe = {v_splat(INFINITY), v_splat(INFINITY), v_splat(-INFINITY)}, sure = maybe;
+        row_ends maybe = {v_splat(INFINITY), v_splat(INFINITY), v_splat(-INFINITY)}, certain = maybe;
         if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_X) {
             vnum slack = v_splat(INFINITY);
             for (int e = 0; e < 3; e++)
                 slack = v_min(slack, v_fma(v_splat(limits->side[e].j_slope[t]), j,
                                            v_fma(v_splat(limits->side[e].k_slope[t]), k, v_splat(limits->side[e].at[t]))));
             maybe.side = v_add(slack, v_splat(limits->side[0].error[t]));
-            sure.side = v_sub(slack, v_splat(limits->side[0].error[t]));
+            certain.side = v_sub(slack, v_splat(limits->side[0].error[t]));
         }
         for (int e = 0; e < 4; e++) {
             const tribox_limit *const upper = &limits->upper[e / 2][e % 2], *const lower = &limits->lower[e / 2][e % 2];
             const vnum p = e < 2 ? k : j;
             if (shape == TRIBOX_SOLID || shape == (e < 2 ? TRIBOX_FLAT_Y : TRIBOX_FLAT_Z))
-                limit_both(&maybe, &sure, v_fma(v_splat(upper->slope[t]), p, v_splat(upper->at[t])),
+                limit_both(&maybe, &certain, v_fma(v_splat(upper->slope[t]), p, v_splat(upper->at[t])),
                            v_fma(v_splat(lower->slope[t]), p, v_splat(lower->at[t])), v_splat(upper->error[t]),
                            v_splat(lower->error[t]), is_error_common);
         }
@@ -271,18 +271,18 @@ TRIBOX_INLINE void limit_rows(const tribox_limits *limits, unsigned t, double ro
             const tribox_slab *const plane = &limits->plane;
             const vnum along = v_fma(v_splat(plane->j_slope[t]), j, v_mul(v_splat(plane->k_slope[t]), k));
             const vnum error = v_splat(plane->error[t]);
-            limit_both(&maybe, &sure, v_add(along, v_splat(plane->upper[t])), v_add(along, v_splat(plane->lower[t])), error, error,
-                       is_error_common);
+            limit_both(&maybe, &certain, v_add(along, v_splat(plane->upper[t])), v_add(along, v_splat(plane->lower[t])), error,
+                       error, is_error_common);
         }
         if (is_error_common) {
             const vnum error = v_splat(limits->error[t]);
-            sure.upper = v_sub(maybe.upper, error);
-            sure.lower = v_add(maybe.lower, error);
+            certain.upper = v_sub(maybe.upper, error);
+            certain.lower = v_add(maybe.lower, error);
             maybe.upper = v_add(maybe.upper, error);
             maybe.lower = v_sub(maybe.lower, error);
         }
         write_ends(&out->first_maybe[at], &out->end_maybe[at], &maybe, cells);
-        write_ends(&out->first_sure[at], &out->end_sure[at], &sure, cells);
+        write_ends(&out->first_certain[at], &out->end_certain[at], &certain, cells);
     }
 }
 

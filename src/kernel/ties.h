@@ -10,26 +10,26 @@
 TRIBOX_INLINE vmask is_positive(vnum a) { return v_gt(a, v_splat(0)); }
 
 /* The certificate needs every extent to be zero or not too small (PROOFS.md 5.1). */
-TRIBOX_INLINE vmask is_certificate_sound(const lane_shape *s, const lane_box_margin *box)
+TRIBOX_INLINE vmask are_extents_certifiable(const lane_shape *s, const lane_box_margin *box)
 {
-    vmask sound = m_all();
+    vmask certifiable = m_all();
     for (int a = 0; a < 3; a++) {
         const vnum sum = extent_sum(s, a);
-        sound = m_andnot(sound, m_andnot(is_positive(sum), v_gt(sum, box->least)));
+        certifiable = m_andnot(certifiable, m_andnot(is_positive(sum), v_gt(sum, box->least)));
     }
-    return sound;
+    return certifiable;
 }
 
 /* Every edge axis is beyond its margin, or redundant. */
 TRIBOX_INLINE vmask are_edges_certain(const lane_shape *s, const lane_margin *margin)
 {
-    vmask sure = m_all();
+    vmask certain = m_all();
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const vnum shorter = v_min(v_abs(s->f[j][(i + 1) % 3]), v_abs(s->f[j][(i + 2) % 3]));
-            sure = m_andnot(sure, m_andnot(is_positive(shorter), v_gt(edge_slack(s, i, j), margin->edges)));
+            certain = m_andnot(certain, m_andnot(is_positive(shorter), v_gt(edge_slack(s, i, j), margin->edges)));
         }
-    return sure;
+    return certain;
 }
 
 /* The plane is beyond its margin, or redundant. */

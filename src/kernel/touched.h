@@ -2,7 +2,7 @@
  * touched.h - which cells of a grid the bounding boxes of triangles touch, in double.
  * After: axes.h. Needs: v_write_int.
  *
- * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it; then it is unsure
+ * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it; then it is uncertain
  * (PROOFS.md 7.2, 7.3).
  */
 
@@ -23,7 +23,7 @@ TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
 /* What is known of a packet. */
 typedef struct packet_touched {
     vnum base[3];
-    uint64_t touching, unsure, spans[3];
+    uint64_t touching, uncertain, spans[3];
 } packet_touched;
 
 /* Axis a of the triangles from `at`; those that touch cells from .. end - 1 stay. */
@@ -40,7 +40,7 @@ TRIBOX_INLINE void touch_on_axis(packet_touched *packet, const float *const stre
     packet->base[a] = v_max(first, v_splat(0));
     v_write(&touched->base[a][lane], packet->base[a]);
     v_write(&touched->cells[a][lane], v_sub(v_min(v_add(last, v_splat(1)), size), packet->base[a]));
-    packet->unsure |= m_bits(m_or(v_gt(first_not_below, first), v_gt(last, last_not_above)));
+    packet->uncertain |= m_bits(m_or(v_gt(first_not_below, first), v_gt(last, last_not_above)));
     packet->spans[a] = m_bits(v_gt(last, first));
     packet->touching &= m_bits(m_andnot(v_gt(v_splat(end), first), v_gt(v_splat(from), last)));
 }
@@ -66,7 +66,7 @@ TRIBOX_INLINE uint64_t finite_at(const tribox_soup *soup, size_t at)
 static uint64_t touched_cells(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_touched *touched)
 {
     uint64_t touching = 0;
-    touched->spans[0] = touched->spans[1] = touched->spans[2] = touched->unsure = 0;
+    touched->spans[0] = touched->spans[1] = touched->spans[2] = touched->uncertain = 0;
     for (int lane = 0; lane < 64; lane += V_LANES) {
         const size_t at = 64 * word + (size_t)lane;
         packet_touched packet = {.touching = LANES_ALL};
@@ -82,7 +82,7 @@ static uint64_t touched_cells(const tribox_soup *soup, size_t word, const tribox
             continue;
         write_words(&packet, lattice, touched, lane);
         touching |= packet.touching << lane;
-        touched->unsure |= (packet.unsure & packet.touching) << lane;
+        touched->uncertain |= (packet.uncertain & packet.touching) << lane;
         for (int a = 0; a < 3; a++)
             touched->spans[a] |= (packet.spans[a] & packet.touching) << lane;
     }
