@@ -1,4 +1,4 @@
-/* box.h - what every call asks of a box before it uses it. */
+/* box.h - what every call checks of a box before it uses it. */
 #ifndef TRIBOX_BOX_H
 #define TRIBOX_BOX_H
 

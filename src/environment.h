@@ -1,4 +1,7 @@
-/* environment.h - round to nearest, keep subnormal numbers, raise no trap; once a public call. Flush-to-zero breaks every answer. */
+/*
+ * environment.h - round to nearest, keep subnormal numbers, raise no trap: entered once per public call. Without it flush-to-zero
+ * breaks answers.
+ */
 #ifndef TRIBOX_ENVIRONMENT_H
 #define TRIBOX_ENVIRONMENT_H
 

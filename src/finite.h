@@ -1,4 +1,4 @@
-/* finite.h - neither NaN nor infinite, told from the bits: a comparison would raise flags, or trap, in the caller's environment. */
+/* finite.h - neither NaN nor infinite, from the bits: a comparison could raise flags, or trap, in the caller's environment. */
 #ifndef TRIBOX_FINITE_H
 #define TRIBOX_FINITE_H
 

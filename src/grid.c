@@ -10,7 +10,7 @@
 
 size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
 
-/* Saturates: a grid of so many words cannot be addressed, nor is it sound. */
+/* SIZE_MAX where the product overflows: such a grid cannot be addressed, and is not sound. */
 size_t tribox_grid_words(const tribox_grid *grid)
 {
     size_t words = tribox_grid_row_words(grid);
@@ -49,8 +49,8 @@ static float spacing_at(float magnitude)
 static float magnitude(float x) { return x < 0 ? -x : x; }
 
 /*
- * No two planes are one float. Planes lie within half a spacing of floats of their exact places, so cells of two spacings are safe;
- * of finer grids every plane is looked at, of which there are some ten million before two must coincide.
+ * No two planes are the same float. Planes lie within half a spacing of floats of their exact places, so cells of two spacings are
+ * safe. Of finer grids every plane is compared with the last: some ten million at most, since then two must coincide.
  */
 static bool has_rising_planes(const tribox_grid *grid, int a)
 {
@@ -79,7 +79,7 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
 }
 
 /*
- * The cell, -1 to size, in which a number lies, up to the rounding of planes: a start for the search. Never below the first cell
+ * The cell, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below the first cell
  * that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid, is a double.
  */
 static int64_t cell_near(const tribox_grid *grid, int a, float x)

@@ -1,7 +1,7 @@
 /*
- * inexact_flag.h - did any operation round since the watch began? The processor's sticky inexact flag knows; where it is out of reach
- * the answer is no, and costs only time. The arithmetic to be watched stands between the two calls: it starts from memory, and what
- * it comes to is the argument of the second, so that the compiler cannot move it out.
+ * inexact_flag.h - did any operation round since the watch began? The processor's sticky inexact flag knows; where it is out of
+ * reach the answer is no, and costs only time. The arithmetic to be watched stands between the two calls: it starts from memory,
+ * and what it comes to is the argument of the second, so that the compiler cannot move it out.
  */
 #ifndef TRIBOX_INEXACT_FLAG_H
 #define TRIBOX_INEXACT_FLAG_H

@@ -1,8 +1,8 @@
 /*
  * kernel.h - what a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
  *
- * A walk answers words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy asked,
- * and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
+ * A walk answers words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy of
+ * the call, and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
  */
 #ifndef TRIBOX_KERNEL_H
 #define TRIBOX_KERNEL_H
@@ -21,7 +21,7 @@
 #error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
-/* Unoptimised and sanitized builds do not force it: with every word inlined and little folded a kernel takes gcc minutes. */
+/* Not forced in unoptimised and sanitized builds: with every word inlined and little folded, gcc takes minutes for a kernel. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 #define TRIBOX_INLINE static inline __attribute__((always_inline))
 #else
@@ -32,7 +32,7 @@
 #define TRIBOX_PASTE(part, kernel) TRIBOX_PASTE_(part, kernel)
 #define TRIBOX_SYMBOL(part) TRIBOX_PASTE(part, KERNEL)
 
-/* The bits of a packet, all set: of V_LANES, which a vocabulary defines. */
+/* A bit for each lane of a packet; a vocabulary defines V_LANES. */
 #define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
 
 /*
@@ -64,11 +64,11 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
 
-/* So many triangles of the soup from 64 * word, a multiple of TRIBOX_LANES_MAX and all of them present, against one box. */
-typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t triangles, uint64_t *hit,
+/* `count` triangles of the soup, from triangle 64 * word on, against one box: all present, and a multiple of TRIBOX_LANES_MAX. */
+typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t count, uint64_t *hit,
                               uint64_t *open);
 
-/* One triangle against so many boxes, likewise. */
+/* One triangle against `count` boxes, likewise. */
 typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t count, uint64_t *hit,
                                uint64_t *open);
 
@@ -77,7 +77,7 @@ enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /*
  * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
- * (x_j is the x of vertex j), then lo and hi. All are finite, and none is apart on a box normal if these are asked.
+ * (x_j is the x of vertex j), then lo and hi. All are finite, and no pair is apart on a box normal if the axes have BOX.
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {
@@ -86,17 +86,20 @@ typedef struct tribox_batch {
 
 /*
  * The first `count` pairs of a batch, in double: the bits of those that overlap, and in *open of those that double cannot decide.
- * is_exact: ties may be decided by what happens to be exact, since something exact will decide them all.
+ * is_exact: ties may be decided where arithmetic happens to be exact, since integers decide the others as exactly.
  */
 typedef uint64_t tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
 
-/* Of those triangles of a word that are candidates: the ones wholly in the box. */
+/* The candidates among the triangles of a word that lie wholly in the box. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
 
-/* The greatest vertex number of triangles first .. first + count - 1 of a mesh, 0 of none. The mesh states its stride here and below. */
+/*
+ * The greatest vertex number of triangles first .. first + count - 1 of a mesh, 0 if there are none. The stride is set, here and
+ * below.
+ */
 typedef size_t tribox_greatest_vertex(const tribox_mesh *mesh, size_t first, size_t count);
 
-/* These triangles, with all their vertices there, as nine streams x_0 x_1 x_2 y_0 .. z_2. */
+/* These triangles, none of whose vertices is missing, as nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2. */
 typedef void tribox_gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9]);
 
 /* A box beside positions x y z x y z ...: the bounds of axis k % 3 at place k. */
@@ -104,19 +107,19 @@ typedef struct tribox_box_pattern {
     float lo[3 * TRIBOX_LANES_MAX], hi[3 * TRIBOX_LANES_MAX];
 } tribox_box_pattern;
 
-/* Whether the box normals separate all of these triangles, and it is cheap to tell so. */
+/* Whether the box normals separate all of these triangles; false too where finding out would cost as much as testing them. */
 typedef bool tribox_is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, size_t first, size_t count);
 
 /* Words of triangles in the frame of an oriented box. */
 enum { TRIBOX_MOVED_WORDS = 8 };
 typedef struct tribox_moved {
-    float number[9][64 * TRIBOX_MOVED_WORDS]; /* the streams x_0 x_1 x_2 y_0 .. z_2 */
+    float number[9][64 * TRIBOX_MOVED_WORDS]; /* the streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
     uint64_t apart[TRIBOX_MOVED_WORDS];       /* certainly beside the box on one of its axes */
     uint64_t wild[TRIBOX_MOVED_WORDS];        /* too far away for float, or not finite: the streams mean nothing */
-    float error[3];                           /* how far off the others can be, on each axis */
+    float error[3];                           /* how far off the others can be on each axis */
 } tribox_moved;
 
-/* `words` whole words of a soup, from triangle `first` on. */
+/* `words` whole words of a soup, from triangle `first` on, into the frame of the box. */
 typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words,
                              tribox_moved *moved);
 

@@ -1,6 +1,6 @@
 /*
  * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on
- * an axis is told in cells, in double. An axis has at most some 2^26 cells, as no two planes are one float.
+ * an axis is in cells too, in double. An axis has about 2^26 cells at most, as no two planes are the same float.
  */
 #ifndef TRIBOX_KERNEL_GRID_H
 #define TRIBOX_KERNEL_GRID_H
@@ -11,28 +11,28 @@
 typedef struct tribox_lattice {
     double origin[3], per_cell[3]; /* the place of x is (x - origin) * per_cell */
     double size[3];                /* cells */
-    double error[3];               /* cells: plane p, and the places of numbers near the grid, are so far out at most, together */
-    double first_layer, end_layer; /* triangles outside these layers need no answer */
+    double error[3]; /* cells: the most by which plane p and the place of a number near the grid can be off, together */
+    double first_layer, end_layer; /* triangles outside these layers are left out */
     double row_words;
 } tribox_lattice;
 
 /* Which cells the bounding boxes of 64 triangles touch. */
 typedef struct tribox_touched {
     double base[3][64], cells[3][64]; /* within the grid, on each axis: the first, and how many */
-    int32_t word[64], bit[64];        /* where the first cell's bit is, in words from the first of the layers asked */
-    uint64_t spans[3];                /* triangles with more than one cell on the axis, be they outside */
-    uint64_t uncertain;               /* triangles of which rounding leaves all this open: only planes themselves can tell */
+    int32_t word[64], bit[64];        /* where the first cell's bit is, in words from the first layer's start */
+    uint64_t spans[3];                /* triangles with more than one cell on the axis, even if some lie outside the grid */
+    uint64_t uncertain;               /* triangles for which rounding leaves all this open: only the planes can decide */
 } tribox_touched;
 
-/* The finite triangles of a word of the soup that touch the layers asked: all, and of the uncertain ones also others. */
+/* A superset of the finite triangles of a word of the soup that touch the layers; exact but for the uncertain ones. */
 typedef uint64_t tribox_touched_walk(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_touched *touched);
 
-/* Triangles whose cells are told row by row, some at a time. */
+/* Triangles are limited row by row, this many at a time. */
 enum { TRIBOX_STRIP = 32 };
 
 /*
- * Which projections of a triangle matter: all and its plane; or, where its box lies in one layer of cells across an axis, the one
- * along that axis alone, as there it overlaps a cell exactly if its shadow does (PROOFS.md 7.4).
+ * Which axes matter: all three projections and the plane; or, where the bounding box lies in one layer of cells across an axis, the
+ * projection along that axis alone, as there it overlaps a cell exactly if its shadow does (PROOFS.md 7.4).
  */
 typedef enum tribox_shape { TRIBOX_SOLID, TRIBOX_FLAT_X, TRIBOX_FLAT_Y, TRIBOX_FLAT_Z, TRIBOX_SHAPES } tribox_shape;
 
@@ -64,7 +64,7 @@ typedef struct tribox_strip {
     int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, as in tribox_touched */
 } tribox_strip;
 
-/* Their limits, as far as the shape has them. */
+/* Their limits: those that the shape needs. */
 typedef struct tribox_limits {
     tribox_side side[3];                   /* of the projection along x */
     tribox_limit upper[2][2], lower[2][2]; /* [0] of the projection along y, linear in k; [1] along z, linear in j */

@@ -5,10 +5,10 @@
 #include "pairs.h"
 #include "soup.h"
 
-/* The streams of so many triangles fit the first cache. */
+/* Triangles whose streams fit the first-level cache. */
 enum { BLOCK = 256 };
 
-/* Whether count things of so many bytes fit the address space. */
+/* Whether `count` items of `bytes` bytes each fit the address space. */
 static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
 
 static bool is_readable(const tribox_mesh *mesh)
@@ -20,12 +20,12 @@ static bool is_readable(const tribox_mesh *mesh)
     return fits(mesh->count, 3 * sizeof(float)) && (mesh->positions || !mesh->count);
 }
 
-/* The same, with its stride stated. */
+/* The same mesh, its stride set. */
 static tribox_mesh with_stride(const tribox_mesh *mesh)
 {
-    tribox_mesh stated = *mesh;
-    stated.stride = mesh->stride ? mesh->stride : 12;
-    return stated;
+    tribox_mesh strided = *mesh;
+    strided.stride = mesh->stride ? mesh->stride : 12;
+    return strided;
 }
 
 static bool is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
@@ -45,10 +45,10 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
     const tribox_kernel *const kernel = tribox_kernel_find(options ? options->kernel : NULL);
     if (!kernel)
         return TRIBOX_NO_KERNEL;
-    const tribox_mesh stated = with_stride(mesh);
-    if (!is_in_range(&stated, kernel, first, count))
+    const tribox_mesh strided = with_stride(mesh);
+    if (!is_in_range(&strided, kernel, first, count))
         return TRIBOX_BAD_INDEX;
-    kernel->gather(&stated, first, count, to);
+    kernel->gather(&strided, first, count, to);
     return TRIBOX_OK;
 }
 
@@ -88,7 +88,7 @@ static tribox_report answer_mesh(const tribox_mesh *mesh, const tribox_box *box,
                 mask[first / 64] = 0;
             continue;
         }
-        /* Near in the mesh is near in space: the next words, up to a block, are not asked. */
+        /* Near in the mesh is near in space: the next words, up to a block, are likely not beside the box either. */
         count = left < BLOCK ? left : BLOCK;
         const tribox_report report = answer_mesh_block(mesh, first, count, box, plan, mask ? mask + first / 64 : NULL);
         counts.overlapping += report.overlapping;
@@ -108,8 +108,8 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)
         return status;
-    const tribox_mesh stated = with_stride(mesh);
-    if (!is_in_range(&stated, plan.kernel, 0, mesh->count))
+    const tribox_mesh strided = with_stride(mesh);
+    if (!is_in_range(&strided, plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_INDEX;
 
     tribox_report counts = {0, 0};
@@ -117,7 +117,7 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     if (tribox_box_is_empty(box))
         tribox_pairs_write_none(mesh->count, mask);
     else
-        counts = answer_mesh(&stated, box, &plan, mask);
+        counts = answer_mesh(&strided, box, &plan, mask);
     tribox_environment_leave(callers);
     tribox_plan_report(&plan, counts, report);
     return TRIBOX_OK;

@@ -3,8 +3,8 @@
  *
  * The move rounds: each coordinate in the frame is off by at most `error`, known for each axis and block (kernel/frame.h). So the
  * rounded triangle misses the box enlarged by the error only if the triangle misses the box, and overlaps the box diminished by the
- * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do. What
- * lies between is settled in integers from the numbers of the input.
+ * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do.
+ * What lies between is settled in integers from the numbers of the input.
  */
 #include <float.h>
 #include <string.h>
@@ -40,8 +40,8 @@ static bool is_box_finite(const tribox_oriented_box *box)
 static bool is_empty(const tribox_oriented_box *box) { return box->half[0] < 0 || box->half[1] < 0 || box->half[2] < 0; }
 
 /*
- * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and more than by the rounding of that. No coordinate
- * that is not wild is beyond the greatest float.
+ * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Only
+ * wild triangles have coordinates beyond the greatest float.
  */
 static tribox_box box_in_frame(const question *q, const tribox_moved *moved, int sign)
 {
@@ -73,7 +73,7 @@ static bool overlaps_in_integers(question *q, const tribox_soup *soup, size_t i)
     return tribox_oriented_overlap(&pair, q->plan->axes);
 }
 
-/* Words of the frame: the lanes that certainly overlap at the accuracy asked, and in *open those for the integers. */
+/* Words of the frame: the lanes that certainly overlap, and in *open those for the integers. */
 static void answer_exactly(const question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words, uint64_t *hit,
                            uint64_t *open)
 {

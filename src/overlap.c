@@ -8,7 +8,7 @@
 #include "pairs.h"
 #include "soup.h"
 
-/* What a soup and a box are checked for, in this order. */
+/* The checks of a soup and a box, in this order. */
 static tribox_status check_soup_and_box(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
                                         tribox_plan *plan)
 {
@@ -64,7 +64,9 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
     return TRIBOX_OK;
 }
 
-/* The first pair whose bit differs from that of `usual`, or their count. The first blocks are small: they may tell it all. */
+/*
+ * The first pair whose bit differs from that of `usual`, or the count of pairs. The first blocks are small, as they often have it.
+ */
 static size_t first_unlike(const tribox_pairs *p, const tribox_plan *plan, uint64_t usual)
 {
     const size_t words = tribox_mask_words(p->count);
@@ -116,7 +118,7 @@ static uint64_t inside_of_word(const tribox_pairs *p, const tribox_plan *plan, s
     return plan->kernel->inside(&tail, p->box, 0, candidates & ~(~UINT64_C(0) << p->count % 64));
 }
 
-/* FAST may miss a triangle that is inside: there all are asked, and it overlaps after all. */
+/* FAST may miss a triangle that is inside. So at FAST every triangle is tested for that, and what is inside overlaps. */
 static tribox_report classify(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
     const bool is_fast = plan->accuracy == TRIBOX_FAST;

@@ -7,7 +7,7 @@
 #include "settle.h"
 #include "soup.h"
 
-/* So many pairs from 64 * word, a multiple of TRIBOX_LANES_MAX. */
+/* Walks `count` pairs from pair 64 * word on; count is a multiple of TRIBOX_LANES_MAX. */
 static void walk_pairs(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t count, uint64_t *hit, uint64_t *open)
 {
     if (p->soup)
@@ -82,8 +82,8 @@ static uint64_t finite_pairs(const gathering *g)
 }
 
 /*
- * Settles what is gathered, and adds those that overlap to the hits of the block. Returns how many there were with finite numbers.
- * What the others come to is ignored.
+ * Settles what is gathered, and adds the pairs that overlap to the hits of the block. Returns how many have finite numbers; the
+ * others overlap nothing.
  */
 static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
 {

@@ -20,7 +20,7 @@ enum { TRIBOX_BLOCK_WORDS = 64 };
 void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit,
                              uint64_t *open);
 
-/* Settles the open lanes of such words and adds those that overlap to the hits. Returns how many there were with finite numbers. */
+/* Settles the open lanes of such words and adds those that overlap to the hits. Returns how many of them have finite numbers. */
 size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
                                  uint64_t *hit);
 

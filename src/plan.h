@@ -1,4 +1,4 @@
-/* plan.h - what the options of a call come to. */
+/* plan.h - what a call runs, from its options. */
 #ifndef TRIBOX_PLAN_H
 #define TRIBOX_PLAN_H
 
@@ -8,7 +8,7 @@ typedef struct tribox_plan {
     const tribox_kernel *kernel;
     tribox_accuracy accuracy;
     unsigned axes;     /* never 0 */
-    unsigned sequence; /* the order of the options without the groups that are not asked: an index TRIBOX_SEQUENCE_* (kernel.h) */
+    unsigned sequence; /* the order of the groups, without those that axes leaves out: an index TRIBOX_SEQUENCE_* (kernel.h) */
 } tribox_plan;
 
 /* TRIBOX_OK, TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL; options may be NULL. */

@@ -6,7 +6,7 @@
 
 #include "tribox.h"
 
-/* Whether streams of so many floats fit the address space. */
+/* Whether `count` floats fit the address space. */
 static inline bool tribox_is_addressable(size_t count) { return count <= PTRDIFF_MAX / sizeof(float); }
 
 /* Whether the soup can be read: no NULL where triangles are, and a count that fits. */
@@ -30,7 +30,7 @@ static inline tribox_soup tribox_soup_of(const float *streams, size_t length, si
     return soup;
 }
 
-/* The last count % 64 triangles in a word of their own: the numbers after them stay what scratch holds, which should be zeros. */
+/* The last count % 64 triangles in a word of their own. The numbers after them are what scratch holds: the caller fills it. */
 tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64]);
 
 #endif

@@ -1,4 +1,4 @@
-/* voxel_rows.c - the rows of one triangle: the kernel limits them, certain cells are set, open ones are tested by their own boxes. */
+/* voxel_rows.c - the rows of one triangle: the kernel limits them; certain cells are set, open ones tested by their boxes. */
 #include "voxel_rows.h"
 
 #include <string.h>
@@ -101,7 +101,9 @@ static void add_open_rows(tribox_voxels *v, const tribox_strip *strip, unsigned 
 /* The bits below bit n, which is at most 63. */
 static uint64_t bits_below(int n) { return (UINT64_C(1) << n) - 1; }
 
-/* Sets the certain cells of rows that lie in one word each, without a branch on what they hold. Returns whether any cell is open. */
+/*
+ * Sets the certain cells of rows that lie in one word each, without a branch on what they hold. Returns whether any cell is open.
+ */
 static bool set_narrow_rows(tribox_voxels *v, const row_range *r, row_place at, unsigned rows, const tribox_row_cells *cells)
 {
     uint64_t open = 0;

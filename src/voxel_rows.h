@@ -41,7 +41,9 @@ static inline size_t tribox_set_cells(uint64_t *row, int64_t first, int64_t last
 void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigned t, tribox_shape shape,
                             const tribox_limits *limits);
 
-/* Cells first to last of row (j, k) join the batch with triangle u, in the order x_0 x_1 x_2 y_0 .. z_2, except those already set. */
+/*
+ * Cells first to last of row (j, k) join the batch with triangle u, in the order x_0 x_1 x_2 y_0 .. z_2, except those already set.
+ */
 void tribox_voxels_add_open(tribox_voxels *v, const float u[9], int64_t first, int64_t last, int64_t j, int64_t k);
 
 /* Settles the batch and empties it: once more after the last triangle. */

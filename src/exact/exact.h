@@ -26,7 +26,10 @@ typedef struct tribox_integer {
 
 tribox_integer tribox_integer_of(float number);
 
-/* The least and the greatest power of two among numbers: all are multiples of 2^least and below 2^greatest. least > greatest: all zero. */
+/*
+ * The least and the greatest power of two among numbers: all are multiples of 2^least and below 2^greatest. least > greatest: all
+ * zero.
+ */
 typedef struct tribox_span {
     int least, greatest;
 } tribox_span;

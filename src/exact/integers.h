@@ -1,4 +1,7 @@
-/* integers.h - the plane and edge axes in integers: the sign of every slack, for certain. Included after axes.h. */
+/*
+ * integers.h - the plane and edge axes in integers: the sign of every slack, for certain.
+ * After: kernel/axes.h.
+ */
 
 static bool is_negative(vnum slack) { return v_gt(v_splat(0), slack); }
 

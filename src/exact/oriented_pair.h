@@ -1,4 +1,7 @@
-/* oriented_pair.h - a triangle and an oriented box in integers: moved into the frame of the box, then tested. Included after integers.h. */
+/*
+ * oriented_pair.h - a triangle and an oriented box in integers: moved into the frame of the box, then tested.
+ * After: integers.h.
+ */
 
 bool ORIENTED_IN_INTEGERS(const tribox_oriented_integers *in, unsigned axes)
 {

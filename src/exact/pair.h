@@ -1,4 +1,7 @@
-/* pair.h - a triangle and a box in integers, apart on no box normal. Included after integers.h. */
+/*
+ * pair.h - a triangle and a box in integers, apart on no box normal.
+ * After: integers.h.
+ */
 
 bool EXACT_IN_INTEGERS(const tribox_integers *in, unsigned axes)
 {

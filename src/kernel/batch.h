@@ -3,15 +3,15 @@
  * After: packet.h and every other text of float.h: it ends with the table of what the kernel does. Needs: KERNEL.
  *
  * A walk is one text whose accuracy and sequence of groups (kernel.h) are constants: every instance below keeps only its own
- * tests. Where the box normals come first, x is loaded and asked, then y, then z, each only if a lane is left: far from the box a
- * soup costs the traffic of one axis. Between the other groups a packet is left as soon as it has no lane.
+ * tests. Where the box normals come first, x is loaded and tested, then y, then z, each only if a lane is left: far from the box a
+ * soup costs the traffic of one axis. Between the other groups a packet ends as soon as no lane is left.
  */
 
-/* Word w of a walk, or its first `lanes` lanes: the hits, and in *open what is left open. */
+/* Word w of a walk, or its first `lanes` lanes: returns the hits, and in *open what is left open. */
 TRIBOX_INLINE uint64_t walk_word(lane_pairs *p, const lane_source *from, size_t word, int lanes, unsigned sequence,
                                  tribox_accuracy accuracy, bool looks_again, uint64_t *open)
 {
-    uint64_t word_hit = 0, word_open = 0; /* in registers: the compiler must not fear that they alias the streams */
+    uint64_t word_hit = 0, word_open = 0; /* kept in registers, so that stores cannot alias the streams */
     for (int lane = 0; lane < lanes; lane += V_LANES) {
         uint64_t packet_open;
         word_hit |= packet(p, from, 64 * word + (size_t)lane, sequence, accuracy, looks_again, &packet_open) << lane;
@@ -21,7 +21,7 @@ TRIBOX_INLINE uint64_t walk_word(lane_pairs *p, const lane_source *from, size_t 
     return word_hit;
 }
 
-/* Whether a word has three bits or more. */
+/* Whether a word has three or more bits set. */
 TRIBOX_INLINE bool has_several(uint64_t bits)
 {
     bits &= bits - 1;
@@ -29,8 +29,8 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
 }
 
 /*
- * Two loops, so that scenes without ties keep fewer numbers: from the first word on that leaves several lanes open, the rest of the
- * walk takes the second look of ties.h. What it decides a slower stage would decide alike.
+ * Two loops, so that scenes without ties keep fewer numbers: from the first word that leaves several lanes open, the rest of the
+ * walk takes the second look of ties.h. A slower stage would decide the same.
  */
 TRIBOX_INLINE void walk_words(const lane_source *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, unsigned sequence,
                               tribox_accuracy accuracy)

@@ -2,12 +2,12 @@
  * beside.h - does a word of a mesh lie beside the box, all its vertices beyond one face?
  * After: gather.h.
  *
- * Then bullet 1 separates every triangle, and none has to be gathered. Asked of all vertices from the least number to the greatest:
- * they lie side by side in memory, and in most meshes what is near in number is near in space. Stops at the first vertices that
- * tell otherwise.
+ * Then bullet 1 separates every triangle, and none has to be gathered. All vertices from the least number to the greatest are
+ * compared: they lie side by side in memory, and in most meshes what is near in number is near in space. Stops at the first packet
+ * after which no face is left.
  */
 
-/* Vertices more than this are not asked: gathering would cost less. */
+/* More vertices than this are not compared: gathering would cost less. */
 enum { BESIDE_MAX = 768 };
 
 /* Position k of 3 * V_LANES floats is axis k % 3 of a vertex. */
@@ -33,7 +33,7 @@ static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, si
     }
     uint64_t below = ~UINT64_C(0), above = ~UINT64_C(0);
     for (size_t done = 0; done < vertices; done += V_LANES) {
-        const size_t at = done + V_LANES <= vertices ? done : vertices - V_LANES; /* the last ones again, up to a packet */
+        const size_t at = done + V_LANES <= vertices ? done : vertices - V_LANES; /* the last packet overlaps the one before it */
         uint64_t is_below = 0, is_above = 0;
         for (int t = 0; t < 3; t++) {
             const vnum u = v_load(position + 3 * at + (size_t)(V_LANES * t));

@@ -2,12 +2,13 @@
  * doubles.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
  * After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
  *
- * The processor's inexact flag says for a whole packet at once that every slack is exact; then its sign decides ties as well. That
- * is for EXACT alone: CONSERVATIVE must answer a pair alike in whatever company it is (PROOFS.md 6.4). The flag only saves time.
- * Otherwise redundant axes are left out (PROOFS.md 2), and the rest are compared with the bounds of bounds.h (PROOFS.md 6.3).
+ * The processor's inexact flag shows for a whole packet at once that every slack is exact; then the signs decide ties as well. That
+ * is for EXACT alone: CONSERVATIVE must give a pair the same answer whatever pairs share its packet (PROOFS.md 6.4). The flag only
+ * saves time. Otherwise redundant axes are left out (PROOFS.md 2), and the rest are compared with the bounds of bounds.h (PROOFS.md
+ * 6.3).
  */
 
-/* Nine edge slacks and the plane's: the ones not asked are left positive. */
+/* Nine edge slacks and the plane's; infinite for groups that axes leaves out. */
 typedef struct lane_slacks {
     vnum edge[3][3]; /* edge[i][j]: axis a_ij */
     vnum plane;

@@ -3,7 +3,7 @@
  * After: axes.h. Needs: V_ETA.
  *
  * The bound. d = u - center is rounded once, then two or three products and two sums, fused or not: four roundings on the longest
- * way, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Used is 8 u S_k, from the largest
+ * path, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Used is 8 u S_k, from the largest
  * |d_a| of the three vertices, plus V_ETA (PROOFS.md 8.1).
  */
 
@@ -45,7 +45,7 @@ TRIBOX_INLINE void move_packet(const tribox_soup *soup, const lane_frame *frame,
     }
 }
 
-/* The lanes apart on the normal of axis k for certain: a rounded number exceeds a float only if the number itself does. */
+/* The lanes that are certainly apart on the normal of axis k: a rounded number exceeds a float only if the number itself does. */
 TRIBOX_INLINE vmask apart_in_frame(const lane_frame *frame, vnum q[3][3], const vnum error[3], int k)
 {
     const vnum least = lane_min3(q[0][k], q[1][k], q[2][k]), most = lane_max3(q[0][k], q[1][k], q[2][k]);

@@ -2,11 +2,11 @@
  * gather.h - triangles of a mesh into nine streams: V_LANES vertices at a time, read four floats wide and transposed in registers.
  * After: nine.h. Needs: v_transpose4.
  *
- * The last vertex cannot be read wide, as nothing has to follow its z: words of triangles that refer to it, and what is left of a
+ * The last vertex is not read wide: its z may be the last float in memory. Words of triangles that refer to it, and an incomplete
  * packet at the end, go number by number.
  */
 
-/* What the indices are, and the stride if it is the least: constants of an instance. */
+/* The width of the indices, and whether the stride is the least: constants of an instance. */
 typedef struct mesh_kind {
     unsigned index_bytes; /* 0 for none */
     bool is_packed;       /* 12 bytes from a vertex to the next */
@@ -25,7 +25,7 @@ typedef struct vertex_span {
 /* Of the vertex numbers of triangles first .. first + count - 1; of none, 0 is the greatest. */
 TRIBOX_INLINE vertex_span span_of_vertices(const tribox_mesh *mesh, mesh_kind kind, size_t first, size_t count)
 {
-    uint32_t least = UINT32_MAX, greatest = 0; /* no wider than an index: as many lanes as there can be */
+    uint32_t least = UINT32_MAX, greatest = 0; /* no wider than an index, for the most lanes */
     if (!kind.index_bytes)
         return (vertex_span){3 * first, count ? 3 * (first + count) - 1 : 0};
     for (size_t corner = 3 * first; corner < 3 * (first + count); corner++) {

@@ -3,7 +3,10 @@
  * After: axes.h, packet.h.
  */
 
-/* The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A difference to itself is zero, or NaN and no order. */
+/*
+ * The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A difference to itself is zero, or NaN and no
+ * order.
+ */
 TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
 {
     const float *const *const stream = tribox_soup_axis(soup, a);

@@ -20,7 +20,7 @@ typedef struct lane_box_margin {
     vnum most;  /* of sigma */
     vnum least; /* of every |f_0a| + |f_1a| but zero, for a certificate of overlap: negative where extents do not matter */
     vnum edges; /* of the coefficient of sigma */
-    vnum eta;   /* of the plane, with what tau comes to */
+    vnum eta;   /* of the plane, tau included */
 } lane_box_margin;
 
 /*

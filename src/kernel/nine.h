@@ -3,9 +3,9 @@
  * After: a vocabulary. Needs: v_permute.
  *
  * V_LANES and nine have no common factor, so at each place the nine registers hold nine different numbers of a triangle. Numbers
- * run on within a register: number k at place p is in the one that begins with number k - p, modulo nine. Ordered by what they
- * begin with, the registers move up by p at place p, which takes a blend for each bit of p. Each then holds one number of all the
- * triangles, that of triangle i at place 9 i + k modulo V_LANES; the last blend and this order are one permutation of two
+ * follow each other within a register: number k at place p is in the one that begins with number k - p, modulo nine. Ordered by
+ * what they begin with, the registers move up by p at place p, which takes a blend for each bit of p. Each then holds one number of
+ * all the triangles, that of triangle i at place 9 i + k modulo V_LANES; the last blend and this order are one permutation of two
  * registers.
  */
 

@@ -3,7 +3,7 @@
  * After: axes.h, margin.h, ties.h.
  *
  * FAST takes the sign of a slack for its truth. CONSERVATIVE and EXACT compare it with its error bound (bounds.h), and leave a lane
- * that has a slack within it to the settling stage.
+ * that has a slack within it to the next stage (doubles.h).
  */
 
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
@@ -47,7 +47,7 @@ typedef struct lane_source {
     const tribox_boxes *boxes;
 } lane_source;
 
-/* A packet of pairs. What a walk has one of is set once. */
+/* A packet of pairs. The one box, or the one triangle, of a walk is set once. */
 typedef struct lane_pairs {
     lane_triangle t;
     lane_box box;
@@ -64,7 +64,7 @@ TRIBOX_INLINE void start_pairs(lane_pairs *p, const lane_source *from)
     }
 }
 
-/* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on the box normal. */
+/* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on its normal. */
 TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const lane_source *from, size_t at, int a, bool is_normal_asked, uint64_t left,
                                  lane_shape *s)
 {
@@ -93,8 +93,8 @@ TRIBOX_INLINE vnum all_edges_slack(const lane_shape *s, bool is_box_asked)
 }
 
 /*
- * Bullet 3 for one lane, which leaves after the first axis that separates, as in the paper; packets, in which some lane nearly
- * always goes on, ask all nine at once. *certain loses the lane if a slack is within the error.
+ * Bullet 3 for one lane, which stops at the first axis that separates, as in the paper. In a packet some lane nearly always goes
+ * on, so it tests all nine at once. *certain loses the lane if a slack is within its bound.
  */
 TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked, uint64_t left, vnum error, vmask *certain)
 {
@@ -109,8 +109,8 @@ TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked,
 }
 
 /*
- * Lanes without NaN and infinity, which min and max lose: the reach of the box along n is finite only where all coordinates are.
- * Where the plane is not asked, the sum of the coordinates tells the same for less.
+ * Lanes without NaN and infinity, which min and max can drop: the reach of the box along n is finite only where all coordinates
+ * are. Without the plane, the sum of the coordinates does the same for less.
  */
 TRIBOX_INLINE uint64_t finite_lanes(const lane_triangle *t, unsigned sequence, vnum reach)
 {
@@ -123,7 +123,7 @@ TRIBOX_INLINE uint64_t finite_lanes(const lane_triangle *t, unsigned sequence, v
     return m_bits(v_gt(v_splat(INFINITY), v_abs(reach)));
 }
 
-/* FAST: the lanes of `left` that the signs of one group's slacks do not separate; the plane leaves its reach. */
+/* FAST: the lanes of `left` that the signs of one group's slacks do not separate; *reach is set by the plane. */
 TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is_box_asked, uint64_t left, vnum *reach)
 {
     if (group == 1)
@@ -143,7 +143,7 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is
 
 /*
  * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *certain keeps the lanes beyond it on the good side. The
- * first slack comes before the margin, so that fewer numbers are alive at a time.
+ * first slack is computed before the margin, so that fewer numbers are live at a time.
  */
 TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool is_box_asked, bool is_first,
                                       const lane_box_margin *box, uint64_t left, lane_margin *margin, vmask *certain)
@@ -168,7 +168,7 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool 
 }
 
 /*
- * The lanes of the packet at pair `at` that overlap at the accuracy asked; in *open those that are left to a slower stage.
+ * The lanes of the packet at pair `at` that overlap at this accuracy; in *open those that are left to a slower stage.
  * looks_again: with the second look of ties.h, for which more numbers have to be kept.
  */
 TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at, unsigned sequence, tribox_accuracy accuracy,
@@ -176,7 +176,7 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
 {
     const unsigned second = group_at(sequence, 1), third = group_at(sequence, 2);
     const bool is_box_asked = sequence_has(sequence, 1), is_box_first = group_at(sequence, 0) == 1;
-    const unsigned first = is_box_first ? 0 : group_at(sequence, 0); /* the box normals are asked while loading */
+    const unsigned first = is_box_first ? 0 : group_at(sequence, 0); /* the box normals are tested while loading */
     lane_shape s;
     *open = 0;
     uint64_t left = load_axis(p, from, at, 0, is_box_first, LANES_ALL, &s);

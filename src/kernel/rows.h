@@ -1,12 +1,12 @@
 /*
- * rows.h - one triangle against rows of grid cells, in double: every axis leaves an interval of a row, and so do all.
+ * rows.h - one triangle against rows of grid cells, in double: each axis leaves an interval of the row.
  * After: axes.h, touched.h. Needs: KERNEL, v_div, v_read, v_write_int.
  *
  * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these,
  * and s_i is the sign of n_i. The axis a_ij says that a cell overlaps only if, with m_a = s_i f_jb, m_b = -s_i f_ja and X the
  * corner of the cell that is least along m,
  *   m_a (g_ja - X_a) + m_b (g_jb - X_b) >= 0
- * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that and one: the left side is linear in the cell.
+ * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that plus one: the left side is linear in the cell.
  * Along x it is a limit on i; in the projection along x it is a side, which takes or leaves whole rows. The plane limits i from
  * both ends:
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
@@ -109,8 +109,8 @@ TRIBOX_INLINE void write_limit(tribox_limit *limit, unsigned at, const row_limit
 }
 
 /*
- * The three edges of the projection along i, 1 or 2: at most two of their limits are upper and at most two lower, as the m_x sum up
- * to zero. One limit may fill both places. Returns the largest error.
+ * The three edges of the projection along i, 1 or 2: at most two of their limits are upper and at most two lower, as the m_x sum to
+ * zero. One limit may fill both places. Returns the largest error.
  */
 TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_triangle *t, int i, vnum bound_scale)
 {
@@ -204,7 +204,7 @@ TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *latt
     }
 }
 
-/* The limits of rows in lanes: of what may overlap, and of what certainly does. */
+/* The limits of rows in lanes: of the cells that may overlap, or of those that certainly do. */
 typedef struct row_ends {
     vnum side, upper, lower;
 } row_ends;
@@ -227,7 +227,7 @@ TRIBOX_INLINE void limit(row_ends *ends, vnum upper, vnum lower)
     ends->lower = v_max(ends->lower, lower);
 }
 
-/* Limits with their own errors, or without any where one error will be taken for all. */
+/* Limits with errors of their own, or without where one common error follows. */
 TRIBOX_INLINE void limit_both(row_ends *maybe, row_ends *certain, vnum upper, vnum lower, vnum upper_error, vnum lower_error,
                               bool is_error_common)
 {

@@ -1,5 +1,5 @@
 /*
- * ties.h - the lanes that overlap for certain although a margin leaves them undecided, or asks for a look at their extents.
+ * ties.h - a second look at lanes that a margin leaves open although they certainly overlap.
  * After: axes.h, margin.h.
  *
  * Where the box normals do not separate, these axes are redundant and can be left out, by the certificate of overlap too (PROOFS.md

@@ -2,8 +2,8 @@
  * touched.h - which cells of a grid the bounding boxes of triangles touch, in double.
  * After: axes.h. Needs: v_write_int.
  *
- * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it; then it is uncertain
- * (PROOFS.md 7.2, 7.3).
+ * A number lies in the cell that its place says, unless a plane of the grid is within the lattice's error of it; then it is
+ * uncertain (PROOFS.md 7.2, 7.3).
  */
 
 /* To the nearest integer, for places in a grid: below 2^51. */
@@ -13,7 +13,7 @@ TRIBOX_INLINE vnum rounded(vnum a)
     return v_sub(v_add(a, shift), shift);
 }
 
-/* The cell of a place; -1 stands for all below the grid, size for all above it. */
+/* The cell of a place: -1 for everything below the grid, size for everything above it. */
 TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
 {
     const vnum half = v_splat(0.5);
@@ -54,7 +54,7 @@ TRIBOX_INLINE void write_words(const packet_touched *packet, const tribox_lattic
     v_write_int(&touched->bit[lane], v_sub(packet->base[0], v_mul(word, v_splat(64))));
 }
 
-/* No NaN and no infinity, which min and max may lose: such a number makes the sum one. */
+/* The lanes without NaN and infinity, which min and max can drop: the sum is finite only if every number is. */
 TRIBOX_INLINE uint64_t finite_at(const tribox_soup *soup, size_t at)
 {
     vnum sum = v_splat(0);

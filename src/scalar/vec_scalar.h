@@ -1,4 +1,4 @@
-/* vec_scalar.h - one lane. This is the definition of every word; kernel/README.md tells the rest. */
+/* vec_scalar.h - one lane. This is the definition of every word; kernel/README.md has the rest. */
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif

@@ -1,4 +1,4 @@
-/* vec_scalar_double.h - one lane of double: the definition of the words, and the kind of number that settles. kernel/README.md tells the rest. */
+/* vec_scalar_double.h - one lane of double: the definition of the words in double. kernel/README.md has the rest. */
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"
 #endif
