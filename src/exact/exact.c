@@ -1,5 +1,5 @@
 /* exact.c - one pair in integers that are wide enough for its numbers: the last stage, which decides everything. */
-#include "exact/exact.h"
+#include "exact.h"
 
 #include <string.h>
 

@@ -1,15 +1,15 @@
 /* exact_int128.c - pairs and oriented pairs in 128-bit integers, where the compiler has them. */
-#include "exact/exact.h"
-#include "exact/oriented.h"
+#include "exact.h"
+#include "oriented.h"
 #if defined(__SIZEOF_INT128__)
 __extension__ typedef __int128 vnum;
-#include "exact/num_integer.h"
+#include "num_integer.h"
 #include "kernel/axes.h"
-#include "exact/integers.h"
+#include "integers.h"
 #define EXACT_IN_INTEGERS tribox_exact_int128
-#include "exact/pair.h"
+#include "pair.h"
 #define ORIENTED_IN_INTEGERS tribox_oriented_int128
-#include "exact/oriented_pair.h"
+#include "oriented_pair.h"
 #else
 typedef int translation_unit_is_not_empty;
 #endif

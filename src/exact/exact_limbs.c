@@ -1,9 +1,9 @@
 /* exact_limbs.c - pairs in integers of any length that floats can need. */
-#include "exact/exact.h"
+#include "exact.h"
 /* The longest value, the plane's slack of numbers from 2^-149 to 2^128, takes 3 * 277 + 8 = 839 bits. */
 #define LIMBS 28
-#include "exact/num_limbs.h"
+#include "num_limbs.h"
 #include "kernel/axes.h"
-#include "exact/integers.h"
+#include "integers.h"
 #define EXACT_IN_INTEGERS tribox_exact_limbs
-#include "exact/pair.h"
+#include "pair.h"

@@ -1,5 +1,5 @@
 /* oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers. */
-#include "exact/oriented.h"
+#include "oriented.h"
 
 #include <string.h>
 

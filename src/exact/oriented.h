@@ -2,7 +2,7 @@
 #ifndef TRIBOX_EXACT_ORIENTED_H
 #define TRIBOX_EXACT_ORIENTED_H
 
-#include "exact/exact.h"
+#include "exact.h"
 
 /* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? */
 typedef struct tribox_oriented_pair {
