@@ -80,7 +80,8 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
 
 /*
  * The cell, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below the first cell
- * that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid, is a double.
+ * that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid, is a double
+ * (PROOFS.md 7.3).
  */
 static int64_t cell_near(const tribox_grid *grid, int a, float x)
 {

@@ -1,6 +1,6 @@
 /*
  * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on
- * an axis is in cells too, in double. An axis has about 2^26 cells at most, as no two planes are the same float.
+ * an axis is in cells too, in double. No two planes are the same float, so an axis has fewer than 2^26 cells (PROOFS.md 7.2).
  */
 #ifndef TRIBOX_KERNEL_GRID_H
 #define TRIBOX_KERNEL_GRID_H
@@ -11,7 +11,7 @@
 typedef struct tribox_lattice {
     double origin[3], per_cell[3]; /* the place of x is (x - origin) * per_cell */
     double size[3];                /* cells */
-    double error[3]; /* cells: the most by which plane p and the place of a number near the grid can be off, together */
+    double error[3]; /* cells: how far off plane p and the place of a number near the grid can be, together (PROOFS.md 7.2) */
     double first_layer, end_layer; /* triangles outside these layers are left out */
     double row_words;
 } tribox_lattice;

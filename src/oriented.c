@@ -4,7 +4,7 @@
  * The move rounds: each coordinate in the frame is off by at most `error`, known for each axis and block (kernel/frame.h). So the
  * rounded triangle misses the box enlarged by the error only if the triangle misses the box, and overlaps the box diminished by the
  * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do.
- * What lies between is settled in integers from the numbers of the input.
+ * What lies between is settled in integers from the numbers of the input (PROOFS.md 8.2).
  */
 #include <float.h>
 #include <string.h>
@@ -89,7 +89,7 @@ static void answer_exactly(const question *q, const tribox_moved *moved, const t
         open[w] = (near[w] | near_open[w]) & ~hit[w] & ~moved->apart[w];
 }
 
-/* The same where the frame's own answer will do, about the box or the larger box. */
+/* The same where the frame's own answer will do: CONSERVATIVE about the larger box, FAST about the box, to err on both sides. */
 static void answer_in_frame(question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words, uint64_t *hit,
                             uint64_t *open)
 {

@@ -19,7 +19,7 @@ static tribox_status check_soup_and_box(const tribox_soup *soup, const tribox_bo
     return tribox_plan_make(options, plan);
 }
 
-/* Whether no pair can overlap: an empty box, or a triangle that is not finite. */
+/* Whether no pair can overlap: an empty box, or a triangle that is not finite, for which the walks would find nothing either. */
 static bool is_none(const tribox_pairs *p)
 {
     return p->soup ? tribox_box_is_empty(p->box) : !tribox_triangle_is_finite(p->triangle);

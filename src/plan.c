@@ -10,7 +10,7 @@ static bool is_order(unsigned order)
     return order == 123 || order == 132 || order == 213 || order == 231 || order == 312 || order == 321;
 }
 
-/* The order without the groups that axes leaves out. Group 1, 2, 3 is bit 0, 1, 2 of the axes. */
+/* The order without the groups that axes leaves out; no order changes an answer. Group 1, 2, 3 is bit 0, 1, 2 of the axes. */
 static unsigned sequence_of(unsigned order, unsigned axes)
 {
     unsigned sequence = 0;

@@ -16,7 +16,7 @@ static tribox_pair batch_pair_at(const tribox_batch *batch, unsigned i)
     return pair;
 }
 
-/* Lanes up to a whole packet repeat the last: none is garbage. */
+/* Lanes up to a whole packet repeat the last. Their answers are dropped, but arithmetic on garbage can be slow, or be reported. */
 static void fill_up_batch(tribox_batch *batch, unsigned count)
 {
     for (int k = 0; k < 15; k++)
@@ -26,7 +26,7 @@ static void fill_up_batch(tribox_batch *batch, unsigned count)
 
 uint64_t tribox_settle_batch(tribox_batch *batch, unsigned count, uint64_t finite, const tribox_plan *plan)
 {
-    const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
+    const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE; /* that takes what stays open for an overlap */
     uint64_t open;
     fill_up_batch(batch, count);
     const uint64_t overlapping = plan->kernel->in_double(batch, count, plan->axes, is_exact, &open) & finite;

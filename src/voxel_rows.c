@@ -154,7 +154,7 @@ void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigne
         const unsigned rows = (unsigned)tribox_least(end - row, 64);
         tribox_row_cells cells;
         v->plan.kernel->grid->rows[shape](limits, t, (double)row, rows, &cells);
-        if (v->plan.accuracy == TRIBOX_CONSERVATIVE) {
+        if (v->plan.accuracy == TRIBOX_CONSERVATIVE) { /* sets every cell that may overlap, and tests none */
             memcpy(cells.first_certain, cells.first_maybe, sizeof cells.first_certain);
             memcpy(cells.end_certain, cells.end_maybe, sizeof cells.end_certain);
         }

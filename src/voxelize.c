@@ -2,8 +2,8 @@
  * voxelize.c - a soup into the cells of a grid: triangles sorted by the cells that their bounding boxes touch.
  *
  * The kernel finds those cells for a word of triangles at a time. A triangle whose box spans cells on one axis at most overlaps
- * them all, as it is connected. The others wait in strips, one for each shape; the kernel limits them row after row (voxel_rows.c).
- * Cells that rounding leaves open are settled by their own boxes, unless they are already set.
+ * them all, as it is connected (PROOFS.md 7.4). The others wait in strips, one for each shape; the kernel limits them row after row
+ * (voxel_rows.c). Cells that rounding leaves open are settled by their own boxes, unless they are already set.
  */
 #include <math.h>
 
@@ -140,7 +140,8 @@ static tribox_lattice lattice_of(const tribox_grid *grid, uint32_t first, uint32
         lattice.origin[a] = grid->origin[a];
         lattice.per_cell[a] = 1 / (double)grid->cell[a];
         lattice.size[a] = grid->size[a];
-        /* planes: half a spacing of floats, and of doubles while they are made; places: three roundings in double */
+        /* planes: half a spacing of floats, and of doubles while they are made; places: three roundings in double (PROOFS.md 7.2,
+         * by which 0x1.001 in place of 1 would be enough without the other two terms) */
         lattice.error[a] = (0x1.001p-24 * farthest + 0x1p-149) * lattice.per_cell[a] + 0x1p-50 * (lattice.size[a] + 4);
     }
     return lattice;

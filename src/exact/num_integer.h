@@ -20,5 +20,5 @@ TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return v_max(a, b); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return v_min(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return a < 0 ? -a : a; }
 TRIBOX_INLINE vnum v_sign(vnum a) { return a; }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return sign < 0 ? -a : a; }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return sign < 0 ? -a : a; } /* of zero either will do: PROOFS.md 1 */
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }

@@ -82,7 +82,10 @@ TRIBOX_INLINE vnum apart_on_box_normal(const lane_shape *s, int a)
                     v_both(v_both(s->above[0][a], s->above[1][a]), s->above[2][a]));
 }
 
-/* A vertex in the closed box is a common point, whatever the axes. The sign bits tell which lanes have none. */
+/*
+ * A vertex in the closed box is a common point, whatever the axes. The sign bits show which lanes have none. A shortcut: an overlap
+ * that it does not see is found by the slacks.
+ */
 TRIBOX_INLINE vnum has_no_vertex_inside(const lane_shape *s)
 {
     vnum outside[3];
@@ -107,7 +110,7 @@ TRIBOX_INLINE vnum plane_slack(const lane_shape *s, vnum reach)
 /* Bullet 3, axis a_ij = e_i x f_j: where edge j and the box lie in the projection along e_i. */
 TRIBOX_INLINE vnum edge_projection(const lane_shape *s, int i, int j)
 {
-    const int a = (i + 1) % 3, b = (i + 2) % 3, end = j == 1;
+    const int a = (i + 1) % 3, b = (i + 2) % 3, end = j == 1; /* edges 0 and 2 by vertex 0, which both have */
     return v_fms(s->V[end][a], s->f[j][b], v_mul(s->V[end][b], s->f[j][a]));
 }
 

@@ -2,8 +2,8 @@
  * packet.h - one packet of V_LANES pairs at one accuracy and in one sequence of groups, both constants.
  * After: axes.h, margin.h, ties.h.
  *
- * FAST takes the sign of a slack for its truth. CONSERVATIVE and EXACT compare it with its error bound (bounds.h), and leave a lane
- * that has a slack within it to the next stage (doubles.h).
+ * FAST takes the sign of a slack for its truth (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
+ * lane that has a slack within it to the next stage (doubles.h). What each accuracy needs for a hit is a table in PROOFS.md 5.3.
  */
 
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
@@ -110,7 +110,7 @@ TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked,
 
 /*
  * Lanes without NaN and infinity, which min and max can drop: the reach of the box along n is finite only where all coordinates
- * are. Without the plane, the sum of the coordinates does the same for less.
+ * are. Without the plane, the sum of the coordinates does the same for less (PROOFS.md 5.4).
  */
 TRIBOX_INLINE uint64_t finite_lanes(const lane_triangle *t, unsigned sequence, vnum reach)
 {
@@ -217,6 +217,7 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at,
     left = left_by_margin(&s, third, is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &certain);
     certain = sequence == 1 ? margin_of(&s, &p->margin, is_box_asked).is_valid : m_and(certain, margin.is_valid);
 
+    /* Not CONSERVATIVE: it may report too much, and a hit misses nothing (PROOFS.md 5.3). */
     const bool needs_certificate = accuracy == TRIBOX_EXACT && is_box_asked && sequence_has(sequence, 3);
     uint64_t hit = left & m_bits(certain);
     if (needs_certificate)
