@@ -9,108 +9,70 @@
 
 #include "write/file_out.h"
 #include "console/message.h"
-#include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "write/part.h"
-#include "picture/preview.h"
 #include "console/processors.h"
-#include "write/volume.h"
+#include "voxelize/result_options.h"
 #include "voxelize/voxelize_report.h"
 
 static const char help[] = "tribox merge - the parts of a voxelization become one file\n"
                            "\n"
-                           "Usage: tribox merge PART... -o OUT.(npy|binvox|vox|raw) [OPTION...]\n"
+                           "Usage: tribox merge PART... -o FILE [OPTION...]\n"
                            "\n"
-                           "PART... are the files of all shards that 'tribox voxelize --shard I/N' wrote, in any order.\n"
-                           "The result is, bit for bit, that of a voxelization in one piece. Parts are read as they are\n"
-                           "needed and take no memory of their own.\n"
+                           "PART... are the files of all shards that 'tribox voxelize --shard I/N' wrote, in any order. The\n"
+                           "result is that of a voxelization in one piece, bit for bit. Parts are read as they are needed and\n"
+                           "not held in memory.\n"
+                           "\n" RESULT_HELP OPTIONS_HELP_HELP "\n"
+                           "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"
                            "\n"
-                           "  -o FILE                   as for 'tribox voxelize'\n"
-                           "  --preview FILE.png        a picture of the cells\n"
-                           "  --up AXIS                 what is up in it: x, y, z, or -x, -y, -z. Default: z\n"
-                           "  --json                    the summary as a JSON object\n"
-                           "  --quiet                   no summary and no progress\n"
-                           "  --help                    this text\n"
-                           "\n"
-                           "Exit codes: 0 success; 1 failure (a file, parts that do not fit); 2 wrong command line.\n"
-                           "\n"
-                           "Example:\n"
-                           "  tribox merge big.*.part -o big.npy --preview big.png\n";
+                           "Example (.npy takes a byte per cell, .raw a bit):\n"
+                           "  tribox merge big.*.part -o big.raw --preview big.png\n";
 
-enum { OPTION_OUT, OPTION_PREVIEW, OPTION_UP, OPTION_JSON, OPTION_QUIET };
-
-static const option_entry options[] = {
-    [OPTION_OUT] = {"out", 'o', true},    [OPTION_PREVIEW] = {"preview", 'p', true}, [OPTION_UP] = {"up", 0, true},
-    [OPTION_JSON] = {"json", 'j', false}, [OPTION_QUIET] = {"quiet", 'q', false},    {NULL, 0, false}};
+static const option_entry options[] = {RESULT_ENTRIES, {NULL, 0, false}};
 
 typedef struct request {
     const char **parts; /* paths, with room for all words */
     size_t count;
-    const char *out_path, *preview_path;
-    const volume_format *format;
-    picture_up up;
-    bool wants_json, is_quiet, has_up;
+    result_request result;
 } request;
 
 static int take(void *context, int which, const char *value)
 {
     request *const r = context;
-    switch (which) {
-    case OPTION_OPERAND:
-        r->parts[r->count++] = value;
-        return EXIT_CODE_OK;
-    case OPTION_OUT:
-        r->out_path = value;
-        return EXIT_CODE_OK;
-    case OPTION_PREVIEW:
-        r->preview_path = value;
-        return EXIT_CODE_OK;
-    case OPTION_UP:
-        r->has_up = true;
-        return preview_read_up(value, &r->up);
-    case OPTION_JSON:
-        r->wants_json = true;
-        return EXIT_CODE_OK;
-    default:
-        r->is_quiet = true;
-        return EXIT_CODE_OK;
-    }
+    if (which != OPTION_OPERAND)
+        return result_take(&r->result, which, value);
+    r->parts[r->count++] = value;
+    return EXIT_CODE_OK;
 }
 
-static int check_request(request *r)
+static int check_request(request *r, const options_found *found)
 {
     if (!r->count)
         return message_usage("no parts given");
-    if (!r->out_path)
-        return message_usage("no output given: -o FILE is needed");
-    if (r->has_up && !r->preview_path)
-        return message_usage("--up needs --preview");
-    if (r->wants_json && r->is_quiet)
-        return message_usage("--json and --quiet exclude each other");
-    if (!(r->format = volume_format_of(r->out_path)))
-        return EXIT_CODE_USAGE;
-    return preview_check(r->preview_path, "--preview");
+    if (!r->result.out_path)
+        return message_usage("no output given; give -o FILE");
+    return result_check(&r->result, found, false);
 }
 
 static int report(const request *r, const tribox_grid *grid, size_t parts, uint64_t occupied)
 {
-    if (r->wants_json) {
+    if (r->result.wants_json) {
         json j = json_to(stdout);
         json_open_object(&j, NULL);
         json_whole(&j, "parts", parts);
         voxelize_json_grid(&j, grid);
         json_whole(&j, "occupied", occupied);
-        json_string(&j, "output", r->out_path);
-        if (r->preview_path)
-            json_string(&j, "preview", r->preview_path);
+        json_string(&j, "output", r->result.out_path);
+        if (r->result.preview_path)
+            json_string(&j, "preview", r->result.preview_path);
         json_close(&j);
-    } else if (!r->is_quiet) {
+    } else if (!r->result.is_quiet) {
         printf("parts        %zu\n", parts);
         voxelize_print_grid(grid);
-        printf("occupied     %" PRIu64 " cells\nwritten      %s\n", occupied, r->out_path);
-        if (r->preview_path)
-            printf("preview      %s\n", r->preview_path);
+        printf("occupied     %" PRIu64 " cells\nwritten      %s\n", occupied, r->result.out_path);
+        if (r->result.preview_path)
+            printf("preview      %s\n", r->result.preview_path);
     }
     return output_flush();
 }
@@ -119,20 +81,20 @@ static int write_files(const request *r, const voxels *v)
 {
     file_out out, picture;
     int code = EXIT_CODE_OK;
-    if (r->format->check_grid)
-        code = r->format->check_grid(r->out_path, &v->grid);
+    if (r->result.format->check_grid)
+        code = r->result.format->check_grid(r->result.out_path, &v->grid);
     if (!code)
-        code = file_out_open(&out, r->out_path);
+        code = file_out_open(&out, r->result.out_path);
     if (code)
         return code;
-    code = file_out_open(&picture, r->preview_path);
+    code = file_out_open(&picture, r->result.preview_path);
     if (!code) {
-        progress bar = progress_start("writing", !r->is_quiet);
-        r->format->write(out.stream, v, &bar);
+        progress bar = progress_start("writing", !r->result.is_quiet);
+        r->result.format->write(out.stream, v, &bar);
         progress_end(&bar);
         code = file_out_keep(&out);
         if (!code)
-            code = preview_draw(&picture, v, r->up, processors_here(), !r->is_quiet);
+            code = preview_draw(&picture, v, r->result.up, processors_here(), !r->result.is_quiet);
         file_out_drop(&picture);
     }
     file_out_drop(&out);
@@ -161,11 +123,9 @@ static int merge(const request *r, part *parts, size_t count)
     return code ? code : report(r, &v.grid, count, occupied);
 }
 
-static int merge_files(request *r)
+static int merge_files(const request *r)
 {
-    int code = check_request(r);
-    if (code)
-        return code;
+    int code = EXIT_CODE_OK;
     part *parts = malloc(r->count * sizeof *parts);
     if (!parts)
         return message_failure("out of memory for %zu parts", r->count);
@@ -185,13 +145,17 @@ static int merge_files(request *r)
 
 int cmd_merge(int count, char **words)
 {
-    request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .up = PICTURE_UP_Z};
+    request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .result.up = PICTURE_UP_Z};
     if (!r.parts)
         return message_failure("out of memory for %d arguments", count);
     options_found found;
     int code = options_read(count, words, options, take, &r, &found);
-    if (!code)
-        code = found.wants_help ? output_text(help) : merge_files(&r);
+    if (!code && found.wants_help)
+        code = output_text(help);
+    else if (!code)
+        code = check_request(&r, &found);
+    if (!code && !found.wants_help)
+        code = merge_files(&r);
     free(r.parts);
     return code;
 }

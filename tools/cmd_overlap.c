@@ -13,63 +13,34 @@
 #include "console/output.h"
 #include "overlap/report.h"
 
-static const char help[] = "tribox overlap - which triangles of a mesh overlap a box?\n"
-                           "\n"
-                           "Usage: tribox overlap MESH --box LX,LY,LZ,HX,HY,HZ [OPTION...]\n"
-                           "       tribox overlap MESH --boxes FILE [OPTION...]\n"
-                           "       tribox overlap MESH --oriented CX,CY,CZ,HX,HY,HZ,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ [OPTION...]\n"
-                           "\n"
-                           "MESH is a file that libassimp reads: PLY, STL, OBJ, OFF, glTF and about 40 other formats; or\n"
-                           "raw triangles, NAME.f32: nine little-endian float32 each, three vertices of x, y, z. Polygons\n"
-                           "are cut into triangles; scene transforms are applied; nothing is cleaned up.\n"
-                           "Mesh and box share one length unit, whichever. Both are closed: touching is overlap.\n"
-                           "Triangles are counted from 0 in the order of the file.\n"
-                           "\n"
-                           "Binary STL and raw triangles are read in blocks, in memory that does not grow, except with\n"
-                           "--boxes. From standard input too, as '-'.\n"
-                           "\n"
-                           "The mesh:\n"
-                           "  --format WORD             stl (binary STL) or f32 (raw triangles), whatever the name of the\n"
-                           "                            file; standard input needs it\n"
-                           "\n"
-                           "The box:\n"
-                           "  --box LX,LY,LZ,HX,HY,HZ   lower and upper bounds, separated by commas or blanks\n"
-                           "  --boxes FILE              a box per line in the same form, '#' starts a comment;\n"
-                           "                            - reads standard input. One line of output per box, at once\n"
-                           "  --oriented CX,...,WZ      an oriented box: its centre, half its lengths along its three axes,\n"
-                           "                            and the directions of the axes, U, V and W: fifteen numbers\n"
-                           "\n"
-                           "The answer:\n"
-                           "  --inside                  counts also how many triangles lie wholly inside the box, straddle\n"
-                           "                            its border, or miss it\n"
-                           "  --list                    the numbers of the overlapping triangles, one per line,\n"
-                           "                            and nothing else (with --boxes it needs --json)\n"
-                           "  --json                    a JSON object, one per line with --boxes; with --list it has\n"
-                           "                            the numbers as 'indices'\n"
-                           "\n"
-                           "The test:\n"
-                           "  --accuracy WORD           exact (default): the true answer for every float;\n"
-                           "                            conservative: never misses, may report more;\n"
-                           "                            fast: single precision, may err close to contact\n"
-                           "  --axes WORD,...           only some axes: box (3), plane (1), edges (9). Fewer axes\n"
-                           "                            never miss and report more. Default: all thirteen\n"
-                           "  --order NUMBER            the order of the groups: 1 box, 2 plane, 3 edges, as in 312.\n"
-                           "                            Changes the time, never the answer\n"
-                           "  --kernel NAME             avx512, avx2, sse2, neon or scalar; default: the best here\n"
-                           "  --help                    this text\n"
-                           "\n"
-                           "Times are of the test alone, without reading the file: the best of up to 5 runs, a single run\n"
-                           "per box with --boxes, the sum over all blocks where the mesh is read in blocks. 'undecided'\n"
-                           "counts the triangles that a slower, exact stage had to settle.\n"
-                           "\n"
-                           "Exit codes: 0 success; 1 failure (a file, memory, a kernel that cannot run here);\n"
-                           "2 wrong command line.\n"
-                           "\n"
-                           "Examples:\n"
-                           "  tribox overlap bunny.ply --box -0.05,0.05,-0.05,0.05,0.15,0.05\n"
-                           "  tribox overlap part.stl --box \"0 0 0 10 10 10\" --list > triangles.txt\n"
-                           "  generate-boxes | tribox overlap bunny.ply --boxes - --json\n"
-                           "  generate-triangles | tribox overlap - --format f32 --box 0,0,0,1,1,1\n";
+static const char help[] =
+    "tribox overlap - which triangles of a mesh overlap a box?\n"
+    "\n"
+    "Usage: tribox overlap MESH --box LX,LY,LZ,HX,HY,HZ [OPTION...]\n"
+    "       tribox overlap MESH --boxes FILE [OPTION...]\n"
+    "       tribox overlap MESH --oriented CX,CY,CZ,HX,HY,HZ,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ [OPTION...]\n"
+    "\n"
+    "MESH is a mesh file (PLY, STL, OBJ, OFF, glTF, ...), raw triangles (NAME.f32: nine little-endian\n"
+    "float32 each), or - for standard input. Triangles and boxes are closed: touching is overlap.\n"
+    "\n"
+    "  -b, --box LX,...,HZ     lower and upper bounds, separated by commas or blanks\n"
+    "      --boxes FILE        a box per line, answered line by line; - is standard input\n"
+    "      --oriented CX,...   center C, half lengths H, and the directions U, V, W of the axes\n"
+    "      --format WORD       stl or f32, whatever the name of the file; standard input needs it\n"
+    "      --inside            also count the triangles inside the box, on its border and outside\n"
+    "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
+    "                          else; with --boxes it needs --json\n"
+    "  -j, --json              print a JSON object, one per line with --boxes\n" OPTIONS_TEST_HELP
+    "      --order NUMBER      order of the groups, 1 box, 2 plane, 3 edges; changes the time alone\n" OPTIONS_HELP_HELP "\n"
+    "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
+    "\n"
+    "Examples ('man tribox' has the details):\n"
+    "  tribox overlap bunny.ply --box -0.05,0.05,-0.05,0.05,0.15,0.05\n"
+    "  tribox overlap part.stl --box \"0 0 0 10 10 10\" --list > triangles.txt\n"
+    "  tribox overlap part.stl --box 0,0,0,10,10,10 --inside\n"
+    "  tribox overlap part.stl --oriented 5,5,5,4,2,1,0.8,0.6,0,-0.6,0.8,0,0,0,1\n"
+    "  generate-boxes | tribox overlap bunny.ply --boxes - --json\n"
+    "  generate-triangles | tribox overlap - --format f32 --box 0,0,0,1,1,1\n";
 
 enum {
     OPTION_BOX,
@@ -101,7 +72,7 @@ static int read_oriented(const char *text, tribox_oriented_box *box)
     memcpy(box->axis, n + 6, sizeof box->axis);
     for (int k = 0; k < 3; k++)
         if (box->half[k] < 0)
-            message_say("note: --oriented: half length %d is %.9g, less than 0: an empty box, nothing overlaps it", k + 1,
+            message_say("note: --oriented: half length %d is %.9g: a box of negative size is empty, and nothing overlaps it", k + 1,
                         (double)box->half[k]);
     return EXIT_CODE_OK;
 }
@@ -141,9 +112,10 @@ static int check_oriented(const request *r)
 {
     const unsigned axes = r->test.axes;
     if (r->wants_inside)
-        return message_usage("--inside is told of --box and --boxes only");
+        return message_usage("--inside goes with --box or --boxes, not with --oriented");
     if (r->test.accuracy == TRIBOX_EXACT && axes && axes != TRIBOX_AXES_ALL && axes != TRIBOX_AXES_BOX)
-        return message_usage("--oriented is exact with all axes or with --axes box; others need --accuracy conservative or fast");
+        return message_usage(
+            "--oriented is exact with all axes or with --axes box; other axes need --accuracy conservative or fast");
     return EXIT_CODE_OK;
 }
 
@@ -157,9 +129,9 @@ static int check_request(const request *r)
         return message_usage(boxes ? "--box, --boxes and --oriented exclude each other"
                                    : "no box given: --box, --boxes or --oriented is needed");
     if (is_stdin && r->format == TRIANGLES_OTHER)
-        return message_usage("standard input has no name that tells its format: --format stl or --format f32 is needed");
+        return message_usage("standard input needs its format: --format stl or --format f32");
     if (is_stdin && r->boxes_path)
-        return message_usage("--boxes needs the mesh as a file, as it is tested against each box");
+        return message_usage("--boxes needs the mesh as a file, since each box is tested against it");
     if (r->boxes_path && r->wants_list && !r->wants_json)
         return message_usage("--list with --boxes needs --json");
     if (r->wants_list && r->wants_inside)
@@ -217,7 +189,7 @@ static int answer_boxes(const mesh *m, const request *r, const masks *bits)
             break;
     }
     if (!code && !answered)
-        message_say("note: %s: no box in it", boxes.name);
+        message_say("note: %s: there is no box in it", boxes.name);
     box_file_close(&boxes);
     return code;
 }
@@ -239,7 +211,7 @@ static int answer_mesh(const request *r)
     return code;
 }
 
-/* One box asks for one pass over the triangles, for which a file of triangles need not be held in memory. */
+/* A single box takes one pass over the triangles, for which a file of triangles need not be held in memory. */
 static int answer_request(const request *r)
 {
     triangle_file file = {.stream = NULL};

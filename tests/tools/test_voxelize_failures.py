@@ -35,8 +35,8 @@ class WrongCommandLine(Failures):
 
     def test_what_is_missing(self):
         self.wrong("no mesh file given", "--resolution", "8", "-o", "x.npy")
-        self.wrong("no grid given: --resolution or --cell is needed", self.mesh, "-o", "x.npy")
-        self.wrong("no output given: -o FILE is needed", self.mesh, "--resolution", "8")
+        self.wrong("no grid given; give --resolution or --cell", self.mesh, "-o", "x.npy")
+        self.wrong("no output given; give -o FILE", self.mesh, "--resolution", "8")
         self.wrong("'b.ply' is one file too many", self.mesh, "b.ply")
         self.wrong("--up needs --preview", self.mesh, "--resolution", "8", "-o", "x.npy", "--up", "y")
         for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up"):
@@ -59,7 +59,7 @@ class WrongCommandLine(Failures):
             self.wrong("--size: '%s' is not NX,NY,NZ" % value, self.mesh, "--size", value)
         self.wrong("--cell: 0 is not greater than 0", self.mesh, "--cell", "0")
         self.wrong("--cell: -2 is not greater than 0", self.mesh, "--cell", "1,-2,1")
-        for value, pattern in (("3", "'3' is not I/N, as 3/8"), ("0/3", "its I: '0' is no whole number from 1 to 3"),
+        for value, pattern in (("3", "'3' is not I/N, such as 3/8"), ("0/3", "its I: '0' is no whole number from 1 to 3"),
                                ("4/3", "its I: '4' is no whole number from 1 to 3"), ("1/0", "its N: '0' is no whole number"),
                                ("/2", "its I: ''"), ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'")):
             self.wrong("--shard.*" + pattern, self.mesh, "--shard", value)

@@ -4,6 +4,15 @@
 
 #include "tribox.h"
 
+/* Lines of help that commands share. */
+#define OPTIONS_TEST_HELP \
+    "      --accuracy WORD     exact (default); conservative: never misses, may report more;\n" \
+    "                          fast: single precision, may err close to contact\n" \
+    "      --axes WORD,...     only some axes: box (3), plane (1), edges (9); fewer axes report more\n" \
+    "      --kernel NAME       one that 'tribox info' lists; default: the widest\n"
+
+#define OPTIONS_HELP_HELP "  -h, --help              print this text\n"
+
 /* Takes the operand of a command that has one mesh. Returns an exit_code. */
 int options_take_mesh(const char *operand, const char **mesh_path);
 

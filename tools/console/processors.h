@@ -1,15 +1,10 @@
-/* processors.h - how many threads can run at once; needs _POSIX_C_SOURCE 200809L. */
+/* processors.h - how many threads can run at once, and how many are ever started. */
 #ifndef PROCESSORS_H
 #define PROCESSORS_H
 
-#include <unistd.h>
+enum { THREADS_MAX = 256 };
 
-#include "voxelize/layers.h"
-
-static inline unsigned processors_here(void)
-{
-    const long count = sysconf(_SC_NPROCESSORS_ONLN);
-    return count < 1 ? 1 : count < LAYERS_THREADS_MOST ? (unsigned)count : LAYERS_THREADS_MOST;
-}
+/* The processors that are online, from 1 to THREADS_MAX. */
+unsigned processors_here(void);
 
 #endif

@@ -149,10 +149,10 @@ static void *draw_rows(void *data)
 
 static void draw_with(drawing *d, unsigned threads)
 {
-    pthread_t helpers[LAYERS_THREADS_MOST];
+    pthread_t helpers[THREADS_MAX];
     unsigned started = 0;
     pthread_mutex_init(&d->lock, NULL);
-    while (started + 1 < threads && started < LAYERS_THREADS_MOST && !pthread_create(&helpers[started], NULL, draw_rows, d))
+    while (started + 1 < threads && started < THREADS_MAX && !pthread_create(&helpers[started], NULL, draw_rows, d))
         started++;
     draw_rows(d);
     while (started)

@@ -8,11 +8,11 @@
 #include "layers_work.h"
 
 /*
- * Every slab looks at all triangles and passes by those of others, which is cheap but not free: there are more slabs than threads
- * only where that costs no more than a twentieth of the work. WINDOW triangles at a time, so that progress is told meanwhile.
+ * Every slab looks at all triangles and skips those of others, which is cheap but not free: there are more slabs than threads
+ * only where that costs no more than a twentieth of the work. WINDOW triangles at a time, so that progress is reported meanwhile.
  */
-enum { SLABS_USEFUL = 64, SLABS_MOST = LAYERS_THREADS_MOST, WINDOW = 1 << 17 };
-static const double pass_by_cost = 1, pass_by_share = 0.05;
+enum { SLABS_USEFUL = 64, SLABS_MAX = THREADS_MAX, WINDOW = 1 << 17 };
+static const double skip_cost = 1, skip_share = 0.05;
 
 typedef struct crew {
     const tribox_soup *soup;
@@ -21,7 +21,7 @@ typedef struct crew {
     uint64_t *occupied;
     uint32_t first;
     int slabs;
-    uint32_t border[SLABS_MOST + 1]; /* slab s: the layers border[s] .. border[s + 1] - 1 of the range */
+    uint32_t border[SLABS_MAX + 1]; /* slab s: the layers border[s] .. border[s + 1] - 1 of the range */
     void (*progress)(void *data, double done);
     void *data;
     pthread_mutex_t lock; /* of what follows, and of progress */
@@ -34,7 +34,7 @@ typedef struct crew {
 /* A multiple of the threads, so that all end together. */
 static int slabs_for(const layers_work *work, size_t triangles, unsigned threads)
 {
-    const double cheap = pass_by_share * layers_work_total(work) / (pass_by_cost * (double)triangles + 1);
+    const double cheap = skip_share * layers_work_total(work) / (skip_cost * (double)triangles + 1);
     const int each = (int)((cheap < SLABS_USEFUL ? cheap : SLABS_USEFUL) / threads);
     return (int)threads * (each > 1 ? each : 1);
 }
@@ -106,7 +106,7 @@ static void *work_on(void *data)
 
 static void run_crew(crew *c, unsigned threads)
 {
-    pthread_t helpers[LAYERS_THREADS_MOST];
+    pthread_t helpers[THREADS_MAX];
     unsigned started = 0;
     pthread_mutex_init(&c->lock, NULL);
     while (started + 1 < threads && !pthread_create(&helpers[started], NULL, work_on, c))
@@ -117,7 +117,7 @@ static void run_crew(crew *c, unsigned threads)
     pthread_mutex_destroy(&c->lock);
 }
 
-/* What tribox_voxelize_layers says to these arguments, before any thread starts. */
+/* What tribox_voxelize_layers returns for these arguments, before any thread starts. */
 static tribox_status check(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                            const tribox_options *options, uint64_t *occupied)
 {
@@ -134,7 +134,7 @@ tribox_status voxelize_in_threads(const tribox_soup *soup, const tribox_grid *gr
     const tribox_status status = check(soup, grid, first, layers, options, occupied);
     if (status)
         return status;
-    threads = !threads ? 1 : threads < LAYERS_THREADS_MOST ? threads : LAYERS_THREADS_MOST;
+    threads = !threads ? 1 : threads < THREADS_MAX ? threads : THREADS_MAX;
     crew c = {
         .soup = soup, .grid = grid, .options = options, .occupied = occupied, .first = first, .progress = progress, .data = data};
     if (layers) {

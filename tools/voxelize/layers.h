@@ -1,23 +1,22 @@
 /*
  * layers.h - a soup into layers of a grid by several threads.
  *
- * The layers are parted into slabs whose estimated work is about equal, by a histogram of the triangles over the layers. A thread
+ * The layers are divided into slabs whose estimated work is about equal, by a histogram of the triangles over the layers. A thread
  * takes one slab after another and voxelizes it with tribox_voxelize_layers. A slab owns its words, so that the bits are the same
  * for every number of threads. No memory is allocated; the threads' stacks apart, some 40 KiB of stack are used.
  */
 #ifndef LAYERS_H
 #define LAYERS_H
 
+#include "console/processors.h"
 #include "tribox.h"
-
-/* More threads than this are not started. */
-enum { LAYERS_THREADS_MOST = 256 };
 
 /*
  * Does what tribox_voxelize_layers does, and returns what it returns; report as there.
  *
- * threads: how many work, the calling one among them; 0 counts as 1. Where the system starts fewer, those do all the work.
- * progress: NULL, or told the share of the work done, 0 < done <= 1, rising; by any of the threads, but by one at a time.
+ * threads: how many work, the calling one among them: 1 to THREADS_MAX, other values count as the nearest of these. Where the
+ * system starts fewer, those do all the work.
+ * progress: NULL, or called with the share of the work done, 0 < done <= 1, rising; by any of the threads, but by one at a time.
  */
 tribox_status voxelize_in_threads(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                                   const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,

@@ -1,10 +1,10 @@
-/* layers_work.c - estimates the work in each layer: what a triangle costs by itself, and by the rows of cells that it meets. */
+/* layers_work.c - estimates the work in each layer: what a triangle costs by itself and by the rows of cells that it meets. */
 #include "layers_work.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Triangles looked at, about; looking at all of them would cost as much as voxelizing small ones. */
+/* About how many triangles are looked at; all of them would cost as much as voxelizing small ones. */
 enum { SAMPLE = 1 << 13 };
 
 /* Nanoseconds, roughly: only their ratio matters to the balance, their size to the number of slabs. */
@@ -53,42 +53,42 @@ static void add_triangle(const tribox_soup *soup, const tribox_grid *grid, size_
         rise[to + 1] -= in_bin;
 }
 
-/* Without the box axes every cell of every layer is asked about every triangle. */
+/* Without the box axes every cell of every layer is tested against every triangle. */
 static bool is_everywhere(const tribox_options *options) { return options && options->axes && !(options->axes & TRIBOX_AXES_BOX); }
 
 void layers_work_estimate(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                           const tribox_options *options, layers_work *work)
 {
-    work->bins = layers < LAYERS_BINS_MOST ? (int)layers : LAYERS_BINS_MOST;
+    work->bins = layers < LAYERS_BINS_MAX ? (int)layers : LAYERS_BINS_MAX;
     for (int b = 0; b < work->bins; b++)
-        work->upto[b] = 0;
+        work->up_to[b] = 0;
     double scale = 1, least = empty_layer_cost * layers / work->bins;
     if (is_everywhere(options)) {
         least += (double)soup->count * row_cost * grid->size[1] * layers / work->bins;
     } else {
         const size_t stride = soup->count / SAMPLE | 1; /* odd: quads are often two triangles each */
         for (size_t t = 0; t < soup->count; t += stride)
-            add_triangle(soup, grid, t, first, layers, work->bins, work->upto);
+            add_triangle(soup, grid, t, first, layers, work->bins, work->up_to);
         scale = (double)stride;
     }
     double in_bin = 0, sum = 0;
     for (int b = 0; b < work->bins; b++) {
-        in_bin += work->upto[b];
+        in_bin += work->up_to[b];
         sum += scale * fmax(in_bin, 0) + least;
-        work->upto[b] = sum;
+        work->up_to[b] = sum;
     }
 }
 
-double layers_work_total(const layers_work *work) { return work->upto[work->bins - 1]; }
+double layers_work_total(const layers_work *work) { return work->up_to[work->bins - 1]; }
 
 uint32_t layers_work_share(const layers_work *work, uint32_t layers, double share)
 {
     const double wanted = share * layers_work_total(work);
     int b = 0;
-    while (b < work->bins - 1 && work->upto[b] < wanted)
+    while (b < work->bins - 1 && work->up_to[b] < wanted)
         b++;
-    const double before = b ? work->upto[b - 1] : 0;
-    const double bins = b + (wanted - before) / (work->upto[b] - before);
+    const double before = b ? work->up_to[b - 1] : 0;
+    const double bins = b + (wanted - before) / (work->up_to[b] - before);
     const double count = round(bins * layers / work->bins);
     return count < 0 ? 0 : count > layers ? layers : (uint32_t)count;
 }

@@ -4,14 +4,14 @@
 
 #include "tribox.h"
 
-enum { LAYERS_BINS_MOST = 4096 };
+enum { LAYERS_BINS_MAX = 4096 };
 
 typedef struct layers_work {
     int bins;                      /* equal parts of the layers: one layer each, or several */
-    double upto[LAYERS_BINS_MOST]; /* the work of all bins up to this one, in nanoseconds, roughly */
+    double up_to[LAYERS_BINS_MAX]; /* the work of all bins up to this one, in nanoseconds, roughly */
 } layers_work;
 
-/* Looks at a sample of the triangles. The arguments are those of tribox_voxelize_layers, sound, with layers > 0. */
+/* Looks at a sample of the triangles. The arguments are valid ones of tribox_voxelize_layers, with layers > 0. */
 void layers_work_estimate(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                           const tribox_options *options, layers_work *work);
 

@@ -30,7 +30,7 @@ static int check_memory(const tribox_grid *grid, uint64_t bytes, uint64_t previe
 static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxels_slab *slab, uint64_t **bits)
 {
     const size_t words = voxels_layer_words(grid) * slab->layers;
-    const int code = check_memory(grid, (uint64_t)words * sizeof **bits, r->preview_path ? preview_memory(grid) : 0);
+    const int code = check_memory(grid, (uint64_t)words * sizeof **bits, r->result.preview_path ? preview_memory(grid) : 0);
     if (code)
         return code;
     *bits = calloc(words ? words : 1, sizeof **bits); /* a shard may have no layers */
@@ -40,9 +40,9 @@ static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxel
 
 static void write_answer(const voxelize_request *r, const mesh *m, const voxels *v, file_out *out)
 {
-    progress bar = progress_start("writing", !r->is_quiet);
-    if (r->format)
-        r->format->write(out->stream, v, &bar);
+    progress bar = progress_start("writing", !r->result.is_quiet);
+    if (r->result.format)
+        r->result.format->write(out->stream, v, &bar);
     else
         part_write(out->stream,
                    &(part_header){.magic = PART_MAGIC,
@@ -60,7 +60,7 @@ static void write_answer(const voxelize_request *r, const mesh *m, const voxels 
 
 static int voxelize(const voxelize_request *r, const mesh *m, const voxels *v, uint64_t *bits, voxelize_answer *a)
 {
-    progress bar = progress_start("voxelizing", !r->is_quiet);
+    progress bar = progress_start("voxelizing", !r->result.is_quiet);
     const double start = clock_seconds();
     const tribox_status status = voxelize_in_threads(&m->soup, &v->grid, v->slab[0].first, v->slab[0].layers, &r->test, r->threads,
                                                      bits, &a->report, bar.is_wanted ? progress_tell : NULL, &bar);
@@ -76,8 +76,8 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
     voxels_slab slab;
     voxels v = {.slab = &slab, .slabs = 1};
     int code = grid_choose(&r->grid, r->mesh_path, &m->soup, &v.grid);
-    if (!code && r->format && r->format->check_grid)
-        code = r->format->check_grid(r->out_path, &v.grid);
+    if (!code && r->result.format && r->result.format->check_grid)
+        code = r->result.format->check_grid(r->result.out_path, &v.grid);
     if (code)
         return code;
     part_layers(&(part_whole){.grid = v.grid, .shards = r->shards}, r->shard, &slab.first, &slab.layers);
@@ -92,7 +92,7 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
         code = file_out_keep(out);
     }
     if (!code)
-        code = preview_draw(picture, &v, r->up, r->threads, !r->is_quiet);
+        code = preview_draw(picture, &v, r->result.up, r->threads, !r->result.is_quiet);
     free(bits);
     return code;
 }
@@ -102,8 +102,8 @@ int voxelize_work(const voxelize_request *r)
     mesh m;
     file_out out, picture;
     voxelize_answer a = {.mesh_path = r->mesh_path,
-                         .out_path = r->out_path,
-                         .preview_path = r->preview_path,
+                         .out_path = r->result.out_path,
+                         .preview_path = r->result.preview_path,
                          .test = r->test,
                          .threads = r->threads,
                          .shard = r->is_part ? r->shard : 0,
@@ -114,9 +114,9 @@ int voxelize_work(const voxelize_request *r)
     mesh_warn(r->mesh_path, &m);
     a.triangles = m.soup.count;
     a.not_finite = m.not_finite;
-    code = file_out_open(&out, r->out_path);
+    code = file_out_open(&out, r->result.out_path);
     if (!code) {
-        code = file_out_open(&picture, r->preview_path);
+        code = file_out_open(&picture, r->result.preview_path);
         if (!code) {
             code = answer_mesh(r, &m, &a, &out, &picture);
             file_out_drop(&picture);
@@ -124,5 +124,5 @@ int voxelize_work(const voxelize_request *r)
         file_out_drop(&out);
     }
     mesh_free(&m);
-    return code || r->is_quiet ? code : voxelize_report(&a, r->wants_json);
+    return code || r->result.is_quiet ? code : voxelize_report(&a, r->result.wants_json);
 }

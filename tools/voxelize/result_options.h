@@ -1,0 +1,38 @@
+/* result_options.h - the options that voxelize and merge share: where the cells go, and what is printed. */
+#ifndef RESULT_OPTIONS_H
+#define RESULT_OPTIONS_H
+
+#include <stdbool.h>
+
+#include "console/option_reader.h"
+#include "picture/preview.h"
+#include "write/volume.h"
+
+/* They come first in the tables of both commands, whose own options start at RESULT_END. */
+enum { RESULT_OUT, RESULT_PREVIEW, RESULT_UP, RESULT_JSON, RESULT_QUIET, RESULT_END };
+
+#define RESULT_ENTRIES \
+    [RESULT_OUT] = {"out", 'o', true}, [RESULT_PREVIEW] = {"preview", 'p', true}, [RESULT_UP] = {"up", 0, true}, \
+    [RESULT_JSON] = {"json", 'j', false}, [RESULT_QUIET] = {"quiet", 'q', false}
+
+#define RESULT_HELP \
+    "  -o, --out FILE          .npy (NumPy), .binvox, .vox (MagicaVoxel) or .raw (the bits alone)\n" \
+    "  -p, --preview FILE.png  draw a picture of the cells\n" \
+    "      --up AXIS           the axis that is up in it: x, y, z (default), -x, -y or -z\n" \
+    "  -j, --json              print the summary as a JSON object\n" \
+    "  -q, --quiet             print no summary and no progress\n"
+
+typedef struct result_request {
+    const char *out_path, *preview_path; /* preview_path: NULL for none */
+    const volume_format *format;         /* NULL for a part */
+    picture_up up;
+    bool wants_json, is_quiet;
+} result_request;
+
+/* Takes an option before RESULT_END. Returns an exit_code. */
+int result_take(result_request *r, int which, const char *value);
+
+/* Checks that the options fit together and finds the format; takes_part: whether the file is a part. Returns an exit_code. */
+int result_check(result_request *r, const options_found *found, bool takes_part);
+
+#endif
