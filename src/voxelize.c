@@ -140,8 +140,8 @@ static tribox_lattice lattice_of(const tribox_grid *grid, uint32_t first, uint32
         lattice.origin[a] = grid->origin[a];
         lattice.per_cell[a] = 1 / (double)grid->cell[a];
         lattice.size[a] = grid->size[a];
-        /* planes: half a spacing of floats, and of doubles while they are made; places: three roundings in double (PROOFS.md 7.2,
-         * by which 0x1.001 in place of 1 would be enough without the other two terms) */
+        /* planes: half a spacing of floats, and of doubles while they are made; places: three roundings in double. The
+         * 0x1.001 alone would cover the other two terms (PROOFS.md 7.2). */
         lattice.error[a] = (0x1.001p-24 * farthest + 0x1p-149) * lattice.per_cell[a] + 0x1p-50 * (lattice.size[a] + 4);
     }
     return lattice;

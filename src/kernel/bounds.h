@@ -42,5 +42,5 @@ TRIBOX_INLINE lane_bounds bounds_of(const lane_triangle *t, const lane_box *box)
     return bound;
 }
 
-/* The bound on the two-sided slacks is twice that of the one-sided ones. */
+/* The bound on the two-sided slacks is twice that of the one-sided ones (PROOFS.md 3.2). */
 TRIBOX_INLINE vnum both_sides_bound(const lane_bounds *bound, int i) { return v_add(bound->edges[i], bound->edges[i]); }

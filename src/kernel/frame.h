@@ -9,7 +9,7 @@
 
 enum { FRAME_K = 8 };
 
-/* Lanes beyond this, or not finite, are left to integers: below it nothing overflows. */
+/* Lanes beyond this, or not finite, are left to integers: below it nothing overflows (PROOFS.md 8.1). */
 #define FRAME_LIMIT 0x1p100f
 
 typedef struct lane_frame {

@@ -58,7 +58,7 @@ TRIBOX_INLINE lane_box_margin widened(const lane_box_margin *box, const lane_sha
     };
 }
 
-/* At least F_a, at most twice it, and zero where F_a is. */
+/* At least F_a, at most twice it, and zero where F_a is: as a sum of magnitudes it cannot lose a NaN, as min and max can. */
 TRIBOX_INLINE vnum extent_sum(const lane_shape *s, int a) { return v_add(v_abs(s->f[0][a]), v_abs(s->f[1][a])); }
 
 TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *from, bool is_box_asked)

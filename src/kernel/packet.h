@@ -15,7 +15,7 @@ TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
 
 /*
  * The bounds on one axis. A zero lower bound is -0 and a zero upper bound +0 here, so that u - lo and hi - u are +0, and not
- * negative, for every zero u.
+ * negative, for every zero u (PROOFS.md 1, consequence 6).
  */
 TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
 {

@@ -53,7 +53,7 @@ TRIBOX_INLINE void place_normal(row_triangle *t, int i)
 
 TRIBOX_INLINE vmask is_not_zero(vnum a) { return v_gt(v_abs(a), v_splat(0)); }
 
-/* W_i */
+/* W_i (PROOFS.md 7.6). */
 TRIBOX_INLINE vnum edges_error(const row_triangle *t, int i)
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
@@ -91,7 +91,7 @@ TRIBOX_INLINE void write_sides(tribox_limits *limits, unsigned at, const row_tri
     }
 }
 
-/* A limit in lanes; where there is none it is infinite. */
+/* A limit in lanes, one more than the place that it stands for; infinite where there is none. */
 typedef struct row_limit {
     vnum at, slope, error;
 } row_limit;
@@ -110,7 +110,7 @@ TRIBOX_INLINE void write_limit(tribox_limit *limit, unsigned at, const row_limit
 
 /*
  * The three edges of the projection along i, 1 or 2: at most two of their limits are upper and at most two lower, as the m_x sum to
- * zero. One limit may fill both places. Returns the largest error.
+ * zero (PROOFS.md 7.5). One limit may fill both places. Returns the largest error.
  */
 TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_triangle *t, int i, vnum bound_scale)
 {

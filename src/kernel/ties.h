@@ -20,7 +20,7 @@ TRIBOX_INLINE vmask are_extents_certifiable(const lane_shape *s, const lane_box_
     return certifiable;
 }
 
-/* Every edge axis is beyond its margin, or redundant. */
+/* Every edge axis is beyond its margin, or redundant (PROOFS.md 2). */
 TRIBOX_INLINE vmask are_edges_certain(const lane_shape *s, const lane_margin *margin)
 {
     vmask certain = m_all();

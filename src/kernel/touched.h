@@ -13,7 +13,7 @@ TRIBOX_INLINE vnum rounded(vnum a)
     return v_sub(v_add(a, shift), shift);
 }
 
-/* The cell of a place: -1 for everything below the grid, size for everything above it. */
+/* The cell of a place, its floor: -1 for everything below the grid, size for everything above it. */
 TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
 {
     const vnum half = v_splat(0.5);
@@ -45,7 +45,7 @@ TRIBOX_INLINE void touch_on_axis(packet_touched *packet, const float *const stre
     packet->touching &= m_bits(m_andnot(v_gt(v_splat(end), first), v_gt(v_splat(from), last)));
 }
 
-/* Where the bits of the first cells are. */
+/* Where the bits of the first cells are (PROOFS.md 7.8). */
 TRIBOX_INLINE void write_words(const packet_touched *packet, const tribox_lattice *lattice, tribox_touched *touched, int lane)
 {
     const vnum row = v_fma(v_sub(packet->base[2], v_splat(lattice->first_layer)), v_splat(lattice->size[1]), packet->base[1]);
