@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
-"""Mutants: faults put into the source one at a time, each of which the default tests have to catch. The faults: mutants.txt.
+"""Mutants: faults put into the source one at a time, each of which the tests have to catch. The faults: mutants.txt.
 
-Works on copies of the tree in a temporary folder. Ends with 0 if the tests catch every mutant but those that the list explains;
-with 1 if one survives without a reason, or is caught in spite of one; with 2 if the suite itself is at fault: a text that is not
-found, a mutant that does not build, tests that fail without any.
+Works on copies of the tree in a temporary folder. Ends with 0 if the tests catch every fault, 1 if one survives, 2 if the suite
+itself is at fault: a text that is not found, a fault that does not build, tests that fail without any.
 """
 import argparse
 import collections
 import concurrent.futures
-import contextlib
 import dataclasses
 import fnmatch
+import itertools
 import json
 import math
 import os
 import queue
+import random
 import re
 import shutil
 import signal
@@ -31,9 +31,9 @@ SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
 WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
 
-# Most tests look at a mutant for a moment only: compiled fast is better than running fast, and no inlining is forced (kernel.h).
+# Most tests look at a fault for a moment only: compiled fast is better than running fast, and no inlining is forced (kernel.h).
 SETUP = ["--buildtype", "plain", "-Doptimization=1", "-Dc_args=-U__OPTIMIZE__", "-Ddefault_library=static", "-Dtests=enabled",
-         "-Dtools=disabled", "-Dbench=disabled"]
+         "-Dembree=disabled", "-Dtools=disabled", "-Dbench=disabled", "-Dpython=disabled"]
 
 
 class SuiteError(Exception):
@@ -47,44 +47,67 @@ class SuiteError(Exception):
 class Mutant:
     name: str
     path: str
-    old: str = ""
-    new: str = ""
-    needs: str = ""  # a test that must not be skipped here
-    reason: str = ""  # why no test can catch it
+    function: str  # "" for the whole file
+    old: str
+    new: str
+    needs: str  # a test that must not be skipped here, or ""
 
 
-FIELDS = {"- ": "old", "+ ": "new", "needs ": "needs", "survives ": "reason"}
+def expanded(text):
+    """The text for every i and j that it names in braces: {i} and {j} run over 0, 1, 2."""
+    letters = [letter for letter in "ij" if "{" + letter + "}" in text]
+    for numbers in itertools.product("012", repeat=len(letters)):
+        one = text
+        for letter, number in zip(letters, numbers):
+            one = one.replace("{" + letter + "}", number)
+        yield one
 
 
 def read_list(path):
-    mutants = []
+    mutants, place, old, needs = [], None, None, ""
     with open(path, encoding="utf-8") as file:
         for number, line in enumerate(file, 1):
             line = line.rstrip()
-            header = re.fullmatch(r"([a-z0-9-]+): (\S+)", line)
-            prefix = next(filter(line.startswith, FIELDS), None)
+            header = re.fullmatch(r"(src/\S+?)(?:: (\w+))?(?: needs (.+))?", line)
+            fault = re.fullmatch(r"\+ ([a-z0-9{}-]+):(?: (.*))?", line)
             if header:
-                mutants.append(Mutant(*header.groups()))
-            elif prefix and mutants:
-                field = FIELDS[prefix]
-                joined = getattr(mutants[-1], field) + "\n" + line[len(prefix):]
-                setattr(mutants[-1], field, joined.strip())
+                place, old, needs = header.groups(default="")[:2], None, header[3] or ""
+            elif line.startswith("- ") and place:
+                old = line[2:]
+            elif fault and old:
+                for one in expanded(line):
+                    name, new = re.fullmatch(r"\+ ([a-z0-9-]+):(?: (.*))?", one).groups(default="")
+                    mutants.append(Mutant(name, *place, old, new.replace("@", old), needs))
             elif line and not line.startswith("#"):
-                raise SuiteError(f"{path}:{number}: neither 'name: file' nor one of {', '.join(map(repr, FIELDS))}: {line}")
-    counts = collections.Counter(mutant.name for mutant in mutants)
-    for mutant in mutants:
-        if not mutant.old or counts[mutant.name] > 1:
-            raise SuiteError(f"{path}: mutant '{mutant.name}' needs a name of its own and a text to find, in a line '- '")
+                raise SuiteError(f"{path}:{number}: neither a place, a text '- ' nor a fault '+ name: ' below one: {line}")
+    for name, count in collections.Counter(mutant.name for mutant in mutants).items():
+        if count > 1:
+            raise SuiteError(f"{path}: {count} faults are called '{name}'; give each a name of its own")
     return mutants
 
 
+def extent_of(function, text, path):
+    """Where a function is defined: from the line with its name to the first line that is a closing brace alone, or ends its line."""
+    starts = [found.start() for found in re.finditer(rf"^\w[^;\n]*\b{function}\(", text, re.M)
+              if not re.match(r"[^;{]*;", text[found.start():])]
+    if len(starts) != 1:
+        raise SuiteError(f"{path} defines {function}() {len(starts)} times, and should once")
+    line_end = text.index("\n", starts[0])
+    if text[starts[0]:line_end].endswith("}"):
+        return starts[0], line_end
+    return starts[0], text.index("\n}", starts[0])
+
+
 def mutated(mutant, text):
-    """The text with the fault in it. How the lines of the list and of the text are broken does not matter."""
+    """The text of the file with the fault in it. How lines are broken does not matter."""
+    start, end = extent_of(mutant.function, text, mutant.path) if mutant.function else (0, len(text))
     pattern = r"\s+".join(map(re.escape, mutant.old.split()))
-    places = len(re.findall(pattern, text))
+    part = text[start:end]
+    places = len(re.findall(pattern, part))
     if places != 1:
-        raise SuiteError(f"{mutant.path} has the text {places} times, and should have it once: {mutant.old}")
-    return re.sub(pattern, lambda _: mutant.new, text)
+        where = f"{mutant.function}() of {mutant.path}" if mutant.function else mutant.path
+        raise SuiteError(f"{where} has the text {places} times, and should have it once: {mutant.old}")
+    return text[:start] + re.sub(pattern, lambda _: mutant.new, part) + text[end:]
 
 
 # A copy of the tree, its build, and the tests in it.
@@ -111,20 +134,20 @@ def not_source(folder, names):
 
 
 class Site:
-    """A copy of the tree with a build of its own, in which one mutant at a time is tried."""
+    """A copy of the tree with a build of its own, in which one fault at a time is tried."""
 
     def __init__(self, folder, threads):
         self.root, self.build, self.threads = os.path.join(folder, "tree"), os.path.join(folder, "build"), threads
         shutil.copytree(ROOT, self.root, ignore=not_source)
         with open(os.path.join(folder, "log"), "w+", encoding="utf-8") as log:
             # In a folder of its own: CMake, which meson asks about itself, cannot run twice in one.
-            if run(["meson", "setup", *SETUP, self.build, self.root], log, cwd=folder) != 0 or not self.compiles(log):
+            if run(["meson", "setup", *SETUP, self.build, self.root], log, cwd=folder) != 0 or not self.compiles(output=log):
                 log.seek(0)
                 raise SuiteError("the tree does not build:\n" + "".join(log.readlines()[-20:]))
         self.tests = self.list_tests()
 
-    def compiles(self, output=subprocess.DEVNULL):
-        return run([NINJA, "-C", self.build, f"-j{self.threads}"], output, timeout=WALL_LIMIT) == 0
+    def compiles(self, *targets, output=subprocess.DEVNULL):
+        return run([NINJA, "-C", self.build, f"-j{self.threads}", *targets], output, timeout=WALL_LIMIT) == 0
 
     def list_tests(self):
         listed = subprocess.run(["meson", "introspect", "--tests", self.build], check=True, capture_output=True).stdout
@@ -134,30 +157,28 @@ class Site:
                 for test in json.loads(listed) if {suite.split(":")[-1] for suite in test["suite"]} & set(SUITES)}
 
     def status(self, name, seconds):
-        """The exit status of a test; below zero where a signal ended it, such as SIGXCPU after so many seconds of processor time."""
+        """The exit status of a test; below zero where a signal ended it, such as SIGXCPU after that much processor time."""
         test = self.tests[name]
         limited = ["sh", "-c", 'ulimit -t "$0"; exec "$@"', str(seconds), *test.command]
         return run(limited, cwd=test.folder, env=test.environment, timeout=WALL_LIMIT)
 
-    @contextlib.contextmanager
-    def with_mutant(self, mutant):
-        path = os.path.join(self.root, mutant.path)
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
-        write(path, mutated(mutant, text))
-        try:
-            yield
-        finally:
-            write(path, text)
+    def programs_of(self, name):
+        """What has to be built before a test runs: the parts of its command that lie in the build."""
+        inside = (os.path.relpath(word, self.build) for word in self.tests[name].command if os.path.isabs(word))
+        return [path for path in inside if not path.startswith("..")]
+
+    def write(self, mutant, text):
+        with open(os.path.join(self.root, mutant.path), "w", encoding="utf-8") as file:
+            file.write(text)
 
 
-def write(path, text):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
+def source_of(mutant):
+    with open(os.path.join(ROOT, mutant.path), encoding="utf-8") as file:
+        return file.read()
 
 
 class Tests:
-    """Which tests to run, for how long, and in which order: those first that caught most mutants in the least time."""
+    """Which tests to run, for how long, and in which order: those first that caught most faults in the least time."""
 
     def __init__(self, site):
         self.seconds, self.catches, self.lock = {}, collections.Counter(), threading.Lock()
@@ -167,15 +188,17 @@ class Tests:
             if status == 0:
                 self.seconds[name] = time.monotonic() - start
             elif status != SKIPPED:
-                raise SuiteError(f"the test '{name}' fails without any mutant")
+                raise SuiteError(f"the test '{name}' fails without any fault")
 
     def in_order(self):
         with self.lock:
             return sorted(self.seconds, key=lambda name: self.seconds[name] / (1 + self.catches[name]))
 
     def catcher(self, site):
-        """The first test that fails or hangs, or None."""
+        """The first test that fails or hangs, or None. Each is built when its turn comes: most faults are caught by the first few."""
         for name in self.in_order():
+            if not site.compiles(*site.programs_of(name)):
+                raise SuiteError("does not build")
             status = site.status(name, 20 + 10 * math.ceil(self.seconds[name]))
             if status not in (0, SKIPPED):
                 with self.lock:
@@ -186,23 +209,21 @@ class Tests:
 
 # Verdicts.
 
-CAUGHT, EXPLAINED, SKIPPED_HERE = "caught", "survives, as explained", "skipped"
-SURVIVED, CAUGHT_AFTER_ALL, BROKEN = "SURVIVED", "CAUGHT AFTER ALL", "BROKEN"
+CAUGHT, SKIPPED_HERE, SURVIVED, BROKEN = "caught", "skipped", "SURVIVED", "BROKEN"
 
 
 def judge(site, tests, mutant):
     if mutant.needs and mutant.needs not in tests.seconds:
         return SKIPPED_HERE, f"as the test '{mutant.needs}' is"
+    text = source_of(mutant)
     try:
-        with site.with_mutant(mutant):
-            if not site.compiles():
-                return BROKEN, "does not build"
-            catcher = tests.catcher(site)
+        site.write(mutant, mutated(mutant, text))
+        catcher = tests.catcher(site)
     except SuiteError as error:
         return BROKEN, str(error)
-    if catcher:
-        return (CAUGHT_AFTER_ALL if mutant.reason else CAUGHT), f"by {catcher}"
-    return (EXPLAINED, "") if mutant.reason else (SURVIVED, f"in {mutant.path}: {mutant.old}")
+    finally:
+        site.write(mutant, text)
+    return (CAUGHT, f"by {catcher}") if catcher else (SURVIVED, f"in {mutant.path} {mutant.function}: {mutant.old}")
 
 
 def show_progress(done, count, start):
@@ -213,12 +234,12 @@ def show_progress(done, count, start):
 
 
 def judge_all(folder, mutants, jobs):
-    """Judges the mutants in as many sites as there are jobs. Returns how many came to each verdict."""
+    """Judges the faults in as many sites as there are jobs. Returns how many came to each verdict."""
     count = min(jobs, len(mutants))
     print(f"building {'a copy' if count == 1 else f'{count} copies'} of the tree in {folder}", flush=True)
     with concurrent.futures.ThreadPoolExecutor(count) as pool:
         sites = list(pool.map(lambda k: Site(os.path.join(folder, str(k)), max(1, jobs // count)), range(count)))
-        print("running the tests without a mutant", flush=True)
+        print("running the tests without a fault", flush=True)
         tests = Tests(sites[0])
         free = queue.SimpleQueue()
         for site in sites:
@@ -235,7 +256,7 @@ def judge_all(folder, mutants, jobs):
         try:
             for mutant, (verdict, detail) in zip(mutants, pool.map(judge_in_a_free_site, mutants)):
                 verdicts[verdict] += 1
-                print(f"{verdict:<8} {mutant.name}: {detail}".rstrip(": "), flush=True)
+                print(f"{verdict:<8} {mutant.name}: {detail}", flush=True)
                 show_progress(sum(verdicts.values()), len(mutants), start)
         except KeyboardInterrupt:
             pool.shutdown(wait=False, cancel_futures=True)
@@ -245,36 +266,28 @@ def judge_all(folder, mutants, jobs):
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Puts the faults of mutants.txt into the source, one at a time, and runs the tests.")
-    parser.add_argument("--only", metavar="PATTERN", nargs="+", default=["*"], help="only the mutants of these names, such as 'axis-*'")
-    parser.add_argument("--list", action="store_true", help="print the mutants, look for their texts, and change nothing")
+    parser.add_argument("--only", metavar="PATTERN", nargs="+", default=["*"], help="only the faults of these names, such as 'edge-*'")
+    parser.add_argument("--sample", type=int, metavar="N", help="only N of them, drawn by the seed")
+    parser.add_argument("--seed", type=int, metavar="N", help="of the sample (default: another one every time)")
+    parser.add_argument("--list", action="store_true", help="print the faults, look for their texts, and change nothing")
     parser.add_argument("--keep", action="store_true", help="keep the copies of the tree and their builds")
-    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="mutants tried at a time (default: 2)")
+    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="faults tried at a time (default: 2)")
     arguments = parser.parse_args()
-    if arguments.jobs < 1:
-        parser.error("--jobs must be 1 or more")
+    if arguments.jobs < 1 or (arguments.sample is not None and arguments.sample < 1):
+        parser.error("--jobs and --sample must be 1 or more")
     return arguments
 
 
 def check_texts(mutants):
-    """Every text is in the tree, and once: looked at before anything is built."""
-    texts, faults = {}, []
+    """Every text is in its function, and once: looked at before anything is built."""
+    faults = []
     for mutant in mutants:
         try:
-            if mutant.path not in texts:
-                with open(os.path.join(ROOT, mutant.path), encoding="utf-8") as file:
-                    texts[mutant.path] = file.read()
-            mutated(mutant, texts[mutant.path])
+            mutated(mutant, source_of(mutant))
         except (OSError, SuiteError) as error:
             faults.append(f"{mutant.name}: {error}")
     if faults:
-        raise SuiteError("the source has moved away from the list; these entries need its texts of today:\n  " + "\n  ".join(faults))
-
-
-def print_list(mutants):
-    for mutant in mutants:
-        print(f"{mutant.name}: {mutant.path}")
-        if mutant.reason:
-            print("    survives:", " ".join(mutant.reason.split()))
+        raise SuiteError("the source has moved away from the list; these need its texts of today:\n  " + "\n  ".join(faults))
 
 
 def main():
@@ -282,20 +295,24 @@ def main():
     mutants = [mutant for mutant in read_list(os.path.join(FOLDER, "mutants.txt"))
                if any(fnmatch.fnmatch(mutant.name, pattern) for pattern in arguments.only)]
     if not mutants:
-        raise SuiteError(f"no mutant is called {' or '.join(arguments.only)}; --list prints the names")
-    if arguments.list:
-        print_list(mutants)
+        raise SuiteError(f"no fault is called {' or '.join(arguments.only)}; --list prints the names")
     check_texts(mutants)
     if arguments.list:
+        for mutant in mutants:
+            print(f"{mutant.name}: {mutant.path} {mutant.function}")
         return 0
+    if arguments.sample:
+        seed = random.SystemRandom().randrange(10**6) if arguments.seed is None else arguments.seed
+        print(f"sample of seed {seed}", flush=True)
+        mutants = random.Random(seed).sample(mutants, min(arguments.sample, len(mutants)))
     folder = tempfile.mkdtemp(prefix="tribox-mutants-")
     try:
         verdicts = judge_all(folder, mutants, arguments.jobs)
     finally:
         if not arguments.keep:
             shutil.rmtree(folder, ignore_errors=True)
-    print(f"{len(mutants)} mutants:", ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items()))
-    return 2 if verdicts[BROKEN] else 1 if verdicts[SURVIVED] or verdicts[CAUGHT_AFTER_ALL] else 0
+    print(f"{len(mutants)} faults:", ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items()))
+    return 2 if verdicts[BROKEN] else 1 if verdicts[SURVIVED] else 0
 
 
 if __name__ == "__main__":
