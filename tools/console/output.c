@@ -24,21 +24,6 @@ void output_box(const tribox_box *box)
     output_point(box->hi, ",");
 }
 
-void output_json_box(const tribox_box *box)
-{
-    fputs("{\"lo\": [", stdout);
-    output_point(box->lo, ", ");
-    fputs("], \"hi\": [", stdout);
-    output_point(box->hi, ", ");
-    fputs("]}", stdout);
-}
-
-void output_json_string(const char *text)
-{
-    json j = json_to(stdout);
-    json_string(&j, NULL, text);
-}
-
 /* The word of group i where `axes` has it; 0 for axes stands for all groups. */
 static const char *axes_word(unsigned axes, int i)
 {

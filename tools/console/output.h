@@ -11,12 +11,6 @@ void output_point(const float point[3], const char *separator);
 /* Prints a box as --box takes it: LX,LY,LZ,HX,HY,HZ. */
 void output_box(const tribox_box *box);
 
-/* Prints a box as a JSON object of two arrays, lo and hi. */
-void output_json_box(const tribox_box *box);
-
-/* Prints a string as JSON. */
-void output_json_string(const char *text);
-
 /* Prints the words of groups of axes, as --axes takes them; axes: as in tribox_options. */
 void output_axes(unsigned axes);
 
