@@ -74,7 +74,7 @@ static int take(void *request, int which, const char *value)
 {
     bool *const wants_json = request;
     *wants_json = true;
-    return which == OPTION_OPERAND ? message_usage("'%s' is too much: info takes no file", value) : EXIT_CODE_OK;
+    return which == OPTION_OPERAND ? message_usage("unexpected '%s': info takes no file", value) : EXIT_CODE_OK;
 }
 
 int cmd_info(int count, char **words)

@@ -83,8 +83,8 @@ class WrongCommandLine(support.TestCase):
     def test_operands(self):
         self.fail_with(2, "no mesh file given", "overlap", "--box", support.UNIT_BOX)
         self.fail_with(2, "'b.obj' is one file too many", "overlap", "a.obj", "b.obj", "--box", support.UNIT_BOX)
-        self.fail_with(2, "'a.obj' is too much", "info", "a.obj")
-        self.fail_with(2, "'a.obj' is too much", "demo", "a.obj")
+        self.fail_with(2, "unexpected 'a.obj'", "info", "a.obj")
+        self.fail_with(2, "unexpected 'a.obj'", "demo", "a.obj")
 
     def test_box_or_boxes(self):
         self.fail_with(2, "no box given", "overlap", "a.obj")

@@ -122,7 +122,7 @@ class Grids(Voxelize):
         grid, cells = self.cells("--resolution", "4", mesh=flat)
         self.assertEqual((grid["size"], len(cells)), ([4, 4, 1], 13))
         point = self.write("point.obj", meshes.obj([((1, 2, 3),) * 3]))
-        self.fail_with(1, "point.obj: all of the mesh lies in one point, of which no side is the longest; give --cell",
+        self.fail_with(1, "point.obj: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution",
                        "voxelize", point, "--resolution", "4", "-o", self.path("x.npy"))
         self.assertEqual(self.cells("--cell", "1", mesh=point), ({"origin": [1, 2, 3], "cell": [1] * 3, "size": [1] * 3}, {(0, 0, 0)}))
 
@@ -135,17 +135,25 @@ class Grids(Voxelize):
         mesh = self.write("all.ply", meshes.ply_binary([((nan, 0, 0), (9, 0, 0), (0, 9, 0))]))
         result = support.run("voxelize", mesh, "--resolution", "2", "-o", self.path("all.npy"))
         self.assertEqual(result.code, 1)
-        self.assertIn("no triangle with finite coordinates", result.stderr)
+        self.assertIn("none of its triangles has finite coordinates", result.stderr)
 
     def refuse(self, pattern, *options):
         self.fail_with(1, pattern, "voxelize", self.mesh, *options, "-o", self.path("refused.npy"))
         self.assertEqual(os.listdir(self.folder), ["mesh.ply"])
 
     def test_refused_grids(self):
-        self.refuse("a grid of .* cells takes .*; tribox serves grids of 16.0 GiB at most: choose fewer cells",
+        self.refuse("a grid of .* cells takes .*, a bit per cell; the most is 16.0 GiB: choose fewer cells",
                     "--resolution", "2000000000")
-        self.refuse("16.0 GiB at most", "--cell", "1e-30")
-        self.refuse("finer than float: cells of .* choose larger cells", "--cell", "1", "--origin", "1e9,0,0", "--size", "2,2,2")
+        self.refuse("the most is 16.0 GiB", "--cell", "1e-30")
+        finer = "finer than float on the %s axis: near %s it cannot tell cells of %s apart; choose cells of %s or more, or move"
+        for axis, origin, cell, size, words in (
+                ("x", "1e9,0,0", "1", "2,2,2", ("1e\\+09", "1", "64")), ("y", "0,-1e9,0", "1", "2,2,2", ("-1e\\+09", "1", "64")),
+                ("z", "0,0,5108010", "1,1,0.0625", "2,2,9", ("5108010.5", "0.0625", "0.5")),
+                ("y", "0,16777216,0", "1", "9,9,9", ("16777224", "1", "2"))):
+            grid = ("--origin=" + origin, "--size", size)
+            self.refuse(finer % (axis, *words), "--cell", cell, *grid)
+            self.succeed("voxelize", self.mesh, "--cell", words[2], "--quiet", "-o", self.path("served.raw"), *grid)
+            os.remove(self.path("served.raw"))
         self.refuse("reaches beyond what float holds on the y axis", "--cell", "1,1e38,1", "--origin", "0,0,0", "--size", "2,9,2")
         self.refuse("the mesh ends at x = [0-9.]+, before the grid starts at 100; move --origin, or give --size",
                     "--cell", "1", "--origin", "100,0,0")
@@ -215,7 +223,10 @@ class Files(Voxelize):
         self.assertEqual(fields["grid"], "8 x 8 x 8 cells of 0.5 x 0.5 x 0.5, from -2,-2,-2")
         self.assertEqual(fields["occupied"], "%d cells (%.4g %%)" % (cells, 100 * cells / 512))
         self.assertRegex(fields["test"], r"^exact, axes box,plane,edges, kernel \w+, 1 thread$")
-        self.assertRegex(fields["time"], r"^[\d.]+ ms, [\d.]+ ns per triangle \(the voxelization alone\)$")
+        self.assertRegex(fields["time"], r"^[\d.]+ ms \(the voxelization alone\)$")
+        many = self.write("many.f32", bytes(36 * 1000))
+        self.assertRegex(self.succeed("voxelize", many, "--cell", "1", "-o", self.path("m.npy")),
+                         r"\ntime         [\d.]+ ms, [\d.]+ ns per triangle \(the voxelization alone\)\n")
         self.assertEqual(fields["written"], self.path("s.npy"))
 
     def test_json(self):

@@ -4,11 +4,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "console/decimal.h"
 #include "console/memory.h"
 #include "console/message.h"
 
-/* What the library serves: 2^31 words. */
-static const double words_most = 0x1p31;
+/* The library serves up to 2^31 words. */
+static const double words_max = 0x1p31;
 
 static int bounds_of(const char *path, const tribox_soup *soup, tribox_box *bounds)
 {
@@ -24,7 +25,8 @@ static int bounds_of(const char *path, const tribox_soup *soup, tribox_box *boun
             bounds->hi[c / 3] = fmaxf(bounds->hi[c / 3], x);
         }
     }
-    return bounds->lo[0] <= bounds->hi[0] ? EXIT_CODE_OK : message_failure("%s: no triangle with finite coordinates in it", path);
+    return bounds->lo[0] <= bounds->hi[0] ? EXIT_CODE_OK
+                                          : message_failure("%s: none of its triangles has finite coordinates", path);
 }
 
 /* As tribox_grid states it. */
@@ -52,7 +54,8 @@ static int choose_cubes(const char *path, const tribox_box *bounds, uint32_t res
         longest = sides[a] > sides[longest] ? a : longest;
     }
     if (!(sides[longest] > 0))
-        return message_failure("%s: all of the mesh lies in one point, of which no side is the longest; give --cell", path);
+        return message_failure("%s: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution",
+                               path);
     tribox_grid around = *grid;
     memcpy(around.origin, bounds->lo, sizeof around.origin);
     const float cell = cell_reaching(&around, longest, resolution, bounds->hi[longest]);
@@ -61,11 +64,11 @@ static int choose_cubes(const char *path, const tribox_box *bounds, uint32_t res
     return EXIT_CODE_OK;
 }
 
-/* The least number of cells that reach hi, one at least; more than any grid has where they are too many. */
+/* The least number of cells that reach hi, at least one; where that is too many, more than any grid has. */
 static double cells_reaching(const tribox_grid *grid, int a, float hi)
 {
     double cells = fmax(1, floor(((double)hi - (double)grid->origin[a]) / (double)grid->cell[a]) - 1);
-    while (cells < words_most && plane(grid, a, cells) < hi)
+    while (cells < words_max && plane(grid, a, cells) < hi)
         cells++;
     return cells;
 }
@@ -82,30 +85,64 @@ static int choose_size(const char *path, const tribox_box *bounds, tribox_grid *
     return EXIT_CODE_OK;
 }
 
-static int refuse_floats(const tribox_grid *grid)
+static bool is_served(const tribox_grid *grid)
 {
-    for (int a = 0; a < 3; a++)
-        if (!isfinite(plane(grid, a, grid->size[a])))
-            return message_failure("the grid reaches beyond what float holds on the %c axis; choose smaller or fewer cells",
-                                   "xyz"[a]);
-    return message_failure("the grid is finer than float: cells of %.9g x %.9g x %.9g cannot be told apart so far from 0; choose "
-                           "larger cells, or move the mesh towards 0",
-                           (double)grid->cell[0], (double)grid->cell[1], (double)grid->cell[2]);
+    const tribox_soup nothing = {.count = 0};
+    uint64_t none;
+    return !tribox_voxelize_layers(&nothing, grid, 0, 0, NULL, &none, NULL);
 }
 
-/* Asks the library, and finds out why it says no. */
+/* The x axis of this grid is that axis of the other, over the same length with cells as long as `cell`; its other axes are plain. */
+static tribox_grid one_axis(const tribox_grid *grid, int a, float cell)
+{
+    const double length = (double)plane(grid, a, grid->size[a]) - (double)grid->origin[a];
+    return (tribox_grid){{grid->origin[a], 0, 0}, {cell, 1, 1}, {(uint32_t)fmax(1, ceil(length / (double)cell)), 1, 1}};
+}
+
+/* The smallest cell that float can tell apart all along the axis, to a power of two. */
+static float smallest_cell(const tribox_grid *grid, int a)
+{
+    const float farthest = fmaxf(fabsf(grid->origin[a]), fabsf(plane(grid, a, grid->size[a])));
+    float cell = nextafterf(farthest, INFINITY) - farthest;
+    for (tribox_grid tried = one_axis(grid, a, cell); !is_served(&tried); tried = one_axis(grid, a, cell))
+        cell *= 2;
+    return cell;
+}
+
+static int refuse_axis(const tribox_grid *grid, int a)
+{
+    char cell[DECIMAL_MAX], far[DECIMAL_MAX], smallest[DECIMAL_MAX];
+    const float start = grid->origin[a], end = plane(grid, a, grid->size[a]);
+    if (!isfinite(end))
+        return message_failure("the grid reaches beyond what float holds on the %c axis; choose smaller or fewer cells", "xyz"[a]);
+    return message_failure(
+        "the grid is finer than float on the %c axis: near %s it cannot tell cells of %s apart; choose cells of %s "
+        "or more, or move the mesh towards 0",
+        "xyz"[a], decimal_of(fabsf(start) > fabsf(end) ? start : end, far), decimal_of(grid->cell[a], cell),
+        decimal_of(smallest_cell(grid, a), smallest));
+}
+
+/* Finds out why the library refuses the grid. */
+static int refuse_floats(const tribox_grid *grid)
+{
+    int a = 0;
+    for (; a < 2; a++) {
+        const tribox_grid axis = {{grid->origin[a], 0, 0}, {grid->cell[a], 1, 1}, {grid->size[a], 1, 1}};
+        if (!is_served(&axis))
+            break;
+    }
+    return refuse_axis(grid, a);
+}
+
 static int check_grid(const tribox_grid *grid)
 {
     char bytes[16];
     const double words = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2];
-    if (words > words_most)
-        return message_failure(
-            "a grid of %u x %u x %u cells takes %s, a bit a cell; tribox serves grids of 16.0 GiB at most: choose "
-            "fewer cells",
-            grid->size[0], grid->size[1], grid->size[2], memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes));
-    const tribox_soup nothing = {.count = 0};
-    uint64_t none;
-    return tribox_voxelize_layers(&nothing, grid, 0, 0, NULL, &none, NULL) == TRIBOX_BAD_GRID ? refuse_floats(grid) : EXIT_CODE_OK;
+    if (words > words_max)
+        return message_failure("a grid of %u x %u x %u cells takes %s, a bit per cell; the most is 16.0 GiB: choose fewer cells",
+                               grid->size[0], grid->size[1], grid->size[2],
+                               memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes));
+    return is_served(grid) ? EXIT_CODE_OK : refuse_floats(grid);
 }
 
 int grid_choose(const grid_choice *choice, const char *path, const tribox_soup *soup, tribox_grid *grid)

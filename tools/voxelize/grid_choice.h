@@ -1,4 +1,4 @@
-/* grid_choice.h - the grid of tribox voxelize: what the command line says, and the mesh for what it leaves open. */
+/* grid_choice.h - the grid of tribox voxelize, from the command line and, for what that leaves open, from the mesh. */
 #ifndef GRID_CHOICE_H
 #define GRID_CHOICE_H
 
@@ -14,7 +14,7 @@ typedef struct grid_choice {
     uint32_t size[3];
 } grid_choice;
 
-/* Makes the grid, so that it holds the mesh where size and origin are left open. Returns an exit_code. path: of the mesh. */
+/* Makes the grid; it holds the mesh where size and origin are left open. path: that of the mesh. Returns an exit_code. */
 int grid_choose(const grid_choice *choice, const char *path, const tribox_soup *soup, tribox_grid *grid);
 
 #endif

@@ -12,6 +12,16 @@ static double share_percent(const voxelize_answer *a) { return a->layers ? 100 *
 
 static double ns_per_triangle(const voxelize_answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
 
+/* The time per triangle is left out for so few that starting the threads takes most of it. */
+static void print_time(const voxelize_answer *a)
+{
+    enum { FEW = 1000 };
+    printf("time         %.3f ms", 1e3 * a->seconds);
+    if (a->triangles >= FEW)
+        printf(", %.2f ns per triangle", ns_per_triangle(a));
+    printf(" (the voxelization alone)\n");
+}
+
 void voxelize_print_grid(const tribox_grid *grid)
 {
     printf("grid         %u x %u x %u cells of ", grid->size[0], grid->size[1], grid->size[2]);
@@ -42,7 +52,7 @@ static void print_summary(const voxelize_answer *a)
     printf("test         %s, axes ", options_accuracy_word(a->test.accuracy));
     output_axes(a->test.axes);
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&a->test), a->threads, a->threads == 1 ? "" : "s");
-    printf("time         %.3f ms, %.2f ns per triangle (the voxelization alone)\n", 1e3 * a->seconds, ns_per_triangle(a));
+    print_time(a);
     printf("written      %s\n", a->out_path);
     if (a->preview_path)
         printf("preview      %s\n", a->preview_path);
