@@ -26,45 +26,49 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
                            "Usage: tribox sweep MESH [--box LX,LY,LZ,HX,HY,HZ | --octree DEPTH | --grid N] [OPTION...]\n"
                            "\n"
                            "Times every order of the three groups of axes (1 box normals, 2 plane, 3 edges) with every\n"
-                           "kernel and accuracy, and every choice of axes; counts which axis rejects what; and ends with\n"
-                           "one sentence: which order and axes to use for this mesh, and what they gain over the default.\n"
-                           "Takes a few seconds, with a million triangles against a box half a minute.\n"
+                           "kernel and accuracy, and every choice of axes, and advises which to use for this mesh. Takes a\n"
+                           "few seconds, with a million triangles against a box half a minute.\n"
                            "\n"
                            "What the triangles are tested against:\n"
                            "  --octree DEPTH            leaves of an octree of the mesh, 1 to 10 deep, each against the\n"
                            "                            triangles of its parent: some 20,000 pairs. Without any of\n"
                            "                            these options an octree with about 16 triangles in a leaf\n"
                            "  --grid N                  the whole mesh against cells that hold a part of it, of a grid\n"
-                           "                            with N cells along the longest side, 1 to 4096: 2 to 64 cells\n"
-                           "  --box LX,LY,LZ,HX,HY,HZ   the whole mesh against one box\n"
+                           "                            with N cells along the longest side, 1 to 4096: at most 64 cells\n"
+                           "  -b, --box LX,LY,LZ,HX,HY,HZ  the whole mesh against one box\n"
                            "\n"
                            "The answer:\n"
-                           "  --json                    a JSON object, with the times of all rounds\n"
+                           "  -v, --verbose             also the tables: the times of all, and which axis rejects what\n"
+                           "  -j, --json                a JSON object, with the times of all rounds\n"
                            "  --chart FILE.svg          draws nanoseconds by order, for each kernel and accuracy\n"
-                           "  --help                    this text\n"
+                           "  -h, --help                this text\n"
                            "\n"
-                           "Times are of one thread, in nanoseconds for a pair of a triangle and a box. All take turns, in\n"
-                           "a fresh random order each round, and the least of the rounds counts. 'none' says that no order\n"
-                           "is faster than the default by 1 % and in three quarters of the rounds. 'paper' is the algorithm\n"
-                           "of Akenine-Moller (2001), a triangle at a time.\n"
+                           "Times are processor time of one thread, in nanoseconds for a pair of a triangle and a box. All\n"
+                           "take turns, in a fresh random order each round, and the least of the rounds counts. 'none' says\n"
+                           "that no order is faster than the default by 1 % and in three quarters of the rounds. 'paper' is\n"
+                           "the algorithm of Akenine-Moller (2001), a triangle at a time.\n"
                            "\n"
                            "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
                            "\n"
                            "Examples:\n"
                            "  tribox sweep bunny.ply\n"
-                           "  tribox sweep bunny.ply --grid 64 --chart bunny.svg\n";
+                           "  tribox sweep bunny.ply --grid 64 --verbose --chart bunny.svg\n";
 
-enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_JSON, OPTION_CHART };
+enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_VERBOSE, OPTION_JSON, OPTION_CHART };
 
-static const option_entry options[] = {
-    [OPTION_BOX] = {"box", 'b', true},    [OPTION_OCTREE] = {"octree", 0, true}, [OPTION_GRID] = {"grid", 0, true},
-    [OPTION_JSON] = {"json", 'j', false}, [OPTION_CHART] = {"chart", 0, true},   {NULL, 0, false}};
+static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
+                                       [OPTION_OCTREE] = {"octree", 0, true},
+                                       [OPTION_GRID] = {"grid", 0, true},
+                                       [OPTION_VERBOSE] = {"verbose", 'v', false},
+                                       [OPTION_JSON] = {"json", 'j', false},
+                                       [OPTION_CHART] = {"chart", 0, true},
+                                       {NULL, 0, false}};
 
 typedef struct request {
     const char *mesh_path, *chart_path;
     sweep_wish wish;
     int wishes; /* options that say what to test against */
-    bool wants_json;
+    bool wants_json, wants_tables;
 } request;
 
 static int read_box(const char *text, tribox_box *box)
@@ -99,6 +103,9 @@ static int take(void *context, int which, const char *value)
         return take_wish(r, SWEEP_OCTREE, value);
     case OPTION_GRID:
         return take_wish(r, SWEEP_GRID, value);
+    case OPTION_VERBOSE:
+        r->wants_tables = true;
+        return EXIT_CODE_OK;
     case OPTION_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
@@ -120,22 +127,30 @@ typedef struct findings {
     char advice_text[256];
 } findings;
 
+static void print_tables(const findings *f)
+{
+    putchar('\n');
+    report_times(stdout, &f->s);
+    putchar('\n');
+    report_axes(stdout, &f->s, &f->w);
+    putchar('\n');
+    report_why(stdout, &f->w);
+}
+
 static void print_text(const findings *f)
 {
+    printf("%s\n\n", f->advice_text);
     printf("mesh         %s\n", f->r->mesh_path);
     printf("triangles    %zu", f->m->soup.count);
     if (f->m->not_finite)
         printf(" (%zu have NaN or infinite coordinates and overlap nothing)", f->m->not_finite);
     putchar('\n');
     printf("tested       %s\n", f->work_text);
-    printf("pairs        %zu, of which %zu overlap (%.2f %%)\n\n", f->work->pairs, f->w.overlapping,
+    printf("pairs        %zu, of which %zu overlap (%.2f %%)\n", f->work->pairs, f->w.overlapping,
            100 * (double)f->w.overlapping / (double)f->w.pairs);
-    report_times(stdout, &f->s);
-    putchar('\n');
-    report_axes(stdout, &f->s, &f->w);
-    putchar('\n');
-    report_why(stdout, &f->w);
-    printf("\n%s\n", f->advice_text);
+    report_best(stdout, &f->s);
+    if (f->r->wants_tables)
+        print_tables(f);
 }
 
 static void print_json(const findings *f)
@@ -172,7 +187,7 @@ static int find(findings *f)
     return EXIT_CODE_OK;
 }
 
-/* A chart that cannot be written is told before the sweep takes its time. */
+/* Before the sweep takes its time, so that it is not in vain. */
 static int open_chart(const char *path, FILE **chart)
 {
     *chart = path ? fopen(path, "w") : NULL;
@@ -183,6 +198,14 @@ static int close_chart(const char *path, FILE *chart)
 {
     const bool is_lost = ferror(chart) != 0;
     return fclose(chart) || is_lost ? message_failure("--chart: '%s' could not be written to its end", path) : EXIT_CODE_OK;
+}
+
+static void draw_chart(FILE *chart, const findings *f)
+{
+    const char *const slash = strrchr(f->r->mesh_path, '/');
+    char title[512];
+    snprintf(title, sizeof title, "%s: %zu pairs, %s", slash ? slash + 1 : f->r->mesh_path, f->work->pairs, f->work_text);
+    sweep_chart(chart, &f->s, title);
 }
 
 static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, const sweep_wish *wish)
@@ -199,7 +222,7 @@ static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, 
     code = find(&f);
     if (chart) {
         if (!code)
-            sweep_chart(chart, &f.s, "Nanoseconds per pair of a triangle and a box, by the order of the axes");
+            draw_chart(chart, &f);
         const int closed = close_chart(r->chart_path, chart);
         code = code ? code : closed;
     }

@@ -125,10 +125,15 @@ class Sweep(support.TestCase):
         self.assertGreater(found["overlapping"], found["soups"])
 
     def test_text(self):
-        text = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX)
-        *lines, last = text.splitlines()
-        self.assertLessEqual(max(map(len, lines)), 100)
-        self.assertRegex(last, r"\AUse .* here.*\.\Z")
+        short = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX)
+        advice, empty, *lines = short.splitlines()
+        self.assertRegex(advice, r"\AUse .* here.*\.\Z")
+        self.assertEqual(empty, "")
+        self.assertEqual([line.split()[0] for line in lines], ["mesh", "triangles", "tested", "pairs", "time"])
+
+    def test_tables(self):
+        text = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX, "--verbose")
+        self.assertLessEqual(max(map(len, text.splitlines()[1:])), 100)
         rows = re.findall(r"(?m)^(\w+) +(?:(fast|conservative|exact) +)?((?:[\d.]+ +){6})(none|\d{3}, by [\d.]+ %)$", text)
         expected = [("paper", "")] + [(k, a) for k in self.kernels for a in ("fast", "conservative", "exact")]
         self.assertEqual([row[:2] for row in rows], expected)
@@ -142,6 +147,7 @@ class Sweep(support.TestCase):
         rectangles = root.findall("{http://www.w3.org/2000/svg}rect")
         self.assertEqual(len(rectangles), 1 + 6 + 6 * (3 * len(self.kernels) + 1))
         self.assertEqual({text.text for text in root.iter() if text.text in (*self.kernels, "paper")}, {*self.kernels, "paper"})
+        self.assertRegex(root.find("{http://www.w3.org/2000/svg}text").text, r"^mesh\.ply: \d+ pairs, \d+ leaves of an octree")
 
     def test_not_finite(self):
         self.triangles[5] = ((math.nan, 0, 0), (1, 0, 0), (0, 1, 0))
@@ -164,8 +170,8 @@ class Help(support.TestCase):
         text = self.succeed("sweep", "--help")
         self.assertEqual(self.succeed("sweep", "-h"), text)
         self.assertRegex(text, r"(?m)^Usage: tribox sweep MESH ")
-        for option in ("--octree", "--grid", "--box", "--json", "--chart", "--help"):
-            self.assertRegex(text, r"(?m)^  %s " % option)
+        for option in ("--octree", "--grid", "--box", "--verbose", "--json", "--chart", "--help"):
+            self.assertRegex(text, r"(?m)^  (-\w, )?%s " % option)
         self.assertLessEqual(max(map(len, text.splitlines())), 100)
         self.assertRegex(self.succeed("--help"), r"(?m)^  sweep ")
 

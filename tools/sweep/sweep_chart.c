@@ -1,8 +1,10 @@
 /* sweep_chart.c - the SVG of a sweep, written line by line. */
 #include "sweep_chart.h"
 
+#include <math.h>
+
 /* In pixels. */
-enum { WIDTH = 960, LEFT = 90, TOP = 84, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
+enum { WIDTH = 960, LEFT = 110, TOP = 108, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
 
 static const char *const colours[SWEEP_ORDERS] = {"#1b9e77", "#404040", "#d95f02", "#e6ab02", "#7570b3", "#e7298a"};
 
@@ -30,13 +32,12 @@ static void draw_legend(FILE *to)
 {
     for (int o = 0; o < SWEEP_ORDERS; o++) {
         char order[16];
-        const int x = LEFT + 76 * o;
+        const int x = 16 + 76 * o;
         snprintf(order, sizeof order, "%u", sweep_orders[o]);
-        fprintf(to, "<rect x=\"%d\" y=\"44\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, colours[o]);
-        text_at(to, x + 20, 56, "font-size=\"13\"", order);
+        fprintf(to, "<rect x=\"%d\" y=\"60\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, colours[o]);
+        text_at(to, x + 20, 72, "font-size=\"13\"", order);
     }
-    text_at(to, LEFT + 76 * SWEEP_ORDERS, 56, "font-size=\"12\" fill=\"#606060\"",
-            "order: 1 box normals, 2 plane, 3 edges; bold: the least");
+    text_at(to, 16 + 76 * SWEEP_ORDERS, 72, "font-size=\"12\" fill=\"#606060\"", "order: 1 box normals, 2 plane, 3 edges");
 }
 
 /* One order of a kernel at an accuracy, its figure above the bar. */
@@ -77,13 +78,37 @@ static double most_of(const sweep *s, const char *kernel)
     return most;
 }
 
+/* 1, 2 or 5 times a power of ten: the distance of three to six marks up to `most`. */
+static double step_for(double most)
+{
+    double step = pow(10, floor(log10(most)));
+    if (most / step < 3)
+        step /= most / step < 1.5 ? 5 : 2;
+    return most / step > 6 ? 2 * step : step;
+}
+
+/* The marks of a panel: its scale is its own, so that the fast kernels can be read beside the slow ones. */
+static void draw_axis(FILE *to, int base, double most, double top)
+{
+    const double step = step_for(most);
+    for (double at = 0; at <= top; at += step) {
+        const double y = base - PANEL * at / top;
+        char mark[32];
+        snprintf(mark, sizeof mark, "%g", at);
+        fprintf(to, "<line x1=\"%d\" y1=\"%.1f\" x2=\"%d\" y2=\"%.1f\" stroke=\"#d8d8d8\"/>\n", LEFT - 6, y, WIDTH - 20, y);
+        text_at(to, LEFT - 10, y + 4, "font-size=\"11\" fill=\"#606060\" text-anchor=\"end\"", mark);
+    }
+}
+
 /* kernel: NULL for the paper's test, which has one accuracy. */
 static void draw_panel(FILE *to, const sweep *s, const char *kernel, int top)
 {
     const int base = top + PANEL;
-    text_at(to, LEFT - 14, top + PANEL / 2.0, "font-size=\"15\" text-anchor=\"end\"", kernel ? kernel : "paper");
+    const double most = most_of(s, kernel), step = step_for(most), highest = step * ceil(most / step);
+    draw_axis(to, base, most, highest);
+    text_at(to, 16, top - 8, "font-size=\"15\"", kernel ? kernel : "paper");
     for (int a = 0; a < (kernel ? SWEEP_ACCURACIES : 1); a++)
-        draw_group(to, s, kernel, sweep_accuracies[a], LEFT + a * (SWEEP_ORDERS * BAR + BETWEEN), base, most_of(s, kernel));
+        draw_group(to, s, kernel, sweep_accuracies[a], LEFT + a * (SWEEP_ORDERS * BAR + BETWEEN), base, highest);
     fprintf(to, "<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" stroke=\"#404040\"/>\n", LEFT - 6, base, WIDTH - 20, base);
 }
 
@@ -98,7 +123,9 @@ void sweep_chart(FILE *to, const sweep *s, const char *title)
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\">\n"
         "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
         WIDTH, height, WIDTH, height);
-    text_at(to, LEFT, 26, "font-size=\"16\"", title);
+    text_at(to, 16, 26, "font-size=\"16\"", title);
+    text_at(to, 16, 46, "font-size=\"13\" fill=\"#606060\"",
+            "nanoseconds per pair of a triangle and a box, the least in bold; each kernel has a scale of its own");
     draw_legend(to);
     for (int k = 0; k <= count; k++)
         draw_panel(to, s, tribox_kernel_list((size_t)k), TOP + k * (PANEL + GAP));
