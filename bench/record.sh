@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures this machine, and leaves tables and charts in bench/results/<processor>: record.sh [MESH...]
-# Run it while the machine does nothing else; building apart it takes four minutes. NAME=... names the folder, BUILD=... the build.
+# Measures the machine it runs on, and leaves tables and charts in bench/results/<processor>: record.sh [MESH...]
+# Run it while the machine is idle; without building it takes four minutes. NAME=... names the folder, BUILD=... the build.
 set -eu
 cd "$(dirname "$0")/.."
 packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf gnuplot-nox libassimp-dev libcgal-dev libgmp-dev libmpfr-dev
@@ -12,7 +12,8 @@ test -d "$build" || meson setup "$build" -Dtests=disabled
 meson compile -C "$build"
 mkdir -p "$results"
 bench/accuracy/chart.sh "$build/bench/accuracy" bench/accuracy/accuracy.gp "$results" "$@"
-rm "$results/accuracy.json" # the same as the CSV, five times as long
+rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # the repository keeps the table and the short chart
+"$build/bench/ratios" >"$results/ratios.txt"
 "$build/bench/cgal" >"$results/cgal.txt"
 "$build/bench/inputs" >"$results/inputs.txt"
 echo "$results: done; tables that say 'disturbed' were not measured on a quiet machine"

@@ -78,7 +78,7 @@ if (!is_short) {
         set tmargin at screen 1 - (top + down * panel_height + 30) / height
         set bmargin at screen 1 - (top + (down + 1) * panel_height - 40) / height
         set title scene offset 0, -0.5 font ",12"
-        set xlabel (s + columns > words(scenes) ? "errors in a million pairs" : "") offset 0, 0.4
+        set xlabel (s + columns > words(scenes) ? "errors in a million pairs (marks at 0 are spread)" : "") offset 0, 0.4
         set ylabel (across == 0 ? "ns per triangle" : "")
         plot for [k = 2:words(kernels)] csv using (is_of(scene, word(kernels, k)) ? @error : NaN):(column("ns_median")) \
                  with lines lw 1 dt 3 lc rgb colour_of(word(kernels, k)), \
@@ -123,7 +123,7 @@ if (is_short) {
     do for [s = 1:words(scenes)] { set ytics add ("" words(scenes) - s) }
     set lmargin at screen 500 / width
     set rmargin at screen 840 / width
-    set xlabel "errors in a million pairs"
+    set xlabel "errors in a million pairs (marks at 0 are spread)"
     set xrange [error_least : error_most]
     eval error_tics
     set object 1 rectangle from first error_least, graph 0 to first zero + 0.8, graph 1 fc rgb "#f2f2f2" fs noborder behind

@@ -70,11 +70,6 @@ def percent(value, digits=1):
     return "%.*f %%" % (digits, 100 * value)
 
 
-def with_range(row, name, digits=2):
-    """A figure with the range between processes."""
-    return "%.*f [%.*f, %.*f]" % (digits, row[name], digits, row[name + "_least"], digits, row[name + "_most"])
-
-
 def machine(r):
     h = r.header
     virtual = ", virtual" if h["virtual"] == "True" else ""
@@ -98,7 +93,7 @@ def times(r, kernel, accuracy):
     """Nanoseconds on every scene, by order. Bold: the fastest beyond the spread; a star: tied with the fastest."""
     own, last = r.get("paper", kernel, accuracy, order="312"), slowest(r, "paper", kernel, accuracy)
     text = "On `paper` the fastest order is %s; 312 takes %s times its time, the slowest, %s, %.2f times.\n" % (
-        r.best(("paper", r.size, kernel, accuracy))["order"], with_range(own, "to_best"), last["order"], last["to_best"])
+        r.best(("paper", r.size, kernel, accuracy))["order"], "%.2f" % own["to_best"], last["order"], last["to_best"])
     text += "Over all scenes the slowest order takes %s.\n\n" % worth(r, kernel, accuracy)
     rows = []
     for scene in r.scenes():
@@ -172,13 +167,13 @@ def soup(r):
     rows = []
     most = r.sizes[-1]
     gains = [r.get("sparse", k, size=most)["ns"] / r.get("sorted", k, size=most)["ns"] for k in r.kernels]
-    text = "At %d pairs the spatial order makes the default so many times as fast: %s.\n\n" % (
+    text = "At %d pairs the spatial order makes the default faster, by a factor of: %s.\n\n" % (
         most, ", ".join("%s %.2f" % pair for pair in zip(r.kernels, gains)))
     for size in r.sizes:
         for kernel in r.kernels:
             for scene in ("sparse", "sorted"):
                 plain, paper = (r.get(scene, kernel, order=order, size=size) for order in (DEFAULT, "312"))
-                rows.append(["%d" % size, kernel, scene, with_range(plain, "ns"), with_range(paper, "ns"), "%.1f" % plain["bytes"],
+                rows.append(["%d" % size, kernel, scene, "%.2f" % plain["ns"], "%.2f" % paper["ns"], "%.1f" % plain["bytes"],
                              percent(plain["left_1"]), percent(paper["left_1"])])
     return text + table(["pairs", "kernel", "triangles", "132: ns", "312: ns", "132: bytes", "packets left by the box normals",
                   "by the edges"], rows)
@@ -221,7 +216,7 @@ def left_by(r, scene, group):
 
 
 def default(r):
-    """Where the default order is more than 5 % behind the best: by how much at most, and which order is ahead."""
+    """Where the default order is more than 5 % slower than the best: by how much at most, and which order is faster."""
     behind, cells = {}, r.cells()
     for cell in cells:
         plain = r.by_key[(*cell, "all", DEFAULT)]
@@ -250,7 +245,7 @@ def baseline(r):
         found = [r.get(scene, "scalar", accuracy, order=o) for o in ("312", DEFAULT) for accuracy in ("fast", "exact")]
         slower += found[0]["to_paper_least"] > 1
         paper_ns = [r.get(scene, "paper", "fast", order=o)["ns"] for o in ("312", DEFAULT)]
-        rows.append([scene, *("%.2f" % ns for ns in paper_ns), *(with_range(f, "to_paper") for f in found)])
+        rows.append([scene, *("%.2f" % ns for ns in paper_ns), *("%.2f" % f["to_paper"] for f in found)])
     text = "FAST in order 312 is slower than the paper's test in order 312, beyond the spread, on %d of %d scenes.\n\n" % (
         slower, len(rows))
     head = ["scene", "paper 312: ns", "paper 132: ns", "FAST 312", "EXACT 312", "FAST 132", "EXACT 132"]
@@ -259,8 +254,6 @@ def baseline(r):
 
 def reproduced(r, second):
     """Cells where a run shows one fastest order, and the other run another."""
-    if not second:
-        return "@@a second run: python3 bench/order/order_summary.py RESULTS SECOND@@"
     shown = differing = 0
     for cell in r.cells():
         for one, other in ((r, second), (second, r)):
@@ -279,7 +272,8 @@ def main():
         sys.exit(__doc__.strip())
     first, *rest = [Results(folder) for folder in sys.argv[1:]]
     blocks = {block.__name__: block(first) for block in BLOCKS}
-    blocks["reproduced"] = reproduced(first, rest[0] if rest else None)
+    if rest:
+        blocks["reproduced"] = reproduced(first, rest[0])
     with open(FINDINGS, encoding="utf-8") as file:
         text = file.read()
     for name, block in blocks.items():

@@ -1,6 +1,6 @@
 """The order sweep: runs build/bench/order on every scene and size in several processes, joins what they measured, and draws it.
 
-Leaves order.csv, axes.csv, order.json and charts in the folder --out. Progress goes to standard error.
+Leaves in the folder --out: order.csv, the medians; axes.csv; order.json, everything; and charts. Progress goes to standard error.
 """
 
 import argparse
@@ -17,6 +17,8 @@ import order_charts
 import order_join
 
 SIZES = (800, 20000, 1000000)  # in the first-level cache, in the second, in none
+MEDIANS = ("scene", "size", "pairs", "hit_rate", "kernel", "lanes", "accuracy", "axes", "order", "ns", "to_best", "to_paper",
+           "to_paper_least", "verdict", "unlike_exact", "left_1", "bytes")
 
 
 def parse():
@@ -117,7 +119,7 @@ def run_all(wanted):
 
 
 def command_of(wanted):
-    """The command as it can be repeated elsewhere: without the folders of this machine."""
+    """The command as it can be repeated elsewhere: without folders."""
     words = ["order_sweep.py", "--processes", str(wanted.processes), "--seconds", str(wanted.seconds), "--seed", str(wanted.seed)]
     words += [word for size in wanted.size for word in ("--size", str(size))]
     words += [word for scene in wanted.scene or () for word in ("--scene", scene)]
@@ -132,22 +134,22 @@ def header_of(wanted, machine):
     return header
 
 
-def write_csv(path, header, rows):
-    names = list(dict.fromkeys(name for row in rows for name in row))
+def write_csv(path, header, names, rows):
     with open(path, "w", newline="", encoding="utf-8") as file:
         for name, value in header.items():
             file.write("# %s: %s\n" % (name, value))
         writer = csv.DictWriter(file, names, lineterminator="\n")
         writer.writeheader()
         for row in rows:
-            writer.writerow({name: "%.6g" % value if isinstance(value, float) else value for name, value in row.items()})
+            cells = {name: row.get(name, "") for name in names}
+            writer.writerow({name: "%.5g" % value if isinstance(value, float) else value for name, value in cells.items()})
 
 
 def write_all(out, header, scenes):
     rows = [order_join.row_of(scene, key) for scene in scenes for key in scene.entrants]
     axes = [row for scene in scenes for row in order_join.axes_rows(scene)]
-    write_csv(os.path.join(out, "order.csv"), header, rows)
-    write_csv(os.path.join(out, "axes.csv"), header, axes)
+    write_csv(os.path.join(out, "order.csv"), header, MEDIANS, rows)
+    write_csv(os.path.join(out, "axes.csv"), header, list(axes[0]), axes)
     with open(os.path.join(out, "order.json"), "w", encoding="utf-8") as file:
         json.dump({**header, "scenes": {scene.name: scene.what for scene in scenes}, "rows": rows, "axes": axes}, file, indent=1)
         file.write("\n")
@@ -158,7 +160,7 @@ def main():
     os.makedirs(wanted.out, exist_ok=True)
     machine, scenes = run_all(wanted)
     write_all(wanted.out, header_of(wanted, machine), scenes)
-    problem = order_charts.draw(wanted.out, scenes)
+    problem = order_charts.draw(wanted.out)
     print("results%s in %s" % ("" if problem else " and charts", wanted.out))
     if problem:
         print("no charts: " + problem)
