@@ -27,6 +27,11 @@ both_languages() {
 if ls "$libdir"/libtribox.so* >/dev/null 2>&1; then
     static=
     both_languages shared
+    # README's way to the static library where the shared one is installed too.
+    if ls "$libdir"/libtribox.a >/dev/null 2>&1; then
+        $CC $SANITIZER "$here/consumer/consumer.c" $($PKG_CONFIG --cflags --libs-only-L tribox) -l:libtribox.a -lm -o "$work/chosen"
+        "$work/chosen" >"$work/printed" || die "static beside shared: fails"
+    fi
     rm "$libdir"/libtribox.so*
 fi
 if ls "$libdir"/libtribox.a >/dev/null 2>&1; then
