@@ -13,23 +13,26 @@ float nearest_float(double number)
 
 float nudged(random_source *r, float number, int ulps)
 {
-    const int steps = random_between(r, -ulps, ulps);
+    const int steps = random_int_between(r, -ulps, ulps);
     for (int k = 0; k < (steps < 0 ? -steps : steps); k++)
         number = nextafterf(number, steps < 0 ? -FLT_MAX : FLT_MAX);
     return number;
 }
 
-contact_part any_contact_part(random_source *r) { return (contact_part)random_below(r, CONTACT_PARTS); }
+contact_part any_contact_part(random_source *r) { return (contact_part)random_int(r, CONTACT_PARTS); }
 
 /* A component of a direction: of few whole numbers, or any in [-1, 1]. */
-static double component(random_source *r, bool is_whole) { return is_whole ? random_between(r, -2, 2) : random_uniform(r, -1, 1); }
+static double component(random_source *r, bool is_whole)
+{
+    return is_whole ? random_int_between(r, -2, 2) : random_double(r, -1, 1);
+}
 
 /* Two zeros make a contact with a face, one zero with an edge, none with a corner. */
 void draw_outward(random_source *r, contact_style style, double m[3])
 {
     do {
         for (int a = 0; a < 3; a++)
-            m[a] = random_below(r, 3) ? component(r, style.step > 0) : 0;
+            m[a] = random_int(r, 3) ? component(r, style.step > 0) : 0;
     } while (m[0] == 0 && m[1] == 0 && m[2] == 0);
 }
 
@@ -41,7 +44,7 @@ static void draw_point_of_contact(random_source *r, const tribox_box *box, doubl
         if (m[a] != 0)
             p[a] = m[a] > 0 ? hi : lo;
         else
-            p[a] = step > 0 ? lo + step * random_between(r, 0, (int)((hi - lo) / step)) : random_uniform(r, lo, hi);
+            p[a] = step > 0 ? lo + step * random_int_between(r, 0, (int)((hi - lo) / step)) : random_double(r, lo, hi);
     }
 }
 
@@ -60,12 +63,12 @@ static void draw_tangent(random_source *r, bool is_whole, double unit, const dou
 /* How far vertices that do not touch lie above the plane of contact: often not at all. */
 static double draw_lift(random_source *r, bool is_whole, double unit)
 {
-    return unit * (is_whole ? random_between(r, 0, 2) : random_below(r, 2) * random_uniform(r, 0, 1));
+    return unit * (is_whole ? random_int_between(r, 0, 2) : random_int(r, 2) * random_double(r, 0, 1));
 }
 
 static double draw_factor(random_source *r, bool is_whole)
 {
-    return is_whole ? random_between(r, 1, 2) : random_uniform(r, 0.1, 2);
+    return is_whole ? random_int_between(r, 1, 2) : random_double(r, 0.1, 2);
 }
 
 void draw_contact(random_source *r, const tribox_box *box, contact_style style, contact_part part, float u[3][3])
@@ -86,7 +89,7 @@ void draw_contact_along(random_source *r, const tribox_box *box, contact_style s
     draw_tangent(r, is_whole, unit, m, t[1]);
     const double k = draw_factor(r, is_whole), l = draw_factor(r, is_whole);
     const double lift[2] = {draw_lift(r, is_whole, unit), draw_lift(r, is_whole, unit)};
-    const int turn = random_below(r, 3);
+    const int turn = random_int(r, 3);
     for (int a = 0; a < 3; a++) {
         double v[3] = {p[a], p[a], p[a]};
         if (part == CONTACT_VERTEX) {

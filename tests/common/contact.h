@@ -2,7 +2,7 @@
 #ifndef TRIBOX_TESTS_CONTACT_H
 #define TRIBOX_TESTS_CONTACT_H
 
-#include "random.h"
+#include "random_draws.h"
 #include "tribox.h"
 
 /* The part of the triangle in which the point of contact lies. */

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "exact/exact.h"
-#include "random.h"
+#include "random_draws.h"
 #include "tribox.h"
 
 /* A whole word of triangles and a tail. */

@@ -7,31 +7,31 @@
 static void draw_lattice_box(random_source *r, float step, tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
-        const int first = random_between(r, -4, 3);
+        const int first = random_int_between(r, -4, 3);
         box->lo[a] = step * (float)first;
-        box->hi[a] = step * (float)(first + random_between(r, 1, 4));
+        box->hi[a] = step * (float)(first + random_int_between(r, 1, 4));
     }
 }
 
 static void draw_any_box(random_source *r, tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
-        const double lo = random_uniform(r, -1, 1);
+        const double lo = random_double(r, -1, 1);
         box->lo[a] = (float)lo;
-        box->hi[a] = (float)(lo + random_uniform(r, 0.1, 2));
+        box->hi[a] = (float)(lo + random_double(r, 0.1, 2));
     }
 }
 
 /* Contact that is exact, and one step beside it. */
 void draw_touching(random_source *r, scene_batch *batch)
 {
-    const float step = ldexpf(1, random_between(r, -6, 6));
+    const float step = ldexpf(1, random_int_between(r, -6, 6));
     draw_lattice_box(r, step, &batch->box);
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         draw_contact(r, &batch->box, (contact_style){.step = step}, any_contact_part(r), u);
-        const int a = random_below(r, 3);
-        const float shift = k % 2 ? 0 : step * (float)random_between(r, -1, 1);
+        const int a = random_int(r, 3);
+        const float shift = k % 2 ? 0 : step * (float)random_int_between(r, -1, 1);
         for (int j = 0; j < 3; j++)
             u[j][a] += shift;
     }
@@ -41,8 +41,8 @@ void draw_touching_ulp(random_source *r, scene_batch *batch)
 {
     draw_touching(r, batch);
     for (int k = 0; k < SCENE_TRIANGLES; k++)
-        for (int times = random_between(r, 1, 3); times > 0; times--) {
-            float *const number = &batch->u[k][random_below(r, 3)][random_below(r, 3)];
+        for (int times = random_int_between(r, 1, 3); times > 0; times--) {
+            float *const number = &batch->u[k][random_int(r, 3)][random_int(r, 3)];
             *number = nudged(r, *number, 1);
         }
 }
@@ -50,10 +50,10 @@ void draw_touching_ulp(random_source *r, scene_batch *batch)
 void draw_near_contact(random_source *r, scene_batch *batch)
 {
     draw_any_box(r, &batch->box);
-    const contact_style style = {.size = pow(2, random_uniform(r, -4, 6))};
+    const contact_style style = {.size = pow(2, random_double(r, -4, 6))};
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         draw_contact(r, &batch->box, style, any_contact_part(r), batch->u[k]);
-        const int ulps = random_below(r, 4);
+        const int ulps = random_int(r, 4);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
                 batch->u[k][j][a] = nudged(r, batch->u[k][j][a], ulps);
@@ -67,7 +67,7 @@ void draw_needles(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         draw_contact(r, &batch->box, (contact_style){.size = 1}, CONTACT_EDGE, u);
-        const int j = random_below(r, 3);
+        const int j = random_int(r, 3);
         for (int a = 0; a < 3; a++)
             u[j][a] = nudged(r, u[(j + 1) % 3][a], 4);
     }
@@ -80,8 +80,8 @@ void draw_caps(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         draw_contact(r, &batch->box, (contact_style){.size = 1}, CONTACT_EDGE, u);
-        const int j = random_below(r, 3), first = (j + 1) % 3, second = (j + 2) % 3;
-        const double share = random_uniform(r, 0, 1);
+        const int j = random_int(r, 3), first = (j + 1) % 3, second = (j + 2) % 3;
+        const double share = random_double(r, 0, 1);
         for (int a = 0; a < 3; a++)
             u[j][a] = nudged(r, (float)(share * u[first][a] + (1 - share) * u[second][a]), 2);
     }
@@ -94,9 +94,9 @@ void draw_edge_on(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         draw_contact(r, &batch->box, (contact_style){.size = 1}, any_contact_part(r), u);
-        const int along = random_below(r, 3), j = random_below(r, 3), ulps = random_below(r, 3);
+        const int along = random_int(r, 3), j = random_int(r, 3), ulps = random_int(r, 3);
         for (int a = 0; a < 3; a++)
-            u[j][a] = a == along ? (float)random_uniform(r, -2, 2) : nudged(r, u[(j + 1) % 3][a], ulps);
+            u[j][a] = a == along ? (float)random_double(r, -2, 2) : nudged(r, u[(j + 1) % 3][a], ulps);
     }
 }
 
@@ -104,7 +104,7 @@ void draw_edge_on(random_source *r, scene_batch *batch)
 void draw_flat_triangles(random_source *r, scene_batch *batch)
 {
     const contact_style lattice = {.step = 0.25}, any = {.size = 1};
-    const bool is_lattice = random_below(r, 2);
+    const bool is_lattice = random_int(r, 2);
     if (is_lattice)
         draw_lattice_box(r, 0.25f, &batch->box);
     else
@@ -112,7 +112,7 @@ void draw_flat_triangles(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         draw_contact(r, &batch->box, is_lattice ? lattice : any, any_contact_part(r), u);
-        for (int times = random_between(r, 1, 2), a = random_below(r, 3); times > 0; times--, a = (a + 1) % 3)
+        for (int times = random_int_between(r, 1, 2), a = random_int(r, 3); times > 0; times--, a = (a + 1) % 3)
             u[1][a] = u[2][a] = u[0][a];
     }
 }

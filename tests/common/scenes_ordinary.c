@@ -13,7 +13,7 @@ void draw_paper(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = (float)random_uniform(r, -2, 2);
+                batch->u[k][j][a] = (float)random_double(r, -2, 2);
 }
 
 /* The same in steps of 1/8: many ties, and every float operation exact. */
@@ -23,20 +23,20 @@ void draw_eighths(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = (float)random_between(r, -16, 16) / 8;
+                batch->u[k][j][a] = (float)random_int_between(r, -16, 16) / 8;
 }
 
 /* Triangles that are points: in and about the box, on its faces and one float beside them. */
 void draw_points(random_source *r, scene_batch *batch)
 {
     for (int a = 0; a < 3; a++) {
-        batch->box.lo[a] = (float)random_uniform(r, -2, 0);
-        batch->box.hi[a] = (float)random_uniform(r, 0, 2);
+        batch->box.lo[a] = (float)random_double(r, -2, 0);
+        batch->box.hi[a] = (float)random_double(r, 0, 2);
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++)
         for (int a = 0; a < 3; a++) {
-            const float face = random_below(r, 2) ? batch->box.lo[a] : batch->box.hi[a];
-            const float at = random_below(r, 2) ? nudged(r, face, 1) : (float)random_uniform(r, -2, 2);
+            const float face = random_int(r, 2) ? batch->box.lo[a] : batch->box.hi[a];
+            const float at = random_int(r, 2) ? nudged(r, face, 1) : (float)random_double(r, -2, 2);
             batch->u[k][0][a] = batch->u[k][1][a] = batch->u[k][2][a] = at;
         }
 }
@@ -49,8 +49,8 @@ void draw_segments(random_source *r, scene_batch *batch)
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         draw_contact(r, &batch->box, k % 2 ? lattice : any, CONTACT_EDGE, u);
-        const int j = random_below(r, 3), first = (j + 1) % 3, second = (j + 2) % 3;
-        const float share = random_below(r, 2) ? 0.5f : 1.0f;
+        const int j = random_int(r, 3), first = (j + 1) % 3, second = (j + 2) % 3;
+        const float share = random_int(r, 2) ? 0.5f : 1.0f;
         for (int a = 0; a < 3; a++)
             u[j][a] = share * u[first][a] + (1 - share) * u[second][a];
     }
@@ -75,7 +75,7 @@ static void draw_passing(random_source *r, scene_batch *batch, double size, doub
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         draw_contact(r, &batch->box, (contact_style){.size = size}, any_contact_part(r), batch->u[k]);
         for (int a = 0; a < 3; a++) {
-            const double shift = random_uniform(r, -away, away);
+            const double shift = random_double(r, -away, away);
             for (int j = 0; j < 3; j++)
                 batch->u[k][j][a] = (float)(batch->u[k][j][a] + shift);
         }
@@ -85,17 +85,17 @@ static void draw_passing(random_source *r, scene_batch *batch, double size, doub
 void draw_big_triangles(random_source *r, scene_batch *batch)
 {
     for (int a = 0; a < 3; a++) {
-        const double middle = random_uniform(r, -1, 1), half = random_uniform(r, 0.01, 0.2);
+        const double middle = random_double(r, -1, 1), half = random_double(r, 0.01, 0.2);
         batch->box.lo[a] = (float)(middle - half);
         batch->box.hi[a] = (float)(middle + half);
     }
-    draw_passing(r, batch, pow(10, random_uniform(r, 1, 3)), 0.1);
+    draw_passing(r, batch, pow(10, random_double(r, 1, 3)), 0.1);
 }
 
 void draw_small_triangles(random_source *r, scene_batch *batch)
 {
     batch->box = paper_box;
-    const double size = pow(10, random_uniform(r, -4, -1));
+    const double size = pow(10, random_double(r, -4, -1));
     draw_passing(r, batch, size, size / 2);
 }
 
@@ -104,16 +104,16 @@ void draw_cad(random_source *r, scene_batch *batch)
 {
     const float cell = 0.25f;
     for (int a = 0; a < 3; a++) {
-        const int first = random_between(r, -4, 3);
+        const int first = random_int_between(r, -4, 3);
         batch->box.lo[a] = cell * (float)first;
-        batch->box.hi[a] = cell * (float)(first + random_between(r, 1, 3));
+        batch->box.hi[a] = cell * (float)(first + random_int_between(r, 1, 3));
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         float(*const u)[3] = batch->u[k];
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                u[j][a] = cell * (float)random_between(r, -6, 6);
-        const int flat = random_below(r, 3);
+                u[j][a] = cell * (float)random_int_between(r, -6, 6);
+        const int flat = random_int(r, 3);
         u[1][flat] = u[2][flat] = u[0][flat];
     }
 }
@@ -128,7 +128,7 @@ static void sphere_point(double latitude, double longitude, float p[3])
 /* A cell of 1/32 on a tessellated unit sphere, and the triangles near it. */
 void draw_sphere(random_source *r, scene_batch *batch)
 {
-    const double step = 0.04, latitude = random_uniform(r, -1.5, 1.5), longitude = random_uniform(r, -3, 3);
+    const double step = 0.04, latitude = random_double(r, -1.5, 1.5), longitude = random_double(r, -3, 3);
     float at[3];
     sphere_point(latitude, longitude, at);
     for (int a = 0; a < 3; a++) {
@@ -137,9 +137,9 @@ void draw_sphere(random_source *r, scene_batch *batch)
         batch->box.hi[a] = (cell + 1) / 32;
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        const int side = random_below(r, 2);
-        const double row = floor(latitude / step) + random_between(r, -1, 1);
-        const double column = floor(longitude / step) + random_between(r, -1, 1);
+        const int side = random_int(r, 2);
+        const double row = floor(latitude / step) + random_int_between(r, -1, 1);
+        const double column = floor(longitude / step) + random_int_between(r, -1, 1);
         sphere_point((row + side) * step, (column + side) * step, batch->u[k][0]);
         sphere_point((row + 1) * step, column * step, batch->u[k][1]);
         sphere_point(row * step, (column + 1) * step, batch->u[k][2]);
@@ -151,10 +151,10 @@ void draw_flat_boxes(random_source *r, scene_batch *batch)
 {
     const contact_style lattice = {.step = 0.125}, any = {.size = 1};
     batch->box = paper_box;
-    const int flat = random_between(r, 1, 3), first = random_below(r, 3);
+    const int flat = random_int_between(r, 1, 3), first = random_int(r, 3);
     for (int k = 0; k < flat; k++) {
         const int a = (first + k) % 3;
-        batch->box.lo[a] = batch->box.hi[a] = (float)random_between(r, -4, 4) / 8;
+        batch->box.lo[a] = batch->box.hi[a] = (float)random_int_between(r, -4, 4) / 8;
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++)
         draw_contact(r, &batch->box, k % 2 ? lattice : any, any_contact_part(r), batch->u[k]);

@@ -19,7 +19,7 @@ static void move_batch(scene_batch *batch, int exponent, const double offset[3])
 static void draw_base(random_source *r, scene_batch *batch)
 {
     static scene_draw *const base[] = {draw_paper, draw_touching, draw_near_contact};
-    base[random_below(r, sizeof base / sizeof base[0])](r, batch);
+    base[random_int(r, sizeof base / sizeof base[0])](r, batch);
 }
 
 /* Up to 1e30 from the origin, in a scene that is some ulps to a million ulps wide there. */
@@ -27,19 +27,19 @@ void draw_offset_huge(random_source *r, scene_batch *batch)
 {
     draw_base(r, batch);
     double offset[3];
-    const int exponent = random_between(r, 20, 100);
+    const int exponent = random_int_between(r, 20, 100);
     for (int a = 0; a < 3; a++)
-        offset[a] = ldexp(random_uniform(r, -1, 1), exponent);
-    move_batch(batch, exponent - 24 + random_between(r, 0, 20), offset);
+        offset[a] = ldexp(random_double(r, -1, 1), exponent);
+    move_batch(batch, exponent - 24 + random_int_between(r, 0, 20), offset);
 }
 
 void draw_near_contact_scaled(random_source *r, scene_batch *batch)
 {
     draw_near_contact(r, batch);
-    const int exponent = random_between(r, -60, 60);
+    const int exponent = random_int_between(r, -60, 60);
     double offset[3];
     for (int a = 0; a < 3; a++)
-        offset[a] = ldexp(random_uniform(r, -16, 16), exponent);
+        offset[a] = ldexp(random_double(r, -16, 16), exponent);
     move_batch(batch, exponent, offset);
 }
 
@@ -48,24 +48,24 @@ static const double no_offset[3];
 void draw_scaled(random_source *r, scene_batch *batch)
 {
     draw_base(r, batch);
-    move_batch(batch, random_between(r, -140, 112), no_offset);
+    move_batch(batch, random_int_between(r, -140, 112), no_offset);
 }
 
 /* Nothing but subnormal numbers. */
 void draw_subnormal(random_source *r, scene_batch *batch)
 {
     draw_paper(r, batch);
-    if (random_below(r, 2)) {
-        const contact_style style = {.step = random_below(r, 2) ? 0.125 : 0, .size = 0.25};
+    if (random_int(r, 2)) {
+        const contact_style style = {.step = random_int(r, 2) ? 0.125 : 0, .size = 0.25};
         for (int k = 0; k < SCENE_TRIANGLES; k++)
             draw_contact(r, &batch->box, style, any_contact_part(r), batch->u[k]);
     }
-    move_batch(batch, random_between(r, -146, -130), no_offset);
+    move_batch(batch, random_int_between(r, -146, -130), no_offset);
 }
 
 /* Up to the largest float, and cut off there. */
 void draw_near_max(random_source *r, scene_batch *batch)
 {
     draw_base(r, batch);
-    move_batch(batch, random_between(r, 122, 127), no_offset);
+    move_batch(batch, random_int_between(r, 122, 127), no_offset);
 }

@@ -43,13 +43,13 @@ static void scale_axis(scene_batch *batch, int a, int exponent)
 /* Half of the time anywhere, else at an end of the range. */
 static int any_exponent(random_source *r)
 {
-    switch (random_below(r, 4)) {
+    switch (random_int(r, 4)) {
     case 0:
-        return random_between(r, LEAST_EXPONENT, LEAST_EXPONENT + 30);
+        return random_int_between(r, LEAST_EXPONENT, LEAST_EXPONENT + 30);
     case 1:
-        return random_between(r, MOST_EXPONENT - 30, MOST_EXPONENT);
+        return random_int_between(r, MOST_EXPONENT - 30, MOST_EXPONENT);
     default:
-        return random_between(r, LEAST_EXPONENT, MOST_EXPONENT);
+        return random_int_between(r, LEAST_EXPONENT, MOST_EXPONENT);
     }
 }
 
@@ -61,7 +61,7 @@ static void scale_each_axis(random_source *r, scene_batch *batch)
 
 void draw_own_scale(random_source *r, scene_batch *batch)
 {
-    if (random_below(r, 2))
+    if (random_int(r, 2))
         draw_paper(r, batch);
     else
         draw_near_contact(r, batch);
@@ -82,11 +82,11 @@ void draw_tiny_at_corner(random_source *r, scene_batch *batch)
 {
     static const tribox_box origin;
     double outward[3];
-    const int longest = random_below(r, 2) ? 0 : 37;
-    const int around = random_below(r, 4); /* the axis on which the origin is within the box, if any */
+    const int longest = random_int(r, 2) ? 0 : 37;
+    const int around = random_int(r, 4); /* the axis on which the origin is within the box, if any */
     for (int a = 0; a < 3; a++) {
-        const float extent = ldexpf(1, random_between(r, 0, longest));
-        outward[a] = a == around ? 0 : random_below(r, 2) ? 1 : -1;
+        const float extent = ldexpf(1, random_int_between(r, 0, longest));
+        outward[a] = a == around ? 0 : random_int(r, 2) ? 1 : -1;
         batch->box.lo[a] = outward[a] < 0 ? 0 : -extent;
         batch->box.hi[a] = outward[a] > 0 ? 0 : extent;
     }
@@ -98,8 +98,8 @@ void draw_tiny_at_corner(random_source *r, scene_batch *batch)
         for (int a = 0; a < 3; a++)
             m[a] = outward[a] * fabs(m[a]);
         draw_contact_along(r, &origin, style, any_contact_part(r), m, u);
-        const double away = random_below(r, 3) * random_uniform(r, 0, 0.5);
-        const int exponent = random_between(r, -145, -20);
+        const double away = random_int(r, 3) * random_double(r, 0, 0.5);
+        const int exponent = random_int_between(r, -145, -20);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
                 u[j][a] = (float)ldexp(u[j][a] + away * m[a], exponent);
@@ -109,28 +109,28 @@ void draw_tiny_at_corner(random_source *r, scene_batch *batch)
 /* Triangles of which the normal all but vanishes, at the origin: what is left of it meets a huge box, around them or far away. */
 void draw_lost_normal(random_source *r, scene_batch *batch)
 {
-    const int exponent = random_between(r, 20, 36);
+    const int exponent = random_int_between(r, 20, 36);
     for (int a = 0; a < 3; a++) {
-        const float p = ldexpf((float)random_uniform(r, -1, 1), exponent), q = ldexpf((float)random_uniform(r, -1, 1), exponent);
+        const float p = ldexpf((float)random_double(r, -1, 1), exponent), q = ldexpf((float)random_double(r, -1, 1), exponent);
         batch->box.lo[a] = p < q ? p : q;
         batch->box.hi[a] = p < q ? q : p;
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        const int size = random_between(r, -77, -70);
+        const int size = random_int_between(r, -77, -70);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = ldexpf((float)random_uniform(r, -1, 1), size);
+                batch->u[k][j][a] = ldexpf((float)random_double(r, -1, 1), size);
     }
 }
 
 /* Tiny on two axes, huge on the third: the normal vanishes, and then meets a large distance. */
 void draw_tiny_and_huge(random_source *r, scene_batch *batch)
 {
-    if (random_below(r, 2))
+    if (random_int(r, 2))
         draw_touching(r, batch);
     else
         draw_near_contact(r, batch);
-    const int huge = random_below(r, 3);
+    const int huge = random_int(r, 3);
     for (int a = 0; a < 3; a++)
-        scale_axis(batch, a, a == huge ? random_between(r, 40, 116) : random_between(r, -145, -40));
+        scale_axis(batch, a, a == huge ? random_int_between(r, 40, 116) : random_int_between(r, -145, -40));
 }

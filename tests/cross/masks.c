@@ -107,7 +107,7 @@ static tribox_oriented_box oriented_about(random_source *r, const tribox_box *bo
         oriented.center[k] = box->lo[k] / 2 + box->hi[k] / 2;
         oriented.half[k] = box->hi[k] / 2 - box->lo[k] / 2;
         for (int a = 0; a < 3; a++)
-            oriented.axis[k][a] = (float)(k == a) + (float)random_between(r, -64, 64) / 256;
+            oriented.axis[k][a] = (float)(k == a) + (float)random_int_between(r, -64, 64) / 256;
     }
     return oriented;
 }

@@ -135,7 +135,7 @@ static void ask_cells(check *c)
     for (int k = 0; k < CELLS_ASKED; k++) {
         int cell[3];
         for (int a = 0; a < 3; a++)
-            cell[a] = random_below(&c->r, c->planes.size[a]);
+            cell[a] = random_int(&c->r, c->planes.size[a]);
         for (int i = 0; i < c->count; i++)
             ask_cell(c, &c->libraries[i], cell, mask);
     }
@@ -145,7 +145,7 @@ static void ask_cells(check *c)
 /* In two pieces, of which one may be empty. */
 static void voxelize(check *c, const tribox_options *options)
 {
-    const uint32_t layers = c->d->grid.size[2], below = (uint32_t)random_below(&c->r, (int)layers + 1);
+    const uint32_t layers = c->d->grid.size[2], below = (uint32_t)random_int(&c->r, (int)layers + 1);
     uint64_t *const upper = c->voxels + c->words / layers * below;
     memset(c->voxels, 0, c->words * sizeof *c->voxels);
     assert_int_equal(tribox_voxelize_layers(&c->streams.soup, &c->d->grid, 0, below, options, c->voxels, NULL), TRIBOX_OK);

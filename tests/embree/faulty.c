@@ -128,7 +128,7 @@ static bool spoilt(faulty *x, size_t t, size_t box, bool is_met, bool before)
     case FAULT_LAST_LOST:
         return is_met && t + LOST_AT_END < x->triangles;
     case FAULT_FLIPS:
-        return is_met ^ !random_below(&x->r, FLIP_ONE_IN);
+        return is_met ^ !random_int(&x->r, FLIP_ONE_IN);
     default:
         return is_met;
     }

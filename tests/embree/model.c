@@ -29,9 +29,9 @@ model model_soup(random_source *r, size_t count, double size)
     while (s.count < count) {
         double v[3][3];
         for (int a = 0; a < 3; a++) {
-            const double least = random_uniform(r, -1, 1 - size);
+            const double least = random_double(r, -1, 1 - size);
             for (int j = 0; j < 3; j++)
-                v[j][a] = least + random_uniform(r, 0, size);
+                v[j][a] = least + random_double(r, 0, size);
         }
         put(&s, v[0], v[1], v[2]);
     }
@@ -165,7 +165,7 @@ void model_shake(model *s, random_source *r)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++) {
                 float *const x = &s->triangles[t].u[j][a];
-                *x = nextafterf(*x, *x + (float)random_between(r, -1, 1));
+                *x = nextafterf(*x, *x + (float)random_int_between(r, -1, 1));
             }
 }
 

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "common/random.h"
+#include "common/random_draws.h"
 #include "tribox.h"
 
 typedef struct triangle {

@@ -26,7 +26,7 @@ static size_t number_of(const planes *p, const int cell[3])
 
 static float drawn_between(random_source *r, float lo, float hi)
 {
-    return (float)random_uniform(r, 0.8 * (double)lo + 0.2 * (double)hi, 0.2 * (double)lo + 0.8 * (double)hi);
+    return (float)random_double(r, 0.8 * (double)lo + 0.2 * (double)hi, 0.2 * (double)lo + 0.8 * (double)hi);
 }
 
 /* False if the line has to be drawn again. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 /* Triangles and boxes, all of which are asked about each other. */
 enum { EACH_MAX = 80 };
@@ -92,10 +92,10 @@ static void ask_every_way(const boxes_and_triangles *c, const char *test, uint64
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             origin where = {.scene = test, .seed = seed};
             where.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[kernel]};
-            const unsigned sets[] = {TRIBOX_AXES_ALL, (unsigned)random_between(r, 1, AXIS_SETS)};
+            const unsigned sets[] = {TRIBOX_AXES_ALL, (unsigned)random_int_between(r, 1, AXIS_SETS)};
             for (size_t s = 0; s < sizeof sets / sizeof sets[0]; s++) {
                 where.options.axes = sets[s];
-                where.options.order = order_digits(random_below(r, ORDERS));
+                where.options.order = order_digits(random_int(r, ORDERS));
                 ask_all_pairs(c, where);
             }
         }
@@ -255,11 +255,11 @@ static void draw_lattice(random_source *r, boxes_and_triangles *c)
     for (int a = 0; a < 3; a++) {
         for (size_t k = 0; k < c->triangles; k++)
             for (int j = 0; j < 3; j++)
-                c->u[k][j][a] = random_sign_of_zero(r, (float)random_between(r, -4, 4));
+                c->u[k][j][a] = random_sign_of_zero(r, (float)random_int_between(r, -4, 4));
         for (size_t b = 0; b < c->boxes; b++) {
-            const int lo = random_between(r, -4, 3);
+            const int lo = random_int_between(r, -4, 3);
             c->box[b].lo[a] = random_sign_of_zero(r, (float)lo);
-            c->box[b].hi[a] = random_sign_of_zero(r, (float)(lo + random_between(r, 0, 4)));
+            c->box[b].hi[a] = random_sign_of_zero(r, (float)(lo + random_int_between(r, 0, 4)));
             c->is_on_lattice[b] = true;
         }
     }

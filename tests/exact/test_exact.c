@@ -64,7 +64,7 @@ static void check_answer(test_run *t, int k, bool answer)
 /* The whole batch against its box, the vertices taken in any order. */
 static void ask_batch(test_run *t)
 {
-    const int *const vertex = permutations[random_below(&t->r, ORDERS)];
+    const int *const vertex = permutations[random_int(&t->r, ORDERS)];
     tribox_soup soup = {.count = SCENE_TRIANGLES};
     for (int j = 0; j < 3; j++) {
         soup.x[j] = t->coordinate[vertex[j]][0];
@@ -99,7 +99,7 @@ static void ask_batch_as_boxes(test_run *t)
         put_box(t, lane, &empty);
     t->where.function = "tribox_overlap_boxes";
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        const size_t lane = (size_t)random_below(&t->r, BOXES);
+        const size_t lane = (size_t)random_int(&t->r, BOXES);
         tribox_pair pair = scene_pair(&t->batch, k);
         uint64_t mask[(BOXES + 63) / 64];
         put_box(t, lane, &t->batch.box);
@@ -116,12 +116,12 @@ static void ask_batch_as_boxes(test_run *t)
 static void choose(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel)
 {
     t->where.options = (tribox_options){
-        .accuracy = accuracy, .axes = axes, .order = order_digits(random_below(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        .accuracy = accuracy, .axes = axes, .order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
 }
 
-static int any_kernel(test_run *t) { return random_below(&t->r, t->kernel_count); }
+static int any_kernel(test_run *t) { return random_int(&t->r, t->kernel_count); }
 
-static unsigned any_axes(test_run *t) { return (unsigned)random_between(&t->r, 1, AXIS_SETS); }
+static unsigned any_axes(test_run *t) { return (unsigned)random_int_between(&t->r, 1, AXIS_SETS); }
 
 /*
  * EXACT on all thirteen axes from every kernel, and on every set of axes from one of them; then every accuracy once more, in both

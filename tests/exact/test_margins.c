@@ -12,7 +12,7 @@
 
 #include "common/arguments.h"
 #include "common/contact.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 /* So many bits has the distance of a triangle far away, in units of the last one. */
 enum { UNIT_BITS = 23 };
@@ -20,7 +20,7 @@ enum { UNIT_BITS = 23 };
 typedef void pair_draw(random_source *r, tribox_pair *pair);
 
 /* Any of about `size`, of either sign. */
-static double any_of(random_source *r, double size) { return size * random_uniform(r, -1, 1); }
+static double any_of(random_source *r, double size) { return size * random_double(r, -1, 1); }
 
 /* To 22 bits, three times which is a float too. */
 static double nearest_short(double number)
@@ -65,7 +65,7 @@ static void put_box(random_source *r, const double m[3], const double p[3], cons
         }
     corner[last] = off / m[last] + any_of(r, slip);
     for (int a = 0; a < 3; a++) {
-        const double length = size * random_uniform(r, 0.5, 4);
+        const double length = size * random_double(r, 0.5, 4);
         box->lo[a] = (float)(m[a] < 0 ? corner[a] : corner[a] - length);
         box->hi[a] = (float)(m[a] > 0 ? corner[a] : corner[a] + length);
     }
@@ -76,7 +76,7 @@ static void draw_whole(random_source *r, int most, int w[3])
 {
     do {
         for (int a = 0; a < 3; a++)
-            w[a] = random_below(r, 3) ? random_between(r, -most, most) : 0;
+            w[a] = random_int(r, 3) ? random_int_between(r, -most, most) : 0;
     } while (!w[0] && !w[1] && !w[2]);
 }
 
@@ -93,17 +93,17 @@ static int longest_component(const int w[3])
 static void draw_edge_far_away(random_source *r, tribox_pair *pair)
 {
     int w[3];
-    draw_whole(r, 1 << random_between(r, 0, 12), w);
-    const double unit = ldexp(1, random_between(r, -40, 12)), size = unit * ldexp(1, random_between(r, -2, 12));
+    draw_whole(r, 1 << random_int_between(r, 0, 12), w);
+    const double unit = ldexp(1, random_int_between(r, -40, 12)), size = unit * ldexp(1, random_int_between(r, -2, 12));
     const int far = (1 << UNIT_BITS) / (2 * longest_component(w));
-    const int steps = random_between(r, far, 2 * far - 4) * (random_below(r, 2) ? 1 : -1), noise = random_below(r, 2);
+    const int steps = random_int_between(r, far, 2 * far - 4) * (random_int(r, 2) ? 1 : -1), noise = random_int(r, 2);
     double place[3], f[3], m[3] = {0, 0, 0};
     for (int a = 0; a < 3; a++)
         place[a] = unit * round(any_of(r, size / unit));
     for (int j = 0; j < 3; j++)
-        for (int a = 0, at = steps + random_between(r, -2, 2); a < 3; a++)
-            pair->u[j][a] = (float)(place[a] + unit * (w[a] * at + random_between(r, -noise, noise)));
-    const int i = random_below(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, j = random_below(r, 3), sign = random_below(r, 2) ? 1 : -1;
+        for (int a = 0, at = steps + random_int_between(r, -2, 2); a < 3; a++)
+            pair->u[j][a] = (float)(place[a] + unit * (w[a] * at + random_int_between(r, -noise, noise)));
+    const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, j = random_int(r, 3), sign = random_int(r, 2) ? 1 : -1;
     for (int a = 0; a < 3; a++)
         f[a] = (double)pair->u[(j + 1) % 3][a] - pair->u[j][a];
     m[b] = sign * f[c];
@@ -113,7 +113,7 @@ static void draw_edge_far_away(random_source *r, tribox_pair *pair)
     double p[3], q[3];
     vertex_of(pair, j, p);
     vertex_of(pair, (j + 2) % 3, q);
-    put_box(r, m, dot(m, p) < dot(m, q) ? p : q, place, size, random_below(r, 2) * unit, &pair->box);
+    put_box(r, m, dot(m, p) < dot(m, q) ? p : q, place, size, random_int(r, 2) * unit, &pair->box);
 }
 
 /* A triangle of edges up to `most` units, far away in a plane that all but touches the box; vertices as above. */
@@ -130,7 +130,7 @@ static void draw_plane_at(random_source *r, int most, double unit, double size, 
         cross(f[0], f[1], n);
     } while (dot(n, n) == 0);
     const int far = (1 << UNIT_BITS) / (2 * (longest_component(w[0]) + longest_component(w[1])));
-    const int steps[2] = {random_between(r, -2 * far, 2 * far), random_between(r, -2 * far, 2 * far)};
+    const int steps[2] = {random_int_between(r, -2 * far, 2 * far), random_int_between(r, -2 * far, 2 * far)};
     for (int a = 0; a < 3; a++) {
         place[a] = unit * round(any_of(r, size / unit));
         pair->u[0][a] = (float)(place[a] + unit * (steps[0] * w[0][a] + steps[1] * w[1][a]));
@@ -138,28 +138,28 @@ static void draw_plane_at(random_source *r, int most, double unit, double size, 
         pair->u[2][a] = (float)(pair->u[0][a] + unit * w[1][a]);
     }
     vertex_of(pair, 0, p);
-    const int sign = random_below(r, 2) ? 1 : -1;
+    const int sign = random_int(r, 2) ? 1 : -1;
     for (int a = 0; a < 3; a++)
         n[a] *= sign;
-    put_box(r, n, p, place, size, random_below(r, 2) * unit, &pair->box);
+    put_box(r, n, p, place, size, random_int(r, 2) * unit, &pair->box);
 }
 
 static void draw_plane_far_away(random_source *r, tribox_pair *pair)
 {
-    const double unit = ldexp(1, random_between(r, -40, 12));
-    draw_plane_at(r, 1 << random_between(r, 0, 11), unit, unit * ldexp(1, random_between(r, -2, 12)), pair);
+    const double unit = ldexp(1, random_int_between(r, -40, 12));
+    draw_plane_at(r, 1 << random_int_between(r, 0, 11), unit, unit * ldexp(1, random_int_between(r, -2, 12)), pair);
 }
 
 /* So far away that the distance from the plane overflows on the way, from a triangle and a box that are in range. */
 static void draw_plane_past_range(random_source *r, tribox_pair *pair)
 {
-    const double unit = ldexp(1, random_between(r, 32, 35));
+    const double unit = ldexp(1, random_int_between(r, 32, 35));
     draw_plane_at(r, 2, unit, unit / 16, pair);
 }
 
 static void draw_vanishing(random_source *r, float u[3][3])
 {
-    const int exponent = random_between(r, -76, -72);
+    const int exponent = random_int_between(r, -76, -72);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
             u[j][a] = (float)ldexp(any_of(r, 1), exponent);
@@ -176,12 +176,12 @@ static void draw_vanishing_far_away(random_source *r, tribox_pair *pair)
                 f[k][a] = (double)pair->u[k + 1][a] - pair->u[k][a];
         cross(f[0], f[1], n);
     } while (dot(n, n) == 0);
-    const double distance = ldexp(1, random_between(r, 30, 35));
+    const double distance = ldexp(1, random_int_between(r, 30, 35));
     for (int a = 0; a < 3; a++)
         place[a] = any_of(r, distance);
     vertex_of(pair, 0, p);
     put_box(r, n, p, place, 0, 0, &pair->box);
-    for (int a = 0, is_point = random_below(r, 2); a < 3 && !is_point; a++) {
+    for (int a = 0, is_point = random_int(r, 2); a < 3 && !is_point; a++) {
         pair->box.lo[a] = nextafterf(pair->box.lo[a], -INFINITY);
         pair->box.hi[a] = nextafterf(pair->box.hi[a], INFINITY);
     }
@@ -195,10 +195,10 @@ static void draw_vanishing_far_away(random_source *r, tribox_pair *pair)
  */
 static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
 {
-    const int i = random_below(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, turn = random_below(r, 3), is_beside = random_below(r, 2);
-    const double unit = ldexp(1, random_between(r, -80, -71));
-    const double right = unit * pow(2, random_uniform(r, -10, -1)), up = unit * pow(2, random_uniform(r, -10, -1));
-    const double share = random_uniform(r, 0, 1), below = any_of(r, fmin(share * right, (1 - share) * up));
+    const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, turn = random_int(r, 3), is_beside = random_int(r, 2);
+    const double unit = ldexp(1, random_int_between(r, -80, -71));
+    const double right = unit * pow(2, random_double(r, -10, -1)), up = unit * pow(2, random_double(r, -10, -1));
+    const double share = random_double(r, 0, 1), below = any_of(r, fmin(share * right, (1 - share) * up));
     double v[3][3];
     for (int j = 0; j < 3; j++)
         v[j][i] = any_of(r, unit);
@@ -206,12 +206,12 @@ static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
     v[0][c] = -below - share * up;
     v[1][b] = v[0][b] + right;
     v[1][c] = v[0][c] + up;
-    v[2][b] = v[1][b] + random_uniform(r, 0, unit);
-    v[2][c] = v[0][c] - random_uniform(r, 0, unit);
+    v[2][b] = v[1][b] + random_double(r, 0, unit);
+    v[2][c] = v[0][c] - random_double(r, 0, unit);
     for (int a = 0; a < 3; a++) {
-        const int sign = random_below(r, 2) ? 1 : -1;
-        const double corner = is_beside ? ldexp(random_below(r, 2) ? 1 : -1, random_between(r, -70, -52)) : 0;
-        const double length = ldexp(random_uniform(r, 0.5, 1), random_between(r, 20, 37));
+        const int sign = random_int(r, 2) ? 1 : -1;
+        const double corner = is_beside ? ldexp(random_int(r, 2) ? 1 : -1, random_int_between(r, -70, -52)) : 0;
+        const double length = ldexp(random_double(r, 0.5, 1), random_int_between(r, 20, 37));
         const double before = a == c ? 0 : length, after = a == b ? 0 : length;
         pair->box.lo[a] = (float)(corner - (sign > 0 ? before : after));
         pair->box.hi[a] = (float)(corner + (sign > 0 ? after : before));
@@ -227,20 +227,20 @@ static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
  */
 static void draw_vanishing_edge_on(random_source *r, tribox_pair *pair)
 {
-    const int i = random_below(r, 3), b = (i + 1) % 3, c = (i + 2) % 3;
+    const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3;
     double at[3];
-    at[0] = -nearest_short(random_uniform(r, 0.5, 1) * ldexp(1, random_between(r, -80, -77)));
-    at[1] = nearest_short(random_uniform(r, 0.5, 1) * 0x1p-75);
+    at[0] = -nearest_short(random_double(r, 0.5, 1) * ldexp(1, random_int_between(r, -80, -77)));
+    at[1] = nearest_short(random_double(r, 0.5, 1) * 0x1p-75);
     const double first = at[1] - at[0];
-    at[2] = nearest_short(at[1] + (random_between(r, 0, 4) + 0.5) * 0x1p-149 / (3 * first));
+    at[2] = nearest_short(at[1] + (random_int_between(r, 0, 4) + 0.5) * 0x1p-149 / (3 * first));
     for (int j = 0; j < 3; j++) {
         pair->u[j][i] = (float)ldexp(any_of(r, 1), -74);
         pair->u[j][b] = (float)at[j];
         pair->u[j][c] = (float)(3 * at[j]);
     }
     for (int a = 0; a < 3; a++) {
-        const double length = ldexp(random_uniform(r, 0.5, 1), random_between(r, 30, 37));
-        const double corner = a == c ? random_between(r, -1, 1) * 0x1p-120 : 0;
+        const double length = ldexp(random_double(r, 0.5, 1), random_int_between(r, 30, 37));
+        const double corner = a == c ? random_int_between(r, -1, 1) * 0x1p-120 : 0;
         pair->box.lo[a] = (float)(a == c ? corner : -length);
         pair->box.hi[a] = (float)(a == b ? corner : length);
     }
@@ -264,10 +264,10 @@ static const tribox_pair worst_planes[] = {
 /* One of them, mirrored and scaled, which changes no rounding. */
 static void draw_worst_plane(random_source *r, tribox_pair *pair)
 {
-    const tribox_pair *const from = &worst_planes[random_below(r, 2)];
-    const int exponent = random_between(r, -20, 10);
+    const tribox_pair *const from = &worst_planes[random_int(r, 2)];
+    const int exponent = random_int_between(r, -20, 10);
     for (int a = 0; a < 3; a++) {
-        const bool is_mirrored = random_below(r, 2);
+        const bool is_mirrored = random_int(r, 2);
         const float scale = ldexpf(is_mirrored ? -1 : 1, exponent);
         pair->box.lo[a] = scale * (is_mirrored ? from->box.hi[a] : from->box.lo[a]);
         pair->box.hi[a] = scale * (is_mirrored ? from->box.lo[a] : from->box.hi[a]);
@@ -346,7 +346,7 @@ static void ask_every_way(test_run *t, unsigned box, const char *const *kernels,
             for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
                 t->where.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
                                                     .axes = axes | box,
-                                                    .order = order_digits(random_below(r, ORDERS)),
+                                                    .order = order_digits(random_int(r, ORDERS)),
                                                     .kernel = kernels[kernel]};
                 ask(t);
             }

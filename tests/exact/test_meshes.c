@@ -10,7 +10,7 @@
 
 #include "common/arguments.h"
 #include "common/read_mesh.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 enum {
     SKIPPED = 77,
@@ -123,9 +123,9 @@ static size_t try_node(random_source *r, origin *where, const mesh *m, const tri
     const int kernel_count = kernels_here(kernels);
     size_t asked = 0;
     for (int kernel = 0; kernel < kernel_count; kernel++) {
-        const tribox_soup soup = soup_of(m, permutations[random_below(r, ORDERS)]);
+        const tribox_soup soup = soup_of(m, permutations[random_int(r, ORDERS)]);
         where->options =
-            (tribox_options){.axes = TRIBOX_AXES_ALL, .order = order_digits(random_below(r, ORDERS)), .kernel = kernels[kernel]};
+            (tribox_options){.axes = TRIBOX_AXES_ALL, .order = order_digits(random_int(r, ORDERS)), .kernel = kernels[kernel]};
         ask_soup(&soup, node, &where->options, mask);
         if (kernel == 0) {
             asked = check_mask(where, m, node, mask);

@@ -42,7 +42,7 @@ static float draw_number(random_source *r)
     const uint32_t bits = (uint32_t)random_bits(r);
     float any;
     memcpy(&any, &bits, sizeof any);
-    return random_below(r, 100) ? 0.25f * (float)random_between(r, -9, 9) : any;
+    return random_int(r, 100) ? 0.25f * (float)random_int_between(r, -9, 9) : any;
 }
 
 static void draw_vertex(random_source *r, unsigned char *to)
@@ -61,14 +61,14 @@ static size_t draw_vertices(random_source *r, const layout *l)
 {
     const size_t corners = 3 * l->count, most = most_vertices(l);
     if (!l->index_bytes)
-        return corners + (size_t)random_below(r, 3);
+        return corners + (size_t)random_int(r, 3);
     size_t vertices = l->pattern == PATTERN_SHARED ? l->count / 2 + 2 : corners + (l->pattern == PATTERN_NEVER_LAST ? 2 : 0);
     if (l->pattern == PATTERN_ONE)
-        vertices = 1 + (size_t)random_below(r, 3);
+        vertices = 1 + (size_t)random_int(r, 3);
     return vertices < most ? vertices : most;
 }
 
-static size_t draw_below(random_source *r, size_t count) { return (size_t)random_below(r, (int)count); }
+static size_t draw_below(random_source *r, size_t count) { return (size_t)random_int(r, (int)count); }
 
 static size_t draw_index(random_source *r, index_pattern pattern, size_t corner, size_t corners, size_t vertices)
 {
@@ -164,21 +164,21 @@ static void set_coordinate(const tribox_mesh *mesh, size_t vertex, int a, float 
 static float draw_exception(random_source *r, float face, float within)
 {
     const float choice[] = {face, within, NAN};
-    return choice[random_below(r, 3)];
+    return choice[random_int(r, 3)];
 }
 
 void mesh_move_beside(random_source *r, const tribox_mesh *mesh, const tribox_box *box)
 {
     for (size_t first = 0, end; first < mesh->vertices; first = end) {
-        const int a = random_below(r, 3), side = random_below(r, 2);
+        const int a = random_int(r, 3), side = random_int(r, 2);
         const float face = side ? box->hi[a] : box->lo[a], beyond = side ? INFINITY : -INFINITY;
-        end = first + 1 + draw_below(r, random_below(r, 4) ? 900 : 60);
+        end = first + 1 + draw_below(r, random_int(r, 4) ? 900 : 60);
         end = end < mesh->vertices ? end : mesh->vertices;
         for (size_t n = first; n < end; n++)
-            set_coordinate(mesh, n, a, random_below(r, 2) ? nextafterf(face, beyond) : face + (side ? 1.0f : -1.0f));
+            set_coordinate(mesh, n, a, random_int(r, 2) ? nextafterf(face, beyond) : face + (side ? 1.0f : -1.0f));
         const size_t places[] = {first, end - 1, first + draw_below(r, end - first)};
-        if (random_below(r, 2))
-            set_coordinate(mesh, places[random_below(r, 3)], a, draw_exception(r, face, (box->lo[a] + box->hi[a]) / 2));
+        if (random_int(r, 2))
+            set_coordinate(mesh, places[random_int(r, 3)], a, draw_exception(r, face, (box->lo[a] + box->hi[a]) / 2));
     }
 }
 

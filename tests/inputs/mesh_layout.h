@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "common/guard.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 #include "tribox.h"
 
 enum { LAID_TRIANGLES = 5000, LAID_BYTES = 8 << 20 };

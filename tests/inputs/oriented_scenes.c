@@ -66,7 +66,7 @@ static void draw_rotation(random_source *r, double frame[3][3], double inverse[3
 {
     double x, y, z, w, n;
     do {
-        x = random_uniform(r, -1, 1), y = random_uniform(r, -1, 1), z = random_uniform(r, -1, 1), w = random_uniform(r, -1, 1);
+        x = random_double(r, -1, 1), y = random_double(r, -1, 1), z = random_double(r, -1, 1), w = random_double(r, -1, 1);
         n = x * x + y * y + z * z + w * w;
     } while (n > 1 || n < 0.1);
     const double rotation[3][3] = {{n - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
@@ -93,7 +93,7 @@ static void draw_whole_frame(random_source *r, int most, double frame[3][3], dou
     do {
         for (int k = 0; k < 3; k++)
             for (int a = 0; a < 3; a++)
-                frame[k][a] = random_between(r, -most, most);
+                frame[k][a] = random_int_between(r, -most, most);
         *size = adjugate(frame, inverse);
     } while (*size <= 0);
 }
@@ -101,10 +101,10 @@ static void draw_whole_frame(random_source *r, int most, double frame[3][3], dou
 /* The six orders of the axes, each with any signs. */
 static void draw_right_angles(random_source *r, double frame[3][3], double inverse[3][3])
 {
-    const int first = random_below(r, 3), turn = random_between(r, 1, 2);
+    const int first = random_int(r, 3), turn = random_int_between(r, 1, 2);
     memset(frame, 0, 3 * sizeof frame[0]);
     for (int k = 0; k < 3; k++)
-        frame[k][(first + turn * k) % 3] = random_below(r, 2) ? 1 : -1;
+        frame[k][(first + turn * k) % 3] = random_int(r, 2) ? 1 : -1;
     for (int k = 0; k < 3; k++)
         for (int a = 0; a < 3; a++)
             inverse[a][k] = frame[k][a];
@@ -113,11 +113,11 @@ static void draw_right_angles(random_source *r, double frame[3][3], double inver
 static void draw_lattice_scene(random_source *r, upright *up)
 {
     static scene_draw *const lattices[] = {draw_touching, draw_touching, draw_eighths, draw_points};
-    draw_upright(r, lattices[random_below(r, 4)], up);
-    if (!random_below(r, 3)) /* flat on some axes: the center stays in the triangles' reach */
-        up->half[random_below(r, 3)] = 0;
-    if (!random_below(r, 6))
-        up->half[random_below(r, 3)] = up->half[random_below(r, 3)] = 0;
+    draw_upright(r, lattices[random_int(r, 4)], up);
+    if (!random_int(r, 3)) /* flat on some axes: the center stays in the triangles' reach */
+        up->half[random_int(r, 3)] = 0;
+    if (!random_int(r, 6))
+        up->half[random_int(r, 3)] = up->half[random_int(r, 3)] = 0;
 }
 
 static void draw_identity(random_source *r, oriented_batch *batch)
@@ -125,7 +125,7 @@ static void draw_identity(random_source *r, oriented_batch *batch)
     static double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     upright up;
     draw_lattice_scene(r, &up);
-    place(&up, unit, unit, 1, random_below(r, 2) ? origin : up.center, batch);
+    place(&up, unit, unit, 1, random_int(r, 2) ? origin : up.center, batch);
 }
 
 static void draw_turned_by_right_angles(random_source *r, oriented_batch *batch)
@@ -143,29 +143,29 @@ static void draw_whole(random_source *r, oriented_batch *batch)
     double frame[3][3], inverse[3][3], size;
     upright up;
     draw_lattice_scene(r, &up);
-    draw_whole_frame(r, random_between(r, 1, 4), frame, inverse, &size);
+    draw_whole_frame(r, random_int_between(r, 1, 4), frame, inverse, &size);
     place(&up, frame, inverse, size, up.center, batch);
 }
 
 /* Moves some numbers of the box and of the triangles to the next float. */
 static void nudge(random_source *r, oriented_batch *batch)
 {
-    if (random_below(r, 2)) {
-        float *const c = &batch->box.center[random_below(r, 3)];
+    if (random_int(r, 2)) {
+        float *const c = &batch->box.center[random_int(r, 3)];
         *c = nudged(r, *c, 1);
     }
-    if (random_below(r, 2)) {
-        float *const h = &batch->box.half[random_below(r, 3)];
+    if (random_int(r, 2)) {
+        float *const h = &batch->box.half[random_int(r, 3)];
         *h = nudged(r, *h, 1);
         *h = *h < 0 ? 0 : *h;
     }
-    if (random_below(r, 2)) {
-        float *const number = &batch->box.axis[random_below(r, 3)][random_below(r, 3)];
+    if (random_int(r, 2)) {
+        float *const number = &batch->box.axis[random_int(r, 3)][random_int(r, 3)];
         *number = nudged(r, *number, 1);
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
-        for (int times = random_below(r, 3); times > 0; times--) {
-            float *const number = &batch->u[t][random_below(r, 3)][random_below(r, 3)];
+        for (int times = random_int(r, 3); times > 0; times--) {
+            float *const number = &batch->u[t][random_int(r, 3)][random_int(r, 3)];
             *number = nudged(r, *number, 1);
         }
 }
@@ -183,9 +183,9 @@ static void draw_turned(random_source *r, oriented_batch *batch)
                                         draw_edge_on, draw_sphere,   draw_small_triangles, draw_flat_boxes, draw_big_triangles};
     double frame[3][3], inverse[3][3];
     upright up;
-    draw_upright(r, kinds[random_below(r, sizeof kinds / sizeof kinds[0])], &up);
+    draw_upright(r, kinds[random_int(r, sizeof kinds / sizeof kinds[0])], &up);
     draw_rotation(r, frame, inverse);
-    place(&up, frame, inverse, 1, random_below(r, 2) ? origin : up.center, batch);
+    place(&up, frame, inverse, 1, random_int(r, 2) ? origin : up.center, batch);
 }
 
 /* The paper's scene, turned; often a little away from the origin. */
@@ -195,9 +195,9 @@ static void draw_ordinary(random_source *r, oriented_batch *batch)
     upright up;
     draw_upright(r, draw_paper, &up);
     draw_rotation(r, frame, inverse);
-    const double distance = random_below(r, 100);
+    const double distance = random_int(r, 100);
     for (int a = 0; a < 3; a++)
-        center[a] = (double)(float)(distance * random_uniform(r, -1, 1));
+        center[a] = (double)(float)(distance * random_double(r, -1, 1));
     place(&up, frame, inverse, 1, center, batch);
 }
 
@@ -210,14 +210,14 @@ static void draw_face(random_source *r, oriented_batch *batch)
     double frame[3][3], inverse[3][3];
     upright up;
     draw_rotation(r, frame, inverse);
-    const int face = random_below(r, 3);
+    const int face = random_int(r, 3);
     for (int k = 0; k < 3; k++) {
-        up.center[k] = random_below(r, 2) ? random_uniform(r, -1, 1) : 0;
-        up.half[k] = (double)(float)(k == face ? ldexp(random_uniform(r, 0, 1), -random_below(r, 12)) : random_uniform(r, 0, 1));
+        up.center[k] = random_int(r, 2) ? random_double(r, -1, 1) : 0;
+        up.half[k] = (double)(float)(k == face ? ldexp(random_double(r, 0, 1), -random_int(r, 12)) : random_double(r, 0, 1));
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
         for (int k = 0; k < 3; k++)
-            up.u[t][0][k] = up.center[k] + up.half[k] * (k == face ? 1 : random_uniform(r, 0.98, 1));
+            up.u[t][0][k] = up.center[k] + up.half[k] * (k == face ? 1 : random_double(r, 0.98, 1));
         memcpy(up.u[t][1], up.u[t][0], sizeof up.u[t][0]);
         memcpy(up.u[t][2], up.u[t][0], sizeof up.u[t][0]);
     }
@@ -229,11 +229,11 @@ static void draw_sheared(random_source *r, oriented_batch *batch)
 {
     double frame[3][3], inverse[3][3], size;
     upright up;
-    draw_upright(r, random_below(r, 2) ? draw_near_contact : draw_paper, &up);
+    draw_upright(r, random_int(r, 2) ? draw_near_contact : draw_paper, &up);
     do {
         for (int k = 0; k < 3; k++)
             for (int a = 0; a < 3; a++)
-                frame[k][a] = (float)random_uniform(r, -1, 1);
+                frame[k][a] = (float)random_double(r, -1, 1);
         size = adjugate(frame, inverse);
     } while (size < 1e-3);
     place(&up, frame, inverse, size, up.center, batch);
@@ -242,11 +242,11 @@ static void draw_sheared(random_source *r, oriented_batch *batch)
 /* Two equal axes, opposite ones, an axis of length zero, all axes in a plane, or nothing but zeros: slabs, beams, all of space. */
 static void draw_singular(random_source *r, oriented_batch *batch)
 {
-    if (random_below(r, 2))
+    if (random_int(r, 2))
         draw_turned(r, batch);
     else
         draw_whole(r, batch);
-    const int k = random_below(r, 3), l = (k + 1) % 3, m = (k + 2) % 3, kind = random_below(r, 5);
+    const int k = random_int(r, 3), l = (k + 1) % 3, m = (k + 2) % 3, kind = random_int(r, 5);
     float(*const axis)[3] = batch->box.axis;
     for (int a = 0; a < 3; a++) {
         if (kind == 4)
@@ -260,11 +260,11 @@ static void draw_far(random_source *r, oriented_batch *batch)
 {
     double frame[3][3], inverse[3][3], center[3];
     upright up;
-    draw_upright(r, random_below(r, 2) ? draw_near_contact : draw_touching, &up);
+    draw_upright(r, random_int(r, 2) ? draw_near_contact : draw_touching, &up);
     draw_rotation(r, frame, inverse);
-    const double distance = ldexp(1, random_between(r, 10, 22));
+    const double distance = ldexp(1, random_int_between(r, 10, 22));
     for (int a = 0; a < 3; a++)
-        center[a] = (double)(float)(distance * random_uniform(r, -1, 1));
+        center[a] = (double)(float)(distance * random_double(r, -1, 1));
     place(&up, frame, inverse, 1, center, batch);
 }
 
@@ -272,11 +272,11 @@ static void draw_far(random_source *r, oriented_batch *batch)
 static void draw_cancelling(random_source *r, oriented_batch *batch)
 {
     draw_whole(r, batch);
-    const int k = random_below(r, 3), exponent = random_between(r, 8, 30);
+    const int k = random_int(r, 3), exponent = random_int_between(r, 8, 30);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
         const float *const axis = batch->box.axis[k];
-        const int b = random_below(r, 3), c = (b + 1) % 3;
-        const double far = ldexp(random_between(r, -4, 4), exponent);
+        const int b = random_int(r, 3), c = (b + 1) % 3;
+        const double far = ldexp(random_int_between(r, -4, 4), exponent);
         for (int j = 0; j < 3; j++) {
             batch->u[t][j][b] = nearest_float(batch->u[t][j][b] + far * axis[c]);
             batch->u[t][j][c] = nearest_float(batch->u[t][j][c] - far * axis[b]);
@@ -302,17 +302,17 @@ static void scale(oriented_batch *batch, int of_positions, int of_axes)
 static void draw_scaled_frame(random_source *r, oriented_batch *batch)
 {
     static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_whole_ulp, draw_sheared};
-    bases[random_below(r, 4)](r, batch);
-    const int positions = random_between(r, -146, 124);
-    scale(batch, positions, random_below(r, 2) ? 0 : random_between(r, -126 - positions / 2, 126 - positions / 2) / 2);
+    bases[random_int(r, 4)](r, batch);
+    const int positions = random_int_between(r, -146, 124);
+    scale(batch, positions, random_int(r, 2) ? 0 : random_int_between(r, -126 - positions / 2, 126 - positions / 2) / 2);
 }
 
 /* About the least float: products lose bits that no share of them makes up for. */
 static void draw_least(random_source *r, oriented_batch *batch)
 {
     static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_face, draw_sheared};
-    bases[random_below(r, 4)](r, batch);
-    const int exponent = random_between(r, -148, -132), of_axes = random_below(r, 2) ? 0 : random_between(r, -140, 0);
+    bases[random_int(r, 4)](r, batch);
+    const int exponent = random_int_between(r, -148, -132), of_axes = random_int(r, 2) ? 0 : random_int_between(r, -140, 0);
     scale(batch, exponent - of_axes, of_axes);
 }
 
@@ -321,8 +321,8 @@ static void draw_tiny_and_huge_ones(random_source *r, oriented_batch *batch)
 {
     draw_turned(r, batch);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
-        const int exponent = random_below(r, 3) ? random_between(r, -20, 20) : random_between(r, -140, 126);
-        const int kept = random_between(r, -1, 2);
+        const int exponent = random_int(r, 3) ? random_int_between(r, -20, 20) : random_int_between(r, -140, 126);
+        const int kept = random_int_between(r, -1, 2);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
                 if (j != kept)
@@ -337,21 +337,21 @@ static void draw_tiny_and_huge_ones(random_source *r, oriented_batch *batch)
  */
 static void draw_wide(random_source *r, oriented_batch *batch)
 {
-    const int is_long = random_below(r, 2), bits = is_long ? random_between(r, 34, 39) : random_between(r, 13, 18);
-    const int of_positions = is_long ? 23 : random_between(r, 8, 12), face = random_below(r, 3);
+    const int is_long = random_int(r, 2), bits = is_long ? random_int_between(r, 34, 39) : random_int_between(r, 13, 18);
+    const int of_positions = is_long ? 23 : random_int_between(r, 8, 12), face = random_int(r, 3);
     const double most = ldexp(1, of_positions) - 1;
     memset(&batch->box, 0, sizeof batch->box);
     for (int k = 0; k < 3; k++) {
         const double length = k == face ? 1 : ldexp(1, bits - of_positions);
-        const double half = floor(most * random_uniform(r, 0.5, 1));
+        const double half = floor(most * random_double(r, 0.5, 1));
         batch->box.axis[k][k] = (float)length;
         batch->box.half[k] = (float)(length * half);
         for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
-            const int side = t % 2 ? 1 : -1, touching = random_below(r, 3);
+            const int side = t % 2 ? 1 : -1, touching = random_int(r, 3);
             for (int j = 0; j < 3; j++)
-                batch->u[t][j][k] = k != face         ? (float)floor(random_uniform(r, -most, most))
+                batch->u[t][j][k] = k != face         ? (float)floor(random_double(r, -most, most))
                                     : (j == touching) ? (float)(side * half)
-                                                      : (float)(side * floor(random_uniform(r, half, most)));
+                                                      : (float)(side * floor(random_double(r, half, most)));
         }
     }
 }
@@ -359,34 +359,34 @@ static void draw_wide(random_source *r, oriented_batch *batch)
 /* At both ends of the range, so that differences overflow, or nearly and cancel. */
 static void draw_ends_of_range(random_source *r, oriented_batch *batch)
 {
-    if (!random_below(r, 3)) {
+    if (!random_int(r, 3)) {
         draw_cancelling(r, batch);
-        scale(batch, random_between(r, 80, 98), 0);
+        scale(batch, random_int_between(r, 80, 98), 0);
         return;
     }
     draw_turned(r, batch);
-    if (random_below(r, 2))
-        scale(batch, random_between(r, 110, 126), random_below(r, 2) ? 0 : -random_between(r, 0, 126));
+    if (random_int(r, 2))
+        scale(batch, random_int_between(r, 110, 126), random_int(r, 2) ? 0 : -random_int_between(r, 0, 126));
     const float ends[] = {FLT_MAX, -FLT_MAX, 0x1p127f, -0x1p126f, 0x1p100f, -0x1p99f, 0x1p-149f, 0};
     for (int a = 0; a < 3; a++)
-        if (!random_below(r, 3))
-            batch->box.center[a] = ends[random_below(r, 8)];
-    if (!random_below(r, 4))
-        batch->box.half[random_below(r, 3)] = fabsf(ends[random_below(r, 8)]);
+        if (!random_int(r, 3))
+            batch->box.center[a] = ends[random_int(r, 8)];
+    if (!random_int(r, 4))
+        batch->box.half[random_int(r, 3)] = fabsf(ends[random_int(r, 8)]);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
-        for (int times = random_below(r, 5); times > 0; times--)
-            batch->u[t][random_below(r, 3)][random_below(r, 3)] = ends[random_below(r, 8)];
+        for (int times = random_int(r, 5); times > 0; times--)
+            batch->u[t][random_int(r, 3)][random_int(r, 3)] = ends[random_int(r, 8)];
 }
 
 /* Slabs and beams that end where floats do. */
 static void draw_endless(random_source *r, oriented_batch *batch)
 {
-    if (random_below(r, 2))
+    if (random_int(r, 2))
         draw_turned(r, batch);
     else
         draw_whole(r, batch);
-    for (int times = random_between(r, 1, 2); times > 0; times--)
-        batch->box.half[random_below(r, 3)] = random_below(r, 2) ? FLT_MAX : ldexpf(1, random_between(r, 60, 127));
+    for (int times = random_int_between(r, 1, 2); times > 0; times--)
+        batch->box.half[random_int(r, 3)] = random_int(r, 2) ? FLT_MAX : ldexpf(1, random_int_between(r, 60, 127));
 }
 
 static float any_finite(random_source *r)
@@ -403,17 +403,20 @@ static float any_finite(random_source *r)
 /* Any bits; and any exponents about the middle, where products do not leave the range. */
 static void draw_any_bits(random_source *r, oriented_batch *batch)
 {
-    const bool is_narrow = random_below(r, 2);
+    const bool is_narrow = random_int(r, 2);
     for (int k = 0; k < 3; k++) {
-        batch->box.center[k] = is_narrow ? ldexpf((float)random_uniform(r, -1, 1), random_between(r, -9, 9)) : any_finite(r);
-        batch->box.half[k] = fabsf(is_narrow ? ldexpf((float)random_uniform(r, 0, 1), random_between(r, -9, 18)) : any_finite(r));
+        batch->box.center[k] = is_narrow ? ldexpf((float)random_double(r, -1, 1), random_int_between(r, -9, 9)) : any_finite(r);
+        batch->box.half[k] =
+            fabsf(is_narrow ? ldexpf((float)random_double(r, 0, 1), random_int_between(r, -9, 18)) : any_finite(r));
         for (int a = 0; a < 3; a++)
-            batch->box.axis[k][a] = is_narrow ? ldexpf((float)random_uniform(r, -1, 1), random_between(r, -9, 9)) : any_finite(r);
+            batch->box.axis[k][a] =
+                is_narrow ? ldexpf((float)random_double(r, -1, 1), random_int_between(r, -9, 9)) : any_finite(r);
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                batch->u[t][j][a] = is_narrow ? ldexpf((float)random_uniform(r, -1, 1), random_between(r, -9, 9)) : any_finite(r);
+                batch->u[t][j][a] =
+                    is_narrow ? ldexpf((float)random_double(r, -1, 1), random_int_between(r, -9, 9)) : any_finite(r);
 }
 
 /* The scenes of upright boxes, all of them, with the axes of space. */
@@ -421,7 +424,7 @@ static void draw_any_upright(random_source *r, oriented_batch *batch)
 {
     static double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     upright up;
-    draw_upright(r, scene_at((size_t)random_below(r, (int)scene_count()))->draw, &up);
+    draw_upright(r, scene_at((size_t)random_int(r, (int)scene_count()))->draw, &up);
     place(&up, unit, unit, 1, up.center, batch);
 }
 
@@ -457,11 +460,11 @@ void oriented_draw(const oriented_scene *s, random_source *r, oriented_batch *ba
 {
     static const float not_finite[] = {NAN, -NAN, INFINITY, -INFINITY};
     s->draw(r, batch);
-    batch->count = random_below(r, 4) ? ORIENTED_TRIANGLES : random_between(r, 0, ORIENTED_TRIANGLES);
+    batch->count = random_int(r, 4) ? ORIENTED_TRIANGLES : random_int_between(r, 0, ORIENTED_TRIANGLES);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
         sign_zeros(r, &batch->u[t][0][0], 9);
-        if (!random_below(r, 50))
-            batch->u[t][random_below(r, 3)][random_below(r, 3)] = not_finite[random_below(r, 4)];
+        if (!random_int(r, 50))
+            batch->u[t][random_int(r, 3)][random_int(r, 3)] = not_finite[random_int(r, 4)];
     }
     sign_zeros(r, batch->box.center, 3);
     sign_zeros(r, batch->box.half, 3);

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "common/random.h"
+#include "common/random_draws.h"
 #include "tribox.h"
 
 enum { ORIENTED_TRIANGLES = 200 }; /* two batches of scenes.h */

@@ -95,7 +95,7 @@ static void test_scenes(void **state)
     for (size_t i = 0; i < scene_count(); i++) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         const pair_list all = draw_pairs(&r, scene_at(i), true, &numbers);
-        for (size_t first = 0; first <= all.count; first += 1 + (size_t)random_below(&r, 4)) {
+        for (size_t first = 0; first <= all.count; first += 1 + (size_t)random_int(&r, 4)) {
             const pair_list from = between_fences(&all, first, all.count - first);
             check_kernels(&from);
             const pair_list to = between_fences(&all, 0, first);

@@ -126,18 +126,18 @@ static size_t draw_bad_number(random_source *r, const tribox_mesh *mesh)
 {
     static const size_t wide[] = {65536, 0x7fffffff, 0x80000000u, 0x80000001u, 0xffff0000u, 0xfffffffeu, 0xffffffffu};
     static const size_t narrow[] = {0x7fff, 0x8000, 0x8001, 0xff00, 0xfffe, 0xffff};
-    const size_t any = mesh->index_bytes == 2 ? narrow[random_below(r, 6)] : wide[random_below(r, 7)];
-    return random_below(r, 2) || any < mesh->vertices ? mesh->vertices : any;
+    const size_t any = mesh->index_bytes == 2 ? narrow[random_int(r, 6)] : wide[random_int(r, 7)];
+    return random_int(r, 2) || any < mesh->vertices ? mesh->vertices : any;
 }
 
 static tribox_mesh any_mesh(random_source *r, size_t count, unsigned index_bytes)
 {
     const layout l = {count,
                       index_bytes,
-                      random_below(r, 2) ? 12 : (size_t)random_between(r, 12, 40),
-                      (index_pattern)random_below(r, INDEX_PATTERNS),
-                      random_below(r, 4),
-                      random_below(r, 2)};
+                      random_int(r, 2) ? 12 : (size_t)random_int_between(r, 12, 40),
+                      (index_pattern)random_int(r, INDEX_PATTERNS),
+                      random_int(r, 4),
+                      random_int(r, 2)};
     return mesh_lay(r, &l, fences);
 }
 
@@ -164,9 +164,9 @@ static void test_edges_of_blocks(void **state)
     random_source r = random_named(args.seed, "edges of blocks");
     for (unsigned bytes = 2; bytes <= 4; bytes += 2)
         for (size_t block = 256; block <= 4096; block *= 2) {
-            const tribox_mesh mesh = any_mesh(&r, block + 1 + (size_t)random_below(&r, 70), bytes);
+            const tribox_mesh mesh = any_mesh(&r, block + 1 + (size_t)random_int(&r, 70), bytes);
             for (size_t triangle = block - 1; triangle <= block; triangle++)
-                check_corner(&mesh, 3 * triangle + (size_t)random_below(&r, 3), draw_bad_number(&r, &mesh));
+                check_corner(&mesh, 3 * triangle + (size_t)random_int(&r, 3), draw_bad_number(&r, &mesh));
             check_corner(&mesh, 3 * mesh.count - 1, draw_bad_number(&r, &mesh));
         }
 }
@@ -179,11 +179,11 @@ static void test_many(void **state)
     random_source r = random_named(args.seed, "many");
     for (unsigned bytes = 2; bytes <= 4; bytes += 2)
         for (int times = 0; times < 200; times++) {
-            const tribox_mesh mesh = any_mesh(&r, 1 + (size_t)random_below(&r, 200), bytes);
-            const int share = random_below(&r, 5);
+            const tribox_mesh mesh = any_mesh(&r, 1 + (size_t)random_int(&r, 200), bytes);
+            const int share = random_int(&r, 5);
             size_t count = 0, first = 0;
             for (size_t corner = 3 * mesh.count; corner-- > 0;)
-                if (random_below(&r, 4) < share) {
+                if (random_int(&r, 4) < share) {
                     mesh_set_number(&mesh, corner, draw_bad_number(&r, &mesh));
                     count++;
                     first = corner;
@@ -202,7 +202,7 @@ static void test_too_few_vertices(void **state)
     random_source r = random_named(args.seed, "too few");
     for (size_t count = 1; count <= 200; count++) {
         tribox_mesh mesh = any_mesh(&r, count, 0);
-        const size_t missing = count % 2 ? 1 + count % 5 % 3 : 1 + (size_t)random_below(&r, (int)(3 * count));
+        const size_t missing = count % 2 ? 1 + count % 5 % 3 : 1 + (size_t)random_int(&r, (int)(3 * count));
         mesh.vertices = 3 * count - missing;
         check_found(&mesh, missing, mesh.vertices);
         for (int k = 0; k < kernels; k++) {
@@ -267,14 +267,14 @@ static void test_greatest_numbers(void **state)
     for (int n = 0; n < NUMBERS; n++) {
         const size_t at = 12 * (size_t)number[n], from = page_of(at, page), end = page_of(at + 15, page) + page;
         assert_int_equal(mprotect(all + from, (end < bytes ? end : bytes) - from, PROT_READ | PROT_WRITE), 0);
-        const float position[3] = {(float)n, 0, random_below(&r, 2) ? 2 : 0};
+        const float position[3] = {(float)n, 0, random_int(&r, 2) ? 2 : 0};
         memcpy(all + at, position, sizeof position);
     }
     uint32_t indices[CORNERS];
     const tribox_mesh mesh = {all, 12, vertices, indices, 4, CORNERS / 3};
     for (int round = 0; round < 20; round++) {
         for (int c = 0; c < CORNERS; c++)
-            indices[c] = number[random_below(&r, NUMBERS - (round % 2))];
+            indices[c] = number[random_int(&r, NUMBERS - (round % 2))];
         check_found(&mesh, 0, CORNERS);
         for (int k = 0; k < kernels; k++) {
             float got[9][CORNERS / 3], want[9][CORNERS / 3];
@@ -289,7 +289,7 @@ static void test_greatest_numbers(void **state)
         }
         tribox_mesh less = mesh;
         less.vertices--;
-        indices[random_below(&r, CORNERS)] = 0xffffffff;
+        indices[random_int(&r, CORNERS)] = 0xffffffff;
         for (int k = 0; k < kernels; k++)
             check_answers_refused(&less, names[k]);
     }

@@ -132,7 +132,7 @@ static pair_list draw_lattice(random_source *r, const tribox_box *box, size_t co
     for (int s = 0; s < SOUP_STREAMS; s++) {
         q.stream[s] = numbers.stream[s];
         for (size_t i = 0; i < count; i++)
-            numbers.stream[s][i] = random_sign_of_zero(r, 0.5f * (float)random_between(r, i % 3 ? -2 : -4, i % 3 ? 2 : 4));
+            numbers.stream[s][i] = random_sign_of_zero(r, 0.5f * (float)random_int_between(r, i % 3 ? -2 : -4, i % 3 ? 2 : 4));
     }
     return q;
 }
@@ -197,8 +197,8 @@ static void test_scenes_clamped(void **state)
                 for (size_t k = 0; k < q.count; k++) {
                     float *const u = &numbers.stream[s][k];
                     *u = fminf(fmaxf(*u, q.box->lo[s / 3]), q.box->hi[s / 3]);
-                    if (!random_below(&r, 40))
-                        *u = nextafterf(*u, random_below(&r, 2) ? FLT_MAX : -FLT_MAX);
+                    if (!random_int(&r, 40))
+                        *u = nextafterf(*u, random_int(&r, 2) ? FLT_MAX : -FLT_MAX);
                 }
             check_kernels(&q);
         }
@@ -237,7 +237,7 @@ static void test_each_comparison(void **state)
             for (int s = 0; s < SOUP_STREAMS; s++) {
                 q.stream[s] = numbers.stream[s];
                 for (size_t i = 0; i < q.count; i++)
-                    numbers.stream[s][i] = random_sign_of_zero(&r, random_below(&r, 2) ? box->lo[s / 3] : box->hi[s / 3]);
+                    numbers.stream[s][i] = random_sign_of_zero(&r, random_int(&r, 2) ? box->lo[s / 3] : box->hi[s / 3]);
             }
             for (size_t c = 0; c < 18 * KINDS; c++) {
                 const size_t s = c % 9, side = c / 9 % 2, kind = c / 18;

@@ -129,7 +129,7 @@ static void check_answers(const tribox_mesh *mesh, const tribox_box *box, const 
 static tribox_options draw_options(random_source *r, const char *kernel)
 {
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
-    return (tribox_options){(tribox_accuracy)random_below(r, 3), (unsigned)random_below(r, 8), orders[random_below(r, 7)], kernel};
+    return (tribox_options){(tribox_accuracy)random_int(r, 3), (unsigned)random_int(r, 8), orders[random_int(r, 7)], kernel};
 }
 
 static void check_mesh(random_source *r, const tribox_mesh *mesh, int place)
@@ -140,14 +140,14 @@ static void check_mesh(random_source *r, const tribox_mesh *mesh, int place)
     assert_int_equal(tribox_mesh_bad_indices(mesh, &first_bad), 0);
     assert_int_equal(first_bad, 3 * mesh->count);
     for (int k = 0; k < kernels; k++) {
-        const size_t first = mesh->count ? (size_t)random_below(r, (int)mesh->count) : 0,
-                     count = (size_t)random_below(r, (int)(mesh->count - first) + 1);
+        const size_t first = mesh->count ? (size_t)random_int(r, (int)mesh->count) : 0,
+                     count = (size_t)random_int(r, (int)(mesh->count - first) + 1);
         check_streams(mesh, &(tribox_options){.kernel = names[k]}, 0, mesh->count, place);
         check_streams(mesh, &(tribox_options){.kernel = names[k]}, first, count, place);
         check_streams(mesh, &(tribox_options){.kernel = names[k]}, first, mesh->count - first, place);
         check_answers(mesh, &boxes[0], &(tribox_options){.kernel = names[k]}, place);
         const tribox_options any = draw_options(r, names[k]);
-        check_answers(mesh, &boxes[random_below(r, sizeof boxes / sizeof boxes[0])], &any, place);
+        check_answers(mesh, &boxes[random_int(r, sizeof boxes / sizeof boxes[0])], &any, place);
     }
 }
 
@@ -163,12 +163,12 @@ static void test_small_counts(void **state)
     for (size_t s = 0; s < sizeof strides / sizeof strides[0]; s++)
         for (int b = 0; b < 3; b++)
             for (size_t count = 0; count <= 200; count++) {
-                const int turn = random_below(&r, 16);
+                const int turn = random_int(&r, 16);
                 const layout l = {count,
                                   index_sizes[b],
                                   strides[s],
-                                  (index_pattern)random_below(&r, INDEX_PATTERNS),
-                                  random_below(&r, 2) ? 0 : random_between(&r, 1, 3),
+                                  (index_pattern)random_int(&r, INDEX_PATTERNS),
+                                  random_int(&r, 2) ? 0 : random_int_between(&r, 1, 3),
                                   turn % 2};
                 const tribox_mesh mesh = mesh_lay(&r, &l, fences);
                 check_mesh(&r, &mesh, turn < 4 ? AT_END : turn);
@@ -206,9 +206,9 @@ static void test_edges_of_blocks(void **state)
                 for (int is_at_end = 0; is_at_end < 2; is_at_end++) {
                     const layout l = {count,
                                       index_sizes[b],
-                                      (size_t)random_between(&r, 12, 40),
-                                      (index_pattern)random_below(&r, INDEX_PATTERNS),
-                                      random_below(&r, 4),
+                                      (size_t)random_int_between(&r, 12, 40),
+                                      (index_pattern)random_int(&r, INDEX_PATTERNS),
+                                      random_int(&r, 4),
                                       is_at_end};
                     const tribox_mesh mesh = mesh_lay(&r, &l, fences);
                     check_mesh(&r, &mesh, is_at_end ? AT_END : 3);
@@ -240,12 +240,12 @@ static void test_beside(void **state)
     catch_faults();
     random_source r = random_named(args.seed, "beside");
     for (int round = 0; round < 120; round++) {
-        const layout l = {round % 4 ? (size_t)random_between(&r, 1, 700) : (size_t)random_between(&r, 4000, LAID_TRIANGLES),
+        const layout l = {round % 4 ? (size_t)random_int_between(&r, 1, 700) : (size_t)random_int_between(&r, 4000, LAID_TRIANGLES),
                           index_sizes[round % 3],
                           round % 8 ? 12 : 16,
-                          random_below(&r, 3) ? PATTERN_NEAR : (index_pattern)random_below(&r, INDEX_PATTERNS),
+                          random_int(&r, 3) ? PATTERN_NEAR : (index_pattern)random_int(&r, INDEX_PATTERNS),
                           round % 5 ? 0 : 2,
-                          random_below(&r, 2)};
+                          random_int(&r, 2)};
         const tribox_mesh mesh = mesh_lay(&r, &l, fences);
         mesh_move_beside(&r, &mesh, &boxes[0]);
         check_mesh(&r, &mesh, AT_END);
@@ -267,7 +267,7 @@ static void test_more_vertices_than_named(void **state)
         tribox_mesh mesh = mesh_lay(&r, &l, fences);
         mesh.vertices = 70000;
         for (size_t corner = 0; b && corner < 3 * mesh.count; corner++)
-            mesh_set_number(&mesh, corner, (size_t)random_below(&r, 65536));
+            mesh_set_number(&mesh, corner, (size_t)random_int(&r, 65536));
         if (b)
             mesh_set_number(&mesh, 3 * mesh.count - 1, 65535);
         check_mesh(&r, &mesh, AT_END);

@@ -7,7 +7,7 @@
 
 #include "common/arguments.h"
 #include "common/guard.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 #include "tribox.h"
 
 static arguments args;
@@ -36,7 +36,7 @@ static uint64_t draw_word(random_source *r, int spread)
 {
     uint64_t word = 0;
     for (int bit = 0; spread && bit < 64; bit++)
-        word |= (uint64_t)(random_below(r, spread) == 0) << bit;
+        word |= (uint64_t)(random_int(r, spread) == 0) << bit;
     return word;
 }
 
@@ -49,7 +49,7 @@ static void check(random_source *r, size_t count, int spread)
     size_t set = 0;
     for (size_t w = 0; w < words; w++)
         mask[w] = draw_word(r, spread);
-    if (count % 64 && random_below(r, 2))
+    if (count % 64 && random_int(r, 2))
         mask[words - 1] |= ~UINT64_C(0) << count % 64;
     for (size_t i = 0; i < count; i++)
         if (mask[i / 64] >> i % 64 & 1)

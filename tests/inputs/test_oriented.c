@@ -147,7 +147,7 @@ static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
 
 static void check_exact(random_source *r, const char *kernel)
 {
-    const tribox_options all = {TRIBOX_EXACT, random_below(r, 2) ? TRIBOX_AXES_ALL : 0, orders[random_below(r, 7)], kernel};
+    const tribox_options all = {TRIBOX_EXACT, random_int(r, 2) ? TRIBOX_AXES_ALL : 0, orders[random_int(r, 7)], kernel};
     const uint64_t *got = ask(&all);
     for (int i = 0; i < batch.count; i++)
         if (bit_of(got, i) != bit_of(overlapping, i))
@@ -187,7 +187,7 @@ static size_t check_conservative(random_source *r, const char *kernel)
     size_t too_many = 0;
     for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
         const uint64_t *const must = axes == TRIBOX_AXES_BOX ? bounds : overlapping;
-        const uint64_t *const got = ask(&(tribox_options){TRIBOX_CONSERVATIVE, axes, orders[random_below(r, 7)], kernel});
+        const uint64_t *const got = ask(&(tribox_options){TRIBOX_CONSERVATIVE, axes, orders[random_int(r, 7)], kernel});
         for (int i = 0; i < batch.count; i++) {
             if (bit_of(got, i) ? !is_finite(batch.u[i]) : bit_of(must, i))
                 fail_at(i, bit_of(must, i));
@@ -292,7 +292,7 @@ static void test_faces(void **state)
         batch.count = ORIENTED_TRIANGLES;
         for (int a = 0; a < 3; a++) {
             batch.box.center[a] = 0;
-            batch.box.half[a] = round % 4 ? (float)random_uniform(&r, 0, 2) : 0;
+            batch.box.half[a] = round % 4 ? (float)random_double(&r, 0, 2) : 0;
         }
         for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
             const int k = t % 3, side = t / 3 % 2, beyond = t / 6 % 3;
@@ -301,7 +301,7 @@ static void test_faces(void **state)
                 const int a = axis[0] != 0 ? 0 : axis[1] != 0 ? 1 : 2;
                 const float h = batch.box.half[i], plane = beyond == 0 ? h : nextafterf(h, beyond == 1 ? FLT_MAX : -FLT_MAX);
                 for (int j = 0; j < 3; j++)
-                    batch.u[t][j][a] = i != k ? (random_below(&r, 2) ? h : -h) : side ? plane : -plane;
+                    batch.u[t][j][a] = i != k ? (random_int(&r, 2) ? h : -h) : side ? plane : -plane;
             }
         }
         check_batch(&r, &unused, &unused);

@@ -26,7 +26,7 @@ static void put_triangle(drawn_numbers *numbers, size_t i, float u[3][3])
 /* A bound near the scene's own, or one that touches a vertex, or nearly. */
 static float draw_bound(random_source *r, float bound, float triangle[3][3], int a)
 {
-    return nudged(r, random_below(r, 4) ? bound : triangle[random_below(r, 3)][a], 2);
+    return nudged(r, random_int(r, 4) ? bound : triangle[random_int(r, 3)][a], 2);
 }
 
 static void put_box(random_source *r, drawn_numbers *numbers, size_t i, const tribox_box *box)
@@ -43,7 +43,7 @@ pair_list draw_pairs(random_source *r, const scene *s, bool is_soup, drawn_numbe
     scene_batch batch;
     s->draw(r, &batch);
     numbers->box = batch.box;
-    memcpy(numbers->triangle, batch.u[random_below(r, SCENE_TRIANGLES)], sizeof numbers->triangle);
+    memcpy(numbers->triangle, batch.u[random_int(r, SCENE_TRIANGLES)], sizeof numbers->triangle);
     for (size_t i = 0; i < SCENE_TRIANGLES; i++)
         if (is_soup)
             put_triangle(numbers, i, batch.u[i]);
@@ -65,7 +65,7 @@ pair_list draw_distinct_lanes(random_source *r, bool is_soup, drawn_numbers *num
             if (is_soup)
                 continue;
             for (int a = 0; a < 3; a++) {
-                const float size = (float)random_uniform(r, 0, 0.75);
+                const float size = (float)random_double(r, 0, 0.75);
                 numbers->stream[a][i + k] = batch.u[k][0][a] / 2;
                 numbers->stream[3 + a][i + k] = batch.u[k][0][a] / 2 + size;
             }

@@ -65,9 +65,9 @@ static pair_list draw_hits(random_source *r)
 {
     for (size_t i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++) {
-            const int inside = random_below(r, 3);
+            const int inside = random_int(r, 3);
             for (int v = 0; v < 3; v++)
-                numbers.stream[3 * a + v][i] = (float)random_uniform(r, -0.5, 0.5) * (v == inside ? 1 : 1.5f);
+                numbers.stream[3 * a + v][i] = (float)random_double(r, -0.5, 0.5) * (v == inside ? 1 : 1.5f);
             if (i % 2 && a == (int)(i / 2 % 3))
                 numbers.stream[3 * a + 1][i] = numbers.stream[3 * a + 2][i] = numbers.stream[3 * a][i];
         }
@@ -82,8 +82,8 @@ static pair_list draw_boxes(random_source *r)
 {
     for (size_t i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++) {
-            numbers.stream[a][i] = triangle[0][a] - (float)random_uniform(r, 0.1, 4);
-            numbers.stream[3 + a][i] = triangle[0][a] + (float)random_uniform(r, 0.1, 4);
+            numbers.stream[a][i] = triangle[0][a] - (float)random_double(r, 0.1, 4);
+            numbers.stream[3 + a][i] = triangle[0][a] + (float)random_double(r, 0.1, 4);
         }
     pair_list q = {.count = COUNT, .triangle = triangle};
     for (int s = 0; s < BOXES_STREAMS; s++)
@@ -158,8 +158,8 @@ static void check_several(pair_list (*draw)(random_source *))
     for (int round = 0; round < 20; round++) {
         const pair_list q = draw(&r);
         for (size_t i = 0; i < COUNT; i++)
-            for (int times = is_spoilt(i) ? random_between(&r, 1, 9) : 0; times > 0; times--)
-                numbers.stream[random_below(&r, pair_list_streams(&q))][i] = bad_number(random_below(&r, BAD_KINDS));
+            for (int times = is_spoilt(i) ? random_int_between(&r, 1, 9) : 0; times > 0; times--)
+                numbers.stream[random_int(&r, pair_list_streams(&q))][i] = bad_number(random_int(&r, BAD_KINDS));
         check_everywhere(&q, expected);
         if (q.box)
             assert_first_and_count(&q);

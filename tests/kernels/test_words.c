@@ -11,7 +11,7 @@
 
 #include "common/arguments.h"
 #include "dispatch.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 #include "words.h"
 
 static arguments args;
@@ -247,8 +247,8 @@ static void test_random_bits(void **state)
     for (size_t round = 0; round < args.pairs; round++) {
         for (unsigned lane = 0; lane < lanes_count; lane++) {
             a[lane] = any_bits(&r);
-            b[lane] = random_below(&r, 2) ? any_bits(&r) : number_of_bits(bits_of(a[lane]) + (lane_bits)random_below(&r, 3));
-            c[lane] = random_below(&r, 2) ? any_bits(&r) : -(a[lane] * b[lane]);
+            b[lane] = random_int(&r, 2) ? any_bits(&r) : number_of_bits(bits_of(a[lane]) + (lane_bits)random_int(&r, 3));
+            c[lane] = random_int(&r, 2) ? any_bits(&r) : -(a[lane] * b[lane]);
         }
         check_words(a, b, c);
     }
@@ -289,7 +289,7 @@ static void test_cuts(void **state)
         for (unsigned k = 0; k < LANES_MAX + 2; k++)
             out[k] = 77;
         for (unsigned lane = 0; lane < lanes_count; lane++)
-            a[lane] = ldexp((double)(int32_t)random_bits(&r), -(int)random_below(&r, 31));
+            a[lane] = ldexp((double)(int32_t)random_bits(&r), -(int)random_int(&r, 31));
         lanes_cut(a, out + 1);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             if (out[lane + 1] != (int32_t)a[lane])
@@ -310,7 +310,7 @@ static void test_permutes(void **state)
         for (unsigned lane = 0; lane < 2 * lanes_count; lane++)
             a[lane] = number_of_bits((lane_bits)random_bits(&r));
         for (unsigned lane = 0; lane < lanes_count; lane++)
-            from[lane] = random_below(&r, 1000);
+            from[lane] = random_int(&r, 1000);
         lanes_permute(a, a + lanes_count, from, out);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             if (bits_of(out[lane]) != bits_of(a[(unsigned)from[lane] % (2 * lanes_count)]))
@@ -331,7 +331,7 @@ static void test_transposes(void **state)
         for (unsigned k = 0; k < BYTES; k++)
             memory[k] = (unsigned char)random_bits(&r);
         for (unsigned lane = 0; lane < lanes_count; lane++)
-            from[lane] = memory + random_below(&r, BYTES - 4 * sizeof(float) + 1);
+            from[lane] = memory + random_int(&r, BYTES - 4 * sizeof(float) + 1);
         lanes_transpose(from, out);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             for (unsigned k = 0; k < 4; k++)

@@ -54,10 +54,10 @@ static void put_surface(const grid_planes *l, const pose *at, surface *of, int n
 static void put_cuboid(random_source *r, const grid_planes *l, triangle_list *c)
 {
     double corner[2][3];
-    const bool is_whole = random_below(r, 4);
+    const bool is_whole = random_int(r, 4);
     for (int a = 0; a < 3; a++)
         for (int side = 0; side < 2; side++) {
-            const double at = random_uniform(r, -1, (double)l->grid.size[a] + 1);
+            const double at = random_double(r, -1, (double)l->grid.size[a] + 1);
             corner[side][a] = is_whole ? floor(at) : at;
         }
     for (int a = 0; a < 3; a++)
@@ -78,10 +78,10 @@ void draw_mesh(random_source *r, const grid_planes *l, triangle_list *c)
 {
     pose at;
     for (int a = 0; a < 3; a++) {
-        at.centre[a] = random_uniform(r, 0, l->grid.size[a]);
-        at.radius[a] = l->grid.size[a] * random_uniform(r, 0.1, 0.8);
+        at.centre[a] = random_double(r, 0, l->grid.size[a]);
+        at.radius[a] = l->grid.size[a] * random_double(r, 0.1, 0.8);
     }
-    const int n = random_between(r, 3, 40), m = random_between(r, 3, 24), kind = random_below(r, 3);
+    const int n = random_int_between(r, 3, 40), m = random_int_between(r, 3, 24), kind = random_int(r, 3);
     for (int k = 0; kind == 2 && k < 4; k++)
         put_cuboid(r, l, c);
     if (kind < 2)

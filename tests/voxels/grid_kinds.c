@@ -9,16 +9,16 @@
 static uint32_t row_length(random_source *r)
 {
     static const uint32_t length[] = {1, 2, 63, 64, 65, 127, 128, 129, 191, 200};
-    return length[random_below(r, sizeof length / sizeof length[0])];
+    return length[random_int(r, sizeof length / sizeof length[0])];
 }
 
-static uint32_t size_between(random_source *r, int least, int most) { return (uint32_t)random_between(r, least, most); }
+static uint32_t size_between(random_source *r, int least, int most) { return (uint32_t)random_int_between(r, least, most); }
 
 /* Cubes, rows, columns and towers, and anything. */
 static void draw_size(random_source *r, uint32_t size[3])
 {
-    const int long_axis = random_below(r, 3);
-    switch (random_below(r, 5)) {
+    const int long_axis = random_int(r, 3);
+    switch (random_int(r, 5)) {
     case 0:
         size[0] = size[1] = size[2] = size_between(r, 1, 9);
         break;
@@ -59,26 +59,26 @@ static void draw_units(random_source *r, tribox_grid *grid)
 static void draw_dyadic(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf(1, random_between(r, -6, 3));
-        grid->origin[a] = grid->cell[a] * (float)random_between(r, -40, 40) / 4;
+        grid->cell[a] = ldexpf(1, random_int_between(r, -6, 3));
+        grid->origin[a] = grid->cell[a] * (float)random_int_between(r, -40, 40) / 4;
     }
 }
 
 static void draw_tenths(random_source *r, tribox_grid *grid)
 {
     static const float length[] = {0.1f, 0.3f, 1.0f / 3, 0.7f, 1.1f, 0.05f};
-    const bool is_cubic = random_below(r, 2);
+    const bool is_cubic = random_int(r, 2);
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = is_cubic && a ? grid->cell[0] : length[random_below(r, sizeof length / sizeof length[0])];
-        grid->origin[a] = (float)random_between(r, -30, 30) * 0.1f;
+        grid->cell[a] = is_cubic && a ? grid->cell[0] : length[random_int(r, sizeof length / sizeof length[0])];
+        grid->origin[a] = (float)random_int_between(r, -30, 30) * 0.1f;
     }
 }
 
 static void draw_any(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = nearest_float(random_uniform(r, 0.4, 2.5));
-        grid->origin[a] = nearest_float(random_uniform(r, -50, 20));
+        grid->cell[a] = nearest_float(random_double(r, 0.4, 2.5));
+        grid->origin[a] = nearest_float(random_double(r, -50, 20));
     }
 }
 
@@ -86,8 +86,8 @@ static void draw_any(random_source *r, tribox_grid *grid)
 static void draw_about_zero(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = random_below(r, 2) ? 0.1f : nearest_float(random_uniform(r, 0.1, 1));
-        grid->origin[a] = random_sign_of_zero(r, nearest_float(-(double)grid->cell[a] * random_below(r, (int)grid->size[a] + 1)));
+        grid->cell[a] = random_int(r, 2) ? 0.1f : nearest_float(random_double(r, 0.1, 1));
+        grid->origin[a] = random_sign_of_zero(r, nearest_float(-(double)grid->cell[a] * random_int(r, (int)grid->size[a] + 1)));
     }
 }
 
@@ -95,10 +95,10 @@ static void draw_about_zero(random_source *r, tribox_grid *grid)
 static void draw_far(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        const double far = pow(10, random_uniform(r, 5, 7)) * (random_below(r, 2) ? 1 : -1);
+        const double far = pow(10, random_double(r, 5, 7)) * (random_int(r, 2) ? 1 : -1);
         const double spacing = ldexp(1, ilogb(far) - 23);
         grid->origin[a] = nearest_float(far);
-        grid->cell[a] = nearest_float(spacing * (random_below(r, 3) ? random_uniform(r, 1.01, 9) : random_between(r, 1, 64)));
+        grid->cell[a] = nearest_float(spacing * (random_int(r, 3) ? random_double(r, 1.01, 9) : random_int_between(r, 1, 64)));
     }
 }
 
@@ -106,14 +106,14 @@ static void draw_offset(random_source *r, tribox_grid *grid)
 {
     draw_any(r, grid);
     for (int a = 0; a < 3; a++)
-        grid->origin[a] += nearest_float(random_between(r, -1, 1) * pow(10, random_uniform(r, 3, 5)));
+        grid->origin[a] += nearest_float(random_int_between(r, -1, 1) * pow(10, random_double(r, 3, 5)));
 }
 
 static void draw_own_lengths(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf(random_below(r, 2) ? 1 : 1.3f, random_between(r, -20, 20));
-        grid->origin[a] = grid->cell[a] * (float)random_between(r, -100, 100);
+        grid->cell[a] = ldexpf(random_int(r, 2) ? 1 : 1.3f, random_int_between(r, -20, 20));
+        grid->origin[a] = grid->cell[a] * (float)random_int_between(r, -100, 100);
     }
 }
 
@@ -128,32 +128,32 @@ static void scale(tribox_grid *grid, int exponent)
 static void draw_tiny(random_source *r, tribox_grid *grid)
 {
     draw_any(r, grid);
-    scale(grid, random_between(r, -122, -100));
+    scale(grid, random_int_between(r, -122, -100));
 }
 
 static void draw_huge(random_source *r, tribox_grid *grid)
 {
     draw_any(r, grid);
-    scale(grid, random_between(r, 80, 115));
+    scale(grid, random_int_between(r, 80, 115));
 }
 
 /* Cells of a few times the least float. */
 static void draw_subnormal(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf((float)random_between(r, 1, 5), -149);
-        grid->origin[a] = random_sign_of_zero(r, ldexpf((float)random_between(r, -300, 100), -149));
+        grid->cell[a] = ldexpf((float)random_int_between(r, 1, 5), -149);
+        grid->origin[a] = random_sign_of_zero(r, ldexpf((float)random_int_between(r, -300, 100), -149));
     }
 }
 
 /* Subnormal on one axis, ordinary on another, huge on the third. */
 static void draw_mixed(random_source *r, tribox_grid *grid)
 {
-    const int turn = random_below(r, 3);
+    const int turn = random_int(r, 3);
     draw_any(r, grid);
     const int low = turn, high = (turn + 1) % 3;
-    grid->cell[low] = ldexpf((float)random_between(r, 1, 9), random_between(r, -149, -130));
-    grid->origin[low] = grid->cell[low] * (float)random_between(r, -50, 50);
+    grid->cell[low] = ldexpf((float)random_int_between(r, 1, 9), random_int_between(r, -149, -130));
+    grid->origin[low] = grid->cell[low] * (float)random_int_between(r, -50, 50);
     grid->cell[high] = ldexpf(grid->cell[high], 100);
     grid->origin[high] = ldexpf(grid->origin[high], 100);
 }
@@ -163,7 +163,7 @@ static void draw_ends_of_range(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         grid->size[a] = grid->size[a] < 3 ? 3 : grid->size[a];
-        grid->cell[a] = nearest_float(2 * (double)FLT_MAX / grid->size[a] * (random_below(r, 2) ? 0.9999999 : 0.7));
+        grid->cell[a] = nearest_float(2 * (double)FLT_MAX / grid->size[a] * (random_int(r, 2) ? 0.9999999 : 0.7));
         grid->origin[a] = -FLT_MAX;
     }
 }

@@ -3,7 +3,7 @@
 #define TRIBOX_TESTS_GRID_KINDS_H
 
 #include "common/grid_planes.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 typedef struct grid_kind {
     const char *name;

@@ -20,10 +20,10 @@ static uint64_t whole[CELLS_MAX], noise[CELLS_MAX], occupied[CELLS_MAX];
 static void draw_pairs(random_source *r, size_t round)
 {
     draw_grid_of_kind(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
-    const size_t wanted = (size_t)random_between(r, 1, TRIANGLES);
+    const size_t wanted = (size_t)random_int_between(r, 1, TRIANGLES);
     for (triangles.count = 0; triangles.count < wanted;) {
         float u[3][3];
-        draw_triangle(r, triangle_kind_at((size_t)random_below(r, (int)triangle_kind_count())), &at, u);
+        draw_triangle(r, triangle_kind_at((size_t)random_int(r, (int)triangle_kind_count())), &at, u);
         triangle_list_put(&triangles, (const_vertices)u);
     }
 }
@@ -32,7 +32,7 @@ static tribox_options any_options(random_source *r, tribox_accuracy accuracy)
 {
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
-    return (tribox_options){.accuracy = accuracy, .kernel = kernels[random_below(r, kernel_count)]};
+    return (tribox_options){.accuracy = accuracy, .kernel = kernels[random_int(r, kernel_count)]};
 }
 
 static size_t ask(const tribox_soup *soup, const tribox_options *options, uint64_t *words)
@@ -56,7 +56,7 @@ static void test_bits_stay(void **state)
     random_source r = random_named(args->seed, "bits stay");
     for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
-        const tribox_options options = any_options(&r, (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)));
+        const tribox_options options = any_options(&r, (tribox_accuracy)(round % 2 ? 0 : random_int(&r, 3)));
         const tribox_soup soup = triangle_list_soup(&triangles);
         size_t news = 0;
         ask_whole(&options);
@@ -88,8 +88,8 @@ static void test_parts(void **state)
         size_t sum = 0;
         memset(occupied, 0, at.words * sizeof *occupied);
         for (size_t first = 0, count; first < triangles.count; first += count) {
-            count = 1 + (size_t)random_below(&r, (int)(triangles.count - first));
-            const tribox_soup part = triangle_list_part(&triangles, first, count, permutations[random_below(&r, ORDERS)]);
+            count = 1 + (size_t)random_int(&r, (int)(triangles.count - first));
+            const tribox_soup part = triangle_list_part(&triangles, first, count, permutations[random_int(&r, ORDERS)]);
             sum += ask(&part, &options, occupied);
         }
         assert_int_equal(sum, set);
@@ -105,18 +105,18 @@ static void test_order(void **state)
     for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r, TRIBOX_EXACT);
-        const size_t set = ask_whole(&options), start = (size_t)random_below(&r, (int)triangles.count);
+        const size_t set = ask_whole(&options), start = (size_t)random_int(&r, (int)triangles.count);
         other.count = 0;
         for (size_t k = 0; k < triangles.count; k++) {
             float u[3][3], v[3][3];
-            const int *const vertex = permutations[random_below(&r, ORDERS)];
+            const int *const vertex = permutations[random_int(&r, ORDERS)];
             triangle_list_get(&triangles, (start + triangles.count - k) % triangles.count, u);
             for (int j = 0; j < 3; j++)
                 memcpy(v[j], u[vertex[j]], sizeof v[j]);
             triangle_list_put(&other, (const_vertices)v);
-            if (random_below(&r, 3))
+            if (random_int(&r, 3))
                 continue;
-            v[random_below(&r, 3)][random_below(&r, 3)] = random_below(&r, 2) ? NAN : random_below(&r, 2) ? INFINITY : -INFINITY;
+            v[random_int(&r, 3)][random_int(&r, 3)] = random_int(&r, 2) ? NAN : random_int(&r, 2) ? INFINITY : -INFINITY;
             triangle_list_put(&other, (const_vertices)v);
         }
         const tribox_soup soup = triangle_list_soup(&other);
@@ -141,7 +141,7 @@ static void test_not_finite(void **state)
                 triangles.count = 0;
                 for (int k = 0; k < 9 * 4 * 3; k++) {
                     float u[3][3];
-                    draw_triangle(&r, triangle_kind_at((size_t)random_below(&r, 4)), &at, u);
+                    draw_triangle(&r, triangle_kind_at((size_t)random_int(&r, 4)), &at, u);
                     u[k % 3][k / 3 % 3] = bad[k / 9 % 4];
                     triangle_list_put(&triangles, (const_vertices)u);
                 }

@@ -30,8 +30,8 @@ static void check_axes(random_source *r, request *q, unsigned axes)
     for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
         q->options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
                                       .axes = axes,
-                                      .order = order_digits(random_below(r, ORDERS)),
-                                      .kernel = kernels[random_below(r, kernel_count)]};
+                                      .order = order_digits(random_int(r, ORDERS)),
+                                      .kernel = kernels[random_int(r, kernel_count)]};
         request_ask(q, 0, triangles.count, occupied);
         for (size_t w = 0; accuracy != TRIBOX_EXACT && w < at.words; w++)
             occupied[w] &= expected[w]; /* what it sets besides is test_cells.c's business */
@@ -48,7 +48,7 @@ static void test_axis_sets(void **state)
         request q = {.scene = triangle_kind_at(s)->name, .seed = args->seed, .at = &at, .triangles = &triangles};
         for (size_t k = 0; k < 8 * grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); k++) {
             draw_grid_of_kind(&r, grid_kind_at(k % grid_kind_count()), CELLS_MAX, &at);
-            for (triangles.count = 0; triangles.count < (random_below(&r, 2) ? 1 : TRIANGLES);) {
+            for (triangles.count = 0; triangles.count < (random_int(&r, 2) ? 1 : TRIANGLES);) {
                 float u[3][3];
                 draw_triangle(&r, triangle_kind_at(s), &at, u);
                 triangle_list_put(&triangles, (const_vertices)u);
@@ -76,8 +76,8 @@ static void test_judge(void **state)
             draw_grid_of_kind(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MAX, &at);
         tribox_pair pair;
         draw_triangle(&r, triangle_kind_at(k % triangle_kind_count()), &at, pair.u);
-        pair.box = grid_planes_cell(&at, random_below(&r, (int)at.grid.size[0]), random_below(&r, (int)at.grid.size[1]),
-                                    random_below(&r, (int)at.grid.size[2]));
+        pair.box = grid_planes_cell(&at, random_int(&r, (int)at.grid.size[0]), random_int(&r, (int)at.grid.size[1]),
+                                    random_int(&r, (int)at.grid.size[2]));
         const cell_oracle t = cell_oracle_make(triangle_of(&pair));
         const oracle_axes truth = oracle_separating_gmp(&pair);
         for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)

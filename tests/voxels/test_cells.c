@@ -56,7 +56,7 @@ static void test_run_free(test_run *t)
 static void choose(test_run *t, tribox_accuracy accuracy, int kernel)
 {
     t->q.options =
-        (tribox_options){.accuracy = accuracy, .order = order_digits(random_below(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        (tribox_options){.accuracy = accuracy, .order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
 }
 
 static void check_together(test_run *t)
@@ -77,7 +77,7 @@ static void check_alone(test_run *t)
         triangle_list_get(&t->triangles, k, u);
         memset(t->one, 0, t->at.words * sizeof *t->one);
         t->asked += occupancy_add(&t->at, (const_vertices)u, TRIBOX_AXES_ALL, t->one);
-        choose(t, TRIBOX_EXACT, random_below(&t->r, t->kernel_count));
+        choose(t, TRIBOX_EXACT, random_int(&t->r, t->kernel_count));
         request_ask(&t->q, k, 1, t->occupied);
         request_check_exact(&t->q, k, 1, t->one, t->occupied);
     }
@@ -88,7 +88,7 @@ static void check_band(test_run *t, bool is_within_fast)
     for (int accuracy = TRIBOX_CONSERVATIVE; accuracy <= TRIBOX_FAST; accuracy++) {
         if (accuracy == TRIBOX_FAST && !is_within_fast)
             continue;
-        choose(t, (tribox_accuracy)accuracy, random_below(&t->r, t->kernel_count));
+        choose(t, (tribox_accuracy)accuracy, random_int(&t->r, t->kernel_count));
         request_ask(&t->q, 0, t->triangles.count, t->occupied);
         request_check_band(&t->q, t->expected, t->occupied, accuracy == TRIBOX_FAST ? &t->fast : &t->conservative);
     }
@@ -111,7 +111,7 @@ static void try_triangles(test_run *t, bool is_within_fast)
 
 static void draw_triangles(test_run *t, const triangle_kind *s)
 {
-    const int most = random_below(&t->r, 2) ? random_between(&t->r, 1, 5) : random_between(&t->r, 60, 200);
+    const int most = random_int(&t->r, 2) ? random_int_between(&t->r, 1, 5) : random_int_between(&t->r, 60, 200);
     size_t cost = 0;
     for (t->triangles.count = 0; t->triangles.count < (size_t)most && cost < ASKED_MAX;) {
         float u[3][3];

@@ -23,7 +23,7 @@ static void draw_pairs(random_source *r, size_t round)
     draw_grid_of_kind(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     for (triangles.count = 0; triangles.count < TRIANGLES;) {
         float u[3][3];
-        draw_triangle(r, triangle_kind_at((size_t)random_below(r, (int)triangle_kind_count())), &at, u);
+        draw_triangle(r, triangle_kind_at((size_t)random_int(r, (int)triangle_kind_count())), &at, u);
         triangle_list_put(&triangles, (const_vertices)u);
     }
 }
@@ -57,9 +57,9 @@ static void test_voxelize(void **state)
     random_source r = random_named(args->seed, "environment");
     for (size_t round = 0; round < 20 * grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
-        const tribox_options options = {.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_below(&r, 3)),
-                                        .axes = (unsigned)random_below(&r, 8) % AXIS_SETS,
-                                        .kernel = kernels[random_below(&r, kernel_count)]};
+        const tribox_options options = {.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_int(&r, 3)),
+                                        .axes = (unsigned)random_int(&r, 8) % AXIS_SETS,
+                                        .kernel = kernels[random_int(&r, kernel_count)]};
         const tribox_soup soup = triangle_list_soup(&triangles);
         tribox_report report;
         memset(expected, 0, at.words * sizeof *expected);
@@ -82,7 +82,7 @@ static void test_cells(void **state)
         for (unsigned k = 0; k < SETTINGS; k++) {
             int cell[3];
             for (int a = 0; a < 3; a++)
-                cell[a] = random_below(&r, (int)at.grid.size[a]);
+                cell[a] = random_int(&r, (int)at.grid.size[a]);
             const tribox_box right = grid_planes_cell(&at, cell[0], cell[1], cell[2]);
             environment_set(setting(k));
             const tribox_box box = tribox_grid_cell(&at.grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);

@@ -42,7 +42,7 @@ static void test_cells(void **state)
         for (int n = 0; n < 200; n++) {
             int cell[3];
             for (int a = 0; a < 3; a++)
-                cell[a] = random_below(&r, (int)at.grid.size[a]);
+                cell[a] = random_int(&r, (int)at.grid.size[a]);
             const tribox_box box = tribox_grid_cell(&at.grid, (uint32_t)cell[0], (uint32_t)cell[1], (uint32_t)cell[2]);
             const tribox_box expected = grid_planes_cell(&at, cell[0], cell[1], cell[2]);
             assert_boxes_equal(&box, &expected);
@@ -189,16 +189,16 @@ static void test_fineness(void **state)
     const tribox_grid fine = {{-1, 0, 0}, {0x1p-25f, 1, 1}, {33554432, 1, 1}};
     assert_int_equal(status_of(&fine), TRIBOX_BAD_GRID);
     for (size_t round = 0; round < 20000 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
-        const int a = random_below(&r, 3), exponent = random_between(&r, -149, 100);
+        const int a = random_int(&r, 3), exponent = random_int_between(&r, -149, 100);
         tribox_grid grid = grid_of(1, 1, 1);
-        grid.size[a] = (uint32_t)random_between(&r, 1, 1 << random_between(&r, 1, 10));
-        const double mantissa = random_below(&r, 2) ? 1 : random_uniform(&r, 1, 2),
+        grid.size[a] = (uint32_t)random_int_between(&r, 1, 1 << random_int_between(&r, 1, 10));
+        const double mantissa = random_int(&r, 2) ? 1 : random_double(&r, 1, 2),
                      spacing = ldexp(1, exponent - 23 > -149 ? exponent - 23 : -149);
         static const double step[] = {0.25, 0.5, 0.5 + 0x1p-20, 0.75, 1 - 0x1p-24, 1, 1 + 0x1p-23, 1.5, 2, 3};
-        grid.origin[a] = (float)(ldexp(mantissa, exponent) - random_below(&r, 8) * spacing / 2);
-        if (random_below(&r, 2))
+        grid.origin[a] = (float)(ldexp(mantissa, exponent) - random_int(&r, 8) * spacing / 2);
+        if (random_int(&r, 2))
             grid.origin[a] = (float)(-(double)grid.origin[a] - (double)grid.size[a] / 2 * spacing);
-        grid.cell[a] = (float)(spacing * (random_below(&r, 4) ? step[random_below(&r, 10)] : random_uniform(&r, 0.4, 2.2)));
+        grid.cell[a] = (float)(spacing * (random_int(&r, 4) ? step[random_int(&r, 10)] : random_double(&r, 0.4, 2.2)));
         if (!(grid.cell[a] > 0))
             continue;
         const bool is_sound = grid_planes_make(&at, &grid);
@@ -214,7 +214,7 @@ static void test_fineness(void **state)
         static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
         request q = {.scene = "fineness", .seed = args->seed, .at = &at, .triangles = &triangles};
         float u[3][3];
-        draw_triangle(&r, triangle_kind_at((size_t)random_below(&r, (int)triangle_kind_count())), &at, u);
+        draw_triangle(&r, triangle_kind_at((size_t)random_int(&r, (int)triangle_kind_count())), &at, u);
         triangles.count = 0;
         triangle_list_put(&triangles, (const_vertices)u);
         memset(expected, 0, at.words * sizeof *expected);

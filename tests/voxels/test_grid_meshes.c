@@ -10,7 +10,7 @@
 
 #include "common/arguments.h"
 #include "common/read_mesh.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 enum {
     SKIPPED = 77,
@@ -58,14 +58,14 @@ static void draw_grid(random_source *r, const mesh *m, const tribox_box *bounds,
     const size_t vertex = (size_t)(random_bits(r) % m->count);
     for (int a = 0; a < 3; a++) {
         const double extent = fmax((double)bounds->hi[a] - bounds->lo[a], longest / resolution);
-        const int cells = kind == 1 ? random_between(r, 1, resolution) : resolution;
+        const int cells = kind == 1 ? random_int_between(r, 1, resolution) : resolution;
         const double cell = kind == 1 || kind == 3 ? extent / cells : longest / resolution;
         grid.cell[a] = (float)cell;
         grid.size[a] = (uint32_t)fmin(ceil(extent / cell), cells);
         grid.origin[a] = bounds->lo[a];
         if (kind == 2) {
             grid.origin[a] = m->coordinate[vertex % 3][a][vertex];
-            grid.size[a] = (uint32_t)random_between(r, 1, resolution);
+            grid.size[a] = (uint32_t)random_int_between(r, 1, resolution);
         }
     }
     assert_true(grid_planes_make(&at, &grid));

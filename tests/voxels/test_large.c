@@ -10,7 +10,7 @@
 
 #include "common/arguments.h"
 #include "cell_oracle.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 enum { POINTS = 1000, PAIRS_A_ROUND = 100000 };
 
@@ -27,14 +27,14 @@ static const tribox_grid grids[] = {
 /* Vertices within or about the grid. */
 static void draw_triangle(random_source *r, const tribox_grid *grid, float u[3][3])
 {
-    const double shrink[3] = {random_below(r, 2) ? 1 : 0.01, random_below(r, 2) ? 1 : 0.01, random_below(r, 2) ? 1 : 0.01};
-    const bool is_whole = random_below(r, 3) == 0;
+    const double shrink[3] = {random_int(r, 2) ? 1 : 0.01, random_int(r, 2) ? 1 : 0.01, random_int(r, 2) ? 1 : 0.01};
+    const bool is_whole = random_int(r, 3) == 0;
     double base[3];
     for (int a = 0; a < 3; a++)
-        base[a] = random_uniform(r, 0, 1 - shrink[a] / 2);
+        base[a] = random_double(r, 0, 1 - shrink[a] / 2);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
-            const double at = grid->size[a] * (base[a] + shrink[a] * random_uniform(r, -0.2, 1.2));
+            const double at = grid->size[a] * (base[a] + shrink[a] * random_double(r, -0.2, 1.2));
             u[j][a] = grid_planes_place(grid, a, is_whole ? floor(at) : at);
         }
 }
@@ -44,7 +44,7 @@ static void draw_point(random_source *r, const float u[3][3], double p[3])
 {
     double weight[3], sum = 0;
     for (int j = 0; j < 3; j++)
-        sum += weight[j] = random_below(r, 3) ? random_uniform(r, 0, 1) : 0;
+        sum += weight[j] = random_int(r, 3) ? random_double(r, 0, 1) : 0;
     if (sum <= 0)
         sum = weight[0] = 1;
     for (int a = 0; a < 3; a++)

@@ -23,12 +23,12 @@ static void draw_pairs(random_source *r, size_t round)
 {
     draw_grid_of_kind(r, grid_kind_at(round % grid_kind_count()), CELLS_MAX, &at);
     triangles.count = 0;
-    if (random_below(r, 4) == 0)
+    if (random_int(r, 4) == 0)
         draw_mesh(r, &at, &triangles);
-    const size_t wanted = triangles.count + (size_t)random_between(r, 1, TRIANGLES);
+    const size_t wanted = triangles.count + (size_t)random_int_between(r, 1, TRIANGLES);
     while (triangles.count < wanted) {
         float u[3][3];
-        draw_triangle(r, triangle_kind_at((size_t)random_below(r, (int)triangle_kind_count())), &at, u);
+        draw_triangle(r, triangle_kind_at((size_t)random_int(r, (int)triangle_kind_count())), &at, u);
         triangle_list_put(&triangles, (const_vertices)u);
     }
 }
@@ -37,9 +37,9 @@ static tribox_options any_options(random_source *r)
 {
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
-    return (tribox_options){.accuracy = (tribox_accuracy)random_below(r, 3),
-                            .axes = (unsigned)(random_below(r, 4) ? 0 : random_between(r, 1, AXIS_SETS)),
-                            .kernel = kernels[random_below(r, kernel_count)]};
+    return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
+                            .axes = (unsigned)(random_int(r, 4) ? 0 : random_int_between(r, 1, AXIS_SETS)),
+                            .kernel = kernels[random_int(r, kernel_count)]};
 }
 
 static size_t ask_whole(const tribox_options *options)
@@ -89,7 +89,7 @@ static void test_slabs(void **state)
                     ask_slab(&options, first, layers);
         size_t sum = 0;
         for (uint32_t first = 0, layers; first < size; first += layers) {
-            layers = 1 + (uint32_t)random_below(&r, (int)(size - first));
+            layers = 1 + (uint32_t)random_int(&r, (int)(size - first));
             sum += ask_slab(&options, first, layers);
         }
         assert_int_equal(sum, set);

@@ -16,18 +16,18 @@ static void map(const grid_planes *l, double p[3][3], float u[3][3])
 
 static int size_of(const grid_planes *l, int a) { return (int)l->grid.size[a]; }
 
-static double power(random_source *r, double least, double most) { return exp2(random_uniform(r, least, most)); }
+static double power(random_source *r, double least, double most) { return exp2(random_double(r, least, most)); }
 
 /* On a plane, at a quarter of a cell, or anywhere. */
 static double draw_along(random_source *r, const grid_planes *l, int a)
 {
-    switch (random_below(r, 4)) {
+    switch (random_int(r, 4)) {
     case 0:
-        return random_between(r, -1, size_of(l, a) + 1);
+        return random_int_between(r, -1, size_of(l, a) + 1);
     case 1:
-        return random_between(r, -2, 4 * size_of(l, a) + 2) / 4.0;
+        return random_int_between(r, -2, 4 * size_of(l, a) + 2) / 4.0;
     default:
-        return random_uniform(r, -1, size_of(l, a) + 1);
+        return random_double(r, -1, size_of(l, a) + 1);
     }
 }
 
@@ -43,7 +43,7 @@ static void draw_about(random_source *r, const grid_planes *l, double radius, fl
     draw_anchor(r, l, c);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            p[j][a] = c[a] + random_uniform(r, -radius, radius);
+            p[j][a] = c[a] + random_double(r, -radius, radius);
     map(l, p, u);
 }
 
@@ -56,7 +56,7 @@ static void draw_whole(random_source *r, const grid_planes *l, float u[3][3])
     double p[3][3];
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            p[j][a] = random_uniform(r, -1, size_of(l, a) + 1);
+            p[j][a] = random_double(r, -1, size_of(l, a) + 1);
     map(l, p, u);
 }
 
@@ -66,10 +66,10 @@ static void draw_through(random_source *r, const grid_planes *l, double radius, 
     double c[3], p[3][3], w[3];
     draw_anchor(r, l, c);
     for (int j = 0; j < 3; j++)
-        w[j] = random_below(r, 4) ? random_uniform(r, 0.05, 1) : 0;
+        w[j] = random_int(r, 4) ? random_double(r, 0.05, 1) : 0;
     w[2] += w[2] <= 0;
     for (int a = 0; a < 3; a++) {
-        const double d0 = random_uniform(r, -radius, radius), d1 = random_uniform(r, -radius, radius);
+        const double d0 = random_double(r, -radius, radius), d1 = random_double(r, -radius, radius);
         p[0][a] = c[a] + d0;
         p[1][a] = c[a] + d1;
         p[2][a] = c[a] - (w[0] * d0 + w[1] * d1) / w[2];
@@ -83,40 +83,40 @@ static void draw_million(random_source *r, const grid_planes *l, float u[3][3]) 
 /* Long on one axis, within a row of cells on the others. */
 static void draw_row(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int along = random_below(r, 5) % 3;
+    const int along = random_int(r, 5) % 3;
     const double length = power(r, 0, 9), across = power(r, -10, 0.5);
     double c[3], p[3][3];
     draw_anchor(r, l, c);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            p[j][a] = c[a] + (a == along ? random_uniform(r, -length, length) : random_uniform(r, -across, across));
+            p[j][a] = c[a] + (a == along ? random_double(r, -length, length) : random_double(r, -across, across));
     map(l, p, u);
 }
 
 /* Thin on one axis, often with no thickness at all. */
 static void draw_layer(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int flat = random_below(r, 3);
-    const double across = power(r, 0, 6), thickness = random_below(r, 2) ? 0 : power(r, -8, 0);
+    const int flat = random_int(r, 3);
+    const double across = power(r, 0, 6), thickness = random_int(r, 2) ? 0 : power(r, -8, 0);
     double c[3], p[3][3];
     draw_anchor(r, l, c);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            p[j][a] = c[a] + (a == flat ? random_uniform(r, -thickness, thickness) : random_uniform(r, -across, across));
+            p[j][a] = c[a] + (a == flat ? random_double(r, -thickness, thickness) : random_double(r, -across, across));
     map(l, p, u);
 }
 
 /* An edge of slope 2^-k, so that it crosses from row to row within the length of many cells, or never. */
 static void draw_slope(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int along = random_below(r, 4) % 3;
+    const int along = random_int(r, 4) % 3;
     const double length = power(r, 2, 9);
     double p[3][3];
     draw_anchor(r, l, p[0]);
     for (int a = 0; a < 3; a++) {
-        const double slope = a == along ? 1 : random_below(r, 3) ? ldexp(random_between(r, -3, 3), -random_below(r, 24)) : 0;
-        p[1][a] = p[0][a] + slope * (random_below(r, 2) ? length : floor(length));
-        p[2][a] = p[0][a] + (random_below(r, 3) ? random_uniform(r, -3, 3) : random_between(r, -3, 3));
+        const double slope = a == along ? 1 : random_int(r, 3) ? ldexp(random_int_between(r, -3, 3), -random_int(r, 24)) : 0;
+        p[1][a] = p[0][a] + slope * (random_int(r, 2) ? length : floor(length));
+        p[2][a] = p[0][a] + (random_int(r, 3) ? random_double(r, -3, 3) : random_int_between(r, -3, 3));
     }
     map(l, p, u);
 }
@@ -124,15 +124,15 @@ static void draw_slope(random_source *r, const grid_planes *l, float u[3][3])
 /* A plane all but parallel to a plane of the grid. */
 static void draw_tilted(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int normal = random_below(r, 3);
+    const int normal = random_int(r, 3);
     const double across = power(r, 1, 8);
     double c[3], tilt[3], p[3][3];
     draw_anchor(r, l, c);
     for (int a = 0; a < 3; a++)
-        tilt[a] = random_below(r, 3) ? ldexp(random_between(r, -3, 3), -random_between(r, 3, 26)) : 0;
+        tilt[a] = random_int(r, 3) ? ldexp(random_int_between(r, -3, 3), -random_int_between(r, 3, 26)) : 0;
     for (int j = 0; j < 3; j++) {
         for (int a = 0; a < 3; a++)
-            p[j][a] = c[a] + random_uniform(r, -across, across);
+            p[j][a] = c[a] + random_double(r, -across, across);
         p[j][normal] = c[normal];
         for (int a = 0; a < 3; a++)
             p[j][normal] += a == normal ? 0 : tilt[a] * (p[j][a] - c[a]);
@@ -147,8 +147,8 @@ static void draw_needle(random_source *r, const grid_planes *l, float u[3][3])
     double p[3][3];
     draw_anchor(r, l, p[0]);
     for (int a = 0; a < 3; a++) {
-        p[1][a] = p[0][a] + random_uniform(r, -length, length);
-        p[2][a] = p[1][a] + random_uniform(r, -width, width);
+        p[1][a] = p[0][a] + random_double(r, -length, length);
+        p[2][a] = p[1][a] + random_double(r, -width, width);
     }
     map(l, p, u);
 }
@@ -156,12 +156,12 @@ static void draw_needle(random_source *r, const grid_planes *l, float u[3][3])
 /* A vertex all but on the edge of the other two. */
 static void draw_cap(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const double length = power(r, -2, 8), height = length * power(r, -26, -8), t = random_uniform(r, 0, 1);
+    const double length = power(r, -2, 8), height = length * power(r, -26, -8), t = random_double(r, 0, 1);
     double p[3][3];
     draw_anchor(r, l, p[0]);
     for (int a = 0; a < 3; a++) {
-        p[1][a] = p[0][a] + random_uniform(r, -length, length);
-        p[2][a] = p[0][a] + t * (p[1][a] - p[0][a]) + random_uniform(r, -height, height);
+        p[1][a] = p[0][a] + random_double(r, -length, length);
+        p[2][a] = p[0][a] + t * (p[1][a] - p[0][a]) + random_double(r, -height, height);
     }
     map(l, p, u);
 }
@@ -169,17 +169,17 @@ static void draw_cap(random_source *r, const grid_planes *l, float u[3][3])
 /* Along an axis, from lattice point to lattice point, or any; the third vertex is one of the others, or halfway. */
 static void draw_segment(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int kind = random_below(r, 3), along = random_below(r, 3);
+    const int kind = random_int(r, 3), along = random_int(r, 3);
     const double length = power(r, 0, 7);
     double p[3][3];
     draw_anchor(r, l, p[0]);
     for (int a = 0; a < 3; a++) {
         if (kind == 1)
             p[0][a] = floor(p[0][a]);
-        const double step = random_uniform(r, -length, length);
-        p[1][a] = p[0][a] + (kind == 1 ? random_between(r, -6, 6) : kind == 2 || a == along ? step : 0);
+        const double step = random_double(r, -length, length);
+        p[1][a] = p[0][a] + (kind == 1 ? random_int_between(r, -6, 6) : kind == 2 || a == along ? step : 0);
     }
-    const int third = random_below(r, 3);
+    const int third = random_int(r, 3);
     for (int a = 0; a < 3; a++)
         p[2][a] = third < 2 ? p[third][a] : (p[0][a] + p[1][a]) / 2;
     map(l, p, u);
@@ -197,12 +197,12 @@ static void draw_point(random_source *r, const grid_planes *l, float u[3][3])
 /* Three points of the lattice, or of one 2^k times as fine: it touches corners, edges and faces of cells exactly. */
 static void draw_lattice_points(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int fine = random_below(r, 2) ? 1 : 1 << random_below(r, 4), reach = random_below(r, 2) ? 4 : 40;
+    const int fine = random_int(r, 2) ? 1 : 1 << random_int(r, 4), reach = random_int(r, 2) ? 4 : 40;
     double c[3], p[3][3];
     draw_anchor(r, l, c);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            p[j][a] = floor(c[a]) + random_between(r, -reach, reach) / (double)fine;
+            p[j][a] = floor(c[a]) + random_int_between(r, -reach, reach) / (double)fine;
     map(l, p, u);
 }
 
@@ -213,10 +213,10 @@ static void draw_lattice_plane(random_source *r, const grid_planes *l, float u[3
     int e[2][3];
     draw_anchor(r, l, c);
     for (int a = 0; a < 3; a++) {
-        e[0][a] = random_between(r, -4, 4);
-        e[1][a] = random_between(r, -4, 4);
+        e[0][a] = random_int_between(r, -4, 4);
+        e[1][a] = random_int_between(r, -4, 4);
     }
-    const int far = 1 << random_between(r, 3, 10);
+    const int far = 1 << random_int_between(r, 3, 10);
     for (int a = 0; a < 3; a++) {
         p[0][a] = floor(c[a]) + far * e[0][a];
         p[1][a] = floor(c[a]) + far * e[1][a];
@@ -228,14 +228,14 @@ static void draw_lattice_plane(random_source *r, const grid_planes *l, float u[3
 /* All of it in one plane of the grid. */
 static void draw_on_plane(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int flat = random_below(r, 3), plane = random_between(r, 0, size_of(l, flat));
-    const bool is_whole = random_below(r, 2);
+    const int flat = random_int(r, 3), plane = random_int_between(r, 0, size_of(l, flat));
+    const bool is_whole = random_int(r, 2);
     const double across = power(r, 0, 6);
     double c[3], p[3][3];
     draw_anchor(r, l, c);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
-            const double at = c[a] + random_uniform(r, -across, across);
+            const double at = c[a] + random_double(r, -across, across);
             p[j][a] = a == flat ? plane : is_whole ? floor(at) : at;
         }
     map(l, p, u);
@@ -244,13 +244,13 @@ static void draw_on_plane(random_source *r, const grid_planes *l, float u[3][3])
 /* An edge along a line of the grid. */
 static void draw_on_line(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int along = random_below(r, 3);
+    const int along = random_int(r, 3);
     const double length = power(r, 0, 7);
     double p[3][3];
     for (int a = 0; a < 3; a++) {
-        p[0][a] = random_between(r, 0, size_of(l, a));
-        p[1][a] = p[0][a] + (a == along ? random_uniform(r, -length, length) : 0);
-        p[2][a] = p[0][a] + (random_below(r, 2) ? random_uniform(r, -3, 3) : random_between(r, -3, 3));
+        p[0][a] = random_int_between(r, 0, size_of(l, a));
+        p[1][a] = p[0][a] + (a == along ? random_double(r, -length, length) : 0);
+        p[2][a] = p[0][a] + (random_int(r, 2) ? random_double(r, -3, 3) : random_int_between(r, -3, 3));
     }
     map(l, p, u);
 }
@@ -258,12 +258,12 @@ static void draw_on_line(random_source *r, const grid_planes *l, float u[3][3])
 /* An edge through corners of the grid, across faces or across cells. */
 static void draw_diagonal(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int length = random_between(r, 1, 60);
+    const int length = random_int_between(r, 1, 60);
     double p[3][3];
     for (int a = 0; a < 3; a++) {
-        p[0][a] = random_between(r, -2, size_of(l, a) + 2);
-        p[1][a] = p[0][a] + length * random_between(r, -1, 1);
-        p[2][a] = p[0][a] + (random_below(r, 2) ? random_uniform(r, -9, 9) : random_between(r, -9, 9));
+        p[0][a] = random_int_between(r, -2, size_of(l, a) + 2);
+        p[1][a] = p[0][a] + length * random_int_between(r, -1, 1);
+        p[2][a] = p[0][a] + (random_int(r, 2) ? random_double(r, -9, 9) : random_int_between(r, -9, 9));
     }
     map(l, p, u);
 }
@@ -273,28 +273,28 @@ static void draw_touching(random_source *r, const grid_planes *l, float u[3][3])
 {
     int at[3];
     for (int a = 0; a < 3; a++)
-        at[a] = random_below(r, size_of(l, a));
+        at[a] = random_int(r, size_of(l, a));
     const tribox_box cell = grid_planes_cell(l, at[0], at[1], at[2]);
     const float *const length = l->grid.cell;
     const bool is_cubic = length[0] == length[1] && length[0] == length[2];
-    const contact_style style = {.step = is_cubic && random_below(r, 2) ? (double)length[0] / 4 : 0,
-                                 .size = (double)length[random_below(r, 3)] * power(r, -3, 5)};
+    const contact_style style = {.step = is_cubic && random_int(r, 2) ? (double)length[0] / 4 : 0,
+                                 .size = (double)length[random_int(r, 3)] * power(r, -3, 5)};
     draw_contact(r, &cell, style, any_contact_part(r), u);
 }
 
 /* Just outside of the grid on one axis, or just on its outermost planes. */
 static void draw_beside(random_source *r, const grid_planes *l, float u[3][3])
 {
-    const int axis = random_below(r, 3), side = random_below(r, 2);
+    const int axis = random_int(r, 3), side = random_int(r, 2);
     const float limit = l->plane[axis][side ? size_of(l, axis) : 0];
     draw_about(r, l, power(r, 0, 6), u);
-    const int touching = random_below(r, 8);
+    const int touching = random_int(r, 8);
     for (int j = 0; j < 3; j++) {
         u[j][axis] = side ? fmaxf(u[j][axis], limit) : fminf(u[j][axis], limit);
         if (touching >> j & 1)
             u[j][axis] = limit;
     }
-    if (random_below(r, 2))
+    if (random_int(r, 2))
         for (int j = 0; j < 3; j++)
             u[j][axis] = nextafterf(u[j][axis], side ? FLT_MAX : -FLT_MAX);
 }
@@ -307,7 +307,7 @@ static void draw_own_lengths(random_source *r, const grid_planes *l, float u[3][
     for (int a = 0; a < 3; a++) {
         const double length = power(r, -20, 20);
         for (int j = 0; j < 3; j++)
-            p[j][a] = c[a] + random_uniform(r, -length, length);
+            p[j][a] = c[a] + random_double(r, -length, length);
     }
     map(l, p, u);
 }
@@ -318,8 +318,8 @@ static void draw_extremes(random_source *r, const grid_planes *l, float u[3][3])
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
             const float choice[] = {FLT_MAX, -FLT_MAX, 0x1p-149f, -0x1p-149f, 0, FLT_MIN};
-            const int n = random_below(r, 12);
-            u[j][a] = n < 6 ? choice[n] : l->plane[a][random_below(r, size_of(l, a) + 1)];
+            const int n = random_int(r, 12);
+            u[j][a] = n < 6 ? choice[n] : l->plane[a][random_int(r, size_of(l, a) + 1)];
         }
 }
 
@@ -368,7 +368,7 @@ const triangle_kind *triangle_kind_at(size_t i) { return &kinds[i]; }
 void draw_triangle(random_source *r, const triangle_kind *s, const grid_planes *l, float u[3][3])
 {
     s->draw(r, l, u);
-    const int ulps = random_below(r, 4) ? 0 : random_between(r, 1, 3);
+    const int ulps = random_int(r, 4) ? 0 : random_int_between(r, 1, 3);
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) {
             if (ulps)

@@ -4,7 +4,7 @@
 
 #include "triangle_list.h"
 #include "common/grid_planes.h"
-#include "common/random.h"
+#include "common/random_draws.h"
 
 typedef struct triangle_kind {
     const char *name;
