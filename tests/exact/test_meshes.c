@@ -1,6 +1,6 @@
 /*
  * test_meshes.c - real meshes against nodes of an octree over them: EXACT is the same from every kernel, and the oracle's answer.
- * The meshes are no part of the project. Without their folder the test is skipped (exit code 77).
+ * Skipped (exit code 77) without a folder of meshes.
  */
 #include "common/ask.h"
 
@@ -8,19 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/arguments.h"
-#include "common/read_mesh.h"
+#include "common/real_meshes.h"
 #include "common/random_draws.h"
 
 enum {
-    SKIPPED = 77,
     DEEPEST_LEVEL = 8,
     NODES_OF_A_LEVEL = 6,
     ORACLE_MAX = 4000 /* triangles of a node that the oracle is asked about, if their bounding boxes reach the node */
 };
-
-static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
-                                    "SainteHelens.ply",   "thingi10k_124.stl", "ModelNet_chair.ply"};
 
 static tribox_soup soup_of(const mesh *m, const int vertex[3])
 {
@@ -36,22 +31,8 @@ static tribox_soup soup_of(const mesh *m, const int vertex[3])
 static tribox_pair pair_of(const mesh *m, size_t i, const tribox_box *box)
 {
     tribox_pair pair = {.box = *box};
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            pair.u[j][a] = m->coordinate[j][a][i];
+    mesh_triangle(m, i, pair.u);
     return pair;
-}
-
-static tribox_box bounds_of(const mesh *m)
-{
-    tribox_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (int a = 0; a < 3; a++)
-        for (int j = 0; j < 3; j++)
-            for (size_t i = 0; i < m->count; i++) {
-                box.lo[a] = fminf(box.lo[a], m->coordinate[j][a][i]);
-                box.hi[a] = fmaxf(box.hi[a], m->coordinate[j][a][i]);
-            }
-    return box;
 }
 
 /* The node of the octree, 2^-level of the bounds wide, in which a vertex of a drawn triangle lies. */
@@ -79,7 +60,7 @@ static bool reaches(const tribox_pair *pair)
     return true;
 }
 
-/* Every triangle whose bounding box does not reach the node is apart from it; of the others the oracle judges so many as it may. */
+/* Every triangle whose bounding box does not reach the node is apart from it; of the others the oracle judges about ORACLE_MAX. */
 static size_t check_mask(const origin *where, const mesh *m, const tribox_box *node, const uint64_t *mask)
 {
     size_t reaching = 0, asked = 0;
@@ -136,43 +117,21 @@ static size_t try_node(random_source *r, origin *where, const mesh *m, const tri
     return asked;
 }
 
-static void try_mesh(const arguments *args, const char *name)
+static void try_mesh(const arguments *args, const char *name, const mesh *m)
 {
-    char path[4096];
-    const int length = snprintf(path, sizeof path, "%s/%s", args->meshes, name);
-    assert_in_range(length, 1, sizeof path - 1);
-    mesh m;
-    if (!mesh_read(path, &m))
-        fail_msg("%s could not be read", name);
-    uint64_t *const mask = calloc(2 * tribox_mask_words(m.count), sizeof *mask);
+    uint64_t *const mask = calloc(2 * tribox_mask_words(m->count), sizeof *mask);
     assert_non_null(mask);
     random_source r = random_named(args->seed, name);
     origin where = {.scene = name, .seed = args->seed, .function = "tribox_overlap"};
-    const tribox_box bounds = bounds_of(&m);
+    const tribox_box bounds = mesh_bounds(m);
     size_t asked = 0;
     for (int level = 0; level <= DEEPEST_LEVEL; level++)
         for (int k = 0; k < (level ? NODES_OF_A_LEVEL : 1); k++) {
-            const tribox_box node = draw_node(&r, &m, &bounds, level);
-            asked += try_node(&r, &where, &m, &node, mask, mask + tribox_mask_words(m.count));
+            const tribox_box node = draw_node(&r, m, &bounds, level);
+            asked += try_node(&r, &where, m, &node, mask, mask + tribox_mask_words(m->count));
         }
-    printf("%-20s %7zu triangles, oracle asked about %zu pairs\n", name, m.count, asked);
+    printf("%-20s %7zu triangles, oracle asked about %zu pairs\n", name, m->count, asked);
     free(mask);
-    mesh_free(&m);
 }
 
-static void test_meshes(void **state)
-{
-    for (size_t k = 0; k < sizeof files / sizeof files[0]; k++)
-        try_mesh(*state, files[k]);
-}
-
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    if (!args.meshes) {
-        printf("skipped: no folder of meshes; give one with --meshes FOLDER or in TRIBOX_MESHES\n");
-        return SKIPPED;
-    }
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_meshes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(int argc, char **argv) { return real_meshes_main(argc, argv, try_mesh); }

@@ -1,6 +1,6 @@
 /*
  * test_grid_meshes.c - real meshes in grids of several resolutions, cubic and not, some with planes through vertices: EXACT from
- * every kernel against the oracle. The meshes are no part of the project. Without their folder the test is skipped (exit code 77).
+ * every kernel against the oracle. Skipped (exit code 77) without a folder of meshes.
  */
 #include "occupancy.h"
 
@@ -8,42 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/arguments.h"
-#include "common/read_mesh.h"
+#include "common/real_meshes.h"
 #include "common/random_draws.h"
 
 enum {
-    SKIPPED = 77,
     TRIANGLES_MAX = TRIANGLE_LIST_MAX - 1, /* of a mesh, evenly spread: the oracle looks at every cell of every one */
     ASKED_MAX = 1000000                    /* cells of one grid that the oracle is asked about */
 };
-
-static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
-                                    "SainteHelens.ply",   "thingi10k_124.stl", "ModelNet_chair.ply"};
 
 static const int resolutions[] = {7, 32, 64, 130, 300};
 
 static grid_planes at;
 static triangle_list triangles;
-
-static void vertices_of(const mesh *m, size_t i, float u[3][3])
-{
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            u[j][a] = m->coordinate[j][a][i];
-}
-
-static tribox_box bounds_of(const mesh *m)
-{
-    tribox_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (int a = 0; a < 3; a++)
-        for (int j = 0; j < 3; j++)
-            for (size_t i = 0; i < m->count; i++) {
-                box.lo[a] = fminf(box.lo[a], m->coordinate[j][a][i]);
-                box.hi[a] = fmaxf(box.hi[a], m->coordinate[j][a][i]);
-            }
-    return box;
-}
 
 /*
  * About `resolution` cells along the longest side. Kind 0: cubes from the lowest corner of the mesh; 1: a length for each axis;
@@ -79,7 +55,7 @@ static size_t choose_triangles(const mesh *m, uint64_t *expected)
     triangles.count = 0;
     for (size_t i = 0; i < m->count && triangles.count < TRIANGLES_MAX && asked < ASKED_MAX; i += step) {
         float u[3][3];
-        vertices_of(m, i, u);
+        mesh_triangle(m, i, u);
         asked += occupancy_add(&at, (const_vertices)u, TRIBOX_AXES_ALL, expected);
         triangle_list_put(&triangles, (const_vertices)u);
     }
@@ -109,41 +85,18 @@ static size_t try_grid(request *q, const mesh *m)
     return asked;
 }
 
-static void try_mesh(const arguments *args, const char *name)
+static void try_mesh(const arguments *args, const char *name, const mesh *m)
 {
-    char path[4096];
-    const int length = snprintf(path, sizeof path, "%s/%s", args->meshes, name);
-    assert_in_range(length, 1, sizeof path - 1);
-    mesh m;
-    if (!mesh_read(path, &m))
-        fail_msg("%s could not be read", name);
     random_source r = random_named(args->seed, name);
     request q = {.scene = name, .seed = args->seed, .at = &at, .triangles = &triangles};
-    const tribox_box bounds = bounds_of(&m);
+    const tribox_box bounds = mesh_bounds(m);
     size_t asked = 0;
     for (size_t k = 0; k < sizeof resolutions / sizeof resolutions[0]; k++)
         for (int kind = 0; kind < 4; kind++) {
-            draw_grid(&r, &m, &bounds, resolutions[k], kind);
-            asked += try_grid(&q, &m);
+            draw_grid(&r, m, &bounds, resolutions[k], kind);
+            asked += try_grid(&q, m);
         }
-    printf("%-20s %7zu triangles, oracle asked about %zu cells\n", name, m.count, asked);
-    fflush(stdout);
-    mesh_free(&m);
+    printf("%-20s %7zu triangles, oracle asked about %zu cells\n", name, m->count, asked);
 }
 
-static void test_meshes(void **state)
-{
-    for (size_t k = 0; k < sizeof files / sizeof files[0]; k++)
-        try_mesh(*state, files[k]);
-}
-
-int main(int argc, char **argv)
-{
-    arguments args = arguments_parse(argc, argv);
-    if (!args.meshes) {
-        printf("skipped: no folder of meshes; give one with --meshes FOLDER or in TRIBOX_MESHES\n");
-        return SKIPPED;
-    }
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_meshes, &args)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(int argc, char **argv) { return real_meshes_main(argc, argv, try_mesh); }

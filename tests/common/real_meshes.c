@@ -1,0 +1,68 @@
+#include "real_meshes.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+enum { SKIPPED = 77 };
+
+static const char *const files[] = {"stanford-bunny.ply", "buildings.ply",     "sponza.ply",
+                                    "SainteHelens.ply",   "thingi10k_124.stl", "ModelNet_chair.ply"};
+
+tribox_box mesh_bounds(const mesh *m)
+{
+    tribox_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (int a = 0; a < 3; a++)
+        for (int j = 0; j < 3; j++)
+            for (size_t i = 0; i < m->count; i++) {
+                box.lo[a] = fminf(box.lo[a], m->coordinate[j][a][i]);
+                box.hi[a] = fmaxf(box.hi[a], m->coordinate[j][a][i]);
+            }
+    return box;
+}
+
+void mesh_triangle(const mesh *m, size_t i, float u[3][3])
+{
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            u[j][a] = m->coordinate[j][a][i];
+}
+
+typedef struct mesh_test {
+    arguments args;
+    mesh_trial *try_mesh;
+} mesh_test;
+
+static void try_file(const mesh_test *test, const char *name)
+{
+    char path[4096];
+    const int length = snprintf(path, sizeof path, "%s/%s", test->args.meshes, name);
+    assert_in_range(length, 1, sizeof path - 1);
+    mesh m;
+    if (!mesh_read(path, &m))
+        fail_msg("%s could not be read", name);
+    test->try_mesh(&test->args, name, &m);
+    fflush(stdout);
+    mesh_free(&m);
+}
+
+static void test_meshes(void **state)
+{
+    for (size_t k = 0; k < sizeof files / sizeof files[0]; k++)
+        try_file(*state, files[k]);
+}
+
+int real_meshes_main(int argc, char **argv, mesh_trial *try_mesh)
+{
+    mesh_test test = {.args = arguments_parse(argc, argv), .try_mesh = try_mesh};
+    if (!test.args.meshes) {
+        printf("skipped: no folder of meshes; give one with --meshes FOLDER or in TRIBOX_MESHES\n");
+        return SKIPPED;
+    }
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_meshes, &test)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

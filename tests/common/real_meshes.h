@@ -1,0 +1,18 @@
+/* real_meshes.h - a test that tries real meshes one after the other. They are not part of the project: without them it is skipped. */
+#ifndef TRIBOX_TESTS_REAL_MESHES_H
+#define TRIBOX_TESTS_REAL_MESHES_H
+
+#include "arguments.h"
+#include "read_mesh.h"
+#include "tribox.h"
+
+tribox_box mesh_bounds(const mesh *m);
+
+void mesh_triangle(const mesh *m, size_t i, float u[3][3]);
+
+typedef void mesh_trial(const arguments *args, const char *name, const mesh *m);
+
+/* The main of such a test: calls `try_mesh` on every file of the folder. Exit code 77 where no folder is named. */
+int real_meshes_main(int argc, char **argv, mesh_trial *try_mesh);
+
+#endif
