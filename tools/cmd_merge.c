@@ -94,7 +94,7 @@ static int write_files(const request *r, const voxels *v)
         progress_end(&bar);
         code = file_out_keep(&out);
         if (!code)
-            code = preview_draw(&picture, v, r->result.up, processors_here(), !r->result.is_quiet);
+            code = preview_draw(&picture, v, &r->result.look, processors_here(), !r->result.is_quiet);
         file_out_drop(&picture);
     }
     file_out_drop(&out);
@@ -145,7 +145,7 @@ static int merge_files(const request *r)
 
 int cmd_merge(int count, char **words)
 {
-    request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .result.up = PICTURE_UP_Z};
+    request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .result.look = PREVIEW_LOOK_DEFAULT};
     if (!r.parts)
         return message_failure("out of memory for %d arguments", count);
     options_found found;

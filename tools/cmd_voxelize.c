@@ -138,7 +138,7 @@ static int check_request(voxelize_request *r, const options_found *found)
 
 int cmd_voxelize(int count, char **words)
 {
-    voxelize_request r = {.threads = processors_here(), .shard = 1, .shards = 1, .result.up = PICTURE_UP_Z};
+    voxelize_request r = {.threads = processors_here(), .shard = 1, .shards = 1, .result.look = PREVIEW_LOOK_DEFAULT};
     options_found found;
     int code = options_read(count, words, options, take, &r, &found);
     if (!code && !found.wants_help)

@@ -1,19 +1,68 @@
-"""tribox voxelize --preview: a PNG of the right size that shows the voxels."""
+"""tribox voxelize --preview: the right axis is up, what is right is right, shadows fall, and nothing hidden shows."""
 
+import itertools
 import os
 
 import meshes
 import support
 import volumes
 
-CUBE = [((x, y, z), (x2, y2, z2), (x3, y3, z3)) for (x, y, z), (x2, y2, z2), (x3, y3, z3) in
-        (((0, 0, 0), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (0, 0, 1), (0, 1, 0)), ((0, 0, 0), (1, 0, 0), (0, 0, 1)))]
+WIDTH, HEIGHT = 160, 120
+SIDE = ["--view", "0,0"]  # seen from the front, level
+
+
+def box(lo, hi):
+    """The twelve triangles of a box."""
+    triangles = []
+    for a, side in itertools.product(range(3), (lo, hi)):
+        b, c = (a + 1) % 3, (a + 2) % 3
+        corners = []
+        for p, q in ((lo, lo), (hi, lo), (hi, hi), (lo, hi)):
+            corner = [0, 0, 0]
+            corner[a], corner[b], corner[c] = side[a], p[b], q[c]
+            corners.append(tuple(corner))
+        triangles += [tuple(corners[:3]), (corners[0], corners[2], corners[3])]
+    return triangles
+
+
+# Stands along z on a foot that reaches along x.
+LETTER_L = box((0, 0, 0), (1, 1, 4)) + box((0, 0, 0), (3, 1, 1))
+
+
+def is_clay(pixel):
+    """Clay is at least as red as blue; background and shadows are bluer."""
+    return pixel[0] >= pixel[2]
+
+
+class Picture:
+    def __init__(self, path):
+        self.width, self.height, rows = volumes.read_png(path)
+        self.rows = [[tuple(row[3 * x:3 * x + 3]) for x in range(self.width)] for row in rows]
+        self.clay = [(x, y) for y, row in enumerate(self.rows) for x, pixel in enumerate(row) if is_clay(pixel)]
+
+    def bounds(self):
+        """Left, top, right, bottom of the voxels."""
+        xs, ys = zip(*self.clay)
+        return min(xs), min(ys), max(xs), max(ys)
+
+    def shares(self):
+        """How much of their bounds the voxels fill: upper left, upper right, lower left and lower right quarter."""
+        left, top, right, bottom = self.bounds()
+        middle = (left + right + 1) / 2, (top + bottom + 1) / 2
+        counts = [0, 0, 0, 0]
+        for x, y in self.clay:
+            counts[2 * (y >= middle[1]) + (x >= middle[0])] += 1
+        return [4 * n / (right + 1 - left) / (bottom + 1 - top) for n in counts]
+
+    def empty_quarter(self):
+        shares = self.shares()
+        return ["upper left", "upper right", "lower left", "lower right"][shares.index(min(shares))]
 
 
 class Preview(support.TestCase):
     def setUp(self):
         super().setUp()
-        self.mesh = self.write("mesh.obj", meshes.obj(CUBE))
+        self.mesh = self.write("mesh.obj", meshes.obj(LETTER_L))
         probe = support.run("voxelize", self.path("none.obj"), "--cell", "1", "-o", self.path("x.npy"), "--preview", "x.png")
         if "built without libpng" in probe.stderr:
             self.skipTest("built without libpng")
@@ -21,44 +70,105 @@ class Preview(support.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def preview(self, name, *options):
-        self.succeed("voxelize", self.mesh, "-o", self.path("out.npy"), "--preview", self.path(name), "--quiet", *options)
-        return volumes.read(self.path(name))
+    def draw(self, *options, mesh=None, size="%dx%d" % (WIDTH, HEIGHT)):
+        self.succeed("voxelize", mesh or self.mesh, "-o", self.path("out.npy"), "--preview", self.path("p.png"), "--quiet",
+                     *(("--picture-size", size) if size else ()), *options)
+        return volumes.read(self.path("p.png"))
 
-    def test_picture(self):
-        self.preview("a.png", "--resolution", "16")
-        width, height, rows = volumes.read_png(self.path("a.png"))
-        self.assertEqual((width, height), (1280, 960))
-        colours = [row[3 * x:3 * x + 3] for row in rows[::4] for x in range(0, width, 4)]
-        self.assertGreater(len(set(colours)), 500)
-        # Clay is redder than blue, the background is bluer than red.
-        clay = sum(red > blue + 15 for red, green, blue in colours)
-        self.assertTrue(len(colours) / 10 < clay < len(colours) * 9 / 10, clay)
-        self.assertTrue(all(row[0] <= row[2] for row in rows))
+    def picture(self, *options, **how):
+        self.draw(*options, **how)
+        return Picture(self.path("p.png"))
+
+    def test_size(self):
+        self.assertEqual(self.size_of(None), (1280, 960))
+        self.assertEqual(self.size_of("33x77"), (33, 77))
+        self.assertEqual(self.size_of("1x1"), (1, 1))
+
+    def size_of(self, size):
+        self.draw("--resolution", "8", size=size)
+        return volumes.read_png(self.path("p.png"))[:2]
 
     def test_same_for_every_thread_count(self):
-        self.assertEqual(len({self.preview("t.png", "--resolution", "9", "--threads", n) for n in ("1", "7")}), 1)
+        self.assertEqual(len({self.draw("--resolution", "9", "--threads", n) for n in ("1", "2", "7")}), 1)
 
-    def test_up(self):
-        pictures = [self.preview("up.png", "--resolution", "5", *up) for up in ((), ("--up", "z"), ("--up=-y",))]
-        self.assertEqual(pictures[0], pictures[1])
-        self.assertNotEqual(pictures[0], pictures[2])
+    def test_what_is_up(self):
+        """The L is open at its upper right where z is up and x to the right; other axes turn it, none mirrors it."""
+        for view, up, quarter in ((SIDE, "z", "upper right"), (SIDE, "-z", "lower right"),
+                                  (["--view", "180,0"], "z", "upper left"), (["--view", "180,0"], "-z", "lower left"),
+                                  (["--view", "90,0"], "x", "upper right"), (["--view", "-90,0"], "x", "upper left"),
+                                  (["--view", "0,90"], "y", "lower right"), (["--view", "0,-90"], "y", "upper right"),
+                                  (["--view", "0,90"], "-y", "upper right")):
+            picture = self.picture("--resolution", "40", *view, "--up", up)
+            self.assertEqual(picture.empty_quarter(), quarter, (view, up))
+            self.assertLess(min(picture.shares()), 0.1, (view, up))
+            self.assertGreater(sorted(picture.shares())[1], 0.4, (view, up))
+
+    def test_default_view(self):
+        """From the front, the right and above: three sides, of which the top is the brightest, and the right in shadow."""
+        self.assertEqual(self.draw("--resolution", "9"), self.draw("--resolution", "9", "--up", "z", "--view", "32,25"))
+        picture = self.picture("--resolution", "20", mesh=self.cube())
+        left, top, right, bottom = picture.bounds()
+        sides = [sum(picture.rows[int(top + down * (bottom - top))][int(left + across * (right - left))])
+                 for across, down in ((0.5, 0.15), (0.3, 0.6), (0.85, 0.6))]
+        self.assertEqual(sides, sorted(sides, reverse=True))
+        self.assertGreater(sides[0], sides[2] + 100)
+
+    def cube(self):
+        return self.write("cube.obj", meshes.obj(box((0, 0, 0), (1, 1, 1))))
+
+    def test_shadow(self):
+        """The ground is dark on the right, away from the sun, and as bright as the background on the left."""
+        picture = self.picture("--resolution", "20", mesh=self.cube())
+        left, _, right, bottom = picture.bounds()
+
+        def dark(columns):
+            return sum(picture.rows[y][x][0] < picture.rows[y][0][0] - 40 for y in range(bottom) for x in columns)
+        self.assertGreater(dark(range(right + 2, WIDTH)), 300)
+        self.assertLess(dark(range(left - 2)), 20)
+
+    def test_hidden_cells_do_not_show(self):
+        shell = box((0, 0, 0), (8, 6, 5))
+        inside = [t for n in range(4) for t in box((1 + 2 * n, 0.3, 0.3), (2 + 2 * n, 5.7, 4.7))]
+        empty, full = self.write("empty.obj", meshes.obj(shell)), self.write("full.obj", meshes.obj(shell + inside))
+        for resolution in ("10", "77", "150"):
+            self.assertEqual(self.draw("--resolution", resolution, mesh=empty), self.draw("--resolution", resolution, mesh=full))
+
+    def test_edges_of_large_cells(self):
+        """A wall of 6 x 6 cells has lines between them, one of fine cells is even."""
+        wall = self.write("wall.obj", meshes.obj(box((0, 0, 0), (6, 1, 6))))
+
+        def changes(resolution):
+            picture = self.picture("--resolution", resolution, *SIDE, mesh=wall)
+            row = [sum(p) for p in picture.rows[HEIGHT // 2 + 8][WIDTH // 4:3 * WIDTH // 4]]
+            return sum(abs(a - b) > 20 for a, b in zip(row, row[1:]))
+        self.assertGreaterEqual(changes("6"), 6)
+        self.assertEqual(changes("300"), 0)
 
     def test_merged(self):
         parts = [self.path("%d.part" % n) for n in (1, 2, 3)]
         for n, part in enumerate(parts):
             self.succeed("voxelize", self.mesh, "--resolution", "7", "--shard", "%d/3" % (n + 1), "--quiet", "-o", part)
-        self.succeed("merge", *parts, "-o", self.path("m.npy"), "--preview", self.path("m.png"), "--up", "y", "--quiet")
-        self.assertEqual(volumes.read(self.path("m.png")), self.preview("w.png", "--resolution", "7", "--up", "y"))
+        look = ["--up", "y", "--view", "-20,40", "--picture-size", "80x60"]
+        self.succeed("merge", *parts, "-o", self.path("m.npy"), "--preview", self.path("m.png"), "--quiet", *look)
+        self.assertEqual(volumes.read(self.path("m.png")), self.draw("--resolution", "7", *look, size=None))
 
     def test_nothing_to_see(self):
-        self.preview("none.png", "--cell", "1", "--origin", "50,50,50", "--size", "4,4,4")
-        self.assertEqual(volumes.read_png(self.path("none.png"))[:2], (1280, 960))
+        picture = self.picture("--cell", "1", "--origin", "50,50,50", "--size", "4,4,4")
+        self.assertTrue(all(len(set(row)) == 1 for row in picture.rows))
+        self.assertFalse(picture.clay)
 
-    def test_cells_that_are_no_cubes_and_fine_grids(self):
-        self.preview("long.png", "--cell", "0.2,0.1,0.1")
-        self.preview("thin.png", "--cell", "0.0002", "--size", "5000,40,40")  # drawn coarser
-        self.assertEqual(volumes.read_png(self.path("thin.png"))[:2], (1280, 960))
+    def test_one_cell(self):
+        picture = self.picture("--cell", "8", *SIDE)
+        left, top, right, bottom = picture.bounds()
+        self.assertAlmostEqual(right - left, bottom - top, delta=2)
+        self.assertEqual(len(picture.clay), (right + 1 - left) * (bottom + 1 - top))
+
+    def test_shape_does_not_depend_on_cells(self):
+        """Cells that are no cubes, and so fine that some are joined."""
+        cubes = self.picture("--cell", "0.05", *SIDE).bounds()
+        for cell in ("0.1,0.05,0.05", "0.05,0.05,0.1", "0.05,0.2,0.05", "0.05,0.05,0.001"):
+            for a, b in zip(self.picture("--cell", cell, *SIDE).bounds(), cubes):
+                self.assertAlmostEqual(a, b, delta=4, msg=cell)
 
     def test_names(self):
         for name in ("p.jpg", "png", ".png", ""):

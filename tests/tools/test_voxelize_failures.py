@@ -38,7 +38,8 @@ class WrongCommandLine(Failures):
         self.wrong("no grid given; give --resolution or --cell", self.mesh, "-o", "x.npy")
         self.wrong("no output given; give -o FILE", self.mesh, "--resolution", "8")
         self.wrong("'b.ply' is one file too many", self.mesh, "b.ply")
-        self.wrong("--up needs --preview", self.mesh, "--resolution", "8", "-o", "x.npy", "--up", "y")
+        for look in (("--up", "y"), ("--view", "0,90"), ("--picture-size", "64x48")):
+            self.wrong("--up, --view and --picture-size need --preview", self.mesh, "--resolution", "8", "-o", "x.npy", *look)
         for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up"):
             self.wrong("option %s needs a value" % option, self.mesh, option)
 
@@ -64,6 +65,11 @@ class WrongCommandLine(Failures):
                                ("/2", "its I: ''"), ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'")):
             self.wrong("--shard.*" + pattern, self.mesh, "--shard", value)
         self.wrong("--up: 'w' is none of x, y, z, -x, -y, -z", self.mesh, "--up", "w")
+        for value in ("361,0", "0,91", "0,-91"):
+            self.wrong("--view: '%s' is not AZIMUTH,ELEVATION" % value, self.mesh, "--view", value)
+        self.refuse(2, "--view: 1 number.* where 2 are needed", "voxelize", self.mesh, "--view", "3")
+        for value in ("640", "x", "0x8", "8x0", "8x4097", "8x6x4", "8 x 6", "123456789x8"):
+            self.wrong("--picture-size.*: '.*' is no", self.mesh, "--picture-size", value)
         for name in ("x", "x.txt", ".npy", "x.NPY", ""):
             self.wrong("-o: '%s' does not end in .npy, .binvox, .vox or .raw" % name, self.mesh, "--cell", "1", "-o", name)
         self.refuse(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$", "voxelize", self.mesh, "--cell", "1,2")
@@ -73,7 +79,7 @@ class WrongCommandLine(Failures):
         self.refuse(2, "no parts given; see 'tribox merge --help'", "merge", "-o", "x.npy")
         self.refuse(2, "no output given", "merge", self.part)
         self.refuse(2, "'x.part' does not end in .npy", "merge", self.part, "-o", "x.part")
-        self.refuse(2, "--up needs --preview", "merge", self.part, "-o", "x.npy", "--up", "x")
+        self.refuse(2, "--up, --view and --picture-size need --preview", "merge", self.part, "-o", "x.npy", "--up", "x")
         self.refuse(2, "exclude each other", "merge", self.part, "-o", "x.npy", "--json", "--quiet")
 
 

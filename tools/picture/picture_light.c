@@ -1,149 +1,135 @@
-/* picture_light.c - a sun with a soft edge, a sky that is dimmer where less of it is seen, and a ground that meets the background. */
+/* picture_light.c - finds how far each light gets: faces become points, dense enough that each point of a map meets one. */
 #include "picture_light.h"
 
-#include "picture_normal.h"
+#include <string.h>
 
-static const double golden_angle = 2.39996322972865332;
+enum { DEPTH_STEPS = 32 }; /* in a point of a map */
 
-/* Linear red, green and blue. */
-static const vec sun_colour = {{1.72, 1.54, 1.28}}, sky_colour = {{0.52, 0.60, 0.74}}, clay = {{0.60, 0.50, 0.40}},
-                 paper_low = {{0.78, 0.79, 0.80}}, paper_high = {{0.56, 0.63, 0.71}};
-static const double free_sky = 0.85;      /* the light of the sky upon level ground without anything near */
-static const double bounce = 0.42;        /* light from the ground and from other cells, as a share of the sky's */
-static const double sky_reach = 0.6;      /* how far voxels keep the sky off, in radii */
-static const double sun_radius = 0.045;   /* in radians */
-static const double line_darkness = 0.25; /* of the edges of large cells */
+static const float density = 1.3f; /* points of a face in a point of a map, along each side: seen at an angle, 1 leaves gaps */
 
-static vec mixed(vec a, vec b, double share) { return vec_sum(1 - share, a, share, b); }
+static const float sun_radius = 0.045f; /* radians */
+static const float sky_reach = 0.5f;    /* how far voxels keep the sky off, in radii */
+static const float bounce = 0.42f;      /* light from below, as a share of the sky's */
 
-static vec scaled(vec colour, vec by)
+static picture_view map_view(const picture_lights *l, vec toward, int side)
 {
-    for (int c = 0; c < 3; c++)
-        colour.at[c] *= by.at[c];
-    return colour;
+    picture_view v = picture_view_against(toward, (vec){{0.36f, 0.48f, 0.8f}});
+    const float half = 0.5f * (float)side;
+    picture_view_adjust(&v, half / l->radius, picture_view_point(&v, l->middle), (vec){{half, half, half}});
+    v.width = v.height = side;
+    return v;
 }
 
-static double step_between(double lo, double hi, double x)
+static int least_of(int a, int b) { return a < b ? a : b; }
+
+/* No finer than cells where those are nearly as large as points, as each then takes one point. */
+static int map_side(const picture_lights *l, int most)
 {
-    const double t = fmin(fmax((x - lo) / (hi - lo), 0), 1);
-    return t * t * (3 - 2 * t);
+    const float side = 2 * l->radius / (density + 0.01f);
+    return side > 0.6f * (float)most && side < (float)most ? (int)side : most;
 }
 
-/* Two directions that make right angles with n and each other. */
-static void span(vec n, vec *u, vec *v)
+/* A sunflower: light n is turned by the golden angle from the last one. */
+static vec turned(vec x, vec y, int n)
 {
-    const vec side = fabs(n.at[0]) < 0.6 ? (vec){{1, 0, 0}} : (vec){{0, 1, 0}};
-    *u = vec_unit(vec_cross(side, n));
-    *v = vec_cross(n, *u);
+    const float turn = fmodf(2.39996323f * (float)n, 6.28318531f);
+    return vec_sum(cosf(turn), x, sinf(turn), y);
 }
 
-/* Points evenly spread over the area of a disc: a sunflower. */
-static void sunflower(int n, double at[][2])
+void picture_lights_place(picture_lights *l, vec up, int pixels, uint16_t *depths)
 {
-    for (int i = 0; i < n; i++) {
-        const double r = sqrt((i + 0.5) / n);
-        at[i][0] = r * cos(golden_angle * i);
-        at[i][1] = r * sin(golden_angle * i);
+    const int sun_side = map_side(l, least_of(PICTURE_SUN_SIDE, pixels * 3 / 5 + 8)),
+              sky_side = map_side(l, least_of(PICTURE_SKY_SIDE, pixels * 2 / 5 + 8));
+    const picture_view sun = picture_view_against(l->sun, up);
+    const vec level = {{up.at[1], up.at[2], up.at[0]}}, across = vec_cross(up, level);
+    for (int n = 0; n < PICTURE_LIGHTS; n++) {
+        const bool is_sun = n < PICTURE_SUNS;
+        const int i = is_sun ? n : n - PICTURE_SUNS, side = is_sun ? sun_side : sky_side;
+        const float rise = 1 - (2 * (float)i + 1) / PICTURE_SKIES, out = sun_radius * sqrtf(((float)i + 0.5f) / PICTURE_SUNS);
+        const vec toward = is_sun ? vec_sum(1, l->sun, out, turned(sun.axis[0], sun.axis[1], i))
+                                  : vec_sum(rise, up, sqrtf(1 - rise * rise), turned(level, across, i));
+        l->light[n] = (picture_light){map_view(l, vec_unit(toward), side), rise > 0 ? 0.55f + 0.45f * rise : bounce, depths};
+        depths += side * side;
     }
 }
 
-void picture_light_spread(picture_light *l)
+static void cast_side(picture_light *l, const picture_faces *f, int axis, int side)
 {
-    sunflower(PICTURE_SKY, l->sky);
-    sunflower(PICTURE_SUN, l->sun_disc);
-}
-
-/* The share of the sun that a point sees. */
-static double sun_seen(const picture_light *l, vec point, int sample)
-{
-    vec u, v;
-    picture_hit hit;
-    int seen = 0;
-    span(l->sun, &u, &v);
-    for (int i = sample; i < PICTURE_SUN; i += PICTURE_SAMPLES) {
-        const vec offset = vec_sum(l->sun_disc[i][0] * sun_radius, u, l->sun_disc[i][1] * sun_radius, v);
-        seen += !picture_trace(l->grid, point, vec_sum(1, l->sun, 1, offset), INFINITY, &hit);
-    }
-    return (double)seen * PICTURE_SAMPLES / PICTURE_SUN;
-}
-
-/* The light of the sky upon a surface, in shares of a free one's: points of a disc, lifted to the half ball above it. */
-static double sky_seen(const picture_light *l, vec point, vec normal, int sample)
-{
-    const double reach = sky_reach * l->radius;
-    double light = 0;
-    vec u, v;
-    span(normal, &u, &v);
-    for (int i = sample; i < PICTURE_SKY; i += PICTURE_SAMPLES) {
-        const double x = l->sky[i][0], y = l->sky[i][1];
-        const vec aside = vec_sum(x, u, y, v), to = vec_sum(1, aside, sqrt(1 - x * x - y * y), normal);
-        const double rise = vec_dot(to, l->up), free = rise >= 0 ? 0.55 + 0.45 * rise : bounce;
-        picture_hit hit;
-        const bool is_hit = picture_trace(l->grid, point, to, reach, &hit);
-        const double nearness = is_hit ? 1 - hit.t / reach : 0;
-        light += free * (1 - nearness) + nearness * nearness * 0.12;
-    }
-    return light * PICTURE_SAMPLES / PICTURE_SKY;
-}
-
-static vec background(double height) { return mixed(paper_low, paper_high, step_between(0.1, 1, height)); }
-
-/* 1 within a cell, less by its edges, where a line of about a pixel shows which cells there are. */
-static double edge_line(const picture_light *l, vec point, const picture_hit *hit)
-{
-    double nearest = 1;
+    const picture_view *v = &l->view;
+    const int parts = (int)ceilf(density * v->scale), b = (axis + 1) % 3, c = (axis + 2) % 3;
+    const uint16_t skipped = density * v->scale < 0.5f; /* faces on odd rows, where the map is coarse */
+    vec step[3], part[3], start = v->origin;
     for (int a = 0; a < 3; a++) {
-        const double within = point.at[a] / l->grid->cell[a] - hit->cell[a];
-        if (a != hit->axis)
-            nearest = fmin(nearest, fmin(within, 1 - within));
+        step[a] = (vec){{f->cell[a] * v->axis[0].at[a], f->cell[a] * v->axis[1].at[a], f->cell[a] * v->axis[2].at[a]}};
+        part[a] = vec_sum(1 / (float)parts, step[a], 0, start);
+        start = a == axis ? vec_sum(1, start, (float)side, step[a]) : vec_sum(1, start, 0.5f, part[a]);
     }
-    const double pixels = nearest * l->pixels, strength = line_darkness * step_between(4, 12, l->pixels);
-    return 1 - strength * (1 - step_between(0.3, 1.3, pixels));
+    for (size_t i = 0; i < f->count[axis][side]; i++) {
+        const uint16_t *cell = f->list[axis][side][i].cell;
+        if ((cell[b] | cell[c]) & skipped)
+            continue;
+        vec line = vec_sum(1, vec_sum(1, start, cell[0], step[0]), 1, vec_sum(cell[1], step[1], cell[2], step[2]));
+        for (int m = 0; m < parts; m++, line = vec_sum(1, line, 1, part[b])) {
+            vec at = line;
+            for (int n = 0; n < parts; n++, at = vec_sum(1, at, 1, part[c])) {
+                uint16_t *depth = &l->depth[(int)at.at[1] * v->width + (int)at.at[0]];
+                const uint16_t here = (uint16_t)(int)(at.at[2] * DEPTH_STEPS);
+                *depth = here > *depth ? here : *depth;
+            }
+        }
+    }
 }
 
-static vec voxel_seen(const picture_light *l, vec eye, vec direction, const picture_hit *hit, int sample)
+void picture_lights_cast(picture_lights *l, const picture_faces *f, int n)
 {
-    vec face = {{0, 0, 0}};
-    face.at[hit->axis] = direction.at[hit->axis] > 0 ? -1 : 1;
-    const vec point = vec_sum(1, eye, hit->t, direction);
-    const vec smooth = l->smoothness > 0 ? picture_normal(l->grid, hit->cell, face, direction) : face;
-    const vec normal = vec_unit(vec_sum(1 - l->smoothness, face, l->smoothness, smooth));
-    const double cell = l->grid->cell[hit->axis];
-    const vec above = vec_sum(1, vec_sum(1, point, 1e-3 * cell, face), 1.7 * l->smoothness * cell, normal);
-    const double slope = vec_dot(normal, l->sun);
-    const double sun = slope > 0 ? slope * sun_seen(l, above, sample) : 0;
-    const double sky = sky_seen(l, above, normal, sample);
-    return vec_sum(edge_line(l, point, hit), scaled(clay, vec_sum(sun, sun_colour, sky, sky_colour)), 0, clay);
+    picture_light *light = &l->light[n];
+    memset(light->depth, 0, (size_t)light->view.width * (size_t)light->view.width * sizeof *light->depth);
+    for (int a = 0; a < 3; a++)
+        cast_side(light, f, a, light->view.toward.at[a] > 0);
 }
 
-/* The ground has the colour of the background but for the shadows on it, which end before it does. */
-static vec ground_seen(const picture_light *l, vec point, vec paper, int sample)
+/* How far before a place the light is kept off, in points: not above 0 if it is not, or the place is beyond the map. */
+static inline float kept_off(const picture_light *l, vec place)
 {
-    const vec apart = vec_sum(1, point, -1, l->middle);
-    const double away = sqrt(fmax(0, vec_dot(apart, apart) - pow(vec_dot(apart, l->up), 2))) / l->radius;
-    const double strength = 1 - step_between(1.2, 3.2, away);
-    if (strength <= 0)
-        return paper;
-    const double slope = vec_dot(l->sun, l->up), off = vec_dot(apart, l->sun);
-    const double distance = sqrt(vec_dot(apart, apart)), beside = sqrt(fmax(0, distance * distance - off * off));
-    const bool is_in_sun = beside > l->radius + sun_radius * distance, is_under_sky = distance > (1 + sky_reach) * l->radius;
-    if (is_in_sun && is_under_sky)
-        return paper;
-    const double sun = is_in_sun ? 1 : sun_seen(l, point, sample),
-                 sky = is_under_sky ? free_sky : sky_seen(l, point, l->up, sample);
-    const vec lit = vec_sum(slope, sun_colour, free_sky, sky_colour), here = vec_sum(slope * sun, sun_colour, sky, sky_colour);
-    vec dimmed = paper;
-    for (int c = 0; c < 3; c++)
-        dimmed.at[c] *= fmin(here.at[c] / lit.at[c], 1);
-    return mixed(paper, dimmed, strength);
+    const vec p = picture_view_point(&l->view, place);
+    const int side = l->view.width, x = (int)p.at[0], y = (int)p.at[1];
+    if ((unsigned)x >= (unsigned)side || (unsigned)y >= (unsigned)side)
+        return 0;
+    const uint16_t depth = l->depth[y * side + x];
+    return depth ? (float)depth / DEPTH_STEPS - p.at[2] : 0;
 }
 
-vec picture_light_seen(const picture_light *l, vec eye, vec direction, double height, int sample)
+static float sun_at(const picture_lights *l, vec place, int sample)
 {
-    picture_hit hit;
-    if (picture_trace(l->grid, eye, direction, INFINITY, &hit))
-        return voxel_seen(l, eye, direction, &hit, sample);
-    const vec paper = background(height);
-    const double fall = -vec_dot(direction, l->up), above = vec_dot(eye, l->up) - l->ground;
-    return fall > 0 && above > 0 ? ground_seen(l, vec_sum(1, eye, above / fall, direction), paper, sample) : paper;
+    const vec apart = vec_sum(1, place, -1, l->middle);
+    const float off = vec_dot(apart, l->sun), distance = vec_dot(apart, apart), far = l->radius - sun_radius * least(off, 0);
+    int seen = 0;
+    if (distance - off * off > far * far)
+        return 1; /* beside the shadow of the ball */
+    for (int n = sample; n < PICTURE_SUNS; n += PICTURE_SAMPLES)
+        seen += kept_off(&l->light[n], place) <= 0;
+    return (float)seen * PICTURE_SAMPLES / PICTURE_SUNS;
+}
+
+static float sky_at(const picture_lights *l, vec place, vec normal, int sample)
+{
+    const float scale = 1 / (sky_reach * l->radius * l->light[PICTURE_SUNS].view.scale);
+    float sum = 0;
+    for (int n = PICTURE_SUNS + sample; n < PICTURE_LIGHTS; n += PICTURE_SAMPLES) {
+        const picture_light *light = &l->light[n];
+        const float slope = vec_dot(normal, light->view.toward);
+        if (slope <= 0)
+            continue;
+        const float gap = kept_off(light, place), near = gap > 0 ? greatest(1 - gap * scale, 0) : 0;
+        sum += slope * (light->strength * (1 - near) + 0.12f * near * near);
+    }
+    return sum * 4 * PICTURE_SAMPLES / PICTURE_SKIES;
+}
+
+picture_lit picture_lights_at(const picture_lights *l, vec place, vec normal, float above, int sample)
+{
+    const float slope = vec_dot(normal, l->sun), sun_point = 1.5f / l->light[0].view.scale,
+                sky_point = 1.5f / l->light[PICTURE_SUNS].view.scale;
+    const float sun = slope > 0 ? slope * sun_at(l, vec_sum(1, place, above + sun_point, normal), sample) : 0;
+    return (picture_lit){sun, sky_at(l, vec_sum(1, place, above + sky_point, normal), normal, sample)};
 }

@@ -1,27 +1,47 @@
-/* picture_light.h - what a ray of the picture sees: voxels under sun and sky, on ground that takes their shadow. */
+/* picture_light.h - a sun with a soft edge and a sky that is dimmer where less of it is seen: many lights, each with a map. */
 #ifndef PICTURE_LIGHT_H
 #define PICTURE_LIGHT_H
 
-#include "picture_ray.h"
+#include "picture_view.h"
 
-/* Rays of a pixel; each looks at another part of sun and sky, so that together they see all of it, and no pixel another part. */
-enum { PICTURE_SAMPLES = 4, PICTURE_SKY = 6 * PICTURE_SAMPLES, PICTURE_SUN = 4 * PICTURE_SAMPLES };
+/* Every sample of a pixel is lit by other lights, so that the pixel is lit by all. Maps are squares with at most these points a side. */
+enum {
+    PICTURE_SAMPLES = 4,
+    PICTURE_SUNS = 6 * PICTURE_SAMPLES,
+    PICTURE_SKIES = 12 * PICTURE_SAMPLES,
+    PICTURE_LIGHTS = PICTURE_SUNS + PICTURE_SKIES,
+    PICTURE_SUN_SIDE = 768,
+    PICTURE_SKY_SIDE = 256,
+    PICTURE_MAP_POINTS = PICTURE_SUNS * PICTURE_SUN_SIDE * PICTURE_SUN_SIDE + PICTURE_SKIES * PICTURE_SKY_SIDE * PICTURE_SKY_SIDE
+};
 
 typedef struct picture_light {
-    const picture_grid *grid;
-    vec up, sun;
-    double ground;     /* how far up the ground lies */
-    vec middle;        /* of the voxels */
-    double radius;     /* of a ball around them */
-    double pixels;     /* that a cell is wide, about */
-    double smoothness; /* 0: a face has its own normal; 1: cells are as small as pixels, and the surface that they make has one */
-    double sky[PICTURE_SKY][2], sun_disc[PICTURE_SUN][2]; /* points on a disc of radius 1, one for each ray */
+    picture_view view; /* of the voxels from the light */
+    float strength;    /* of a light of the sky */
+    uint16_t *depth;   /* of what the light meets first, 0 where it meets nothing */
 } picture_light;
 
-/* Fills in the points on the discs. */
-void picture_light_spread(picture_light *l);
+typedef struct picture_lights {
+    vec sun, middle;                     /* where the sun is; the middle of the voxels */
+    float radius;                        /* of a ball around them */
+    picture_light light[PICTURE_LIGHTS]; /* suns, then skies */
+} picture_lights;
 
-/* The colour that a sample sees: linear red, green and blue. height: 0 at the lower edge of the picture, 1 at the upper. */
-vec picture_light_seen(const picture_light *l, vec eye, vec direction, double height, int sample);
+/* Shares of the light upon what faces the sun, and, for the sky, about that upon level ground. */
+typedef struct picture_lit {
+    float sun, sky;
+} picture_lit;
+
+/*
+ * Places lights, whose sun, middle and radius are there, with maps among PICTURE_MAP_POINTS depths. pixels: along the longer side of
+ * the picture, as a small one is content with small maps.
+ */
+void picture_lights_place(picture_lights *l, vec up, int pixels, uint16_t *depths);
+
+/* Fills in the map of light n. */
+void picture_lights_cast(picture_lights *l, const picture_faces *f, int n);
+
+/* The light upon a place. above: how far from it voxels keep light off, along the normal. */
+picture_lit picture_lights_at(const picture_lights *l, vec place, vec normal, float above, int sample);
 
 #endif

@@ -1,77 +1,99 @@
-/* picture_normal.c - the direction in which the cells around a cell spread least. */
+/* picture_normal.c - fits a plane to depths, again and again, each time with less regard for what is far from the last one. */
 #include "picture_normal.h"
 
-enum { REACH = 3, WIDTH = 2 * REACH + 1, POWER_STEPS = 8 };
+/* A column more than are looked at, with a weight of 0, makes sums over rows fit vectors. */
+enum { REACH = 3, ROWS = 2 * REACH + 1, COLUMNS = ROWS + 1, ROUNDS = 3 };
 
-/* Sums over cells: how many, their offsets, and the products of those. */
-typedef struct spread {
-    double count, sum[3], product[3][3];
-} spread;
+static const float column[COLUMNS] = {-3, -2, -1, 0, 1, 2, 3, 4};
 
-/* Bit REACH + d: the cell d to the right is occupied. */
-static unsigned row_around(const picture_grid *g, const int cell[3], int j, int k)
+typedef struct around {
+    float depth[ROWS][COLUMNS]; /* less that of the middle */
+    float is_there[ROWS][COLUMNS];
+} around;
+
+/* depth = x column + y row + middle */
+typedef struct plane {
+    float x, y, middle;
+} plane;
+
+static int clamp(int i, int size) { return i < 0 ? 0 : i < size ? i : size - 1; }
+
+static void look_around(around *a, const picture_view *v, const uint32_t *seen, int x, int y, int step)
 {
-    if (j < 0 || j >= g->size[1] || k < 0 || k >= g->size[2])
-        return 0;
-    const uint64_t *row = picture_grid_row(g, j, k);
-    const int first = cell[0] - REACH, start = first < 0 ? 0 : first, word = start / 64;
-    uint64_t bits = row[word] >> start % 64;
-    if (start % 64 && (size_t)word + 1 < g->row_words)
-        bits |= row[word + 1] << (64 - start % 64);
-    return (unsigned)(bits << (start - first)) & ((1u << WIDTH) - 1);
-}
-
-static void add_row(spread *s, unsigned bits, double y, double z)
-{
-    double count = 0, sum = 0, square = 0;
-    for (int d = -REACH; d <= REACH; d++)
-        if (bits >> (REACH + d) & 1) {
-            count++;
-            sum += d;
-            square += d * d;
+    const float here = picture_seen_depth(seen[y * v->width + x]);
+    for (int j = 0; j < ROWS; j++) {
+        const uint32_t *row = seen + clamp(y + step * (j - REACH), v->height) * v->width;
+        for (int i = 0; i < COLUMNS; i++) {
+            const uint32_t there = i < ROWS ? row[clamp(x + step * (i - REACH), v->width)] : 0;
+            a->is_there[j][i] = there ? 1.0f : 0;
+            a->depth[j][i] = there ? picture_seen_depth(there) - here : 0;
         }
-    s->count += count;
-    s->sum[0] += sum;
-    s->sum[1] += count * y;
-    s->sum[2] += count * z;
-    s->product[0][0] += square;
-    s->product[0][1] += sum * y;
-    s->product[0][2] += sum * z;
-    s->product[1][1] += count * y * y;
-    s->product[1][2] += count * y * z;
-    s->product[2][2] += count * z * z;
-}
-
-vec picture_normal(const picture_grid *g, const int cell[3], vec face, vec direction)
-{
-    spread s = {.count = 0};
-    double m[3][3], trace = 0;
-    for (int z = -REACH; z <= REACH; z++)
-        for (int y = -REACH; y <= REACH; y++) {
-            const unsigned bits = row_around(g, cell, cell[1] + y, cell[2] + z);
-            if (bits)
-                add_row(&s, bits, y, z);
-        }
-    for (int a = 0; a < 3; a++)
-        for (int b = a; b < 3; b++)
-            m[b][a] = m[a][b] = (s.product[a][b] - s.sum[a] * s.sum[b] / s.count) * g->cell[a] * g->cell[b];
-    for (int a = 0; a < 3; a++)
-        trace += m[a][a];
-    /* Where the spread is least, the trace less the spread is greatest: what repeated multiplication tends to. */
-    vec n = vec_sum(1, face, -0.5, direction);
-    double greatest = 0;
-    for (int i = 0; i < POWER_STEPS && trace > 0; i++) {
-        vec next;
-        for (int a = 0; a < 3; a++)
-            next.at[a] = trace * n.at[a] - m[a][0] * n.at[0] - m[a][1] * n.at[1] - m[a][2] * n.at[2];
-        greatest = sqrt(vec_dot(next, next));
-        n = greatest > 0 ? vec_unit(next) : n;
     }
-    n = vec_dot(n, direction) > 0 ? vec_sum(-1, n, 0, n) : n;
-    /* Steps of a plane lie within a cell of it; where cells spread farther, or the plane
-       shows its other side, there is an edge, whose faces are to be seen. */
-    const double spread_most = 1.0, spread_least = 0.45, least = (trace - greatest) / s.count / (g->cell[0] * g->cell[0]);
-    const double flatness = (spread_most - least) / (spread_most - spread_least), side = 1 + vec_dot(n, face) / 0.3;
-    const double trust = fmin(fmax(fmin(flatness, side), 0), 1);
-    return vec_unit(vec_sum(trust, n, 1 - trust + 1e-3, face));
+}
+
+/* Sums over each column; depths at reach from the plane or farther have no weight. */
+static void add_columns(const around *restrict a, plane p, float reach, float (*restrict columns)[COLUMNS])
+{
+    const float scale = 1 / (reach * reach);
+    for (int i = 0; i < COLUMNS; i++) {
+        float w = 0, y = 0, yy = 0, z = 0, yz = 0;
+        for (int j = 0; j < ROWS; j++) {
+            const float depth = a->depth[j][i], off = depth - p.x * column[i] - p.y * column[j] - p.middle;
+            const float near = 1 - off * off * scale, share = 0.5f * (near + fabsf(near)); /* near, or 0: without a branch */
+            const float weight = share * share * a->is_there[j][i];
+            w += weight;
+            y += weight * column[j];
+            yy += weight * column[j] * column[j];
+            z += weight * depth;
+            yz += weight * depth * column[j];
+        }
+        columns[0][i] = w;
+        columns[1][i] = y;
+        columns[2][i] = yy;
+        columns[3][i] = z;
+        columns[4][i] = yz;
+    }
+}
+
+/* Least squares. Returns the sum of the weights. */
+static float fit(const around *a, plane *p, float reach)
+{
+    float columns[5][COLUMNS], w = 1e-3f, x = 0, y = 0, z = 0, xx = 1e-3f, xy = 0, yy = 1e-3f, xz = 0, yz = 0;
+    add_columns(a, *p, reach, columns);
+    for (int i = 0; i < COLUMNS; i++) {
+        w += columns[0][i];
+        x += columns[0][i] * column[i];
+        y += columns[1][i];
+        z += columns[3][i];
+        xx += columns[0][i] * column[i] * column[i];
+        xy += columns[1][i] * column[i];
+        yy += columns[2][i];
+        xz += columns[3][i] * column[i];
+        yz += columns[4][i];
+    }
+    xx -= x * x / w;
+    xy -= x * y / w;
+    yy -= y * y / w;
+    xz -= x * z / w;
+    yz -= y * z / w;
+    const float area = xx * yy - xy * xy, by_x = (xz * yy - yz * xy) / area, by_y = (yz * xx - xz * xy) / area;
+    *p = (plane){by_x, by_y, (z - by_x * x - by_y * y) / w};
+    return w;
+}
+
+vec picture_normal(const picture_view *v, const uint32_t *seen, int x, int y, vec face)
+{
+    const float cell = v->scale;
+    const int step = (int)greatest(1.4f * cell + 0.6f, 1);
+    around a;
+    plane p = {0, 0, 0};
+    float sum = 0;
+    look_around(&a, v, seen, x, y, step);
+    for (int round = 0; round < ROUNDS; round++) {
+        const float slope = least(sqrtf(1 + (p.x * p.x + p.y * p.y) / (float)(step * step)), 4);
+        sum = fit(&a, &p, (round ? 1.7f : 5.0f) * cell * slope);
+    }
+    const vec n = vec_unit(vec_sum((float)step, v->axis[2], -1, vec_sum(p.x, v->axis[0], p.y, v->axis[1])));
+    const float trust = least(greatest(sum / (ROWS * ROWS) * 6 - 0.5f, 0), 1);
+    return vec_unit(vec_sum(trust, n, 1 - trust + 1e-3f, face));
 }

@@ -2,12 +2,12 @@
 #ifndef PICTURE_NORMAL_H
 #define PICTURE_NORMAL_H
 
-#include "picture_ray.h"
+#include "picture_view.h"
 
 /*
- * The normal of the plane that fits the occupied cells around one best, on the side that a ray in this direction sees. face: the
- * normal of the face that it hits.
+ * The normal of a plane near what a view shows around a point that shows a face. cell: points that a cell takes. Looks at depths in the view alone, so that what is
+ * hidden changes nothing.
  */
-vec picture_normal(const picture_grid *g, const int cell[3], vec face, vec direction);
+vec picture_normal(const picture_view *v, const uint32_t *seen, int x, int y, vec face);
 
 #endif

@@ -1,174 +1,257 @@
-/* picture_voxels.c - places a camera before voxels and lets threads draw rows. */
+/* picture_voxels.c - voxels of clay, on ground that takes their shadow and meets the background. */
 #define _POSIX_C_SOURCE 200809L
 #include "picture_voxels.h"
 
 #include <pthread.h>
+#include <stdlib.h>
 
-#include "voxelize/layers.h"
-#include "picture_grid.h"
+#include "console/processors.h"
 #include "picture_light.h"
+#include "picture_normal.h"
 
-static const double azimuth = 0.56, elevation = 0.44; /* radians: to the right of the front, and up */
-static const double half_width = 0.23;                /* of the picture, at distance 1 */
-static const double margin = 0.97;                    /* of it that the voxels take */
+enum { FINE = 2 /* samples along each side of a pixel */, CURVE = 4096 };
 
-typedef struct camera {
-    vec eye, ahead, right, up;
-    double shift[2]; /* of the middle of the picture, at distance 1 */
-} camera;
+static const float margin = 0.90f;        /* of the picture: what the voxels take of it */
+static const float line_darkness = 0.25f; /* of the edges of large cells */
+
+/* Linear red, green and blue. */
+static const vec sun_colour = {{1.72f, 1.54f, 1.28f}}, sky_colour = {{0.52f, 0.60f, 0.74f}}, clay = {{0.60f, 0.50f, 0.40f}},
+                 paper_low = {{0.78f, 0.79f, 0.80f}}, paper_high = {{0.56f, 0.63f, 0.71f}};
 
 typedef struct drawing {
-    picture_grid grid;
-    picture_light light;
-    camera camera;
+    picture_faces faces;
+    picture_view view; /* a point for each sample */
+    uint32_t *seen;
+    picture_lights lights;
+    vec up;
+    float ground;                      /* how far up it lies */
+    picture_lit open[PICTURE_SAMPLES]; /* the light upon ground without voxels */
+    float smoothness; /* 0: a face has its own normal; 1: cells are as small as samples, and the surface that they make has one */
+    unsigned char curve[CURVE + 1]; /* from linear light to bytes */
     unsigned char *pixels;
-    progress *bar;
+    int columns, rows;
+    void (*work)(struct drawing *, int);
+    progress *bar;        /* NULL where work takes but a moment */
     pthread_mutex_t lock; /* of what follows, and of bar */
-    int next;             /* row */
+    int next, works;
 } drawing;
 
-/* The corner of the occupied cells: bit a of n chooses the side on axis a. */
-static vec corner_of(const picture_grid *g, int n)
+static float ramp(float lo, float hi, float x)
 {
-    vec corner;
-    for (int a = 0; a < 3; a++)
-        corner.at[a] = (n >> a & 1 ? g->hi[a] : g->lo[a]) * g->cell[a];
-    return corner;
+    const float t = least(greatest((x - lo) / (hi - lo), 0), 1);
+    return t * t * (3 - 2 * t);
 }
 
-static vec axis_up(picture_up up)
-{
-    vec v = {{0, 0, 0}};
-    v.at[up % 3] = up < 3 ? 1 : -1;
-    return v;
-}
+static vec mixed(vec a, vec b, float share) { return vec_sum(1 - share, a, share, b); }
 
-static void light_up(drawing *d, picture_up up, vec right, vec front)
-{
-    picture_light *l = &d->light;
-    const vec lo = corner_of(&d->grid, 0), hi = corner_of(&d->grid, 7), across = vec_sum(1, hi, -1, lo);
-    picture_light_spread(l);
-    l->grid = &d->grid;
-    l->up = axis_up(up);
-    l->middle = vec_sum(0.5, lo, 0.5, hi);
-    l->radius = fmax(0.5 * sqrt(vec_dot(across, across)), d->grid.cell[0]);
-    l->ground = fmin(vec_dot(lo, l->up), vec_dot(hi, l->up)) - 1e-4 * l->radius;
-    l->sun = vec_unit(vec_sum(1, vec_sum(-0.85, right, 0.5, front), 0.75, l->up));
-}
+static vec colour_of(picture_lit lit) { return vec_sum(lit.sun, sun_colour, lit.sky, sky_colour); }
 
-/* How far from the middle the eye has to be for all corners to be in the picture, and where the picture's middle then is. */
-static double distance_of(const drawing *d, const camera *c)
+/* 1 within a cell, less by its edges, where a line of about a pixel shows which cells there are. */
+static float edge_line(const drawing *d, vec place, int axis)
 {
-    const double half[2] = {margin * half_width, margin * half_width * PICTURE_HEIGHT / PICTURE_WIDTH};
-    double distance = 0;
-    for (int n = 0; n < 8; n++) {
-        const vec to = vec_sum(1, corner_of(&d->grid, n), -1, d->light.middle);
-        const double aside[2] = {vec_dot(to, c->right), vec_dot(to, c->up)};
-        for (int a = 0; a < 2; a++)
-            distance = fmax(distance, fabs(aside[a]) / half[a] - vec_dot(to, c->ahead));
+    const float pixels = d->view.scale / FINE, strength = line_darkness * ramp(4, 12, pixels);
+    float nearest = 1;
+    for (int a = 0; a < 3 && strength > 0; a++) {
+        const float at = place.at[a] / d->faces.cell[a], within = at - floorf(at);
+        if (a != axis)
+            nearest = least(nearest, least(within, 1 - within) * d->faces.cell[a]);
     }
-    return fmax(distance, d->light.radius);
+    return 1 - strength * (1 - ramp(0.3f, 1.3f, nearest * pixels));
 }
 
-static void center(const drawing *d, camera *c)
+static vec normal_at(const drawing *d, int x, int y, uint32_t seen)
 {
-    double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
-    for (int n = 0; n < 8; n++) {
-        const vec to = vec_sum(1, corner_of(&d->grid, n), -1, c->eye);
-        const double depth = vec_dot(to, c->ahead), at[2] = {vec_dot(to, c->right) / depth, vec_dot(to, c->up) / depth};
-        for (int a = 0; a < 2; a++) {
-            lo[a] = fmin(lo[a], at[a]);
-            hi[a] = fmax(hi[a], at[a]);
-        }
-    }
-    for (int a = 0; a < 2; a++)
-        c->shift[a] = (lo[a] + hi[a]) / 2;
+    const int axis = picture_seen_axis(seen);
+    vec face = {{0, 0, 0}};
+    face.at[axis] = d->view.toward.at[axis] > 0 ? 1 : -1;
+    return d->smoothness > 0 ? vec_unit(mixed(face, picture_normal(&d->view, d->seen, x, y, face), d->smoothness)) : face;
 }
 
-static void place_camera(drawing *d, picture_up up)
+/* What a sample of a pixel shows, and the normal, which the next ones of the pixel share if they show the same. */
+typedef struct shown {
+    uint32_t seen;
+    vec normal;
+} shown;
+
+static bool is_same_surface(const drawing *d, uint32_t a, uint32_t b)
 {
-    camera *c = &d->camera;
-    const vec high = axis_up(up), right = up % 3 == 0 ? (vec){{0, 1, 0}} : (vec){{1, 0, 0}}, front = vec_cross(right, high);
-    const vec level = vec_sum(sin(azimuth), right, cos(azimuth), front);
-    light_up(d, up, right, front);
-    c->ahead = vec_sum(-cos(elevation), level, -sin(elevation), high);
-    c->right = vec_unit(vec_cross(c->ahead, high));
-    c->up = vec_cross(c->right, c->ahead);
-    const double distance = distance_of(d, c);
-    c->eye = vec_sum(1, d->light.middle, -distance, c->ahead);
-    center(d, c);
-    const double cell = fmax(d->grid.cell[0], fmax(d->grid.cell[1], d->grid.cell[2]));
-    d->light.pixels = cell / distance / (2 * half_width) * PICTURE_WIDTH;
-    d->light.smoothness = fmin(fmax((5 - d->light.pixels) / 3, 0), 1);
+    return a && (picture_seen_axis(a) == picture_seen_axis(b) || d->smoothness >= 1) &&
+           fabsf(picture_seen_depth(a) - picture_seen_depth(b)) < 1.5f * d->view.scale;
 }
 
-static unsigned char to_byte(double linear)
+static vec voxel_seen(const drawing *d, int x, int y, uint32_t seen, shown *last, int sample)
 {
-    const double x = fmin(fmax(linear, 0), 1);
-    const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055; /* sRGB */
-    return (unsigned char)(255 * s + 0.5);
+    const vec place = picture_view_place(&d->view, (vec){{(float)x + 0.5f, (float)y + 0.5f, picture_seen_depth(seen)}});
+    if (!is_same_surface(d, last->seen, seen))
+        *last = (shown){seen, normal_at(d, x, y, seen)};
+    const float above = greatest(1.6f * d->smoothness, 0.02f);
+    vec light = colour_of(picture_lights_at(&d->lights, place, last->normal, above, sample));
+    const float line = edge_line(d, place, picture_seen_axis(seen));
+    for (int c = 0; c < 3; c++)
+        light.at[c] *= line * clay.at[c];
+    return light;
+}
+
+/* The ground has the colour of the background but for shadows, which end before it does. */
+static vec ground_seen(const drawing *d, int x, int y, vec paper, int sample)
+{
+    const vec start = picture_view_place(&d->view, (vec){{(float)x + 0.5f, (float)y + 0.5f, 0}});
+    const float rise = vec_dot(d->view.toward, d->up);
+    const vec place = vec_sum(1, start, (d->ground - vec_dot(start, d->up)) / rise, d->view.toward);
+    const vec apart = vec_sum(1, place, -1, d->lights.middle);
+    const float strength = 1 - ramp(1.2f, 3.2f, sqrtf(vec_dot(apart, apart)) / d->lights.radius);
+    if (strength <= 0 || rise < 1e-3f)
+        return paper;
+    const vec here = colour_of(picture_lights_at(&d->lights, place, d->up, 0, sample)), open = colour_of(d->open[sample]);
+    vec dimmed = paper;
+    for (int c = 0; c < 3; c++)
+        dimmed.at[c] *= here.at[c] / open.at[c];
+    return mixed(paper, dimmed, strength);
 }
 
 /* Bright light tends to white and never gets there. */
-static double film(double light) { return light < 0.6 ? light : 1 - 0.4 * exp(-(light - 0.6) / 0.4); }
-
-static void draw_pixel(const drawing *d, int column, int row, unsigned char *pixel)
+static float film(float light)
 {
-    static const double offset[PICTURE_SAMPLES][2] = {{0.125, 0.625}, {0.375, 0.125}, {0.625, 0.875}, {0.875, 0.375}};
-    const camera *c = &d->camera;
-    vec sum = {{0, 0, 0}};
-    for (int s = 0; s < PICTURE_SAMPLES; s++) {
-        const double x = (2 * (column + offset[s][0]) / PICTURE_WIDTH - 1) * half_width + c->shift[0];
-        const double y = (PICTURE_HEIGHT - 2 * (row + offset[s][1])) / PICTURE_WIDTH * half_width + c->shift[1];
-        const vec to = vec_unit(vec_sum(1, c->ahead, 1, vec_sum(x, c->right, y, c->up)));
-        const vec seen = picture_light_seen(&d->light, c->eye, to, 1 - (row + offset[s][1]) / PICTURE_HEIGHT, s);
-        for (int k = 0; k < 3; k++)
-            sum.at[k] += film(seen.at[k]) / PICTURE_SAMPLES;
-    }
-    for (int k = 0; k < 3; k++)
-        pixel[k] = to_byte(sum.at[k]);
+    const float over = (light - 0.6f) / 0.4f;
+    return over < 0 ? light : 0.6f + 0.4f * over / (1 + over);
 }
 
-static int take_row(drawing *d)
+static void draw_pixel(const drawing *d, int column, int row, vec paper, unsigned char *pixel)
+{
+    vec sum = {{0, 0, 0}};
+    shown last = {.seen = 0};
+    for (int s = 0; s < PICTURE_SAMPLES; s++) {
+        const int x = FINE * column + s % FINE, y = FINE * row + s / FINE;
+        const uint32_t seen = d->seen[(size_t)y * (size_t)d->view.width + (size_t)x];
+        const vec light = seen ? voxel_seen(d, x, y, seen, &last, s) : ground_seen(d, x, y, paper, s);
+        for (int c = 0; c < 3; c++)
+            sum.at[c] += film(light.at[c]) / PICTURE_SAMPLES;
+    }
+    for (int c = 0; c < 3; c++)
+        pixel[c] = d->curve[(int)(least(sum.at[c], 1) * CURVE)];
+}
+
+static void draw_row(drawing *d, int row)
+{
+    const vec paper = mixed(paper_low, paper_high, ramp(0.1f, 1, 1 - (float)row / (float)d->rows));
+    for (int column = 0; column < d->columns; column++)
+        draw_pixel(d, column, row, paper, d->pixels + 3 * ((size_t)row * (size_t)d->columns + (size_t)column));
+}
+
+static void cast_light(drawing *d, int n) { picture_lights_cast(&d->lights, &d->faces, n); }
+
+static int take(drawing *d)
 {
     pthread_mutex_lock(&d->lock);
-    const int row = d->next++;
-    progress_tell(d->bar, fmin((double)row / PICTURE_HEIGHT, 1));
+    const int n = d->next++;
+    if (d->bar)
+        progress_tell(d->bar, fmin((double)n / d->works, 1));
     pthread_mutex_unlock(&d->lock);
-    return row;
+    return n;
 }
 
-static void *draw_rows(void *data)
+static void *take_work(void *data)
 {
     drawing *d = data;
-    for (int row; (row = take_row(d)) < PICTURE_HEIGHT;)
-        for (int column = 0; column < PICTURE_WIDTH; column++)
-            draw_pixel(d, column, row, d->pixels + 3 * ((size_t)row * PICTURE_WIDTH + (size_t)column));
+    for (int n; (n = take(d)) < d->works;)
+        d->work(d, n);
     return NULL;
 }
 
-static void draw_with(drawing *d, unsigned threads)
+static void work_with(drawing *d, unsigned threads, int works, void (*work)(drawing *, int))
 {
     pthread_t helpers[THREADS_MAX];
     unsigned started = 0;
+    d->next = 0;
+    d->works = works;
+    d->work = work;
     pthread_mutex_init(&d->lock, NULL);
-    while (started + 1 < threads && started < THREADS_MAX && !pthread_create(&helpers[started], NULL, draw_rows, d))
+    while (started + 1 < threads && started < THREADS_MAX && !pthread_create(&helpers[started], NULL, take_work, d))
         started++;
-    draw_rows(d);
+    take_work(d);
     while (started)
         pthread_join(helpers[--started], NULL);
     pthread_mutex_destroy(&d->lock);
 }
 
-uint64_t picture_memory(const tribox_grid *grid) { return picture_grid_memory(grid); }
-
-bool picture_draw(const voxels *v, picture_up up, unsigned threads, unsigned char *pixels, progress *bar)
+/* The corner of the occupied cells: bit a of n chooses the side on axis a. */
+static vec corner_of(const picture_faces *f, int n)
 {
-    drawing d = {.pixels = pixels, .bar = bar};
-    if (!picture_grid_make(v, &d.grid))
+    vec corner;
+    for (int a = 0; a < 3; a++)
+        corner.at[a] = (float)(n >> a & 1 ? f->hi[a] : f->lo[a]) * f->cell[a];
+    return corner;
+}
+
+/* Fits all corners into the picture. */
+static void fit_view(picture_view *v, const picture_faces *f)
+{
+    vec lo = {{INFINITY, INFINITY, INFINITY}}, hi = {{-INFINITY, -INFINITY, -INFINITY}};
+    for (int n = 0; n < 8; n++) {
+        const vec p = picture_view_point(v, corner_of(f, n));
+        for (int a = 0; a < 3; a++) {
+            lo.at[a] = least(lo.at[a], p.at[a]);
+            hi.at[a] = greatest(hi.at[a], p.at[a]);
+        }
+    }
+    const float width = (float)v->width, height = (float)v->height;
+    const float scale = margin * least(width / greatest(hi.at[0] - lo.at[0], 1), height / greatest(hi.at[1] - lo.at[1], 1));
+    const vec middle = {{0.5f * (lo.at[0] + hi.at[0]), 0.5f * (lo.at[1] + hi.at[1]), lo.at[2]}};
+    picture_view_adjust(v, scale, middle, (vec){{0.5f * width, 0.5f * height, 1}});
+}
+
+static void place_all(drawing *d, const picture_look *look, uint16_t *maps)
+{
+    const float degree = 0.0174532925f, azimuth = look->azimuth * degree, elevation = look->elevation * degree;
+    const int a = (int)look->up % 3;
+    const vec right = {{a != 0, a == 0, 0}}, lo = corner_of(&d->faces, 0), hi = corner_of(&d->faces, 7);
+    const vec across = vec_sum(1, hi, -1, lo);
+    d->up = (vec){{0, 0, 0}};
+    d->up.at[a] = look->up < 3 ? 1 : -1;
+    const vec front = vec_cross(right, d->up), level = vec_sum(sinf(azimuth), right, cosf(azimuth), front);
+    d->lights.middle = vec_sum(0.5f, lo, 0.5f, hi);
+    d->lights.radius = greatest(0.505f * sqrtf(vec_dot(across, across)), 1);
+    d->lights.sun = vec_unit(vec_sum(1, vec_sum(-0.85f, right, 0.5f, front), 0.95f, d->up));
+    d->ground = least(vec_dot(lo, d->up), vec_dot(hi, d->up)) - 1e-4f * d->lights.radius;
+    d->view = picture_view_against(vec_sum(cosf(elevation), level, sinf(elevation), d->up),
+                                   vec_sum(-sinf(elevation), level, cosf(elevation), d->up));
+    d->view.width = FINE * d->columns;
+    d->view.height = FINE * d->rows;
+    fit_view(&d->view, &d->faces);
+    d->smoothness = least(greatest((5 - d->view.scale / FINE) / 3, 0), 1);
+    picture_lights_place(&d->lights, d->up, d->columns > d->rows ? d->columns : d->rows, maps);
+    for (int s = 0; s < PICTURE_SAMPLES; s++)
+        d->open[s] = picture_lights_at(&d->lights, vec_sum(1, d->lights.middle, 9 * d->lights.radius, right), d->up, 0, s);
+    for (int i = 0; i <= CURVE; i++) {
+        const double x = (double)i / CURVE, s = x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055; /* sRGB */
+        d->curve[i] = (unsigned char)(255 * s + 0.5);
+    }
+}
+
+static size_t samples_of(const picture_look *look) { return (size_t)PICTURE_SAMPLES * look->size[0] * look->size[1]; }
+
+uint64_t picture_memory(const tribox_grid *grid, const picture_look *look)
+{
+    return picture_faces_memory(grid) + samples_of(look) * sizeof(uint32_t) + PICTURE_MAP_POINTS * sizeof(uint16_t);
+}
+
+bool picture_draw(const voxels *v, const picture_look *look, unsigned threads, unsigned char *pixels, progress *bar)
+{
+    drawing d = {.pixels = pixels, .columns = (int)look->size[0], .rows = (int)look->size[1]};
+    if (!picture_faces_make(v, &d.faces))
         return false;
-    place_camera(&d, up);
-    draw_with(&d, threads);
-    picture_grid_free(&d.grid);
-    return true;
+    uint16_t *maps = malloc(PICTURE_MAP_POINTS * sizeof *maps);
+    d.seen = calloc(samples_of(look), sizeof *d.seen);
+    const bool is_drawn = maps && d.seen;
+    if (is_drawn) {
+        place_all(&d, look, maps);
+        picture_view_draw(&d.view, &d.faces, d.seen);
+        work_with(&d, threads, PICTURE_LIGHTS, cast_light);
+        d.bar = bar;
+        work_with(&d, threads, d.rows, draw_row);
+    }
+    free(maps);
+    free(d.seen);
+    picture_faces_free(&d.faces);
+    return is_drawn;
 }

@@ -1,4 +1,4 @@
-/* picture_voxels.h - a shaded picture of voxels, row by row. */
+/* picture_voxels.h - a shaded picture of voxels. */
 #ifndef PICTURE_VOXELS_H
 #define PICTURE_VOXELS_H
 
@@ -8,15 +8,19 @@
 /* The axis of the grid that is up in the picture, or its opposite. */
 typedef enum picture_up { PICTURE_UP_X, PICTURE_UP_Y, PICTURE_UP_Z, PICTURE_DOWN_X, PICTURE_DOWN_Y, PICTURE_DOWN_Z } picture_up;
 
-enum { PICTURE_WIDTH = 1280, PICTURE_HEIGHT = 960 };
+typedef struct picture_look {
+    picture_up up;
+    float azimuth, elevation; /* of the viewer, in degrees: to the right of the front, and up */
+    uint32_t size[2];         /* pixels: width and height */
+} picture_look;
 
-/* The bytes that drawing takes beside the cells. */
-uint64_t picture_memory(const tribox_grid *grid);
+/* Memory for drawing beside the cells, in bytes. */
+uint64_t picture_memory(const tribox_grid *grid, const picture_look *look);
 
 /*
- * Draws into pixels: PICTURE_HEIGHT rows of PICTURE_WIDTH times red, green, blue. Returns false where memory does not suffice.
- * The picture is the same for every number of threads.
+ * Draws rows of red, green, blue bytes. Returns false where memory does not suffice. The picture is the same for every number of
+ * threads.
  */
-bool picture_draw(const voxels *v, picture_up up, unsigned threads, unsigned char *pixels, progress *bar);
+bool picture_draw(const voxels *v, const picture_look *look, unsigned threads, unsigned char *pixels, progress *bar);
 
 #endif

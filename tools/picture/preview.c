@@ -1,13 +1,13 @@
 /* preview.c - the picture of the cells as a PNG file, where there is libpng. */
 #include "preview.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
+#include "console/numbers.h"
 #include "picture_png.h"
-
-enum { PIXEL_BYTES = 3 * PICTURE_WIDTH * PICTURE_HEIGHT };
 
 int preview_check(const char *path, const char *option)
 {
@@ -33,18 +33,47 @@ int preview_read_up(const char *text, picture_up *up)
     return message_usage("--up: '%s' is none of x, y, z, -x, -y, -z", text);
 }
 
-uint64_t preview_memory(const tribox_grid *grid) { return PIXEL_BYTES + picture_memory(grid); }
+int preview_read_view(const char *text, picture_look *look)
+{
+    float angles[2];
+    if (!numbers_read(text, "--view", "AZIMUTH,ELEVATION", 2, angles))
+        return EXIT_CODE_USAGE;
+    if (fabsf(angles[0]) > 360 || fabsf(angles[1]) > 90)
+        return message_usage("--view: '%s' is not AZIMUTH,ELEVATION from -360 to 360 and from -90 to 90 degrees", text);
+    look->azimuth = angles[0];
+    look->elevation = angles[1];
+    return EXIT_CODE_OK;
+}
 
-int preview_draw(file_out *out, const voxels *v, picture_up up, unsigned threads, bool wants_progress)
+int preview_read_size(const char *text, picture_look *look)
+{
+    char width[8] = "";
+    const char *cross = strchr(text, 'x');
+    const size_t length = cross ? (size_t)(cross - text) : 0;
+    if (!cross || length >= sizeof width)
+        return message_usage("--picture-size: '%s' is not WIDTHxHEIGHT, as 1280x960", text);
+    memcpy(width, text, length);
+    const int code = numbers_read_whole(width, "--picture-size, its width", PREVIEW_SIDE_MAX, &look->size[0]);
+    return code ? code : numbers_read_whole(cross + 1, "--picture-size, its height", PREVIEW_SIDE_MAX, &look->size[1]);
+}
+
+static size_t pixel_bytes(const picture_look *look) { return (size_t)3 * look->size[0] * look->size[1]; }
+
+uint64_t preview_memory(const tribox_grid *grid, const picture_look *look)
+{
+    return pixel_bytes(look) + picture_memory(grid, look);
+}
+
+int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress)
 {
     if (!out->stream)
         return EXIT_CODE_OK;
-    unsigned char *pixels = malloc(PIXEL_BYTES);
+    unsigned char *pixels = malloc(pixel_bytes(look));
     progress bar = progress_start("drawing", wants_progress);
-    const bool is_drawn = pixels && picture_draw(v, up, threads, pixels, &bar);
+    const bool is_drawn = pixels && picture_draw(v, look, threads, pixels, &bar);
     progress_end(&bar);
     int code = is_drawn ? EXIT_CODE_OK : message_failure("out of memory for the preview");
-    if (!code && !picture_png_write(out->stream, pixels, PICTURE_WIDTH, PICTURE_HEIGHT))
+    if (!code && !picture_png_write(out->stream, pixels, look->size[0], look->size[1]))
         code = message_failure("%s: libpng cannot write the preview", out->path);
     free(pixels);
     return code ? code : file_out_keep(out);

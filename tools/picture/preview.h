@@ -2,19 +2,26 @@
 #ifndef PREVIEW_H
 #define PREVIEW_H
 
-#include "write/file_out.h"
 #include "picture_voxels.h"
+#include "write/file_out.h"
 
-/* Refuses a preview where the program was built without libpng, or a name that is none. Returns an exit_code. path: may be NULL. */
+/* From the front, a little from the right and above, with z up. */
+#define PREVIEW_LOOK_DEFAULT ((picture_look){PICTURE_UP_Z, 32, 25, {1280, 960}})
+
+/* Refuses a preview where the program was built without libpng, or a name that does not end in .png. Returns an exit_code. path: may be NULL. */
 int preview_check(const char *path, const char *option);
 
-/* Reads the value of --up. Returns an exit_code. */
-int preview_read_up(const char *text, picture_up *up);
+enum { PREVIEW_SIDE_MAX = 4096 }; /* pixels */
 
-/* The bytes that drawing takes beside the cells. */
-uint64_t preview_memory(const tribox_grid *grid);
+/* Read the values of --up, --view and --picture-size. Return an exit_code. */
+int preview_read_up(const char *text, picture_up *up);
+int preview_read_view(const char *text, picture_look *look);
+int preview_read_size(const char *text, picture_look *look);
+
+/* Memory for drawing beside the cells, in bytes. */
+uint64_t preview_memory(const tribox_grid *grid, const picture_look *look);
 
 /* Draws into a file and keeps it; does nothing where none is open. Returns an exit_code. */
-int preview_draw(file_out *out, const voxels *v, picture_up up, unsigned threads, bool wants_progress);
+int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress);
 
 #endif

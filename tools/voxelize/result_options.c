@@ -15,7 +15,11 @@ int result_take(result_request *r, int which, const char *value)
         r->preview_path = value;
         return EXIT_CODE_OK;
     case RESULT_UP:
-        return preview_read_up(value, &r->up);
+        return preview_read_up(value, &r->look.up);
+    case RESULT_VIEW:
+        return preview_read_view(value, &r->look);
+    case RESULT_PICTURE_SIZE:
+        return preview_read_size(value, &r->look);
     case RESULT_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
@@ -27,8 +31,9 @@ int result_take(result_request *r, int which, const char *value)
 
 int result_check(result_request *r, const options_found *found, bool takes_part)
 {
-    if (options_has(found, RESULT_UP) && !r->preview_path)
-        return message_usage("--up needs --preview");
+    const bool has_look = options_has(found, RESULT_UP) || options_has(found, RESULT_VIEW) || options_has(found, RESULT_PICTURE_SIZE);
+    if (has_look && !r->preview_path)
+        return message_usage("--up, --view and --picture-size need --preview");
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
     r->format = takes_part ? NULL : volume_format_of(r->out_path);

@@ -9,23 +9,26 @@
 #include "write/volume.h"
 
 /* They come first in the tables of both commands, whose own options start at RESULT_END. */
-enum { RESULT_OUT, RESULT_PREVIEW, RESULT_UP, RESULT_JSON, RESULT_QUIET, RESULT_END };
+enum { RESULT_OUT, RESULT_PREVIEW, RESULT_UP, RESULT_VIEW, RESULT_PICTURE_SIZE, RESULT_JSON, RESULT_QUIET, RESULT_END };
 
 #define RESULT_ENTRIES \
     [RESULT_OUT] = {"out", 'o', true}, [RESULT_PREVIEW] = {"preview", 'p', true}, [RESULT_UP] = {"up", 0, true}, \
+    [RESULT_VIEW] = {"view", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, \
     [RESULT_JSON] = {"json", 'j', false}, [RESULT_QUIET] = {"quiet", 'q', false}
 
 #define RESULT_HELP \
     "  -o, --out FILE          .npy (NumPy), .binvox, .vox (MagicaVoxel) or .raw (the bits alone)\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
     "      --up AXIS           the axis that is up in it: x, y, z (default), -x, -y or -z\n" \
+    "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \
+    "      --picture-size WxH  pixels of the picture; default: 1280x960\n" \
     "  -j, --json              print the summary as a JSON object\n" \
     "  -q, --quiet             print no summary and no progress\n"
 
 typedef struct result_request {
     const char *out_path, *preview_path; /* preview_path: NULL for none */
     const volume_format *format;         /* NULL for a part */
-    picture_up up;
+    picture_look look;
     bool wants_json, is_quiet;
 } result_request;
 

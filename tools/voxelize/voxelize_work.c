@@ -30,7 +30,7 @@ static int check_memory(const tribox_grid *grid, uint64_t bytes, uint64_t previe
 static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxels_slab *slab, uint64_t **bits)
 {
     const size_t words = voxels_layer_words(grid) * slab->layers;
-    const int code = check_memory(grid, (uint64_t)words * sizeof **bits, r->result.preview_path ? preview_memory(grid) : 0);
+    const int code = check_memory(grid, (uint64_t)words * sizeof **bits, r->result.preview_path ? preview_memory(grid, &r->result.look) : 0);
     if (code)
         return code;
     *bits = calloc(words ? words : 1, sizeof **bits); /* a shard may have no layers */
@@ -92,7 +92,7 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
         code = file_out_keep(out);
     }
     if (!code)
-        code = preview_draw(picture, &v, r->result.up, r->threads, !r->result.is_quiet);
+        code = preview_draw(picture, &v, &r->result.look, r->threads, !r->result.is_quiet);
     free(bits);
     return code;
 }
