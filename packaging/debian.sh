@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the Debian packages of the commit that is checked out, source and binary, into a folder: debian.sh FOLDER
-# Their description is packaging/debian/: Debian's tools want it at the top, where a tarball that is not Debian's should have none.
-# DEB_BUILD_OPTIONS are Debian's: nocheck, noopt, parallel=N. Wants the packages debhelper, dpkg-dev, fakeroot.
+# They are described in packaging/debian/. Debian's tools look for it at the top, where a tarball from upstream should have none.
+# DEB_BUILD_OPTIONS are Debian's: nocheck, noopt, parallel=N. Needs the packages debhelper, dpkg-dev, fakeroot.
 set -eu
 mkdir -p "$1"
 out=$(cd "$1" && pwd)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs Debian packages that are not there yet: packages.sh NAME ...
+# Installs the Debian packages that are missing: packages.sh NAME ...
 set -eu
 missing=
 for package; do
@@ -7,7 +7,7 @@ for package; do
 done
 test -n "$missing" || exit 0
 if ! command -v apt-get >/dev/null; then
-    echo "these packages, by their Debian names, are needed:$missing" >&2
+    echo "install these packages (their names in Debian):$missing" >&2
     exit 1
 fi
 sudo=
