@@ -52,7 +52,7 @@ def status_of(grid, options=ffi.NULL):
 
 
 def sufficient_cell(origin, size):
-    """A length that `size` cells on an axis can have: planes twice the spacing of floats apart are distinct. inf if there is none."""
+    """A length that `size` cells on an axis can have: planes twice the spacing of floats apart are distinct. inf if none."""
     cell = 0.0
     while True:
         end = origin + size * cell
