@@ -1,8 +1,9 @@
 #!/bin/sh
-# Lets libFuzzer look for inputs that break a claim or the memory: tests/fuzz/run.sh SECONDS [TARGET...], two targets at a time.
+# Lets libFuzzer look for inputs that break a promise or the memory: tests/fuzz/run.sh SECONDS [TARGET...], two targets at a time.
 #
-# Needs clang and its runtime (libclang-rt-14-dev). BUILD names the build directory, CORPUS the folder of what is found on the way,
-# in which a later run goes on. An input that fails stays in $BUILD/found; the program, given that file, repeats the failure.
+# Needs clang and its runtime (libclang-rt-14-dev). BUILD names the build directory, FUZZ_OPTIONS further options for meson setup,
+# CORPUS the folder of what is found on the way, where a later run goes on. An input that fails stays in $BUILD/found; the program,
+# given that file, repeats the failure.
 set -eu
 seconds=${1:?'usage: run.sh SECONDS [TARGET...]'}
 shift
@@ -12,8 +13,10 @@ build=${BUILD:-$root/build-fuzz}
 targets=${*:-overlap boxes voxelize indexed soup oriented grid files command}
 
 # Kernels without forced inlining compile in seconds; counters of edges alone cost half of what comparisons would.
+# shellcheck disable=SC2086
 test -d "$build" || CC=${CC:-clang} meson setup "$build" "$root" -Dbuildtype=plain -Doptimization=2 -Ddefault_library=static \
-    -Db_sanitize=address,undefined -Db_lundef=false -Dtests=enabled -Dtools=disabled -Dbench=disabled -Dembree=disabled \
+    -Db_sanitize=address,undefined -Db_lundef=false -Dtests=enabled -Dbench=disabled -Dembree=disabled \
+    ${FUZZ_OPTIONS:--Dtools=disabled} \
     "-Dc_args=-U__OPTIMIZE__ -fsanitize-coverage=inline-8bit-counters,pc-table -fno-sanitize-recover=all -gline-tables-only"
 programs=tests/fuzz/seeds.txt
 for target in $targets; do programs="$programs tests/fuzz/fuzz_$target"; done
