@@ -109,7 +109,9 @@ class Formats(support.TestCase):
     def test_text_is_rounded_to_the_nearest(self):
         """Numbers between two floats, and halfway but for their last digit."""
         for text, bits in (("16777217", 0x4B800000), ("16777217.0000000000001", 0x4B800001), ("16777219", 0x4B800002), ("0.1", 0x3DCCCCCD),
-                           ("1e-45", 1), ("7e-46", 0), ("3.4028235677e38", 0x7F7FFFFF), ("+.5e0", 0x3F000000)):
+                           ("1e-45", 1), ("7e-46", 0), ("3.4028235677e38", 0x7F7FFFFF), ("+.5e0", 0x3F000000), ("-0.25E+1", 0xC0200000),
+                           ("0x1.8p1", 0x40400000), ("1.00000005960464", 0x3F800000), ("1.000000059604645", 0x3F800001), ("123456789e-4", 0x4640E6B7),
+                           ("0000000000000000000001.5", 0x3FC00000), ("5.0000000000000000000000000", 0x40A00000)):
             point, triangle = "%s 0 0\n" % text, "3 0 1 2\n"
             for name, content in (("near.ply", meshes.ply_header("ascii", 3, 1).decode() + 3 * point + triangle),
                                   ("near.off", "OFF 3 1 0\n" + 3 * point + triangle)):

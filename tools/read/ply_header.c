@@ -150,7 +150,7 @@ static int refuse_line(const char *path, const char *line)
 
 int ply_header_read(const char *path, const whole_file *file, ply_header *h)
 {
-    words w = words_of(path, file, '\0');
+    words w = words_of(path, file, ' ');
     bool has_format = false;
     h->element_count = h->property_count = 0;
     if (!words_next(&w) || w.word != file->bytes || !words_is(&w, "ply"))

@@ -9,7 +9,7 @@
 
 ply_values ply_values_of(const char *path, const whole_file *file, const ply_header *header)
 {
-    ply_values v = {.path = path, .format = header->format, .words = words_of(path, file, '\0')};
+    ply_values v = {.path = path, .format = header->format, .words = words_of(path, file, ' ')};
     v.words.at += header->size;
     v.at = (const unsigned char *)file->bytes + header->size;
     v.end = (const unsigned char *)file->bytes + file->size;

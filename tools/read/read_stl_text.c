@@ -12,39 +12,34 @@ enum { FACET_BYTES_MIN = 86 };
 static int expect(words *w, const char *due)
 {
     char quoted[16];
+    if (words_next(w) && words_is(w, due))
+        return EXIT_CODE_OK;
     snprintf(quoted, sizeof quoted, "'%s'", due);
-    return words_next(w) && words_is(w, due) ? EXIT_CODE_OK : words_refuse(w, quoted);
-}
-
-static int read_numbers(words *w, float numbers[3], double moved[3])
-{
-    for (int a = 0; a < 3; a++)
-        if (!words_next(w) || !words_coordinate(w, &numbers[a], &moved[a]))
-            return words_refuse(w, "a number");
-    return EXIT_CODE_OK;
+    return words_refuse(w, quoted);
 }
 
 static int read_vertex(words *w, indexed_mesh *m)
 {
     float position[3];
     double moved[3];
-    int code = expect(w, "vertex");
-    if (!code)
-        code = read_numbers(w, position, moved);
-    if (!code)
-        indexed_mesh_add_vertex(position, moved, m);
-    return code;
+    const int code = expect(w, "vertex");
+    if (code)
+        return code;
+    for (int a = 0; a < 3; a++)
+        if (!words_next(w) || !words_coordinate(w, &position[a], &moved[a]))
+            return words_refuse(w, "a coordinate of a vertex");
+    indexed_mesh_add_vertex(position, moved, m);
+    return EXIT_CODE_OK;
 }
 
 /* What follows the word "facet". */
 static int read_facet(words *w, indexed_mesh *m)
 {
-    float normal[3];
-    double moved[3];
     const uint32_t first = (uint32_t)m->vertices;
     int code = expect(w, "normal");
-    if (!code)
-        code = read_numbers(w, normal, moved);
+    for (int a = 0; !code && a < 3; a++)
+        if (!words_next(w))
+            code = words_refuse(w, "a coordinate of a normal");
     if (!code)
         code = expect(w, "outer");
     if (!code)
@@ -73,7 +68,7 @@ static int read_solid(words *w, indexed_mesh *m)
 
 int read_stl_text(const char *path, const whole_file *file, indexed_mesh *m)
 {
-    words w = words_of(path, file, '\0');
+    words w = words_of(path, file, ' ');
     if (!words_next(&w) || !words_is(&w, "solid") || memchr(file->bytes, '\0', file->size))
         return message_failure(
             "%s: truncated, or not an STL file: its size is not the one that its header promises, nor is it text "

@@ -1,17 +1,13 @@
-/* words.c - finds the words of a text, and reads numbers strictly: a word is a number from its first character to its last. */
+/* words.c - finds the words of a text, and says where one is wrong. */
 #include "words.h"
 
-#include <float.h>
 #include <inttypes.h>
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "console/message.h"
 
-/* No double has room for more digits in an integer, and every integer of as many digits is a double. */
-enum { EXACT_DIGITS = 15, SHOWN_MAX = 40 };
+enum { SHOWN_MAX = 40 };
 
 static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
@@ -25,7 +21,7 @@ words words_of(const char *path, const whole_file *file, char comment)
     return (words){.path = path, .text = file->bytes, .end = end, .at = file->bytes, .word = end, .comment = comment};
 }
 
-static bool is_comment(const words *w) { return w->comment && *w->at == w->comment; }
+static bool is_comment(const words *w) { return *w->at == w->comment; }
 
 static void skip_to_line_end(words *w)
 {
@@ -84,54 +80,6 @@ bool words_whole(const words *w, uint64_t *number)
     if (is_negative && *number)
         *number = UINT64_MAX;
     return w->length > is_negative;
-}
-
-bool words_number(const words *w, double *number)
-{
-    uint64_t whole;
-    if (w->length <= EXACT_DIGITS && *w->word != '-' && words_whole(w, &whole)) {
-        *number = (double)whole;
-        return true;
-    }
-    char *end;
-    *number = strtod(w->word, &end);
-    return w->length && end == w->word + w->length;
-}
-
-/* The digits of a decimal number from its first that is not 0, and the value of one in its last place. */
-static int count_digits(const words *w, double *last_place)
-{
-    int digits = 0, decimals = 0;
-    bool is_decimal = false;
-    long exponent = 0;
-    for (size_t i = 0; i < w->length; i++) {
-        const char c = w->word[i];
-        if (c == 'e' || c == 'E') {
-            exponent = strtol(w->word + i + 1, NULL, 10);
-            break;
-        }
-        is_decimal |= c == '.';
-        decimals += is_digit(c) && is_decimal;
-        digits += is_digit(c) && (digits || c != '0');
-    }
-    *last_place = pow(10, (double)exponent - decimals);
-    return digits;
-}
-
-bool words_coordinate(const words *w, float *number, double *moved)
-{
-    char *end;
-    *number = strtof(w->word, &end);
-    *moved = 0;
-    if (!w->length || end != w->word + w->length)
-        return false;
-    double last_place;
-    /* Shorter numbers all come back from their floats. A little more than half, since the numbers compared are rounded, too. */
-    if (w->length > FLT_DIG && isfinite(*number) && count_digits(w, &last_place) > FLT_DIG) {
-        const double distance = fabs(strtod(w->word, NULL) - (double)*number);
-        *moved = distance > 0.501 * last_place ? distance : 0;
-    }
-    return true;
 }
 
 bool words_is_cut(const words *w) { return w->at == w->end; }

@@ -14,7 +14,7 @@ typedef struct words {
     const char *at;   /* what follows the last word */
     const char *word; /* the last word, `length` bytes; none at the end of the text */
     size_t length;
-    char comment; /* starts a comment that ends with its line; NUL: there are no comments */
+    char comment; /* starts a comment that ends with its line; ' ': there are no comments */
 } words;
 
 words words_of(const char *path, const whole_file *file, char comment);
