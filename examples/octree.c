@@ -1,5 +1,5 @@
 /*
- * octree.c - builds an octree over a surface: a triangle belongs to all children that it overlaps.
+ * octree.c - builds an octree over a surface: a triangle belongs to every child that it overlaps.
  *
  *     cc -std=c11 -O2 octree.c $(pkg-config --cflags --libs tribox) -o octree && ./octree
  */
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <tribox.h>
 
-enum { SIDE = 64, TRIANGLES = 2 * SIDE * SIDE, LEVELS = 6, LEAF = 32 /* so few triangles need no children */ };
+enum { SIDE = 64, TRIANGLES = 2 * SIDE * SIDE, LEVELS = 6, LEAF = 32 /* triangles, at most, of a node without children */ };
 static float triangles[TRIANGLES][3][3];
 static size_t all[TRIANGLES]; /* the list of the root: 0, 1, 2, ... */
 
@@ -65,7 +65,7 @@ static void build(const tribox_box *box, const size_t *list, size_t count, int d
         children.hi[a] = bound[1][a];
     }
 
-    /* One call asks all eight about a triangle: bit c of the mask is child c. */
+    /* One call tests a triangle against all eight: bit c of the mask is child c. */
     unsigned char *overlapped = allocate(count, 1);
     for (size_t i = 0; i < count; i++) {
         uint64_t mask;

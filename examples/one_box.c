@@ -1,5 +1,5 @@
 /*
- * one_box.c - which triangles overlap a box? Asked of a mesh of vertices and faces, and of its nine streams.
+ * one_box.c - which triangles overlap a box? For a mesh of vertices and faces, and for its nine streams.
  *
  *     cc -std=c11 -O2 one_box.c $(pkg-config --cflags --libs tribox) -o one_box && ./one_box
  */
@@ -41,12 +41,12 @@ int main(void)
     uint64_t mask[1]; /* tribox_mask_words(TRIANGLES) words */
     tribox_report report;
 
-    /* The mesh as it is: no memory is needed but for the answer. */
+    /* The mesh as it is: only the answer needs memory. */
     check(tribox_overlap_indexed(&mesh, &corner, NULL, mask, &report));
     printf("%zu of %d triangles overlap the box at a corner\n", report.overlapping, TRIANGLES);
     print_mask("indexed", mask);
 
-    /* Its nine streams, for a mesh that is asked often: x[v][i] is the x of vertex v of triangle i. */
+    /* Its nine streams, for a mesh that is tested often: x[v][i] is the x of vertex v of triangle i. */
     static float x[3][TRIANGLES], y[3][TRIANGLES], z[3][TRIANGLES];
     check(tribox_mesh_to_streams(&mesh, 0, TRIANGLES, NULL, (float *[]){x[0], x[1], x[2]}, (float *[]){y[0], y[1], y[2]},
                                  (float *[]){z[0], z[1], z[2]}));
@@ -54,7 +54,7 @@ int main(void)
     check(tribox_overlap(&soup, &corner, NULL, mask, NULL));
     print_mask("streams", mask);
 
-    /* Touching is overlap: this box has a part of the cube's edge in common with it, and no more. */
+    /* Touching is overlap: this box and the cube share a part of an edge, and no more. */
     check(tribox_overlap(&soup, &edge, NULL, mask, NULL));
     print_mask("touching an edge", mask);
     return 0;

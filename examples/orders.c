@@ -1,5 +1,5 @@
 /*
- * orders.c - in which order should the groups of axes be asked? The experiment of the paper's section 3, timed for every order.
+ * orders.c - in which order should the groups of axes be tested? The experiment of the paper's section 3, timed for every order.
  *
  *     cc -std=c11 -O2 orders.c $(pkg-config --cflags --libs tribox) -o orders && ./orders
  */
@@ -41,7 +41,7 @@ int main(void)
     tribox_report report[ORDERS];
     make_soup();
 
-    /* All orders in every round, so that a slow moment of the machine falls on all; the least time of each counts. */
+    /* Every round times all orders, so that a slow moment of the machine hits all of them; the least time of each counts. */
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < ORDERS; k++) {
             const tribox_options options = {.order = order[k]};

@@ -1,5 +1,5 @@
 /*
- * voxels_threads.c - a soup into the cells of a grid, by threads of which each owns some layers; prints a layer.
+ * voxels_threads.c - voxelizes a soup with threads, each of which owns some layers; prints one layer.
  *
  *     cc -std=c11 -O2 voxels_threads.c $(pkg-config --cflags --libs tribox) -pthread -o voxels_threads && ./voxels_threads
  */

@@ -1,4 +1,4 @@
-"""Makes tribox/_ffi.py of the public header, so that the interface is declared in one place: declarations.py HEADER OUTPUT"""
+"""Makes tribox/_ffi.py from the public header, so that the interface is declared in one place: declarations.py HEADER OUTPUT"""
 
 import os
 import re

@@ -64,7 +64,7 @@ def options_of(accuracy, axes, order, kernel):
     """The keywords of a call as tribox_options."""
     try:
         return cached_options(accuracy, axes, order, kernel)
-    except TypeError:  # something that has no hash, and so is no option either
+    except TypeError:  # it has no hash, so it is not an option either
         return new_options(accuracy, axes, order, kernel)
 
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# An example compiles by the line in its first comment, against the installed library, and prints what is known:
+# An example compiles by the line in its first comment, against the installed library, and prints what it should:
 # example.sh EXAMPLE.c EXPECTED.txt
 # In EXPECTED.txt "*" stands for a time or a word that differs between machines.
 . "$(dirname "$0")/../package/installed.sh"

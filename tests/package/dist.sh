@@ -34,12 +34,12 @@ tar -x -C "$work/unpacked" -f "$work/one.tar.xz"
 for file in $(git -C "$work/repository" ls-files); do
     test -e "$work/unpacked/$name/$file" || { echo "$file is not in the tarball" >&2; exit 1; }
 done
-# The library wants a C compiler and meson: nobody has to have CMake for the sake of the CMake package.
+# The library wants a C compiler and meson: the CMake package needs no CMake to be made.
 mkdir "$work/bin"
-printf '#!/bin/sh\necho "CMake is asked for" >&2\ntouch "%s"\nexit 1\n' "$work/asked" >"$work/bin/cmake"
+printf '#!/bin/sh\necho "CMake was run" >&2\ntouch "%s"\nexit 1\n' "$work/asked" >"$work/bin/cmake"
 chmod +x "$work/bin/cmake"
 PATH=$work/bin:$PATH "$MESON" setup "$work/build" "$work/unpacked/$name" $only_library >/dev/null
-test ! -e "$work/asked" || { echo "to configure the library runs CMake" >&2; exit 1; }
+test ! -e "$work/asked" || { echo "configuring the library runs CMake" >&2; exit 1; }
 "$MESON" compile -C "$work/build" >/dev/null
 "$MESON" install -C "$work/build" --no-rebuild --quiet --destdir "$work/root"
 test "$(find "$work/root" -name tribox.h -o -name tribox.3 -o -name tribox.pc -o -name triboxConfig.cmake | wc -l)" = 4

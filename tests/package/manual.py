@@ -62,9 +62,9 @@ def lost_sentences(header, page):
     """Comments of declarations and members whose words do not stand in the page one after another."""
     words = " ".join(words_of_page(page))
     for comment in re.findall(r"(?<=[;,\d]) +/\* (.*?) \*/$|^/\*\*(.*?)\*/", header, re.M | re.S):
-        told = " ".join(re.findall(r"\w+", "".join(comment)))
-        if told not in words:
-            yield f"comment of the header that the page does not have: {told[:100]}"
+        comment_words = " ".join(re.findall(r"\w+", "".join(comment)))
+        if comment_words not in words:
+            yield f"comment of the header that the page does not have: {comment_words[:100]}"
 
 
 text = read(header_path)

@@ -1,9 +1,9 @@
 # snapshot.sh - read by the scripts beside it: a commit of the source tree as it lies, changes that are not committed included.
-# snapshot ROOT REPOSITORY; the test is skipped where there is no git, or where the tree is no clone.
+# snapshot ROOT REPOSITORY; the test is skipped where there is no git, or where the tree is not a clone.
 
 snapshot() {
     if ! command -v git >/dev/null || ! test -e "$1/.git" || ! git -C "$1" rev-parse --verify -q HEAD >/dev/null 2>&1; then
-        echo "the tree is no git clone: skipped"
+        echo "the tree is not a git clone: skipped"
         exit 77
     fi
     mkdir -p "$2"

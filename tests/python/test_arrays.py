@@ -20,7 +20,7 @@ def address(pointer):
 
 
 def aligned_badly(array):
-    """A copy of an array at an address that is no multiple of its item's size."""
+    """A copy of an array at an address that is not a multiple of its item's size."""
     store = np.zeros(array.nbytes + 1, np.uint8)
     copy = store[1:].view(array.dtype).reshape(array.shape)
     copy[...] = array
@@ -39,7 +39,7 @@ class Layouts(cases.TestCase):
         self.assertIn(start_of(triangles), [address(struct.x[0])] if hasattr(struct, "x") else [address(struct.positions)])
 
     def padded(self, dtype_bytes):
-        """Vertices with something of theirs behind x, y, z."""
+        """Vertices with something else after x, y, z."""
         store = np.full((200, 3, dtype_bytes // 4), np.nan, np.float32)
         store[:, :, :3] = self.triangles
         return store[:, :, :3]
@@ -69,7 +69,7 @@ class Layouts(cases.TestCase):
             self.read_in_place(np.load(path, mmap_mode="r"))
 
     def test_one_triangle(self):
-        """The distance to a next triangle is of no account where there is none."""
+        """With one triangle the distance to the next is ignored."""
         for i in range(20):
             one = self.triangles[i::200]
             for one in (one, self.triangles[i:i + 1], self.padded(16)[i::200], np.asfortranarray(one)):

@@ -86,7 +86,7 @@ class Errors(cases.TestCase):
             self.refuse(BadIndexError, "BAD_INDEX", r"faces\[0, 2\] is -2147483648", tribox.overlap, mesh, LO, HI)
 
     def test_no_triangles(self):
-        """What is wrong is told of no triangles, too."""
+        """Errors are reported for no triangles, too."""
         none = np.zeros((0, 3, 3), np.float32)
         for form in (none, tribox.Soup.of(none), tribox.Mesh(none[0:0, 0], np.zeros((0, 3), np.uint32))):
             for call in self.calls:
