@@ -1,5 +1,5 @@
 /* grid.c - whether a grid can be served, its cells as boxes, and which cells an interval touches. */
-#include "grid_planes.h"
+#include "grid_cells.h"
 
 #include <string.h>
 

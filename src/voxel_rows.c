@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "grid_planes.h"
+#include "grid_cells.h"
 #include "settle.h"
 
 void tribox_voxels_settle_open(tribox_voxels *v)

@@ -9,7 +9,7 @@
 
 #include "environment.h"
 #include "finite.h"
-#include "grid_planes.h"
+#include "grid_cells.h"
 #include "voxel_rows.h"
 
 /* One call. */

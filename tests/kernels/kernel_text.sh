@@ -14,7 +14,7 @@ for text in *.h; do
     *) refused="$forbidden|$include" ;;
     esac
     if grep -nE "$refused" "$text"; then
-        echo "src/kernel/$text: an instruction set, which belongs in a word of vec_<isa>.h, or an include, in float.h, double.h or grid.h" >&2
+        echo "src/kernel/$text: an instruction set (make it a word in vec_<isa>.h), or an include outside an umbrella text" >&2
         status=1
     fi
 done

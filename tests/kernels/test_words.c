@@ -12,7 +12,7 @@
 #include "common/arguments.h"
 #include "dispatch.h"
 #include "common/random_draws.h"
-#include "words.h"
+#include "words_lanes.h"
 
 static arguments args;
 

@@ -20,7 +20,7 @@ for definition in "$src"/scalar/vec_scalar*.h; do
     done
     for word in $defined; do
         if ! grep -qE "\<$word\(" "$test"; then
-            echo "$word: not tested; add it to words.h, words_lanes.c and test_words.c" >&2
+            echo "$word: not tested; add it to words_lanes.h, words_lanes.c and test_words.c" >&2
             status=1
         fi
     done

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-#include "words.h"
+#include "words_lanes.h"
 
-_Static_assert(V_LANES <= LANES_MAX, "LANES_MAX in words.h has to grow with the widest vocabulary");
+_Static_assert(V_LANES <= LANES_MAX, "LANES_MAX in words_lanes.h has to grow with the widest vocabulary");
 
 const unsigned lanes_count = V_LANES, lanes_fused = V_FUSED;
 

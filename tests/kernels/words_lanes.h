@@ -1,10 +1,10 @@
 /*
- * words.h - the words of a vocabulary, applied in all lanes by words_lanes.c and judged lane by lane in test_words.c.
+ * words_lanes.h - the words of a vocabulary, applied in all lanes by words_lanes.c and judged lane by lane in test_words.c.
  *
  * With LANES_OF_DOUBLE the vocabulary is the one of double, and has other words in a place or two.
  */
-#ifndef TRIBOX_TESTS_WORDS_H
-#define TRIBOX_TESTS_WORDS_H
+#ifndef TRIBOX_TESTS_WORDS_LANES_H
+#define TRIBOX_TESTS_WORDS_LANES_H
 
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
-/* grid_planes.h - the planes of a grid, and the cells that an interval touches. Call in the environment of environment.h. */
-#ifndef TRIBOX_GRID_PLANES_H
-#define TRIBOX_GRID_PLANES_H
+/* grid_cells.h - the planes of a grid, and the cells that an interval touches. Call in the environment of environment.h. */
+#ifndef TRIBOX_GRID_CELLS_H
+#define TRIBOX_GRID_CELLS_H
 
 #include <stdbool.h>
 
