@@ -164,6 +164,8 @@ static int answer_box(const mesh *m, const request *r, const masks *bits, int ru
     a->triangles = m->soup.count;
     a->left_out = m->left_out;
     a->not_finite = m->not_finite;
+    a->rounded = m->rounded;
+    a->moved = m->moved;
     int code = run_test(m, r, bits, runs, a);
     if (!code && r->wants_list)
         code = report_list(r, a, 0, bits->overlap, m->soup.count);

@@ -3,6 +3,7 @@
 import itertools
 import json
 import math
+import os
 import random
 import struct
 import subprocess
@@ -134,8 +135,11 @@ class Formats(support.TestCase):
                 self.assertNotIn("rounding", result.stderr, number)
         for values, moved in ((struct.pack("<9d", 5108010.25, *[0] * 8), "0.25"), (struct.pack("<9d", *range(9)), None)):
             content = meshes.ply_header("binary_little_endian", 3, 1).replace(b"float", b"double") + values + struct.pack("<B3i", 3, 0, 1, 2)
-            result = support.run("overlap", self.write("doubles.ply", content), "--box", support.UNIT_BOX)
-            self.assertEqual(result.code, 0)
+            path, grid = self.write("doubles.ply", content), os.path.join(self.folder, "grid.raw")
+            for arguments in (("overlap", path, "--box", support.UNIT_BOX), ("voxelize", path, "--resolution", "4", "-o", grid)):
+                result = support.run(*arguments, "--json")
+                answer = json.loads(result.stdout)
+                self.assertEqual((answer["rounded"], answer["moved"]), (1, 0.25) if moved else (0, 0))
             if moved:
                 self.assert_one_line(result.stderr, "coordinates of 1 vertex by up to 0.25")
             else:

@@ -31,6 +31,8 @@ typedef struct answer {
     tribox_box box; /* not with --oriented */
     size_t line;    /* of the boxes file; 0 without one */
     uint64_t triangles, left_out, not_finite;
+    uint64_t rounded; /* vertices that rounding to float has moved */
+    double moved;     /* the most that it has moved a coordinate */
     uint64_t overlapping, undecided, inside;
     int runs;
     double seconds;       /* of the test alone, of the best run */

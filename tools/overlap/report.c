@@ -110,6 +110,8 @@ static void print_json_tail(const request *r, answer *a)
         json_close(j);
     json_whole(j, "triangles", a->triangles);
     json_whole(j, "not_finite", a->not_finite);
+    json_whole(j, "rounded", a->rounded);
+    json_number(j, "moved", 6, a->moved);
     json_whole(j, "overlapping", a->overlapping);
     json_number(j, "share_percent", 6, percent(a, a->overlapping));
     if (r->wants_inside) {

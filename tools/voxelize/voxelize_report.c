@@ -65,6 +65,8 @@ static void print_json(const voxelize_answer *a)
     json_string(&j, "mesh", a->mesh_path);
     json_whole(&j, "triangles", a->triangles);
     json_whole(&j, "not_finite", a->not_finite);
+    json_whole(&j, "rounded", a->rounded);
+    json_number(&j, "moved", 6, a->moved);
     voxelize_json_grid(&j, &a->grid);
     if (a->shard) {
         json_whole(&j, "shard", a->shard);

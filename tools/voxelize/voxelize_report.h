@@ -10,6 +10,8 @@
 typedef struct voxelize_answer {
     const char *mesh_path, *out_path, *preview_path; /* preview_path: NULL for none */
     size_t triangles, not_finite;
+    size_t rounded; /* vertices that rounding to float has moved */
+    double moved;   /* the most that it has moved a coordinate */
     tribox_grid grid;
     uint32_t first, layers;
     uint32_t shard, shards; /* shard 0: the whole */

@@ -30,7 +30,8 @@ static int check_memory(const tribox_grid *grid, uint64_t bytes, uint64_t previe
 static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxels_slab *slab, uint64_t **bits)
 {
     const size_t words = voxels_layer_words(grid) * slab->layers;
-    const int code = check_memory(grid, (uint64_t)words * sizeof **bits, r->result.preview_path ? preview_memory(grid, &r->result.look) : 0);
+    const int code =
+        check_memory(grid, (uint64_t)words * sizeof **bits, r->result.preview_path ? preview_memory(grid, &r->result.look) : 0);
     if (code)
         return code;
     *bits = calloc(words ? words : 1, sizeof **bits); /* a shard may have no layers */
@@ -114,6 +115,8 @@ int voxelize_work(const voxelize_request *r)
     mesh_warn(r->mesh_path, &m);
     a.triangles = m.soup.count;
     a.not_finite = m.not_finite;
+    a.rounded = m.rounded;
+    a.moved = m.moved;
     code = file_out_open(&out, r->result.out_path);
     if (!code) {
         code = file_out_open(&picture, r->result.preview_path);
