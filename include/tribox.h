@@ -124,8 +124,8 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  * How right an answer has to be. CONSERVATIVE and FAST err only within rounding of contact: where, on some axis, the projections of
  * triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a, and
  * m_a the farthest that any point of the triangle is from any point of the box on it. As dot products with the axis, that is less
- * than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and less than 2^-19 (F_x F_y m_z + F_y
- * F_z m_x + F_z F_x m_y) for the triangle's normal.
+ * than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and for the triangle's normal less than
+ * 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-80, where products underflow.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */

@@ -14,7 +14,9 @@ build() {
     source=$work/$1 build=$work/$2
     shift 2
     mkdir -p "$source"
-    for part in include src tools python packaging bench tests README.md meson.build meson_options.txt; do cp -R "$root/$part" "$source"; done
+    for part in include src tools python packaging bench tests README.md meson.build meson_options.txt; do
+        cp -R "$root/$part" "$source"
+    done
     "$MESON" setup "$build" "$source" -Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=1 "$@" >/dev/null
     "$MESON" compile -C "$build" >/dev/null
 }

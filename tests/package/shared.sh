@@ -1,5 +1,5 @@
 #!/bin/sh
-# The shared library has its name, and exports the functions of the header and nothing else. Debian's list of symbols names the same.
+# The shared library has its name, and exports the functions of the header and nothing else. Debian's list of symbols has the same.
 # shared.sh NM READELF LIBRARY ROOT
 set -eu
 nm=$1 readelf=$2 library=$3 root=$4
