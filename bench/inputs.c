@@ -27,7 +27,7 @@ typedef struct forms {
     uint64_t *inside; /* room for a mask */
 } forms;
 
-/* What a contestant is asked: a form of the scene. */
+/* What a contestant answers: a form of the scene. */
 typedef struct input {
     const forms *f;
     const tribox_mesh *mesh;

@@ -1,7 +1,7 @@
 """What a call from Python costs beyond the work: PYTHONPATH=... python3 bench/python_call.py [ROUNDS]
 
 Each row is one way to ask about one triangle. "raw" is the call of the C function with all its arguments made beforehand, and is
-subtracted from the others. Every round runs all rows; of the rounds the least and the median are told, in microseconds.
+subtracted from the others. Every round runs all rows; it prints the least and the median of the rounds, in microseconds.
 """
 
 import statistics

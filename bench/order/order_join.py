@@ -9,7 +9,7 @@ ORDERS = (123, 132, 213, 231, 312, 321)
 DEFAULT_ORDER = 132
 ALL_AXES = 7
 GROUPS = {1: "box", 2: "plane", 4: "edges"}
-LEAST_DIFFERENCE = 1.01  # a ratio below this is no difference, however small the spread
+LEAST_DIFFERENCE = 1.01  # a smaller ratio does not count as a difference, however small the spread
 
 
 def axes_word(axes):

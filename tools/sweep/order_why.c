@@ -148,7 +148,7 @@ static size_t packets_with(uint64_t left, unsigned lanes)
     return packets;
 }
 
-/* A word of 64 pairs: bit i of rejected[k] tells that axis k rejects pair i. */
+/* A word of 64 pairs: bit i of rejected[k] is set if axis k rejects pair i. */
 static void count_packets(why *found, const uint64_t rejected[WHY_AXES], size_t count)
 {
     uint64_t by_group[4] = {0};

@@ -17,7 +17,7 @@ extern const unsigned why_lanes[WHY_WIDTHS];  /* 1, 4, 8, 16 */
 /* The index of a kernel's lanes in why_lanes, by its name; "paper" has one. */
 int why_width_of(const char *kernel);
 
-/* A triangle against a box, in double: bit k tells of axis k. */
+/* A triangle against a box, in double: bit k is for axis k. */
 typedef struct why_axes {
     unsigned apart; /* the axis separates the two */
     unsigned
