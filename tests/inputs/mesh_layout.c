@@ -21,14 +21,23 @@ static guarded fence_of_noise(random_source *r, size_t bytes)
 
 mesh_fences mesh_fences_make(random_source *r)
 {
-    const guarded positions = fence_of_noise(r, LAID_BYTES);
-    return (mesh_fences){positions, fence_of_noise(r, 3 * sizeof(uint32_t) * LAID_TRIANGLES + sizeof(uint32_t))};
+    mesh_fences f = {.positions = fence_of_noise(r, LAID_BYTES)};
+    f.indices = fence_of_noise(r, 3 * sizeof(uint32_t) * LAID_TRIANGLES + sizeof(uint32_t));
+    for (int s = 0; s < 9; s++)
+        f.stream[s] = guarded_make(LAID_TRIANGLES * sizeof(float) + 64);
+    f.mask = guarded_make(LAID_WORDS * sizeof(uint64_t) + 64);
+    f.report = guarded_make(sizeof(tribox_report) + 64);
+    return f;
 }
 
 void mesh_fences_free(mesh_fences f)
 {
     guarded_free(f.positions);
     guarded_free(f.indices);
+    for (int s = 0; s < 9; s++)
+        guarded_free(f.stream[s]);
+    guarded_free(f.mask);
+    guarded_free(f.report);
 }
 
 static unsigned char *place(guarded g, size_t bytes, const layout *l)

@@ -34,10 +34,13 @@ typedef struct layout {
     bool is_at_end; /* positions and indices end at the page behind them, or begin at the page before them */
 } layout;
 
-/* Where a mesh lies. */
+/* Where a mesh lies, and where a call writes: nine streams, a mask, a report, each with 64 bytes to be shifted in. */
 typedef struct mesh_fences {
     guarded positions, indices;
+    guarded stream[9], mask, report;
 } mesh_fences;
+
+enum { LAID_WORDS = LAID_TRIANGLES / 64 + 1 };
 
 mesh_fences mesh_fences_make(random_source *r);
 void mesh_fences_free(mesh_fences f);

@@ -19,9 +19,7 @@ static const char *names[KERNELS_MAX];
 static int kernels;
 
 static mesh_fences fences;
-static guarded out[9], mask_fence;
 
-enum { WORDS = LAID_TRIANGLES / 64 + 1 };
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
 
 static int set_up(void **state)
@@ -29,9 +27,6 @@ static int set_up(void **state)
     (void)state;
     random_source r = random_named(args.seed, "fences");
     fences = mesh_fences_make(&r);
-    for (int s = 0; s < 9; s++)
-        out[s] = guarded_make(sizeof(float) * LAID_TRIANGLES);
-    mask_fence = guarded_make(WORDS * sizeof(uint64_t));
     return 0;
 }
 
@@ -39,9 +34,6 @@ static int tear_down(void **state)
 {
     (void)state;
     mesh_fences_free(fences);
-    for (int s = 0; s < 9; s++)
-        guarded_free(out[s]);
-    guarded_free(mask_fence);
     return 0;
 }
 
@@ -61,7 +53,7 @@ static tribox_status make_streams(const tribox_mesh *mesh, size_t first, size_t 
 {
     float *to[9];
     for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(out[s], count * sizeof(float), AT_END);
+        stream[s] = fenced_place(fences.stream[s], count * sizeof(float), AT_END);
         to[s] = (float *)(void *)stream[s].at;
     }
     say("tribox_mesh_to_streams", kernel, mesh);
@@ -88,7 +80,7 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
 {
     static const tribox_report poison = {12345, 67890};
     tribox_report report = poison;
-    const fenced mask = fenced_place(mask_fence, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
+    const fenced mask = fenced_place(fences.mask, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
     say("tribox_overlap_indexed", kernel, mesh);
     expect_refusal(tribox_overlap_indexed(mesh, &cube, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
     assert_nothing_written(&mask);

@@ -15,7 +15,7 @@
 #include "mesh_layout.h"
 #include "oriented_scenes.h"
 #include "common/kernels_here.h"
-#include "common/settings.h"
+#include "common/float_environment.h"
 
 static arguments args;
 static drawn_numbers numbers;

@@ -21,9 +21,7 @@ static const char *names[KERNELS_MAX];
 static int kernels;
 
 static mesh_fences fences;
-static guarded out[9], mask_fence, report_fence;
 
-enum { WORDS = LAID_TRIANGLES / 64 + 1 };
 static float numbers[9][LAID_TRIANGLES];
 static float *const expected[9] = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
                                    numbers[5], numbers[6], numbers[7], numbers[8]};
@@ -35,10 +33,6 @@ static int set_up(void **state)
     (void)state;
     random_source r = random_named(args.seed, "fences");
     fences = mesh_fences_make(&r);
-    for (int s = 0; s < 9; s++)
-        out[s] = guarded_make(sizeof numbers[s] + 64);
-    mask_fence = guarded_make(WORDS * sizeof(uint64_t) + 64);
-    report_fence = guarded_make(sizeof(tribox_report));
     return 0;
 }
 
@@ -46,10 +40,6 @@ static int tear_down(void **state)
 {
     (void)state;
     mesh_fences_free(fences);
-    for (int s = 0; s < 9; s++)
-        guarded_free(out[s]);
-    guarded_free(mask_fence);
-    guarded_free(report_fence);
     return 0;
 }
 
@@ -69,7 +59,7 @@ static void check_streams(const tribox_mesh *mesh, const tribox_options *options
     fenced stream[9];
     float *to[9];
     for (int s = 0; s < 9; s++) {
-        stream[s] = fenced_place(out[s], count * sizeof(float), place == AT_END ? AT_END : 4 * ((place + s) % 16));
+        stream[s] = fenced_place(fences.stream[s], count * sizeof(float), place == AT_END ? AT_END : 4 * ((place + s) % 16));
         to[s] = (float *)(void *)stream[s].at;
     }
     say("tribox_mesh_to_streams", mesh, options, first, count);
@@ -101,12 +91,12 @@ static void check_answers(const tribox_mesh *mesh, const tribox_box *box, const 
 {
     const tribox_soup soup = expected_soup(mesh->count);
     const size_t bytes = tribox_mask_words(mesh->count) * sizeof(uint64_t);
-    uint64_t want[WORDS];
+    uint64_t want[LAID_WORDS];
     tribox_report wanted;
     assert_int_equal(tribox_overlap(&soup, box, options, want, &wanted), TRIBOX_OK);
 
-    const fenced mask = fenced_place(mask_fence, bytes, place == AT_END ? AT_END : 8 * (place % 8));
-    const fenced report = fenced_place(report_fence, sizeof wanted, place == AT_END ? AT_END : 0);
+    const fenced mask = fenced_place(fences.mask, bytes, place == AT_END ? AT_END : 8 * (place % 8));
+    const fenced report = fenced_place(fences.report, sizeof wanted, place == AT_END ? AT_END : 0);
     say("tribox_overlap_indexed", mesh, options, 0, mesh->count);
     const tribox_status status =
         tribox_overlap_indexed(mesh, box, options, (uint64_t *)(void *)mask.at, (tribox_report *)(void *)report.at);

@@ -12,7 +12,7 @@
 #include "drawn_pairs.h"
 #include "common/guard.h"
 #include "common/kernels_here.h"
-#include "common/settings.h"
+#include "common/float_environment.h"
 
 static arguments args;
 static drawn_numbers numbers;

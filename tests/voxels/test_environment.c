@@ -9,7 +9,7 @@
 #include "common/arguments.h"
 #include "grid_kinds.h"
 #include "common/guard.h"
-#include "common/settings.h"
+#include "common/float_environment.h"
 #include "triangle_kinds.h"
 
 enum { CELLS_MAX = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };

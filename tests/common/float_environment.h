@@ -1,9 +1,9 @@
 /*
- * settings.h - what a caller may have set of the floating-point environment. On x86 all of MXCSR: rounding, FTZ, DAZ, exceptions
- * unmasked, sticky flags; on ARM rounding, flush-to-zero, default NaN, sticky flags; elsewhere rounding.
+ * float_environment.h - what a caller may have set of the floating-point environment. On x86 all of MXCSR: rounding, FTZ, DAZ,
+ * exceptions unmasked, sticky flags; on ARM rounding, flush-to-zero, default NaN, sticky flags; elsewhere rounding.
  */
-#ifndef TRIBOX_TESTS_SETTINGS_H
-#define TRIBOX_TESTS_SETTINGS_H
+#ifndef TRIBOX_TESTS_FLOAT_ENVIRONMENT_H
+#define TRIBOX_TESTS_FLOAT_ENVIRONMENT_H
 
 #include <stdint.h>
 
