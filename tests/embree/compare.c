@@ -34,7 +34,7 @@ static void reserve(candidate_boxes *q, size_t count)
     }
 }
 
-static void ask_about(candidate_boxes *q, const planes *p, const block *candidates, size_t t)
+static void ask_about(candidate_boxes *q, const grid_planes *p, const block *candidates, size_t t)
 {
     q->t = t;
     q->boxes.count = block_cells(candidates);
@@ -45,7 +45,7 @@ static void ask_about(candidate_boxes *q, const planes *p, const block *candidat
         for (at[1] = 0; at[1] < candidates->count[1]; at[1]++)
             for (at[0] = 0; at[0] < candidates->count[0]; at[0]++, number++)
                 for (int a = 0; a < 3; a++) {
-                    const float *const plane = &p->at[a][candidates->first[a] + at[a]];
+                    const float *const plane = &p->plane[a][candidates->first[a] + at[a]];
                     q->bound[a][number] = plane[0];
                     q->bound[3 + a][number] = plane[1];
                 }
@@ -53,7 +53,7 @@ static void ask_about(candidate_boxes *q, const planes *p, const block *candidat
 
 static void breach(const witness *w, answerer *who, size_t t, const int cell[3], bool answer)
 {
-    tribox_pair pair = {.box = planes_cell(w->planes, cell)};
+    tribox_pair pair = {.box = grid_planes_cell(w->planes, cell[0], cell[1], cell[2])};
     memcpy(pair.u, w->model->triangles[t].u, sizeof pair.u);
     *(answer ? &who->unfounded : &who->missed) += 1;
     if (who->breach)

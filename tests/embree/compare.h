@@ -22,7 +22,7 @@ struct answerer {
  */
 size_t compare(const witness *w, answerer *const *answerers, int count, uint64_t *occupied);
 
-/* The same for one pair, also for one that is no candidate. */
+/* The same for one pair, even if it is not a candidate. */
 void compare_pair(const witness *w, answerer *who, size_t t, const int cell[3], bool answer);
 
 #endif

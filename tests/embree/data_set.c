@@ -32,7 +32,7 @@ typedef struct library {
 /* What a data set is checked with. */
 typedef struct check {
     const data_set *d;
-    planes planes;
+    grid_planes planes;
     witness witness;
     streams streams;
     library libraries[LIBRARIES_MAX]; /* EXACT first */
@@ -77,7 +77,7 @@ static void library_breach(answerer *self, const tribox_pair *pair, bool answer)
     library *const l = library_of(self);
     const bool is_right = answer == oracle_overlaps(oracle_separating(pair), TRIBOX_AXES_ALL);
     if (is_right ? l->is_exact_data : !is_forgiven(l, pair, answer)) {
-        fprintf(stderr, "a ray tells otherwise, and the oracle sides with the %s; gap %g\n", is_right ? "library" : "ray",
+        fprintf(stderr, "a ray says otherwise, and the oracle sides with the %s; gap %g\n", is_right ? "library" : "ray",
                 margin_gap(pair));
         fail_pair(&l->where, pair, answer);
     }
@@ -122,7 +122,7 @@ static size_t ask_pairs(check *c)
 /* The same pairs with the loops exchanged: all triangles against one cell. */
 static void ask_cell(check *c, library *l, const int cell[3], uint64_t *mask)
 {
-    const tribox_box box = planes_cell(&c->planes, cell);
+    const tribox_box box = grid_planes_cell(&c->planes, cell[0], cell[1], cell[2]);
     l->where.function = "tribox_overlap";
     ask_soup(&c->streams.soup, &box, &l->where.options, mask);
     for (size_t t = 0; t < c->d->model.count; t++)
@@ -135,7 +135,7 @@ static void ask_cells(check *c)
     for (int k = 0; k < CELLS_ASKED; k++) {
         int cell[3];
         for (int a = 0; a < 3; a++)
-            cell[a] = random_int(&c->r, c->planes.size[a]);
+            cell[a] = random_int(&c->r, (int)c->planes.grid.size[a]);
         for (int i = 0; i < c->count; i++)
             ask_cell(c, &c->libraries[i], cell, mask);
     }

@@ -17,11 +17,11 @@ typedef struct line {
     size_t count;
 } line;
 
-size_t parity_cells(const planes *p) { return (size_t)p->size[0] * (size_t)p->size[1] * (size_t)p->size[2]; }
+size_t parity_cells(const grid_planes *p) { return (size_t)p->grid.size[0] * (size_t)p->grid.size[1] * (size_t)p->grid.size[2]; }
 
-static size_t number_of(const planes *p, const int cell[3])
+static size_t number_of(const grid_planes *p, const int cell[3])
 {
-    return ((size_t)cell[2] * (size_t)p->size[1] + (size_t)cell[1]) * (size_t)p->size[0] + (size_t)cell[0];
+    return ((size_t)cell[2] * (size_t)p->grid.size[1] + (size_t)cell[1]) * (size_t)p->grid.size[0] + (size_t)cell[0];
 }
 
 static float drawn_between(random_source *r, float lo, float hi)
@@ -30,12 +30,12 @@ static float drawn_between(random_source *r, float lo, float hi)
 }
 
 /* False if the line has to be drawn again. */
-static bool cast_line(const planes *p, const model *s, embree_scene *scene, int axis, const float from[3], line *l)
+static bool cast_line(const grid_planes *p, const model *s, embree_scene *scene, int axis, const float from[3], line *l)
 {
     float along[3] = {0};
     along[axis] = 1;
     const embree_hit *hits;
-    l->count = embree_cast(scene, from, along, p->at[axis][p->size[axis]] - from[axis] + p->grid.cell[axis], &hits);
+    l->count = embree_cast(scene, from, along, p->plane[axis][(int)p->grid.size[axis]] - from[axis] + p->grid.cell[axis], &hits);
     if (l->count % 2 || l->count > CROSSINGS_MAX)
         return false;
     int turns = 0;
@@ -59,7 +59,7 @@ static bool is_inside(const line *l, double place)
 }
 
 /* The column of cells along the axis of which `cell` is one. */
-static bool cast_column(const planes *p, const model *s, embree_scene *scene, random_source *r, int axis, int cell[3],
+static bool cast_column(const grid_planes *p, const model *s, embree_scene *scene, random_source *r, int axis, int cell[3],
                         uint8_t *sides, size_t *recasts)
 {
     static line l;
@@ -69,18 +69,19 @@ static bool cast_column(const planes *p, const model *s, embree_scene *scene, ra
         if (tries++ > RECASTS_MAX)
             return false;
         for (int a = 0; a < 3; a++)
-            from[a] = a == axis ? p->at[a][0] - p->grid.cell[a] : drawn_between(r, p->at[a][cell[a]], p->at[a][cell[a] + 1]);
+            from[a] =
+                a == axis ? p->plane[a][0] - p->grid.cell[a] : drawn_between(r, p->plane[a][cell[a]], p->plane[a][cell[a] + 1]);
     } while (!cast_line(p, s, scene, axis, from, &l));
     *recasts += (size_t)(tries - 1);
-    for (cell[axis] = 0; cell[axis] < p->size[axis]; cell[axis]++) {
-        const float *const plane = &p->at[axis][cell[axis]];
+    for (cell[axis] = 0; cell[axis] < (int)p->grid.size[axis]; cell[axis]++) {
+        const float *const plane = &p->plane[axis][cell[axis]];
         sides[number_of(p, cell)] |= (uint8_t)(is_inside(&l, ((double)plane[0] + (double)plane[1]) / 2) << axis);
     }
     cell[axis] = 0;
     return true;
 }
 
-bool parity_cast(const planes *p, const model *s, random_source *r, uint8_t *sides, size_t *recasts)
+bool parity_cast(const grid_planes *p, const model *s, random_source *r, uint8_t *sides, size_t *recasts)
 {
     embree_scene *const scene = embree_scene_make(s->triangles, s->count);
     size_t count = 0;
@@ -88,8 +89,8 @@ bool parity_cast(const planes *p, const model *s, random_source *r, uint8_t *sid
     for (int axis = 0; axis < 3; axis++) {
         const int a = (axis + 1) % 3, b = (axis + 2) % 3;
         int cell[3] = {0};
-        for (cell[a] = 0; cell[a] < p->size[a]; cell[a]++)
-            for (cell[b] = 0; is_closed && cell[b] < p->size[b]; cell[b]++)
+        for (cell[a] = 0; cell[a] < (int)p->grid.size[a]; cell[a]++)
+            for (cell[b] = 0; is_closed && cell[b] < (int)p->grid.size[b]; cell[b]++)
                 is_closed = cast_column(p, s, scene, r, axis, cell, sides, &count);
     }
     embree_scene_free(scene);
@@ -100,7 +101,7 @@ bool parity_cast(const planes *p, const model *s, random_source *r, uint8_t *sid
 
 /* Free cells not yet visited, and those that wait for their neighbours. */
 typedef struct flood {
-    const planes *p;
+    const grid_planes *p;
     const uint8_t *sides;
     uint8_t *is_closed; /* overlapped or visited */
     int (*waiting)[3];
@@ -116,15 +117,16 @@ static void visit(flood *f, const int cell[3])
     f->is_closed[number] = 1;
     f->has_side[f->sides[number] & 1] = true;
     for (int a = 0; a < 3; a++) {
-        f->is_at_border = f->is_at_border || cell[a] == 0 || cell[a] == f->p->size[a] - 1;
+        f->is_at_border = f->is_at_border || cell[a] == 0 || cell[a] == (int)f->p->grid.size[a] - 1;
         f->waiting[f->count][a] = cell[a];
     }
     f->count++;
 }
 
-static bool is_in_grid(const planes *p, const int cell[3])
+static bool is_in_grid(const grid_planes *p, const int cell[3])
 {
-    return cell[0] >= 0 && cell[0] < p->size[0] && cell[1] >= 0 && cell[1] < p->size[1] && cell[2] >= 0 && cell[2] < p->size[2];
+    return cell[0] >= 0 && cell[0] < (int)p->grid.size[0] && cell[1] >= 0 && cell[1] < (int)p->grid.size[1] && cell[2] >= 0 &&
+           cell[2] < (int)p->grid.size[2];
 }
 
 static void flood_from(flood *f, const int start[3])
@@ -143,7 +145,7 @@ static void flood_from(flood *f, const int start[3])
     }
 }
 
-static bool is_overlapped(const planes *p, const uint64_t *occupied, const int cell[3])
+static bool is_overlapped(const grid_planes *p, const uint64_t *occupied, const int cell[3])
 {
     const size_t bit = planes_bit(p, cell);
     return occupied[bit / 64] >> bit % 64 & 1;
@@ -158,20 +160,20 @@ static void judge_cell(flood *f, const int cell[3], parity_verdict *v)
     v->border_inside += f->is_at_border && f->has_side[1];
 }
 
-parity_verdict parity_judge(const planes *p, const uint8_t *sides, const uint64_t *occupied)
+parity_verdict parity_judge(const grid_planes *p, const uint8_t *sides, const uint64_t *occupied)
 {
     const size_t cells = parity_cells(p);
     flood f = {.p = p, .sides = sides, .is_closed = memory_of(cells, 1), .waiting = memory_of(cells, sizeof *f.waiting)};
     parity_verdict v = {0};
     for (size_t number = 0; number < cells; number++) {
         int cell[3];
-        block_cell(&(block){{0, 0, 0}, {p->size[0], p->size[1], p->size[2]}}, number, cell);
+        block_cell(&(block){{0, 0, 0}, {(int)p->grid.size[0], (int)p->grid.size[1], (int)p->grid.size[2]}}, number, cell);
         f.is_closed[number] = is_overlapped(p, occupied, cell);
         v.disagreements += !f.is_closed[number] && sides[number] != 0 && sides[number] != 7;
     }
     for (size_t number = 0; number < cells; number++) {
         int cell[3];
-        block_cell(&(block){{0, 0, 0}, {p->size[0], p->size[1], p->size[2]}}, number, cell);
+        block_cell(&(block){{0, 0, 0}, {(int)p->grid.size[0], (int)p->grid.size[1], (int)p->grid.size[2]}}, number, cell);
         if (is_free(&f, cell))
             judge_cell(&f, cell, &v);
     }

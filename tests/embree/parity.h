@@ -8,7 +8,7 @@
 
 #include "planes.h"
 
-size_t parity_cells(const planes *p);
+size_t parity_cells(const grid_planes *p);
 
 /*
  * One line for every column of cells on each axis, through a drawn point of the column, not near its border. Bit a of sides[cell]
@@ -16,7 +16,7 @@ size_t parity_cells(const planes *p);
  * NULL. False if the mesh is not closed: no line gives both an even count of hits and as many ways in as out. Needs Embree, and a
  * grid that holds the mesh.
  */
-bool parity_cast(const planes *p, const model *s, random_source *r, uint8_t *sides, size_t *recasts);
+bool parity_cast(const grid_planes *p, const model *s, random_source *r, uint8_t *sides, size_t *recasts);
 
 typedef struct parity_verdict {
     size_t disagreements; /* free cells of which the three lines say different things */
@@ -26,6 +26,6 @@ typedef struct parity_verdict {
 } parity_verdict;
 
 /* `occupied` as tribox_voxelize sets it. */
-parity_verdict parity_judge(const planes *p, const uint8_t *sides, const uint64_t *occupied);
+parity_verdict parity_judge(const grid_planes *p, const uint8_t *sides, const uint64_t *occupied);
 
 #endif

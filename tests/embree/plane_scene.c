@@ -10,11 +10,11 @@ typedef struct bounds {
     float lo[3], extent[3];
 } bounds;
 
-static bounds bounds_of(const planes *p, const model *s)
+static bounds bounds_of(const grid_planes *p, const model *s)
 {
     bounds b;
     for (int a = 0; a < 3; a++) {
-        float lo = p->at[a][0], hi = p->at[a][p->size[a]];
+        float lo = p->plane[a][0], hi = p->plane[a][(int)p->grid.size[a]];
         for (size_t t = 0; t < s->count; t++)
             for (int j = 0; j < 3; j++) {
                 lo = fminf(lo, s->triangles[t].u[j][a]);
@@ -40,16 +40,16 @@ static triangle plane_triangle(const bounds *b, int axis, float plane)
     return t;
 }
 
-plane_scene plane_scene_make(const planes *p, const model *s)
+plane_scene plane_scene_make(const grid_planes *p, const model *s)
 {
     const bounds b = bounds_of(p, s);
     plane_scene d = {0};
-    triangle *const triangles = memory_of(3 * (PLANES_CELLS + 1), sizeof *triangles);
+    triangle *const triangles = memory_of(3 * (GRID_PLANES_CELLS + 1), sizeof *triangles);
     int count = 0;
     for (int a = 0; a < 3; a++) {
         d.first[a] = count;
-        for (int i = 0; i <= p->size[a]; i++)
-            triangles[count++] = plane_triangle(&b, a, p->at[a][i]);
+        for (int i = 0; i <= (int)p->grid.size[a]; i++)
+            triangles[count++] = plane_triangle(&b, a, p->plane[a][i]);
     }
     d.scene = embree_scene_make(triangles, (size_t)count);
     free(triangles);

@@ -10,7 +10,7 @@ typedef struct plane_scene {
     int first[3]; /* the triangle that is plane 0 of an axis */
 } plane_scene;
 
-plane_scene plane_scene_make(const planes *p, const model *s);
+plane_scene plane_scene_make(const grid_planes *p, const model *s);
 void plane_scene_free(plane_scene *d);
 
 /* The plane that a triangle of the scene is. */

@@ -2,46 +2,26 @@
 
 #include <math.h>
 
-static tribox_box library_cell(const tribox_grid *grid, int axis, uint32_t c)
+bool planes_make(grid_planes *p, const tribox_grid *grid)
 {
-    return tribox_grid_cell(grid, axis == 0 ? c : 0, axis == 1 ? c : 0, axis == 2 ? c : 0);
-}
-
-bool planes_make(planes *p, const tribox_grid *grid)
-{
-    *p = (planes){.grid = *grid};
-    for (int a = 0; a < 3; a++) {
-        p->size[a] = (int)grid->size[a];
-        if (p->size[a] < 1 || p->size[a] > PLANES_CELLS)
-            return false;
-        p->at[a][0] = library_cell(grid, a, 0).lo[a];
-        for (int c = 0; c < p->size[a]; c++) {
-            const tribox_box cell = library_cell(grid, a, (uint32_t)c);
-            if (cell.lo[a] != p->at[a][c] || !(cell.hi[a] > cell.lo[a]))
+    if (!grid_planes_make(p, grid))
+        return false;
+    for (int a = 0; a < 3; a++)
+        for (uint32_t c = 0; c < grid->size[a]; c++) {
+            const tribox_box cell = tribox_grid_cell(grid, a == 0 ? c : 0, a == 1 ? c : 0, a == 2 ? c : 0);
+            if (cell.lo[a] != p->plane[a][c] || cell.hi[a] != p->plane[a][c + 1])
                 return false;
-            p->at[a][c + 1] = cell.hi[a];
         }
-    }
     return true;
 }
 
-tribox_box planes_cell(const planes *p, const int cell[3])
-{
-    tribox_box box;
-    for (int a = 0; a < 3; a++) {
-        box.lo[a] = p->at[a][cell[a]];
-        box.hi[a] = p->at[a][cell[a] + 1];
-    }
-    return box;
-}
-
 /* How many planes of an axis lie below x, or at it if it is closed. */
-static int planes_below(const planes *p, int axis, double x, bool is_closed)
+static int planes_below(const grid_planes *p, int axis, double x, bool is_closed)
 {
-    int below = 0, above = p->size[axis] + 1;
+    int below = 0, above = (int)p->grid.size[axis] + 1;
     while (below < above) {
         const int middle = (below + above) / 2;
-        const double plane = p->at[axis][middle];
+        const double plane = p->plane[axis][middle];
         if (plane < x || (is_closed && plane == x))
             below = middle + 1;
         else
@@ -50,13 +30,13 @@ static int planes_below(const planes *p, int axis, double x, bool is_closed)
     return below;
 }
 
-span planes_met(const planes *p, int axis, double least, double most)
+span planes_met(const grid_planes *p, int axis, double least, double most)
 {
     const int below = planes_below(p, axis, least, false), until = planes_below(p, axis, most, true);
-    return (span){below > 0 ? below - 1 : 0, until <= p->size[axis] ? until - 1 : p->size[axis] - 1};
+    return (span){below > 0 ? below - 1 : 0, until <= (int)p->grid.size[axis] ? until - 1 : (int)p->grid.size[axis] - 1};
 }
 
-block planes_candidates(const planes *p, const triangle *t)
+block planes_candidates(const grid_planes *p, const triangle *t)
 {
     block b;
     for (int a = 0; a < 3; a++) {
@@ -64,7 +44,7 @@ block planes_candidates(const planes *p, const triangle *t)
         const float most = fmaxf(fmaxf(t->u[0][a], t->u[1][a]), t->u[2][a]);
         const span met = planes_met(p, a, (double)least, (double)most);
         b.first[a] = met.first > 0 ? met.first - 1 : 0;
-        const int last = met.last + 1 < p->size[a] ? met.last + 1 : p->size[a] - 1;
+        const int last = met.last + 1 < (int)p->grid.size[a] ? met.last + 1 : (int)p->grid.size[a] - 1;
         b.count[a] = last >= b.first[a] ? last - b.first[a] + 1 : 0;
     }
     return b;
@@ -92,8 +72,7 @@ void block_cell(const block *b, size_t number, int cell[3])
     cell[2] = b->first[2] + (int)(row / (size_t)b->count[1]);
 }
 
-size_t planes_bit(const planes *p, const int cell[3])
+size_t planes_bit(const grid_planes *p, const int cell[3])
 {
-    const size_t row = (size_t)cell[2] * (size_t)p->size[1] + (size_t)cell[1];
-    return 64 * row * tribox_grid_row_words(&p->grid) + (size_t)cell[0];
+    return 64 * grid_planes_word(p, cell[0], cell[1], cell[2]) + (size_t)cell[0] % 64;
 }

@@ -1,30 +1,21 @@
-/* planes.h - the planes of a grid as the library places them, and the cells between them. */
+/* planes.h - the cells of a grid that a triangle may meet. */
 #ifndef TRIBOX_TESTS_PLANES_H
 #define TRIBOX_TESTS_PLANES_H
 
 #include <stdbool.h>
 
+#include "common/grid_planes.h"
 #include "model.h"
 
-enum { PLANES_CELLS = 128 /* on one axis at most */ };
-
-typedef struct planes {
-    tribox_grid grid;
-    int size[3];
-    float at[3][PLANES_CELLS + 1];
-} planes;
-
-/* Asks the library for every cell. False if two neighbours do not share the very same plane, or planes do not rise. */
-bool planes_make(planes *p, const tribox_grid *grid);
-
-tribox_box planes_cell(const planes *p, const int cell[3]);
+/* By their definition. False if the library places a cell elsewhere, or planes do not rise. */
+bool planes_make(grid_planes *p, const tribox_grid *grid);
 
 /* The closed cells of an axis that [least, most] meets; none if first > last. */
 typedef struct span {
     int first, last;
 } span;
 
-span planes_met(const planes *p, int axis, double least, double most);
+span planes_met(const grid_planes *p, int axis, double least, double most);
 
 /* Some cells of the grid, x fastest. */
 typedef struct block {
@@ -32,7 +23,7 @@ typedef struct block {
 } block;
 
 /* The cells that the bounding box of a triangle meets, and one more on every side; clipped to the grid. */
-block planes_candidates(const planes *p, const triangle *t);
+block planes_candidates(const grid_planes *p, const triangle *t);
 
 static inline size_t block_cells(const block *b) { return (size_t)b->count[0] * (size_t)b->count[1] * (size_t)b->count[2]; }
 
@@ -43,6 +34,6 @@ size_t block_number(const block *b, const int cell[3]);
 void block_cell(const block *b, size_t number, int cell[3]);
 
 /* Where a cell lies among the bits of tribox_voxelize. */
-size_t planes_bit(const planes *p, const int cell[3]);
+size_t planes_bit(const grid_planes *p, const int cell[3]);
 
 #endif

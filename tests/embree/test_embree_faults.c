@@ -19,7 +19,7 @@ enum { SKIPPED = 77, CELLS = 32, DATA_SETS = 6 };
 typedef struct data {
     const char *name;
     model model;
-    planes planes;
+    grid_planes planes;
     witness witness;
     uint8_t *sides; /* which cells lie within; NULL if the mesh is not closed */
 } data;

@@ -10,13 +10,13 @@
 #include "zeroed.h"
 #include "parity.h"
 
-/* A cell that the surface only grazes has one side around it: its absence is no leak. */
+/* A cell that the surface only grazes has one side around it: its absence is not a leak. */
 enum { SKIPPED = 77, REMOVED = 64, LEAKS_LEAST = 56 };
 
 typedef struct mesh {
     const char *name;
     model model;
-    planes planes;
+    grid_planes planes;
     uint64_t *occupied;
     size_t words;
     uint8_t *sides;
@@ -73,7 +73,8 @@ static void check_mesh(mesh m)
         voxelize(&m, kernels[kernel]);
         const parity_verdict v = parity_judge(&m.planes, m.sides, m.occupied);
         printf("%-22s %4d cells, %-8s %zu disagree, %zu components, %zu mixed, %zu inside at the border, %zu lines cast again\n",
-               m.name, m.planes.size[0], kernels[kernel], v.disagreements, v.components, v.mixed, v.border_inside, m.recasts);
+               m.name, (int)m.planes.grid.size[0], kernels[kernel], v.disagreements, v.components, v.mixed, v.border_inside,
+               m.recasts);
         assert_int_equal(v.disagreements + v.mixed + v.border_inside, 0);
         assert_int_equal(v.components, 2);
     }

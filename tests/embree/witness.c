@@ -15,16 +15,16 @@ typedef struct reach {
 } reach;
 
 /* A point that is on a plane of the grid by construction lies in the cells on both sides. */
-static reach reach_of_plane(const planes *p, int axis, int plane)
+static reach reach_of_plane(const grid_planes *p, int axis, int plane)
 {
-    return (reach){plane > 0 ? plane - 1 : 0, plane < p->size[axis] ? plane : p->size[axis] - 1, true};
+    return (reach){plane > 0 ? plane - 1 : 0, plane < (int)p->grid.size[axis] ? plane : (int)p->grid.size[axis] - 1, true};
 }
 
-static reach reach_of_number(const planes *p, int axis, double x, double tolerance)
+static reach reach_of_number(const grid_planes *p, int axis, double x, double tolerance)
 {
     const span met = planes_met(p, axis, x - tolerance, x + tolerance);
-    const bool is_inside = met.first == met.last && (double)p->at[axis][met.first] <= x - tolerance &&
-                           x + tolerance <= (double)p->at[axis][met.first + 1];
+    const bool is_inside = met.first == met.last && (double)p->plane[axis][met.first] <= x - tolerance &&
+                           x + tolerance <= (double)p->plane[axis][met.first + 1];
     return (reach){met.first, met.last, tolerance == 0 || is_inside};
 }
 
@@ -64,7 +64,7 @@ static void mark_vertices(witness *w, size_t t)
 /* Where edge p q crosses a plane of the grid. False beyond the ends of the edge. */
 static bool edge_reach(const witness *w, const float p[3], const float q[3], int axis, int plane, reach at[3])
 {
-    const double rise = (double)q[axis] - (double)p[axis], part = (double)w->planes->at[axis][plane] - (double)p[axis];
+    const double rise = (double)q[axis] - (double)p[axis], part = (double)w->planes->plane[axis][plane] - (double)p[axis];
     if (rise == 0 || part / rise < 0 || part / rise > 1)
         return false;
     at[axis] = reach_of_plane(w->planes, axis, plane);
@@ -119,8 +119,8 @@ static void count_lattice_hit(witness_counts *n, const crossing *c, float embree
 /* A lattice line along the axis, at[a] and at[b] being its planes on the two others. */
 static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach at[3], const float from[3])
 {
-    const planes *const p = w->planes;
-    const float lowest = p->at[axis][0], highest = p->at[axis][p->size[axis]], cell = p->grid.cell[axis];
+    const grid_planes *const p = w->planes;
+    const float lowest = p->plane[axis][0], highest = p->plane[axis][(int)p->grid.size[axis]], cell = p->grid.cell[axis];
     float along[3] = {0};
     along[axis] = 1;
     const embree_hit *hits;
@@ -140,19 +140,19 @@ static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach a
 
 static void cast_lattice(witness *w)
 {
-    const planes *const p = w->planes;
+    const grid_planes *const p = w->planes;
     embree_scene *const scene = embree_scene_make(w->model->triangles, w->model->count);
     for (int axis = 0; axis < 3; axis++) {
         const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-        for (int i = 0; i <= p->size[a]; i++)
-            for (int j = 0; j <= p->size[b]; j++) {
+        for (int i = 0; i <= (int)p->grid.size[a]; i++)
+            for (int j = 0; j <= (int)p->grid.size[b]; j++) {
                 reach at[3];
                 at[a] = reach_of_plane(p, a, i);
                 at[b] = reach_of_plane(p, b, j);
                 float from[3];
-                from[axis] = p->at[axis][0] - p->grid.cell[axis];
-                from[a] = p->at[a][i];
-                from[b] = p->at[b][j];
+                from[axis] = p->plane[axis][0] - p->grid.cell[axis];
+                from[a] = p->plane[a][i];
+                from[b] = p->plane[b][j];
                 cast_lattice_line(w, scene, axis, at, from);
             }
     }
@@ -172,7 +172,7 @@ static void find_candidates(witness *w)
     w->possible = memory_of(w->first_word[count], sizeof *w->possible);
 }
 
-witness witness_make(const planes *p, const model *s, bool is_exact)
+witness witness_make(const grid_planes *p, const model *s, bool is_exact)
 {
     witness w = {.planes = p, .model = s, .is_exact = is_exact};
     find_candidates(&w);

@@ -16,7 +16,7 @@
 
 typedef struct witness_counts {
     size_t solid, soft, ghost; /* lattice hits: inside the triangle; outside by Embree's tolerance; outside by more */
-    size_t grazing;            /* lattice hits whose place Embree knows badly: used all the same, with the place made anew */
+    size_t grazing;            /* lattice hits whose place Embree knows badly: used, with the place recomputed */
     size_t edges, left_out;    /* edge hits; those beyond the edge's end, by the rounding of its direction */
     size_t vertices;           /* in the grid */
     size_t strays;             /* certain marks outside of the triangle's candidates: a fault of this test, always 0 */
@@ -24,7 +24,7 @@ typedef struct witness_counts {
 
 /* One bit for each candidate of each triangle: words first_word[t] .. first_word[t + 1] - 1 are those of triangle t. */
 typedef struct witness {
-    const planes *planes;
+    const grid_planes *planes;
     const model *model;
     bool is_exact; /* the coordinates are small integers of one unit: no tolerance anywhere */
     block *candidates;
@@ -35,7 +35,7 @@ typedef struct witness {
 } witness;
 
 /* Needs Embree. Keeps both arguments. */
-witness witness_make(const planes *p, const model *s, bool is_exact);
+witness witness_make(const grid_planes *p, const model *s, bool is_exact);
 void witness_free(witness *w);
 
 #endif
