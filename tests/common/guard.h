@@ -14,7 +14,7 @@ typedef struct guarded {
 guarded guarded_make(size_t bytes);
 void guarded_free(guarded g);
 
-/* The place where `bytes` end at the page behind. */
+/* The place from which `bytes` end at the page after. */
 void *guarded_tail(guarded g, size_t bytes);
 
 /* From now on a write faults, or no longer does. */

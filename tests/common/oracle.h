@@ -17,7 +17,7 @@
 /* The number of an axis: 0 to 2 the box normals, 3 the triangle's plane, 4 + 3 * i + j the cross product of e_i and edge j. */
 enum { ORACLE_AXES = 13, ORACLE_PLANE = 3, ORACLE_EDGES = 4 };
 
-/* Bit k tells of axis k. An axis of length zero does neither. */
+/* Bit k is about axis k; neither is set for an axis of length zero. */
 typedef struct oracle_axes {
     unsigned apart;    /* the two projections are disjoint */
     unsigned touching; /* they have one end in common, and nothing else */

@@ -3,7 +3,7 @@
  * something is left.
  *
  * A point of the triangle is (b_0 u_0 + b_1 u_1 + b_2 u_2) / (b_0 + b_1 + b_2) with whole weights b_j >= 0. On a half-space its
- * value is the same mean of the vertices' values, so nothing is ever divided, and segments and points are no special case.
+ * value is the same mean of the vertices' values, so nothing is ever divided, and segments and points are not special cases.
  */
 #include "oracle.h"
 

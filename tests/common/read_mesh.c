@@ -74,7 +74,7 @@ static bool read_stl(const file *f, mesh *m)
     enum { HEADER = 84, TRIANGLE = 50, NORMAL = 12, CORNER = 12 };
     const size_t count = f->size >= HEADER ? word_at(f->bytes + 80) : 0;
     if (f->size < HEADER || f->size != HEADER + TRIANGLE * count)
-        return complain(f->path, "is no binary STL file: its size does not fit its count");
+        return complain(f->path, "is not a binary STL file: its size does not fit its count");
     if (!make_room(m, count))
         return complain(f->path, "is too large for the memory");
     for (size_t i = 0; i < count; i++)
@@ -110,7 +110,7 @@ static bool read_ply(const file *f, mesh *m)
     const unsigned char *const vertex = f->bytes + data, *const face = vertex + VERTEX * vertices;
     for (size_t i = 0; i < faces; i++) {
         if (face[FACE * i] != 3)
-            return complain(f->path, "has a face that is no triangle");
+            return complain(f->path, "has a face that is not a triangle");
         for (int j = 0; j < 3; j++) {
             const size_t index = word_at(face + FACE * i + 1 + 4 * j);
             if (index >= vertices)

@@ -1,4 +1,4 @@
-/* real_meshes.h - a test that tries real meshes one after the other. They are not part of the project: without them it is skipped. */
+/* real_meshes.h - a test that tries real meshes in turn. They are not part of the project: without them it is skipped. */
 #ifndef TRIBOX_TESTS_REAL_MESHES_H
 #define TRIBOX_TESTS_REAL_MESHES_H
 

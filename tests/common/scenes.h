@@ -1,4 +1,4 @@
-/* scenes.h - what the tests ask: named kinds of pairs, each made to reach one way to be wrong. */
+/* scenes.h - named kinds of pairs, each made to reach one way of being wrong. */
 #ifndef TRIBOX_TESTS_SCENES_H
 #define TRIBOX_TESTS_SCENES_H
 
@@ -39,7 +39,7 @@ tribox_pair scene_pair(const scene_batch *batch, int k);
 /* Whether a scene answers to a name: its own, its family's, or NULL. */
 bool scene_is_called(const scene *s, const char *name);
 
-/* Whether any scene does; if not, prints the names there are. */
+/* Whether any scene does; if not, prints the known names. */
 bool scene_name_is_known(const char *name);
 
 /* Ordinary geometry: scenes_ordinary.c. */

@@ -1,6 +1,6 @@
 /*
- * inexact_flag.c - what inexact_flag.h says of sums, products and quotients that are exact, and of some that are not. Where the flag is
- * out of reach it may always say no.
+ * inexact_flag.c - what inexact_flag.h says of sums, products and quotients that are exact, and of some that are not. Where the
+ * flag is out of reach it may always say no.
  */
 #include <stdio.h>
 

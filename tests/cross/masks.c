@@ -1,13 +1,13 @@
 /*
  * masks.c - digests of the answers to every scene: what is EXACT has the same ones on every processor, whatever compiled it.
  *
- * Every kernel that runs here is asked, and compared word for word: EXACT with the scalar kernel, FAST and CONSERVATIVE with the first
- * kernel of the same rounding. Depends on nothing.
+ * Every kernel that runs here is compared word for word: EXACT with the scalar kernel, FAST and CONSERVATIVE with the first kernel
+ * of the same rounding. Depends on nothing.
  *
  *   masks [options of arguments.h]         prints a line for each digest: the scene, what of it, the digest
  *   masks FILE [options of arguments.h]    compares them with the lines of the file instead
  *
- * The first form writes masks.txt. With other scenes or tighter margins it has to be written anew; but a new margin may change lines of
+ * The first form writes masks.txt. Other scenes or tighter margins need it rewritten; but a new margin may change lines of
  * CONSERVATIVE and FAST alone.
  */
 #include <inttypes.h>
@@ -169,7 +169,10 @@ static void ask_pairs(const round_of_scene *round, const tribox_options *options
     put_status(to, tribox_overlap_boxes(round->triangle, &round->boxes, options, boxes, NULL));
 }
 
-/* The same triangles by index, the last vertex first, or as nine floats each; a vertex is three floats, or four of which one is idle. */
+/*
+ * The same triangles by index, the last vertex first, or as nine floats each; a vertex is three floats, or four, one of them
+ * unused.
+ */
 static void ask_meshes(const round_of_scene *round, const tribox_options *options, answers *to)
 {
     static float positions[3 * SCENE_TRIANGLES][4];

@@ -1,8 +1,9 @@
 /*
- * test_margins.c - what the margins of src/kernel/margin.h rest on, term by term: pairs for which a term left out is a wrong answer.
+ * test_margins.c - what the margins of src/kernel/margin.h rest on, term by term: pairs for which a term left out is a wrong
+ * answer.
  *
- * Far away, for sets of axes without the box normals: a triangle of which an edge axis or the plane all but touches the box, far off
- * compared with the sizes of both. What is lost there grows with the distance, and the slack does not.
+ * Far away, for sets of axes without the box normals: a triangle of which an edge axis or the plane all but touches the box, far
+ * off compared with the sizes of both. What is lost there grows with the distance, and the slack does not.
  * Vanishing: triangles so small that their normal is a few multiples of the least float, or none; then its sign is anybody's guess.
  */
 #include "common/ask.h"
@@ -52,7 +53,9 @@ static void vertex_of(const tribox_pair *pair, int j, double p[3])
         p[a] = pair->u[j][a];
 }
 
-/* A box of about `size` near a place, whose corner farthest along m lies in the plane m.x = m.p, but for the rounding and the slip. */
+/*
+ * A box of about `size` near a place, whose corner farthest along m lies in the plane m.x = m.p, but for the rounding and the slip.
+ */
 static void put_box(random_source *r, const double m[3], const double p[3], const double place[3], double size, double slip,
                     tribox_box *box)
 {
@@ -165,7 +168,10 @@ static void draw_vanishing(random_source *r, float u[3][3])
             u[j][a] = (float)ldexp(any_of(r, 1), exponent);
 }
 
-/* A vanishing triangle at the origin, and a box far away that is a point of its plane, but for the rounding, or a few ulps about it. */
+/*
+ * A vanishing triangle at the origin, and a box far away that is a point of its plane, but for the rounding, or a few ulps about
+ * it.
+ */
 static void draw_vanishing_far_away(random_source *r, tribox_pair *pair)
 {
     double f[2][3], n[3], place[3], p[3];
@@ -188,10 +194,10 @@ static void draw_vanishing_far_away(random_source *r, tribox_pair *pair)
 }
 
 /*
- * A vanishing triangle outside of an edge of a large box, where one edge axis alone decides. Seen along the box edge, the nearest edge
- * of the triangle rises to the right below the corner of the box, whose rest is above it to the left; the third vertex is lower and
- * farther right. Then the wrong sign of the normal leaves all slacks positive. The corner is at zero, or at numbers as fine as the
- * triangle.
+ * A vanishing triangle outside of an edge of a large box, where one edge axis alone decides. Seen along the box edge, the nearest
+ * edge of the triangle rises to the right below the corner of the box, whose rest is above it to the left; the third vertex is
+ * lower and farther right. Then the wrong sign of the normal leaves all slacks positive. The corner is at zero, or at numbers as
+ * fine as the triangle.
  */
 static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
 {
@@ -221,9 +227,9 @@ static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
 }
 
 /*
- * A vanishing triangle that is edge-on along one axis: on the others its vertices are b and 3 b, so that this component of the normal
- * is zero. But the edges round, and where the two products of it lie on either side of half the least float, they leave one of it.
- * The plane passes an edge of a large box at a distance that is less still.
+ * A vanishing triangle that is edge-on along one axis: on the others its vertices are b and 3 b, so that this component of the
+ * normal is zero. But the edges round, and where the two products of it lie on either side of half the least float, they leave one
+ * of it. The plane passes an edge of a large box at a distance that is less still.
  */
 static void draw_vanishing_edge_on(random_source *r, tribox_pair *pair)
 {
@@ -247,8 +253,9 @@ static void draw_vanishing_edge_on(random_source *r, tribox_pair *pair)
 }
 
 /*
- * The plane's slack and its margin at their most unlike, by a search over triangles and small boxes on their planes: as computed, the
- * slack has the wrong sign and is more than a 64th of the margin. The first where products round, the second where they are fused.
+ * The plane's slack and its margin at their most unlike, by a search over triangles and small boxes on their planes: as computed,
+ * the slack has the wrong sign and is more than a 64th of the margin. The first where products round, the second where they are
+ * fused.
  */
 static const tribox_pair worst_planes[] = {
     {.u = {{-0x1.0930a8p-1f, -0x1.522aacp-1f, 0x1.d59e24p-1f},

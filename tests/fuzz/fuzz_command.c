@@ -11,7 +11,7 @@
 
 enum { WORDS_MAX = 64 };
 
-/* Each word in memory of its own, so that nothing is read behind it. Returns how many there are. */
+/* Each word in memory of its own, so that nothing is read past its end. Returns how many there are. */
 static int split(const char *text, size_t size, char *words[WORDS_MAX + 1])
 {
     int count = 0;

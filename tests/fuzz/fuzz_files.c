@@ -97,7 +97,7 @@ static void read_boxes(bytes b)
         box_file_close(&boxes);
 }
 
-/* Files in a folder of their own, which are written anew for each input. */
+/* Files in a folder of their own, rewritten for each input. */
 enum { FILES = 2 };
 static const char *const endings[FILES] = {".stl", ".part"};
 static char folder[64], file_name[FILES][80];
@@ -214,7 +214,7 @@ static int read_blocks(bytes b, triangle_file *file)
     return code;
 }
 
-/* The first byte tells the format, and whether the file comes by standard input, which has no size. */
+/* The first byte is the format, and whether the file comes through standard input, which has no size. */
 static void read_triangles(bytes b)
 {
     const unsigned choice = b.size ? b.first[0] : 0;

@@ -46,7 +46,7 @@ static void lay_positions(input *in, fuzz_case *q, size_t shift)
     mesh->positions = positions;
 }
 
-/* A byte as a vertex number: most are there, some are just behind the last, few are as large as they can be. */
+/* A byte as a vertex number: most exist, some are just past the last, few are as large as they can be. */
 static uint32_t draw_number(input *in, const tribox_mesh *mesh)
 {
     const unsigned byte = input_byte(in);

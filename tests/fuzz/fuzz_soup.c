@@ -86,7 +86,7 @@ static void check_indices(const uint64_t *mask, size_t count)
             ensure(indices[listed++] == i, "bit %zu is not listed", i);
 }
 
-/* What lies past the count of a mask is of no account. */
+/* What lies past the count of a mask is ignored. */
 static void check_any_indices(input *in)
 {
     const size_t count = input_byte(in);

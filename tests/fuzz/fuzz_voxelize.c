@@ -53,14 +53,14 @@ static bool is_sound(const tribox_grid *grid)
     return true;
 }
 
-/* The bits of a word that are cells: behind the end of a row there are none. */
+/* The bits of a word that are cells: past the end of a row there are none. */
 static uint64_t cells_of_word(const tribox_grid *grid, size_t w)
 {
     const uint32_t rest = grid->size[0] % 64;
     return rest && (w + 1) % tribox_grid_row_words(grid) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
 }
 
-/* The cells, all as boxes, in the order of the words' bits without the gaps behind rows. */
+/* The cells, all as boxes, in the order of the words' bits without the gaps at the ends of rows. */
 static tribox_boxes all_cells(const tribox_grid *grid)
 {
     tribox_boxes cells = {.count = (size_t)grid->size[0] * grid->size[1] * grid->size[2]};

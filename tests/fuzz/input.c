@@ -158,7 +158,7 @@ void input_triangle(input *in, float u[3][3])
         input_remember(in, u[k / 3][k % 3]);
 }
 
-/* Bits of a box's first byte behind those of the way: axis a is flat where bit a is set; NO_ORDER leaves the bounds as drawn. */
+/* Bits of a box's first byte after those of the way: axis a is flat where bit a is set; NO_ORDER leaves the bounds as drawn. */
 enum { NO_ORDER = 8 };
 
 tribox_box input_box(input *in)

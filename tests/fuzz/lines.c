@@ -49,7 +49,7 @@ void lines_forget(void) { said = failed = 0; }
 
 void lines_fit(const char *call, int code)
 {
-    ensure(code >= EXIT_CODE_OK && code <= EXIT_CODE_USAGE, "%s returns %d, which is no exit code", call, code);
+    ensure(code >= EXIT_CODE_OK && code <= EXIT_CODE_USAGE, "%s returns %d, which is not an exit code", call, code);
     ensure(code ? said + failed >= 1 && failed <= 1 : !failed, "%s returns %d after %d failures and %d other lines", call, code,
            failed, said);
 }

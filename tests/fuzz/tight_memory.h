@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* `shift` bytes behind an aligned place. What it holds is all POISON. */
+/* `bytes` bytes, all POISON, `shift` bytes after an aligned place. */
 void *tight_memory(size_t bytes, size_t shift);
 
-/* The words of a mask for so many bits. */
+/* The words of a mask of `bits` bits. */
 uint64_t *tight_mask(size_t bits);
 
 /* Whether nothing was written. */

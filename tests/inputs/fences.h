@@ -8,7 +8,7 @@
 
 enum { POISON = 0xa5 };
 
-/* A place of so many bytes at the end of a fence, or `offset` bytes behind its start; the whole fence is poisoned. */
+/* A place of `bytes` bytes at the end of a fence, or `offset` bytes after its start; the whole fence is poisoned. */
 typedef struct fenced {
     guarded fence;
     unsigned char *at;

@@ -11,7 +11,7 @@
 
 enum { LAID_TRIANGLES = 5000, LAID_BYTES = 8 << 20 };
 
-/* Which vertices the indices name. The last vertex matters: nothing may be read behind it. */
+/* Which vertices the indices name. The last vertex matters: nothing may be read past it. */
 typedef enum index_pattern {
     PATTERN_ORDER,       /* 0, 1, 2, 3, ...: the last vertex comes last */
     PATTERN_REVERSED,    /* the last vertex comes first */
@@ -27,11 +27,11 @@ typedef enum index_pattern {
 
 typedef struct layout {
     size_t count;
-    unsigned index_bytes; /* 0 for none; the pattern is then of no account */
+    unsigned index_bytes; /* 0 for none; the pattern is then ignored */
     size_t stride;        /* as in tribox_mesh: 0 stands for 12 */
     index_pattern pattern;
     int shift;      /* bytes by which positions and indices lie beside an aligned place */
-    bool is_at_end; /* positions and indices end at the page behind them, or begin at the page before them */
+    bool is_at_end; /* positions and indices end at the page after them, or begin after the page before them */
 } layout;
 
 /* Where a mesh lies, and where a call writes: nine streams, a mask, a report, each with 64 bytes to be shifted in. */

@@ -17,7 +17,7 @@ bool oriented_oracle(const float u[3][3], const tribox_oriented_box *box);
 /* Whether the bounding box of the moved triangle meets the box. */
 bool oriented_oracle_bounds(const float u[3][3], const tribox_oriented_box *box);
 
-/* The same two questions with the half lengths changed by so much each; a box that this makes empty is overlapped by nothing. */
+/* The same two questions with each half length changed by `change`; nothing overlaps a box that this makes empty. */
 bool oriented_oracle_within(const float u[3][3], const tribox_oriented_box *box, const double change[3], bool bounds_alone);
 
 /* Triangle and box in hexadecimal floats. */

@@ -229,7 +229,7 @@ static void test_count_zero(void **state)
     EXPECT(of_all, c, TRIBOX_NO_KERNEL);
 }
 
-/* No triangles asked of a mesh that has some, from any of them and from behind the last. */
+/* No triangles asked of a mesh that has some, from each of them and from past the last. */
 static void test_no_triangles_of_a_mesh(void **state)
 {
     (void)state;

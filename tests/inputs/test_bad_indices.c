@@ -1,4 +1,4 @@
-/* test_bad_indices.c - an index that names no vertex, wherever it stands, is told, counted and found, and nothing is written. */
+/* test_bad_indices.c - an index that names no vertex is reported, counted and found wherever it stands, and nothing is written. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -68,7 +68,7 @@ static void check_streams_refused(const tribox_mesh *mesh, size_t first, size_t 
         assert_nothing_written(&stream[s]);
 }
 
-/* The indices beside the range are not looked at. */
+/* The indices outside of the range are not read. */
 static void check_streams_made(const tribox_mesh *mesh, size_t first, size_t count, const char *kernel)
 {
     fenced stream[9];

@@ -109,7 +109,7 @@ static void check(const pair_list *q, const tribox_options *options)
     }
 }
 
-/* Streams of some triangles, each at the page behind it. */
+/* Streams of some triangles, each ending at a page that cannot be touched. */
 static pair_list between_fences(const pair_list *from, size_t first, size_t count)
 {
     pair_list q = {.count = count, .box = from->box};

@@ -165,7 +165,7 @@ static void test_small_counts(void **state)
             }
 }
 
-/* Each pattern with nothing between the last vertex, the last index and the page behind them. */
+/* Each pattern with nothing between the last vertex, the last index and the page after them. */
 static void test_patterns(void **state)
 {
     (void)state;

@@ -20,7 +20,7 @@ static drawn_numbers numbers;
 
 enum { ACCURACIES = TRIBOX_FAST + 1, POISON = 0xa5 };
 
-/* Where things lie in their pages: at the end of them, or a number of floats behind their start. */
+/* Where things lie in their pages: at the end, or a number of floats after the start. */
 enum { AT_END = 16, PLACES };
 
 static struct fences {

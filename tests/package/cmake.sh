@@ -5,7 +5,7 @@
 test -n "$(find "$root" -name triboxConfig.cmake)" || die "no CMake package is installed"
 export CC="${CC##* }" CXX="${CXX##* }" CFLAGS="$SANITIZER" CXXFLAGS="$SANITIZER"
 
-# The package tells its paths from where it lies, so that the installed tree may move.
+# The package finds its paths from its own place, so that the installed tree may move.
 mv "$root" "$root.moved"
 prefix=$root.moved${prefix#"$root"} libdir=$root.moved${libdir#"$root"}
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What README.md tells a reader to type works: readme.sh example|by-hand ROOT LIBDIR
+# What a reader of README.md types works: readme.sh example|by-hand ROOT LIBDIR
 #   example  the first C block with a main compiles without a warning and runs
 #   by-hand  the block that begins with "cc " builds without meson, on x86-64; a program that it makes runs
 set -eu

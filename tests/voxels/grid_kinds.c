@@ -55,7 +55,7 @@ static void draw_units(random_source *r, tribox_grid *grid)
     set_grid(grid, 0, 1);
 }
 
-/* Every plane is exact; so are lattice vertices, and ties abound. */
+/* Every plane is exact; so are lattice vertices, and there are many ties. */
 static void draw_dyadic(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
@@ -158,7 +158,7 @@ static void draw_mixed(random_source *r, tribox_grid *grid)
     grid->origin[high] = ldexpf(grid->origin[high], 100);
 }
 
-/* From one end of the float range to the other: the length of the whole is no float. */
+/* From one end of the float range to the other: the length of the whole is not a float. */
 static void draw_ends_of_range(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {

@@ -120,7 +120,7 @@ static void fail_cell(const request *q, size_t first, size_t count, const int ce
     fail_msg("a cell of scene %s is wrong", q->scene);
 }
 
-/* The place of a bit that differs; false if there is none past the word that *word tells. */
+/* The next bit that differs, from *word on; false if there is none. */
 static bool next_difference(const grid_planes *l, const uint64_t *a, const uint64_t *b, size_t *word, uint64_t *seen, int cell[3])
 {
     for (; *word < l->words; ++*word, *seen = 0) {

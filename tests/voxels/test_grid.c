@@ -139,7 +139,7 @@ static void test_bad_numbers(void **state)
         tribox_grid grid = grid_of(2, 2, 1);
         grid.size[a] = 0;
         assert_refused(&soup, &grid, NULL, TRIBOX_BAD_GRID);
-        /* the last plane is no float, the one before is */
+        /* the last plane is not a float, the one before is */
         grid = grid_of(1, 1, 1);
         grid.size[a] = 3;
         grid.cell[a] = 0x1p126f;

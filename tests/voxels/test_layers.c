@@ -52,7 +52,7 @@ static size_t ask_whole(const tribox_options *options)
     return report.overlapping;
 }
 
-/* The slab's words lie between guards, first against the one behind, then against the one before. */
+/* The slab's words lie between guards, first against the one after, then against the one before. */
 static size_t ask_slab(const tribox_options *options, uint32_t first, uint32_t layers)
 {
     const tribox_soup soup = triangle_list_soup(&triangles);

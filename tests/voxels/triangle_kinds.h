@@ -1,4 +1,4 @@
-/* triangle_kinds.h - what the tests of voxels ask, the other half: named kinds of triangles about a grid, and whole meshes. */
+/* triangle_kinds.h - named kinds of triangles about a grid, and whole meshes. */
 #ifndef TRIBOX_TESTS_TRIANGLE_KINDS_H
 #define TRIBOX_TESTS_TRIANGLE_KINDS_H
 
