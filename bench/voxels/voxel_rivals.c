@@ -38,6 +38,16 @@ static uint64_t *row_of(const tribox_grid *grid, uint64_t *occupied, int j, int 
     return occupied + ((size_t)k * grid->size[1] + (size_t)j) * ((grid->size[0] + 63) / 64);
 }
 
+/* Called for each cell, as the published code is: a function of a box and a triangle. */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static bool
+overlaps(const float center[3], const float half[3], const float triangle[3][3])
+{
+    return paper_overlaps(center, half, triangle, PAPER_ORDER);
+}
+
 void voxelize_cell_by_cell(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
 {
     const float half[3] = {grid->cell[0] / 2, grid->cell[1] / 2, grid->cell[2] / 2};
@@ -53,7 +63,7 @@ void voxelize_cell_by_cell(const tribox_grid *grid, const float (*triangles)[3][
                     float center[3];
                     for (int a = 0; a < 3; a++)
                         center[a] = grid->origin[a] + ((float)at[a] + 0.5f) * grid->cell[a];
-                    row[i / 64] |= (uint64_t)paper_overlaps(center, half, triangles[t], PAPER_ORDER) << i % 64;
+                    row[i / 64] |= (uint64_t)overlaps(center, half, triangles[t]) << i % 64;
                 }
             }
     }
