@@ -1,4 +1,4 @@
-/* cmd_overlap.c - tribox overlap: the triangles of a mesh against one box, oriented or not, or against the boxes of a file. */
+/* cmd_overlap.c - tribox overlap: the triangles of a mesh against one box, oriented or not, or the boxes of a file. */
 #define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 

@@ -53,7 +53,7 @@ class Boxes(support.TestCase):
     def test_no_box(self):
         for content in ("", "# nothing\n\n"):
             path = self.write("boxes.txt", content)
-            self.assertEqual(self.succeed_with_note("note: .*boxes.txt: no box in it", "overlap", self.mesh, "--boxes", path), "")
+            self.assertEqual(self.succeed_with_note("note: .*boxes.txt: there is no box in it", "overlap", self.mesh, "--boxes", path), "")
 
     def test_empty_box_is_noted_with_its_line(self):
         path = self.write("boxes.txt", "0 0 0 1 1 1\n0 0 9 1 1 -1\n")

@@ -116,7 +116,7 @@ class Oriented(Questions):
         for k in range(3):
             half = ["1", "1", "1"]
             half[k] = "-0.5"
-            text = self.succeed_with_note("note: --oriented: half length %d is -0.5, less than 0: an empty box" % (k + 1), "overlap",
+            text = self.succeed_with_note("note: --oriented: half length %d is -0.5: a box of negative size is empty" % (k + 1), "overlap",
                                           self.raw, "--oriented", "0,0,0,%s,1,0,0,0,1,0,0,0,1" % ",".join(half), "--json")
             self.assertEqual(json.loads(text)["overlapping"], 0)
 

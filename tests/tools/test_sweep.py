@@ -191,7 +191,7 @@ class Wrong(support.TestCase):
         for option, most, values in (("--octree", 10, ("0", "11", "-1", "", "3x", " 3", "99999999999999999999")),
                                      ("--grid", 4096, ("0", "4097", "1.5"))):
             for value in values:
-                self.wrong("%s: '%s' is no whole number from 1 to %d" % (option, value, most), "a.obj", option, value)
+                self.wrong("%s: '%s' is not a whole number from 1 to %d" % (option, value, most), "a.obj", option, value)
 
     def test_empty_box(self):
         result = support.run("sweep", "a.obj", "--box", "0,2,0,1,1,1")

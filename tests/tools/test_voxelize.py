@@ -210,7 +210,7 @@ class Files(Voxelize):
         self.assertEqual((kind, tuple(shape[::-1]), {tuple(cell) for cell in found}), ("bool", size, cells))
 
     def test_binvox_wants_cubes(self):
-        self.fail_with(1, "binvox has one length for all sides of a cell, these are 1 x 1 x 2; give one --cell, or choose .npy",
+        self.fail_with(1, "binvox takes cubic cells only, these are 1 x 1 x 2; give --cell one length, or choose .npy",
                        "voxelize", self.mesh, "--cell", "1,1,2", "-o", self.path("no.binvox"))
 
     def test_summary(self):

@@ -53,15 +53,15 @@ class WrongCommandLine(Failures):
 
     def test_values(self):
         for value in ("0", "-1", "1.5", "", "x", "1e3", "9999999999", "8 "):
-            self.wrong("--resolution: '%s' is no whole number from 1 to " % re.escape(value), self.mesh, "--resolution", value)
+            self.wrong("--resolution: '%s' is not a whole number from 1 to " % re.escape(value), self.mesh, "--resolution", value)
         for value in ("0", "257", "two"):
-            self.wrong("--threads: '%s' is no whole number from 1 to 256" % value, self.mesh, "--threads", value)
+            self.wrong("--threads: '%s' is not a whole number from 1 to 256" % value, self.mesh, "--threads", value)
         for value in ("1", "1,2", "1,2,3,4", "0,1,1", "1,2,3,", "1,2,-3", "1 2 3"):
             self.wrong("--size: '%s' is not NX,NY,NZ" % value, self.mesh, "--size", value)
         self.wrong("--cell: 0 is not greater than 0", self.mesh, "--cell", "0")
         self.wrong("--cell: -2 is not greater than 0", self.mesh, "--cell", "1,-2,1")
-        for value, pattern in (("3", "'3' is not I/N, such as 3/8"), ("0/3", "its I: '0' is no whole number from 1 to 3"),
-                               ("4/3", "its I: '4' is no whole number from 1 to 3"), ("1/0", "its N: '0' is no whole number"),
+        for value, pattern in (("3", "'3' is not I/N, such as 3/8"), ("0/3", "its I: '0' is not a whole number from 1 to 3"),
+                               ("4/3", "its I: '4' is not a whole number from 1 to 3"), ("1/0", "its N: '0' is not a whole number"),
                                ("/2", "its I: ''"), ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'")):
             self.wrong("--shard.*" + pattern, self.mesh, "--shard", value)
         self.wrong("--up: 'w' is none of x, y, z, -x, -y, -z", self.mesh, "--up", "w")

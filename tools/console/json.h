@@ -21,7 +21,7 @@ typedef struct json {
 
 /*
  * A writer at the start of a value. In what follows `key` names a member of an object; it is NULL in an array and for the value
- * itself. Whether all of it was written, ferror(to) tells in the end.
+ * itself. ferror(to) says in the end whether all of it was written.
  */
 json json_to(FILE *to);
 
@@ -45,7 +45,7 @@ void json_bool(json *j, const char *key, bool value);
 void json_null(json *j, const char *key);
 void json_whole(json *j, const char *key, uint64_t value);
 
-/* A number to so many significant digits. Neither this nor the next writes NaN or infinity, which JSON has not: they become null. */
+/* A number to `digits` significant digits. NaN and infinity, which JSON does not have, become null; for json_float as well. */
 void json_number(json *j, const char *key, int digits, double value);
 
 /* A float that reads back as the same float. */

@@ -1,4 +1,4 @@
-/* message.h - what the program says beside its answers, one line each on standard error, and what it returns. */
+/* message.h - messages of the program, one line each on standard error, and its exit codes. */
 #ifndef MESSAGE_H
 #define MESSAGE_H
 
@@ -11,7 +11,7 @@
 /* What the program returns to its caller; part of its documented interface. */
 enum exit_code {
     EXIT_CODE_OK = 0,
-    EXIT_CODE_FAILURE = 1, /* a file, memory or the processor refused */
+    EXIT_CODE_FAILURE = 1, /* a file, memory or the output failed */
     EXIT_CODE_USAGE = 2    /* the command line itself is wrong */
 };
 
@@ -21,13 +21,13 @@ void message_set_program(const char *program);
 /* Names the running command in every later message; NULL for the program itself. */
 void message_set_command(const char *command);
 
-/* A line that changes nothing about the exit code: a warning or a note. */
+/* A warning or a note, which leaves the exit code as it is. */
 MESSAGE_FORMAT void message_say(const char *format, ...);
 
 /* The line of a failure. Returns EXIT_CODE_FAILURE. */
 MESSAGE_FORMAT int message_failure(const char *format, ...);
 
-/* The line of a wrong command line, which ends in where to read on. Returns EXIT_CODE_USAGE. */
+/* The line for a wrong command line, which ends with where to find help. Returns EXIT_CODE_USAGE. */
 MESSAGE_FORMAT int message_usage(const char *format, ...);
 
 #endif

@@ -35,7 +35,7 @@ static bool read_number(const char *text, size_t length, const char *where, int 
 
 bool numbers_read(const char *text, const char *where, const char *form, int count, float *numbers)
 {
-    bool is_due = true; /* at the start and behind a comma a number has to follow */
+    bool is_due = true; /* a number must follow, as at the start and after a comma */
     int found = 0;
     for (text += strspn(text, NUMBERS_BLANKS); *text || is_due; text += strspn(text, NUMBERS_BLANKS)) {
         const size_t length = strcspn(text, NUMBERS_BLANKS ",");
@@ -62,7 +62,7 @@ bool numbers_read(const char *text, const char *where, const char *form, int cou
     return true;
 }
 
-/* Reads digits; *end is where they end. Returns 0, which no caller takes, where there are none or too many. */
+/* Reads digits; *end is where they end. Returns 0, which every caller refuses, where there are none or the number is too large. */
 static uint32_t read_digits(const char *text, uint32_t most, const char **end)
 {
     uint64_t number = 0;
@@ -75,7 +75,7 @@ int numbers_read_whole(const char *text, const char *option, uint32_t most, uint
 {
     const char *end;
     *number = read_digits(text, most, &end);
-    return *number && !*end ? EXIT_CODE_OK : message_usage("%s: '%s' is no whole number from 1 to %u", option, text, most);
+    return *number && !*end ? EXIT_CODE_OK : message_usage("%s: '%s' is not a whole number from 1 to %u", option, text, most);
 }
 
 int numbers_read_sizes(const char *text, const char *option, uint32_t most, uint32_t sizes[3])

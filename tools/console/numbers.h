@@ -10,11 +10,11 @@
 
 /*
  * Reads `count` finite numbers, separated by commas or blanks. Returns false after a line on standard error.
- * where: what to call the text in messages, as "--box" or "boxes.txt:7". form: how it is to be written, as "X,Y,Z".
+ * where: what to call the text in messages, such as "--box" or "boxes.txt:7". form: how to write it, such as "X,Y,Z".
  */
 bool numbers_read(const char *text, const char *where, const char *form, int count, float *numbers);
 
-/* Reads the whole number 1 .. most that the text is. Returns an exit_code. option: its name, for messages. */
+/* Reads a text that is one whole number from 1 to most. option: its name, for messages. Returns an exit_code. */
 int numbers_read_whole(const char *text, const char *option, uint32_t most, uint32_t *number);
 
 /* The same for NX,NY,NZ. */

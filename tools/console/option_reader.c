@@ -21,7 +21,7 @@ static void make_tables(const option_entry *table, getopt_tables *made)
     char *letter = made->letters;
     struct option *name = made->names;
     *letter++ = '-'; /* operands come in their order */
-    *letter++ = ':'; /* a missing value is told from an unknown option, and no messages are printed */
+    *letter++ = ':'; /* a missing value differs from an unknown option, and getopt_long prints nothing */
     for (int i = 0; table[i].name; i++) {
         *name++ = (struct option){table[i].name, table[i].takes_value ? required_argument : no_argument, NULL, FIRST + i};
         if (table[i].letter)
@@ -89,7 +89,7 @@ int options_read(int count, char **words, const option_entry *table, option_take
     int code = EXIT_CODE_OK, number;
     *found = (options_found){.seen = 0};
     make_tables(table, &tables);
-    optind = 0; /* starts afresh, though it has run before */
+    optind = 0; /* begin afresh, even after an earlier call */
     while (!code && (number = getopt_long(count, words, tables.letters, tables.names, NULL)) != -1) {
         found->wants_help = number == 'h';
         if (found->wants_help)

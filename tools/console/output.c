@@ -1,4 +1,4 @@
-/* output.c - prints boxes and axes, and sees whether all of it arrived. */
+/* output.c - prints boxes and axes, and checks that all output was written. */
 #include "output.h"
 
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* progress.h - a bar with the time left, on a terminal, for work that takes more than a moment. */
+/* progress.h - a bar on the terminal that shows the time left, for work that takes more than a moment. */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 

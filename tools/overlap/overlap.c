@@ -1,4 +1,4 @@
-/* overlap.c - puts the question of tribox overlap to the library, once for a soup. */
+/* overlap.c - tests a soup against the box of a request. */
 #define _POSIX_C_SOURCE 200809L
 #include "overlap.h"
 
@@ -30,13 +30,13 @@ static tribox_status ask(const request *r, const tribox_soup *soup, const masks 
     return tribox_overlap(soup, box, &r->test, bits->overlap, report);
 }
 
-/* In parts, as the library counts no more than 2^32 bits at once. */
+/* In parts, since the library counts up to 2^32 bits at once. */
 static uint64_t count_bits(const uint64_t *mask, size_t count)
 {
-    const size_t most = (size_t)1 << 30;
+    const size_t part = (size_t)1 << 30;
     uint64_t set = 0;
-    for (size_t first = 0; first < count; first += most)
-        set += tribox_mask_indices(mask + first / 64, count - first < most ? count - first : most, NULL);
+    for (size_t first = 0; first < count; first += part)
+        set += tribox_mask_indices(mask + first / 64, count - first < part ? count - first : part, NULL);
     return set;
 }
 

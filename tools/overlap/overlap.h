@@ -1,4 +1,4 @@
-/* overlap.h - what tribox overlap was asked, and what it found. */
+/* overlap.h - a request of tribox overlap, and its answer. */
 #ifndef OVERLAP_H
 #define OVERLAP_H
 
@@ -8,7 +8,6 @@
 #include "read/triangle_file.h"
 #include "tribox.h"
 
-/* What was asked. */
 typedef struct request {
     const char *mesh_path;
     triangle_format format; /* OTHER: by the name of the mesh */
@@ -21,12 +20,12 @@ typedef struct request {
     bool wants_inside, wants_list, wants_json;
 } request;
 
-/* Bits of triangles: which overlap, and with --inside which of them lie wholly inside; else `inside` is NULL. */
+/* A bit per triangle: which overlap and, with --inside, which of these lie inside; else `inside` is NULL. */
 typedef struct masks {
     uint64_t *overlap, *inside;
 } masks;
 
-/* One box and what was found out about it. */
+/* One box and what was found. */
 typedef struct answer {
     tribox_box box; /* not with --oriented */
     size_t line;    /* of the boxes file; 0 without one */
@@ -35,20 +34,20 @@ typedef struct answer {
     double moved;     /* the most that it has moved a coordinate */
     uint64_t overlapping, undecided, inside;
     int runs;
-    double seconds;       /* of the test alone, of the best run */
-    double total_seconds; /* with reading, where the mesh was streamed; else 0 */
+    double seconds;       /* of the test alone, best run */
+    double total_seconds; /* with reading, where the mesh is streamed; else 0 */
     json json;            /* the object that is being printed */
 } answer;
 
-/* Room for the bits of so many triangles. Returns an exit_code; on success masks_free gives it back. */
+/* Allocates the bits of `count` triangles. Returns an exit_code; on success masks_free frees them. */
 int masks_make(size_t count, bool wants_inside, masks *bits);
 
 void masks_free(masks *bits);
 
-/* Tests triangles once. Adds what is found, and the time, to the answer. Returns an exit_code. */
+/* Tests triangles once and adds counts and time to the answer. Returns an exit_code. */
 int overlap_ask(const request *r, const tribox_soup *soup, const masks *bits, answer *a);
 
-/* Answers about one box while the mesh is read, in memory that does not grow. Closes the file. Returns an exit_code. */
+/* Tests one box while the mesh is read, in constant memory. Closes the file. Returns an exit_code. */
 int overlap_stream(const request *r, triangle_file *file);
 
 #endif

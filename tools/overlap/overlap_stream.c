@@ -1,4 +1,4 @@
-/* overlap_stream.c - reads a block of triangles, tests it, lists it, and forgets it. */
+/* overlap_stream.c - reads a block of triangles, tests it, lists it and forgets it. */
 #define _POSIX_C_SOURCE 200809L
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include "console/progress.h"
 #include "report.h"
 
-/* A block of the file as the library wants it. */
+/* A block of the file as nine streams. */
 typedef struct block {
     float coordinates[9][TRIANGLE_BLOCK];
     float *streams[9]; /* x of the three vertices, y, z */
@@ -38,7 +38,7 @@ static void count_not_finite(block *b, answer *a)
     a->not_finite += count;
 }
 
-/* Ends the work early once nobody can have the list. */
+/* Fails early where the list cannot be written any more. */
 static int answer_block(const request *r, block *b, answer *a)
 {
     int code = overlap_ask(r, &b->soup, &b->bits, a);

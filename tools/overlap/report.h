@@ -5,12 +5,12 @@
 #include "overlap.h"
 
 /*
- * Goes on with the list of an answer, or starts it where first is 0: the numbers of those triangles first .. first + count - 1 whose
+ * Continues the list of an answer, or starts it where first is 0, with the numbers of the triangles first .. first + count - 1 whose
  * bits are set. Returns an exit_code.
  */
 int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count);
 
-/* Ends the answer, or is all of it where no list is wanted, and writes it out. Returns an exit_code. */
+/* Prints the rest of the answer, or all of it where no list is wanted, and flushes the output. Returns an exit_code. */
 int report_end(const request *r, answer *a);
 
 #endif

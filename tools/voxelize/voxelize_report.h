@@ -1,4 +1,4 @@
-/* voxelize_report.h - what tribox voxelize did, for people and as JSON. */
+/* voxelize_report.h - what tribox voxelize found, for people and as JSON. */
 #ifndef VOXELIZE_REPORT_H
 #define VOXELIZE_REPORT_H
 
@@ -21,7 +21,7 @@ typedef struct voxelize_answer {
     double seconds;
 } voxelize_answer;
 
-/* Prints it and writes it out. Returns an exit_code. */
+/* Prints the answer and flushes the output. Returns an exit_code. */
 int voxelize_report(const voxelize_answer *a, bool wants_json);
 
 /* The grid as lines of a summary, and as a member of a JSON object. */

@@ -8,7 +8,7 @@ int volume_check_binvox(const char *path, const tribox_grid *grid)
 {
     if (grid->cell[0] == grid->cell[1] && grid->cell[1] == grid->cell[2])
         return EXIT_CODE_OK;
-    return message_failure("%s: binvox has one length for all sides of a cell, these are %.9g x %.9g x %.9g; give one --cell, or "
+    return message_failure("%s: binvox takes cubic cells only, these are %.9g x %.9g x %.9g; give --cell one length, or "
                            "choose .npy or .raw",
                            path, (double)grid->cell[0], (double)grid->cell[1], (double)grid->cell[2]);
 }
@@ -51,7 +51,7 @@ static void write_header(FILE *to, const tribox_grid *grid, uint32_t side)
             (double)origin[1], (double)origin[2], (double)grid->cell[0] * side);
 }
 
-/* One line along y; up to where the line ends cells are empty. */
+/* One line along y, filled up with empty cells. */
 static void add_line(run *r, const uint64_t *layer, const tribox_grid *grid, uint32_t i, uint32_t side)
 {
     const size_t row_words = tribox_grid_row_words(grid);

@@ -4,7 +4,7 @@
 
 #include "volume.h"
 
-/* The length of magic, version, length and text together; a multiple of 64, as the format asks. */
+/* The length of magic, version, length and text together; a multiple of 64, as the format demands. */
 enum { HEADER = 128, BEFORE_TEXT = 10, CHUNK = 4096 };
 
 static void write_header(FILE *to, const tribox_grid *grid)

@@ -6,7 +6,7 @@
 
 #include "tribox.h"
 
-/* Some layers, laid out as tribox_voxelize_layers writes them. */
+/* Layers as tribox_voxelize_layers writes them. */
 typedef struct voxels_slab {
     uint32_t first, layers;
     const uint64_t *bits;
