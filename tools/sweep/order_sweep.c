@@ -13,12 +13,6 @@ const unsigned sweep_axes[SWEEP_AXES] = {
     TRIBOX_AXES_BOX,   TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE,  TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, TRIBOX_AXES_PLANE,
     TRIBOX_AXES_EDGES, TRIBOX_AXES_PLANE | TRIBOX_AXES_EDGES};
 
-const char *sweep_axes_word(unsigned axes)
-{
-    static const char *const words[] = {"132", "1", "2", "12", "3", "13", "32", "132"};
-    return words[axes];
-}
-
 static void enter(sweep *s, const timing_work *work, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order)
 {
     const tribox_options options = {.accuracy = accuracy, .axes = axes, .order = order, .kernel = kernel};

@@ -15,9 +15,6 @@ typedef struct sweep {
     samples taken;
 } sweep;
 
-/* A choice of axes as its groups in the default order: "132", "13", "2", ... */
-const char *sweep_axes_word(unsigned axes);
-
 extern const unsigned sweep_orders[SWEEP_ORDERS];
 extern const unsigned sweep_default_order;
 extern const tribox_accuracy sweep_accuracies[SWEEP_ACCURACIES]; /* fast, conservative, exact */
