@@ -49,9 +49,13 @@ class Output(support.TestCase):
 class Json(support.TestCase):
     def test_paths(self):
         """Whatever bytes a path has, they can be had back from the object."""
-        names = [b'quote" backslash\\ tab\t line\n', "umlaut \u00fc, euro \u20ac, clef \U0001d11e, end \U0010ffff".encode(), b"byte \xff\x80",
-                 b"cut \xe2\x82", b"cut \xf0\x9d\x84 here", b"overlong \xc0\xaf \xe0\x80\xaf", b"surrogate \xed\xa0\x80\xed\xb0\x80",
-                 b"beyond \xf4\x90\x80\x80 \xf8\x88\x80\x80\x80", bytes(range(1, 47)) + bytes(range(48, 128)), bytes(range(128, 256))]
+        names = [b'quote" backslash\\ tab\t line\n',
+                 "umlaut \u00fc, euro \u20ac, clef \U0001d11e, end \U0010ffff".encode(),
+                 b"byte \xff\x80",
+                 b"cut \xe2\x82", b"cut \xf0\x9d\x84 here", b"overlong \xc0\xaf \xe0\x80\xaf",
+                 b"surrogate \xed\xa0\x80\xed\xb0\x80",
+                 b"beyond \xf4\x90\x80\x80 \xf8\x88\x80\x80\x80",
+                 bytes(range(1, 47)) + bytes(range(48, 128)), bytes(range(128, 256))]
         for name in names:
             path = os.path.join(os.fsencode(self.folder), name)
             with open(path, "wb") as file:

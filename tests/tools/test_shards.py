@@ -75,12 +75,12 @@ class Shards(support.TestCase):
         self.refuse("shard 1 of 3 is missing", *parts[1:])
         self.refuse("shard 2 of 3 is missing", parts[0], parts[2])
         self.refuse("p2.part and .*p2.part are both shard 2 of 3; give each once", *parts, parts[1])
-        self.refuse("do not fit together: they differ in the number of shards", *parts[:2], self.part(3, 4, name="q")[0])
-        self.refuse("do not fit together: they differ in the grid", *parts[:2], self.part(3, 3, name="q", grid=("--cell", "0.3"))[0])
-        self.refuse("do not fit together: they differ in the accuracy", *parts[:2], self.part(3, 3, "--accuracy", "fast", name="q")[0])
-        self.refuse("do not fit together: they differ in the choice of axes", *parts[:2], self.part(3, 3, "--axes", "box", name="q")[0])
+        self.refuse("they differ in the number of shards", *parts[:2], self.part(3, 4, name="q")[0])
+        self.refuse("they differ in the grid", *parts[:2], self.part(3, 3, name="q", grid=("--cell", "0.3"))[0])
+        self.refuse("they differ in the accuracy", *parts[:2], self.part(3, 3, "--accuracy", "fast", name="q")[0])
+        self.refuse("they differ in the choice of axes", *parts[:2], self.part(3, 3, "--axes", "box", name="q")[0])
         other = self.write("other.ply", meshes.ply_binary(meshes.lattice_triangles(60, seed=7)))
-        self.refuse("do not fit together: they differ in the mesh", *parts[:2], self.part(3, 3, mesh=other, name="q")[0])
+        self.refuse("they differ in the mesh", *parts[:2], self.part(3, 3, mesh=other, name="q")[0])
 
     def test_damaged_parts(self):
         first, second = self.parts(2)
@@ -93,7 +93,8 @@ class Shards(support.TestCase):
         for damaged in (data[:-1], data[:96], data + b"\0"):
             self.refuse(r"long.part: damaged: it has %d bytes, shard 2 of 2 has %d; run that shard again" % (len(damaged), len(data)),
                         first, self.write("long.part", damaged))
-        self.refuse("damaged: its header makes no sense; run that shard again", first, self.write("bad.part", data[:20] + b"\7\0\0\0" + data[24:]))
+        self.refuse("damaged: its header makes no sense; run that shard again", first,
+                    self.write("bad.part", data[:20] + b"\7\0\0\0" + data[24:]))
         self.refuse("another byte order", first, self.write("big.part", data[:16] + data[19:15:-1] + data[20:]))
 
     def checksum(self, data):
@@ -116,19 +117,21 @@ class Shards(support.TestCase):
                         self.write("flipped.part", bytes(flipped)))
 
     def test_cells_outside_the_grid(self):
-        """With a checksum that fits, as another program may have written it. The grid has 70 cells along x, 58 bits are not used."""
+        """With a checksum that fits. The grid has 70 cells along x, so that 58 bits of a row are not used."""
         data = volumes.read(self.part(1, 1)[0])
         for at in (96 + 8, 96 + 15, len(data) - 1):
             stray = bytearray(data)
             stray[at] |= 0x80
             stray[88:96] = self.checksum(bytes(stray))
-            self.refuse("stray.part: damaged: it has cells outside the grid; run shard 1 of 1 again", self.write("stray.part", bytes(stray)))
+            self.refuse("stray.part: damaged: it has cells outside the grid; run shard 1 of 1 again",
+                        self.write("stray.part", bytes(stray)))
 
     def test_another_version(self):
         data = bytearray(volumes.read(self.part(1, 1)[0]))
         data[12:13] = b"1"
         data[88:96] = self.checksum(bytes(data))
-        self.refuse("old.part: damaged, or written by another version of tribox; run that shard again", self.write("old.part", bytes(data)))
+        self.refuse("old.part: damaged, or written by another version of tribox; run that shard again",
+                    self.write("old.part", bytes(data)))
 
     def test_gnu_parallel(self):
         parallel = shutil.which("parallel")

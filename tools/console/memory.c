@@ -32,7 +32,7 @@ static uint64_t left_by_system(void)
     return read_number("/proc/meminfo", "MemAvailable:", &kib) ? 1024 * kib : UINT64_MAX;
 }
 
-/* The control group (version 2) that a container sees as the topmost. Cached pages of files count as used there, but are given up on demand. */
+/* The topmost control group (version 2) that a container sees. Cached pages of files count as used, but are given up on demand. */
 static uint64_t left_by_group(void)
 {
     uint64_t limit, used, cached = 0;

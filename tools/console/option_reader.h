@@ -1,4 +1,4 @@
-/* option_reader.h - reads a command line by a table of options, on getopt_long: "--json", "--js", "-j", "--box V", "--box=V", "-bV". */
+/* option_reader.h - reads a command line by a table of options: "--json", "--js", "-j", "--box V", "--box=V", "-bV". */
 #ifndef OPTION_READER_H
 #define OPTION_READER_H
 
@@ -15,8 +15,8 @@ typedef struct option_entry {
 enum { OPTION_OPERAND = -1 };
 
 /*
- * Takes option `which` of the table, with its value if it has one, or OPTION_OPERAND, which is its own value, into a request. Returns an
- * exit_code.
+ * Takes option `which` of the table with its value, if it has one, or OPTION_OPERAND with the operand, into a request.
+ * Returns an exit_code.
  */
 typedef int option_take(void *request, int which, const char *value);
 
@@ -26,8 +26,8 @@ typedef struct options_found {
 } options_found;
 
 /*
- * Takes everything after words[0]. Options and operands come in any order, each option at most once; "--" ends the options. Stops at
- * the first word that is wrong. Returns an exit_code, EXIT_CODE_USAGE after a line on standard error.
+ * Takes everything after words[0]. Options and operands come in any order, each option at most once; "--" ends the options.
+ * Stops at the first word that is wrong. Returns an exit_code, EXIT_CODE_USAGE after a line on standard error.
  */
 int options_read(int count, char **words, const option_entry *table, option_take *take, void *request, options_found *found);
 

@@ -5,8 +5,8 @@
 #include "overlap.h"
 
 /*
- * Continues the list of an answer, or starts it where first is 0, with the numbers of the triangles first .. first + count - 1 whose
- * bits are set. Returns an exit_code.
+ * Continues the list of an answer, or starts it where first is 0, with the numbers of the triangles first .. first + count - 1
+ * whose bits are set. Returns an exit_code.
  */
 int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count);
 

@@ -92,7 +92,7 @@ static bool is_served(const tribox_grid *grid)
     return !tribox_voxelize_layers(&nothing, grid, 0, 0, NULL, &none, NULL);
 }
 
-/* The x axis of this grid is that axis of the other, over the same length with cells as long as `cell`; its other axes are plain. */
+/* A grid whose x axis is axis a of another, as long as there but with cells of the length `cell`; its other axes are plain. */
 static tribox_grid one_axis(const tribox_grid *grid, int a, float cell)
 {
     const double length = (double)plane(grid, a, grid->size[a]) - (double)grid->origin[a];

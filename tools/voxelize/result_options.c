@@ -31,7 +31,8 @@ int result_take(result_request *r, int which, const char *value)
 
 int result_check(result_request *r, const options_found *found, bool takes_part)
 {
-    const bool has_look = options_has(found, RESULT_UP) || options_has(found, RESULT_VIEW) || options_has(found, RESULT_PICTURE_SIZE);
+    const bool has_look =
+        options_has(found, RESULT_UP) || options_has(found, RESULT_VIEW) || options_has(found, RESULT_PICTURE_SIZE);
     if (has_look && !r->preview_path)
         return message_usage("--up, --view and --picture-size need --preview");
     if (r->wants_json && r->is_quiet)

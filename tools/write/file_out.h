@@ -6,8 +6,8 @@
 #include <stdio.h>
 
 /*
- * Until it is kept the file is ".tribox-" and six letters in the folder where it will be; a run that is killed leaves that behind, and
- * whatever stood under the name as it was. Where the name is a symbolic link, the file that it leads to is written.
+ * Until it is kept the file is ".tribox-" and six letters in the folder where it will be; a run that is killed leaves that there,
+ * and whatever stood under the name as it was. Where the name is a symbolic link, the file that it leads to is written.
  */
 typedef struct file_out {
     FILE *stream;     /* NULL when nothing is open */
