@@ -84,7 +84,7 @@ static float fit(const around *a, plane *p, float reach)
 vec picture_normal(const picture_view *v, const uint32_t *seen, int x, int y, vec face)
 {
     const float cell = v->scale;
-    const int step = (int)greatest(1.4f * cell + 0.6f, 1);
+    const int step = (int)greatest(1.1f * cell + 0.6f, 1);
     around a;
     plane p = {0, 0, 0};
     float sum = 0;
