@@ -37,7 +37,8 @@ class BadMeshes(support.TestCase):
 
     def test_no_mesh(self):
         for name in ("notes.txt", "notes.obj", "notes.gltf", "no_ending"):
-            self.refuse(self.write(name, "hello\n"), "not a mesh that libassimp can read, or a damaged one")
+            self.refuse(self.write(name, "hello\n"),
+                        "not a (mesh that libassimp can read, or a damaged one|PLY, OFF, STL or .f32 file)")
         self.refuse(self.write("notes.ply", "hello\n"), "not a PLY file: it does not begin with 'ply'")
         self.refuse(self.write("notes.stl", "hello\n"), "truncated, or not an STL file")
         self.refuse(self.write("notes.off", "hello\n"), "not an OFF file: it does not begin with 'OFF'")

@@ -180,7 +180,7 @@ class RightCommandLine(support.TestCase):
 
     def test_operands_after_the_options(self):
         """A mesh whose name looks like an option."""
-        self.write("--json", meshes.obj([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
+        self.write("--json", meshes.ply_ascii([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
         self.assertIn("mesh         --json\n", self.succeed("overlap", "-b", support.UNIT_BOX, "--", "--json", cwd=self.folder))
 
     def test_ends_of_the_float_range(self):
