@@ -170,6 +170,12 @@ class Preview(support.TestCase):
             for a, b in zip(self.picture("--cell", cell, *SIDE).bounds(), cubes):
                 self.assertAlmostEqual(a, b, delta=4, msg=cell)
 
+    def test_bar_from_its_end(self):
+        bar = self.write("bar.obj", meshes.obj(box((0, 0, 0), (0.5, 1500, 0.5))))
+        for cell in ("1", "1,1,0.000001"):
+            self.assertTrue(self.picture("--cell", cell, "--size", "1,1501,1", *SIDE, mesh=bar).rows)
+        self.assertTrue(self.picture("--cell", "1", *SIDE, mesh=bar).clay)
+
     def test_names(self):
         for name in ("p.jpg", "png", ".png", ""):
             self.fail_with(2, "--preview: '%s' does not end in .png" % name, "voxelize", self.mesh, "--cell", "1", "-o", "x.npy",

@@ -79,9 +79,11 @@ void picture_view_draw(const picture_view *v, const picture_faces *f, uint32_t *
 {
     for (int a = 0; a < 3; a++) {
         const int side = v->toward.at[a] > 0;
-        if (fabsf(v->toward.at[a]) < 1e-5f)
+        if (fabsf(v->toward.at[a]) < 1e-4f)
             continue; /* seen edge on */
         const shape s = shape_of(v, f, a, side);
+        if (!isfinite(s.slope[0]) || !isfinite(s.slope[1]))
+            continue; /* cells so flat that the face is a line */
         for (size_t i = 0; i < f->count[a][side]; i++)
             fill(v, &s, &f->list[a][side][i], seen);
     }

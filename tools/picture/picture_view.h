@@ -32,9 +32,12 @@ static inline vec picture_view_place(const picture_view *v, vec point)
     return vec_sum(1, vec_sum(p.at[0], v->axis[0], p.at[1], v->axis[1]), p.at[2], v->axis[2]);
 }
 
-/* What a point shows, so that the greater of two is the nearer: 0 where there is nothing, else its depth and the axis of a face. */
-enum { PICTURE_DEPTH_STEPS = 4096 };
-static inline uint32_t picture_seen(float depth, int axis) { return (uint32_t)(depth * PICTURE_DEPTH_STEPS) << 2 | (uint32_t)axis; }
+/* What a point shows at a depth up to PICTURE_DEPTH_MAX, so that the greater of two is the nearer: 0 where there is nothing, else its depth and the axis of a face. */
+enum { PICTURE_DEPTH_STEPS = 4096, PICTURE_DEPTH_MAX = 1 << 17 };
+static inline uint32_t picture_seen(float depth, int axis)
+{
+    return (uint32_t)(greatest(depth, 1) * PICTURE_DEPTH_STEPS) << 2 | (uint32_t)axis;
+}
 static inline float picture_seen_depth(uint32_t seen) { return (float)(seen >> 2) / PICTURE_DEPTH_STEPS; }
 static inline int picture_seen_axis(uint32_t seen) { return (int)(seen & 3); }
 

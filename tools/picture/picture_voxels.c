@@ -195,7 +195,8 @@ static void fit_view(picture_view *v, const picture_faces *f)
         }
     }
     const float width = (float)v->width, height = (float)v->height;
-    const float scale = margin * least(width / greatest(hi.at[0] - lo.at[0], 1), height / greatest(hi.at[1] - lo.at[1], 1));
+    const float fitting = margin * least(width / greatest(hi.at[0] - lo.at[0], 1), height / greatest(hi.at[1] - lo.at[1], 1));
+    const float scale = least(fitting, 0.9f * PICTURE_DEPTH_MAX / greatest(hi.at[2] - lo.at[2], 1)); /* a bar seen from its end */
     const vec middle = {{0.5f * (lo.at[0] + hi.at[0]), 0.5f * (lo.at[1] + hi.at[1]), lo.at[2]}};
     picture_view_adjust(v, scale, middle, (vec){{0.5f * width, 0.5f * height, 1}});
 }
