@@ -50,7 +50,8 @@ static float magnitude(float x) { return x < 0 ? -x : x; }
 
 /*
  * No two planes are the same float. Planes lie within half a spacing of floats of their exact places, so cells of two spacings are
- * safe. Of finer grids every plane is compared with the last: some ten million at most, since then two must coincide.
+ * safe. In finer grids every plane is compared with the one before: 2^25 or so at most, as two must coincide by then (PROOFS.md
+ * 7.2).
  */
 static bool has_rising_planes(const tribox_grid *grid, int a)
 {
@@ -81,7 +82,7 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
 /*
  * The cell, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below the first cell
  * that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid, is a double
- * (PROOFS.md 7.3).
+ * (PROOFS.md 7.2, 7.3).
  */
 static int64_t cell_near(const tribox_grid *grid, int a, float x)
 {

@@ -77,7 +77,8 @@ enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /*
  * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
- * (x_j is the x of vertex j), then lo and hi. All are finite, and no pair is apart on a box normal if the axes have BOX.
+ * (x_j is the x of vertex j), then lo and hi. No pair is apart on a box normal if the axes have BOX. The answer about a pair with a
+ * number that is not finite means nothing: the caller drops it.
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {

@@ -1,9 +1,9 @@
 /*
  * voxelize.c - a soup into the cells of a grid: triangles sorted by the cells that their bounding boxes touch.
  *
- * The kernel finds those cells for a word of triangles at a time. A triangle whose box spans cells on one axis at most overlaps
- * them all, as it is connected (PROOFS.md 7.4). The others wait in strips, one for each shape; the kernel limits them row after row
- * (voxel_rows.c). Cells that rounding leaves open are settled by their own boxes, unless they are already set.
+ * The kernel finds those cells for a word of triangles at a time. If they are more than one on a single axis at most, the triangle
+ * overlaps them all, as it is connected (PROOFS.md 7.4). The others wait in strips, one for each shape; the kernel limits them row
+ * after row (voxel_rows.c). Cells that rounding leaves open are settled by their own boxes, unless they are already set.
  */
 #include <math.h>
 

@@ -2,7 +2,7 @@
  * frame.h - triangles moved into the frame of an oriented box, q_k = axis_k . (u - center), and a bound on what that rounds.
  * After: axes.h. Needs: V_ETA.
  *
- * The bound. d = u - center is rounded once, then two or three products and two sums, fused or not: four roundings on the longest
+ * The bound. d = u - center is rounded once, then three products and two sums are, fused or not: four roundings on the longest
  * path, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Used is 8 u S_k, from the largest
  * |d_a| of the three vertices, plus V_ETA (PROOFS.md 8.1).
  */

@@ -4,8 +4,8 @@
  */
 
 /*
- * The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A difference to itself is zero, or NaN and no
- * order.
+ * The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A number minus itself is zero if it is finite,
+ * and NaN, for which no comparison is true, if it is not.
  */
 TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
 {

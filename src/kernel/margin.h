@@ -4,9 +4,9 @@
  *
  * Both come from the sum of the extents. With s = F_x + F_y + F_z and h the longest side of the box, PROOFS.md 4 has
  *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h)
- * for the lanes that the box normals leave. So the bound on the plane, 48 u S, is at most s times that on the edges, 32 u B_i; 34
- * in place of 32 makes room for the roundings of these lines. s is taken as sigma >= s, the sum over the axes of |f_0a| + |f_1a|,
- * which is not finite if any coordinate is not.
+ * for the lanes that the box normals leave. So the bound on the plane, 48 u S, is at most s times that on the edges, 32 u B_i,
+ * but for tau; 34 in place of 32 makes room for the roundings of these lines. s is taken as sigma >= s, the sum over the axes of
+ * |f_0a| + |f_1a|, which is not finite if any coordinate is not.
  *
  * Where the box normals are not tested, h grows by the sum of the |V_0a| (PROOFS.md 4.5).
  */
@@ -18,15 +18,16 @@ typedef struct lane_margin {
 /* The terms of a margin that come from the box alone. */
 typedef struct lane_box_margin {
     vnum most;  /* of sigma */
-    vnum least; /* of every |f_0a| + |f_1a| but zero, for a certificate of overlap: negative where extents do not matter */
+    vnum least; /* of every |f_0a| + |f_1a| but zero, for a certificate of overlap: at most 0 where extents do not matter */
     vnum edges; /* of the coefficient of sigma */
     vnum eta;   /* of the plane, tau included */
 } lane_box_margin;
 
 /*
- * The certificate needs F_a >= 2^-55, but only where a bound of the box lies between the least and the greatest u_ja: elsewhere the
- * box spans the triangle on axis a, and no edge separates in a projection that has it. Two floats less than 2^-55 apart are below
- * 2^-31, so for a box without a bound that small, extents do not matter: the result is then negative (PROOFS.md 5.2).
+ * The certificate needs F_a >= 2^-55, but only where a bound of the box lies between the least and the greatest u_ja or is one of
+ * them: elsewhere the box spans the triangle on axis a, and no edge separates in a projection that has it. Two floats less than
+ * 2^-55 apart are below 2^-31, so for a box without a bound that small, extents do not matter: the result is then at most 0
+ * (PROOFS.md 5.2).
  */
 TRIBOX_INLINE vnum least_extent(const lane_box *box)
 {

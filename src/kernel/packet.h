@@ -2,7 +2,7 @@
  * packet.h - one packet of V_LANES pairs at one accuracy and in one sequence of groups, both constants.
  * After: axes.h, margin.h, ties.h.
  *
- * FAST takes the sign of a slack for its truth (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
+ * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
  * lane that has a slack within it to the next stage (doubles.h). What each accuracy needs for a hit is a table in PROOFS.md 5.3.
  */
 

@@ -11,15 +11,15 @@
  * both ends:
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
- * Error bounds (PROOFS.md 7.2, 7.6). With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, the size of g - X, a
- * place and the plane that it is compared with are off by at most E_a = error_a + 2^-49 F_a together, and the left side of every
- * a_ij by
+ * Error bounds (PROOFS.md 7.2, 7.6). With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, |g - X| <= 3 R_a
+ * (<= R_a unless planes are nearly as close as floats). A place and the plane that it is compared with are off by at most
+ * E_a = error_a + 2^-49 F_a together, and the left side of every a_ij by
  *   W_i = F_b (E_a + 2^-44 R_a) + F_a (E_b + 2^-44 R_b)
  * where 2^-44, 512 u at u = 2^-53, covers the roundings of these lines and a sign of n_i that they turn. The plane is off by at
  * most
  *   sum of |n_a| E_a + 2^-43 S     S = sum of F_a F_b R_i
  * Divided by |m_x| or |n_x| these bound a limit. Where n_x is below 2^-46 S / R_x, that is used in its place, which moves the plane
- * by 2^-46 S (PROOFS.md 7.7). FAST keeps 2^-43 S: without it a segment, whose n is zero, would be lost.
+ * by at most 3 * 2^-46 S (PROOFS.md 7.7). FAST keeps 2^-43 S: without it a segment, whose n is zero, would be lost.
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */

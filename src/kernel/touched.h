@@ -13,7 +13,10 @@ TRIBOX_INLINE vnum rounded(vnum a)
     return v_sub(v_add(a, shift), shift);
 }
 
-/* The cell of a place, its floor: -1 for everything below the grid, size for everything above it. */
+/*
+ * The cell of a place, its floor (of a whole place that cell or the one before, PROOFS.md 7.3): -1 for everything below the grid,
+ * size for everything above it.
+ */
 TRIBOX_INLINE vnum cell_of(vnum place, vnum size)
 {
     const vnum half = v_splat(0.5);
