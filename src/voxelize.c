@@ -19,7 +19,7 @@ typedef struct voxelization {
     tribox_strip strips[TRIBOX_SHAPES]; /* triangles that wait for their rows */
 } voxelization;
 
-/* The rows of a strip, which is empty then. */
+/* Sets the rows of a strip's triangles, and empties the strip. */
 static void set_strip(voxelization *call, tribox_shape shape)
 {
     const tribox_plan *const plan = &call->voxels.plan;

@@ -14,8 +14,8 @@ typedef struct tribox_oriented_pair {
 bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes);
 
 /*
- * The numbers of such a pair as integers. Positions are in a unit of theirs and axes in theirs; a coordinate in the frame, axis
- * times position, times 2^shift is in the unit of the half lengths.
+ * The numbers of such a pair as integers. Positions have one unit and axes another; a coordinate in the frame, axis times position,
+ * times 2^shift is in the unit of the half lengths.
  */
 typedef struct tribox_oriented_integers {
     tribox_integer position[12]; /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, then the center */
