@@ -128,8 +128,8 @@ static int check_request(const request *r)
     if (boxes != 1)
         return message_usage(boxes ? "--box, --boxes and --oriented exclude each other"
                                    : "no box given: --box, --boxes or --oriented is needed");
-    if (is_stdin && r->format == TRIANGLES_OTHER)
-        return message_usage("standard input needs its format: --format stl or --format f32");
+    if (triangle_format_check(r->mesh_path, r->format))
+        return EXIT_CODE_USAGE;
     if (is_stdin && r->boxes_path)
         return message_usage("--boxes needs the mesh as a file, since each box is tested against it");
     if (r->boxes_path && r->wants_list && !r->wants_json)

@@ -20,8 +20,9 @@ static const char help[] = "tribox voxelize - which cells of a grid does a mesh 
                            "       tribox voxelize MESH ... --shard I/N -o FILE.part [OPTION...]\n"
                            "\n"
                            "Marks the cells of the surface, not those that it encloses. Cells are closed: a face on a plane of\n"
-                           "the grid is in the cells of both sides. MESH is a file as for 'tribox overlap'.\n"
+                           "the grid is in the cells of both sides. MESH is as for 'tribox overlap'.\n"
                            "\n"
+                           "      --format WORD       stl or f32, whatever the name of MESH; standard input needs it\n"
                            "  -r, --resolution N      N cubic cells along the longest side of the mesh\n"
                            "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n"
                            "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n"
@@ -35,10 +36,12 @@ static const char help[] = "tribox voxelize - which cells of a grid does a mesh 
                            "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n"
                            "  tribox voxelize part.stl --cell 0.5 --origin -100,-100,0 --size 400,400,200 -o part.raw\n"
                            "  parallel tribox voxelize big.ply --resolution 4096 --shard {}/8 -o big.{}.part ::: $(seq 8)\n"
-                           "  tribox merge big.*.part -o big.raw\n";
+                           "  tribox merge big.*.part -o big.raw\n"
+                           "  generate | tribox voxelize - --format f32 -r 64 -o out.npy\n";
 
 enum {
-    OPTION_RESOLUTION = RESULT_END,
+    OPTION_FORMAT = RESULT_END,
+    OPTION_RESOLUTION,
     OPTION_CELL,
     OPTION_ORIGIN,
     OPTION_SIZE,
@@ -50,6 +53,7 @@ enum {
 };
 
 static const option_entry options[] = {RESULT_ENTRIES,
+                                       [OPTION_FORMAT] = {"format", 0, true},
                                        [OPTION_RESOLUTION] = {"resolution", 'r', true},
                                        [OPTION_CELL] = {"cell", 'c', true},
                                        [OPTION_ORIGIN] = {"origin", 0, true},
@@ -95,6 +99,8 @@ static int take(void *request, int which, const char *value)
     switch (which) {
     case OPTION_OPERAND:
         return options_take_mesh(value, &r->mesh_path);
+    case OPTION_FORMAT:
+        return triangle_format_read(value, &r->format);
     case OPTION_RESOLUTION:
         return numbers_read_whole(value, "--resolution", CELLS_MAX, &r->grid.resolution);
     case OPTION_CELL:
@@ -122,6 +128,8 @@ static int check_request(voxelize_request *r, const options_found *found)
     const char *out = r->result.out_path;
     if (!r->mesh_path)
         return message_usage("no mesh file given");
+    if (triangle_format_check(r->mesh_path, r->format))
+        return EXIT_CODE_USAGE;
     if (has_resolution == has_cell)
         return message_usage(has_cell ? "--resolution and --cell exclude each other"
                                       : "no grid given; give --resolution or --cell");

@@ -126,9 +126,12 @@ class Streams(support.TestCase):
         for form, pack in PACKED.items():
             with self.fed(path, pack(TRIANGLES)):
                 self.assertEqual(self.ask(path, "--format", form, "--box", support.UNIT_BOX)[0]["triangles"], len(TRIANGLES))
-        with self.fed(path, b""):
-            self.fail_with(1, "fifo: is not a regular file, and the whole mesh is needed; save it", "overlap", path, "--format", "f32",
-                           "--boxes", "-")
+            with self.fed(path, pack(TRIANGLES)):
+                answer, _ = self.ask(path, "--format", form, "--boxes", "-", stdin=support.UNIT_BOX.encode())
+            self.assertEqual(answer["triangles"], len(TRIANGLES))
+        for question in (("--boxes", "-"), ("--box", support.UNIT_BOX)):
+            with self.fed(path, b""):
+                self.fail_with(1, "fifo: no triangles in it", "overlap", path, "--format", "f32", *question)
 
     def test_printed_as_they_come(self):
         """The numbers of a block are there before the next block is sent."""

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "console/memory.h"
 #include "console/message.h"
 #include "readers.h"
 #include "words.h"
@@ -40,6 +41,15 @@ static reader *find_reader(const char *path, const whole_file *file)
     return NULL;
 }
 
+static void point_streams(mesh *m)
+{
+    for (size_t v = 0; v < 3; v++) {
+        m->soup.x[v] = m->coordinates + v * m->capacity;
+        m->soup.y[v] = m->coordinates + (3 + v) * m->capacity;
+        m->soup.z[v] = m->coordinates + (6 + v) * m->capacity;
+    }
+}
+
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
     if (!count)
@@ -48,11 +58,7 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m)
     if (!m->coordinates)
         return message_failure("%s: out of memory for %" PRIu64 " triangles", path, count);
     m->capacity = (size_t)count;
-    for (size_t v = 0; v < 3; v++) {
-        m->soup.x[v] = m->coordinates + v * m->capacity;
-        m->soup.y[v] = m->coordinates + (3 + v) * m->capacity;
-        m->soup.z[v] = m->coordinates + (6 + v) * m->capacity;
-    }
+    point_streams(m);
     return EXIT_CODE_OK;
 }
 
@@ -101,21 +107,43 @@ static int read_whole(const char *path, mesh *m)
     return code;
 }
 
-static int read_triangles(const char *path, triangle_file *file, mesh *m)
+/* Doubles the room for a stream of unknown length. What its header promises is not believed. */
+static int make_more_room(const char *name, mesh *m)
 {
-    if (!file->is_sized)
-        return message_failure("%s: is not a regular file, and the whole mesh is needed; save it as a file", path);
-    int code = mesh_make_room(path, file->promised, m);
-    size_t count = 0;
-    while (!code) {
+    enum { TRIANGLE_BYTES = 9 * sizeof(float), FIRST = 16 * TRIANGLE_BLOCK };
+    char needed[16], there[16];
+    const uint64_t capacity = m->capacity ? 2 * (uint64_t)m->capacity : FIRST, bytes = capacity * TRIANGLE_BYTES;
+    const uint64_t available = memory_available();
+    if (bytes > available || bytes > SIZE_MAX)
+        return message_failure("%s: after %zu triangles the next take %s of memory and %s are available; save the mesh as a file, "
+                               "which takes less",
+                               name, m->soup.count, memory_text(bytes, needed), memory_text(available, there));
+    float *const grown = realloc(m->coordinates, (size_t)bytes);
+    if (!grown)
+        return message_failure("%s: out of memory after %zu triangles", name, m->soup.count);
+    for (size_t k = 8; k > 0; k--)
+        memmove(grown + k * capacity, grown + k * m->capacity, m->soup.count * sizeof *grown);
+    m->coordinates = grown;
+    m->capacity = (size_t)capacity;
+    point_streams(m);
+    return EXIT_CODE_OK;
+}
+
+static int read_triangles(triangle_file *file, mesh *m)
+{
+    int code = file->is_sized ? mesh_make_room(file->name, file->promised, m) : EXIT_CODE_OK;
+    size_t count = 1;
+    while (!code && count) {
         float *to[9];
+        if (!file->is_sized && m->capacity - m->soup.count < TRIANGLE_BLOCK)
+            code = make_more_room(file->name, m);
+        if (code)
+            break;
         find_streams(m, to);
         code = triangle_file_next(file, to, &count);
-        if (!count)
-            break;
         m->soup.count += count;
     }
-    return code;
+    return code || m->soup.count ? code : message_failure("%s: no triangles in it", file->name);
 }
 
 int mesh_read_as(const char *path, triangle_format format, mesh *m)
@@ -124,7 +152,7 @@ int mesh_read_as(const char *path, triangle_format format, mesh *m)
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
     if (!code)
-        code = file.stream ? read_triangles(path, &file, m) : read_whole(path, m);
+        code = file.stream ? read_triangles(&file, m) : read_whole(path, m);
     triangle_file_close(&file);
     if (code)
         mesh_free(m);

@@ -25,7 +25,7 @@ typedef struct mesh {
  */
 int mesh_read(const char *path, mesh *m);
 
-/* The same for a regular file whose format may be given, in place of its name. */
+/* The same where the format may be given, in place of the name: also of a stream, for which the memory grows; "-" is stdin. */
 int mesh_read_as(const char *path, triangle_format format, mesh *m);
 
 /* Makes room for triangles, for which the readers ask. No triangles at all are a failure. Returns an exit_code. */

@@ -30,6 +30,17 @@ int triangle_format_read(const char *text, triangle_format *format)
     return message_usage("--format: '%s' is neither stl nor f32", text);
 }
 
+static bool is_stdin(const char *path) { return !strcmp(path, "-"); }
+
+int triangle_format_check(const char *path, triangle_format format)
+{
+    return is_stdin(path) && format == TRIANGLES_OTHER
+               ? message_usage("standard input needs its format: --format stl or --format f32")
+               : EXIT_CODE_OK;
+}
+
+const char *triangle_file_name(const char *path) { return is_stdin(path) ? "stdin" : path; }
+
 static triangle_format format_of_name(const char *path)
 {
     const char *ending = strrchr(path, '.');
@@ -42,8 +53,7 @@ static triangle_format format_of_name(const char *path)
 static int open_stream(const char *path, triangle_file *file)
 {
     struct stat about;
-    if (!strcmp(path, "-")) {
-        file->name = "stdin";
+    if (is_stdin(path)) {
         file->stream = stdin;
         return EXIT_CODE_OK;
     }
@@ -119,7 +129,8 @@ static int open_f32(triangle_file *file)
 int triangle_file_open(const char *path, triangle_format format, triangle_file *file)
 {
     const bool is_given = format != TRIANGLES_OTHER;
-    *file = (triangle_file){.name = path, .format = is_given ? format : format_of_name(path), .size = UINT64_MAX};
+    *file =
+        (triangle_file){.name = triangle_file_name(path), .format = is_given ? format : format_of_name(path), .size = UINT64_MAX};
     if (file->format == TRIANGLES_OTHER)
         return EXIT_CODE_OK;
     int code = open_stream(path, file);
@@ -128,7 +139,7 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
     if (code || !file->stream)
         return code;
     file->bytes = malloc(TRIANGLE_BLOCK * RECORD_MAX);
-    return file->bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", path);
+    return file->bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
 }
 
 /* Says after how many triangles the file ends too soon. */

@@ -30,6 +30,12 @@ typedef struct triangle_file {
 /* Reads a format by its name, "stl" or "f32". Returns an exit_code. */
 int triangle_format_read(const char *text, triangle_format *format);
 
+/* Refuses standard input of no given format. Returns an exit_code. */
+int triangle_format_check(const char *path, triangle_format format);
+
+/* The name of a mesh in messages. */
+const char *triangle_file_name(const char *path);
+
 /*
  * Opens a file, "-" for standard input, and refuses sizes that do not fit together. format: OTHER to go by the name; where that has
  * another ending, or the file is STL as text, nothing is opened and file->stream is NULL.

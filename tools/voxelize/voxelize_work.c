@@ -76,7 +76,7 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
     uint64_t *bits = NULL;
     voxels_slab slab;
     voxels v = {.slab = &slab, .slabs = 1};
-    int code = grid_choose(&r->grid, r->mesh_path, &m->soup, &v.grid);
+    int code = grid_choose(&r->grid, triangle_file_name(r->mesh_path), &m->soup, &v.grid);
     if (!code && r->result.format && r->result.format->check_grid)
         code = r->result.format->check_grid(r->result.out_path, &v.grid);
     if (code)
@@ -109,10 +109,10 @@ int voxelize_work(const voxelize_request *r)
                          .threads = r->threads,
                          .shard = r->is_part ? r->shard : 0,
                          .shards = r->shards};
-    int code = mesh_read(r->mesh_path, &m);
+    int code = mesh_read_as(r->mesh_path, r->format, &m);
     if (code)
         return code;
-    mesh_warn(r->mesh_path, &m);
+    mesh_warn(triangle_file_name(r->mesh_path), &m);
     a.triangles = m.soup.count;
     a.not_finite = m.not_finite;
     a.rounded = m.rounded;

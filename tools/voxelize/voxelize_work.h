@@ -3,10 +3,12 @@
 #define VOXELIZE_WORK_H
 
 #include "grid_choice.h"
+#include "read/triangle_file.h"
 #include "result_options.h"
 
 typedef struct voxelize_request {
     const char *mesh_path;
+    triangle_format format; /* of the mesh; OTHER to go by its name */
     grid_choice grid;
     uint32_t threads;
     bool is_part;
