@@ -57,6 +57,8 @@ static int check_request(request *r, const options_found *found)
 
 static int report(const request *r, const tribox_grid *grid, size_t parts, uint64_t occupied)
 {
+    if (!r->result.has_summary)
+        return EXIT_CODE_OK;
     if (r->result.wants_json) {
         json j = json_to(stdout);
         json_open_object(&j, NULL);
@@ -67,7 +69,7 @@ static int report(const request *r, const tribox_grid *grid, size_t parts, uint6
         if (r->result.preview_path)
             json_string(&j, "preview", r->result.preview_path);
         json_close(&j);
-    } else if (!r->result.is_quiet) {
+    } else {
         printf("parts        %zu\n", parts);
         voxelize_print_grid(grid);
         printf("occupied     %" PRIu64 " cells\nwritten      %s\n", occupied, r->result.out_path);

@@ -9,6 +9,7 @@
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
+#include "write/file_out.h"
 #include "write/part.h"
 #include "console/processors.h"
 #include "voxelize/voxelize_work.h"
@@ -37,7 +38,7 @@ static const char help[] = "tribox voxelize - which cells of a grid does a mesh 
                            "  tribox voxelize part.stl --cell 0.5 --origin -100,-100,0 --size 400,400,200 -o part.raw\n"
                            "  parallel tribox voxelize big.ply --resolution 4096 --shard {}/8 -o big.{}.part ::: $(seq 8)\n"
                            "  tribox merge big.*.part -o big.raw\n"
-                           "  generate | tribox voxelize - --format f32 -r 64 -o out.npy\n";
+                           "  generate | tribox voxelize - --format f32 -r 64 -o - --out-format npy | consume\n";
 
 enum {
     OPTION_FORMAT = RESULT_END,
@@ -135,7 +136,7 @@ static int check_request(voxelize_request *r, const options_found *found)
                                       : "no grid given; give --resolution or --cell");
     if (!out)
         return message_usage("no output given; give -o FILE");
-    if (r->is_part != part_is_name(out))
+    if (!file_out_is_stdout(out) && r->is_part != part_is_name(out))
         return message_usage(r->is_part ? "-o: '%s' does not end in .part, as the file of a shard must"
                                         : "-o: '%s' is the name of a part, which needs --shard",
                              out);

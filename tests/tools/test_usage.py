@@ -8,10 +8,10 @@ import support
 COMMANDS = ("overlap", "voxelize", "merge", "info", "demo")
 OPTIONS = {
     "overlap": ["--format", "--box", "--boxes", "--oriented", "--inside", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
-    "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--out", "--preview", "--up", "--view",
+    "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--out", "--out-format", "--preview", "--up", "--view",
                  "--picture-size", "--json", "--quiet", "--threads",
                  "--shard", "--accuracy", "--axes", "--kernel", "--help"],
-    "merge": ["--out", "--preview", "--up", "--view", "--picture-size", "--json", "--quiet", "--help"],
+    "merge": ["--out", "--out-format", "--preview", "--up", "--view", "--picture-size", "--json", "--quiet", "--help"],
     "info": ["--json", "--help"],
     "demo": ["--quick", "--json", "--picture", "--help"],
 }

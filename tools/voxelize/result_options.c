@@ -1,7 +1,9 @@
 /* result_options.c - the options that voxelize and merge share. */
+#define _POSIX_C_SOURCE 200809L
 #include "result_options.h"
 
 #include <stddef.h>
+#include <unistd.h>
 
 #include "console/message.h"
 
@@ -11,6 +13,9 @@ int result_take(result_request *r, int which, const char *value)
     case RESULT_OUT:
         r->out_path = value;
         return EXIT_CODE_OK;
+    case RESULT_OUT_FORMAT:
+        r->format = volume_format_named(value);
+        return r->format ? EXIT_CODE_OK : EXIT_CODE_USAGE;
     case RESULT_PREVIEW:
         r->preview_path = value;
         return EXIT_CODE_OK;
@@ -29,6 +34,17 @@ int result_take(result_request *r, int which, const char *value)
     }
 }
 
+static int check_stdout(const result_request *r, bool takes_part)
+{
+    if (!takes_part && !r->format)
+        return message_usage("standard output needs its format: --out-format npy, binvox, vox or raw");
+    if (r->wants_json)
+        return message_usage("--json and -o - exclude each other, since both go to standard output");
+    if (isatty(STDOUT_FILENO))
+        return message_usage("-o -: standard output is a terminal; send it to a program or a file");
+    return EXIT_CODE_OK;
+}
+
 int result_check(result_request *r, const options_found *found, bool takes_part)
 {
     const bool has_look =
@@ -37,6 +53,13 @@ int result_check(result_request *r, const options_found *found, bool takes_part)
         return message_usage("--up, --view and --picture-size need --preview");
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
-    r->format = takes_part ? NULL : volume_format_of(r->out_path);
+    if (takes_part && r->format)
+        return message_usage("--out-format and --shard exclude each other: a shard is written as a part");
+    const bool is_stdout = file_out_is_stdout(r->out_path);
+    if (is_stdout && check_stdout(r, takes_part))
+        return EXIT_CODE_USAGE;
+    r->has_summary = !is_stdout && !r->is_quiet;
+    if (!takes_part && !r->format)
+        r->format = volume_format_of(r->out_path);
     return takes_part || r->format ? preview_check(r->preview_path, "--preview") : EXIT_CODE_USAGE;
 }

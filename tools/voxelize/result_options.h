@@ -9,15 +9,27 @@
 #include "write/volume.h"
 
 /* They come first in the tables of both commands, whose own options start at RESULT_END. */
-enum { RESULT_OUT, RESULT_PREVIEW, RESULT_UP, RESULT_VIEW, RESULT_PICTURE_SIZE, RESULT_JSON, RESULT_QUIET, RESULT_END };
+enum {
+    RESULT_OUT,
+    RESULT_OUT_FORMAT,
+    RESULT_PREVIEW,
+    RESULT_UP,
+    RESULT_VIEW,
+    RESULT_PICTURE_SIZE,
+    RESULT_JSON,
+    RESULT_QUIET,
+    RESULT_END
+};
 
 #define RESULT_ENTRIES \
-    [RESULT_OUT] = {"out", 'o', true}, [RESULT_PREVIEW] = {"preview", 'p', true}, [RESULT_UP] = {"up", 0, true}, \
-    [RESULT_VIEW] = {"view", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, \
+    [RESULT_OUT] = {"out", 'o', true}, [RESULT_OUT_FORMAT] = {"out-format", 0, true}, [RESULT_PREVIEW] = {"preview", 'p', true}, \
+    [RESULT_UP] = {"up", 0, true}, [RESULT_VIEW] = {"view", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, \
     [RESULT_JSON] = {"json", 'j', false}, [RESULT_QUIET] = {"quiet", 'q', false}
 
 #define RESULT_HELP \
-    "  -o, --out FILE          .npy (NumPy), .binvox, .vox (MagicaVoxel) or .raw (the bits alone)\n" \
+    "  -o, --out FILE          .npy (NumPy), .binvox, .vox (MagicaVoxel) or .raw (the bits alone); - is\n" \
+    "                          standard output, which then holds nothing else\n" \
+    "      --out-format WORD   npy, binvox, vox or raw, whatever the name of FILE; -o - needs it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
     "      --up AXIS           the axis that is up in it: x, y, z (default), -x, -y or -z\n" \
     "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \
@@ -30,6 +42,7 @@ typedef struct result_request {
     const volume_format *format;         /* NULL for a part */
     picture_look look;
     bool wants_json, is_quiet;
+    bool has_summary; /* not with --quiet, nor where the file itself goes to standard output */
 } result_request;
 
 /* Takes an option before RESULT_END. Returns an exit_code. */

@@ -127,5 +127,5 @@ int voxelize_work(const voxelize_request *r)
         file_out_drop(&out);
     }
     mesh_free(&m);
-    return code || r->result.is_quiet ? code : voxelize_report(&a, r->result.wants_json);
+    return code || !r->result.has_summary ? code : voxelize_report(&a, r->result.wants_json);
 }

@@ -11,6 +11,8 @@
 
 #include "console/message.h"
 
+bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
+
 /* Replaces a link by what it leads to, so that the link stays and the file behind it is the one that is written. */
 static int find_target(file_out *out)
 {
@@ -74,6 +76,11 @@ int file_out_open(file_out *out, const char *path)
     if (!path)
         return EXIT_CODE_OK;
     signal(SIGXFSZ, SIG_IGN); /* beyond a limit on file sizes, writing then fails and is reported as on a full disk */
+    if (file_out_is_stdout(path)) {
+        signal(SIGPIPE, SIG_IGN); /* the same where nobody reads on */
+        out->stream = stdout;
+        return EXIT_CODE_OK;
+    }
     int code = find_target(out);
     if (!code)
         code = name_beside(out);
@@ -91,6 +98,10 @@ int file_out_keep(file_out *out)
     errno = ferror(out->stream) ? errno : 0; /* that of the write that failed */
     const bool is_lost = ferror(out->stream) || fflush(out->stream);
     int reason = is_lost ? errno : 0;
+    if (out->stream == stdout) {
+        forget(out);
+        return is_lost ? message_failure("cannot write the output: %s", strerror(reason ? reason : EIO)) : EXIT_CODE_OK;
+    }
     if ((fclose(out->stream) || (!is_lost && rename(out->beside, out->target))) && !reason)
         reason = errno;
     int code = EXIT_CODE_OK;
@@ -106,7 +117,9 @@ void file_out_drop(file_out *out)
 {
     if (!out->stream)
         return;
-    fclose(out->stream);
-    unlink(out->beside);
+    if (out->stream != stdout) {
+        fclose(out->stream);
+        unlink(out->beside);
+    }
     forget(out);
 }

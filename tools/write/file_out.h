@@ -15,6 +15,9 @@ typedef struct file_out {
     char *target, *beside;
 } file_out;
 
+/* "-", which is written as it comes. */
+bool file_out_is_stdout(const char *path);
+
 /* Returns an exit_code. A path of NULL opens nothing, and the other calls then do nothing. */
 int file_out_open(file_out *out, const char *path);
 

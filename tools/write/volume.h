@@ -17,8 +17,9 @@ typedef struct volume_format {
     void (*write)(FILE *to, const voxels *v, progress *bar);
 } volume_format;
 
-/* The format by the ending of the name. Returns NULL after a line on standard error. */
+/* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
+const volume_format *volume_format_named(const char *word);
 
 /* NumPy 1.0: one bool per cell, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */
 void volume_write_npy(FILE *to, const voxels *v, progress *bar);
