@@ -278,9 +278,9 @@ class Voxels(support.TestCase):
         limit = (resource.RLIMIT_AS, 64 << 20)
         if support.run("info", limit=limit).code:
             self.skipTest("this build needs more than 64 MiB of addresses by itself")
-        self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; save the mesh as "
-                       "a file, which takes less", "voxelize", "-", "--format", "f32", "--cell", "1", "-o", self.path("x.raw"),
-                       stdin=bytes(36 << 20), limit=limit)
+        self.fail_with(1, r"stdin: after \d+ triangles the next take [\d.]+ MiB of memory and [\d.]+ MiB are available; save the "
+                       "mesh as a file, which takes less", "voxelize", "-", "--format", "f32", "--cell", "1", "-o",
+                       self.path("x.raw"), stdin=bytes(36 << 20), limit=limit)
 
 
 class Cut(support.TestCase):
