@@ -4,13 +4,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "console/accuracy.h"
+
 static double share_of(size_t part, size_t of, double unit) { return of ? unit * (double)part / (double)of : NAN; }
 
 static const char *kernel_of(const contestant *one) { return one->options.kernel ? one->options.kernel : one->name; }
 
 static const char *accuracy_of(const contestant *one)
 {
-    return one->options.kernel ? contestant_accuracy_word(one->options.accuracy) : one->name;
+    return one->options.kernel ? accuracy_word(one->options.accuracy) : one->name;
 }
 
 /* What a pair that float leaves undecided costs beyond a pair that it decides, in nanoseconds; NAN where there are next to none. */

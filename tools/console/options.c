@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "accuracy.h"
 #include "message.h"
 
 int options_take_mesh(const char *operand, const char **mesh_path)
@@ -15,27 +16,10 @@ int options_take_mesh(const char *operand, const char **mesh_path)
     return EXIT_CODE_OK;
 }
 
-static const struct {
-    const char *word;
-    tribox_accuracy accuracy;
-} accuracies[] = {{"exact", TRIBOX_EXACT}, {"conservative", TRIBOX_CONSERVATIVE}, {"fast", TRIBOX_FAST}};
-
 int options_read_accuracy(const char *text, tribox_accuracy *accuracy)
 {
-    for (size_t i = 0; i < sizeof accuracies / sizeof accuracies[0]; i++)
-        if (!strcmp(text, accuracies[i].word)) {
-            *accuracy = accuracies[i].accuracy;
-            return EXIT_CODE_OK;
-        }
-    return message_usage("--accuracy: '%s' is none of exact, conservative, fast", text);
-}
-
-const char *options_accuracy_word(tribox_accuracy accuracy)
-{
-    size_t i = 0;
-    while (accuracies[i].accuracy != accuracy)
-        i++;
-    return accuracies[i].word;
+    return accuracy_of_word(text, accuracy) ? EXIT_CODE_OK
+                                            : message_usage("--accuracy: '%s' is none of exact, conservative, fast", text);
 }
 
 static const struct {

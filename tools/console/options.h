@@ -25,8 +25,6 @@ int options_read_axes(const char *text, unsigned *axes);
 int options_read_order(const char *text, unsigned *order);
 int options_read_kernel(const char *text, const char **kernel);
 
-const char *options_accuracy_word(tribox_accuracy accuracy);
-
 /* The i-th of the three groups of axes: its word and its TRIBOX_AXES_* bit. */
 enum { OPTIONS_AXES_GROUPS = 3 };
 const char *options_axes_word(int i, unsigned *bit);

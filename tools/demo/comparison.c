@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "console/accuracy.h"
 #include "console/message.h"
 #include "paper/paper.h"
 
@@ -35,7 +36,7 @@ static const char *kernel_of(const contestant *one) { return one->options.kernel
 
 static const char *accuracy_of(const contestant *one)
 {
-    return one->options.kernel ? contestant_accuracy_word(one->options.accuracy) : "-";
+    return one->options.kernel ? accuracy_word(one->options.accuracy) : "-";
 }
 
 static bool is_bold_wanted(void)

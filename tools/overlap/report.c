@@ -4,8 +4,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "console/accuracy.h"
 #include "console/message.h"
-#include "console/options.h"
 #include "console/output.h"
 
 static double percent(const answer *a, uint64_t count) { return 100.0 * (double)count / (double)a->triangles; }
@@ -48,7 +48,7 @@ static void print_summary(const request *r, const answer *a)
         print_share("missing", a, a->triangles - a->overlapping);
     }
     printf("undecided    %" PRIu64 "\n", a->undecided);
-    printf("test         %s, axes ", options_accuracy_word(r->test.accuracy));
+    printf("test         %s, axes ", accuracy_word(r->test.accuracy));
     output_axes(r->test.axes);
     printf(", kernel %s\n", tribox_kernel_name(&r->test));
     printf("time         %.3f ms, %.2f ns per triangle (the test alone, ", 1e3 * a->seconds, ns_per_triangle(a));
@@ -120,7 +120,7 @@ static void print_json_tail(const request *r, answer *a)
         json_whole(j, "missing", a->triangles - a->overlapping);
     }
     json_whole(j, "undecided", a->undecided);
-    json_string(j, "accuracy", options_accuracy_word(r->test.accuracy));
+    json_string(j, "accuracy", accuracy_word(r->test.accuracy));
     output_json_axes(j, r->test.axes);
     json_string(j, "kernel", tribox_kernel_name(&r->test));
     json_whole(j, "runs", (uint64_t)a->runs);

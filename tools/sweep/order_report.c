@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "console/accuracy.h"
+
 /* The contestants of a kernel stand together after those of the paper's test; the first of the next kernel, or NULL after the last. */
 static const contestant *next_kernel(const sweep *s, const contestant *after)
 {
@@ -16,7 +18,7 @@ static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accur
 {
     const contestant *const best = sweep_best(s, kernel, accuracy);
     const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_default_order);
-    fprintf(to, "%-8s %-12s", kernel ? kernel : "paper", kernel ? contestant_accuracy_word(accuracy) : "");
+    fprintf(to, "%-8s %-12s", kernel ? kernel : "paper", kernel ? accuracy_word(accuracy) : "");
     for (int o = 0; o < SWEEP_ORDERS; o++)
         fprintf(to, " %8.3f", sweep_time(s, sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o])));
     if (sweep_beats(s, best, plain))
@@ -141,7 +143,7 @@ static void json_contestant(json *to, const sweep *s, size_t c)
     json_open_object(to, NULL);
     json_string(to, "kernel", kernel);
     json_whole(to, "lanes", why_lanes[why_width_of(kernel)]);
-    json_string(to, "accuracy", contestant_accuracy_word(one->options.accuracy));
+    json_string(to, "accuracy", accuracy_word(one->options.accuracy));
     json_whole(to, "axes", one->options.axes);
     json_whole(to, "order", one->options.order);
     if (one->options.kernel)

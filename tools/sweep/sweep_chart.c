@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "console/accuracy.h"
+
 /* In pixels. */
 enum { WIDTH = 960, LEFT = 110, TOP = 108, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
 
@@ -62,7 +64,7 @@ static void draw_group(FILE *to, const sweep *s, const char *kernel, tribox_accu
         draw_bar(to, x + o * BAR, base, PANEL * ns / most, o, ns, one == best);
     }
     text_at(to, x + SWEEP_ORDERS * BAR / 2.0, base + 17, "font-size=\"12\" text-anchor=\"middle\"",
-            kernel ? contestant_accuracy_word(accuracy) : "as published");
+            kernel ? accuracy_word(accuracy) : "as published");
 }
 
 /* The slowest order of a kernel at any accuracy. */

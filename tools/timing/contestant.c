@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "console/accuracy.h"
 #include "paper/paper.h"
 
 static bool run_paper(const contestant *self, uint64_t *mask, tribox_report *report)
@@ -57,7 +58,7 @@ contestant contestant_kernel(const timing_work *work, const tribox_options *opti
                                  : options->accuracy == TRIBOX_CONSERVATIVE ? PROMISE_SUPERSET
                                                                             : PROMISE_ROUNDED,
                       .pairs = (double)work->pairs};
-    snprintf(one.name, sizeof one.name, "%s-%s", options->kernel, contestant_accuracy_word(options->accuracy));
+    snprintf(one.name, sizeof one.name, "%s-%s", options->kernel, accuracy_word(options->accuracy));
     return one;
 }
 
@@ -70,11 +71,6 @@ size_t contestants_enter(const timing_work *work, contestant *list)
         for (size_t a = 0; a < sizeof accuracies / sizeof accuracies[0]; a++)
             list[count++] = contestant_kernel(work, &(tribox_options){.accuracy = accuracies[a], .kernel = kernel});
     return count;
-}
-
-const char *contestant_accuracy_word(tribox_accuracy accuracy)
-{
-    return accuracy == TRIBOX_EXACT ? "exact" : accuracy == TRIBOX_CONSERVATIVE ? "conservative" : "fast";
 }
 
 bool contestant_truth(const void *work, unsigned axes, uint64_t *mask)

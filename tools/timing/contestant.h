@@ -39,8 +39,6 @@ contestant contestant_kernel(const timing_work *work, const tribox_options *opti
 /* Enters every kernel that runs here, the widest first, at each accuracy: fast, conservative, exact. Returns how many. */
 size_t contestants_enter(const timing_work *work, contestant *list);
 
-const char *contestant_accuracy_word(tribox_accuracy accuracy);
-
 /* The true answer to a timing_work on some axes, by the scalar kernel. */
 bool contestant_truth(const void *work, unsigned axes, uint64_t *mask);
 

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "console/options.h"
+#include "console/accuracy.h"
 #include "console/output.h"
 
 static double cells_of(const voxelize_answer *a) { return (double)a->grid.size[0] * a->grid.size[1] * a->layers; }
@@ -49,7 +49,7 @@ static void print_summary(const voxelize_answer *a)
         printf("shard        %u of %u: %u layers from %u\n", a->shard, a->shards, a->layers, a->first);
     printf("occupied     %zu cells (%.4g %%)\n", a->report.overlapping, share_percent(a));
     printf("undecided    %zu\n", a->report.undecided);
-    printf("test         %s, axes ", options_accuracy_word(a->test.accuracy));
+    printf("test         %s, axes ", accuracy_word(a->test.accuracy));
     output_axes(a->test.axes);
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&a->test), a->threads, a->threads == 1 ? "" : "s");
     print_time(a);
@@ -77,7 +77,7 @@ static void print_json(const voxelize_answer *a)
     json_whole(&j, "occupied", a->report.overlapping);
     json_number(&j, "share_percent", 6, share_percent(a));
     json_whole(&j, "undecided", a->report.undecided);
-    json_string(&j, "accuracy", options_accuracy_word(a->test.accuracy));
+    json_string(&j, "accuracy", accuracy_word(a->test.accuracy));
     output_json_axes(&j, a->test.axes);
     json_string(&j, "kernel", tribox_kernel_name(&a->test));
     json_whole(&j, "threads", a->threads);
