@@ -38,6 +38,10 @@ def has_libassimp():
         return "built without libassimp" not in run("overlap", mesh.name, "--box", UNIT_BOX).stderr
 
 
+# For what says nothing new about memory and takes long where a sanitizer looks at each access.
+unless_sanitized = unittest.skipIf(os.environ.get("TRIBOX_SANITIZED"), "a build with a sanitizer")
+
+
 class TestCase(unittest.TestCase):
     """A test with a folder of its own for the files that it writes."""
 

@@ -81,10 +81,11 @@ class Demo(support.TestCase):
         self.assertEqual((result.code, result.stderr, os.listdir(self.folder)), (0, "", ["knot.png"]))
         self.assertRegex(result.stdout, r"(?m)^Voxels of the mesh: 123 x 128 x 53 cells, \d+ of them occupied; [\d.]+ ms, ")
         self.assertIn("drawn in %s\n" % path, result.stdout)
-        self.assertEqual(volumes.read_png(path)[:2], (1280, 960))
+        self.assertEqual(volumes.png_size(path), (1280, 960))
         self.fail_with(2, "--picture: 'knot.jpg' does not end in .png", "demo", "--picture", "knot.jpg")
         self.fail_with(1, "none/knot.png: cannot write there", "demo", "--quick", "--json", "--picture", self.folder + "/none/knot.png")
 
+    @support.unless_sanitized
     def test_where_the_picture_goes(self):
         result = support.run("demo", cwd=self.folder)
         drawn = os.listdir(self.folder)
@@ -93,6 +94,7 @@ class Demo(support.TestCase):
         support.run("demo", "--quick", cwd=self.folder)
         self.assertEqual(os.listdir(self.folder), drawn)
 
+    @support.unless_sanitized
     def test_answers_repeat(self):
         def found(demo):
             return [demo["voxels"]["occupied"]], [[(row["overlapping"], row["unlike_exact"]) for row in scene["rows"]] for scene in demo["scenes"]]
@@ -118,6 +120,7 @@ class Demo(support.TestCase):
         self.assertEqual(process.wait(), 0)
         return text
 
+    @support.unless_sanitized
     def test_bold_on_a_terminal_only(self):
         self.assertEqual(self.on_terminal(TERM="xterm").count(b"\x1b[1m"), 1)
         self.assertNotIn(b"\x1b", self.on_terminal(TERM="dumb"))

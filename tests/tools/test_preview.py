@@ -86,7 +86,7 @@ class Preview(support.TestCase):
 
     def size_of(self, size):
         self.draw("--resolution", "8", size=size)
-        return volumes.read_png(self.path("p.png"))[:2]
+        return volumes.png_size(self.path("p.png"))
 
     def test_same_for_every_thread_count(self):
         self.assertEqual(len({self.draw("--resolution", "9", "--threads", n) for n in ("1", "2", "7")}), 1)

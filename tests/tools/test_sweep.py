@@ -113,6 +113,7 @@ class Sweep(support.TestCase):
         self.assertEqual(found["soups"] % 8, 0)
         self.assertRegex(found["tested"], r"^\d+ leaves of an octree of depth 2,")
 
+    @support.unless_sanitized
     def test_default_is_an_octree(self):
         found = self.sweep()
         self.check(found)
@@ -124,6 +125,7 @@ class Sweep(support.TestCase):
         self.assertEqual(found["pairs"], found["soups"] * 704)
         self.assertGreater(found["overlapping"], found["soups"])
 
+    @support.unless_sanitized
     def test_text(self):
         short = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX)
         advice, empty, *lines = short.splitlines()
