@@ -12,7 +12,7 @@
 #include "common/float_environment.h"
 #include "triangle_kinds.h"
 
-enum { CELLS_MAX = 3000, TRIANGLES = 30, PAIRS_A_ROUND = 100000 };
+enum { CELLS_MAX = 3000, TRIANGLES = 30, ROUNDS = 20, PAIRS_A_ROUND = 100000 / ROUNDS };
 
 static grid_planes at;
 static triangle_list triangles;
@@ -55,7 +55,7 @@ static void test_voxelize(void **state)
     const int kernel_count = kernels_here(kernels);
     catch_faults();
     random_source r = random_named(args->seed, "environment");
-    for (size_t round = 0; round < 20 * grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < grid_kind_count() * arguments_rounds(args, PAIRS_A_ROUND); round++) {
         draw_pairs(&r, round);
         const tribox_options options = {.accuracy = (tribox_accuracy)(round % 2 ? 0 : random_int(&r, 3)),
                                         .axes = (unsigned)random_int(&r, 8) % AXIS_SETS,

@@ -11,7 +11,7 @@
 #include "common/guard.h"
 #include "triangle_kinds.h"
 
-enum { PAIRS_A_ROUND = 100000, CELLS_MAX = 8000, TRIANGLES = 90, THREADS_MAX = 8 };
+enum { PAIRS = 100000, ROUNDS = 500, FEW_ROUNDS = 100, CELLS_MAX = 8000, TRIANGLES = 90, THREADS_MAX = 8 };
 
 static grid_planes at;
 static triangle_list triangles;
@@ -78,7 +78,7 @@ static void test_slabs(void **state)
     const arguments *const args = *state;
     catch_faults();
     random_source r = random_named(args->seed, "slabs");
-    for (size_t round = 0; round < 500 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
         draw_pairs(&r, round);
         const tribox_options options = any_options(&r);
         const size_t set = ask_whole(&options);
@@ -137,7 +137,7 @@ static void test_threads(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "threads");
-    for (size_t round = 0; round < 100 * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
         draw_pairs(&r, round);
         tribox_options options = any_options(&r);
         options.kernel = round % 2 ? options.kernel : NULL; /* chosen by all threads at once */
