@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "common/oracle.h"
+
 /* Triangle and box about the box's centre, all of it doubled: differences of floats alone. */
 typedef struct doubled {
     double v[3][3], h[3];
@@ -47,22 +49,19 @@ static double apart_by(const doubled *d, const double axis[3])
 
 static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/* The axes, numbered as in oracle.h. */
-enum { PLANE = 3, EDGES = 4, AXES = 13 };
-
 static void axis_of(const tribox_pair *pair, int number, double axis[3])
 {
     double f[2][3], unit[3] = {0};
-    if (number < PLANE) {
+    if (number < ORACLE_PLANE) {
         axis[0] = axis[1] = axis[2] = 0;
         axis[number] = 1;
-    } else if (number == PLANE) {
+    } else if (number == ORACLE_PLANE) {
         edge_of(pair, 0, f[0]);
         edge_of(pair, 1, f[1]);
         cross(f[0], f[1], axis);
     } else {
-        edge_of(pair, (number - EDGES) % 3, f[0]);
-        unit[(number - EDGES) / 3] = 1;
+        edge_of(pair, (number - ORACLE_EDGES) % 3, f[0]);
+        unit[(number - ORACLE_EDGES) / 3] = 1;
         cross(unit, f[0], axis);
     }
 }
@@ -71,7 +70,7 @@ double margin_gap(const tribox_pair *pair)
 {
     const doubled d = doubled_of(pair);
     double gap = -INFINITY;
-    for (int k = 0; k < AXES; k++) {
+    for (int k = 0; k < ORACLE_AXES; k++) {
         double axis[3];
         axis_of(pair, k, axis);
         const double length = length_of(axis);
@@ -107,8 +106,8 @@ static void extents_of(const tribox_pair *pair, double extent[3], double m[3])
 static double float_bound(int number, const double extent[3], const double m[3])
 {
     const double u = 0x1p-24;
-    if (number >= EDGES) {
-        const int i = (number - EDGES) / 3, a = (i + 1) % 3, b = (i + 2) % 3;
+    if (number >= ORACLE_EDGES) {
+        const int i = (number - ORACLE_EDGES) / 3, a = (i + 1) % 3, b = (i + 2) % 3;
         return 2 * 16 * u * (extent[a] * m[b] + extent[b] * m[a]);
     }
     double sum = 0;
@@ -122,10 +121,10 @@ bool margin_is_conservative(const tribox_pair *pair)
     const doubled d = doubled_of(pair);
     double extent[3], m[3];
     extents_of(pair, extent, m);
-    for (int k = 0; k < AXES; k++) {
+    for (int k = 0; k < ORACLE_AXES; k++) {
         double axis[3];
         axis_of(pair, k, axis);
-        const double allowed = k < PLANE ? 0 : 3 * float_bound(k, extent, m);
+        const double allowed = k < ORACLE_PLANE ? 0 : 3 * float_bound(k, extent, m);
         if (apart_by(&d, axis) > allowed)
             return false;
     }

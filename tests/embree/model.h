@@ -1,4 +1,4 @@
-/* model.h - what is voxelized here: soups that are drawn, and closed meshes made of formulas. */
+/* model.h - what is voxelized here: soups that are drawn, and closed meshes. */
 #ifndef TRIBOX_TESTS_MODEL_H
 #define TRIBOX_TESTS_MODEL_H
 
@@ -19,7 +19,7 @@ typedef struct model {
 /* Triangles in [-1, 1]^3, of which the vertices lie within `size` of each other on every axis; 2 is anywhere. */
 model model_soup(random_source *r, size_t count, double size);
 
-/* Closed meshes about the origin, within [-1, 1]^3: of 20 * 4^levels, 2 * around * across and 12 * steps^2 triangles. */
+/* Those of common/closed_meshes.h. */
 model model_icosphere(int levels);
 model model_torus(int around, int across, double tube);
 model model_cube(int steps);
