@@ -19,10 +19,11 @@ static guarded fence_of_noise(random_source *r, size_t bytes)
     return g;
 }
 
-mesh_fences mesh_fences_make(random_source *r)
+mesh_fences mesh_fences_make(uint64_t seed)
 {
-    mesh_fences f = {.positions = fence_of_noise(r, LAID_BYTES)};
-    f.indices = fence_of_noise(r, 3 * sizeof(uint32_t) * LAID_TRIANGLES + sizeof(uint32_t));
+    random_source r = random_named(seed, "fences");
+    mesh_fences f = {.positions = fence_of_noise(&r, LAID_BYTES)};
+    f.indices = fence_of_noise(&r, 3 * sizeof(uint32_t) * LAID_TRIANGLES + sizeof(uint32_t));
     for (int s = 0; s < 9; s++)
         f.stream[s] = guarded_make(LAID_TRIANGLES * sizeof(float) + 64);
     f.mask = guarded_make(LAID_WORDS * sizeof(uint64_t) + 64);

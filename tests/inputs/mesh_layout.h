@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "common/guard.h"
 #include "common/random_draws.h"
@@ -42,7 +43,7 @@ typedef struct mesh_fences {
 
 enum { LAID_WORDS = LAID_TRIANGLES / 64 + 1 };
 
-mesh_fences mesh_fences_make(random_source *r);
+mesh_fences mesh_fences_make(uint64_t seed);
 void mesh_fences_free(mesh_fences f);
 
 /* Draws positions and indices, with a NaN, an infinity or a subnormal here and there. Valid until the next mesh is laid. */

@@ -22,21 +22,6 @@ static mesh_fences fences;
 
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
 
-static int set_up(void **state)
-{
-    (void)state;
-    random_source r = random_named(args.seed, "fences");
-    fences = mesh_fences_make(&r);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    mesh_fences_free(fences);
-    return 0;
-}
-
 static void say(const char *call, const char *kernel, const tribox_mesh *mesh)
 {
     char text[MESH_TEXT];
@@ -299,10 +284,13 @@ int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
     kernels = kernels_here(names);
+    fences = mesh_fences_make(args.seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_corner),      cmocka_unit_test(test_edges_of_blocks), cmocka_unit_test(test_many),
         cmocka_unit_test(test_too_few_vertices), cmocka_unit_test(test_no_vertices),     cmocka_unit_test(test_greatest_numbers),
         cmocka_unit_test(test_garbage_count),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    mesh_fences_free(fences);
+    return failed;
 }

@@ -28,21 +28,6 @@ static float *const expected[9] = {numbers[0], numbers[1], numbers[2], numbers[3
 
 static const tribox_box boxes[] = {{{-1, -1, -1}, {1, 1, 1}}, {{-0.75f, -2, 0}, {0.5f, 0.25f, 0}}, {{0, 1, 0}, {1, 0, 1}}};
 
-static int set_up(void **state)
-{
-    (void)state;
-    random_source r = random_named(args.seed, "fences");
-    fences = mesh_fences_make(&r);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    mesh_fences_free(fences);
-    return 0;
-}
-
 static void say(const char *call, const tribox_mesh *mesh, const tribox_options *options, size_t first, size_t count)
 {
     char text[MESH_TEXT];
@@ -268,6 +253,7 @@ int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
     kernels = kernels_here(names);
+    fences = mesh_fences_make(args.seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_small_counts),
         cmocka_unit_test(test_patterns),
@@ -276,5 +262,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_more_vertices_than_named),
         cmocka_unit_test(test_beside),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    mesh_fences_free(fences);
+    return failed;
 }
