@@ -58,10 +58,10 @@ static tribox_report answer_mesh_block(const tribox_mesh *mesh, size_t first, si
 {
     _Alignas(64) float streams[9][BLOCK]; /* no packet in two lines of the cache */
     float *to[9];
-    const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
     plan->kernel->gather(mesh, first, count, to);
+    const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
     return tribox_pairs_answer(&(tribox_pairs){.soup = &soup, .box = box, .count = count}, plan, mask);
 }
 
