@@ -64,13 +64,17 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
 
-/* `count` triangles of the soup, from triangle 64 * word on, against one box: all present, and a multiple of TRIBOX_LANES_MAX. */
-typedef void tribox_soup_walk(const tribox_soup *soup, const tribox_box *box, size_t word, size_t count, uint64_t *hit,
-                              uint64_t *open);
+/* What a call asks: a soup against a box, or a triangle against boxes. The caller has checked them. */
+typedef struct tribox_pairs {
+    const tribox_soup *soup; /* NULL for a triangle and boxes */
+    const tribox_box *box;
+    const float (*triangle)[3];
+    const tribox_boxes *boxes;
+    size_t count;
+} tribox_pairs;
 
-/* One triangle against `count` boxes, likewise. */
-typedef void tribox_boxes_walk(const float triangle[3][3], const tribox_boxes *boxes, size_t word, size_t count, uint64_t *hit,
-                               uint64_t *open);
+/* Answers `count` pairs from pair 64 * word on: all present, and a multiple of TRIBOX_LANES_MAX. */
+typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
 /* The most lanes of float, and of double. The lanes of every kernel divide them. */
 enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
@@ -127,8 +131,7 @@ typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box 
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
-    tribox_soup_walk *soup[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
-    tribox_boxes_walk *boxes[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
+    tribox_walk *walk[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
     tribox_inside *inside;
     tribox_greatest_vertex *greatest_vertex;
     tribox_gather *gather;

@@ -7,14 +7,7 @@
 #include "settle.h"
 #include "soup.h"
 
-/* Walks `count` pairs from pair 64 * word on; count is a multiple of TRIBOX_LANES_MAX. */
-static void walk_pairs(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t count, uint64_t *hit, uint64_t *open)
-{
-    if (p->soup)
-        plan->kernel->soup[plan->accuracy][plan->sequence](p->soup, p->box, word, count, hit, open);
-    else
-        plan->kernel->boxes[plan->accuracy][plan->sequence](p->triangle, p->boxes, word, count, hit, open);
-}
+static tribox_walk *walk_of(const tribox_plan *plan) { return plan->kernel->walk[plan->accuracy][plan->sequence]; }
 
 /* The last count % 64 pairs, in a word of their own with zeros up to a packet: nothing is read past the caller's streams. */
 static void walk_tail(const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit, uint64_t *open)
@@ -35,7 +28,7 @@ static void walk_tail(const tribox_pairs *p, const tribox_plan *plan, uint64_t *
     tribox_pairs word = *p;
     word.soup = p->soup ? &soup : NULL;
     word.boxes = p->soup ? NULL : &boxes;
-    walk_pairs(&word, plan, 0, lanes, hit, open);
+    walk_of(plan)(&word, 0, lanes, hit, open);
     *hit &= ~(~UINT64_C(0) << tail);
     *open &= ~(~UINT64_C(0) << tail);
 }
@@ -101,7 +94,7 @@ void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, siz
                              uint64_t *open)
 {
     const size_t whole = word + words <= p->count / 64 ? words : words - 1;
-    walk_pairs(p, plan, word, 64 * whole, hit, open);
+    walk_of(plan)(p, word, 64 * whole, hit, open);
     if (whole < words)
         walk_tail(p, plan, hit + whole, open + whole);
 }

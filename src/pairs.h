@@ -4,15 +4,6 @@
 
 #include "plan.h"
 
-/* A soup and a box, or a triangle and boxes. The caller has checked them. */
-typedef struct tribox_pairs {
-    const tribox_soup *soup; /* NULL for a triangle and boxes */
-    const tribox_box *box;
-    const float (*triangle)[3];
-    const tribox_boxes *boxes;
-    size_t count;
-} tribox_pairs;
-
 /* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
 enum { TRIBOX_BLOCK_WORDS = 64 };
 

@@ -3,7 +3,7 @@
  * After: axes.h, margin.h, ties.h.
  *
  * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
- * lane that has a slack within it to the next stage (doubles.h). What each accuracy needs for a hit is a table in PROOFS.md 5.3.
+ * lane that has a slack within it to the next stage (doubles.h). What each accuracy needs for a hit: `certain_overlaps`.
  */
 
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
@@ -38,14 +38,13 @@ TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
     return m_andnot(m_and(v_gt(infinite, v_abs(lo)), v_gt(infinite, v_abs(hi))), v_gt(lo, hi));
 }
 
-/* Where the pairs of a walk come from: a soup and one box, or, if not is_soup, one triangle and boxes. */
-typedef struct lane_source {
-    bool is_soup;
-    const tribox_soup *soup;
-    const tribox_box *box;
-    const float (*triangle)[3];
-    const tribox_boxes *boxes;
-} lane_source;
+/* What a walk is compiled for: constants of an instance. */
+typedef struct walk_kind {
+    unsigned sequence;
+    tribox_accuracy accuracy;
+    bool is_soup;     /* a soup and one box; else one triangle and boxes */
+    bool looks_again; /* with the second look of ties.h, for which more numbers have to be kept */
+} walk_kind;
 
 /* A packet of pairs. The one box, or the one triangle, of a walk is set once. */
 typedef struct lane_pairs {
@@ -54,9 +53,9 @@ typedef struct lane_pairs {
     lane_box_margin margin;
 } lane_pairs;
 
-TRIBOX_INLINE void start_pairs(lane_pairs *p, const lane_source *from)
+TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_pairs *from, walk_kind kind)
 {
-    if (from->is_soup) {
+    if (kind.is_soup) {
         splat_box(&p->box, from->box);
         p->margin = box_margin_of(&p->box);
     } else {
@@ -64,11 +63,14 @@ TRIBOX_INLINE void start_pairs(lane_pairs *p, const lane_source *from)
     }
 }
 
+/* The box normals that come first are tested while loading. */
+TRIBOX_INLINE bool is_box_first(walk_kind kind) { return group_at(kind.sequence, 0) == 1; }
+
 /* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on its normal. */
-TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const lane_source *from, size_t at, int a, bool is_normal_asked, uint64_t left,
+TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t at, int a, walk_kind kind, uint64_t left,
                                  lane_shape *s)
 {
-    if (from->is_soup) {
+    if (kind.is_soup) {
         const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
             p->t.u[j][a] = v_load(stream[j] + at);
@@ -78,7 +80,7 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const lane_source *from, size_t 
         set_bounds(&p->box, a, lo, hi);
     }
     shape_axis(s, &p->t, &p->box, a);
-    return is_normal_asked ? left & ~m_bits(m_signs(apart_on_box_normal(s, a))) : left;
+    return is_box_first(kind) ? left & ~m_bits(m_signs(apart_on_box_normal(s, a))) : left;
 }
 
 TRIBOX_INLINE vmask apart_on_box_normals(const lane_shape *s)
@@ -168,69 +170,96 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool 
 }
 
 /*
- * The lanes of the packet at pair `at` that overlap at this accuracy; in *open those that are left to a slower stage.
- * looks_again: with the second look of ties.h, for which more numbers have to be kept.
+ * EXACT and CONSERVATIVE: the lanes of `left` whose overlap is certain. Each is left by the box normals where they are tested, and
+ * has a valid margin and what this table says (PROOFS.md 5.3):
+ *
+ *   accuracy       groups                      what a hit needs                         why
+ *   EXACT          box normals                 nothing more                             they compare the input: nothing is rounded
+ *   EXACT          box normals, plane          slack beyond its margin, or redundant    the plane has no side that could be turned
+ *   EXACT          box normals, edges, or all  the same of every slack, and             where an extent is tiny, rounding can turn
+ *                                              certifiable extents                      the sign of n_i, and an edge's outer side
+ *   EXACT          no box normals              every slack beyond its margin            two-sided slacks have no such sign, and
+ *                                                                                       no axis is redundant
+ *   CONSERVATIVE   any                         as EXACT, but extents only where         it may report too much: a hit misses
+ *                                              an axis is left out as redundant         nothing
+ *
+ * certain: the lanes that have every tested slack beyond its margin. Redundant axes are left out in the second look alone.
  */
-TRIBOX_INLINE uint64_t packet(lane_pairs *p, const lane_source *from, size_t at, unsigned sequence, tribox_accuracy accuracy,
-                              bool looks_again, uint64_t *open)
+TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_margin *box, const lane_margin *margin, vmask certain,
+                                        walk_kind kind, uint64_t left)
 {
-    const unsigned second = group_at(sequence, 1), third = group_at(sequence, 2);
-    const bool is_box_asked = sequence_has(sequence, 1), is_box_first = group_at(sequence, 0) == 1;
-    const unsigned first = is_box_first ? 0 : group_at(sequence, 0); /* the box normals are tested while loading */
+    const bool has_plane = sequence_has(kind.sequence, 2), has_edges = sequence_has(kind.sequence, 3);
+    const bool has_redundant = sequence_has(kind.sequence, 1) && (has_plane || has_edges);
+    const bool needs_extents = kind.accuracy == TRIBOX_EXACT && has_redundant && has_edges;
+    uint64_t hit = left & m_bits(m_and(certain, margin->is_valid));
+    if (needs_extents)
+        hit &= m_bits(v_gt(v_splat(0), box->least)); /* no extent matters (PROOFS.md 5.2) */
+    if (!(left & ~hit) || !has_redundant || !(needs_extents || kind.looks_again))
+        return hit;
+    const vmask certifiable = has_edges ? m_and(margin->is_valid, are_extents_certifiable(s, box)) : margin->is_valid;
+    hit |= left & m_bits(m_and(certain, certifiable));
+    if (!(left & ~hit) || !kind.looks_again)
+        return hit;
+    const vmask edges = has_edges ? are_edges_certain(s, margin) : m_all();
+    const vmask plane = has_plane ? is_plane_certain(s, margin) : m_all();
+    return hit | (left & m_bits(m_and(certifiable, m_and(edges, plane))));
+}
+
+/* FAST: what the signs of the slacks leave; open where a coordinate is not finite. */
+TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+{
+    const bool is_box_asked = sequence_has(kind.sequence, 1);
+    vnum reach = v_splat(0);
+    left = left_by_sign(s, is_box_first(kind) ? 0 : group_at(kind.sequence, 0), is_box_asked, left, &reach);
+    if (!left)
+        return 0;
+    left = left_by_sign(s, group_at(kind.sequence, 1), is_box_asked, left, &reach);
+    if (!left)
+        return 0;
+    left = left_by_sign(s, group_at(kind.sequence, 2), is_box_asked, left, &reach);
+    const uint64_t finite = finite_lanes(&p->t, kind.sequence, reach);
+    *open = left & ~finite;
+    return left & finite;
+}
+
+/* EXACT and CONSERVATIVE: what slacks beyond their margins leave, and open where that is not certain. */
+TRIBOX_INLINE uint64_t overlaps_by_margin(lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+{
+    const unsigned sequence = kind.sequence;
+    const unsigned first = is_box_first(kind) ? 0 : group_at(sequence, 0), second = group_at(sequence, 1);
+    const bool is_box_asked = sequence_has(sequence, 1);
+    lane_margin margin;
+    vmask certain = m_all();
+    if (!kind.is_soup)
+        p->margin = box_margin_of(&p->box);
+    left = left_by_margin(s, first, is_box_asked, true, &p->margin, left, &margin, &certain);
+    if (!left)
+        return 0;
+    left = left_by_margin(s, second, is_box_asked, first < 2, &p->margin, left, &margin, &certain);
+    if (!left)
+        return 0;
+    left = left_by_margin(s, group_at(sequence, 2), is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &certain);
+    if (sequence == 1)
+        margin = margin_of(s, &p->margin, is_box_asked);
+    const uint64_t hit = certain_overlaps(s, &p->margin, &margin, certain, kind, left);
+    *open = left & ~hit;
+    return hit;
+}
+
+/* The lanes of the packet at pair `at` that overlap at this accuracy; in *open those that are left to a slower stage. */
+TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_pairs *from, size_t at, walk_kind kind, uint64_t *open)
+{
     lane_shape s;
     *open = 0;
-    uint64_t left = load_axis(p, from, at, 0, is_box_first, LANES_ALL, &s);
+    uint64_t left = load_axis(p, from, at, 0, kind, LANES_ALL, &s);
     if (!left)
         return 0;
-    left = load_axis(p, from, at, 1, is_box_first, left, &s);
+    left = load_axis(p, from, at, 1, kind, left, &s);
     if (!left)
         return 0;
-    left = load_axis(p, from, at, 2, is_box_first, left, &s);
+    left = load_axis(p, from, at, 2, kind, left, &s);
     if (!left)
         return 0;
     shape_normal(&s);
-
-    if (accuracy == TRIBOX_FAST) {
-        vnum reach = v_splat(0);
-        left = left_by_sign(&s, first, is_box_asked, left, &reach);
-        if (!left)
-            return 0;
-        left = left_by_sign(&s, second, is_box_asked, left, &reach);
-        if (!left)
-            return 0;
-        left = left_by_sign(&s, third, is_box_asked, left, &reach);
-        const uint64_t finite = finite_lanes(&p->t, sequence, reach);
-        *open = left & ~finite;
-        return left & finite;
-    }
-
-    if (!from->is_soup)
-        p->margin = box_margin_of(&p->box);
-    lane_margin margin;
-    vmask certain;
-    left = left_by_margin(&s, first, is_box_asked, true, &p->margin, left, &margin, &certain);
-    if (!left)
-        return 0;
-    left = left_by_margin(&s, second, is_box_asked, first < 2, &p->margin, left, &margin, &certain);
-    if (!left)
-        return 0;
-    left = left_by_margin(&s, third, is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &certain);
-    certain = sequence == 1 ? margin_of(&s, &p->margin, is_box_asked).is_valid : m_and(certain, margin.is_valid);
-
-    /* Not CONSERVATIVE: it may report too much, and a hit misses nothing (PROOFS.md 5.3). */
-    const bool needs_certificate = accuracy == TRIBOX_EXACT && is_box_asked && sequence_has(sequence, 3);
-    uint64_t hit = left & m_bits(certain);
-    if (needs_certificate)
-        hit &= m_bits(v_gt(v_splat(0), p->margin.least));
-    if (left & ~hit && is_box_asked && sequence != 1 && (needs_certificate || looks_again)) {
-        const vmask certifiable = sequence_has(sequence, 3) ? are_extents_certifiable(&s, &p->margin) : margin.is_valid;
-        hit |= left & m_bits(m_and(certain, certifiable));
-        if (looks_again && left & ~hit) {
-            const vmask edges = sequence_has(sequence, 3) ? are_edges_certain(&s, &margin) : margin.is_valid;
-            const vmask plane = sequence_has(sequence, 2) ? is_plane_certain(&s, &margin) : margin.is_valid;
-            hit |= left & m_bits(m_and(m_and(certifiable, margin.is_valid), m_and(edges, plane)));
-        }
-    }
-    *open = left & ~hit;
-    return hit;
+    return kind.accuracy == TRIBOX_FAST ? overlaps_by_sign(p, &s, kind, left, open) : overlaps_by_margin(p, &s, kind, left, open);
 }
