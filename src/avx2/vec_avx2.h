@@ -31,9 +31,7 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm256_fmsub_ps(a, b, 
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm256_min_ps(a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm256_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return _mm256_and_ps(_mm256_set1_ps(-0.0f), a); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, sign); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm256_and_ps(a, b); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_ps(b, a, m); }

@@ -34,9 +34,11 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm512_fmsub_ps(a, b, 
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm512_min_ps(a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm512_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return avx512_float(_mm512_and_si512(avx512_bits(a), _mm512_set1_epi32(0x7fffffff))); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return avx512_float(_mm512_andnot_si512(_mm512_set1_epi32(0x7fffffff), avx512_bits(a))); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return avx512_float(_mm512_xor_si512(avx512_bits(a), avx512_bits(sign))); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return avx512_float(_mm512_and_si512(avx512_bits(a), avx512_bits(b))); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
+{
+    const __m512i rest = _mm512_set1_epi32(0x7fffffff);
+    return avx512_float(_mm512_ternarylogic_epi32(avx512_bits(a), avx512_bits(sign), rest, 0xb4)); /* a ^ (sign & ~rest) */
+}
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_blend_ps(m, b, a); }

@@ -38,10 +38,10 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm512_fmsub_pd(a, b, 
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm512_min_pd(a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm512_max_pd(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return avx512_double(_mm512_andnot_si512(avx512_minus_zero(), avx512_bits(a))); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return avx512_double(_mm512_and_si512(avx512_minus_zero(), avx512_bits(a))); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return avx512_double(_mm512_xor_si512(avx512_bits(a), avx512_bits(sign))); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return avx512_double(_mm512_and_si512(avx512_bits(a), avx512_bits(b))); }
-TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_double(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
+{
+    return avx512_double(_mm512_xor_si512(avx512_bits(a), _mm512_and_si512(avx512_minus_zero(), avx512_bits(sign))));
+}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_mov_pd(b, m, a); }
 
@@ -51,5 +51,4 @@ TRIBOX_INLINE vmask m_not(vmask a) { return (vmask)~a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
-TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi64_mask(avx512_bits(a), _mm512_setzero_si512()); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }

@@ -44,7 +44,7 @@ typedef struct tribox_integers {
 
 tribox_integers tribox_integers_of(const tribox_pair *pair);
 
-/* What each width of integer can carry: 3 * bits + 8 for the plane's slack, with two to spare, and the sign (PROOFS.md 9). */
+/* What each width of integer can carry: 3 * bits + 8 for the plane's slack, with one to spare, and the sign (PROOFS.md 9). */
 enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39, TRIBOX_LIMBS_BITS = 277 };
 
 bool tribox_exact_int64(const tribox_integers *in, unsigned axes);

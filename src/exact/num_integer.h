@@ -16,9 +16,7 @@ TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return a * b + c; }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return v_max(a, b); }
-TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return v_min(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return a < 0 ? -a : a; }
-TRIBOX_INLINE vnum v_sign(vnum a) { return a; }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return sign < 0 ? -a : a; } /* of zero either will do: PROOFS.md 1 */
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a || b; }

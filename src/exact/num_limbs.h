@@ -104,15 +104,12 @@ static vnum v_min(vnum a, vnum b) { return v_gt(b, a) ? a : b; }
 
 static vnum v_max(vnum a, vnum b) { return v_gt(a, b) ? a : b; }
 
-static vnum v_both(vnum a, vnum b) { return v_max(a, b); }
-static vnum v_either(vnum a, vnum b) { return v_min(a, b); }
-
 static vnum v_abs(vnum a)
 {
     a.is_negative = false;
     return a;
 }
 
-static vnum v_sign(vnum a) { return a; }
-
 static vnum v_flip(vnum a, vnum sign) { return sign.is_negative ? v_neg(a) : a; }
+
+static vmask m_or(vmask a, vmask b) { return a || b; }

@@ -17,11 +17,10 @@ bool ORIENTED_IN_INTEGERS(const tribox_oriented_integers *in, unsigned axes)
             }
             t.u[j][k] = v_mul(t.u[j][k], v_shifted((tribox_integer){1, in->shift}));
         }
-        box.hi[k] = v_shifted(in->half[k]);
-        box.lo[k] = v_sub(v_splat(0), box.hi[k]);
-        box.H[k] = v_sub(box.hi[k], box.lo[k]);
+        const vnum half = v_shifted(in->half[k]);
+        set_bounds(&box, k, v_sub(v_splat(0), half), half);
         shape_axis(&s, &t, &box, k);
-        if ((axes & TRIBOX_AXES_BOX) && is_negative(apart_on_box_normal(&s, k)))
+        if ((axes & TRIBOX_AXES_BOX) && apart_on_box_normal(&t, &box, k))
             return false;
     }
     shape_normal(&s);

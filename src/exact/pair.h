@@ -11,9 +11,7 @@ bool EXACT_IN_INTEGERS(const tribox_integers *in, unsigned axes)
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
             t.u[j][a] = v_shifted(in->number[3 * a + j]);
-        box.lo[a] = v_shifted(in->number[9 + a]);
-        box.hi[a] = v_shifted(in->number[12 + a]);
-        box.H[a] = v_sub(box.hi[a], box.lo[a]);
+        set_bounds(&box, a, v_shifted(in->number[9 + a]), v_shifted(in->number[12 + a]));
         shape_axis(&s, &t, &box, a);
     }
     shape_normal(&s);

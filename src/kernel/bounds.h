@@ -6,8 +6,8 @@
  * a point of the triangle and a point of the box on that axis:
  *   edges of projection i   2 K u B_i + eta,  B_i = F_a m_b + F_b m_a,                  K = 16 one-sided, 32 two-sided
  *   plane                   2 24 u S + eta,   S = sum over i of (F_a F_b + tau) m_i
- * The factor 2 stands for the doubled units. Counted are 7 u (2 B_i) for the roundings of a one-sided slack and 6 u more where they
- * turn the sign of n_i, 17 for a two-sided slack, and 20 u (2 S) for the plane: PROOFS.md 3, operation by operation, fused or not.
+ * The factor 2 stands for the doubled units. Counted are 13 u (2 B_i) for the roundings of a one-sided slack, 15 where they turn
+ * the sign of n_i, 17 for a two-sided slack, and 22 u (2 S) for the plane: PROOFS.md 3, operation by operation, fused or not.
  *
  * eta and tau stand for underflow in float (PROOFS.md 3.7) and are zero in double (6.1).
  *

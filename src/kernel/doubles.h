@@ -17,11 +17,11 @@ typedef struct lane_slacks {
 TRIBOX_INLINE lane_slacks slacks_of(const lane_shape *s, unsigned axes)
 {
     lane_slacks slack;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        const edge_slacks edges = edge_slacks_along(s, i, axes & TRIBOX_AXES_BOX);
         for (int j = 0; j < 3; j++)
-            slack.edge[i][j] = !(axes & TRIBOX_AXES_EDGES) ? v_splat(INFINITY)
-                               : axes & TRIBOX_AXES_BOX    ? edge_slack(s, i, j)
-                                                           : edge_slack_both_sides(s, i, j);
+            slack.edge[i][j] = axes & TRIBOX_AXES_EDGES ? edges.of[j] : v_splat(INFINITY);
+    }
     slack.plane = axes & TRIBOX_AXES_PLANE ? plane_slack(s, plane_reach(s)) : v_splat(INFINITY);
     return slack;
 }
@@ -65,6 +65,19 @@ TRIBOX_INLINE vnum least_slack(const lane_slacks *slack)
     return least;
 }
 
+/* A vertex in the closed box is a common point, whatever the axes. A shortcut: the slacks find every overlap without it. */
+TRIBOX_INLINE vmask has_vertex_inside(const lane_triangle *t, const lane_box *box)
+{
+    vmask inside = m_none();
+    for (int j = 0; j < 3; j++) {
+        vmask outside = m_none();
+        for (int a = 0; a < 3; a++)
+            outside = m_or(outside, m_or(v_gt(box->lo[a], t->u[j][a]), v_gt(t->u[j][a], box->hi[a])));
+        inside = m_or(inside, m_not(outside));
+    }
+    return inside;
+}
+
 /* One packet of the batch, from pair `at`: the lanes that overlap, and in *open those that stay undecided. */
 TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact, uint64_t *open)
 {
@@ -75,9 +88,7 @@ TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, 
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
             t.u[j][a] = v_load(&batch->number[3 * a + j][at]);
-        box.lo[a] = v_load(&batch->number[9 + a][at]);
-        box.hi[a] = v_load(&batch->number[12 + a][at]);
-        box.H[a] = v_sub(box.hi[a], box.lo[a]);
+        set_bounds(&box, a, v_load(&batch->number[9 + a][at]), v_load(&batch->number[12 + a][at]));
         shape_axis(&s, &t, &box, a);
     }
     shape_normal(&s);
@@ -89,7 +100,7 @@ TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, 
     }
     const lane_range range = range_of(&slack, &t, &box, &s, axes & TRIBOX_AXES_BOX);
     const uint64_t apart = m_bits(v_gt(v_splat(0), range.most));
-    const uint64_t overlapping = m_bits(v_gt(range.least, v_splat(0))) | (~m_bits(m_signs(has_no_vertex_inside(&s))) & LANES_ALL);
+    const uint64_t overlapping = m_bits(m_or(v_gt(range.least, v_splat(0)), has_vertex_inside(&t, &box)));
     *open = ~(apart | overlapping) & LANES_ALL;
     return overlapping;
 }

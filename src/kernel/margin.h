@@ -8,7 +8,7 @@
  * but for tau; 34 in place of 32 makes room for the roundings of these lines. s is taken as sigma >= s, the sum over the axes of
  * |f_0a| + |f_1a|, which is not finite if any coordinate is not.
  *
- * Where the box normals are not tested, h grows by the sum of the |V_0a| (PROOFS.md 4.5).
+ * Where the box normals are not tested, h grows by the sum of the |V_a| (PROOFS.md 4.5).
  */
 typedef struct lane_margin {
     vmask is_valid; /* finite, and small enough that no product overflows (PROOFS.md 4.6) */
@@ -50,7 +50,7 @@ TRIBOX_INLINE lane_box_margin box_margin_of(const lane_box *box)
 /* The same, for a triangle that may be anywhere. */
 TRIBOX_INLINE lane_box_margin widened(const lane_box_margin *box, const lane_shape *s)
 {
-    const vnum away = v_add(v_add(v_abs(s->V[0][0]), v_abs(s->V[0][1])), v_abs(s->V[0][2]));
+    const vnum away = v_add(v_add(v_abs(s->V[0]), v_abs(s->V[1])), v_abs(s->V[2]));
     return (lane_box_margin){
         .most = v_sub(box->most, away),
         .least = box->least,

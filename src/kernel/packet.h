@@ -13,18 +13,6 @@ TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
             t->u[j][a] = v_splat(triangle[j][a]);
 }
 
-/*
- * The bounds on one axis. A zero lower bound is -0 and a zero upper bound +0 here, so that u - lo and hi - u are +0, and not
- * negative, for every zero u (PROOFS.md 1, consequence 6).
- */
-TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
-{
-    const vnum zero = v_splat(0.0f), minus_zero = v_splat(-0.0f);
-    box->lo[a] = v_flip(v_sub(zero, lo), minus_zero);
-    box->hi[a] = v_add(hi, zero);
-    box->H[a] = v_sub(hi, lo);
-}
-
 TRIBOX_INLINE void splat_box(lane_box *box, const tribox_box *from)
 {
     for (int a = 0; a < 3; a++)
@@ -63,8 +51,26 @@ TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_pairs *from, walk_kin
     }
 }
 
-/* The box normals that come first are tested while loading. */
-TRIBOX_INLINE bool is_box_first(walk_kind kind) { return group_at(kind.sequence, 0) == 1; }
+/*
+ * What a packet does at place k of its sequence: test a group, test edges and plane together where the plane comes right after the
+ * edges (EDGES_AND_PLANE), or nothing, as the box normals that come first are tested while loading.
+ */
+enum { EDGES_AND_PLANE = 32 };
+
+TRIBOX_INLINE bool is_box_first(unsigned sequence) { return group_at(sequence, 0) == 1; }
+
+TRIBOX_INLINE unsigned stage_at(unsigned sequence, int k)
+{
+    const unsigned before = k ? group_at(sequence, k - 1) : 0, group = group_at(sequence, k), after = group_at(sequence, k + 1);
+    if (group == 3 && after == 2)
+        return EDGES_AND_PLANE;
+    return (group == 2 && before == 3) || (group == 1 && k == 0) ? 0 : group;
+}
+
+TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
+{
+    return stage_at(sequence, 0) == EDGES_AND_PLANE || stage_at(sequence, 1) == EDGES_AND_PLANE;
+}
 
 /* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on its normal. */
 TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t at, int a, walk_kind kind, uint64_t left,
@@ -80,90 +86,112 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t
         set_bounds(&p->box, a, lo, hi);
     }
     shape_axis(s, &p->t, &p->box, a);
-    return is_box_first(kind) ? left & ~m_bits(m_signs(apart_on_box_normal(s, a))) : left;
+    return is_box_first(kind.sequence) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
 }
 
-TRIBOX_INLINE vmask apart_on_box_normals(const lane_shape *s)
+TRIBOX_INLINE vmask apart_on_box_normals(const lane_pairs *p)
 {
-    return m_signs(v_either(v_either(apart_on_box_normal(s, 0), apart_on_box_normal(s, 1)), apart_on_box_normal(s, 2)));
+    return m_or(m_or(apart_on_box_normal(&p->t, &p->box, 0), apart_on_box_normal(&p->t, &p->box, 1)),
+                apart_on_box_normal(&p->t, &p->box, 2));
 }
 
-TRIBOX_INLINE vnum all_edges_slack(const lane_shape *s, bool is_box_asked)
+/* One number for several slacks: the least or, for FAST, any that is negative if one is. No slack is -0 (PROOFS.md 10). */
+TRIBOX_INLINE vnum worst_of(vnum a, vnum b, tribox_accuracy accuracy)
 {
-    return is_box_asked ? lane_min3(edges_slack(s, 0), edges_slack(s, 1), edges_slack(s, 2))
-                        : lane_min3(edges_slack_both_sides(s, 0), edges_slack_both_sides(s, 1), edges_slack_both_sides(s, 2));
+    return accuracy == TRIBOX_FAST ? v_either(a, b) : v_min(a, b);
+}
+
+TRIBOX_INLINE vnum worst_edge_along(const lane_shape *s, int i, bool is_box_asked, tribox_accuracy accuracy)
+{
+    const edge_slacks slack = edge_slacks_along(s, i, is_box_asked);
+    return worst_of(worst_of(slack.of[0], slack.of[1], accuracy), slack.of[2], accuracy);
+}
+
+TRIBOX_INLINE vnum worst_edge(const lane_shape *s, bool is_box_asked, tribox_accuracy accuracy)
+{
+    return worst_of(
+        worst_of(worst_edge_along(s, 0, is_box_asked, accuracy), worst_edge_along(s, 1, is_box_asked, accuracy), accuracy),
+        worst_edge_along(s, 2, is_box_asked, accuracy), accuracy);
 }
 
 /*
- * Bullet 3 for one lane, which stops at the first axis that separates, as in the paper. In a packet some lane nearly always goes
- * on, so it tests all nine at once. *certain loses the lane if a slack is within its bound.
+ * Edges and plane in one pass over the projections, n included: they share products, and fewer numbers are kept. Rounded as by
+ * worst_edge, plane_reach and plane_slack, so no order changes an answer.
  */
-TRIBOX_INLINE uint64_t left_by_each_edge(const lane_shape *s, bool is_box_asked, uint64_t left, vnum error, vmask *certain)
+typedef struct joint_slacks {
+    vnum edges, plane;
+    vnum reach; /* of the box along n */
+} joint_slacks;
+
+TRIBOX_INLINE joint_slacks joint_slacks_of(lane_shape *s, bool is_box_asked, tribox_accuracy accuracy)
 {
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const vnum slack = is_box_asked ? edge_slack(s, i, j) : edge_slack_both_sides(s, i, j);
-            if (m_bits(v_gt(v_splat(0), v_add(slack, error))))
-                return 0;
-            *certain = m_and(*certain, v_gt(slack, error));
-        }
-    return left;
+    joint_slacks slack = {.reach = v_splat(0)};
+    vnum d = v_splat(0);
+    for (int i = 0; i < 3; i++) {
+        shape_normal_along(s, i);
+        const vnum edges = worst_edge_along(s, i, is_box_asked, accuracy);
+        slack.edges = i == 0 ? edges : worst_of(slack.edges, edges, accuracy);
+        d = add_to_distance(s, i, d);
+        slack.reach = add_to_reach(s, i, slack.reach);
+    }
+    slack.plane = plane_slack_of(slack.reach, d);
+    return slack;
 }
 
 /*
  * Lanes without NaN and infinity, which min and max can drop: the reach of the box along n is finite only where all coordinates
  * are. Without the plane, the sum of the coordinates does the same for less (PROOFS.md 5.4).
  */
-TRIBOX_INLINE uint64_t finite_lanes(const lane_triangle *t, unsigned sequence, vnum reach)
+TRIBOX_INLINE vmask is_finite_sum(const lane_triangle *t)
 {
-    if (!sequence_has(sequence, 2)) {
-        reach = v_splat(0);
-        for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                reach = v_add(reach, t->u[j][a]);
-    }
-    return m_bits(v_gt(v_splat(INFINITY), v_abs(reach)));
-}
-
-/* FAST: the lanes of `left` that the signs of one group's slacks do not separate; *reach is set by the plane. */
-TRIBOX_INLINE uint64_t left_by_sign(const lane_shape *s, unsigned group, bool is_box_asked, uint64_t left, vnum *reach)
-{
-    if (group == 1)
-        left &= ~m_bits(apart_on_box_normals(s));
-    if (group == 2) {
-        *reach = plane_reach(s);
-        left &= ~m_bits(v_gt(v_splat(0), plane_slack(s, *reach)));
-    }
-    if (group == 3 && V_LANES == 1) {
-        vmask certain = m_all();
-        return left_by_each_edge(s, is_box_asked, left, v_splat(0), &certain);
-    }
-    if (group == 3)
-        left &= ~m_bits(v_gt(v_splat(0), all_edges_slack(s, is_box_asked)));
-    return left;
+    vnum sum = v_splat(0);
+    for (int j = 0; j < 3; j++)
+        for (int a = 0; a < 3; a++)
+            sum = v_add(sum, t->u[j][a]);
+    return v_gt(v_splat(INFINITY), v_abs(sum));
 }
 
 /*
- * CONSERVATIVE and EXACT: the same where the slack is beyond its margin; *certain keeps the lanes beyond it on the good side. The
- * first slack is computed before the margin, so that fewer numbers are live at a time.
+ * FAST: the lanes of `left` that the signs of one stage's slacks do not separate. Where the plane is tested too, now or later, only
+ * lanes with a finite reach along n are separated: the sign of a NaN means nothing.
  */
-TRIBOX_INLINE uint64_t left_by_margin(const lane_shape *s, unsigned group, bool is_box_asked, bool is_first,
-                                      const lane_box_margin *box, uint64_t left, lane_margin *margin, vmask *certain)
+TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned stage, unsigned sequence, uint64_t left,
+                                    vmask *finite)
 {
+    const bool is_box_asked = sequence_has(sequence, 1);
+    vnum slack, reach = v_splat(0);
+    if (stage == EDGES_AND_PLANE) {
+        const joint_slacks joint = joint_slacks_of(s, is_box_asked, TRIBOX_FAST);
+        reach = joint.reach;
+        slack = v_either(joint.edges, joint.plane);
+    } else if (stage == 3) {
+        reach = sequence_has(sequence, 2) ? plane_reach(s) : reach;
+        slack = worst_edge(s, is_box_asked, TRIBOX_FAST);
+    } else if (stage == 2) {
+        reach = plane_reach(s);
+        slack = plane_slack(s, reach);
+    } else {
+        return stage == 1 ? left & ~m_bits(apart_on_box_normals(p)) : left;
+    }
+    *finite = v_gt(v_splat(INFINITY), reach);
+    return left & ~m_bits(m_and(*finite, m_signs(slack)));
+}
+
+/*
+ * CONSERVATIVE and EXACT: the same of one group where the slack is beyond its margin; *certain keeps the lanes beyond it, on the
+ * good side. The first slack is computed before the margin, so that fewer numbers are live at a time.
+ */
+TRIBOX_INLINE uint64_t left_by_margin(const lane_pairs *p, const lane_shape *s, unsigned group, bool is_first, walk_kind kind,
+                                      uint64_t left, lane_margin *margin, vmask *certain)
+{
+    const bool is_box_asked = sequence_has(kind.sequence, 1);
     if (group == 1)
-        return left & ~m_bits(apart_on_box_normals(s));
+        return left & ~m_bits(apart_on_box_normals(p));
     if (group != 2 && group != 3)
         return left;
-    if (group == 3 && V_LANES == 1) {
-        if (is_first) {
-            *margin = margin_of(s, box, is_box_asked);
-            *certain = margin->is_valid;
-        }
-        return m_bits(margin->is_valid) ? left_by_each_edge(s, is_box_asked, left, margin->edges, certain) : left;
-    }
-    const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : all_edges_slack(s, is_box_asked);
+    const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : worst_edge(s, is_box_asked, kind.accuracy);
     if (is_first)
-        *margin = margin_of(s, box, is_box_asked);
+        *margin = margin_of(s, &p->margin, is_box_asked);
     const vnum error = group == 2 ? margin->plane : margin->edges;
     *certain = is_first ? v_gt(slack, error) : m_and(*certain, v_gt(slack, error));
     return left & ~m_bits(m_and(margin->is_valid, v_gt(v_splat(0), v_add(slack, error))));
@@ -206,41 +234,63 @@ TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_marg
 }
 
 /* FAST: what the signs of the slacks leave; open where a coordinate is not finite. */
-TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
 {
-    const bool is_box_asked = sequence_has(kind.sequence, 1);
-    vnum reach = v_splat(0);
-    left = left_by_sign(s, is_box_first(kind) ? 0 : group_at(kind.sequence, 0), is_box_asked, left, &reach);
+    vmask finite = m_all();
+    left = left_by_sign(p, s, stage_at(kind.sequence, 0), kind.sequence, left, &finite);
     if (!left)
         return 0;
-    left = left_by_sign(s, group_at(kind.sequence, 1), is_box_asked, left, &reach);
+    left = left_by_sign(p, s, stage_at(kind.sequence, 1), kind.sequence, left, &finite);
     if (!left)
         return 0;
-    left = left_by_sign(s, group_at(kind.sequence, 2), is_box_asked, left, &reach);
-    const uint64_t finite = finite_lanes(&p->t, kind.sequence, reach);
-    *open = left & ~finite;
-    return left & finite;
+    left = left_by_sign(p, s, stage_at(kind.sequence, 2), kind.sequence, left, &finite);
+    if (!sequence_has(kind.sequence, 2))
+        finite = is_finite_sum(&p->t);
+    *open = left & ~m_bits(finite);
+    return left & m_bits(finite);
 }
 
-/* EXACT and CONSERVATIVE: what slacks beyond their margins leave, and open where that is not certain. */
-TRIBOX_INLINE uint64_t overlaps_by_margin(lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+/* EXACT and CONSERVATIVE, group by group: what slacks beyond their margins leave, and open where that is not certain. */
+TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
 {
-    const unsigned sequence = kind.sequence;
-    const unsigned first = is_box_first(kind) ? 0 : group_at(sequence, 0), second = group_at(sequence, 1);
-    const bool is_box_asked = sequence_has(sequence, 1);
+    const unsigned first = stage_at(kind.sequence, 0), second = stage_at(kind.sequence, 1), third = stage_at(kind.sequence, 2);
     lane_margin margin;
     vmask certain = m_all();
-    if (!kind.is_soup)
-        p->margin = box_margin_of(&p->box);
-    left = left_by_margin(s, first, is_box_asked, true, &p->margin, left, &margin, &certain);
+    left = left_by_margin(p, s, first, true, kind, left, &margin, &certain);
     if (!left)
         return 0;
-    left = left_by_margin(s, second, is_box_asked, first < 2, &p->margin, left, &margin, &certain);
+    left = left_by_margin(p, s, second, first < 2, kind, left, &margin, &certain);
     if (!left)
         return 0;
-    left = left_by_margin(s, group_at(sequence, 2), is_box_asked, first < 2 && second < 2, &p->margin, left, &margin, &certain);
-    if (sequence == 1)
-        margin = margin_of(s, &p->margin, is_box_asked);
+    left = left_by_margin(p, s, third, first < 2 && second < 2, kind, left, &margin, &certain);
+    if (kind.sequence == 1)
+        margin = margin_of(s, &p->margin, true);
+    const uint64_t hit = certain_overlaps(s, &p->margin, &margin, certain, kind, left);
+    *open = left & ~hit;
+    return hit;
+}
+
+/*
+ * The same, edges and plane together. Where every lane has both slacks beyond their margins, on either side, the signs decide and
+ * the rest need not be looked at; a hit of EXACT then needs extents that do not matter, as in certain_overlaps.
+ */
+TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+{
+    const bool is_box_asked = sequence_has(kind.sequence, 1);
+    const vnum zero = v_splat(0);
+    const joint_slacks slack = joint_slacks_of(s, is_box_asked, kind.accuracy);
+    const lane_margin margin = margin_of(s, &p->margin, is_box_asked);
+    const vmask apart = v_gt(zero, v_min(slack.edges, slack.plane));
+    vmask decided = m_and(m_and(margin.is_valid, v_gt(v_abs(slack.edges), margin.edges)), v_gt(v_abs(slack.plane), margin.plane));
+    if (kind.accuracy == TRIBOX_EXACT && is_box_asked)
+        decided = m_and(decided, m_or(apart, v_gt(zero, p->margin.least)));
+    if (is_box_asked && !is_box_first(kind.sequence))
+        left &= ~m_bits(apart_on_box_normals(p));
+    if (!(left & ~m_bits(decided)))
+        return left & ~m_bits(apart);
+    const vmask beyond = m_or(v_gt(zero, v_add(slack.edges, margin.edges)), v_gt(zero, v_add(slack.plane, margin.plane)));
+    const vmask certain = m_and(v_gt(slack.edges, margin.edges), v_gt(slack.plane, margin.plane));
+    left &= ~m_bits(m_and(margin.is_valid, beyond));
     const uint64_t hit = certain_overlaps(s, &p->margin, &margin, certain, kind, left);
     *open = left & ~hit;
     return hit;
@@ -260,6 +310,12 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_pairs *from, size_t at
     left = load_axis(p, from, at, 2, kind, left, &s);
     if (!left)
         return 0;
-    shape_normal(&s);
-    return kind.accuracy == TRIBOX_FAST ? overlaps_by_sign(p, &s, kind, left, open) : overlaps_by_margin(p, &s, kind, left, open);
+    const bool is_joint = has_joint_stage(kind.sequence);
+    if (!is_joint)
+        shape_normal(&s);
+    if (kind.accuracy == TRIBOX_FAST)
+        return overlaps_by_sign(p, &s, kind, left, open);
+    if (!kind.is_soup)
+        p->margin = box_margin_of(&p->box);
+    return is_joint ? overlaps_by_joint_margin(p, &s, kind, left, open) : overlaps_by_margin(p, &s, kind, left, open);
 }

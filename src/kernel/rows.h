@@ -73,8 +73,7 @@ TRIBOX_INLINE vnum from_corner(vnum g, vnum m) { return v_sub(v_mul(m, g), v_min
 TRIBOX_INLINE row_axis axis_of(const row_triangle *t, int i, int j)
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
-    const vnum s = v_sign(t->n[i]);
-    const vnum m_a = v_flip(t->f[j][b], s), m_b = v_flip(t->f[j][a], v_flip(s, v_splat(-0.0)));
+    const vnum m_a = v_flip(t->f[j][b], t->n[i]), m_b = v_flip(t->f[j][a], v_flip(t->n[i], v_splat(-0.0)));
     return (row_axis){m_a, m_b, v_add(from_corner(t->g[j][a], m_a), from_corner(t->g[j][b], m_b)),
                       m_and(is_not_zero(m_a), is_not_zero(m_b))};
 }
@@ -149,7 +148,7 @@ TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_tri
     for (int i = 0; i < 3; i++)
         S = v_fma(v_mul(t->F[(i + 1) % 3], t->F[(i + 2) % 3]), t->R[i], S);
     for (int a = 0; a < 3; a++) {
-        n[a] = v_flip(t->n[a], v_sign(t->n[0])); /* towards positive x */
+        n[a] = v_flip(t->n[a], t->n[0]); /* towards positive x */
         asked = m_and(asked, is_not_zero(t->F[a]));
     }
     n[0] = v_max(n[0], v_div(v_mul(v_splat(0x1p-46), S), t->R[0]));

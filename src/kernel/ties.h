@@ -24,11 +24,13 @@ TRIBOX_INLINE vmask are_extents_certifiable(const lane_shape *s, const lane_box_
 TRIBOX_INLINE vmask are_edges_certain(const lane_shape *s, const lane_margin *margin)
 {
     vmask certain = m_all();
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        const edge_slacks slack = edge_slacks_along(s, i, true);
         for (int j = 0; j < 3; j++) {
             const vnum shorter = v_min(v_abs(s->f[j][(i + 1) % 3]), v_abs(s->f[j][(i + 2) % 3]));
-            certain = m_andnot(certain, m_andnot(is_positive(shorter), v_gt(edge_slack(s, i, j), margin->edges)));
+            certain = m_andnot(certain, m_andnot(is_positive(shorter), v_gt(slack.of[j], margin->edges)));
         }
+    }
     return certain;
 }
 

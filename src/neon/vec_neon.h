@@ -35,9 +35,10 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return vfmaq_f32(vnegq_f32(c)
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return vabsq_f32(a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return neon_number(vandq_u32(neon_bits(a), vdupq_n_u32(0x80000000u))); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return neon_number(veorq_u32(neon_bits(a), neon_bits(sign))); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return neon_number(vandq_u32(neon_bits(a), neon_bits(b))); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
+{
+    return neon_number(veorq_u32(neon_bits(a), vandq_u32(neon_bits(sign), vdupq_n_u32(0x80000000u))));
+}
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u32(neon_bits(a), neon_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f32(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f32(m, a, b); }

@@ -38,10 +38,10 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return vfmaq_f64(vnegq_f64(c)
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return vbslq_f64(vcltq_f64(a, b), a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return vbslq_f64(vcgtq_f64(a, b), a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return vabsq_f64(a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return neon_number(vandq_u64(neon_bits(a), vdupq_n_u64(UINT64_C(1) << 63))); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return neon_number(veorq_u64(neon_bits(a), neon_bits(sign))); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return neon_number(vandq_u64(neon_bits(a), neon_bits(b))); }
-TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u64(neon_bits(a), neon_bits(b))); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
+{
+    return neon_number(veorq_u64(neon_bits(a), vandq_u64(neon_bits(sign), vdupq_n_u64(UINT64_C(1) << 63))));
+}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f64(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f64(m, a, b); }
 
@@ -51,5 +51,4 @@ TRIBOX_INLINE vmask m_not(vmask a) { return veorq_u64(a, m_all()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return vorrq_u64(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u64(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u64(a, b); }
-TRIBOX_INLINE vmask m_signs(vnum a) { return vcltzq_s64(vreinterpretq_s64_f64(a)); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return vaddvq_u64(vandq_u64(a, (vmask){1, 2})); }

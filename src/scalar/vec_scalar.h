@@ -43,9 +43,7 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
 TRIBOX_INLINE vnum v_abs(vnum a) { return fabsf(a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return scalar_float(scalar_bits(a) & 0x80000000u); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return scalar_float(scalar_bits(a) & scalar_bits(b)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
@@ -56,7 +54,7 @@ TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }
 TRIBOX_INLINE vmask m_all(void) { return true; }
 TRIBOX_INLINE vmask m_none(void) { return false; }
 TRIBOX_INLINE vmask m_not(vmask a) { return !a; }
-TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
+TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a + b > 0; } /* of a | b gcc makes two branches, often mispredicted */
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }

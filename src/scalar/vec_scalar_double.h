@@ -32,10 +32,7 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
 TRIBOX_INLINE vnum v_abs(vnum a) { return fabs(a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return copysign(0.0, a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return signbit(sign) ? -a : a; }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return copysign(1.0, signbit(a) && signbit(b) ? -1.0 : 1.0); }
-TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return copysign(1.0, signbit(a) || signbit(b) ? -1.0 : 1.0); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
 
@@ -45,5 +42,4 @@ TRIBOX_INLINE vmask m_not(vmask a) { return !a; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a | b; }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
-TRIBOX_INLINE vmask m_signs(vnum a) { return signbit(a) != 0; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }

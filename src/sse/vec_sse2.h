@@ -30,10 +30,8 @@ TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm_add_ps(_mm_mul_ps(
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm_sub_ps(_mm_mul_ps(a, b), c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm_min_ps(a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_ps(a, b); }
-TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return _mm_and_ps(_mm_set1_ps(-0.0f), a); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, sign); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm_and_ps(a, b); }
+TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_and_ps(_mm_castsi128_ps(_mm_set1_epi32(0x7fffffff)), a); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, _mm_and_ps(_mm_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }

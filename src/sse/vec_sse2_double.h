@@ -34,10 +34,7 @@ TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm_sub_pd(_mm_mul_pd(
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm_min_pd(a, b); }
 TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_pd(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
-TRIBOX_INLINE vnum v_sign(vnum a) { return _mm_and_pd(_mm_set1_pd(-0.0), a); }
-TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_pd(a, sign); }
-TRIBOX_INLINE vnum v_both(vnum a, vnum b) { return _mm_and_pd(a, b); }
-TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_pd(a, b); }
+TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_pd(a, _mm_and_pd(_mm_set1_pd(-0.0), sign)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_pd(a, b); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
 
@@ -47,5 +44,4 @@ TRIBOX_INLINE vmask m_not(vmask a) { return _mm_andnot_pd(a, m_all()); }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_pd(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_pd(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_pd(b, a); }
-TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_pd(a); }

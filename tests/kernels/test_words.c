@@ -79,8 +79,6 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
         return a > b ? a : b;
     case V_ABS:
         return number_of_bits(bits_of(a) & ~SIGN_BIT);
-    case V_SIGN:
-        return number_of_bits(bits_of(a) & SIGN_BIT);
     case V_FLIP:
         return number_of_bits(bits_of(a) ^ (bits_of(b) & SIGN_BIT));
     case V_WRITE:
@@ -97,19 +95,21 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
     return NAN;
 }
 
+#if !defined(LANES_OF_DOUBLE)
 static bool is_negative(lane_number a) { return bits_of(a) & SIGN_BIT; }
+#endif
 
 static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 {
     switch (word) {
     case V_GT:
         return a > b;
+#if !defined(LANES_OF_DOUBLE)
     case M_SIGNS:
         return is_negative(a);
-    case V_BOTH:
-        return is_negative(a) && is_negative(b);
     case V_EITHER:
         return is_negative(a) || is_negative(b);
+#endif
     case M_ALL:
         return true;
     case M_NONE:
@@ -129,17 +129,20 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 }
 
 static const char *const number_names[NUMBER_WORDS] = {
-    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",     [V_SUB] = "v_sub",       [V_MUL] = "v_mul", [V_FMA] = "v_fma",
-    [V_FMS] = "v_fms",     [V_MIN] = "v_min",     [V_MAX] = "v_max",       [V_ABS] = "v_abs", [V_SIGN] = "v_sign",
-    [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select",
+    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",   [V_SUB] = "v_sub",     [V_MUL] = "v_mul",
+    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",   [V_MIN] = "v_min",     [V_MAX] = "v_max",
+    [V_ABS] = "v_abs",     [V_FLIP] = "v_flip", [V_WRITE] = "v_write", [V_SELECT] = "v_select",
 #if defined(LANES_OF_DOUBLE)
     [V_DIV] = "v_div",
 #endif
 };
 
 static const char *const mask_names[MASK_WORDS] = {
-    [V_GT] = "v_gt",     [M_SIGNS] = "m_signs", [V_BOTH] = "v_both", [V_EITHER] = "v_either", [M_ALL] = "m_all",
-    [M_NONE] = "m_none", [M_NOT] = "m_not",     [M_OR] = "m_or",     [M_AND] = "m_and",       [M_ANDNOT] = "m_andnot",
+#if !defined(LANES_OF_DOUBLE)
+    [M_SIGNS] = "m_signs", [V_EITHER] = "v_either",
+#endif
+    [V_GT] = "v_gt",       [M_ALL] = "m_all",       [M_NONE] = "m_none",     [M_NOT] = "m_not",
+    [M_OR] = "m_or",       [M_AND] = "m_and",       [M_ANDNOT] = "m_andnot",
 };
 
 /* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */

@@ -53,10 +53,8 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
         return v_max(a, b);
     case V_ABS:
         return v_abs(a);
-    case V_SIGN:
-        return v_sign(a);
     case V_FLIP:
-        return v_flip(a, v_sign(b));
+        return v_flip(a, b);
     case V_WRITE:
         return copied(a);
     case V_SELECT:
@@ -98,12 +96,12 @@ static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
     switch (word) {
     case V_GT:
         break;
+#if !defined(LANES_OF_DOUBLE)
     case M_SIGNS:
         return m_signs(a);
-    case V_BOTH:
-        return m_signs(v_both(a, b));
     case V_EITHER:
         return m_signs(v_either(a, b));
+#endif
     case M_ALL:
         return m_all();
     case M_NONE:

@@ -29,7 +29,6 @@ typedef enum number_word {
     V_MIN,
     V_MAX,
     V_ABS,
-    V_SIGN,
     V_FLIP,   /* by the sign of b */
     V_WRITE,  /* a, written and read */
     V_SELECT, /* a where b > c, else b */
@@ -41,10 +40,11 @@ typedef enum number_word {
 
 /* Words that give a mask, or a number of which only the sign counts: seen through m_bits. */
 typedef enum mask_word {
-    V_GT,     /* a > b */
+    V_GT, /* a > b */
+#if !defined(LANES_OF_DOUBLE)
     M_SIGNS,  /* the sign of a */
-    V_BOTH,   /* the signs of a and b */
     V_EITHER, /* the sign of a or b */
+#endif
     M_ALL,    /* always */
     M_NONE,   /* never */
     M_NOT,    /* not a > b */

@@ -1,0 +1,96 @@
+/* test_signs.c - what a sign bit could get wrong: boxes of zeros of either sign, and NaN from products that overflow. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/kernels_here.h"
+#include "pair_list.h"
+
+static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
+enum { ORDERS = sizeof orders / sizeof orders[0], SIGNS = 64, WORDS = 2, COUNT = 70 };
+
+/* In the plane x + y + z = 0, about the origin; and with a corner, an edge or nothing but the origin itself. */
+static const float triangles[][3][3] = {
+    {{1, 1, -2}, {-2, 1, 1}, {1, -2, 1}},    {{1, -2, 1}, {-2, 1, 1}, {1, 1, -2}}, {{0, 0, 0}, {1, 2, 3}, {-0.0f, 1, -1}},
+    {{-1, 1, 0}, {1, -1, -0.0f}, {2, 3, 4}}, {{1, 2, 3}, {-1, -2, -3}, {1, 2, 3}}, {{-0.0f, 0, 0}, {0, -0.0f, 0}, {0, 0, -0.0f}},
+};
+enum { TRIANGLES = sizeof triangles / sizeof triangles[0] };
+
+static float zero_of(unsigned signs, int bit) { return signs >> bit & 1 ? -0.0f : 0.0f; }
+
+/* All pairs overlap, at every kernel and order, at these accuracies and axes. */
+static void check_all_overlap(const pair_list *q, tribox_accuracy first, unsigned least_axes)
+{
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    uint64_t every[WORDS] = {0}, mask[WORDS] = {0};
+    for (size_t i = 0; i < q->count; i++)
+        every[i / 64] |= UINT64_C(1) << i % 64;
+    for (int k = 0; k < kernels; k++)
+        for (tribox_accuracy accuracy = first; accuracy <= TRIBOX_FAST; accuracy++)
+            for (unsigned axes = least_axes; axes <= TRIBOX_AXES_ALL; axes++)
+                for (int o = 0; o < ORDERS; o++) {
+                    const tribox_options options = {accuracy, axes, orders[o], names[k]};
+                    ask_ok(q, &options, mask, NULL);
+                    assert_masks_equal(q, &options, every, mask);
+                }
+}
+
+/* Every one of the six bounds +0 or -0: the box is the origin, and the triangle touches it. */
+static void test_boxes_of_zeros(void **state)
+{
+    (void)state;
+    static float bound[6][COUNT], coordinate[9][COUNT];
+    pair_list boxes = {.count = COUNT}, soup = {.count = COUNT};
+    for (int s = 0; s < 6; s++) {
+        boxes.stream[s] = bound[s];
+        for (unsigned i = 0; i < COUNT; i++)
+            bound[s][i] = zero_of(i % SIGNS, s);
+    }
+    for (int s = 0; s < 9; s++) {
+        soup.stream[s] = coordinate[s];
+        for (int i = 0; i < COUNT; i++)
+            coordinate[s][i] = triangles[i % TRIANGLES][s % 3][s / 3];
+    }
+    for (int t = 0; t < TRIANGLES; t++) {
+        boxes.triangle = triangles[t];
+        check_all_overlap(&boxes, TRIBOX_EXACT, 1);
+    }
+    for (unsigned signs = 0; signs < SIGNS; signs++) {
+        const tribox_box box = {{zero_of(signs, 0), zero_of(signs, 1), zero_of(signs, 2)},
+                                {zero_of(signs, 3), zero_of(signs, 4), zero_of(signs, 5)}};
+        soup.box = &box;
+        check_all_overlap(&soup, TRIBOX_EXACT, 1);
+    }
+}
+
+/* Beyond 2^40, where products of three lengths, then of two, overflow: a lane that is not finite is not taken for apart. */
+static void test_overflow_is_not_apart(void **state)
+{
+    (void)state;
+    static float coordinate[9][COUNT];
+    for (int power = 20; power <= 125; power++) {
+        const float half = (float)ldexp(0.5, power);
+        const tribox_box box = {{-half, -half, -half}, {half, half, half}};
+        pair_list soup = {.count = COUNT, .box = &box};
+        for (int s = 0; s < 9; s++) {
+            soup.stream[s] = coordinate[s];
+            for (int i = 0; i < COUNT; i++)
+                coordinate[s][i] = (float)ldexp((double)triangles[i % 2][s % 3][s / 3], power);
+        }
+        check_all_overlap(&soup, TRIBOX_FAST, TRIBOX_AXES_ALL);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_boxes_of_zeros),
+        cmocka_unit_test(test_overflow_is_not_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
