@@ -95,7 +95,7 @@ TRIBOX_INLINE vmask apart_on_box_normals(const lane_pairs *p)
                 apart_on_box_normal(&p->t, &p->box, 2));
 }
 
-/* One number for several slacks: the least or, for FAST, any that is negative if one is. No slack is -0 (PROOFS.md 10). */
+/* One number for several slacks: the least or, for FAST, any that is negative if one is, as -0 would be (PROOFS.md 10). */
 TRIBOX_INLINE vnum worst_of(vnum a, vnum b, tribox_accuracy accuracy)
 {
     return accuracy == TRIBOX_FAST ? v_either(a, b) : v_min(a, b);
@@ -152,8 +152,9 @@ TRIBOX_INLINE vmask is_finite_sum(const lane_triangle *t)
 }
 
 /*
- * FAST: the lanes of `left` that the signs of one stage's slacks do not separate. Where the plane is tested too, now or later, only
- * lanes with a finite reach along n are separated: the sign of a NaN means nothing.
+ * FAST: the lanes of `left` that the signs of one stage's slacks do not separate. Where the plane is one of the groups, only
+ * lanes with a finite reach along n are separated: the sign of a NaN means nothing. Without it a NaN comes only from coordinates
+ * that are not finite, which overlap nothing, or from numbers beyond 2^40.
  */
 TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned stage, unsigned sequence, uint64_t left,
                                     vmask *finite)
