@@ -2,6 +2,7 @@
 #include "grid_choice.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "console/decimal.h"
@@ -99,27 +100,32 @@ static tribox_grid one_axis(const tribox_grid *grid, int a, float cell)
     return (tribox_grid){{grid->origin[a], 0, 0}, {cell, 1, 1}, {(uint32_t)fmax(1, ceil(length / (double)cell)), 1, 1}};
 }
 
-/* The smallest cell that float can tell apart all along the axis, to a power of two. */
+/* The smallest cell that float can tell apart all along the axis, to a power of two; infinite where none ends below FLT_MAX. */
 static float smallest_cell(const tribox_grid *grid, int a)
 {
     const float farthest = fmaxf(fabsf(grid->origin[a]), fabsf(plane(grid, a, grid->size[a])));
     float cell = nextafterf(farthest, INFINITY) - farthest;
-    for (tribox_grid tried = one_axis(grid, a, cell); !is_served(&tried); tried = one_axis(grid, a, cell))
-        cell *= 2;
+    for (; isfinite(cell); cell *= 2) {
+        const tribox_grid tried = one_axis(grid, a, cell);
+        if (is_served(&tried))
+            break;
+    }
     return cell;
 }
 
 static int refuse_axis(const tribox_grid *grid, int a)
 {
-    char cell[DECIMAL_MAX], far[DECIMAL_MAX], smallest[DECIMAL_MAX];
+    char advice[64] = "", number[3][DECIMAL_MAX];
     const float start = grid->origin[a], end = plane(grid, a, grid->size[a]);
     if (!isfinite(end))
         return message_failure("the grid reaches beyond what float holds on the %c axis; choose smaller or fewer cells", "xyz"[a]);
-    return message_failure(
-        "the grid is finer than float on the %c axis: near %s it cannot tell cells of %s apart; choose cells of %s "
-        "or more, or move the mesh towards 0",
-        "xyz"[a], decimal_of(fabsf(start) > fabsf(end) ? start : end, far), decimal_of(grid->cell[a], cell),
-        decimal_of(smallest_cell(grid, a), smallest));
+    const float smallest = smallest_cell(grid, a);
+    if (isfinite(smallest))
+        snprintf(advice, sizeof advice, "choose cells of %s or more, or ", decimal_of(smallest, number[0]));
+    return message_failure("the grid is finer than float on the %c axis: near %s it cannot tell cells of %s apart; %smove the mesh "
+                           "towards 0",
+                           "xyz"[a], decimal_of(fabsf(start) > fabsf(end) ? start : end, number[1]),
+                           decimal_of(grid->cell[a], number[2]), advice);
 }
 
 /* Finds out why the library refuses the grid. */
