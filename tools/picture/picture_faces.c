@@ -127,7 +127,7 @@ static size_t split_lists(picture_faces *f)
 {
     size_t faces = 0;
     for (int n = 0; n < 6; n++) {
-        f->list[n / 2][n % 2] = f->all + (f->all ? faces : 0);
+        f->list[n / 2][n % 2] = f->all ? f->all + faces : NULL;
         faces += f->count[n / 2][n % 2];
     }
     return faces;
