@@ -90,7 +90,8 @@ typedef struct tribox_batch {
 } tribox_batch;
 
 /*
- * The first `count` pairs of a batch, in double: the bits of those that overlap, and in *open of those that double cannot decide.
+ * The first `count` pairs of a batch, at least one, in double: the bits of those that overlap, and in *open of those that double
+ * cannot decide.
  * is_exact: ties may be decided where arithmetic happens to be exact, since integers decide the others as exactly.
  */
 typedef uint64_t tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);

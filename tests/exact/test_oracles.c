@@ -84,7 +84,7 @@ static void check_settling(const origin *where, const judged_batch *judged, unsi
         const tribox_pair pair = scene_pair(&judged->batch, k);
         if (!(axes & TRIBOX_AXES_BOX) || oracle_overlaps(judged->truth[k], TRIBOX_AXES_BOX))
             gather(&g, &pair, k);
-        if (g.count < TRIBOX_BATCH && k + 1 < SCENE_TRIANGLES)
+        if (!g.count || (g.count < TRIBOX_BATCH && k + 1 < SCENE_TRIANGLES))
             continue;
         for (size_t i = 0; i < tribox_kernel_count(); i++)
             if (tribox_kernel_runs_here(i))
