@@ -67,6 +67,9 @@ TRIBOX_INLINE unsigned stage_at(unsigned sequence, int k)
     return (group == 2 && before == 3) || (group == 1 && k == 0) ? 0 : group;
 }
 
+/* Whether a stage follows place k. Only then is it worth asking whether any lane is left: one lane alone is hard to foresee. */
+TRIBOX_INLINE bool has_stage_after(unsigned sequence, int k) { return stage_at(sequence, 2) || (k == 0 && stage_at(sequence, 1)); }
+
 TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
 {
     return stage_at(sequence, 0) == EDGES_AND_PLANE || stage_at(sequence, 1) == EDGES_AND_PLANE;
@@ -239,10 +242,10 @@ TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk
 {
     vmask finite = m_all();
     left = left_by_sign(p, s, stage_at(kind.sequence, 0), kind.sequence, left, &finite);
-    if (!left)
+    if (has_stage_after(kind.sequence, 0) && !left)
         return 0;
     left = left_by_sign(p, s, stage_at(kind.sequence, 1), kind.sequence, left, &finite);
-    if (!left)
+    if (has_stage_after(kind.sequence, 1) && !left)
         return 0;
     left = left_by_sign(p, s, stage_at(kind.sequence, 2), kind.sequence, left, &finite);
     if (!sequence_has(kind.sequence, 2))
@@ -258,10 +261,10 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
     lane_margin margin;
     vmask certain = m_all();
     left = left_by_margin(p, s, first, true, kind, left, &margin, &certain);
-    if (!left)
+    if (has_stage_after(kind.sequence, 0) && !left)
         return 0;
     left = left_by_margin(p, s, second, first < 2, kind, left, &margin, &certain);
-    if (!left)
+    if (has_stage_after(kind.sequence, 1) && !left)
         return 0;
     left = left_by_margin(p, s, third, first < 2 && second < 2, kind, left, &margin, &certain);
     if (kind.sequence == 1)
