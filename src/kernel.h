@@ -73,7 +73,11 @@ typedef struct tribox_pairs {
     size_t count;
 } tribox_pairs;
 
-/* Answers `count` pairs from pair 64 * word on: all present, and a multiple of TRIBOX_LANES_MAX. */
+/*
+ * Answers `count` pairs, one or more, from pair 64 * word on; bits past them are zero. Whole packets are read, the last of which
+ * ends with the last pair: so a walk reads pairs before its first one, too. Where the streams have fewer pairs than the kernel has
+ * lanes, there have to be numbers after them (few.h).
+ */
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
 /* The most lanes of float, and of double. The lanes of every kernel divide them. */
@@ -96,7 +100,10 @@ typedef struct tribox_batch {
  */
 typedef uint64_t tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
 
-/* The candidates among the triangles of a word that lie wholly in the box. */
+/* Fewer numbers of each of some streams than a packet has lanes to as many as it has, without reading others: the first repeats. */
+typedef void tribox_spread(const float *const *stream, int streams, size_t count, float (*to)[TRIBOX_LANES_MAX]);
+
+/* The candidates among the triangles of a word that lie wholly in the box. Whole packets are read, as by a walk. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
 
 /*
@@ -125,14 +132,15 @@ typedef struct tribox_moved {
     float error[3];                           /* how far off the others can be on each axis */
 } tribox_moved;
 
-/* `words` whole words of a soup, from triangle `first` on, into the frame of the box. */
-typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words,
+/* `count` triangles of a soup, from triangle `first` on, into the frame of the box: a whole packet at least. */
+typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t count,
                              tribox_moved *moved);
 
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
+    tribox_spread *spread;
     tribox_inside *inside;
     tribox_greatest_vertex *greatest_vertex;
     tribox_gather *gather;

@@ -12,6 +12,7 @@
 #include "bits.h"
 #include "environment.h"
 #include "exact/oriented.h"
+#include "few.h"
 #include "finite.h"
 #include "pairs.h"
 #include "soup.h"
@@ -102,42 +103,38 @@ static void answer_in_frame(question *q, const tribox_moved *moved, const tribox
     memset(open, 0, words * sizeof *open);
 }
 
-/* `count` triangles from `first` on, to word `to` of the mask. */
-static void answer_oriented_block(question *q, const tribox_soup *soup, size_t first, size_t count, size_t to)
+/* `count` triangles from `first` on, which begins a word of the mask. */
+static void answer_oriented_block(question *q, size_t first, size_t count)
 {
+    const tribox_soup *const soup = q->soup;
     const size_t words = tribox_mask_words(count);
     tribox_moved moved;
     uint64_t hit[TRIBOX_MOVED_WORDS], open[TRIBOX_MOVED_WORDS];
-    q->plan->kernel->to_frame(soup, q->box, first, words, &moved);
+    q->plan->kernel->to_frame(soup, q->box, first, count, &moved);
     const tribox_soup frame = tribox_soup_of(&moved.number[0][0], 64 * TRIBOX_MOVED_WORDS, count);
     if (q->plan->accuracy == TRIBOX_EXACT)
         answer_exactly(q, &moved, &frame, words, hit, open);
     else
         answer_in_frame(q, &moved, &frame, words, hit, open);
     for (size_t w = 0; w < words; w++) {
-        const uint64_t present = count - 64 * w < 64 ? ~(~UINT64_C(0) << count % 64) : ~UINT64_C(0);
         hit[w] &= ~(moved.apart[w] | moved.wild[w]);
-        for (uint64_t left = (open[w] | moved.wild[w]) & present; left; left &= left - 1) {
+        for (uint64_t left = open[w] | moved.wild[w]; left; left &= left - 1) {
             const unsigned lane = tribox_lowest_bit(left);
             hit[w] |= (uint64_t)overlaps_in_integers(q, soup, first + 64 * w + lane) << lane;
         }
         q->counts.overlapping += tribox_count_bits(hit[w]);
         if (q->mask)
-            q->mask[to + w] = hit[w];
+            q->mask[first / 64 + w] = hit[w];
     }
 }
 
 static void answer_oriented(question *q)
 {
-    const size_t words = q->soup->count / 64, tail = q->soup->count % 64;
-    for (size_t word = 0; word < words; word += TRIBOX_MOVED_WORDS) {
-        const size_t block = words - word < TRIBOX_MOVED_WORDS ? words - word : TRIBOX_MOVED_WORDS;
-        answer_oriented_block(q, q->soup, 64 * word, 64 * block, word);
-    }
-    if (tail) {
-        float scratch[9][64] = {{0}};
-        const tribox_soup last = tribox_soup_tail(q->soup, scratch);
-        answer_oriented_block(q, &last, 0, tail, words);
+    const size_t most = 64 * TRIBOX_MOVED_WORDS;
+    for (size_t first = 0, count; first < q->soup->count; first += count) {
+        const size_t left = q->soup->count - first;
+        count = left <= most ? left : most - 64; /* so that the last block has a word at least, and so a packet */
+        answer_oriented_block(q, first, count);
     }
 }
 
@@ -155,8 +152,11 @@ tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_orie
     if (plan.accuracy == TRIBOX_EXACT && plan.axes != TRIBOX_AXES_ALL && plan.axes != TRIBOX_AXES_BOX)
         return TRIBOX_BAD_OPTION;
 
+    tribox_few few;
     question q = {.soup = soup, .box = box, .plan = &plan, .mask = mask};
     const tribox_environment callers = tribox_environment_enter();
+    if (soup->count && tribox_is_few(soup->count, plan.kernel))
+        q.soup = tribox_few_triangles(soup, plan.kernel, &few);
     if (is_empty(box))
         tribox_pairs_write_none(soup->count, mask);
     else

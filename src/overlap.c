@@ -4,6 +4,7 @@
 #include "bits.h"
 #include "box.h"
 #include "environment.h"
+#include "few.h"
 #include "finite.h"
 #include "pairs.h"
 #include "soup.h"
@@ -89,8 +90,11 @@ static tribox_status find_unlike(const tribox_soup *soup, const tribox_box *box,
     const tribox_status status = first ? check_soup_and_box(soup, box, options, &plan) : TRIBOX_BAD_ARGUMENT;
     if (status)
         return status;
-    const tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
+    tribox_few few;
+    tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
     const tribox_environment callers = tribox_environment_enter();
+    if (p.count && tribox_is_few(p.count, plan.kernel))
+        p = tribox_few_pairs(&p, plan.kernel, &few);
     *first = !is_none(&p) ? first_unlike(&p, &plan, usual) : usual ? 0 : soup->count;
     tribox_environment_leave(callers);
     return TRIBOX_OK;
@@ -106,18 +110,6 @@ tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box,
     return find_unlike(soup, box, options, ~UINT64_C(0), first);
 }
 
-/* Of some triangles of a word, those that lie wholly in the box. */
-static uint64_t inside_of_word(const tribox_pairs *p, const tribox_plan *plan, size_t word, uint64_t candidates)
-{
-    if (!candidates)
-        return 0;
-    if (word < p->count / 64)
-        return plan->kernel->inside(p->soup, p->box, word, candidates);
-    float scratch[9][64] = {{0}};
-    const tribox_soup tail = tribox_soup_tail(p->soup, scratch);
-    return plan->kernel->inside(&tail, p->box, 0, candidates & ~(~UINT64_C(0) << p->count % 64));
-}
-
 /* FAST may miss a triangle that is inside. So at FAST every triangle is tested for that, and what is inside overlaps. */
 static tribox_report classify(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
@@ -129,7 +121,8 @@ static tribox_report classify(const tribox_pairs *p, const tribox_plan *plan, ui
         const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
         counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
         for (size_t w = 0; w < block; w++) {
-            const uint64_t found = inside || is_fast ? inside_of_word(p, plan, word + w, is_fast ? ~UINT64_C(0) : hit[w]) : 0;
+            const uint64_t candidates = is_fast ? ~UINT64_C(0) : inside ? hit[w] : 0;
+            const uint64_t found = candidates ? plan->kernel->inside(p->soup, p->box, word + w, candidates) : 0;
             hit[w] |= found;
             counts.overlapping += tribox_count_bits(hit[w]);
             if (inside)
@@ -148,9 +141,12 @@ tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, co
     const tribox_status status = check_soup_and_box(soup, box, options, &plan);
     if (status)
         return status;
-    const tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
+    tribox_few few;
+    tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
+    if (p.count && tribox_is_few(p.count, plan.kernel))
+        p = tribox_few_pairs(&p, plan.kernel, &few);
     if (is_none(&p)) {
         tribox_pairs_write_none(soup->count, mask);
         tribox_pairs_write_none(soup->count, inside);

@@ -4,34 +4,9 @@
 #include <string.h>
 
 #include "bits.h"
+#include "few.h"
 #include "settle.h"
 #include "soup.h"
-
-static tribox_walk *walk_of(const tribox_plan *plan) { return plan->kernel->walk[plan->accuracy][plan->sequence]; }
-
-/* The last count % 64 pairs, in a word of their own with zeros up to a packet: nothing is read past the caller's streams. */
-static void walk_tail(const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit, uint64_t *open)
-{
-    const size_t tail = p->count % 64, first = p->count - tail,
-                 lanes = (tail + TRIBOX_LANES_MAX - 1) & ~(size_t)(TRIBOX_LANES_MAX - 1);
-    float scratch[9][64];
-    tribox_soup soup;
-    tribox_boxes boxes = {.count = 64};
-    for (int k = 0; k < 9; k++)
-        memset(scratch[k] + tail, 0, (lanes - tail) * sizeof(float));
-    if (p->soup)
-        soup = tribox_soup_tail(p->soup, scratch);
-    for (int a = 0; !p->soup && a < 3; a++) {
-        boxes.lo[a] = memcpy(scratch[a], p->boxes->lo[a] + first, tail * sizeof(float));
-        boxes.hi[a] = memcpy(scratch[3 + a], p->boxes->hi[a] + first, tail * sizeof(float));
-    }
-    tribox_pairs word = *p;
-    word.soup = p->soup ? &soup : NULL;
-    word.boxes = p->soup ? NULL : &boxes;
-    walk_of(plan)(&word, 0, lanes, hit, open);
-    *hit &= ~(~UINT64_C(0) << tail);
-    *open &= ~(~UINT64_C(0) << tail);
-}
 
 /* Pairs that the walks left open, gathered until they fill a batch. */
 typedef struct gathering {
@@ -93,10 +68,8 @@ static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_
 void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit,
                              uint64_t *open)
 {
-    const size_t whole = word + words <= p->count / 64 ? words : words - 1;
-    walk_of(plan)(p, word, 64 * whole, hit, open);
-    if (whole < words)
-        walk_tail(p, plan, hit + whole, open + whole);
+    const size_t left = p->count - 64 * word;
+    plan->kernel->walk[plan->accuracy][plan->sequence](p, word, left < 64 * words ? left : 64 * words, hit, open);
 }
 
 size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
@@ -129,7 +102,7 @@ void tribox_pairs_write_none(size_t count, uint64_t *mask)
         memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
 }
 
-tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+static tribox_report answer_packets(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
 {
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
@@ -143,4 +116,13 @@ tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan
             memcpy(mask + word, hit, block * sizeof *mask);
     }
     return counts;
+}
+
+tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+{
+    if (!p->count || !tribox_is_few(p->count, plan->kernel))
+        return answer_packets(p, plan, mask);
+    tribox_few few;
+    const tribox_pairs pairs = tribox_few_pairs(p, plan->kernel, &few);
+    return answer_packets(&pairs, plan, mask);
 }

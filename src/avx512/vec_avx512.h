@@ -24,6 +24,10 @@ TRIBOX_INLINE __m512i avx512_bits(vnum a) { return _mm512_castps_si512(a); }
 TRIBOX_INLINE vnum avx512_float(__m512i a) { return _mm512_castsi512_ps(a); }
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_loadu_ps(p); }
+TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
+{
+    return _mm512_mask_loadu_ps(_mm512_set1_ps(*p), (vmask)((1u << count) - 1), p);
+}
 TRIBOX_INLINE vnum v_splat(float a) { return _mm512_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm512_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_ps(a, b); }

@@ -7,17 +7,17 @@
  * soup costs the traffic of one axis. Between the other groups a packet ends as soon as no lane is left.
  */
 
-/* Word w of a walk, or its first `lanes` lanes: returns the hits, and in *open what is left open. */
-TRIBOX_INLINE uint64_t walk_word(lane_pairs *p, const tribox_pairs *from, size_t word, int lanes, walk_kind kind, uint64_t *open)
+/* A run of packets in a word: returns the hits of its pairs, and in *open what is left open. */
+TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_pairs *from, const packet_run *run, walk_kind kind, uint64_t *open)
 {
-    uint64_t word_hit = 0, word_open = 0; /* kept in registers, so that stores cannot alias the streams */
-    for (int lane = 0; lane < lanes; lane += V_LANES) {
+    uint64_t run_hit = 0, run_open = 0; /* kept in registers, so that stores cannot alias the streams */
+    for (size_t lane = 0; lane < run->lanes; lane += V_LANES) {
         uint64_t packet_open;
-        word_hit |= packet(p, from, 64 * word + (size_t)lane, kind, &packet_open) << lane;
-        word_open |= packet_open << lane;
+        run_hit |= packet(p, from, run->at + lane, kind, &packet_open) << lane;
+        run_open |= packet_open << lane;
     }
-    *open = word_open;
-    return word_hit;
+    *open = bits_of_run(run_open, run);
+    return bits_of_run(run_hit, run);
 }
 
 /* Whether a word has three or more bits set. */
@@ -28,25 +28,33 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
 }
 
 /*
- * Two loops, so that scenes without ties keep fewer numbers: from the first word that leaves several lanes open, the rest of the
+ * Two loops, so that scenes without ties keep fewer numbers: from the first run that leaves several lanes open, the rest of the
  * walk takes the second look of ties.h. It changes no answer: a slower stage would decide the same (PROOFS.md 5.3).
  */
 TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, walk_kind kind)
 {
     const bool has_second_look = kind.accuracy != TRIBOX_FAST && sequence_has(kind.sequence, 1) && kind.sequence != 1;
     const walk_kind looks_again = {kind.sequence, kind.accuracy, kind.is_soup, true};
-    const size_t words = (count + 63) / 64;
-    const int last_lanes = (int)(count - 64 * (words - 1));
-    size_t w = 0;
+    const size_t start = 64 * word, end = start + count;
+    size_t done = 0;
+    packet_run run;
     lane_pairs p;
     start_pairs(&p, from, kind);
-    for (; w < words; w++) {
-        hit[w] = walk_word(&p, from, word + w, w + 1 < words ? 64 : last_lanes, kind, &open[w]);
-        if (has_second_look && has_several(open[w]))
+    for (; done < count; done += run.pairs) {
+        uint64_t run_open;
+        run = run_of_packets(start + done, end, 64);
+        const uint64_t run_hit = walk_run(&p, from, &run, kind, &run_open);
+        if (has_second_look && has_several(run_open))
             break;
+        put_bits(&hit[done / 64], done % 64, run_hit);
+        put_bits(&open[done / 64], done % 64, run_open);
     }
-    for (; has_second_look && w < words; w++)
-        hit[w] = walk_word(&p, from, word + w, w + 1 < words ? 64 : last_lanes, looks_again, &open[w]);
+    for (; has_second_look && done < count; done += run.pairs) {
+        uint64_t run_open;
+        run = run_of_packets(start + done, end, 64);
+        put_bits(&hit[done / 64], done % 64, walk_run(&p, from, &run, looks_again, &run_open));
+        put_bits(&open[done / 64], done % 64, run_open);
+    }
 }
 
 /* Both forms of one accuracy and sequence, each a loop of its own: asked once a walk, and not once a packet. */
@@ -73,6 +81,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
     .lanes = V_LANES,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
+    .spread = spread,
     .inside = inside,
     .greatest_vertex = greatest_vertex,
     .gather = gather,

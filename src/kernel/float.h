@@ -1,4 +1,5 @@
 /* float.h - the texts of a kernel in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
+#include "tail.h"
 #include "axes.h"
 #include "margin.h"
 #include "ties.h"

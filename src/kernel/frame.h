@@ -1,6 +1,6 @@
 /*
  * frame.h - triangles moved into the frame of an oriented box, q_k = axis_k . (u - center), and a bound on what that rounds.
- * After: axes.h. Needs: V_ETA.
+ * After: tail.h, axes.h. Needs: V_ETA.
  *
  * The bound. d = u - center is rounded once, then three products and two sums are, fused or not: four roundings on the longest
  * path, so |q_k computed - q_k| <= 4.01 u S_k + 3 * 2^-150, S_k = sum over a of |axis_ka| |d_a|. Used is 8 u S_k, from the largest
@@ -52,29 +52,28 @@ TRIBOX_INLINE vmask apart_in_frame(const lane_frame *frame, vnum q[3][3], const 
     return m_or(v_gt(v_sub(least, error[k]), frame->half[k]), v_gt(v_sub(v_splat(0), frame->half[k]), v_add(most, error[k])));
 }
 
-static void to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t words, tribox_moved *moved)
+static void to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t count, tribox_moved *moved)
 {
     lane_frame frame;
+    packet_run run;
     vnum worst[3] = {v_splat(0), v_splat(0), v_splat(0)};
     splat_frame(&frame, box);
-    for (size_t word = 0; word < words; word++) {
-        moved->apart[word] = moved->wild[word] = 0;
-        for (size_t lane = 0; lane < 64; lane += V_LANES) {
-            vnum q[3][3], error[3];
-            vmask apart = m_none(), tame = m_all();
-            move_packet(soup, &frame, first + 64 * word + lane, q, error);
-            for (int k = 0; k < 3; k++) {
-                for (int j = 0; j < 3; j++)
-                    v_write(moved->number[3 * k + j] + 64 * word + lane, q[j][k]);
-                apart = m_or(apart, apart_in_frame(&frame, q, error, k));
-                tame = m_and(tame, v_gt(v_splat(FRAME_LIMIT), error[k]));
-            }
-            for (int k = 0; k < 3; k++)
-                worst[k] = v_max(worst[k], v_select(m_andnot(tame, apart), error[k], v_splat(0)));
-            apart = m_and(apart, tame);
-            moved->apart[word] |= m_bits(apart) << lane;
-            moved->wild[word] |= (m_bits(tame) ^ LANES_ALL) << lane;
+    for (size_t done = 0; done < count; done += run.pairs) {
+        const size_t word = done / 64, lane = done % 64;
+        vnum q[3][3], error[3];
+        vmask apart = m_none(), tame = m_all();
+        run = run_of_packets(done, count, V_LANES);
+        move_packet(soup, &frame, first + run.at, q, error);
+        for (int k = 0; k < 3; k++) {
+            for (int j = 0; j < 3; j++)
+                v_write(moved->number[3 * k + j] + run.at, q[j][k]);
+            apart = m_or(apart, apart_in_frame(&frame, q, error, k));
+            tame = m_and(tame, v_gt(v_splat(FRAME_LIMIT), error[k]));
         }
+        for (int k = 0; k < 3; k++)
+            worst[k] = v_max(worst[k], v_select(m_andnot(tame, apart), error[k], v_splat(0)));
+        put_bits(&moved->apart[word], lane, bits_of_run(m_bits(m_and(apart, tame)), &run));
+        put_bits(&moved->wild[word], lane, bits_of_run(m_bits(tame) ^ LANES_ALL, &run));
     }
     for (int k = 0; k < 3; k++) {
         float lane[V_LANES];

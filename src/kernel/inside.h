@@ -1,6 +1,6 @@
 /*
  * inside.h - which triangles lie wholly in the box: all three vertices do, as the box is convex. Input numbers are compared: exact.
- * After: axes.h, packet.h.
+ * After: tail.h, axes.h, packet.h.
  */
 
 /*
@@ -21,12 +21,12 @@ static uint64_t inside(const tribox_soup *soup, const tribox_box *box, size_t wo
     uint64_t found = 0;
     lane_box lanes;
     splat_box(&lanes, box);
-    for (int lane = 0; lane < 64; lane += V_LANES) {
-        const size_t at = 64 * word + (size_t)lane;
-        uint64_t left = candidates >> lane & LANES_ALL;
+    for (size_t lane = 0; lane < 64 && 64 * word + lane < soup->count; lane += V_LANES) {
+        const packet_run run = run_of_packets(64 * word + lane, soup->count, V_LANES);
+        uint64_t left = candidates >> lane << run.repeated & LANES_ALL;
         for (int a = 0; left && a < 3; a++)
-            left = inside_on_axis(soup, &lanes, at, a, left);
-        found |= left << lane;
+            left = inside_on_axis(soup, &lanes, run.at, a, left);
+        found |= bits_of_run(left, &run) << lane;
     }
     return found;
 }

@@ -24,6 +24,10 @@ TRIBOX_INLINE vmask neon_bits(vnum a) { return vreinterpretq_u32_f32(a); }
 TRIBOX_INLINE vnum neon_number(vmask bits) { return vreinterpretq_f32_u32(bits); }
 
 TRIBOX_INLINE vnum v_load(const float *p) { return vld1q_f32(p); }
+TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
+{
+    return (vnum){p[0], p[count > 1 ? 1 : 0], p[count > 2 ? 2 : 0], p[0]};
+}
 TRIBOX_INLINE vnum v_splat(float a) { return vdupq_n_f32(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { vst1q_f32(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return vaddq_f32(a, b); }

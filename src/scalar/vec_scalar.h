@@ -33,6 +33,11 @@ TRIBOX_INLINE float scalar_float(uint32_t bits)
 }
 
 TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
+TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
+{
+    (void)count;
+    return *p;
+}
 TRIBOX_INLINE vnum v_splat(float a) { return a; }
 TRIBOX_INLINE void v_write(float *p, vnum a) { *p = a; }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }

@@ -21,6 +21,10 @@ typedef __m128 vnum;
 typedef __m128 vmask;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm_loadu_ps(p); }
+TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
+{
+    return _mm_setr_ps(p[0], p[count > 1 ? 1 : 0], p[count > 2 ? 2 : 0], p[0]);
+}
 TRIBOX_INLINE vnum v_splat(float a) { return _mm_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_ps(a, b); }

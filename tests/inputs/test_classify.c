@@ -109,12 +109,14 @@ static void check(const pair_list *q, const tribox_options *options)
     }
 }
 
-/* Streams of some triangles, each ending at a page that cannot be touched. */
-static pair_list between_fences(const pair_list *from, size_t first, size_t count)
+/* Streams of some triangles, each ending at a page that cannot be touched, or beginning after one. */
+static pair_list between_fences(const pair_list *from, size_t first, size_t count, bool is_at_end)
 {
     pair_list q = {.count = count, .box = from->box};
-    for (int s = 0; s < SOUP_STREAMS; s++)
-        q.stream[s] = memcpy(guarded_tail(stream_fence[s], count * sizeof(float)), from->stream[s] + first, count * sizeof(float));
+    for (int s = 0; s < SOUP_STREAMS; s++) {
+        void *const place = is_at_end ? guarded_tail(stream_fence[s], count * sizeof(float)) : stream_fence[s].first;
+        q.stream[s] = memcpy(place, from->stream[s] + first, count * sizeof(float));
+    }
     return q;
 }
 
@@ -146,12 +148,13 @@ static void test_every_count(void **state)
     catch_faults();
     random_source r = random_named(args.seed, "every count");
     const pair_list all = draw_lattice(&r, &cube, DRAWN_MAX);
-    for (size_t count = 0; count <= 200; count++) {
-        const pair_list q = between_fences(&all, 3 * count, count);
-        check_kernels(&q);
-    }
+    for (size_t count = 0; count <= 200; count++)
+        for (int place = 0; place < 2; place++) {
+            const pair_list q = between_fences(&all, 3 * count, count, place == 0);
+            check_kernels(&q);
+        }
     for (size_t c = 0; c < sizeof large / sizeof large[0]; c++) {
-        const pair_list q = between_fences(&all, 0, large[c]);
+        const pair_list q = between_fences(&all, 0, large[c], true);
         for (int k = 0; k < kernels; k++)
             check(&q, &(tribox_options){.accuracy = (tribox_accuracy)(c % 3), .kernel = names[k]});
     }

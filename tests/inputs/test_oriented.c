@@ -52,14 +52,14 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* The streams end at pages that cannot be touched. */
-static void lay_soup(void)
+/* The streams end at pages that cannot be touched, or begin after them. */
+static void lay_soup(bool is_at_end)
 {
     const size_t count = (size_t)batch.count;
     const float **const axis[3] = {soup.x, soup.y, soup.z};
     soup.count = count;
     for (size_t s = 0; s < STREAMS; s++) {
-        float *const stream = guarded_tail(fence[s], count * sizeof(float));
+        float *const stream = is_at_end ? guarded_tail(fence[s], count * sizeof(float)) : (void *)fence[s].first;
         for (size_t i = 0; i < count; i++)
             stream[i] = batch.u[i][s % 3][s / 3];
         axis[s / 3][s % 3] = stream;
@@ -218,7 +218,7 @@ static size_t check_fast(const char *kernel)
 
 static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
 {
-    lay_soup();
+    lay_soup(true);
     ask_oracle();
     for (int k = 0; k < kernels; k++) {
         check_exact(r, names[k]);
@@ -271,7 +271,7 @@ static void test_empty_boxes(void **state)
             for (int b = 0; b < 3; b++) {
                 oriented_draw(&oriented_scenes[0], &r, &batch);
                 batch.count = count;
-                lay_soup();
+                lay_soup(true);
                 batch.box.half[a] = below[b];
                 for (int k = 0; k < kernels; k++)
                     expect_none(names[k]);
@@ -354,6 +354,27 @@ static void test_large(void **state)
     }
 }
 
+/* The first triangles of a batch, as many as there are and fewer. */
+static void test_every_count(void **state)
+{
+    (void)state;
+    catch_faults();
+    scene_name = oriented_scenes[0].name;
+    is_ordinary = oriented_scenes[0].is_ordinary;
+    random_source r = random_named(args.seed, "every count");
+    oriented_draw(&oriented_scenes[0], &r, &batch);
+    for (int place = 0; place < 2; place++)
+        for (batch.count = ORIENTED_TRIANGLES; batch.count >= 0; batch.count--) {
+            lay_soup(place == 0);
+            ask_oracle();
+            for (int k = 0; k < kernels; k++) {
+                check_exact(&r, names[k]);
+                check_fast(names[k]);
+                check_conservative(&r, names[k]);
+            }
+        }
+}
+
 static bool is_scene_known(const char *name)
 {
     for (int s = 0; s < ORIENTED_SCENES; s++)
@@ -373,10 +394,8 @@ int main(int argc, char **argv)
         return 2;
     kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_empty_boxes),
-        cmocka_unit_test(test_faces),
-        cmocka_unit_test(test_large),
+        cmocka_unit_test(test_scenes),      cmocka_unit_test(test_empty_boxes), cmocka_unit_test(test_faces),
+        cmocka_unit_test(test_every_count), cmocka_unit_test(test_large),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
+#include "common/guard.h"
 #include "dispatch.h"
 #include "common/random_draws.h"
 #include "words_lanes.h"
@@ -302,6 +303,28 @@ static void test_cuts(void **state)
     }
 }
 #else
+/* Fewer numbers than lanes, with nothing to be read before or after them. */
+static void test_loads_of_few(void **state)
+{
+    (void)state;
+    catch_faults();
+    snprintf(doing, sizeof doing, "v_load_few");
+    random_source r = random_named(args.seed, "few");
+    const guarded g = guarded_make(LANES_MAX * sizeof(float));
+    for (unsigned round = 0; round < 100; round++)
+        for (unsigned count = 1; count < lanes_count; count++) {
+            float *const from = round % 2 ? guarded_tail(g, count * sizeof(float)) : (void *)g.first;
+            lane_number out[LANES_MAX];
+            for (unsigned k = 0; k < count; k++)
+                from[k] = number_of_bits((lane_bits)random_bits(&r));
+            lanes_load_few(from, count, out);
+            for (unsigned lane = 0; lane < lanes_count; lane++)
+                if (bits_of(out[lane]) != bits_of(from[lane < count ? lane : 0]))
+                    fail_msg("v_load_few of %u gives %a in lane %u", count, (double)out[lane], lane);
+        }
+    guarded_free(g);
+}
+
 /* Any lane of two vectors, at any lane; their bits are kept. */
 static void test_permutes(void **state)
 {
@@ -406,6 +429,7 @@ int main(int argc, char **argv)
 #if defined(LANES_OF_DOUBLE)
         cmocka_unit_test(test_cuts),
 #else
+        cmocka_unit_test(test_loads_of_few),
         cmocka_unit_test(test_permutes),
         cmocka_unit_test(test_transposes),
 #endif

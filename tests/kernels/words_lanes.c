@@ -77,6 +77,8 @@ void lanes_number(number_word word, const lane_number *a, const lane_number *b, 
 #if defined(LANES_OF_DOUBLE)
 void lanes_cut(const lane_number *a, int32_t *out) { v_write_int(out, lanes_of(a)); }
 #else
+void lanes_load_few(const float *from, unsigned count, lane_number *out) { put(v_load_few(from, count), out); }
+
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out)
 {
     put(v_permute(lanes_of(a), lanes_of(b), from), out);

@@ -1,0 +1,41 @@
+/*
+ * tail.h - pairs that fill no packet: the last ones of a call, and all of a call that has fewer than V_LANES.
+ * After: a vocabulary. Needs: v_load_few.
+ *
+ * The last packet ends with the last pair, so it repeats pairs that the packet before it has. Fewer pairs than V_LANES are spread
+ * over a packet before anything else reads them (few.h).
+ */
+
+/* Packets that begin at pair `at`; the first lanes repeat pairs that come before those that are asked about. */
+typedef struct packet_run {
+    size_t at;
+    size_t lanes;    /* of all its packets */
+    size_t repeated; /* lanes */
+    size_t pairs;    /* answered: the lanes that are not repeated, without those past the last pair */
+} packet_run;
+
+/* The packets that answer pair `first` and as many as come after it, `most` at the most, of `end` in all. */
+TRIBOX_INLINE packet_run run_of_packets(size_t first, size_t end, size_t most)
+{
+    const size_t left = end - first < most ? end - first : most;
+    if (left >= V_LANES)
+        return (packet_run){first, left - left % V_LANES, 0, left - left % V_LANES};
+    const size_t missing = V_LANES - left, repeated = missing < first ? missing : first;
+    return (packet_run){first - repeated, V_LANES, repeated, left};
+}
+
+/* Of the bits of a run's lanes, those of its pairs. */
+TRIBOX_INLINE uint64_t bits_of_run(uint64_t bits, const packet_run *run)
+{
+    return bits >> run->repeated & ~UINT64_C(0) >> (64 - run->pairs);
+}
+
+/* Adds bits from bit `at` on of a word that has none there yet, and is new if `at` is 0. */
+TRIBOX_INLINE void put_bits(uint64_t *word, size_t at, uint64_t bits) { *word = at ? *word | bits << at : bits; }
+
+/* Fewer numbers than V_LANES of each stream to the first V_LANES places of another. */
+static void spread(const float *const *streams, int count_of_streams, size_t count, float (*to)[TRIBOX_LANES_MAX])
+{
+    for (int k = 0; k < count_of_streams; k++)
+        v_write(to[k], v_load_few(streams[k], count));
+}
