@@ -148,14 +148,14 @@ enum {
 typedef struct tribox_options {
     tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
     unsigned axes;            /* a union of TRIBOX_AXES_*; 0 for all */
-    unsigned order;           /* of the groups: 123, 132 (the default, also 0), 213, 231, 312 or 321; it changes no answer */
+    unsigned order;           /* of the groups: 123, 132, 213, 231, 312 or 321; 0 lets the call find it; it changes no answer */
     const char *kernel;       /* "scalar", "sse2", "avx2", "avx512" or "neon"; NULL for the best that this processor runs */
 } tribox_options;
 
 /** What a call counted. */
 typedef struct tribox_report {
     size_t overlapping; /* bits set in the mask, or cells newly set by a voxelization */
-    size_t undecided;   /* pairs left to a slower stage: a measure of cost that may differ between kernels (0 for FAST) */
+    size_t undecided;   /* pairs left to a slower stage: a measure of cost that may differ between kernels and orders (0 for FAST) */
 } tribox_report;
 
 /* ============================================================================================================================== */

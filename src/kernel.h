@@ -80,6 +80,19 @@ typedef struct tribox_pairs {
  */
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
+/*
+ * What a survey saw of the packets of a word, bit k of packet k: those that lie beside the box on x, on x or y, on any axis, lane by
+ * lane, and those of which each set of groups (TRIBOX_AXES_*) rejects every lane. Of a packet beside the box only that is known.
+ */
+typedef struct tribox_seen {
+    unsigned packets;
+    uint64_t beside[3];
+    uint64_t rejected[TRIBOX_AXES_ALL];
+} tribox_seen;
+
+/* Answers a word whose pairs are all present, all axes asked, like a walk, and surveys it. Returns the hits. */
+typedef uint64_t tribox_survey(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open);
+
 /* The most lanes of float, and of double. The lanes of every kernel divide them. */
 enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
@@ -140,6 +153,7 @@ typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
+    tribox_survey *survey[TRIBOX_ACCURACIES];
     tribox_spread *spread;
     tribox_inside *inside;
     tribox_greatest_vertex *greatest_vertex;

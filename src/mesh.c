@@ -54,7 +54,7 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
 
 /* Triangles first .. first + count - 1, of which there are at most BLOCK. */
 static tribox_report answer_mesh_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_box *box,
-                                       const tribox_plan *plan, uint64_t *mask)
+                                       tribox_plan *plan, uint64_t *mask)
 {
     _Alignas(64) float streams[9][BLOCK]; /* no packet in two lines of the cache */
     float *to[9];
@@ -75,7 +75,7 @@ static tribox_box_pattern box_pattern_of(const tribox_box *box)
     return pattern;
 }
 
-static tribox_report answer_mesh(const tribox_mesh *mesh, const tribox_box *box, const tribox_plan *plan, uint64_t *mask)
+static tribox_report answer_mesh(const tribox_mesh *mesh, const tribox_box *box, tribox_plan *plan, uint64_t *mask)
 {
     const bool is_box_asked = plan->axes & TRIBOX_AXES_BOX;
     const tribox_box_pattern pattern = box_pattern_of(box);

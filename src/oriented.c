@@ -21,7 +21,7 @@
 typedef struct question {
     const tribox_soup *soup;
     const tribox_oriented_box *box;
-    const tribox_plan *plan;
+    tribox_plan *plan;
     uint64_t *mask;
     tribox_report counts;
 } question;
@@ -78,14 +78,15 @@ static bool overlaps_in_integers(question *q, const tribox_soup *soup, size_t i)
 static void answer_exactly(const question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words, uint64_t *hit,
                            uint64_t *open)
 {
-    tribox_plan plan = *q->plan;
+    tribox_plan *const plan = q->plan;
     uint64_t near[TRIBOX_MOVED_WORDS], near_open[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
     const tribox_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
     memset(hit, 0, words * sizeof *hit);
     if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
-        tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &smaller, .count = soup->count}, &plan, 0, words, hit, unused);
-    plan.accuracy = TRIBOX_CONSERVATIVE;
-    tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &larger, .count = soup->count}, &plan, 0, words, near, near_open);
+        tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &smaller, .count = soup->count}, plan, 0, words, hit, unused);
+    plan->accuracy = TRIBOX_CONSERVATIVE;
+    tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &larger, .count = soup->count}, plan, 0, words, near, near_open);
+    plan->accuracy = TRIBOX_EXACT;
     for (size_t w = 0; w < words; w++)
         open[w] = (near[w] | near_open[w]) & ~hit[w] & ~moved->apart[w];
 }

@@ -26,7 +26,7 @@ static bool is_none(const tribox_pairs *p)
     return p->soup ? tribox_box_is_empty(p->box) : !tribox_triangle_is_finite(p->triangle);
 }
 
-static void answer_pairs(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, tribox_report *report)
+static void answer_pairs(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask, tribox_report *report)
 {
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
@@ -68,7 +68,7 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
 /*
  * The first pair whose bit differs from that of `usual`, or the count of pairs. The first blocks are small, as they often have it.
  */
-static size_t first_unlike(const tribox_pairs *p, const tribox_plan *plan, uint64_t usual)
+static size_t first_unlike(const tribox_pairs *p, tribox_plan *plan, uint64_t usual)
 {
     const size_t words = tribox_mask_words(p->count);
     size_t block = 1;
@@ -111,7 +111,7 @@ tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box,
 }
 
 /* FAST may miss a triangle that is inside. So at FAST every triangle is tested for that, and what is inside overlaps. */
-static tribox_report classify(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask, uint64_t *inside)
+static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
     const bool is_fast = plan->accuracy == TRIBOX_FAST;
     const size_t words = tribox_mask_words(p->count);

@@ -8,6 +8,14 @@
 #include "settle.h"
 #include "soup.h"
 
+/* Surveys a word, so that the choice knows better. */
+static void survey_word(const tribox_pairs *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *open)
+{
+    tribox_seen seen;
+    *hit = plan->kernel->survey[plan->accuracy](p, word, &seen, open);
+    tribox_choice_learn(&plan->choice, &seen, plan->accuracy);
+}
+
 /* Pairs that the walks left open, gathered until they fill a batch. */
 typedef struct gathering {
     tribox_batch batch;
@@ -65,11 +73,19 @@ static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_
     return tribox_count_bits(finite);
 }
 
-void tribox_pairs_walk_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit,
-                             uint64_t *open)
+void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
 {
-    const size_t left = p->count - 64 * word;
-    plan->kernel->walk[plan->accuracy][plan->sequence](p, word, left < 64 * words ? left : 64 * words, hit, open);
+    for (size_t done = 0, next; done < words; done += next) {
+        const size_t at = word + done, left = p->count - 64 * at;
+        next = tribox_choice_next(&plan->choice, left / 64, words - done);
+        if (next) {
+            const size_t count = left < 64 * next ? left : 64 * next;
+            plan->kernel->walk[plan->accuracy][plan->choice.sequence](p, at, count, hit + done, open + done);
+        } else {
+            survey_word(p, plan, at, hit + done, open + done);
+            next = 1;
+        }
+    }
 }
 
 size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
@@ -89,7 +105,7 @@ size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan,
     return undecided;
 }
 
-size_t tribox_pairs_answer_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
+size_t tribox_pairs_answer_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
 {
     uint64_t open[TRIBOX_BLOCK_WORDS];
     tribox_pairs_walk_block(p, plan, word, words, hit, open);
@@ -102,7 +118,7 @@ void tribox_pairs_write_none(size_t count, uint64_t *mask)
         memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
 }
 
-static tribox_report answer_packets(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+static tribox_report answer_packets(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
 {
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
@@ -118,7 +134,7 @@ static tribox_report answer_packets(const tribox_pairs *p, const tribox_plan *pl
     return counts;
 }
 
-tribox_report tribox_pairs_answer(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
 {
     if (!p->count || !tribox_is_few(p->count, plan->kernel))
         return answer_packets(p, plan, mask);

@@ -42,7 +42,9 @@ tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan)
     plan->axes = asked->axes ? asked->axes : TRIBOX_AXES_ALL;
     if ((unsigned)plan->accuracy > TRIBOX_FAST || plan->axes & ~(unsigned)TRIBOX_AXES_ALL || !is_order(order))
         return TRIBOX_BAD_OPTION;
-    plan->sequence = sequence_index(sequence_of(order, plan->axes));
+    plan->choice = asked->order || plan->axes != TRIBOX_AXES_ALL
+                       ? tribox_choice_fixed(sequence_index(sequence_of(order, plan->axes)))
+                       : tribox_choice_start();
     plan->kernel = tribox_kernel_find(asked->kernel);
     return plan->kernel ? TRIBOX_OK : TRIBOX_NO_KERNEL;
 }

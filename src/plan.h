@@ -2,13 +2,13 @@
 #ifndef TRIBOX_PLAN_H
 #define TRIBOX_PLAN_H
 
-#include "kernel.h"
+#include "choice.h"
 
 typedef struct tribox_plan {
     const tribox_kernel *kernel;
     tribox_accuracy accuracy;
-    unsigned axes;     /* never 0 */
-    unsigned sequence; /* the order of the groups, without those that axes leaves out: an index TRIBOX_SEQUENCE_* (kernel.h) */
+    unsigned axes;        /* never 0 */
+    tribox_choice choice; /* of the order of the groups: the state of the call, and all that changes in a plan */
 } tribox_plan;
 
 /* TRIBOX_OK, TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL; options may be NULL. */

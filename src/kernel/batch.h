@@ -81,6 +81,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
     .lanes = V_LANES,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
+    .survey = {[TRIBOX_EXACT] = survey_EXACT, [TRIBOX_CONSERVATIVE] = survey_CONSERVATIVE, [TRIBOX_FAST] = survey_FAST},
     .spread = spread,
     .inside = inside,
     .greatest_vertex = greatest_vertex,

@@ -9,4 +9,5 @@
 #include "gather.h"
 #include "beside.h"
 #include "frame.h"
+#include "survey.h"
 #include "batch.h"
