@@ -58,7 +58,7 @@ class Sweep(support.TestCase):
         entrants, pairs = found["entrants"], found["pairs"]
         keys = [(e["kernel"], e["accuracy"], e["axes"], e["order"]) for e in entrants]
         self.assertEqual(len(set(keys)), len(keys))
-        self.assertEqual(len(keys), 6 + 24 * len(self.kernels))
+        self.assertEqual(len(keys), 6 + 27 * len(self.kernels))
         self.assertEqual([e["kernel"] for e in entrants if e["order"] == 321 and e["accuracy"] == "fast"], ["paper", *self.kernels])
         for e in entrants:
             self.assertEqual(len(e["ns_per_pair"]), found["rounds"])
@@ -136,7 +136,7 @@ class Sweep(support.TestCase):
     def test_tables(self):
         text = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX, "--verbose")
         self.assertLessEqual(max(map(len, text.splitlines()[1:])), 100)
-        rows = re.findall(r"(?m)^(\w+) +(?:(fast|conservative|exact) +)?((?:[\d.]+ +){6})(none|\d{3}, by [\d.]+ %)$", text)
+        rows = re.findall(r"(?m)^(\w+) +(?:(fast|conservative|exact) +)?((?:[\d.]+ +|- +){7})(none|-|\d{3}, by [\d.]+ %)$", text)
         expected = [("paper", "")] + [(k, a) for k in self.kernels for a in ("fast", "conservative", "exact")]
         self.assertEqual([row[:2] for row in rows], expected)
         for order in ORDERS:
@@ -147,7 +147,7 @@ class Sweep(support.TestCase):
         self.succeed("sweep", self.mesh, "--chart", path)
         root = xml.etree.ElementTree.parse(path).getroot()
         rectangles = root.findall("{http://www.w3.org/2000/svg}rect")
-        self.assertEqual(len(rectangles), 1 + 6 + 6 * (3 * len(self.kernels) + 1))
+        self.assertEqual(len(rectangles), 1 + 7 + 7 * 3 * len(self.kernels) + 6)
         self.assertEqual({text.text for text in root.iter() if text.text in (*self.kernels, "paper")}, {*self.kernels, "paper"})
         self.assertRegex(root.find("{http://www.w3.org/2000/svg}text").text, r"^mesh\.ply: \d+ pairs, \d+ leaves of an octree")
 

@@ -17,11 +17,15 @@ static const contestant *next_kernel(const sweep *s, const contestant *after)
 static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accuracy accuracy)
 {
     const contestant *const best = sweep_best(s, kernel, accuracy);
-    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_default_order);
+    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
     fprintf(to, "%-8s %-12s", kernel ? kernel : "paper", kernel ? accuracy_word(accuracy) : "");
-    for (int o = 0; o < SWEEP_ORDERS; o++)
-        fprintf(to, " %8.3f", sweep_time(s, sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o])));
-    if (sweep_beats(s, best, plain))
+    if (!plain)
+        fprintf(to, " %7s", "-");
+    for (int o = plain ? 0 : 1; o < SWEEP_ORDERS; o++)
+        fprintf(to, " %7.3f", sweep_time(s, sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o])));
+    if (!plain)
+        fprintf(to, "   -\n");
+    else if (sweep_beats(s, best, plain))
         fprintf(to, "   %u, by %.1f %%\n", best->options.order, 100 * (1 - sweep_time(s, best) / sweep_time(s, plain)));
     else
         fprintf(to, "   none\n");
@@ -30,18 +34,19 @@ static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accur
 void report_best(FILE *to, const sweep *s)
 {
     const char *const kernel = tribox_kernel_name(NULL);
-    const contestant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, sweep_default_order);
-    fprintf(to, "time         %.3g ns a pair, exact, in the default order %u; the paper's algorithm: %.3g ns\n",
-            sweep_time(s, plain), sweep_default_order, sweep_time(s, sweep_best(s, NULL, TRIBOX_FAST)));
+    const contestant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
+    fprintf(to, "time         %.3g ns a pair, exact, in the default order; the paper's algorithm: %.3g ns\n",
+            sweep_time(s, plain), sweep_time(s, sweep_best(s, NULL, TRIBOX_FAST)));
 }
 
 void report_times(FILE *to, const sweep *s)
 {
     fprintf(to, "Nanoseconds per pair, least of %zu rounds, by order: 1 box normals, 2 plane, 3 edges\n\n", s->taken.rounds);
     fprintf(to, "%-21s", "kernel   accuracy");
-    for (int o = 0; o < SWEEP_ORDERS; o++)
-        fprintf(to, " %8u", sweep_orders[o]);
-    fprintf(to, "   faster than %u\n", sweep_default_order);
+    fprintf(to, " %7s", "default");
+    for (int o = 1; o < SWEEP_ORDERS; o++)
+        fprintf(to, " %7u", sweep_orders[o]);
+    fprintf(to, "   faster than default\n");
     print_row(to, s, NULL, TRIBOX_FAST);
     for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k))
         for (int a = 0; a < SWEEP_ACCURACIES; a++)
@@ -54,7 +59,7 @@ static void print_axes_row(FILE *to, const sweep *s, unsigned axes, size_t pairs
     size_t reported = 0, unlike = 0;
     fprintf(to, "%-12s", names[axes]);
     for (const contestant *k = next_kernel(s, NULL); k; k = next_kernel(s, k)) {
-        const contestant *const e = sweep_find(s, k->options.kernel, TRIBOX_EXACT, axes, sweep_default_order);
+        const contestant *const e = sweep_find(s, k->options.kernel, TRIBOX_EXACT, axes, SWEEP_DEFAULT);
         fprintf(to, " %8.3f", sweep_time(s, e));
         reported = sweep_score(s, e)->overlapping;
         unlike = score_unlike(sweep_score(s, e));

@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const unsigned sweep_orders[SWEEP_ORDERS] = {123, 132, 213, 231, 312, 321};
-const unsigned sweep_default_order = 132;
+const unsigned sweep_orders[SWEEP_ORDERS] = {SWEEP_DEFAULT, 123, 132, 213, 231, 312, 321};
 const tribox_accuracy sweep_accuracies[SWEEP_ACCURACIES] = {TRIBOX_FAST, TRIBOX_CONSERVATIVE, TRIBOX_EXACT};
 
 const unsigned sweep_axes[SWEEP_AXES] = {
@@ -23,14 +22,14 @@ static void enter_all(sweep *s, const timing_work *work)
 {
     const char *kernel;
     s->count = 0;
-    for (int o = 0; o < SWEEP_ORDERS; o++)
+    for (int o = 1; o < SWEEP_ORDERS; o++)
         s->list[s->count++] = contestant_paper(work, sweep_orders[o]);
     for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++) {
         for (int a = 0; a < SWEEP_ACCURACIES; a++)
             for (int o = 0; o < SWEEP_ORDERS; o++)
                 enter(s, work, kernel, sweep_accuracies[a], TRIBOX_AXES_ALL, sweep_orders[o]);
         for (int x = 0; x < SWEEP_AXES; x++)
-            enter(s, work, kernel, TRIBOX_EXACT, sweep_axes[x], sweep_default_order);
+            enter(s, work, kernel, TRIBOX_EXACT, sweep_axes[x], SWEEP_DEFAULT);
     }
 }
 
@@ -77,7 +76,7 @@ bool sweep_beats(const sweep *s, const contestant *one, const contestant *other)
 const contestant *sweep_best(const sweep *s, const char *kernel, tribox_accuracy accuracy)
 {
     const contestant *best = NULL;
-    for (int o = 0; o < SWEEP_ORDERS; o++) {
+    for (int o = 1; o < SWEEP_ORDERS; o++) {
         const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
         if (!best || sweep_time(s, one) < sweep_time(s, best))
             best = one;

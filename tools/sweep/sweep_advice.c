@@ -10,7 +10,7 @@
 static const contestant *fastest_right(const sweep *s, const char *kernel, const contestant *best)
 {
     for (int x = 0; x < SWEEP_AXES; x++) {
-        const contestant *const one = sweep_find(s, kernel, TRIBOX_EXACT, sweep_axes[x], sweep_default_order);
+        const contestant *const one = sweep_find(s, kernel, TRIBOX_EXACT, sweep_axes[x], SWEEP_DEFAULT);
         if (!score_unlike(sweep_score(s, one)) && sweep_beats(s, one, best))
             best = one;
     }
@@ -20,7 +20,7 @@ static const contestant *fastest_right(const sweep *s, const char *kernel, const
 sweep_advice sweep_advise(const sweep *s)
 {
     const char *const kernel = tribox_kernel_name(NULL);
-    const contestant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, sweep_default_order);
+    const contestant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
     const contestant *const best = sweep_best(s, kernel, TRIBOX_EXACT);
     const contestant *const advised = fastest_right(s, kernel, sweep_beats(s, best, plain) ? best : plain);
     return (sweep_advice){.kernel = kernel,
@@ -45,11 +45,11 @@ void sweep_advice_text(const sweep_advice *advice, char *text, size_t size)
                  "%.1f %% less time than all axes.",
                  axes, advice->kernel, 100 * advice->gain);
     else if (advice->gain > 0)
-        snprintf(text, size, "Use order %u and all axes here: with kernel %s it takes %.1f %% less time than the default order %u.",
-                 advice->order, advice->kernel, 100 * advice->gain, sweep_default_order);
+        snprintf(text, size, "Use order %u and all axes here: with kernel %s it takes %.1f %% less time than the default.",
+                 advice->order, advice->kernel, 100 * advice->gain);
     else
         snprintf(text, size,
-                 "Use the default here, order %u and all axes: with kernel %s no other order, and no choice of axes that reports "
-                 "nothing false, is faster beyond the spread.",
-                 sweep_default_order, advice->kernel);
+                 "Use the default here, which finds the order as it goes, and all axes: with kernel %s no fixed order, and no choice "
+                 "of axes that reports nothing false, is faster beyond the spread.",
+                 advice->kernel);
 }

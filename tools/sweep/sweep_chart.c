@@ -6,9 +6,9 @@
 #include "console/accuracy.h"
 
 /* In pixels. */
-enum { WIDTH = 960, LEFT = 110, TOP = 108, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
+enum { WIDTH = 1100, LEFT = 110, TOP = 108, PANEL = 150, GAP = 62, BAR = 42, BETWEEN = 26 };
 
-static const char *const colours[SWEEP_ORDERS] = {"#1b9e77", "#404040", "#d95f02", "#e6ab02", "#7570b3", "#e7298a"};
+static const char *const colours[SWEEP_ORDERS] = {"#1f78b4", "#1b9e77", "#404040", "#d95f02", "#e6ab02", "#7570b3", "#e7298a"};
 
 static void text_at(FILE *to, double x, double y, const char *style, const char *text)
 {
@@ -35,7 +35,7 @@ static void draw_legend(FILE *to)
     for (int o = 0; o < SWEEP_ORDERS; o++) {
         char order[16];
         const int x = 16 + 76 * o;
-        snprintf(order, sizeof order, "%u", sweep_orders[o]);
+        snprintf(order, sizeof order, o ? "%u" : "default", sweep_orders[o]);
         fprintf(to, "<rect x=\"%d\" y=\"60\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, colours[o]);
         text_at(to, x + 20, 72, "font-size=\"13\"", order);
     }
@@ -54,14 +54,23 @@ static void draw_bar(FILE *to, int x, int base, double height, int order, double
             figure);
 }
 
+/* The time of the fastest order of a kernel at an accuracy. */
+static double least_of(const sweep *s, const char *kernel, tribox_accuracy accuracy)
+{
+    const contestant *const plain = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
+    const double best = sweep_time(s, sweep_best(s, kernel, accuracy));
+    return plain ? fmin(best, sweep_time(s, plain)) : best;
+}
+
 /* The bars of a kernel at an accuracy, from x on. most: the time of a bar as high as the panel. */
 static void draw_group(FILE *to, const sweep *s, const char *kernel, tribox_accuracy accuracy, int x, int base, double most)
 {
-    const contestant *const best = sweep_best(s, kernel, accuracy);
+    const double least = least_of(s, kernel, accuracy);
     for (int o = 0; o < SWEEP_ORDERS; o++) {
         const contestant *const one = sweep_find(s, kernel, accuracy, TRIBOX_AXES_ALL, sweep_orders[o]);
-        const double ns = sweep_time(s, one);
-        draw_bar(to, x + o * BAR, base, PANEL * ns / most, o, ns, one == best);
+        const double ns = one ? sweep_time(s, one) : 0;
+        if (one)
+            draw_bar(to, x + o * BAR, base, PANEL * ns / most, o, ns, ns <= least);
     }
     text_at(to, x + SWEEP_ORDERS * BAR / 2.0, base + 17, "font-size=\"12\" text-anchor=\"middle\"",
             kernel ? accuracy_word(accuracy) : "as published");
