@@ -11,16 +11,23 @@
 
 #if defined(__GNUC__) && defined(__SSE2__)
 
+/* Between AVX instructions the old encoding makes the processor save and restore the upper halves of its registers. */
+#if defined(__AVX__)
+#define TRIBOX_VEX "v"
+#else
+#define TRIBOX_VEX ""
+#endif
+
 static inline void tribox_exactness_watch(void)
 {
     const uint32_t clear = 0x1F80; /* as in environment.h, no flag raised */
-    __asm__ volatile("ldmxcsr %0" ::"m"(clear) : "memory");
+    __asm__ volatile(TRIBOX_VEX "ldmxcsr %0" ::"m"(clear) : "memory");
 }
 
 static inline bool tribox_exactness_kept(uint64_t result)
 {
     uint32_t state;
-    __asm__ volatile("stmxcsr %0" : "=m"(state) : "r"((uintptr_t)result) : "memory");
+    __asm__ volatile(TRIBOX_VEX "stmxcsr %0" : "=m"(state) : "r"((uintptr_t)result) : "memory");
     return !(state & 0x20);
 }
 
