@@ -40,7 +40,9 @@ TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f)
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_EQ_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_ps(b, a, m); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm256_or_ps(a, m); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
     const __m256i lane = _mm256_loadu_si256((const __m256i *)from);

@@ -45,7 +45,9 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_EQ_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_blend_ps(m, b, a); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm512_mask_blend_ps(m, a, _mm512_set1_ps((float)NAN)); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
     return _mm512_permutex2var_ps(a, _mm512_loadu_si512(from), b);

@@ -45,6 +45,7 @@ typedef struct lane_shape {
     vnum V[3];    /* vertex 0 about the centre of the box, doubled */
     vnum H[3];    /* the lengths of the box */
     vnum f[3][3]; /* f[j][a]: edge from vertex j to vertex j + 1 */
+    vnum l[3][3]; /* l[j][a]: its length on axis a, |f_ja| */
     vnum n[3];    /* the normal f_0 x f_1 */
 } lane_shape;
 
@@ -63,8 +64,10 @@ TRIBOX_INLINE void shape_axis(lane_shape *s, const lane_triangle *t, const lane_
 {
     s->H[a] = box->H[a];
     s->V[a] = v_fms(v_splat(2), v_sub(t->u[0][a], box->lo[a]), box->H[a]);
-    for (int j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++) {
         s->f[j][a] = v_sub(t->u[(j + 1) % 3][a], t->u[j][a]);
+        s->l[j][a] = v_abs(s->f[j][a]);
+    }
 }
 
 /* The rest of it, once all three axes are there: n_i, and all of n. */
@@ -133,11 +136,10 @@ TRIBOX_INLINE lane_projection projection_along(const lane_shape *s, int i)
 TRIBOX_INLINE vnum edge_slack(const lane_shape *s, const lane_projection *turned, int i, int j)
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
-    const vnum f_a = v_abs(s->f[j][a]), f_b = v_abs(s->f[j][b]);
-    const vnum reach_b = j == 0   ? v_fma(s->H[b], f_a, turned->p)
-                         : j == 1 ? v_fma(s->H[b], f_a, v_fma(v_splat(2), turned->n, turned->q))
-                                  : v_fms(s->H[b], f_a, v_add(turned->p, turned->q));
-    return v_fma(s->H[a], f_b, reach_b);
+    const vnum reach_b = j == 0   ? v_fma(s->H[b], s->l[j][a], turned->p)
+                         : j == 1 ? v_fma(s->H[b], s->l[j][a], v_fma(v_splat(2), turned->n, turned->q))
+                                  : v_fms(s->H[b], s->l[j][a], v_add(turned->p, turned->q));
+    return v_fma(s->H[a], s->l[j][b], reach_b);
 }
 
 /* Two-sided, for axis sets without bullet 1 (PROOFS.md 1): the triangle spans [-P, -P + 2 n_i] on the axis. */
@@ -146,7 +148,7 @@ TRIBOX_INLINE vnum edge_slack_both_sides(const lane_shape *s, int i, int j)
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     const vnum p = side_of(s, i, 0), q = side_of(s, i, 1), n = s->n[i];
     const vnum middle = v_abs(j == 0 ? v_sub(n, p) : j == 1 ? v_add(n, q) : v_add(n, v_add(p, q)));
-    return v_sub(v_fma(s->H[a], v_abs(s->f[j][b]), v_fma(s->H[b], v_abs(s->f[j][a]), v_abs(n))), middle);
+    return v_sub(v_fma(s->H[a], s->l[j][b], v_fma(s->H[b], s->l[j][a], v_abs(n))), middle);
 }
 
 /* The slacks of the axes a_i0, a_i1, a_i2. */

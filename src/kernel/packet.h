@@ -1,9 +1,9 @@
 /*
- * packet.h - one packet of V_LANES pairs at one accuracy and in one sequence of groups, both constants.
+ * packet.h - one packet of V_LANES pairs, decided by sign or by margin, and in one sequence of groups: constants.
  * After: axes.h, margin.h, ties.h.
  *
  * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
- * lane that has a slack within it to the next stage (doubles.h). What each accuracy needs for a hit: `certain_overlaps`.
+ * lane that has a slack within it to the next stage (doubles.h). What a hit then needs: `certain_overlaps`.
  */
 
 TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
@@ -89,6 +89,8 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t
         set_bounds(&p->box, a, lo, hi);
     }
     shape_axis(s, &p->t, &p->box, a);
+    if (kind.looks_again)
+        drop_zero_lengths(s, a);
     return is_box_first(kind.sequence) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
 }
 
@@ -104,17 +106,27 @@ TRIBOX_INLINE vnum worst_of(vnum a, vnum b, tribox_accuracy accuracy)
     return accuracy == TRIBOX_FAST ? v_either(a, b) : v_min(a, b);
 }
 
-TRIBOX_INLINE vnum worst_edge_along(const lane_shape *s, int i, bool is_box_asked, tribox_accuracy accuracy)
+/* The worst of the slacks along e_i and of `worst`, which is that of the projections before it. */
+TRIBOX_INLINE vnum worst_edge_along(const lane_shape *s, int i, vnum worst, walk_kind kind)
 {
-    const edge_slacks slack = edge_slacks_along(s, i, is_box_asked);
-    return worst_of(worst_of(slack.of[0], slack.of[1], accuracy), slack.of[2], accuracy);
+    const edge_slacks slack = edge_slacks_along(s, i, sequence_has(kind.sequence, 1));
+    if (kind.looks_again)
+        return least_number(&slack, i == 0 ? v_splat(INFINITY) : worst);
+    const vnum along = worst_of(worst_of(slack.of[0], slack.of[1], kind.accuracy), slack.of[2], kind.accuracy);
+    return i == 0 ? along : worst_of(worst, along, kind.accuracy);
 }
 
-TRIBOX_INLINE vnum worst_edge(const lane_shape *s, bool is_box_asked, tribox_accuracy accuracy)
+TRIBOX_INLINE vnum worst_edge(const lane_shape *s, walk_kind kind)
 {
-    return worst_of(
-        worst_of(worst_edge_along(s, 0, is_box_asked, accuracy), worst_edge_along(s, 1, is_box_asked, accuracy), accuracy),
-        worst_edge_along(s, 2, is_box_asked, accuracy), accuracy);
+    vnum worst = v_splat(0);
+    for (int i = 0; i < 3; i++)
+        worst = worst_edge_along(s, i, worst, kind);
+    return worst;
+}
+
+TRIBOX_INLINE vnum plane_slack_for(const lane_shape *s, vnum slack, walk_kind kind)
+{
+    return kind.looks_again ? plane_slack_not_redundant(s, slack) : slack;
 }
 
 /*
@@ -126,18 +138,17 @@ typedef struct joint_slacks {
     vnum reach; /* of the box along n */
 } joint_slacks;
 
-TRIBOX_INLINE joint_slacks joint_slacks_of(lane_shape *s, bool is_box_asked, tribox_accuracy accuracy)
+TRIBOX_INLINE joint_slacks joint_slacks_of(lane_shape *s, walk_kind kind)
 {
-    joint_slacks slack = {.reach = v_splat(0)};
+    joint_slacks slack = {.edges = v_splat(0), .reach = v_splat(0)};
     vnum d = v_splat(0);
     for (int i = 0; i < 3; i++) {
         shape_normal_along(s, i);
-        const vnum edges = worst_edge_along(s, i, is_box_asked, accuracy);
-        slack.edges = i == 0 ? edges : worst_of(slack.edges, edges, accuracy);
+        slack.edges = worst_edge_along(s, i, slack.edges, kind);
         d = add_to_distance(s, i, d);
         slack.reach = add_to_reach(s, i, slack.reach);
     }
-    slack.plane = plane_slack_of(slack.reach, d);
+    slack.plane = plane_slack_for(s, plane_slack_of(slack.reach, d), kind);
     return slack;
 }
 
@@ -159,18 +170,17 @@ TRIBOX_INLINE vmask is_finite_sum(const lane_triangle *t)
  * lanes with a finite reach along n are separated: the sign of a NaN means nothing. Without it a NaN comes only from coordinates
  * that are not finite, which overlap nothing, or from numbers beyond 2^40.
  */
-TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned stage, unsigned sequence, uint64_t left,
+TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned stage, walk_kind kind, uint64_t left,
                                     vmask *finite)
 {
-    const bool is_box_asked = sequence_has(sequence, 1);
     vnum slack, reach = v_splat(0);
     if (stage == EDGES_AND_PLANE) {
-        const joint_slacks joint = joint_slacks_of(s, is_box_asked, TRIBOX_FAST);
+        const joint_slacks joint = joint_slacks_of(s, kind);
         reach = joint.reach;
         slack = v_either(joint.edges, joint.plane);
     } else if (stage == 3) {
-        reach = sequence_has(sequence, 2) ? plane_reach(s) : reach;
-        slack = worst_edge(s, is_box_asked, TRIBOX_FAST);
+        reach = sequence_has(kind.sequence, 2) ? plane_reach(s) : reach;
+        slack = worst_edge(s, kind);
     } else if (stage == 2) {
         reach = plane_reach(s);
         slack = plane_slack(s, reach);
@@ -193,7 +203,7 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_pairs *p, const lane_shape *s, 
         return left & ~m_bits(apart_on_box_normals(p));
     if (group != 2 && group != 3)
         return left;
-    const vnum slack = group == 2 ? plane_slack(s, plane_reach(s)) : worst_edge(s, is_box_asked, kind.accuracy);
+    const vnum slack = group == 2 ? plane_slack_for(s, plane_slack(s, plane_reach(s)), kind) : worst_edge(s, kind);
     if (is_first)
         *margin = margin_of(s, &p->margin, is_box_asked);
     const vnum error = group == 2 ? margin->plane : margin->edges;
@@ -205,49 +215,35 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_pairs *p, const lane_shape *s, 
  * EXACT and CONSERVATIVE: the lanes of `left` whose overlap is certain. Each is left by the box normals where they are tested, and
  * has a valid margin and what this table says (PROOFS.md 5.3):
  *
- *   accuracy       groups                      what a hit needs                         why
- *   EXACT          box normals                 nothing more                             they compare the input: nothing is rounded
- *   EXACT          box normals, plane          slack beyond its margin, or redundant    the plane has no side that could be turned
- *   EXACT          box normals, edges, or all  the same of every slack, and             where an extent is tiny, rounding can turn
- *                                              certifiable extents                      the sign of n_i, and an edge's outer side
- *   EXACT          no box normals              every slack beyond its margin            two-sided slacks have no such sign, and
- *                                                                                       no axis is redundant
- *   CONSERVATIVE   any                         as EXACT, but extents only where         it may report too much: a hit misses
- *                                              an axis is left out as redundant         nothing
+ *   groups                      what a hit needs                         why
+ *   box normals                 nothing more                             they compare the input: nothing is rounded
+ *   box normals, plane          slack beyond its margin, or redundant    the plane has no side that could be turned
+ *   box normals, edges, or all  the same of every slack, and             where an extent is tiny, rounding can turn the sign of
+ *                               certifiable extents                      n_i, and an edge's outer side
+ *   no box normals              every slack beyond its margin            two-sided slacks have no such sign, and no axis is redundant
  *
- * certain: the lanes that have every tested slack beyond its margin. Redundant axes are left out in the second look alone.
+ * CONSERVATIVE may report too much, and could do with less. It takes the same, so that no answer hangs on where the second look
+ * begins. certain: the lanes that have every tested slack beyond its margin; in the second look redundant axes are left out of it.
  */
 TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_margin *box, const lane_margin *margin, vmask certain,
                                         walk_kind kind, uint64_t left)
 {
-    const bool has_plane = sequence_has(kind.sequence, 2), has_edges = sequence_has(kind.sequence, 3);
-    const bool has_redundant = sequence_has(kind.sequence, 1) && (has_plane || has_edges);
-    const bool needs_extents = kind.accuracy == TRIBOX_EXACT && has_redundant && has_edges;
-    uint64_t hit = left & m_bits(m_and(certain, margin->is_valid));
-    if (needs_extents)
-        hit &= m_bits(v_gt(v_splat(0), box->least)); /* no extent matters (PROOFS.md 5.2) */
-    if (!(left & ~hit) || !has_redundant || !(needs_extents || kind.looks_again))
-        return hit;
-    const vmask certifiable = has_edges ? m_and(margin->is_valid, are_extents_certifiable(s, box)) : margin->is_valid;
-    hit |= left & m_bits(m_and(certain, certifiable));
-    if (!(left & ~hit) || !kind.looks_again)
-        return hit;
-    const vmask edges = has_edges ? are_edges_certain(s, margin) : m_all();
-    const vmask plane = has_plane ? is_plane_certain(s, margin) : m_all();
-    return hit | (left & m_bits(m_and(certifiable, m_and(edges, plane))));
+    const uint64_t hit = left & m_bits(m_and(certain, margin->is_valid));
+    const bool needs_extents = sequence_has(kind.sequence, 1) && sequence_has(kind.sequence, 3);
+    return needs_extents && hit ? hit & m_bits(are_extents_certifiable(s, box)) : hit;
 }
 
 /* FAST: what the signs of the slacks leave; open where a coordinate is not finite. */
 TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
 {
     vmask finite = m_all();
-    left = left_by_sign(p, s, stage_at(kind.sequence, 0), kind.sequence, left, &finite);
+    left = left_by_sign(p, s, stage_at(kind.sequence, 0), kind, left, &finite);
     if (has_stage_after(kind.sequence, 0) && !left)
         return 0;
-    left = left_by_sign(p, s, stage_at(kind.sequence, 1), kind.sequence, left, &finite);
+    left = left_by_sign(p, s, stage_at(kind.sequence, 1), kind, left, &finite);
     if (has_stage_after(kind.sequence, 1) && !left)
         return 0;
-    left = left_by_sign(p, s, stage_at(kind.sequence, 2), kind.sequence, left, &finite);
+    left = left_by_sign(p, s, stage_at(kind.sequence, 2), kind, left, &finite);
     if (!sequence_has(kind.sequence, 2))
         finite = is_finite_sum(&p->t);
     *open = left & ~m_bits(finite);
@@ -276,17 +272,17 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
 
 /*
  * The same, edges and plane together. Where every lane has both slacks beyond their margins, on either side, the signs decide and
- * the rest need not be looked at; a hit of EXACT then needs extents that do not matter, as in certain_overlaps.
+ * the rest need not be looked at; a hit then needs extents that do not matter, as in certain_overlaps.
  */
 TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
 {
     const bool is_box_asked = sequence_has(kind.sequence, 1);
     const vnum zero = v_splat(0);
-    const joint_slacks slack = joint_slacks_of(s, is_box_asked, kind.accuracy);
+    const joint_slacks slack = joint_slacks_of(s, kind);
     const lane_margin margin = margin_of(s, &p->margin, is_box_asked);
     const vmask apart = v_gt(zero, v_min(slack.edges, slack.plane));
     vmask decided = m_and(m_and(margin.is_valid, v_gt(v_abs(slack.edges), margin.edges)), v_gt(v_abs(slack.plane), margin.plane));
-    if (kind.accuracy == TRIBOX_EXACT && is_box_asked)
+    if (is_box_asked)
         decided = m_and(decided, m_or(apart, v_gt(zero, p->margin.least)));
     if (is_box_asked && !is_box_first(kind.sequence))
         left &= ~m_bits(apart_on_box_normals(p));
@@ -300,7 +296,7 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     return hit;
 }
 
-/* The lanes of the packet at pair `at` that overlap at this accuracy; in *open those that are left to a slower stage. */
+/* The lanes of the packet at pair `at` that overlap for this kind of walk; in *open those that are left to a slower stage. */
 TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_pairs *from, size_t at, walk_kind kind, uint64_t *open)
 {
     lane_shape s;

@@ -5,14 +5,14 @@
  * A packet that the box normals reject is left as early as in a walk, and nothing else is asked about it.
  */
 
-/* The lanes of a packet that the plane separates at this accuracy, and those that the edges do, with no regard to other groups. */
+/* The lanes of a packet that the plane separates for this kind of walk, and those that the edges do, with no regard to other groups. */
 typedef struct lanes_apart {
     uint64_t plane, edges;
 } lanes_apart;
 
 TRIBOX_INLINE lanes_apart lanes_apart_of(const lane_pairs *p, lane_shape *s, walk_kind kind)
 {
-    const joint_slacks slack = joint_slacks_of(s, true, kind.accuracy);
+    const joint_slacks slack = joint_slacks_of(s, kind);
     if (kind.accuracy == TRIBOX_FAST) {
         const vmask finite = v_gt(v_splat(INFINITY), slack.reach);
         return (lanes_apart){m_bits(m_and(finite, m_signs(slack.plane))), m_bits(m_and(finite, m_signs(slack.edges)))};
@@ -58,7 +58,7 @@ TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_pairs *from, si
         p->margin = box_margin_of(&p->box);
     note_packet(seen, packet, left, lanes_apart_of(p, &s, kind));
     return kind.accuracy == TRIBOX_FAST ? overlaps_by_sign(p, &s, kind, left, open)
-                                        : overlaps_by_joint_margin(p, &s, kind, left, open);
+                                          : overlaps_by_joint_margin(p, &s, kind, left, open);
 }
 
 TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_kind kind, tribox_seen *seen, uint64_t *open)
@@ -77,7 +77,7 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_k
     return word_hit;
 }
 
-/* With the second look of ties.h for EXACT and CONSERVATIVE: it changes no answer, and a survey cannot know whether it is needed. */
+/* With the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed. */
 #define SURVEY(accuracy) \
     static uint64_t survey_##accuracy(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open) \
     { \

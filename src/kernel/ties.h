@@ -1,13 +1,32 @@
 /*
- * ties.h - a second look at lanes that a margin leaves open although they certainly overlap.
- * After: axes.h, margin.h.
+ * ties.h - slacks without redundant axes, for a second look at lanes that a margin leaves open although they certainly overlap.
+ * After: axes.h, margin.h. Needs: v_drop.
  *
  * Where the box normals do not separate, these axes are redundant and can be left out, by the certificate of overlap too (PROOFS.md
  * 2, 5.1): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on an
  * axis. An edge parallel to e_i has slack zero on a_ij wherever it lies, so without this no triangle with such an edge would be
  * certain. To test a redundant axis all the same would only leave more pairs open.
  */
-TRIBOX_INLINE vmask is_positive(vnum a) { return v_gt(a, v_splat(0)); }
+
+/* NaN for every length on axis a that is zero: the slack of a redundant edge axis is then NaN, which v_min leaves out. */
+TRIBOX_INLINE void drop_zero_lengths(lane_shape *s, int a)
+{
+    for (int j = 0; j < 3; j++)
+        s->l[j][a] = v_drop(v_is_zero(s->f[j][a]), s->l[j][a]);
+}
+
+/* The least of `worst`, which is no NaN, and of the slacks that are none. */
+TRIBOX_INLINE vnum least_number(const edge_slacks *slack, vnum worst)
+{
+    return v_min(slack->of[0], v_min(slack->of[1], v_min(slack->of[2], worst)));
+}
+
+/* The slack of the plane, infinite where it is redundant. */
+TRIBOX_INLINE vnum plane_slack_not_redundant(const lane_shape *s, vnum slack)
+{
+    const vmask is_flat = v_is_zero(lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2)));
+    return v_select(is_flat, v_splat(INFINITY), slack);
+}
 
 /* The certificate needs every extent to be zero or not too small (PROOFS.md 5.1). */
 TRIBOX_INLINE vmask are_extents_certifiable(const lane_shape *s, const lane_box_margin *box)
@@ -15,29 +34,7 @@ TRIBOX_INLINE vmask are_extents_certifiable(const lane_shape *s, const lane_box_
     vmask certifiable = m_all();
     for (int a = 0; a < 3; a++) {
         const vnum sum = extent_sum(s, a);
-        certifiable = m_andnot(certifiable, m_andnot(is_positive(sum), v_gt(sum, box->least)));
+        certifiable = m_and(certifiable, m_or(v_is_zero(sum), v_gt(sum, box->least)));
     }
     return certifiable;
-}
-
-/* Every edge axis is beyond its margin, or redundant (PROOFS.md 2). */
-TRIBOX_INLINE vmask are_edges_certain(const lane_shape *s, const lane_margin *margin)
-{
-    vmask certain = m_all();
-    for (int i = 0; i < 3; i++) {
-        const edge_slacks slack = edge_slacks_along(s, i, true);
-        for (int j = 0; j < 3; j++) {
-            const vnum shorter = v_min(v_abs(s->f[j][(i + 1) % 3]), v_abs(s->f[j][(i + 2) % 3]));
-            certain = m_andnot(certain, m_andnot(is_positive(shorter), v_gt(slack.of[j], margin->edges)));
-        }
-    }
-    return certain;
-}
-
-/* The plane is beyond its margin, or redundant. */
-TRIBOX_INLINE vmask is_plane_certain(const lane_shape *s, const lane_margin *margin)
-{
-    const vnum thinnest = lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2));
-    const vmask clear = v_gt(plane_slack(s, plane_reach(s)), margin->plane);
-    return m_or(m_not(is_positive(thinnest)), clear);
 }

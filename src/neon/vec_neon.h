@@ -45,7 +45,9 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u32(neon_bits(a), neon_bits(b))); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f32(a, b); }
+TRIBOX_INLINE vmask v_is_zero(vnum a) { return vceqzq_f32(a); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f32(m, a, b); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return neon_number(vorrq_u32(neon_bits(a), m)); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
     float number[2 * V_LANES];

@@ -51,7 +51,9 @@ TRIBOX_INLINE vnum v_abs(vnum a) { return fabsf(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
+TRIBOX_INLINE vmask v_is_zero(vnum a) { return a == 0; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return m ? (float)NAN : a; }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES]) { return from[0] % 2 ? b : a; }
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4]) { memcpy(to, from[0], 4 * sizeof *to); }
 

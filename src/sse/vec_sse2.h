@@ -38,7 +38,9 @@ TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_and_ps(_mm_castsi128_ps(_mm_set1_e
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, _mm_and_ps(_mm_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
+TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm_cmpeq_ps(a, _mm_setzero_ps()); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm_or_ps(a, m); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
     float number[2 * V_LANES];

@@ -89,6 +89,9 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
 #if defined(LANES_OF_DOUBLE)
     case V_DIV:
         return a / b;
+#else
+    case V_DROP:
+        return b > c ? NAN : a;
 #endif
     case NUMBER_WORDS:
         break;
@@ -110,6 +113,8 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
         return is_negative(a);
     case V_EITHER:
         return is_negative(a) || is_negative(b);
+    case V_IS_ZERO:
+        return a == 0;
 #endif
     case M_ALL:
         return true;
@@ -135,14 +140,16 @@ static const char *const number_names[NUMBER_WORDS] = {
     [V_ABS] = "v_abs",     [V_FLIP] = "v_flip", [V_WRITE] = "v_write", [V_SELECT] = "v_select",
 #if defined(LANES_OF_DOUBLE)
     [V_DIV] = "v_div",
+#else
+    [V_DROP] = "v_drop",
 #endif
 };
 
 static const char *const mask_names[MASK_WORDS] = {
 #if !defined(LANES_OF_DOUBLE)
-    [M_SIGNS] = "m_signs", [V_EITHER] = "v_either",
+    [M_SIGNS] = "m_signs", [V_EITHER] = "v_either", [V_IS_ZERO] = "v_is_zero",
 #endif
-    [V_GT] = "v_gt",       [M_ALL] = "m_all",       [M_NONE] = "m_none",     [M_NOT] = "m_not",
+    [V_GT] = "v_gt",       [M_ALL] = "m_all",       [M_NONE] = "m_none",       [M_NOT] = "m_not",
     [M_OR] = "m_or",       [M_AND] = "m_and",       [M_ANDNOT] = "m_andnot",
 };
 
@@ -151,6 +158,9 @@ static bool may_change_payload(number_word word)
 {
 #if defined(LANES_OF_DOUBLE)
     if (word == V_DIV)
+        return true;
+#else
+    if (word == V_DROP)
         return true;
 #endif
     return (word >= V_ADD && word <= V_FMS) || word == V_FLIP;

@@ -62,6 +62,9 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
 #if defined(LANES_OF_DOUBLE)
     case V_DIV:
         return v_div(a, b);
+#else
+    case V_DROP:
+        return v_drop(v_gt(b, c), a);
 #endif
     case NUMBER_WORDS:
         break;
@@ -103,6 +106,8 @@ static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)
         return m_signs(a);
     case V_EITHER:
         return m_signs(v_either(a, b));
+    case V_IS_ZERO:
+        return v_is_zero(a);
 #endif
     case M_ALL:
         return m_all();

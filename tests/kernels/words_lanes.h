@@ -34,6 +34,8 @@ typedef enum number_word {
     V_SELECT, /* a where b > c, else b */
 #if defined(LANES_OF_DOUBLE)
     V_DIV,
+#else
+    V_DROP,                                                               /* NaN where b > c, else a */
 #endif
     NUMBER_WORDS
 } number_word;
@@ -42,8 +44,9 @@ typedef enum number_word {
 typedef enum mask_word {
     V_GT, /* a > b */
 #if !defined(LANES_OF_DOUBLE)
-    M_SIGNS,  /* the sign of a */
-    V_EITHER, /* the sign of a or b */
+    M_SIGNS,   /* the sign of a */
+    V_EITHER,  /* the sign of a or b */
+    V_IS_ZERO, /* a is zero */
 #endif
     M_ALL,    /* always */
     M_NONE,   /* never */
