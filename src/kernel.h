@@ -64,6 +64,13 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
 
+/* EXACT and CONSERVATIVE take one walk: they differ in how the pairs that it leaves open are settled. */
+typedef enum tribox_walk_kind { TRIBOX_BY_MARGIN, TRIBOX_BY_SIGN, TRIBOX_WALK_KINDS } tribox_walk_kind;
+TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)
+{
+    return accuracy == TRIBOX_FAST ? TRIBOX_BY_SIGN : TRIBOX_BY_MARGIN;
+}
+
 /* What a call asks: a soup against a box, or a triangle against boxes. The caller has checked them. */
 typedef struct tribox_pairs {
     const tribox_soup *soup; /* NULL for a triangle and boxes */
@@ -152,8 +159,8 @@ typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box 
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
-    tribox_walk *walk[TRIBOX_ACCURACIES][TRIBOX_SEQUENCES];
-    tribox_survey *survey[TRIBOX_ACCURACIES];
+    tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
+    tribox_survey *survey[TRIBOX_WALK_KINDS];
     tribox_spread *spread;
     tribox_inside *inside;
     tribox_greatest_vertex *greatest_vertex;

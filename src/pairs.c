@@ -12,7 +12,7 @@
 static void survey_word(const tribox_pairs *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *open)
 {
     tribox_seen seen;
-    *hit = plan->kernel->survey[plan->accuracy](p, word, &seen, open);
+    *hit = plan->kernel->survey[tribox_walk_kind_of(plan->accuracy)](p, word, &seen, open);
     tribox_choice_learn(&plan->choice, &seen, plan->accuracy);
 }
 
@@ -80,7 +80,7 @@ void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t wo
         next = tribox_choice_next(&plan->choice, left / 64, words - done);
         if (next) {
             const size_t count = left < 64 * next ? left : 64 * next;
-            plan->kernel->walk[plan->accuracy][plan->choice.sequence](p, at, count, hit + done, open + done);
+            plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, at, count, hit + done, open + done);
         } else {
             survey_word(p, plan, at, hit + done, open + done);
             next = 1;

@@ -2,7 +2,7 @@
  * batch.h - the walks: a soup against one box, or one triangle against many boxes, in words of 64, each in packets of V_LANES.
  * After: packet.h and every other text of float.h: it ends with the table of what the kernel does. Needs: KERNEL.
  *
- * A walk is one text whose accuracy and sequence of groups (kernel.h) are constants: every instance below keeps only its own
+ * A walk is one text whose kind and sequence of groups (kernel.h) are constants: every instance below keeps only its own
  * tests. Where the box normals come first, x is loaded and tested, then y, then z, each only if a lane is left: far from the box a
  * soup costs the traffic of one axis. Between the other groups a packet ends as soon as no lane is left.
  */
@@ -33,8 +33,8 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
  */
 TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, walk_kind kind)
 {
-    const bool has_second_look = kind.accuracy != TRIBOX_FAST && sequence_has(kind.sequence, 1) && kind.sequence != 1;
-    const walk_kind looks_again = {kind.sequence, kind.accuracy, kind.is_soup, true};
+    const bool has_second_look = kind.decides == TRIBOX_BY_MARGIN && sequence_has(kind.sequence, 1) && kind.sequence != 1;
+    const walk_kind looks_again = {kind.sequence, kind.decides, kind.is_soup, true};
     const size_t start = 64 * word, end = start + count;
     size_t done = 0;
     packet_run run;
@@ -57,20 +57,20 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
     }
 }
 
-/* Both forms of one accuracy and sequence, each a loop of its own: asked once a walk, and not once a packet. */
-#define WALK(accuracy, sequence) \
-    static void walk_##accuracy##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \
+/* Both forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. */
+#define WALK(decides, sequence) \
+    static void walk_##decides##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \
     { \
         if (pairs->soup) \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##accuracy, true, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false}); \
         else \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##accuracy, false, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, false, false}); \
     }
-#define WALKS(sequence) WALK(EXACT, sequence) WALK(CONSERVATIVE, sequence) WALK(FAST, sequence)
+#define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 
-#define ENTRY(accuracy, sequence) [TRIBOX_##accuracy][TRIBOX_SEQUENCE_##sequence] = walk_##accuracy##_##sequence,
-#define ENTRIES(sequence) ENTRY(EXACT, sequence) ENTRY(CONSERVATIVE, sequence) ENTRY(FAST, sequence)
+#define ENTRY(decides, sequence) [TRIBOX_##decides][TRIBOX_SEQUENCE_##sequence] = walk_##decides##_##sequence,
+#define ENTRIES(sequence) ENTRY(BY_MARGIN, sequence) ENTRY(BY_SIGN, sequence)
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
@@ -81,7 +81,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
     .lanes = V_LANES,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
-    .survey = {[TRIBOX_EXACT] = survey_EXACT, [TRIBOX_CONSERVATIVE] = survey_CONSERVATIVE, [TRIBOX_FAST] = survey_FAST},
+    .survey = {[TRIBOX_BY_MARGIN] = survey_BY_MARGIN, [TRIBOX_BY_SIGN] = survey_BY_SIGN},
     .spread = spread,
     .inside = inside,
     .greatest_vertex = greatest_vertex,

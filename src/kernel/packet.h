@@ -29,7 +29,7 @@ TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
 /* What a walk is compiled for: constants of an instance. */
 typedef struct walk_kind {
     unsigned sequence;
-    tribox_accuracy accuracy;
+    tribox_walk_kind decides;
     bool is_soup;     /* a soup and one box; else one triangle and boxes */
     bool looks_again; /* with the second look of ties.h, for which more numbers have to be kept */
 } walk_kind;
@@ -101,9 +101,9 @@ TRIBOX_INLINE vmask apart_on_box_normals(const lane_pairs *p)
 }
 
 /* One number for several slacks: the least or, for FAST, any that is negative if one is, as -0 would be (PROOFS.md 10). */
-TRIBOX_INLINE vnum worst_of(vnum a, vnum b, tribox_accuracy accuracy)
+TRIBOX_INLINE vnum worst_of(vnum a, vnum b, tribox_walk_kind decides)
 {
-    return accuracy == TRIBOX_FAST ? v_either(a, b) : v_min(a, b);
+    return decides == TRIBOX_BY_SIGN ? v_either(a, b) : v_min(a, b);
 }
 
 /* The worst of the slacks along e_i and of `worst`, which is that of the projections before it. */
@@ -112,8 +112,8 @@ TRIBOX_INLINE vnum worst_edge_along(const lane_shape *s, int i, vnum worst, walk
     const edge_slacks slack = edge_slacks_along(s, i, sequence_has(kind.sequence, 1));
     if (kind.looks_again)
         return least_number(&slack, i == 0 ? v_splat(INFINITY) : worst);
-    const vnum along = worst_of(worst_of(slack.of[0], slack.of[1], kind.accuracy), slack.of[2], kind.accuracy);
-    return i == 0 ? along : worst_of(worst, along, kind.accuracy);
+    const vnum along = worst_of(worst_of(slack.of[0], slack.of[1], kind.decides), slack.of[2], kind.decides);
+    return i == 0 ? along : worst_of(worst, along, kind.decides);
 }
 
 TRIBOX_INLINE vnum worst_edge(const lane_shape *s, walk_kind kind)
@@ -313,7 +313,7 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_pairs *from, size_t at
     const bool is_joint = has_joint_stage(kind.sequence);
     if (!is_joint)
         shape_normal(&s);
-    if (kind.accuracy == TRIBOX_FAST)
+    if (kind.decides == TRIBOX_BY_SIGN)
         return overlaps_by_sign(p, &s, kind, left, open);
     if (!kind.is_soup)
         p->margin = box_margin_of(&p->box);

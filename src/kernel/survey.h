@@ -13,7 +13,7 @@ typedef struct lanes_apart {
 TRIBOX_INLINE lanes_apart lanes_apart_of(const lane_pairs *p, lane_shape *s, walk_kind kind)
 {
     const joint_slacks slack = joint_slacks_of(s, kind);
-    if (kind.accuracy == TRIBOX_FAST) {
+    if (kind.decides == TRIBOX_BY_SIGN) {
         const vmask finite = v_gt(v_splat(INFINITY), slack.reach);
         return (lanes_apart){m_bits(m_and(finite, m_signs(slack.plane))), m_bits(m_and(finite, m_signs(slack.edges)))};
     }
@@ -57,7 +57,7 @@ TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_pairs *from, si
     if (!kind.is_soup)
         p->margin = box_margin_of(&p->box);
     note_packet(seen, packet, left, lanes_apart_of(p, &s, kind));
-    return kind.accuracy == TRIBOX_FAST ? overlaps_by_sign(p, &s, kind, left, open)
+    return kind.decides == TRIBOX_BY_SIGN ? overlaps_by_sign(p, &s, kind, left, open)
                                           : overlaps_by_joint_margin(p, &s, kind, left, open);
 }
 
@@ -78,13 +78,12 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_k
 }
 
 /* With the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed. */
-#define SURVEY(accuracy) \
-    static uint64_t survey_##accuracy(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open) \
+#define SURVEY(decides) \
+    static uint64_t survey_##decides(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open) \
     { \
-        const bool looks_again = TRIBOX_##accuracy != TRIBOX_FAST; \
-        return pairs->soup ? survey_word(pairs, word, (walk_kind){132, TRIBOX_##accuracy, true, looks_again}, seen, open) \
-                           : survey_word(pairs, word, (walk_kind){132, TRIBOX_##accuracy, false, looks_again}, seen, open); \
+        const bool looks_again = TRIBOX_##decides == TRIBOX_BY_MARGIN; \
+        return pairs->soup ? survey_word(pairs, word, (walk_kind){132, TRIBOX_##decides, true, looks_again}, seen, open) \
+                           : survey_word(pairs, word, (walk_kind){132, TRIBOX_##decides, false, looks_again}, seen, open); \
     }
-SURVEY(EXACT)
-SURVEY(CONSERVATIVE)
-SURVEY(FAST)
+SURVEY(BY_MARGIN)
+SURVEY(BY_SIGN)
