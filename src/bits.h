@@ -31,4 +31,17 @@ static inline unsigned tribox_lowest_bit(uint64_t word)
 #endif
 }
 
+/* How many bits a word has up to its highest: 0 of 0. */
+static inline unsigned tribox_bit_length(uint64_t word)
+{
+#if defined(__GNUC__)
+    return word ? 64 - (unsigned)__builtin_clzll(word) : 0;
+#else
+    unsigned length = 0;
+    for (; word; word >>= 1)
+        length++;
+    return length;
+#endif
+}
+
 #endif

@@ -105,20 +105,23 @@ enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /*
  * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
- * (x_j is the x of vertex j), then lo and hi. No pair is apart on a box normal if the axes have BOX. The answer about a pair with a
- * number that is not finite means nothing: the caller drops it.
+ * (x_j is the x of vertex j), then lo and hi. The boxes are finite. No pair is apart on a box normal if the axes have BOX.
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {
     float number[15][TRIBOX_BATCH];
 } tribox_batch;
 
+/* Of the pairs of a batch, a bit each: those that overlap, those not decided, and those whose triangle is finite, as all these are. */
+typedef struct tribox_verdict {
+    uint64_t overlapping, open, finite;
+} tribox_verdict;
+
 /*
- * The first `count` pairs of a batch, at least one, in double: the bits of those that overlap, and in *open of those that double
- * cannot decide.
+ * The first `count` pairs of a batch, at least one, in double.
  * is_exact: ties may be decided where arithmetic happens to be exact, since integers decide the others as exactly.
  */
-typedef uint64_t tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open);
+typedef tribox_verdict tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact);
 
 /* Fewer numbers of each of some streams than a packet has lanes to as many as it has, without reading others: the first repeats. */
 typedef void tribox_spread(const float *const *stream, int streams, size_t count, float (*to)[TRIBOX_LANES_MAX]);

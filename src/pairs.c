@@ -23,38 +23,24 @@ typedef struct gathering {
     unsigned count;
 } gathering;
 
-/* One number of every gathered pair, from a stream or the same for all. */
-static void fill_number(gathering *g, int k, const float *stream, float constant)
-{
-    float *const number = g->batch.number[k];
-    for (unsigned i = 0; i < g->count; i++)
-        number[i] = stream ? stream[g->lane[i]] : constant;
-}
-
+/* Pair i of the batch in place k of each number: from its stream, or the same for all. */
 static void fill_batch(gathering *g, const tribox_pairs *p, size_t start)
 {
+    const float *stream[15] = {NULL};
+    float constant[15] = {0};
     for (int a = 0; a < 3; a++) {
-        for (int v = 0; v < 3; v++)
-            fill_number(g, 3 * a + v, p->soup ? tribox_soup_axis(p->soup, a)[v] + start : NULL, p->soup ? 0 : p->triangle[v][a]);
-        fill_number(g, 9 + a, p->soup ? NULL : p->boxes->lo[a] + start, p->soup ? p->box->lo[a] : 0);
-        fill_number(g, 12 + a, p->soup ? NULL : p->boxes->hi[a] + start, p->soup ? p->box->hi[a] : 0);
+        for (int v = 0; v < 3; v++) {
+            stream[3 * a + v] = p->soup ? tribox_soup_axis(p->soup, a)[v] + start : NULL;
+            constant[3 * a + v] = p->soup ? 0 : p->triangle[v][a];
+        }
+        stream[9 + a] = p->soup ? NULL : p->boxes->lo[a] + start;
+        stream[12 + a] = p->soup ? NULL : p->boxes->hi[a] + start;
+        constant[9 + a] = p->soup ? p->box->lo[a] : 0;
+        constant[12 + a] = p->soup ? p->box->hi[a] : 0;
     }
-}
-
-/* Which of the gathered triangles are finite: adding one to an exponent of all ones turns the sign bit. */
-static uint64_t finite_pairs(const gathering *g)
-{
-    uint32_t turned[TRIBOX_BATCH] = {0};
-    for (int k = 0; k < 9; k++) {
-        uint32_t bits[TRIBOX_BATCH];
-        memcpy(bits, g->batch.number[k], g->count * sizeof *bits);
+    for (int k = 0; k < 15; k++)
         for (unsigned i = 0; i < g->count; i++)
-            turned[i] |= (bits[i] & 0x7fffffffu) + 0x00800000u;
-    }
-    uint64_t finite = 0;
-    for (unsigned i = 0; i < g->count; i++)
-        finite |= (uint64_t)(~turned[i] >> 31) << i;
-    return finite;
+            g->batch.number[k][i] = stream[k] ? stream[k][g->lane[i]] : constant[k];
 }
 
 /*
@@ -64,13 +50,13 @@ static uint64_t finite_pairs(const gathering *g)
 static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
 {
     fill_batch(g, p, start);
-    const uint64_t finite = finite_pairs(g);
-    for (uint64_t left = tribox_settle_batch(&g->batch, g->count, finite, plan); left; left &= left - 1) {
+    const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
+    for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const size_t lane = g->lane[tribox_lowest_bit(left)];
         hit[lane / 64] |= UINT64_C(1) << lane % 64;
     }
     g->count = 0;
-    return tribox_count_bits(finite);
+    return tribox_count_bits(verdict.finite);
 }
 
 void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)

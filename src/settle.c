@@ -24,20 +24,18 @@ static void fill_up_batch(tribox_batch *batch, unsigned count)
             batch->number[k][i] = batch->number[k][count - 1];
 }
 
-uint64_t tribox_settle_batch(tribox_batch *batch, unsigned count, uint64_t finite, const tribox_plan *plan)
+tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan)
 {
     const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE; /* that takes what stays open for an overlap */
-    uint64_t open;
     fill_up_batch(batch, count);
-    const uint64_t overlapping = plan->kernel->in_double(batch, count, plan->axes, is_exact, &open) & finite;
-    open &= finite;
+    tribox_verdict verdict = plan->kernel->in_double(batch, count, plan->axes, is_exact);
     if (!is_exact)
-        return overlapping | open;
-    uint64_t settled = 0;
-    for (; open; open &= open - 1) {
+        verdict.overlapping |= verdict.open;
+    for (uint64_t open = is_exact ? verdict.open : 0; open; open &= open - 1) {
         const unsigned i = tribox_lowest_bit(open);
         const tribox_pair pair = batch_pair_at(batch, i);
-        settled |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
+        verdict.overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
     }
-    return overlapping | settled;
+    verdict.open = 0;
+    return verdict;
 }

@@ -5,9 +5,8 @@
 #include "plan.h"
 
 /*
- * The bits of those of the first `count` pairs that overlap, at the accuracy of the plan. Only pairs with their bit in `finite`
- * have finite numbers, and an answer. Fills up the batch's numbers after the last.
+ * What the first `count` pairs come to at the accuracy of the plan: none stays open. Fills up the batch's numbers after the last.
  */
-uint64_t tribox_settle_batch(tribox_batch *batch, unsigned count, uint64_t finite, const tribox_plan *plan);
+tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan);
 
 #endif

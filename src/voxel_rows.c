@@ -11,7 +11,7 @@ void tribox_voxels_settle_open(tribox_voxels *v)
     if (!v->open)
         return;
     v->counts.undecided += v->open;
-    for (uint64_t left = tribox_settle_batch(&v->batch, v->open, ~UINT64_C(0), &v->plan); left; left &= left - 1) {
+    for (uint64_t left = tribox_settle_batch(&v->batch, v->open, &v->plan).overlapping; left; left &= left - 1) {
         const unsigned i = tribox_lowest_bit(left);
         v->counts.overlapping += tribox_set_bits(v->cell[i].word, v->cell[i].bit);
     }

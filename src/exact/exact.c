@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "bits.h"
+
 tribox_integer tribox_integer_of(float number)
 {
     uint32_t bits;
@@ -11,22 +13,20 @@ tribox_integer tribox_integer_of(float number)
     int32_t odd = (int32_t)(bits & 0x7fffff) | (field ? 0x800000 : 0);
     if (!odd)
         return (tribox_integer){0, 0};
-    int shift = (field ? field : 1) - 150;
-    for (; !(odd & 1); shift++)
-        odd >>= 1;
-    return (tribox_integer){bits >> 31 ? -odd : odd, shift};
+    const int zeros = (int)tribox_lowest_bit((uint64_t)odd);
+    odd >>= zeros;
+    return (tribox_integer){bits >> 31 ? -odd : odd, (field ? field : 1) - 150 + zeros};
 }
 
 tribox_span tribox_span_of(const tribox_integer *numbers, int count)
 {
     tribox_span span = {128, -149};
     for (int k = 0; k < count; k++) {
-        int end = numbers[k].shift;
-        for (int32_t rest = numbers[k].odd; rest; rest /= 2)
-            end++;
-        if (numbers[k].odd && numbers[k].shift < span.least)
+        const int32_t odd = numbers[k].odd;
+        const int end = numbers[k].shift + (int)tribox_bit_length((uint64_t)(odd < 0 ? -odd : odd));
+        if (odd && numbers[k].shift < span.least)
             span.least = numbers[k].shift;
-        if (numbers[k].odd && end > span.greatest)
+        if (odd && end > span.greatest)
             span.greatest = end;
     }
     return span;

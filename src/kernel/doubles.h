@@ -78,8 +78,18 @@ TRIBOX_INLINE vmask has_vertex_inside(const lane_triangle *t, const lane_box *bo
     return inside;
 }
 
-/* One packet of the batch, from pair `at`: the lanes that overlap, and in *open those that stay undecided. */
-TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact, uint64_t *open)
+/* Zero times a number is zero, and NaN if it is not finite: never inexact. Each coordinate is part of f_0 or f_1. */
+TRIBOX_INLINE vmask is_finite_shape(const lane_shape *s)
+{
+    vnum sum = v_splat(0);
+    for (int j = 0; j < 2; j++)
+        for (int a = 0; a < 3; a++)
+            sum = v_fma(v_splat(0), s->l[j][a], sum);
+    return v_gt(v_splat(1), sum);
+}
+
+/* One packet of the batch, from pair `at`. */
+TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact)
 {
     lane_triangle t;
     lane_box box;
@@ -94,28 +104,25 @@ TRIBOX_INLINE uint64_t packet_in_double(const tribox_batch *batch, unsigned at, 
     shape_normal(&s);
     const lane_slacks slack = slacks_of(&s, axes);
     const uint64_t negative = m_bits(v_gt(v_splat(0), least_slack(&slack)));
-    if (tribox_exactness_kept(negative) && is_exact) {
-        *open = 0;
-        return ~negative & LANES_ALL;
-    }
+    const uint64_t finite = m_bits(is_finite_shape(&s));
+    if (tribox_exactness_kept(negative) && is_exact)
+        return (tribox_verdict){finite & ~negative, 0, finite};
     const lane_range range = range_of(&slack, &t, &box, &s, axes & TRIBOX_AXES_BOX);
     const uint64_t apart = m_bits(v_gt(v_splat(0), range.most));
     const uint64_t overlapping = m_bits(m_or(v_gt(range.least, v_splat(0)), has_vertex_inside(&t, &box)));
-    *open = ~(apart | overlapping) & LANES_ALL;
-    return overlapping;
+    return (tribox_verdict){finite & overlapping, finite & ~(apart | overlapping), finite};
 }
 
 tribox_in_double TRIBOX_SYMBOL(double);
-uint64_t TRIBOX_SYMBOL(double)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact, uint64_t *open)
+tribox_verdict TRIBOX_SYMBOL(double)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact)
 {
-    uint64_t overlapping = 0;
-    *open = 0;
+    tribox_verdict all = {0, 0, 0};
     for (unsigned at = 0; at < count; at += V_LANES) {
-        uint64_t packet_open;
-        overlapping |= packet_in_double(batch, at, axes, is_exact, &packet_open) << at;
-        *open |= packet_open << at;
+        const tribox_verdict packet = packet_in_double(batch, at, axes, is_exact);
+        all.overlapping |= packet.overlapping << at;
+        all.open |= packet.open << at;
+        all.finite |= packet.finite << at;
     }
     const uint64_t present = ~UINT64_C(0) >> (TRIBOX_BATCH - count);
-    *open &= present;
-    return overlapping & present;
+    return (tribox_verdict){all.overlapping & present, all.open & present, all.finite & present};
 }

@@ -61,9 +61,10 @@ static void check_settled(const origin *where, const judged_batch *judged, const
     origin here = *where;
     here.function = "in_double";
     here.options = (tribox_options){.axes = axes, .kernel = kernel->name};
-    uint64_t open;
-    const uint64_t overlapping = kernel->in_double(&g->pairs, g->count, axes, true, &open);
+    const tribox_verdict verdict = kernel->in_double(&g->pairs, g->count, axes, true);
+    const uint64_t overlapping = verdict.overlapping, open = verdict.open;
     assert_true(!(overlapping & open) && (g->count == TRIBOX_BATCH || (overlapping | open) >> g->count == 0));
+    assert_true(verdict.finite == ~UINT64_C(0) >> (TRIBOX_BATCH - g->count));
     for (unsigned i = 0; i < g->count; i++) {
         const bool is_open = open >> i & 1, answer = overlapping >> i & 1;
         count->double_undecided += is_open;
