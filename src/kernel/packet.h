@@ -230,7 +230,9 @@ TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_marg
 {
     const uint64_t hit = left & m_bits(m_and(certain, margin->is_valid));
     const bool needs_extents = sequence_has(kind.sequence, 1) && sequence_has(kind.sequence, 3);
-    return needs_extents && hit ? hit & m_bits(are_extents_certifiable(s, box)) : hit;
+    if (!needs_extents || !(hit & ~m_bits(v_gt(v_splat(0), box->least)))) /* at most 0: no extent matters (PROOFS.md 5.2) */
+        return hit;
+    return hit & m_bits(are_extents_certifiable(s, box));
 }
 
 /* FAST: what the signs of the slacks leave; open where a coordinate is not finite. */
@@ -272,7 +274,8 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
 
 /*
  * The same, edges and plane together. Where every lane has both slacks beyond their margins, on either side, the signs decide and
- * the rest need not be looked at; a hit then needs extents that do not matter, as in certain_overlaps.
+ * the rest need not be looked at; a hit then needs extents that do not matter, as in certain_overlaps. In the second look lanes
+ * within a margin are common, and this branch would be hard to foresee.
  */
 TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
 {
@@ -286,7 +289,7 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
         decided = m_and(decided, m_or(apart, v_gt(zero, p->margin.least)));
     if (is_box_asked && !is_box_first(kind.sequence))
         left &= ~m_bits(apart_on_box_normals(p));
-    if (!(left & ~m_bits(decided)))
+    if (!kind.looks_again && !(left & ~m_bits(decided)))
         return left & ~m_bits(apart);
     const vmask beyond = m_or(v_gt(zero, v_add(slack.edges, margin.edges)), v_gt(zero, v_add(slack.plane, margin.plane)));
     const vmask certain = m_and(v_gt(slack.edges, margin.edges), v_gt(slack.plane, margin.plane));
