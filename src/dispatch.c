@@ -2,7 +2,6 @@
 #include "dispatch.h"
 
 #include <stdatomic.h>
-#include <string.h>
 
 #if defined(__AVX__)
 #error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"
@@ -58,15 +57,35 @@ const char *tribox_kernel_list(size_t i)
     return NULL;
 }
 
+/* Not strcmp, whose calls would take longer than the rest of a small call. */
+static bool is_name(const char *name, const char *other)
+{
+    while (*name && *name == *other) {
+        name++;
+        other++;
+    }
+    return *name == *other;
+}
+
+/* Bit i: kernel i of the table runs here. The last one always does, so 0 says that nobody has asked yet. */
+static unsigned kernels_here(void)
+{
+    /* Two threads may both ask on first use: they learn the same. */
+    static _Atomic unsigned known;
+    unsigned here = atomic_load_explicit(&known, memory_order_relaxed);
+    if (!here) {
+        for (size_t i = 0; i < tribox_kernel_count(); i++)
+            here |= (unsigned)tribox_kernel_runs_here(i) << i;
+        atomic_store_explicit(&known, here, memory_order_relaxed);
+    }
+    return here;
+}
+
 const tribox_kernel *tribox_kernel_find(const char *name)
 {
-    /* Two threads may both choose on first use: they choose the same. */
-    static _Atomic(const tribox_kernel *) best;
-    const tribox_kernel *kernel = name ? NULL : atomic_load_explicit(&best, memory_order_relaxed);
-    for (size_t i = 0; !kernel && i < tribox_kernel_count(); i++)
-        if ((!name || !strcmp(name, table[i].kernel->name)) && tribox_kernel_runs_here(i))
-            kernel = table[i].kernel;
-    if (!name)
-        atomic_store_explicit(&best, kernel, memory_order_relaxed);
-    return kernel;
+    const unsigned here = kernels_here();
+    for (size_t i = 0; i < tribox_kernel_count(); i++)
+        if (here >> i & 1 && (!name || is_name(name, table[i].kernel->name)))
+            return table[i].kernel;
+    return NULL;
 }

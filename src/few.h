@@ -1,24 +1,25 @@
-/*
- * few.h - fewer pairs than a kernel has lanes: spread over a packet, as kernels read whole packets. The numbers after them repeat
- * the first pair; they are never asked about.
- */
+/* few.h - the pairs of a call as a kernel can read them: those of the caller, or a packet of them where they are too few for one. */
 #ifndef TRIBOX_FEW_H
 #define TRIBOX_FEW_H
 
 #include "kernel.h"
 
-typedef struct tribox_few {
-    _Alignas(64) float number[9][TRIBOX_LANES_MAX];
-    tribox_soup soup;
-    tribox_boxes boxes;
-} tribox_few;
+static inline bool tribox_is_few(size_t count, const tribox_kernel *kernel) { return count && count < kernel->lanes; }
 
-static inline bool tribox_is_few(size_t count, const tribox_kernel *kernel) { return count < kernel->lanes; }
+static inline const tribox_soup *tribox_few_triangles(const tribox_soup *soup, const tribox_kernel *kernel, tribox_few *few)
+{
+    if (!tribox_is_few(soup->count, kernel))
+        return soup;
+    kernel->spread_triangles(soup, few);
+    return &few->soup;
+}
 
-/* One triangle at least, fewer than the kernel has lanes: the same soup, in `few`. */
-const tribox_soup *tribox_few_triangles(const tribox_soup *soup, const tribox_kernel *kernel, tribox_few *few);
-
-/* The same for the triangles or boxes of some pairs. */
-tribox_pairs tribox_few_pairs(const tribox_pairs *p, const tribox_kernel *kernel, tribox_few *few);
+static inline const tribox_boxes *tribox_few_boxes(const tribox_boxes *boxes, const tribox_kernel *kernel, tribox_few *few)
+{
+    if (!tribox_is_few(boxes->count, kernel))
+        return boxes;
+    kernel->spread_boxes(boxes, few);
+    return &few->boxes;
+}
 
 #endif

@@ -83,7 +83,7 @@ typedef struct tribox_pairs {
 /*
  * Answers `count` pairs, one or more, from pair 64 * word on; bits past them are zero. Whole packets are read, the last of which
  * ends with the last pair: so a walk reads pairs before its first one, too. Where the streams have fewer pairs than the kernel has
- * lanes, there have to be numbers after them (few.h).
+ * lanes, there have to be numbers after them (tribox_few).
  */
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
@@ -123,8 +123,19 @@ typedef struct tribox_verdict {
  */
 typedef tribox_verdict tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact);
 
-/* Fewer numbers of each of some streams than a packet has lanes to as many as it has, without reading others: the first repeats. */
-typedef void tribox_spread(const float *const *stream, int streams, size_t count, float (*to)[TRIBOX_LANES_MAX]);
+/*
+ * Pairs that are fewer than the lanes of a kernel, spread over a packet, since whole packets are read: the numbers after them repeat
+ * the first pair. They are never asked about.
+ */
+typedef struct tribox_few {
+    _Alignas(64) float number[9][TRIBOX_LANES_MAX];
+    tribox_soup soup;
+    tribox_boxes boxes;
+} tribox_few;
+
+/* One triangle or box at least; nothing else is read. */
+typedef void tribox_spread_triangles(const tribox_soup *soup, tribox_few *few);
+typedef void tribox_spread_boxes(const tribox_boxes *boxes, tribox_few *few);
 
 /* The candidates among the triangles of a word that lie wholly in the box. Whole packets are read, as by a walk. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
@@ -164,7 +175,8 @@ typedef struct tribox_kernel {
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
     tribox_survey *survey[TRIBOX_WALK_KINDS];
-    tribox_spread *spread;
+    tribox_spread_triangles *spread_triangles;
+    tribox_spread_boxes *spread_boxes;
     tribox_inside *inside;
     tribox_greatest_vertex *greatest_vertex;
     tribox_gather *gather;

@@ -2,6 +2,7 @@
 #include "box.h"
 #include "dispatch.h"
 #include "environment.h"
+#include "few.h"
 #include "pairs.h"
 #include "soup.h"
 
@@ -61,8 +62,10 @@ static tribox_report answer_mesh_block(const tribox_mesh *mesh, size_t first, si
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
     plan->kernel->gather(mesh, first, count, to);
-    const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
-    return tribox_pairs_answer(&(tribox_pairs){.soup = &soup, .box = box, .count = count}, plan, mask);
+    tribox_few few;
+    const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count), *const packets =
+                                                                               tribox_few_triangles(&soup, plan->kernel, &few);
+    return tribox_pairs_answer(&(tribox_pairs){.soup = packets, .box = box, .count = count}, plan, mask);
 }
 
 static tribox_box_pattern box_pattern_of(const tribox_box *box)

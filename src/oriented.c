@@ -154,10 +154,8 @@ tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_orie
         return TRIBOX_BAD_OPTION;
 
     tribox_few few;
-    question q = {.soup = soup, .box = box, .plan = &plan, .mask = mask};
+    question q = {.soup = tribox_few_triangles(soup, plan.kernel, &few), .box = box, .plan = &plan, .mask = mask};
     const tribox_environment callers = tribox_environment_enter();
-    if (soup->count && tribox_is_few(soup->count, plan.kernel))
-        q.soup = tribox_few_triangles(soup, plan.kernel, &few);
     if (is_empty(box))
         tribox_pairs_write_none(soup->count, mask);
     else

@@ -1,6 +1,4 @@
 /* overlap.c - the calls about a soup and a box, or a triangle and boxes: check the input, have the pairs answered. */
-#include <string.h>
-
 #include "bits.h"
 #include "box.h"
 #include "environment.h"
@@ -45,7 +43,9 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
     const tribox_status status = check_soup_and_box(soup, box, options, &plan);
     if (status)
         return status;
-    answer_pairs(&(tribox_pairs){.soup = soup, .box = box, .count = soup->count}, &plan, mask, report);
+    tribox_few few;
+    const tribox_soup *const packets = tribox_few_triangles(soup, plan.kernel, &few);
+    answer_pairs(&(tribox_pairs){.soup = packets, .box = box, .count = soup->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
 
@@ -61,7 +61,9 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)
         return status;
-    answer_pairs(&(tribox_pairs){.triangle = triangle, .boxes = boxes, .count = boxes->count}, &plan, mask, report);
+    tribox_few few;
+    const tribox_boxes *const packets = tribox_few_boxes(boxes, plan.kernel, &few);
+    answer_pairs(&(tribox_pairs){.triangle = triangle, .boxes = packets, .count = boxes->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
 
@@ -91,10 +93,8 @@ static tribox_status find_unlike(const tribox_soup *soup, const tribox_box *box,
     if (status)
         return status;
     tribox_few few;
-    tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
+    const tribox_pairs p = {.soup = tribox_few_triangles(soup, plan.kernel, &few), .box = box, .count = soup->count};
     const tribox_environment callers = tribox_environment_enter();
-    if (p.count && tribox_is_few(p.count, plan.kernel))
-        p = tribox_few_pairs(&p, plan.kernel, &few);
     *first = !is_none(&p) ? first_unlike(&p, &plan, usual) : usual ? 0 : soup->count;
     tribox_environment_leave(callers);
     return TRIBOX_OK;
@@ -117,7 +117,7 @@ static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
-        uint64_t hit[TRIBOX_BLOCK_WORDS];
+        uint64_t unasked[TRIBOX_BLOCK_WORDS], *const hit = mask ? mask + word : unasked;
         const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
         counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
         for (size_t w = 0; w < block; w++) {
@@ -128,8 +128,6 @@ static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t
             if (inside)
                 inside[word + w] = found;
         }
-        if (mask)
-            memcpy(mask + word, hit, block * sizeof *mask);
     }
     return counts;
 }
@@ -142,11 +140,9 @@ tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, co
     if (status)
         return status;
     tribox_few few;
-    tribox_pairs p = {.soup = soup, .box = box, .count = soup->count};
+    const tribox_pairs p = {.soup = tribox_few_triangles(soup, plan.kernel, &few), .box = box, .count = soup->count};
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
-    if (p.count && tribox_is_few(p.count, plan.kernel))
-        p = tribox_few_pairs(&p, plan.kernel, &few);
     if (is_none(&p)) {
         tribox_pairs_write_none(soup->count, mask);
         tribox_pairs_write_none(soup->count, inside);

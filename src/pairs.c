@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "bits.h"
-#include "few.h"
 #include "settle.h"
 #include "soup.h"
 
@@ -94,8 +93,11 @@ size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan,
 size_t tribox_pairs_answer_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
 {
     uint64_t open[TRIBOX_BLOCK_WORDS];
+    uint64_t any = 0;
     tribox_pairs_walk_block(p, plan, word, words, hit, open);
-    return tribox_pairs_settle_block(p, plan, word, words, open, hit);
+    for (size_t w = 0; w < words; w++)
+        any |= open[w];
+    return any ? tribox_pairs_settle_block(p, plan, word, words, open, hit) : 0;
 }
 
 void tribox_pairs_write_none(size_t count, uint64_t *mask)
@@ -104,27 +106,16 @@ void tribox_pairs_write_none(size_t count, uint64_t *mask)
         memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
 }
 
-static tribox_report answer_packets(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
+tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
 {
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
-        uint64_t hit[TRIBOX_BLOCK_WORDS];
+        uint64_t unasked[TRIBOX_BLOCK_WORDS], *const hit = mask ? mask + word : unasked;
         const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
         counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
         for (size_t w = 0; w < block; w++)
             counts.overlapping += tribox_count_bits(hit[w]);
-        if (mask)
-            memcpy(mask + word, hit, block * sizeof *mask);
     }
     return counts;
-}
-
-tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
-{
-    if (!p->count || !tribox_is_few(p->count, plan->kernel))
-        return answer_packets(p, plan, mask);
-    tribox_few few;
-    const tribox_pairs pairs = tribox_few_pairs(p, plan->kernel, &few);
-    return answer_packets(&pairs, plan, mask);
 }

@@ -1,4 +1,4 @@
-/* pairs.h - the pairs of a call, answered block by block: the kernel, and what it leaves open settled. */
+/* pairs.h - the pairs of a call, as few.h has them, answered block by block: the kernel, and what it leaves open settled. */
 #ifndef TRIBOX_PAIRS_H
 #define TRIBOX_PAIRS_H
 
@@ -6,10 +6,6 @@
 
 /* Words that a kernel answers at a time, so that what it leaves open is settled while its triangles are in the cache. */
 enum { TRIBOX_BLOCK_WORDS = 64 };
-
-/*
- * Below, the streams of few pairs (few.h) have been spread; tribox_pairs_answer alone takes any number of pairs as they are.
- */
 
 /* The kernel's answer about words word .. word + words - 1, at most TRIBOX_BLOCK_WORDS: bits as of a walk (kernel.h). */
 void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open);

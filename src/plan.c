@@ -5,31 +5,32 @@
 
 enum { DEFAULT_ORDER = 132 };
 
-static bool is_order(unsigned order)
-{
-    return order == 123 || order == 132 || order == 213 || order == 231 || order == 312 || order == 321;
-}
+/*
+ * The sequence of an order and a union of axes: the order without the groups that it leaves out; no order changes an answer. Group
+ * 1, 2, 3 is bit 0, 1, 2 of the axes. A table, as a call about a few triangles would take longer to find it than to answer.
+ */
+#define SEQUENCES(order, box_and_plane, box_and_edges, plane_and_edges) \
+    { \
+        order, \
+        { \
+            TRIBOX_SEQUENCES, TRIBOX_SEQUENCE_1, TRIBOX_SEQUENCE_2, TRIBOX_SEQUENCE_##box_and_plane, TRIBOX_SEQUENCE_3, \
+                TRIBOX_SEQUENCE_##box_and_edges, TRIBOX_SEQUENCE_##plane_and_edges, TRIBOX_SEQUENCE_##order \
+        } \
+    }
+static const struct {
+    unsigned order;
+    unsigned char sequence[TRIBOX_AXES_ALL + 1];
+} table[] = {
+    SEQUENCES(132, 12, 13, 32), SEQUENCES(123, 12, 13, 23), SEQUENCES(213, 21, 13, 23),
+    SEQUENCES(231, 21, 31, 23), SEQUENCES(312, 12, 31, 32), SEQUENCES(321, 21, 31, 32),
+};
 
-/* The order without the groups that axes leaves out; no order changes an answer. Group 1, 2, 3 is bit 0, 1, 2 of the axes. */
+/* TRIBOX_SEQUENCES if there is no such order, or no such axes. */
 static unsigned sequence_of(unsigned order, unsigned axes)
 {
-    unsigned sequence = 0;
-    for (unsigned place = 100; place; place /= 10) {
-        const unsigned group = order / place % 10;
-        if (axes >> (group - 1) & 1)
-            sequence = 10 * sequence + group;
-    }
-    return sequence;
-}
-
-static unsigned sequence_index(unsigned sequence)
-{
-    switch (sequence) {
-#define INDEX(sequence) \
-    case sequence: \
-        return TRIBOX_SEQUENCE_##sequence;
-        TRIBOX_FOR_EACH_SEQUENCE(INDEX)
-    }
+    for (size_t k = 0; axes <= TRIBOX_AXES_ALL && k < sizeof table / sizeof table[0]; k++)
+        if (order == table[k].order)
+            return table[k].sequence[axes];
     return TRIBOX_SEQUENCES;
 }
 
@@ -37,14 +38,12 @@ tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan)
 {
     static const tribox_options defaults;
     const tribox_options *const asked = options ? options : &defaults;
-    const unsigned order = asked->order ? asked->order : DEFAULT_ORDER;
     plan->accuracy = asked->accuracy;
     plan->axes = asked->axes ? asked->axes : TRIBOX_AXES_ALL;
-    if ((unsigned)plan->accuracy > TRIBOX_FAST || plan->axes & ~(unsigned)TRIBOX_AXES_ALL || !is_order(order))
+    const unsigned sequence = sequence_of(asked->order ? asked->order : DEFAULT_ORDER, plan->axes);
+    if ((unsigned)plan->accuracy > TRIBOX_FAST || sequence == TRIBOX_SEQUENCES)
         return TRIBOX_BAD_OPTION;
-    plan->choice = asked->order || plan->axes != TRIBOX_AXES_ALL
-                       ? tribox_choice_fixed(sequence_index(sequence_of(order, plan->axes)))
-                       : tribox_choice_start();
+    plan->choice = asked->order || plan->axes != TRIBOX_AXES_ALL ? tribox_choice_fixed(sequence) : tribox_choice_start();
     plan->kernel = tribox_kernel_find(asked->kernel);
     return plan->kernel ? TRIBOX_OK : TRIBOX_NO_KERNEL;
 }

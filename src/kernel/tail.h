@@ -3,7 +3,7 @@
  * After: a vocabulary. Needs: v_load_few.
  *
  * The last packet ends with the last pair, so it repeats pairs that the packet before it has. Fewer pairs than V_LANES are spread
- * over a packet before anything else reads them (few.h).
+ * over a packet before anything else reads them (tribox_few).
  */
 
 /* Packets that begin at pair `at`; the first lanes repeat pairs that come before those that are asked about. */
@@ -33,9 +33,21 @@ TRIBOX_INLINE uint64_t bits_of_run(uint64_t bits, const packet_run *run)
 /* Adds bits from bit `at` on of a word that has none there yet, and is new if `at` is 0. */
 TRIBOX_INLINE void put_bits(uint64_t *word, size_t at, uint64_t bits) { *word = at ? *word | bits << at : bits; }
 
-/* Fewer numbers than V_LANES of each stream to the first V_LANES places of another. */
-static void spread(const float *const *streams, int count_of_streams, size_t count, float (*to)[TRIBOX_LANES_MAX])
+static void spread_triangles(const tribox_soup *soup, tribox_few *few)
 {
-    for (int k = 0; k < count_of_streams; k++)
-        v_write(to[k], v_load_few(streams[k], count));
+    for (int a = 0; a < 3; a++)
+        for (int v = 0; v < 3; v++)
+            v_write(few->number[3 * a + v], v_load_few(tribox_soup_axis(soup, a)[v], soup->count));
+    few->soup = tribox_soup_of(&few->number[0][0], TRIBOX_LANES_MAX, soup->count);
+}
+
+static void spread_boxes(const tribox_boxes *boxes, tribox_few *few)
+{
+    for (int a = 0; a < 3; a++) {
+        v_write(few->number[a], v_load_few(boxes->lo[a], boxes->count));
+        v_write(few->number[3 + a], v_load_few(boxes->hi[a], boxes->count));
+        few->boxes.lo[a] = few->number[a];
+        few->boxes.hi[a] = few->number[3 + a];
+    }
+    few->boxes.count = boxes->count;
 }

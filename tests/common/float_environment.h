@@ -10,13 +10,13 @@
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 
-enum { FTZ = 0x8000, DAZ = 0x40, MASKED = 0x1f80, STICKY = 0x3f, ROUNDINGS = 4, SETTINGS = ROUNDINGS * 4 * 4 };
+enum { FTZ = 0x8000, DAZ = 0x40, MASKED = 0x1f80, STICKY = 0x3f, ROUNDINGS = 4, INEXACT = 0x20, SETTINGS = ROUNDINGS * 4 * 2 * 3 };
 
-/* Rounding, FTZ and DAZ, and whether exceptions are unmasked and flags are up. */
+/* Rounding, FTZ and DAZ, and whether exceptions are unmasked and flags are up: none, all, or the one that nearly every program has. */
 static inline unsigned setting(unsigned k)
 {
-    return k % ROUNDINGS << 13 | (k / 4 & 1 ? FTZ : 0) | (k / 8 & 1 ? DAZ : 0) | (k / 16 & 1 ? 0 : MASKED) |
-           (k / 32 & 1 ? STICKY : 0);
+    static const unsigned flags[] = {0, STICKY, INEXACT};
+    return k % ROUNDINGS << 13 | (k / 4 & 1 ? FTZ : 0) | (k / 8 & 1 ? DAZ : 0) | (k / 16 & 1 ? 0 : MASKED) | flags[k / 32];
 }
 static inline unsigned environment_get(void) { return _mm_getcsr(); }
 static inline void environment_set(unsigned mxcsr) { _mm_setcsr(mxcsr); }
