@@ -88,8 +88,9 @@ typedef struct tribox_pairs {
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
 /*
- * What a survey saw of the packets of a word, bit k of packet k: those that lie beside the box on x, on x or y, on any axis, lane by
- * lane, and those of which each set of groups (TRIBOX_AXES_*) rejects every lane. Of a packet beside the box only that is known.
+ * What a survey saw of the packets of a word, bit k for packet k. Each is in one of `beside` if the box normals reject all its lanes:
+ * where the x axis does, or x and y, or all three. Of the others, the sets of groups (TRIBOX_AXES_*) that reject all lanes; if box
+ * normals and plane do together, nothing is said of the edges.
  */
 typedef struct tribox_seen {
     unsigned packets;

@@ -1,46 +1,42 @@
 /*
- * survey.h - a word walked as by 132 that also says which groups of axes reject whole packets: choice.c finds the order from it.
+ * survey.h - a word walked in order 123 that also says which groups of axes reject whole packets: choice.c finds the order from it.
  * After: packet.h.
  *
- * A packet that the box normals reject is left as early as in a walk, and nothing else is asked about it.
+ * A packet is left as early as in a walk: what it would cost to know the rest of it is more than the choice could gain.
  */
 
-/* The lanes of a packet that the plane separates for this kind of walk, and those that the edges do, with no regard to other groups. */
-typedef struct lanes_apart {
-    uint64_t plane, edges;
-} lanes_apart;
-
-TRIBOX_INLINE lanes_apart lanes_apart_of(const lane_pairs *p, lane_shape *s, walk_kind kind)
+/* Notes the sets of groups that leave no lane of a packet, from the lanes that each group leaves. */
+TRIBOX_INLINE void note_rejected(tribox_seen *seen, uint64_t packet, uint64_t box, uint64_t plane, uint64_t edges)
 {
-    const joint_slacks slack = joint_slacks_of(s, kind);
-    if (kind.decides == TRIBOX_BY_SIGN) {
-        const vmask finite = v_gt(v_splat(INFINITY), slack.reach);
-        return (lanes_apart){m_bits(m_and(finite, m_signs(slack.plane))), m_bits(m_and(finite, m_signs(slack.edges)))};
-    }
-    const lane_margin margin = margin_of(s, &p->margin, true);
-    const vmask plane = v_gt(v_splat(0), v_add(slack.plane, margin.plane)),
-                edges = v_gt(v_splat(0), v_add(slack.edges, margin.edges));
-    return (lanes_apart){m_bits(m_and(margin.is_valid, plane)), m_bits(m_and(margin.is_valid, edges))};
+    const uint64_t left[] = {box, plane, box & plane, edges, box & edges, plane & edges};
+    for (int k = 0; k < 6; k++)
+        seen->rejected[k + 1] |= left[k] ? 0 : packet;
 }
 
-/* Notes for each set of groups whether it rejects all lanes of a packet, whose lanes `left` are not apart on the box normals. */
-TRIBOX_INLINE void note_packet(tribox_seen *seen, uint64_t packet, uint64_t left, lanes_apart apart)
+TRIBOX_INLINE uint64_t survey_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t packet, uint64_t left,
+                                      tribox_seen *seen, uint64_t *open)
 {
-    for (unsigned groups = 1; groups < TRIBOX_AXES_ALL; groups++) {
-        const uint64_t rejected = (groups & TRIBOX_AXES_BOX ? LANES_ALL & ~left : 0) |
-                                  (groups & TRIBOX_AXES_PLANE ? apart.plane : 0) | (groups & TRIBOX_AXES_EDGES ? apart.edges : 0);
-        seen->rejected[groups] |= rejected == LANES_ALL ? packet : 0;
-    }
+    vmask finite;
+    const uint64_t plane = left_by_sign(p, s, 2, kind, LANES_ALL, &finite);
+    const bool is_left = left & plane;
+    const uint64_t edges = is_left ? left_by_sign(p, s, 3, kind, LANES_ALL, &finite) : LANES_ALL;
+    note_rejected(seen, packet, left, plane, edges);
+    *open = left & plane & edges & ~m_bits(finite);
+    return left & plane & edges & m_bits(finite);
 }
 
-/* A packet that the box normals up to this axis reject. */
-TRIBOX_INLINE uint64_t note_beside(tribox_seen *seen, uint64_t packet, int axis)
+TRIBOX_INLINE uint64_t survey_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t packet, uint64_t left,
+                                        tribox_seen *seen, uint64_t *open)
 {
-    for (int a = axis; a < 3; a++)
-        seen->beside[a] |= packet;
-    for (unsigned groups = TRIBOX_AXES_BOX; groups < TRIBOX_AXES_ALL; groups += 2)
-        seen->rejected[groups] |= packet;
-    return 0;
+    lane_margin margin;
+    vmask certain;
+    const uint64_t plane = left_by_margin(p, s, 2, true, kind, LANES_ALL, &margin, &certain);
+    const bool is_left = left & plane;
+    const uint64_t edges = is_left ? left_by_margin(p, s, 3, false, kind, LANES_ALL, &margin, &certain) : LANES_ALL;
+    note_rejected(seen, packet, left, plane, edges);
+    const uint64_t hit = is_left ? certain_overlaps(s, &p->margin, &margin, certain, kind, left & plane & edges) : 0;
+    *open = left & plane & edges & ~hit;
+    return hit;
 }
 
 TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_pairs *from, size_t at, walk_kind kind, uint64_t packet,
@@ -48,17 +44,20 @@ TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_pairs *from, si
 {
     lane_shape s;
     uint64_t left = LANES_ALL;
-    *open = 0;
     for (int a = 0; a < 3; a++) {
         left = load_axis(p, from, at, a, kind, left, &s);
-        if (!left)
-            return note_beside(seen, packet, a);
+        if (!left) {
+            seen->beside[a] |= packet;
+            *open = 0;
+            return 0;
+        }
     }
+    shape_normal(&s);
+    if (kind.decides == TRIBOX_BY_SIGN)
+        return survey_by_sign(p, &s, kind, packet, left, seen, open);
     if (!kind.is_soup)
         p->margin = box_margin_of(&p->box);
-    note_packet(seen, packet, left, lanes_apart_of(p, &s, kind));
-    return kind.decides == TRIBOX_BY_SIGN ? overlaps_by_sign(p, &s, kind, left, open)
-                                          : overlaps_by_joint_margin(p, &s, kind, left, open);
+    return survey_by_margin(p, &s, kind, packet, left, seen, open);
 }
 
 TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_kind kind, tribox_seen *seen, uint64_t *open)
@@ -82,8 +81,8 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_k
     static uint64_t survey_##decides(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open) \
     { \
         const bool looks_again = TRIBOX_##decides == TRIBOX_BY_MARGIN; \
-        return pairs->soup ? survey_word(pairs, word, (walk_kind){132, TRIBOX_##decides, true, looks_again}, seen, open) \
-                           : survey_word(pairs, word, (walk_kind){132, TRIBOX_##decides, false, looks_again}, seen, open); \
+        return pairs->soup ? survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, looks_again}, seen, open) \
+                           : survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, false, looks_again}, seen, open); \
     }
 SURVEY(BY_MARGIN)
 SURVEY(BY_SIGN)
