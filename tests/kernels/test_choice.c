@@ -1,0 +1,267 @@
+/*
+ * test_choice.c - the order that is found while walking: what surveys see, which order follows, when the next is due; and that it
+ * changes no answer.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "choice.h"
+#include "common/arguments.h"
+#include "common/guard.h"
+#include "common/kernels_here.h"
+#include "dispatch.h"
+#include "drawn_pairs.h"
+
+static arguments args;
+static drawn_numbers numbers;
+
+enum { PLANE = TRIBOX_AXES_PLANE, EDGES = TRIBOX_AXES_EDGES };
+
+/* A survey of packets that all meet one fate: each set of groups that has one of these rejects all lanes. */
+static tribox_seen seen_alike(unsigned packets, unsigned rejecting)
+{
+    const uint64_t all = ~UINT64_C(0) >> (64 - packets);
+    tribox_seen seen = {.packets = packets};
+    seen.beside[0] = rejecting & TRIBOX_AXES_BOX ? all : 0;
+    for (unsigned groups = 1; groups < TRIBOX_AXES_ALL; groups++)
+        seen.rejected[groups] = !seen.beside[0] && groups & rejecting ? all : 0;
+    return seen;
+}
+
+static bool begins_with(const tribox_choice *choice, unsigned first)
+{
+    const unsigned p = choice->sequence;
+    return first == 1   ? p == TRIBOX_SEQUENCE_132 || p == TRIBOX_SEQUENCE_123
+           : first == 2 ? p == TRIBOX_SEQUENCE_213 || p == TRIBOX_SEQUENCE_231
+                        : p == TRIBOX_SEQUENCE_312 || p == TRIBOX_SEQUENCE_321;
+}
+
+static void test_what_rejects_comes_first(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned rejecting, first;
+    } expected[] = {{TRIBOX_AXES_BOX, 1}, {PLANE, 2}, {EDGES, 3}, {PLANE | EDGES, 2}, {0, 1}};
+    for (unsigned packets = 4; packets <= 64; packets *= 2)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+            for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+                tribox_choice choice = tribox_choice_start();
+                const tribox_seen seen = seen_alike(packets, expected[i].rejecting);
+                tribox_choice_learn(&choice, &seen, accuracy);
+                assert_true(begins_with(&choice, expected[i].first));
+            }
+}
+
+/* Nothing is rejected: edges and plane together cost the least. */
+static void test_nothing_rejected(void **state)
+{
+    (void)state;
+    tribox_choice choice = tribox_choice_start();
+    const tribox_seen seen = seen_alike(8, 0);
+    tribox_choice_learn(&choice, &seen, TRIBOX_EXACT);
+    assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_132);
+}
+
+/* One packet in two is beside the box on x, and the plane would reject all others. */
+static void test_costs(void **state)
+{
+    (void)state;
+    tribox_seen seen = {.packets = 8, .beside = {0x0f}};
+    seen.rejected[PLANE] = seen.rejected[TRIBOX_AXES_BOX | PLANE] = seen.rejected[PLANE | EDGES] = 0xf0;
+    unsigned cost[TRIBOX_CHOICE_ORDERS], unforeseen[TRIBOX_CHOICE_ORDERS];
+    tribox_choice_costs(&seen, TRIBOX_FAST, cost);
+    const unsigned exit = cost[1] - 8 * 14 - 4 * 4 - 4 * 4 - 4 * 36; /* x for all, y, z and plane for four, one unforeseen exit */
+    assert_in_range(exit, 20, 150);
+    assert_int_equal(cost[0] - cost[1], 4 * (78 - 36));
+    assert_in_range(cost[3], 8 * 30, 8 * 50); /* the plane rejects everything, beside the box too as far as is known */
+    seen.beside[0] = 0x55;
+    seen.rejected[PLANE] = seen.rejected[TRIBOX_AXES_BOX | PLANE] = seen.rejected[PLANE | EDGES] = 0xaa;
+    tribox_choice_costs(&seen, TRIBOX_FAST, unforeseen);
+    assert_int_equal(unforeseen[1] - cost[1], 3 * exit); /* four of eight exits, not one */
+    assert_int_equal(unforeseen[3], cost[3]);
+}
+
+/* However long it was one way, two surveys turn it. */
+static void test_nature_changes(void **state)
+{
+    (void)state;
+    for (unsigned packets = 4; packets <= 64; packets *= 2)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            tribox_choice choice = tribox_choice_start();
+            const tribox_seen far = seen_alike(packets, TRIBOX_AXES_BOX), cut = seen_alike(packets, PLANE);
+            for (int k = 0; k < 1000; k++)
+                tribox_choice_learn(&choice, &far, accuracy);
+            assert_true(begins_with(&choice, 1));
+            tribox_choice_learn(&choice, &cut, accuracy);
+            assert_true(begins_with(&choice, 1)); /* one word may be an exception */
+            tribox_choice_learn(&choice, &cut, accuracy);
+            assert_true(begins_with(&choice, 2));
+            tribox_choice_learn(&choice, &far, accuracy);
+            tribox_choice_learn(&choice, &far, accuracy);
+            assert_true(begins_with(&choice, 1));
+        }
+}
+
+/* The words at which surveys are due, in a call of `words` words that is asked block by block. */
+static size_t survey_places(tribox_choice *choice, size_t words, size_t block, size_t *places)
+{
+    size_t count = 0;
+    const tribox_seen seen = seen_alike(4, 0);
+    for (size_t word = 0; word < words; word += block)
+        for (size_t done = 0, next, most = words - word < block ? words - word : block; done < most; done += next) {
+            next = tribox_choice_next(choice, words - word - done, most - done);
+            assert_true(next <= most - done);
+            if (next)
+                continue;
+            places[count++] = word + done;
+            tribox_choice_learn(choice, &seen, TRIBOX_EXACT);
+            next = 1;
+        }
+    return count;
+}
+
+static void test_places(void **state)
+{
+    (void)state;
+    static const size_t expected[] = {0, 16, 64, 128, 192}, blocks[] = {64, 8, 4};
+    for (size_t b = 0; b < sizeof blocks / sizeof blocks[0]; b++) {
+        size_t places[300];
+        tribox_choice choice = tribox_choice_start();
+        assert_int_equal(survey_places(&choice, 195, blocks[b], places), 4); /* three words are not worth a survey */
+        assert_memory_equal(places, expected, 4 * sizeof *places);
+        choice = tribox_choice_start();
+        assert_int_equal(survey_places(&choice, 196, blocks[b], places), 5);
+        assert_memory_equal(places, expected, sizeof expected);
+        choice = tribox_choice_start();
+        assert_int_equal(survey_places(&choice, 3, blocks[b], places), 0);
+        choice = tribox_choice_fixed(TRIBOX_SEQUENCE_213);
+        assert_int_equal(survey_places(&choice, 300, blocks[b], places), 0);
+        assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_213);
+    }
+}
+
+/* The lanes of packet k that a walk in a sequence leaves, overlapping or open. */
+static uint64_t left_by(const tribox_kernel *kernel, const tribox_pairs *p, tribox_walk_kind kind, unsigned sequence, size_t k)
+{
+    uint64_t hit, open;
+    kernel->walk[kind][sequence](p, 0, 64, &hit, &open);
+    return (hit | open) >> k * kernel->lanes & (~UINT64_C(0) >> (64 - kernel->lanes));
+}
+
+/* What a survey says of a word, against walks that ask some of the groups alone. */
+static void check_survey(const tribox_kernel *kernel, const tribox_pairs *p, tribox_walk_kind kind, const char *drawn)
+{
+    tribox_seen seen;
+    uint64_t hit, open, walk_hit, walk_open;
+    snprintf(doing, sizeof doing, "survey of %s by %s", drawn, kernel->name);
+    hit = kernel->survey[kind](p, 0, &seen, &open);
+    kernel->walk[kind][TRIBOX_SEQUENCE_123](p, 0, 64, &walk_hit, &walk_open);
+    assert_int_equal(hit & open, 0);
+    assert_int_equal((hit | open) & (walk_hit | walk_open), hit | open);
+    assert_int_equal(walk_hit & ~(hit | open), 0);
+    assert_int_equal(hit & ~(walk_hit | walk_open), 0);
+    assert_int_equal(seen.packets, 64 / kernel->lanes);
+    for (size_t k = 0; k < seen.packets; k++) {
+        const uint64_t beside = (seen.beside[0] >> k & 1) + (seen.beside[1] >> k & 1) + (seen.beside[2] >> k & 1);
+        assert_true(beside <= 1);
+        assert_int_equal(beside, !left_by(kernel, p, kind, TRIBOX_SEQUENCE_1, k));
+        if (beside)
+            continue;
+        assert_int_equal(seen.rejected[TRIBOX_AXES_BOX] >> k & 1, 0);
+        assert_int_equal(seen.rejected[TRIBOX_AXES_BOX | PLANE] >> k & 1, !left_by(kernel, p, kind, TRIBOX_SEQUENCE_12, k));
+        if (kind == TRIBOX_BY_SIGN) /* a margin is wider without the box normals */
+            assert_int_equal(seen.rejected[PLANE] >> k & 1, !left_by(kernel, p, kind, TRIBOX_SEQUENCE_2, k));
+        if (!(seen.rejected[TRIBOX_AXES_BOX | PLANE] >> k & 1))
+            assert_int_equal(seen.rejected[TRIBOX_AXES_BOX | EDGES] >> k & 1, !left_by(kernel, p, kind, TRIBOX_SEQUENCE_13, k));
+    }
+}
+
+static void test_surveys(void **state)
+{
+    (void)state;
+    static const struct {
+        scene_draw *draw;
+        const char *name;
+        float size; /* of the box, as a share of the scene's: small ones let single groups reject whole packets */
+    } drawn[] = {{draw_paper, "paper", 1},         {draw_paper, "paper, small box", 0.01f}, {draw_small_triangles, "small", 1},
+                 {draw_eighths, "eighths", 0.25f}, {draw_big_triangles, "big", 0.001f},     {draw_cad, "cad", 1}};
+    random_source r = random_named(args.seed, "surveys");
+    for (size_t i = 0; i < sizeof drawn / sizeof drawn[0]; i++)
+        for (int round = 0; round < 200; round++) {
+            const pair_list q = draw_pairs(&r, &(scene){.name = drawn[i].name, .draw = drawn[i].draw}, true, &numbers);
+            const tribox_soup soup = pair_list_soup(&q);
+            tribox_box box = *q.box;
+            for (int a = 0; a < 3; a++)
+                box.hi[a] = box.lo[a] + drawn[i].size * (box.hi[a] - box.lo[a]);
+            for (size_t k = 0; k < tribox_kernel_count(); k++)
+                if (tribox_kernel_runs_here(k))
+                    for (int kind = 0; kind < TRIBOX_WALK_KINDS; kind++)
+                        check_survey(tribox_kernel_at(k), &(tribox_pairs){.soup = &soup, .box = &box, .count = soup.count},
+                                     (tribox_walk_kind)kind, drawn[i].name);
+        }
+}
+
+/* Triangles that change their nature half way: far away, then about a small box or any that a scene draws. */
+static void draw_changing(random_source *r, const scene *s, size_t half)
+{
+    for (size_t i = 0; i < DRAWN_MAX; i += SCENE_TRIANGLES) {
+        scene_batch batch;
+        s->draw(r, &batch);
+        numbers.box = batch.box;
+        for (size_t k = 0; k < SCENE_TRIANGLES && i + k < DRAWN_MAX; k++)
+            for (int a = 0; a < 3; a++)
+                for (int v = 0; v < 3; v++)
+                    numbers.stream[3 * a + v][i + k] = batch.u[k][v][a] + (i + k < half && a == 2 ? 100.0f : 0.0f);
+    }
+}
+
+/* Order 0 answers as 132 does, wherever the call ends. */
+static void test_answers(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {0,    1,    63,   64,   65,   255,  256,  257,  320,  1023,
+                                    1024, 1025, 1088, 4095, 4096, 4097, 4159, 4160, 8255, 10240};
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    for (size_t i = 0; i < scene_count(); i++) {
+        const scene *const s = scene_at(i);
+        random_source r = random_named(args.seed, s->name);
+        draw_changing(&r, s, i % 3 ? DRAWN_MAX / 2 : 0);
+        for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
+            pair_list q = {.count = counts[c], .box = &numbers.box};
+            for (int k = 0; k < SOUP_STREAMS; k++)
+                q.stream[k] = numbers.stream[k];
+            for (int k = 0; k < kernels; k++)
+                for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+                    const tribox_options found = {.accuracy = accuracy, .kernel = names[k]};
+                    const tribox_options fixed = {.accuracy = accuracy, .order = 132, .kernel = names[k]};
+                    uint64_t mask[DRAWN_WORDS], expected[DRAWN_WORDS];
+                    tribox_report report, of_fixed;
+                    pair_list_text(&q, &found, doing);
+                    ask_ok(&q, &fixed, expected, &of_fixed);
+                    ask_ok(&q, &found, mask, &report);
+                    assert_masks_equal(&q, &found, expected, mask);
+                    assert_int_equal(report.overlapping, of_fixed.overlapping);
+                }
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_rejects_comes_first),
+        cmocka_unit_test(test_nothing_rejected),
+        cmocka_unit_test(test_costs),
+        cmocka_unit_test(test_nature_changes),
+        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_surveys),
+        cmocka_unit_test(test_answers),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
