@@ -31,6 +31,7 @@ static const struct recipe {
     {"memory", "the same, too many for any cache", &unit_box, 4000000, draw_paper, KEEP_ALL, false},
     {"sparse", "small triangles all over [-8, 8]^3, in random order", &unit_box, 1000000, draw_sparse, KEEP_ALL, false},
     {"sorted", "the triangles of sparse, in Morton order", &unit_box, 1000000, draw_sparse, KEEP_ALL, true},
+    {"coherent", "the same, 4096 triangles: few enough for the second-level cache", &unit_box, 4096, draw_sparse, KEEP_ALL, true},
     {"hit", "those of paper that overlap the box", &unit_box, 100000, draw_paper, KEEP_OVERLAPPING, false},
     {"inside", "vertices uniform in the box", &unit_box, 100000, draw_inside, KEEP_ALL, false},
     {"edge-miss", "those of paper that only an edge axis separates", &unit_box, 100000, draw_paper, KEEP_EDGE_MISSES, false},
