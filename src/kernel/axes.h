@@ -25,8 +25,8 @@
  * - Of the two sides of an edge axis only the outer one is tested, and the sign of n_i says which that is. One sign serves all
  *   three edges of a projection, and where n_i is zero it may be either. With bullet 1 beside it the test is complete, for
  *   degenerate triangles and flat boxes too: PROOFS.md 1 proves it. Without bullet 1 the two-sided slacks are needed.
- * - Two products serve the three edges of a projection and the plane: with p = (V_0 x f_0)_i and q = (V_0 x f_1)_i, P_0 = p,
- *   P_1 = q + 2 n_i, P_2 = -(p + q), and d = n . V_0 = f_1 . (V_0 x f_0). Only vertex 0 needs a V (PROOFS.md 1, consequence 5).
+ * - Two products serve the three edges of a projection: with p = (V_0 x f_0)_i and q = (V_0 x f_1)_i, P_0 = p, P_1 = q + 2 n_i,
+ *   P_2 = -(p + q). Only vertex 0 needs a V (PROOFS.md 1, consequence 5).
  */
 
 /* A triangle in lanes: u[j][a] is axis a of vertex j. */
@@ -97,7 +97,10 @@ TRIBOX_INLINE vnum side_of(const lane_shape *s, int i, int j)
     return v_fms(s->V[a], s->f[j][b], v_mul(s->V[b], s->f[j][a]));
 }
 
-/* Bullet 2, axis n: R - |d|, with R the reach of the box along n and d = f_1 . (V_0 x f_0), both summed axis by axis. */
+/*
+ * Bullet 2, axis n: R - |d|, with R the reach of the box along n and d = n . V_0, both from one n and summed axis by axis. So where
+ * the computed n is zero, as for many segments, it separates nothing (PROOFS.md 10).
+ */
 TRIBOX_INLINE vnum add_to_reach(const lane_shape *s, int i, vnum sum)
 {
     const vnum n = v_abs(s->n[i]);
@@ -106,8 +109,7 @@ TRIBOX_INLINE vnum add_to_reach(const lane_shape *s, int i, vnum sum)
 
 TRIBOX_INLINE vnum add_to_distance(const lane_shape *s, int i, vnum sum)
 {
-    const vnum p = side_of(s, i, 0);
-    return i == 0 ? v_mul(s->f[1][i], p) : v_fma(s->f[1][i], p, sum);
+    return i == 0 ? v_mul(s->V[i], s->n[i]) : v_fma(s->V[i], s->n[i], sum);
 }
 
 TRIBOX_INLINE vnum plane_slack_of(vnum reach, vnum d) { return v_sub(reach, v_abs(d)); }
@@ -117,9 +119,15 @@ TRIBOX_INLINE vnum plane_reach(const lane_shape *s)
     return add_to_reach(s, 2, add_to_reach(s, 1, add_to_reach(s, 0, v_splat(0))));
 }
 
+TRIBOX_INLINE vnum plane_distance(const lane_shape *s)
+{
+    return add_to_distance(s, 2, add_to_distance(s, 1, add_to_distance(s, 0, v_splat(0))));
+}
+
 TRIBOX_INLINE vnum plane_slack(const lane_shape *s, vnum reach)
 {
-    return plane_slack_of(reach, add_to_distance(s, 2, add_to_distance(s, 1, add_to_distance(s, 0, v_splat(0)))));
+    const vnum d = plane_distance(s);
+    return plane_slack_of(reach, d);
 }
 
 /* Bullet 3: what the axes a_i0, a_i1, a_i2 share, all turned by one sign so that n_i is positive. */

@@ -135,26 +135,26 @@ TRIBOX_INLINE vnum plane_slack_for(const lane_shape *s, vnum slack, walk_kind ki
  */
 typedef struct joint_slacks {
     vnum edges, plane;
-    vnum reach; /* of the box along n */
+    vnum d; /* of the plane */
 } joint_slacks;
 
 TRIBOX_INLINE joint_slacks joint_slacks_of(lane_shape *s, walk_kind kind)
 {
-    joint_slacks slack = {.edges = v_splat(0), .reach = v_splat(0)};
-    vnum d = v_splat(0);
+    joint_slacks slack = {.edges = v_splat(0), .d = v_splat(0)};
+    vnum reach = v_splat(0);
     for (int i = 0; i < 3; i++) {
         shape_normal_along(s, i);
+        slack.d = add_to_distance(s, i, slack.d);
+        reach = add_to_reach(s, i, reach);
         slack.edges = worst_edge_along(s, i, slack.edges, kind);
-        d = add_to_distance(s, i, d);
-        slack.reach = add_to_reach(s, i, slack.reach);
     }
-    slack.plane = plane_slack_for(s, plane_slack_of(slack.reach, d), kind);
+    slack.plane = plane_slack_for(s, plane_slack_of(reach, slack.d), kind);
     return slack;
 }
 
 /*
- * Lanes without NaN and infinity, which min and max can drop: the reach of the box along n is finite only where all coordinates
- * are. Without the plane, the sum of the coordinates does the same for less (PROOFS.md 5.4).
+ * Lanes without NaN and infinity, which min and max can drop: the d of the plane is finite only where all coordinates are.
+ * Without the plane, the sum of the coordinates does the same for less (PROOFS.md 5.4).
  */
 TRIBOX_INLINE vmask is_finite_sum(const lane_triangle *t)
 {
@@ -167,27 +167,27 @@ TRIBOX_INLINE vmask is_finite_sum(const lane_triangle *t)
 
 /*
  * FAST: the lanes of `left` that the signs of one stage's slacks do not separate. Where the plane is one of the groups, only
- * lanes with a finite reach along n are separated: the sign of a NaN means nothing. Without it a NaN comes only from coordinates
+ * lanes with a finite d are separated: the sign of a NaN means nothing. Without it a NaN comes only from coordinates
  * that are not finite, which overlap nothing, or from numbers beyond 2^40.
  */
 TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned stage, walk_kind kind, uint64_t left,
                                     vmask *finite)
 {
-    vnum slack, reach = v_splat(0);
+    vnum slack, d = v_splat(0);
     if (stage == EDGES_AND_PLANE) {
         const joint_slacks joint = joint_slacks_of(s, kind);
-        reach = joint.reach;
+        d = joint.d;
         slack = v_either(joint.edges, joint.plane);
     } else if (stage == 3) {
-        reach = sequence_has(kind.sequence, 2) ? plane_reach(s) : reach;
+        d = sequence_has(kind.sequence, 2) ? plane_distance(s) : d;
         slack = worst_edge(s, kind);
     } else if (stage == 2) {
-        reach = plane_reach(s);
-        slack = plane_slack(s, reach);
+        d = plane_distance(s);
+        slack = plane_slack_of(plane_reach(s), d);
     } else {
         return stage == 1 ? left & ~m_bits(apart_on_box_normals(p)) : left;
     }
-    *finite = v_gt(v_splat(INFINITY), reach);
+    *finite = v_gt(v_splat(INFINITY), v_abs(d));
     return left & ~m_bits(m_and(*finite, m_signs(slack)));
 }
 
