@@ -17,8 +17,8 @@ static const struct order_cost {
     unsigned fast[3];     /* cost of the stages; of the box normals that come first, none here */
     unsigned exact[3];    /* the same for EXACT and CONSERVATIVE */
 } orders[TRIBOX_CHOICE_ORDERS] = {
-    {TRIBOX_SEQUENCE_132, BOX, BOX | EDGES, {0, 78, 0}, {0, 78, 0}}, /* edges and plane together */
-    {TRIBOX_SEQUENCE_123, BOX, BOX | PLANE, {0, 36, 48}, {0, 40, 52}},
+    {TRIBOX_SEQUENCE_123, BOX, BOX | PLANE, {0, 36, 48}, {0, 40, 52}}, /* taken where all is beside the box, in case that ends */
+    {TRIBOX_SEQUENCE_132, BOX, BOX | EDGES, {0, 78, 0}, {0, 78, 0}},   /* edges and plane together */
     {TRIBOX_SEQUENCE_213, PLANE, BOX | PLANE, {44, 10, 56}, {50, 10, 60}},
     {TRIBOX_SEQUENCE_231, PLANE, PLANE | EDGES, {42, 56, 10}, {50, 60, 10}},
     {TRIBOX_SEQUENCE_312, EDGES, BOX | EDGES, {80, 10, 16}, {80, 10, 20}},
@@ -27,7 +27,7 @@ static const struct order_cost {
 
 tribox_choice tribox_choice_fixed(unsigned sequence) { return (tribox_choice){.sequence = sequence}; }
 
-tribox_choice tribox_choice_start(void) { return (tribox_choice){.sequence = orders[0].sequence, .is_open = true}; }
+tribox_choice tribox_choice_start(void) { return (tribox_choice){.sequence = TRIBOX_SEQUENCE_132, .is_open = true}; }
 
 /* Of the packets of a word: how many are left by some groups, and how often one is and the next is not, or the other way round. */
 typedef struct fates {
@@ -91,18 +91,27 @@ static bool is_all_beside(const tribox_seen *seen)
 /* Surveys are close at first, and then one a block (pairs.h) begins with. */
 static size_t rest_after(unsigned surveys) { return surveys == 1 ? 15 : surveys == 2 ? 47 : 63; }
 
+static unsigned cheapest(const unsigned cost[TRIBOX_CHOICE_ORDERS])
+{
+    unsigned best = 0;
+    for (unsigned o = 1; o < TRIBOX_CHOICE_ORDERS; o++)
+        best = cost[o] < cost[best] ? o : best;
+    return best;
+}
+
 void tribox_choice_learn(tribox_choice *choice, const tribox_seen *seen, tribox_accuracy accuracy)
 {
-    unsigned cost[TRIBOX_CHOICE_ORDERS] = {0}, best = 0;
-    choice->rest = rest_after(++choice->surveys);
+    unsigned cost[TRIBOX_CHOICE_ORDERS];
     if (is_all_beside(seen))
         for (unsigned o = 0; o < TRIBOX_CHOICE_ORDERS; o++)
             cost[o] = (orders[o].first == BOX ? COST_X : orders[o].fast[0]) * seen->packets;
     else
         tribox_choice_costs(seen, accuracy, cost);
-    for (unsigned o = 0; o < TRIBOX_CHOICE_ORDERS; o++) {
-        choice->cost[o] = choice->cost[o] / 2 + cost[o];
-        best = choice->cost[o] < choice->cost[best] ? o : best;
-    }
-    choice->sequence = orders[best].sequence;
+    /* An order that has become a fifth too dear is a sign that what was seen before tells nothing of what comes. */
+    const bool is_new = 5 * cost[choice->best] > 6 * cost[cheapest(cost)];
+    for (unsigned o = 0; o < TRIBOX_CHOICE_ORDERS; o++)
+        choice->cost[o] = cost[o] + (is_new ? 0 : choice->cost[o] / 2);
+    choice->best = cheapest(choice->cost);
+    choice->sequence = orders[choice->best].sequence;
+    choice->rest = rest_after(++choice->surveys);
 }

@@ -13,6 +13,7 @@ enum { TRIBOX_CHOICE_ORDERS = 6, TRIBOX_CHOICE_LEAST = 4 };
 
 typedef struct tribox_choice {
     unsigned sequence;                   /* taken at present: an index TRIBOX_SEQUENCE_* (kernel.h) */
+    unsigned best;                       /* the same order, by its place in `cost`, once there was a survey */
     unsigned surveys;                    /* so far */
     size_t rest;                         /* words until the next survey */
     unsigned cost[TRIBOX_CHOICE_ORDERS]; /* of each order: of all surveys, the last counting most */
