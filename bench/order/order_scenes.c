@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/place.h"
 #include "sweep/octree.h"
@@ -56,15 +57,17 @@ static const struct recipe {
     {"miss-z", "triangles beside the box on the z axis", 1, draw_above_z, NULL, false},
 };
 
-enum { RECIPES = sizeof recipes / sizeof recipes[0], TORUS = RECIPES, SCENES };
+enum { RECIPES = sizeof recipes / sizeof recipes[0], TORUS = RECIPES, CHANGE, SCENES };
 
 size_t order_scene_count(void) { return SCENES; }
 
-const char *order_scene_name(size_t index) { return index == TORUS ? "octree" : recipes[index].name; }
+const char *order_scene_name(size_t index) { return index == TORUS ? "octree" : index == CHANGE ? "change" : recipes[index].name; }
 
 const char *order_scene_what(size_t index)
 {
-    return index == TORUS ? "a torus of 100,000 triangles against the leaves of its octree" : recipes[index].what;
+    return index == TORUS    ? "a torus of 100,000 triangles against the leaves of its octree"
+           : index == CHANGE ? "sparse, and from half way on plane"
+                             : recipes[index].what;
 }
 
 static bool fail(const char *scene, const char *what)
@@ -85,13 +88,17 @@ static const char *draw_all(const struct recipe *recipe, const tribox_box *box, 
     return !recipe->is_sorted || place_sort(triangles, count, 8.5f) ? NULL : "out of memory";
 }
 
-static bool make_drawn(const struct recipe *recipe, size_t count, uint64_t seed, timing_work *work)
+/* The first `part` triangles by a recipe, the rest by `then`; the box is that of the first. */
+static bool make_parts(const struct recipe *recipe, size_t part, const struct recipe *then, size_t count, uint64_t seed,
+                       timing_work *work)
 {
     const float half = recipe->size / 2;
     const tribox_box box = {{-half, -half, -half}, {half, half, half}};
+    generator g = {seed};
     if (!timing_work_make(work, 1, timing_work_room(count)))
         return fail(recipe->name, "out of memory");
-    const char *const failure = draw_all(recipe, &box, count, &(generator){seed}, work->triangles);
+    const char *failure = draw_all(recipe, &box, part, &g, work->triangles);
+    failure = failure ? failure : draw_all(then, &box, count - part, &g, work->triangles + part);
     if (failure) {
         timing_work_free(work);
         return fail(recipe->name, failure);
@@ -99,6 +106,24 @@ static bool make_drawn(const struct recipe *recipe, size_t count, uint64_t seed,
     const timing_job job = timing_work_soup(work, count);
     timing_work_add(work, &job, &box);
     return true;
+}
+
+static bool make_drawn(const struct recipe *recipe, size_t count, uint64_t seed, timing_work *work)
+{
+    return make_parts(recipe, count, recipe, count, seed, work);
+}
+
+static const struct recipe *recipe_named(const char *name)
+{
+    const struct recipe *recipe = recipes;
+    while (strcmp(recipe->name, name) != 0)
+        recipe++;
+    return recipe;
+}
+
+static bool make_change(size_t count, uint64_t seed, timing_work *work)
+{
+    return make_parts(recipe_named("sparse"), count / 2, recipe_named("plane"), count, seed, work);
 }
 
 enum { AROUND = 500, ACROSS = 100 };
@@ -144,7 +169,9 @@ static bool make_torus(size_t count, timing_work *work)
 
 bool order_scene_make(size_t index, size_t count, uint64_t seed, timing_work *work)
 {
-    return index == TORUS ? make_torus(count, work) : make_drawn(&recipes[index], count, seed, work);
+    return index == TORUS    ? make_torus(count, work)
+           : index == CHANGE ? make_change(count, seed, work)
+                             : make_drawn(&recipes[index], count, seed, work);
 }
 
 bool order_scene_of_mesh(const char *path, size_t count, timing_work *work)
