@@ -15,4 +15,7 @@ draw_triangle draw_paper, draw_offset, draw_sparse, draw_inside, draw_lattice, d
 /* draw_contact.c: touching the box [-0.5, 0.5]^3 from outside, or off it by what rounding leaves. */
 draw_triangle draw_touching, draw_touching_ulp, draw_needle, draw_cap;
 
+/* draw_thin.c: through the box and past it. */
+draw_triangle draw_thin;
+
 #endif

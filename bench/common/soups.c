@@ -47,6 +47,7 @@ static const struct recipe {
      false},
     {"caps", "a vertex on the opposite edge, that edge as near to contact as floats come", &unit_box, 100000, draw_cap, KEEP_ALL,
      false},
+    {"thin", "segments, and slivers 2^10 to 2^30 times as long as high", &unit_box, 100000, draw_thin, KEEP_ALL, false},
 };
 
 size_t scene_count(void) { return sizeof recipes / sizeof recipes[0]; }
