@@ -1,0 +1,287 @@
+/*
+ * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, beside the paper's test?
+ *
+ * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the same
+ * rounds: a count that fills no packet is compared with the next one that does.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/entries.h"
+#include "common/header.h"
+#include "common/soups.h"
+#include "common/whole.h"
+#include "console/accuracy.h"
+#include "console/message.h"
+#include "console/option_reader.h"
+#include "paper/paper.h"
+
+/* The last counts are there because they are full packets, after 100 and 1000, of 8 or of 16 lanes. */
+enum { COUNTS = 15, COUNTS_SHOWN = 12, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
+static const size_t counts[COUNTS] = {1, 2, 4, 8, 12, 16, 31, 32, 63, 64, 100, 1000, 104, 112, 1008};
+
+/* One triangle and its boxes, as tribox and as the paper's test want them. */
+typedef struct box_job {
+    float triangle[1][3][3];
+    tribox_boxes boxes;
+    const float (*placed)[2][3]; /* the same boxes: the centre and half the size of each */
+} box_job;
+
+typedef struct box_work {
+    box_job jobs[CALLS_MOST];
+    size_t count, words;
+} box_work;
+
+/* The triangles of a scene, and as many boxes about them. */
+typedef struct pairs {
+    scene at;
+    float *bounds; /* six streams */
+    float (*placed)[2][3];
+} pairs;
+
+static void *allocate(size_t count, size_t size)
+{
+    void *const memory = calloc(count, size);
+    if (!memory)
+        exit(message_failure("out of memory for %zu bytes", count * size));
+    return memory;
+}
+
+static size_t calls_of(size_t count) { return count * CALLS_MOST < PAIRS ? CALLS_MOST : PAIRS / count; }
+
+static void make_pairs(pairs *p)
+{
+    size_t index;
+    if (!scene_find("paper", &index) || !scene_make(index, 1, &p->at))
+        exit(EXIT_CODE_FAILURE);
+    p->bounds = allocate(6 * PAIRS, sizeof(float));
+    p->placed = allocate(PAIRS, sizeof *p->placed);
+    for (size_t i = 0; i < PAIRS; i++)
+        for (size_t a = 0; a < 3; a++) {
+            const float center = p->at.work.triangles[PAIRS + i][0][a] / 2, half = 0.5f;
+            p->placed[i][0][a] = center;
+            p->placed[i][1][a] = half;
+            p->bounds[a * PAIRS + i] = center - half;
+            p->bounds[(3 + a) * PAIRS + i] = center + half;
+        }
+}
+
+static void free_pairs(pairs *p)
+{
+    scene_free(&p->at);
+    free(p->bounds);
+    free(p->placed);
+}
+
+/* Calls of `count` triangles each: slices of the scene, at any alignment. */
+static void make_triangles(const pairs *p, size_t count, timing_work *work)
+{
+    const timing_job *const all = &p->at.work.jobs[0];
+    if (!timing_work_make(work, calls_of(count), timing_work_room(PAIRS)))
+        exit(message_failure("out of memory"));
+    const timing_job copy = timing_work_copy(work, &all->soup, NULL, PAIRS);
+    for (size_t call = 0, at = 0; call < calls_of(count); call++, at += count) {
+        timing_job job = {.soup = {.count = count}, .triangles = copy.triangles + at};
+        for (int v = 0; v < 3; v++) {
+            job.soup.x[v] = copy.soup.x[v] + at;
+            job.soup.y[v] = copy.soup.y[v] + at;
+            job.soup.z[v] = copy.soup.z[v] + at;
+        }
+        timing_work_add(work, &job, &all->box);
+    }
+}
+
+static void make_boxes(const pairs *p, size_t count, box_work *work)
+{
+    work->count = calls_of(count);
+    work->words = work->count * tribox_mask_words(count);
+    for (size_t call = 0, at = 0; call < work->count; call++, at += count) {
+        box_job *const job = &work->jobs[call];
+        memcpy(job->triangle[0], p->at.work.triangles[call], sizeof job->triangle[0]);
+        job->placed = (const float(*)[2][3])(p->placed + at);
+        job->boxes.count = count;
+        for (size_t a = 0; a < 3; a++) {
+            job->boxes.lo[a] = p->bounds + a * PAIRS + at;
+            job->boxes.hi[a] = p->bounds + (3 + a) * PAIRS + at;
+        }
+    }
+}
+
+static bool run_paper_boxes(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const box_work *const work = self->question;
+    paper_walk *const walk = paper_in_order(PAPER_ORDER);
+    for (size_t call = 0; call < work->count; call++) {
+        const box_job *const job = &work->jobs[call];
+        uint64_t word = 0, bit;
+        for (size_t i = 0; i < job->boxes.count; i++) {
+            walk(job->placed[i][0], job->placed[i][1], (const float(*)[3][3])job->triangle, 1, &bit);
+            word |= bit << i % 64;
+            if (i % 64 == 63 || i + 1 == job->boxes.count) {
+                *mask++ = word;
+                word = 0;
+            }
+        }
+    }
+    if (report)
+        *report = (tribox_report){0, 0};
+    return true;
+}
+
+static bool answer_boxes(const box_work *work, const tribox_options *options, uint64_t *mask)
+{
+    for (size_t call = 0; call < work->count; call++) {
+        const box_job *const job = &work->jobs[call];
+        if (tribox_overlap_boxes((const float(*)[3])job->triangle[0], &job->boxes, options, mask, NULL))
+            return false;
+        mask += tribox_mask_words(job->boxes.count);
+    }
+    return true;
+}
+
+static bool run_boxes(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    if (report)
+        *report = (tribox_report){0, 0};
+    return answer_boxes(self->question, &self->options, mask);
+}
+
+static bool find_truth_of_boxes(const void *question, unsigned axes, uint64_t *mask)
+{
+    return answer_boxes(question, &(tribox_options){.axes = axes, .kernel = "scalar"}, mask);
+}
+
+/* The paper's test, then each kernel, the widest first; times are those of a call. Returns how many there are. */
+static size_t enter(const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy, contestant *list)
+{
+    const char *kernel;
+    size_t count = 1;
+    list[0] = contestant_paper(triangles, PAPER_ORDER);
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
+        list[count++] = contestant_kernel(triangles, &(tribox_options){.accuracy = accuracy, .kernel = kernel});
+    for (size_t c = 0; c < count; c++) {
+        list[c].pairs = (double)triangles->count;
+        if (boxes) {
+            list[c].question = boxes;
+            list[c].run = c ? run_boxes : run_paper_boxes;
+        }
+    }
+    return count;
+}
+
+/* The place in `counts` of the least one that fills the packets of a kernel of this many lanes, and is not less than counts[n]. */
+static size_t next_full(size_t n, size_t lanes)
+{
+    size_t best = n;
+    const size_t full = (counts[n] + lanes - 1) / lanes * lanes;
+    for (size_t m = 0; m < COUNTS; m++)
+        if (counts[m] == full)
+            best = m;
+    return best;
+}
+
+/* By the kernel's name: the public header does not say. */
+static size_t lanes_of(const char *kernel)
+{
+    return !strcmp(kernel, "avx512") ? 16 : !strcmp(kernel, "avx2") ? 8 : !strcmp(kernel, "scalar") ? 1 : 4;
+}
+
+/* taken: of contestant c about counts[n] at n * of_each + c. */
+static void print(const char *what, tribox_accuracy accuracy, const contestant *list, size_t of_each, const samples *taken)
+{
+    printf("\n%s, %s: ns a call, (times the next count of full packets), times the paper's speed; all by least times\n", what,
+           accuracy_word(accuracy));
+    printf("%9s %9s", what, "paper");
+    for (size_t c = 1; c < of_each; c++)
+        printf("  %20s", list[c].options.kernel);
+    printf("\n");
+    for (size_t n = 0; n < COUNTS_SHOWN; n++) {
+        const double paper = measure_spread(taken, n * of_each).least;
+        printf("%9zu %9.1f", counts[n], paper);
+        for (size_t c = 1; c < of_each; c++) {
+            const size_t full = next_full(n, lanes_of(list[c].options.kernel));
+            const double least = measure_spread(taken, n * of_each + c).least;
+            printf("  %7.1f (%4.2f) %5.2f", least, least / measure_spread(taken, full * of_each + c).least, paper / least);
+        }
+        printf("\n");
+    }
+    measure_warn_if_disturbed(stdout, taken);
+    fflush(stdout);
+}
+
+/* Everyone about each count answers for himself; then all are timed together. */
+static bool run_shape(const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy, effort how)
+{
+    static samples taken;
+    contestant list[CONTESTANTS_MAX];
+    score scores[CONTESTANTS_MAX];
+    size_t of_each = 0, words = 0;
+    for (size_t n = 0; n < COUNTS; n++) {
+        const box_work *const asked = boxes ? &boxes[n] : NULL;
+        const size_t own_words = asked ? asked->words : triangles[n].words;
+        const truth from = asked ? (truth){find_truth_of_boxes, asked, own_words} : truth_of_work(&triangles[n]);
+        of_each = enter(&triangles[n], asked, accuracy, list + n * of_each);
+        words = own_words > words ? own_words : words;
+        if (!entries_verify(list + n * of_each, of_each, boxes ? "boxes" : "triangles", &from, scores))
+            return false;
+    }
+    uint64_t *const mask = allocate(words, sizeof *mask);
+    generator order = {1};
+    measure(list, COUNTS * of_each, how, &order, mask, &taken);
+    print(boxes ? "boxes" : "triangles", accuracy, list, of_each, &taken);
+    free(mask);
+    return true;
+}
+
+static const char usage[] = "Usage: calls [--quick] [--rounds N]\n"
+                            "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, on one thread.\n"
+                            "  --quick      7 rounds\n"
+                            "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
+
+enum { OPTION_QUICK, OPTION_ROUNDS };
+
+static const option_entry options[] = {
+    [OPTION_QUICK] = {"quick", 'q', false}, [OPTION_ROUNDS] = {"rounds", 'r', true}, {NULL, 0, false}};
+
+static int take(void *request, int which, const char *value)
+{
+    effort *const how = request;
+    uint64_t rounds = 7;
+    if (which == OPTION_OPERAND)
+        return message_usage("unexpected '%s'", value);
+    if (which == OPTION_ROUNDS && whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
+        return EXIT_CODE_USAGE;
+    how->rounds = (size_t)rounds;
+    return EXIT_CODE_OK;
+}
+
+int main(int argc, char **argv)
+{
+    static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_FAST};
+    static timing_work triangles[COUNTS];
+    static box_work boxes[COUNTS];
+    static pairs p;
+    options_found found;
+    effort how = {.rounds = 31, .seconds = 1e9, .sample = 5e-4};
+    message_set_program("calls");
+    const int code = options_read(argc, argv, options, take, &how, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return fputs(usage, stdout) < 0;
+    header_text(stdout, "", &(run){argc, argv, 1, machine_here()});
+    make_pairs(&p);
+    for (size_t n = 0; n < COUNTS; n++) {
+        make_triangles(&p, counts[n], &triangles[n]);
+        make_boxes(&p, counts[n], &boxes[n]);
+    }
+    bool is_right = true;
+    for (int shape = 0; shape < 2; shape++)
+        for (int a = 0; a < 2; a++)
+            is_right = is_right && run_shape(triangles, shape ? boxes : NULL, accuracies[a], how);
+    for (size_t n = 0; n < COUNTS; n++)
+        timing_work_free(&triangles[n]);
+    free_pairs(&p);
+    return is_right ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
+}
