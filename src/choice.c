@@ -25,10 +25,6 @@ static const struct order_cost {
     {TRIBOX_SEQUENCE_321, EDGES, PLANE | EDGES, {80, 16, 10}, {80, 22, 10}},
 };
 
-tribox_choice tribox_choice_fixed(unsigned sequence) { return (tribox_choice){.sequence = sequence}; }
-
-tribox_choice tribox_choice_start(void) { return (tribox_choice){.sequence = TRIBOX_SEQUENCE_132, .is_open = true}; }
-
 /* Of the packets of a word: how many are left by some groups, and how often one is and the next is not, or the other way round. */
 typedef struct fates {
     unsigned left, changes;

@@ -106,8 +106,25 @@ void tribox_pairs_write_none(size_t count, uint64_t *mask)
         memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
 }
 
+/* At most a word: what the blocks do, with less around it, as a few pairs take no longer than that. */
+static tribox_report answer_word(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+{
+    uint64_t hit = 0, open = 0;
+    size_t undecided = 0;
+    if (!p->count)
+        return (tribox_report){0, 0};
+    plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, 0, p->count, &hit, &open);
+    if (open)
+        undecided = tribox_pairs_settle_block(p, plan, 0, 1, &open, &hit);
+    if (mask)
+        *mask = hit;
+    return (tribox_report){tribox_count_bits(hit), undecided};
+}
+
 tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
 {
+    if (p->count <= 64)
+        return answer_word(p, plan, mask);
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {

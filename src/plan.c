@@ -43,7 +43,9 @@ tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan)
     const unsigned sequence = sequence_of(asked->order ? asked->order : DEFAULT_ORDER, plan->axes);
     if ((unsigned)plan->accuracy > TRIBOX_FAST || sequence == TRIBOX_SEQUENCES)
         return TRIBOX_BAD_OPTION;
-    plan->choice = asked->order || plan->axes != TRIBOX_AXES_ALL ? tribox_choice_fixed(sequence) : tribox_choice_start();
+    tribox_choice_start(&plan->choice);
+    if (asked->order || plan->axes != TRIBOX_AXES_ALL)
+        tribox_choice_fix(&plan->choice, sequence);
     plan->kernel = tribox_kernel_find(asked->kernel);
     return plan->kernel ? TRIBOX_OK : TRIBOX_NO_KERNEL;
 }

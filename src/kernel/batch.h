@@ -7,7 +7,7 @@
  * soup costs the traffic of one axis. Between the other groups a packet ends as soon as no lane is left.
  */
 
-/* A run of packets in a word: returns the hits of its pairs, and in *open what is left open. */
+/* A run of packets in a word: returns the hits, and in *open what is left open, lane by lane. */
 TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_pairs *from, const packet_run *run, walk_kind kind, uint64_t *open)
 {
     uint64_t run_hit = 0, run_open = 0; /* kept in registers, so that stores cannot alias the streams */
@@ -16,8 +16,8 @@ TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_pairs *from, const p
         run_hit |= packet(p, from, run->at + lane, kind, &packet_open) << lane;
         run_open |= packet_open << lane;
     }
-    *open = bits_of_run(run_open, run);
-    return bits_of_run(run_hit, run);
+    *open = run_open;
+    return run_hit;
 }
 
 /* Whether a word has three or more bits set. */
@@ -46,14 +46,14 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
         const uint64_t run_hit = walk_run(&p, from, &run, kind, &run_open);
         if (has_second_look && has_several(run_open))
             break;
-        put_bits(&hit[done / 64], done % 64, run_hit);
-        put_bits(&open[done / 64], done % 64, run_open);
+        put_run(&hit[done / 64], done % 64, run_hit, &run);
+        put_run(&open[done / 64], done % 64, run_open, &run);
     }
     for (; has_second_look && done < count; done += run.pairs) {
         uint64_t run_open;
         run = run_of_packets(start + done, end, 64);
-        put_bits(&hit[done / 64], done % 64, walk_run(&p, from, &run, looks_again, &run_open));
-        put_bits(&open[done / 64], done % 64, run_open);
+        put_run(&hit[done / 64], done % 64, walk_run(&p, from, &run, looks_again, &run_open), &run);
+        put_run(&open[done / 64], done % 64, run_open, &run);
     }
 }
 

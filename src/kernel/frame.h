@@ -72,8 +72,8 @@ static void to_frame(const tribox_soup *soup, const tribox_oriented_box *box, si
         }
         for (int k = 0; k < 3; k++)
             worst[k] = v_max(worst[k], v_select(m_andnot(tame, apart), error[k], v_splat(0)));
-        put_bits(&moved->apart[word], lane, bits_of_run(m_bits(m_and(apart, tame)), &run));
-        put_bits(&moved->wild[word], lane, bits_of_run(m_bits(tame) ^ LANES_ALL, &run));
+        put_run(&moved->apart[word], lane, m_bits(m_and(apart, tame)), &run);
+        put_run(&moved->wild[word], lane, m_bits(tame) ^ LANES_ALL, &run);
     }
     for (int k = 0; k < 3; k++) {
         float lane[V_LANES];

@@ -17,7 +17,9 @@ typedef struct packet_run {
 /* The packets that answer pair `first` and as many as come after it, `most` at the most, of `end` in all. */
 TRIBOX_INLINE packet_run run_of_packets(size_t first, size_t end, size_t most)
 {
-    const size_t left = end - first < most ? end - first : most;
+    const size_t left = end - first;
+    if (left >= most)
+        return (packet_run){first, most, 0, most};
     if (left >= V_LANES)
         return (packet_run){first, left - left % V_LANES, 0, left - left % V_LANES};
     const size_t missing = V_LANES - left, repeated = missing < first ? missing : first;
@@ -30,8 +32,14 @@ TRIBOX_INLINE uint64_t bits_of_run(uint64_t bits, const packet_run *run)
     return bits >> run->repeated & ~UINT64_C(0) >> (64 - run->pairs);
 }
 
-/* Adds bits from bit `at` on of a word that has none there yet, and is new if `at` is 0. */
-TRIBOX_INLINE void put_bits(uint64_t *word, size_t at, uint64_t bits) { *word = at ? *word | bits << at : bits; }
+/* The same, added to a word that has bits below `at` already, and is new if that is 0. */
+TRIBOX_INLINE void put_run(uint64_t *word, size_t at, uint64_t bits, const packet_run *run)
+{
+    if (run->pairs == 64)
+        *word = bits;
+    else
+        *word = (at ? *word : 0) | bits_of_run(bits, run) << at;
+}
 
 static void spread_triangles(const tribox_soup *soup, tribox_few *few)
 {

@@ -49,7 +49,8 @@ static void test_what_rejects_comes_first(void **state)
     for (unsigned packets = 4; packets <= 64; packets *= 2)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
-                tribox_choice choice = tribox_choice_start();
+                tribox_choice choice;
+                tribox_choice_start(&choice);
                 const tribox_seen seen = seen_alike(packets, expected[i].rejecting);
                 tribox_choice_learn(&choice, &seen, accuracy);
                 assert_true(begins_with(&choice, expected[i].first));
@@ -60,7 +61,8 @@ static void test_what_rejects_comes_first(void **state)
 static void test_nothing_rejected(void **state)
 {
     (void)state;
-    tribox_choice choice = tribox_choice_start();
+    tribox_choice choice;
+    tribox_choice_start(&choice);
     const tribox_seen seen = seen_alike(8, 0);
     tribox_choice_learn(&choice, &seen, TRIBOX_EXACT);
     assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_132);
@@ -91,7 +93,8 @@ static void test_nature_changes(void **state)
     (void)state;
     for (unsigned packets = 4; packets <= 64; packets *= 2)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            tribox_choice choice = tribox_choice_start();
+            tribox_choice choice;
+            tribox_choice_start(&choice);
             const tribox_seen far = seen_alike(packets, TRIBOX_AXES_BOX), cut = seen_alike(packets, PLANE);
             for (int k = 0; k < 1000; k++)
                 tribox_choice_learn(&choice, &far, accuracy);
@@ -107,7 +110,9 @@ static void test_nature_changes(void **state)
 static void test_exceptions(void **state)
 {
     (void)state;
-    tribox_choice choice = tribox_choice_start(), fresh = tribox_choice_start();
+    tribox_choice choice, fresh;
+    tribox_choice_start(&choice);
+    tribox_choice_start(&fresh);
     const tribox_seen dense = seen_alike(8, 0);
     tribox_seen half = seen_alike(8, 0);
     half.rejected[PLANE] = half.rejected[TRIBOX_AXES_BOX | PLANE] = half.rejected[PLANE | EDGES] = 0x0f;
@@ -146,15 +151,16 @@ static void test_places(void **state)
     static const size_t expected[] = {0, 16, 64, 128, 192}, blocks[] = {64, 8, 4};
     for (size_t b = 0; b < sizeof blocks / sizeof blocks[0]; b++) {
         size_t places[300];
-        tribox_choice choice = tribox_choice_start();
+        tribox_choice choice;
+        tribox_choice_start(&choice);
         assert_int_equal(survey_places(&choice, 195, blocks[b], places), 4); /* three words are not worth a survey */
         assert_memory_equal(places, expected, 4 * sizeof *places);
-        choice = tribox_choice_start();
+        tribox_choice_start(&choice);
         assert_int_equal(survey_places(&choice, 196, blocks[b], places), 5);
         assert_memory_equal(places, expected, sizeof expected);
-        choice = tribox_choice_start();
+        tribox_choice_start(&choice);
         assert_int_equal(survey_places(&choice, 3, blocks[b], places), 0);
-        choice = tribox_choice_fixed(TRIBOX_SEQUENCE_213);
+        tribox_choice_fix(&choice, TRIBOX_SEQUENCE_213);
         assert_int_equal(survey_places(&choice, 300, blocks[b], places), 0);
         assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_213);
     }
