@@ -39,7 +39,10 @@ static inline void tribox_choice_fix(tribox_choice *choice, unsigned sequence)
     choice->is_open = false;
 }
 
-/* What the packets of a word would have cost in each order, in hundredths of what a packet costs that 132 asks everything. */
+/*
+ * What the packets of a word would have cost in each order, in hundredths of what a packet costs that 132 asks everything. One of
+ * them at least is not beside the box.
+ */
 void tribox_choice_costs(const tribox_seen *seen, tribox_accuracy accuracy, unsigned cost[TRIBOX_CHOICE_ORDERS]);
 
 /*

@@ -17,7 +17,7 @@ def overlap(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=No
     triangles: an array of shape (n, 3, 3) of float32, a Mesh or a Soup; read in place.
     lo, hi: three numbers each; like all lone numbers they are rounded to float32. lo > hi on an axis makes the empty box.
     accuracy: "exact", "conservative" or "fast". axes: a union of AXES_BOX, AXES_PLANE and AXES_EDGES.
-    order: the order of the groups of axes, such as 132; it changes no answer. kernel: a name, such as "avx2".
+    order: the order of the groups of axes, such as 132; 0: found as it goes. It changes no answer. kernel: a name, such as "avx2".
     packed: returns uint64 words instead; bit i % 64 of word i // 64 is triangle i.
     out: an array to write to and return: n bool, or uint64 words for packed bits.
     """
