@@ -43,19 +43,28 @@ TRIBOX_INLINE void put_run(uint64_t *word, size_t at, uint64_t bits, const packe
 
 static void spread_triangles(const tribox_soup *soup, tribox_few *few)
 {
-    for (int a = 0; a < 3; a++)
-        for (int v = 0; v < 3; v++)
-            v_write(few->number[3 * a + v], v_load_few(tribox_soup_axis(soup, a)[v], soup->count));
-    few->soup = tribox_soup_of(&few->number[0][0], TRIBOX_LANES_MAX, soup->count);
+    const size_t count = soup->count;
+    vnum number[9]; /* all loaded before one is written, so that stores cannot alias the streams */
+    for (int k = 0; k < 9; k++)
+        number[k] = v_load_few(tribox_soup_axis(soup, k / 3)[k % 3], count);
+    few->soup = tribox_soup_of(&few->number[0][0], TRIBOX_LANES_MAX, count);
+    for (int k = 0; k < 9; k++)
+        v_write(few->number[k], number[k]);
 }
 
 static void spread_boxes(const tribox_boxes *boxes, tribox_few *few)
 {
+    const size_t count = boxes->count;
+    vnum number[6];
     for (int a = 0; a < 3; a++) {
-        v_write(few->number[a], v_load_few(boxes->lo[a], boxes->count));
-        v_write(few->number[3 + a], v_load_few(boxes->hi[a], boxes->count));
+        number[a] = v_load_few(boxes->lo[a], count);
+        number[3 + a] = v_load_few(boxes->hi[a], count);
+    }
+    for (int a = 0; a < 3; a++) {
         few->boxes.lo[a] = few->number[a];
         few->boxes.hi[a] = few->number[3 + a];
     }
-    few->boxes.count = boxes->count;
+    few->boxes.count = count;
+    for (int k = 0; k < 6; k++)
+        v_write(few->number[k], number[k]);
 }
