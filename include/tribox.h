@@ -126,6 +126,12 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  * m_a the farthest that any point of the triangle is from any point of the box on it. As dot products with the axis, that is less
  * than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and for the triangle's normal less than
  * 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-80, where products underflow.
+ *
+ * That says little where such an axis is short: the normal of a segment or sliver, and the axes of an edge far shorter than the
+ * others. Rounding alone then says whether it separates, and FAST can lose a triangle that runs straight through the box: up to a
+ * third of random segments, next to none of triangles up to 2^20 times as long as high. Use EXACT or CONSERVATIVE where they are that
+ * thin. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES CONSERVATIVE costs hardly more than FAST there; of wider triangles it also reports
+ * those that only the plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
@@ -196,7 +202,8 @@ TRIBOX_API tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const t
  *
  * EXACT is the true answer about that box for every finite input: whatever the rounding of the move could change is settled in
  * integers. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST moves and tests in
- * single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. A triangle that is outside along one axis of the
+ * single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It loses segments and slivers as tribox_overlap
+ * does, those included that the move makes thin. A triangle that is outside along one axis of the
  * box is mostly rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled in
  * integers, which takes some microseconds each.
  *
