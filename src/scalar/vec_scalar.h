@@ -55,7 +55,12 @@ TRIBOX_INLINE vmask v_is_zero(vnum a) { return a == 0; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
 TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return m ? (float)NAN : a; }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES]) { return from[0] % 2 ? b : a; }
-TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4]) { memcpy(to, from[0], 4 * sizeof *to); }
+/* One by one, so that those that are not needed are not read. */
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    for (int k = 0; k < 4; k++)
+        memcpy(&to[k], (const float *)from[0] + k, sizeof *to);
+}
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }
 TRIBOX_INLINE vmask m_all(void) { return true; }
