@@ -187,11 +187,11 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
 /**
  * tribox_overlap for a mesh as it is: the same bits as for the nine streams of its triangles, without memory for them.
  *
- * mesh: read in blocks that fit the cache.
+ * mesh: read from where it lies, in blocks that fit the cache.
  * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
  *
  * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also for a stride of 1 to 11 and for index_bytes other than 2 and 4;
- * TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist. All indices are checked first.
+ * TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
                                                 uint64_t *mask, tribox_report *report);

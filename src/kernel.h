@@ -71,9 +71,20 @@ TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)
     return accuracy == TRIBOX_FAST ? TRIBOX_BY_SIGN : TRIBOX_BY_MARGIN;
 }
 
-/* What a call asks: a soup against a box, or a triangle against boxes. The caller has checked them. */
+/*
+ * Where triangles of a mesh lie: vertex v of triangle i is offset[3 * i + v] bytes after base, and 16 bytes can be read there. Without
+ * offsets a triangle is nine floats, and the next one follows it. Pairs have all corners.
+ */
+typedef struct tribox_corners {
+    const char *base;
+    const uint32_t *offset;
+    bool has_all; /* else another vertex stands for the last of the mesh */
+} tribox_corners;
+
+/* What a call asks: a soup or corners against a box, or a triangle against boxes. The caller has checked them. */
 typedef struct tribox_pairs {
-    const tribox_soup *soup; /* NULL for a triangle and boxes */
+    const tribox_soup *soup;
+    const tribox_corners *corners; /* all axes are asked */
     const tribox_box *box;
     const float (*triangle)[3];
     const tribox_boxes *boxes;
@@ -141,11 +152,17 @@ typedef void tribox_spread_boxes(const tribox_boxes *boxes, tribox_few *few);
 /* The candidates among the triangles of a word that lie wholly in the box. Whole packets are read, as by a walk. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
 
+/* The least and the greatest vertex number of triangles first .. first + count - 1 of a mesh, one at least. */
+typedef struct tribox_vertices {
+    size_t least, greatest;
+} tribox_vertices;
+typedef tribox_vertices tribox_find_vertices(const tribox_mesh *mesh, size_t first, size_t count);
+
 /*
- * The greatest vertex number of triangles first .. first + count - 1 of a mesh, 0 if there are none. The stride is set, here and
- * below.
+ * Where the corners of these triangles lie, of one at least. offset: room for three of each. Returns the greatest vertex number: if
+ * it is not one of the mesh, the rest means nothing. The base is NULL where they cannot be found. The stride is set, here and below.
  */
-typedef size_t tribox_greatest_vertex(const tribox_mesh *mesh, size_t first, size_t count);
+typedef size_t tribox_find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners);
 
 /* These triangles, none of whose vertices is missing, as nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2. */
 typedef void tribox_gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9]);
@@ -155,8 +172,8 @@ typedef struct tribox_box_pattern {
     float lo[3 * TRIBOX_LANES_MAX], hi[3 * TRIBOX_LANES_MAX];
 } tribox_box_pattern;
 
-/* Whether the box normals separate all of these triangles; false too where finding out would cost as much as testing them. */
-typedef bool tribox_is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, size_t first, size_t count);
+/* Whether the box normals separate all triangles of these vertices; false too where finding out would cost as much as testing them. */
+typedef bool tribox_is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named);
 
 /* Words of triangles in the frame of an oriented box. */
 enum { TRIBOX_MOVED_WORDS = 8 };
@@ -179,7 +196,8 @@ typedef struct tribox_kernel {
     tribox_spread_triangles *spread_triangles;
     tribox_spread_boxes *spread_boxes;
     tribox_inside *inside;
-    tribox_greatest_vertex *greatest_vertex;
+    tribox_find_vertices *find_vertices;
+    tribox_find_corners *find_corners;
     tribox_gather *gather;
     tribox_is_beside *is_beside;
     tribox_to_frame *to_frame;

@@ -22,6 +22,18 @@ typedef struct gathering {
     unsigned count;
 } gathering;
 
+/* Vertex v of every gathered triangle of a mesh. */
+static void fill_vertex(gathering *g, const tribox_corners *corners, size_t start, size_t v)
+{
+    for (unsigned i = 0; i < g->count; i++) {
+        const size_t corner = 3 * (start + g->lane[i]) + v;
+        float position[3];
+        memcpy(position, corners->base + (corners->offset ? corners->offset[corner] : sizeof position * corner), sizeof position);
+        for (size_t a = 0; a < 3; a++)
+            g->batch.number[3 * a + v][i] = position[a];
+    }
+}
+
 /* Pair i of the batch in place k of each number: from its stream, or the same for all. */
 static void fill_batch(gathering *g, const tribox_pairs *p, size_t start)
 {
@@ -30,16 +42,18 @@ static void fill_batch(gathering *g, const tribox_pairs *p, size_t start)
     for (int a = 0; a < 3; a++) {
         for (int v = 0; v < 3; v++) {
             stream[3 * a + v] = p->soup ? tribox_soup_axis(p->soup, a)[v] + start : NULL;
-            constant[3 * a + v] = p->soup ? 0 : p->triangle[v][a];
+            constant[3 * a + v] = p->triangle ? p->triangle[v][a] : 0;
         }
-        stream[9 + a] = p->soup ? NULL : p->boxes->lo[a] + start;
-        stream[12 + a] = p->soup ? NULL : p->boxes->hi[a] + start;
-        constant[9 + a] = p->soup ? p->box->lo[a] : 0;
-        constant[12 + a] = p->soup ? p->box->hi[a] : 0;
+        stream[9 + a] = p->boxes ? p->boxes->lo[a] + start : NULL;
+        stream[12 + a] = p->boxes ? p->boxes->hi[a] + start : NULL;
+        constant[9 + a] = p->box ? p->box->lo[a] : 0;
+        constant[12 + a] = p->box ? p->box->hi[a] : 0;
     }
     for (int k = 0; k < 15; k++)
         for (unsigned i = 0; i < g->count; i++)
             g->batch.number[k][i] = stream[k] ? stream[k][g->lane[i]] : constant[k];
+    for (size_t v = 0; p->corners && v < 3; v++)
+        fill_vertex(g, p->corners, start, v);
 }
 
 /*

@@ -34,7 +34,7 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
 TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, walk_kind kind)
 {
     const bool has_second_look = kind.decides == TRIBOX_BY_MARGIN && sequence_has(kind.sequence, 1) && kind.sequence != 1;
-    const walk_kind looks_again = {kind.sequence, kind.decides, kind.is_soup, true};
+    const walk_kind looks_again = {kind.sequence, kind.decides, kind.is_soup, kind.is_mesh, true};
     const size_t start = 64 * word, end = start + count;
     size_t done = 0;
     packet_run run;
@@ -57,14 +57,19 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
     }
 }
 
-/* Both forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. */
+/*
+ * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Meshes have theirs only where
+ * all axes are asked, to keep the code small.
+ */
 #define WALK(decides, sequence) \
     static void walk_##decides##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \
     { \
         if (pairs->soup) \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false, false}); \
+        else if (sequence > 99 && pairs->corners) \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, true, false}); \
         else \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, false, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, false, false, false}); \
     }
 #define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
@@ -85,7 +90,8 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .spread_triangles = spread_triangles,
     .spread_boxes = spread_boxes,
     .inside = inside,
-    .greatest_vertex = greatest_vertex,
+    .find_vertices = find_vertices,
+    .find_corners = find_corners,
     .gather = gather,
     .is_beside = is_beside,
     .to_frame = to_frame,

@@ -19,13 +19,12 @@ TRIBOX_INLINE bool has_whole_axis(uint64_t bits)
            (bits & BESIDE_AXIS(2)) == BESIDE_AXIS(2);
 }
 
-static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, size_t first, size_t count)
+static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named)
 {
-    const vertex_span span = span_of_mesh(mesh, first, count);
-    const size_t vertices = span.greatest + 1 - span.least;
+    const size_t vertices = named.greatest + 1 - named.least;
     if (mesh->stride != 12 || (uintptr_t)mesh->positions % sizeof(float) || vertices < V_LANES || vertices > BESIDE_MAX)
         return false;
-    const float *const position = (const float *)mesh->positions + 3 * span.least;
+    const float *const position = (const float *)mesh->positions + 3 * named.least;
     vnum lo[3], hi[3];
     for (int t = 0; t < 3; t++) {
         lo[t] = v_load(box->lo + V_LANES * t);

@@ -1,11 +1,12 @@
 /* float.h - the texts of a kernel in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
 #include "tail.h"
 #include "axes.h"
+#include "nine.h"
+#include "corners.h"
 #include "margin.h"
 #include "ties.h"
 #include "packet.h"
 #include "inside.h"
-#include "nine.h"
 #include "gather.h"
 #include "beside.h"
 #include "frame.h"

@@ -1,6 +1,6 @@
 /*
- * nine.h - nine floats a triangle into nine streams, V_LANES triangles at a time, from registers read as they lie in memory.
- * After: a vocabulary. Needs: v_permute.
+ * nine.h - nine floats a triangle into nine registers, V_LANES triangles at a time, from registers read as they lie in memory.
+ * After: axes.h. Needs: v_permute.
  *
  * V_LANES and nine have no common factor, so at each place the nine registers hold nine different numbers of a triangle. Numbers
  * follow each other within a register: number k at place p is in the one that begins with number k - p, modulo nine. Ordered by
@@ -28,8 +28,8 @@ static const float nine_bits[3][TRIBOX_LANES_MAX] = {{1, -1, 1, -1, 1, -1, 1, -1
                                                      {1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1},
                                                      {1, 1, 1, 1, -1, -1, -1, -1, 1, 1, 1, 1, -1, -1, -1, -1}};
 
-/* Triangles at `from` to places `at` and on of the streams x_0 x_1 x_2 y_0 .. z_2. */
-TRIBOX_INLINE void gather_nine(const float *from, float *const to[9], size_t at)
+/* The V_LANES triangles at `from`. */
+TRIBOX_INLINE void load_nine(lane_triangle *t, const float *from)
 {
     vnum begins_with[9];
     for (int r = 0; r < 9; r++)
@@ -44,6 +44,6 @@ TRIBOX_INLINE void gather_nine(const float *from, float *const to[9], size_t at)
     }
     for (int k = 0; k < 9; k++) {
         const vnum moved = begins_with[(k + 9 - V_LANES / 2) % 9];
-        v_write(to[3 * (k % 3) + k / 3] + at, v_permute(begins_with[k], moved, nine_places[k]));
+        t->u[k / 3][k % 3] = v_permute(begins_with[k], moved, nine_places[k]);
     }
 }

@@ -1,6 +1,6 @@
 /*
  * packet.h - one packet of V_LANES pairs, decided by sign or by margin, and in one sequence of groups: constants.
- * After: axes.h, margin.h, ties.h.
+ * After: axes.h, corners.h, margin.h, ties.h.
  *
  * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
  * lane that has a slack within it to the next stage (doubles.h). What a hit then needs: `certain_overlaps`.
@@ -30,7 +30,8 @@ TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
 typedef struct walk_kind {
     unsigned sequence;
     tribox_walk_kind decides;
-    bool is_soup;     /* a soup and one box; else one triangle and boxes */
+    bool is_soup;     /* triangles and one box; else one triangle and boxes */
+    bool is_mesh;     /* these triangles are corners */
     bool looks_again; /* with the second look of ties.h, for which more numbers have to be kept */
 } walk_kind;
 
@@ -79,7 +80,10 @@ TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
 TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t at, int a, walk_kind kind, uint64_t left,
                                  lane_shape *s)
 {
-    if (kind.is_soup) {
+    if (kind.is_mesh) {
+        if (a == 0)
+            load_corners(&p->t, from->corners, at);
+    } else if (kind.is_soup) {
         const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
             p->t.u[j][a] = v_load(stream[j] + at);

@@ -20,7 +20,7 @@ static int kernels;
 
 static mesh_fences fences;
 
-static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}};
+static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}}, far = {{1e37f, 1e37f, 1e37f}, {2e37f, 2e37f, 2e37f}};
 
 static void say(const char *call, const char *kernel, const tribox_mesh *mesh)
 {
@@ -71,6 +71,7 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
     assert_nothing_written(&mask);
     assert_memory_equal(&report, &poison, sizeof poison);
     expect_refusal(tribox_overlap_indexed(mesh, &cube, &(tribox_options){.kernel = kernel}, NULL, NULL));
+    expect_refusal(tribox_overlap_indexed(mesh, &far, &(tribox_options){.kernel = kernel}, NULL, NULL));
 }
 
 static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
@@ -190,6 +191,52 @@ static void test_too_few_vertices(void **state)
     }
 }
 
+/* The answers of whole words, from calls that ask few triangles each. */
+static void answer_in_parts(const tribox_mesh *mesh, const char *kernel, uint64_t *mask)
+{
+    enum { PART = 4096 };
+    for (size_t first = 0; first < mesh->count; first += PART) {
+        tribox_mesh part = *mesh;
+        part.indices = (const uint16_t *)mesh->indices + 3 * first;
+        part.count = mesh->count - first < PART ? mesh->count - first : PART;
+        assert_int_equal(tribox_overlap_indexed(&part, &cube, &(tribox_options){.kernel = kernel}, mask + first / 64, NULL),
+                         TRIBOX_OK);
+    }
+}
+
+/* So many triangles that all indices are checked before any is answered, and one less: nothing is written either way. */
+static void test_very_many(void **state)
+{
+    (void)state;
+    enum { VERTICES = 999, MANY = 131072, WORDS = MANY / 64 + 2 };
+    static uint64_t mask[WORDS], want[WORDS], poison[WORDS];
+    static uint16_t indices[3 * (MANY + 65)];
+    static float positions[VERTICES][3];
+    random_source r = random_named(args.seed, "very many");
+    memset(poison, 0xa5, sizeof poison);
+    for (int v = 0; v < VERTICES; v++)
+        for (int a = 0; a < 3; a++)
+            positions[v][a] = 0.25f * (float)random_int_between(&r, -9, 9);
+    for (size_t corner = 0; corner < sizeof indices / sizeof indices[0]; corner++)
+        indices[corner] = (uint16_t)random_int(&r, VERTICES);
+    for (size_t count = MANY - 1; count <= MANY + 65; count += count == MANY + 1 ? 64 : 1) {
+        const tribox_mesh mesh = {positions, 0, VERTICES, indices, 2, count};
+        const size_t bytes = tribox_mask_words(count) * sizeof *mask, corner = 3 * count - 1 - (size_t)random_int(&r, 300);
+        for (int k = 0; k < kernels; k++) {
+            say("tribox_overlap_indexed", names[k], &mesh);
+            memcpy(mask, poison, sizeof mask);
+            indices[corner] = VERTICES;
+            expect_refusal(tribox_overlap_indexed(&mesh, &cube, &(tribox_options){.kernel = names[k]}, mask, NULL));
+            assert_memory_equal(mask, poison, sizeof mask);
+            indices[corner] = VERTICES - 1;
+            assert_int_equal(tribox_overlap_indexed(&mesh, &cube, &(tribox_options){.kernel = names[k]}, mask, NULL), TRIBOX_OK);
+            answer_in_parts(&mesh, names[k], want);
+            assert_memory_equal(mask, want, bytes);
+            assert_memory_equal((char *)mask + bytes, (char *)poison + bytes, sizeof mask - bytes);
+        }
+    }
+}
+
 /* No vertex at all: every index is bad. */
 static void test_no_vertices(void **state)
 {
@@ -288,7 +335,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_corner),      cmocka_unit_test(test_edges_of_blocks), cmocka_unit_test(test_many),
         cmocka_unit_test(test_too_few_vertices), cmocka_unit_test(test_no_vertices),     cmocka_unit_test(test_greatest_numbers),
-        cmocka_unit_test(test_garbage_count),
+        cmocka_unit_test(test_garbage_count),    cmocka_unit_test(test_very_many),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     mesh_fences_free(fences);
