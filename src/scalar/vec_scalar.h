@@ -32,6 +32,9 @@ TRIBOX_INLINE float scalar_float(uint32_t bits)
     return a;
 }
 
+/* All bits or none. Of a choice by `?` compilers make a branch, which one lane cannot foresee. */
+TRIBOX_INLINE uint32_t scalar_ones(bool m) { return 0 - (uint32_t)m; }
+
 TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
@@ -52,8 +55,11 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return a == 0; }
-TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
-TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return m ? (float)NAN : a; }
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)
+{
+    return scalar_float((scalar_bits(a) & scalar_ones(m)) | (scalar_bits(b) & ~scalar_ones(m)));
+}
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return scalar_float(scalar_bits(a) | scalar_ones(m)); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES]) { return from[0] % 2 ? b : a; }
 /* One by one, so that those that are not needed are not read. */
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
