@@ -84,8 +84,8 @@ static bool is_all_beside(const tribox_seen *seen)
     return (seen->beside[0] | seen->beside[1] | seen->beside[2]) == ~UINT64_C(0) >> (64 - seen->packets);
 }
 
-/* Surveys are close at first, and then one a block (pairs.h) begins with. */
-static size_t rest_after(unsigned surveys) { return surveys == 1 ? 15 : surveys == 2 ? 47 : 63; }
+/* Surveys are close at first, and then every other block (pairs.h) begins with one: it can take as long as eight words. */
+static size_t rest_after(unsigned surveys) { return surveys == 1 ? 15 : surveys == 2 ? 47 : 127; }
 
 static unsigned cheapest(const unsigned cost[TRIBOX_CHOICE_ORDERS])
 {

@@ -148,15 +148,15 @@ static size_t survey_places(tribox_choice *choice, size_t words, size_t block, s
 static void test_places(void **state)
 {
     (void)state;
-    static const size_t expected[] = {0, 16, 64, 128, 192}, blocks[] = {64, 8, 4};
+    static const size_t expected[] = {0, 16, 64, 192, 320}, blocks[] = {64, 8, 4};
     for (size_t b = 0; b < sizeof blocks / sizeof blocks[0]; b++) {
         size_t places[300];
         tribox_choice choice;
         tribox_choice_start(&choice);
-        assert_int_equal(survey_places(&choice, 195, blocks[b], places), 4); /* three words are not worth a survey */
+        assert_int_equal(survey_places(&choice, 323, blocks[b], places), 4); /* three words are not worth a survey */
         assert_memory_equal(places, expected, 4 * sizeof *places);
         tribox_choice_start(&choice);
-        assert_int_equal(survey_places(&choice, 196, blocks[b], places), 5);
+        assert_int_equal(survey_places(&choice, 324, blocks[b], places), 5);
         assert_memory_equal(places, expected, sizeof expected);
         tribox_choice_start(&choice);
         assert_int_equal(survey_places(&choice, 3, blocks[b], places), 0);
