@@ -129,9 +129,9 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  *
  * That says little where such an axis is short: the normal of a segment or sliver, and the axes of an edge far shorter than the
  * others. Rounding alone then says whether it separates, and FAST can lose a triangle that runs straight through the box: up to a
- * third of random segments, next to none of triangles up to 2^20 times as long as high. Use EXACT or CONSERVATIVE where they are that
- * thin. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES CONSERVATIVE costs hardly more than FAST there; of wider triangles it also reports
- * those that only the plane separates.
+ * third of random segments, next to none of triangles up to 2^20 times as long as high. Use EXACT or CONSERVATIVE where they are
+ * that thin. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES CONSERVATIVE costs hardly more than FAST there; of wider triangles it also
+ * reports those that only the plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
@@ -161,7 +161,7 @@ typedef struct tribox_options {
 /** What a call counted. */
 typedef struct tribox_report {
     size_t overlapping; /* bits set in the mask, or cells newly set by a voxelization */
-    size_t undecided;   /* pairs left to a slower stage: a measure of cost that may differ between kernels and orders (0 for FAST) */
+    size_t undecided;   /* pairs left to a slower stage: a measure of cost; may differ between kernels and orders (0 for FAST) */
 } tribox_report;
 
 /* ============================================================================================================================== */

@@ -1,4 +1,4 @@
-/* few.h - the pairs of a call as a kernel can read them: those of the caller, or a packet of them where they are too few for one. */
+/* few.h - the pairs of a call as a kernel can read them: the caller's, or a packet of them where they are too few for one. */
 #ifndef TRIBOX_FEW_H
 #define TRIBOX_FEW_H
 

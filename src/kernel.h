@@ -72,8 +72,8 @@ TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)
 }
 
 /*
- * Where triangles of a mesh lie: vertex v of triangle i is offset[3 * i + v] bytes after base, and 16 bytes can be read there. Without
- * offsets a triangle is nine floats, and the next one follows it. Pairs have all corners.
+ * Where triangles of a mesh lie: vertex v of triangle i is offset[3 * i + v] bytes after base, and 16 bytes can be read there.
+ * Without offsets a triangle is nine floats, and the next one follows it. Pairs have all corners.
  */
 typedef struct tribox_corners {
     const char *base;
