@@ -99,7 +99,7 @@ typedef struct tribox_pairs {
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
 /*
- * What a survey saw of the packets of a word, bit k for packet k. Each is in one of `beside` if the box normals reject all its lanes:
+ * What a survey saw of the packets of a word, bit k for packet k. Each is in one of `beside` if the box normals reject all lanes:
  * where the x axis does, or x and y, or all three. Of the others, the sets of groups (TRIBOX_AXES_*) that reject all lanes; if box
  * normals and plane do together, nothing is said of the edges.
  */
@@ -124,7 +124,7 @@ typedef struct tribox_batch {
     float number[15][TRIBOX_BATCH];
 } tribox_batch;
 
-/* Of the pairs of a batch, a bit each: those that overlap, those not decided, and those whose triangle is finite, as all these are. */
+/* Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are. */
 typedef struct tribox_verdict {
     uint64_t overlapping, open, finite;
 } tribox_verdict;
@@ -136,7 +136,7 @@ typedef struct tribox_verdict {
 typedef tribox_verdict tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact);
 
 /*
- * Pairs that are fewer than the lanes of a kernel, spread over a packet, since whole packets are read: the numbers after them repeat
+ * Pairs that are fewer than the lanes of a kernel, spread over a packet, as whole packets are read: the numbers after them repeat
  * the first pair. They are never asked about.
  */
 typedef struct tribox_few {
@@ -160,7 +160,7 @@ typedef tribox_vertices tribox_find_vertices(const tribox_mesh *mesh, size_t fir
 
 /*
  * Where the corners of these triangles lie, of one at least. offset: room for three of each. Returns the greatest vertex number: if
- * it is not one of the mesh, the rest means nothing. The base is NULL where they cannot be found. The stride is set, here and below.
+ * it is not in the mesh, the rest means nothing. The base is NULL where they cannot be found. The stride is set, here and below.
  */
 typedef size_t tribox_find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners);
 
@@ -172,7 +172,7 @@ typedef struct tribox_box_pattern {
     float lo[3 * TRIBOX_LANES_MAX], hi[3 * TRIBOX_LANES_MAX];
 } tribox_box_pattern;
 
-/* Whether the box normals separate all triangles of these vertices; false too where finding out would cost as much as testing them. */
+/* Whether the box normals separate all triangles of these vertices; false too where finding out costs as much as testing them. */
 typedef bool tribox_is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named);
 
 /* Words of triangles in the frame of an oriented box. */
