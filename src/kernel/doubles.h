@@ -18,9 +18,11 @@ TRIBOX_INLINE lane_slacks slacks_of(const lane_shape *s, unsigned axes)
 {
     lane_slacks slack;
     for (int i = 0; i < 3; i++) {
-        const edge_slacks edges = edge_slacks_along(s, i, axes & TRIBOX_AXES_BOX);
+        edge_slacks edges = {{v_splat(INFINITY), v_splat(INFINITY), v_splat(INFINITY)}};
+        if (axes & TRIBOX_AXES_EDGES) /* else they could only raise the flag */
+            edges = edge_slacks_along(s, i, axes & TRIBOX_AXES_BOX);
         for (int j = 0; j < 3; j++)
-            slack.edge[i][j] = axes & TRIBOX_AXES_EDGES ? edges.of[j] : v_splat(INFINITY);
+            slack.edge[i][j] = edges.of[j];
     }
     slack.plane = axes & TRIBOX_AXES_PLANE ? plane_slack(s, plane_reach(s)) : v_splat(INFINITY);
     return slack;
