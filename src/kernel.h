@@ -62,8 +62,6 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
     return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
 }
 
-enum { TRIBOX_ACCURACIES = TRIBOX_FAST + 1 };
-
 /* EXACT and CONSERVATIVE take one walk: they differ in how the pairs that it leaves open are settled. */
 typedef enum tribox_walk_kind { TRIBOX_BY_MARGIN, TRIBOX_BY_SIGN, TRIBOX_WALK_KINDS } tribox_walk_kind;
 TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)

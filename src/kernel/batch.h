@@ -58,8 +58,8 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
 }
 
 /*
- * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Meshes have theirs only where
- * all axes are asked, to keep the code small.
+ * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Meshes have theirs only
+ * where all axes are asked, to keep the code small.
  */
 #define WALK(decides, sequence) \
     static void walk_##decides##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \

@@ -26,8 +26,8 @@ static tribox_vertices find_vertices(const tribox_mesh *mesh, size_t first, size
 }
 
 /*
- * How many bytes `count` vertices come after the first of the mesh; for the last of the mesh, and for numbers past it, none. Returns
- * the greatest number.
+ * How many bytes `count` vertices come after the first of the mesh; for the last of the mesh, and for numbers past it, none.
+ * Returns the greatest number.
  */
 TRIBOX_INLINE size_t find_offsets(const tribox_mesh *mesh, unsigned index_bytes, size_t first, size_t count,
                                   uint32_t *restrict offset)
@@ -61,7 +61,7 @@ static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, 
     return greatest;
 }
 
-/* Triangles of the mesh to places `to_first` and on of the streams x_0 x_1 x_2 y_0 .. z_2, number by number: vertices from `least` on. */
+/* Triangles to places `to_first` and on of the streams x_0 x_1 x_2 y_0 .. z_2, number by number: vertices from `least` on. */
 static void gather_vertices(const tribox_mesh *mesh, size_t first, size_t count, size_t least, float *const to[9], size_t to_first)
 {
     for (size_t corner = 0; corner < 3 * count; corner++) {

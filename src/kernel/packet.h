@@ -224,7 +224,7 @@ TRIBOX_INLINE uint64_t left_by_margin(const lane_pairs *p, const lane_shape *s, 
  *   box normals, plane          slack beyond its margin, or redundant    the plane has no side that could be turned
  *   box normals, edges, or all  the same of every slack, and             where an extent is tiny, rounding can turn the sign of
  *                               certifiable extents                      n_i, and an edge's outer side
- *   no box normals              every slack beyond its margin            two-sided slacks have no such sign, and no axis is redundant
+ *   no box normals              every slack beyond its margin            two-sided slacks have no such sign, nor redundant axes
  *
  * CONSERVATIVE may report too much, and could do with less. It takes the same, so that no answer hangs on where the second look
  * begins. certain: the lanes that have every tested slack beyond its margin; in the second look redundant axes are left out of it.
