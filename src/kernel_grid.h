@@ -7,25 +7,14 @@
 
 #include "tribox.h"
 
+typedef struct tribox_voxels tribox_voxels; /* one call: voxels.h */
+
 /* A grid as kernels see it. */
 typedef struct tribox_lattice {
     double origin[3], per_cell[3]; /* the place of x is (x - origin) * per_cell */
     double size[3];                /* cells */
     double error[3]; /* cells: how far off plane p and the place of a number near the grid can be, together (PROOFS.md 7.2) */
-    double first_layer, end_layer; /* triangles outside these layers are left out */
-    double row_words;
 } tribox_lattice;
-
-/* Which cells the bounding boxes of 64 triangles touch. */
-typedef struct tribox_touched {
-    double base[3][64], cells[3][64]; /* within the grid, on each axis: the first, and how many */
-    int32_t word[64], bit[64];        /* where the first cell's bit is, in words from the first layer's start */
-    uint64_t spans[3];                /* triangles with more than one cell on the axis, even if some lie outside the grid */
-    uint64_t uncertain;               /* triangles for which rounding leaves all this open: only the planes can decide */
-} tribox_touched;
-
-/* A superset of the finite triangles of a word of the soup that touch the layers; exact but for the uncertain ones. */
-typedef uint64_t tribox_touched_walk(const tribox_soup *soup, size_t word, const tribox_lattice *lattice, tribox_touched *touched);
 
 /* Triangles are limited row by row, this many at a time. */
 enum { TRIBOX_STRIP = 32 };
@@ -61,7 +50,7 @@ typedef struct tribox_strip {
     float u[9][TRIBOX_STRIP];                      /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of triangle t at [t] */
     double base[3][TRIBOX_STRIP];                  /* the first cell of its range, within the grid */
     double cells[3][TRIBOX_STRIP];                 /* how many there are on each axis, within the grid */
-    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, as in tribox_touched */
+    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, in words from the first layer's start */
 } tribox_strip;
 
 /* Their limits: those that the shape needs. */
@@ -74,13 +63,6 @@ typedef struct tribox_limits {
 } tribox_limits;
 
 /*
- * bound_scale: 1 for error bounds, 0 for none. The numbers of the strip after the last triangle, up to a multiple of
- * TRIBOX_DOUBLES_MAX (kernel.h), have to be finite, and cells not zero.
- */
-typedef void tribox_strip_prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale,
-                                  tribox_limits *limits);
-
-/*
  * Of each of 64 rows the cells that may overlap, and of those the ones that certainly do: from first to before end, none where
  * end <= first. All lie from 0 to cells[0].
  */
@@ -88,13 +70,14 @@ typedef struct tribox_row_cells {
     int32_t first_maybe[64], end_maybe[64], first_certain[64], end_certain[64];
 } tribox_row_cells;
 
-/* Rows from `row` of triangle t: row j + cells[1] * k is row j of layer k. At most 64. */
-typedef void tribox_rows_walk(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out);
+/*
+ * Sets the rows of a strip's triangles. The numbers of the strip after the last, up to a multiple of TRIBOX_DOUBLES_MAX (kernel.h),
+ * have to be finite, and cells not zero.
+ */
+typedef void tribox_set_strip(tribox_voxels *v);
 
 typedef struct tribox_grid_kernel {
-    tribox_touched_walk *touched;
-    tribox_strip_prepare *prepare[TRIBOX_SHAPES];
-    tribox_rows_walk *rows[TRIBOX_SHAPES];
+    tribox_set_strip *set_strip[TRIBOX_SHAPES];
 } tribox_grid_kernel;
 
 #endif

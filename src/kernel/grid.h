@@ -1,4 +1,5 @@
-/* grid.h - the texts about cells of a grid, in order. After: a vocabulary of double, and KERNEL, the kernel's name. */
+/* grid.h - the texts about rows of a grid, in order. After: a vocabulary of double, and KERNEL, the kernel's name. */
+#include "voxels.h"
 #include "axes.h"
-#include "touched.h"
 #include "rows.h"
+#include "strips.h"

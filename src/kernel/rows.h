@@ -1,6 +1,6 @@
 /*
  * rows.h - one triangle against rows of grid cells, in double: each axis leaves an interval of the row.
- * After: axes.h, touched.h. Needs: KERNEL, v_div, v_read, v_write_int.
+ * After: axes.h. Needs: v_div, v_read, v_write_int.
  *
  * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these,
  * and s_i is the sign of n_i. The axis a_ij says that a cell overlaps only if, with m_a = s_i f_jb, m_b = -s_i f_ja and X the
@@ -23,6 +23,14 @@
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */
+
+/* To the nearest integer, for places in a grid: below 2^51. */
+TRIBOX_INLINE vnum rounded(vnum a)
+{
+    const vnum shift = v_splat(0x1.8p52);
+    return v_sub(v_add(a, shift), shift);
+}
+
 typedef struct row_triangle {
     vnum f[3][3], g[3][3]; /* edges and vertices, [j][a] */
     vnum n[3];
@@ -294,25 +302,3 @@ TRIBOX_INLINE void walk_rows(const tribox_limits *limits, unsigned t, double row
     else
         limit_rows(limits, t, row, rows, out, shape, false);
 }
-
-#define SHAPE(shape) \
-    static void prepare_##shape(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale, \
-                                tribox_limits *limits) \
-    { \
-        prepare(strip, lattice, axes, bound_scale, limits, shape); \
-    } \
-    static void rows_##shape(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out) \
-    { \
-        walk_rows(limits, t, row, rows, out, shape); \
-    }
-SHAPE(TRIBOX_SOLID)
-SHAPE(TRIBOX_FLAT_X)
-SHAPE(TRIBOX_FLAT_Y)
-SHAPE(TRIBOX_FLAT_Z)
-
-extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
-const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
-    .touched = touched_cells,
-    .prepare = {prepare_TRIBOX_SOLID, prepare_TRIBOX_FLAT_X, prepare_TRIBOX_FLAT_Y, prepare_TRIBOX_FLAT_Z},
-    .rows = {rows_TRIBOX_SOLID, rows_TRIBOX_FLAT_X, rows_TRIBOX_FLAT_Y, rows_TRIBOX_FLAT_Z},
-};

@@ -1,46 +1,7 @@
-/* voxel_rows.c - the rows of one triangle: the kernel limits them; certain cells are set, open ones tested by their boxes. */
-#include "voxel_rows.h"
-
-#include <string.h>
-
-#include "grid_cells.h"
-#include "settle.h"
-
-void tribox_voxels_settle_open(tribox_voxels *v)
-{
-    if (!v->open)
-        return;
-    v->counts.undecided += v->open;
-    for (uint64_t left = tribox_settle_batch(&v->batch, v->open, &v->plan).overlapping; left; left &= left - 1) {
-        const unsigned i = tribox_lowest_bit(left);
-        v->counts.overlapping += tribox_set_bits(v->cell[i].word, v->cell[i].bit);
-    }
-    v->open = 0;
-}
-
-void tribox_voxels_add_open(tribox_voxels *v, const float u[9], int64_t first, int64_t last, int64_t j, int64_t k)
-{
-    uint64_t *const row = v->occupied + ((size_t)(k - v->first_layer) * v->grid->size[1] + (size_t)j) * v->row_words;
-    for (int64_t i = first; i <= last; i++) {
-        uint64_t *const word = row + i / 64;
-        const uint64_t bit = UINT64_C(1) << i % 64;
-        if (*word & bit)
-            continue;
-        const int64_t at[3] = {i, j, k};
-        const unsigned to = v->open++;
-        v->cell[to].word = word;
-        v->cell[to].bit = bit;
-        for (int n = 0; n < 9; n++)
-            v->batch.number[n][to] = u[n];
-        for (int a = 0; a < 3; a++) {
-            v->batch.number[9 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a]);
-            v->batch.number[12 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a] + 1);
-        }
-        if (v->open == TRIBOX_BATCH)
-            tribox_voxels_settle_open(v);
-    }
-}
-
+/*
+ * strips.h - the cells of triangles in strips, row after row: certain ones are set, open ones wait.
+ * After: rows.h, voxels.h. Needs: KERNEL.
+ */
 /* The rows of one triangle: layers of `wide` rows, cells along x counted from base, whose bit is `bit` of a row's `word`. */
 typedef struct row_range {
     int64_t base, first_j, first_k, wide;
@@ -93,8 +54,8 @@ static void add_open_rows(tribox_voxels *v, const tribox_strip *strip, unsigned 
         const int64_t first = r->base + cells->first_maybe[n], end = r->base + cells->end_maybe[n];
         const int64_t certain = has_certain ? r->base + cells->first_certain[n] : end,
                       certain_end = has_certain ? r->base + cells->end_certain[n] : end;
-        tribox_voxels_add_open(v, u, first, certain - 1, at.j, at.k);
-        tribox_voxels_add_open(v, u, certain_end, end - 1, at.j, at.k);
+        tribox_voxels_wait(v, u, first, certain - 1, at.j, at.k);
+        tribox_voxels_wait(v, u, certain_end, end - 1, at.j, at.k);
     }
 }
 
@@ -134,7 +95,7 @@ static bool set_wide_rows(tribox_voxels *v, const row_range *r, row_place at, un
     return is_open;
 }
 
-void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigned t, tribox_shape shape,
+TRIBOX_INLINE void set_rows(tribox_voxels *v, const tribox_strip *strip, unsigned t, tribox_shape shape,
                             const tribox_limits *limits)
 {
     const row_range r = {
@@ -153,7 +114,7 @@ void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigne
     for (int64_t row = first_layer * r.wide; row < end; row += 64) {
         const unsigned rows = (unsigned)tribox_least(end - row, 64);
         tribox_row_cells cells;
-        v->plan.kernel->grid->rows[shape](limits, t, (double)row, rows, &cells);
+        walk_rows(limits, t, (double)row, rows, &cells, shape);
         if (v->plan.accuracy == TRIBOX_CONSERVATIVE) { /* sets every cell that may overlap, and tests none */
             memcpy(cells.first_certain, cells.first_maybe, sizeof cells.first_certain);
             memcpy(cells.end_certain, cells.end_maybe, sizeof cells.end_certain);
@@ -164,3 +125,22 @@ void tribox_voxels_set_rows(tribox_voxels *v, const tribox_strip *strip, unsigne
             at = place_of(v, &r, (row + 64) % r.wide, (row + 64) / r.wide);
     }
 }
+
+TRIBOX_INLINE void set_strip(tribox_voxels *v, tribox_shape shape)
+{
+    const tribox_strip *const strip = &v->strip[shape];
+    tribox_limits limits;
+    prepare(strip, &v->lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
+    for (unsigned t = 0; t < strip->count; t++)
+        set_rows(v, strip, t, shape, &limits);
+}
+
+static void set_solid(tribox_voxels *v) { set_strip(v, TRIBOX_SOLID); }
+static void set_flat_x(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_X); }
+static void set_flat_y(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Y); }
+static void set_flat_z(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Z); }
+
+extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
+const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
+    .set_strip = {set_solid, set_flat_x, set_flat_y, set_flat_z},
+};

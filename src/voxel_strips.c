@@ -1,0 +1,97 @@
+/*
+ * voxel_strips.c - triangles that the kernel takes one by one, row after row: they wait in strips, one for each shape.
+ *
+ * Of those that the kernel's float cannot tell the cells, the planes of the grid do.
+ */
+#include "voxels.h"
+
+#include "finite.h"
+#include "grid_cells.h"
+
+/* The rows of a strip's triangles, and empties it. Lanes up to a whole packet repeat the last triangle. */
+static void set_strip(tribox_voxels *v, tribox_shape shape)
+{
+    tribox_strip *const strip = &v->strip[shape];
+    if (!strip->count)
+        return;
+    for (unsigned t = strip->count; t % TRIBOX_DOUBLES_MAX; t++) {
+        for (int n = 0; n < 9; n++)
+            strip->u[n][t] = strip->u[n][strip->count - 1];
+        for (int a = 0; a < 3; a++) {
+            strip->base[a][t] = strip->base[a][strip->count - 1];
+            strip->cells[a][t] = strip->cells[a][strip->count - 1];
+        }
+    }
+    v->plan.kernel->grid->set_strip[shape](v);
+    strip->count = 0;
+}
+
+void tribox_voxels_set_strips(tribox_voxels *v)
+{
+    for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
+        set_strip(v, shape);
+}
+
+void tribox_voxels_join(tribox_voxels *v, const float u[9], const int64_t base[3], const int64_t cells[3], tribox_shape shape)
+{
+    tribox_strip *const strip = &v->strip[shape];
+    const unsigned t = strip->count;
+    for (int n = 0; n < 9; n++)
+        strip->u[n][t] = u[n];
+    for (int a = 0; a < 3; a++) {
+        strip->base[a][t] = (double)base[a];
+        strip->cells[a][t] = (double)cells[a];
+    }
+    strip->word[t] = (int32_t)(((base[2] - v->first_layer) * v->grid->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
+    strip->bit[t] = (int32_t)(base[0] % 64);
+    if (++strip->count == TRIBOX_STRIP)
+        set_strip(v, shape);
+}
+
+/* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
+static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cells[3])
+{
+    const int64_t end_k = tribox_least(base[2] + cells[2], v->end_layer);
+    size_t set = 0;
+    for (int64_t k = tribox_greatest(base[2], v->first_layer); k < end_k; k++) {
+        uint64_t *row = v->occupied + ((k - v->first_layer) * v->grid->size[1] + base[1]) * (int64_t)v->row_words;
+        for (int64_t j = 0; j < cells[1]; j++, row += v->row_words)
+            set += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
+    }
+    v->counts.overlapping += set;
+}
+
+/* By the axes on which the box spans more than one cell, even if some lie outside the grid (kernel_grid.h). */
+static tribox_shape shape_of(const bool spans[3], unsigned axes)
+{
+    if (!(axes & TRIBOX_AXES_EDGES)) /* without edges a shadow has no limits: only the plane has */
+        return TRIBOX_SOLID;
+    return !spans[0] ? TRIBOX_FLAT_X : !spans[1] ? TRIBOX_FLAT_Y : !spans[2] ? TRIBOX_FLAT_Z : TRIBOX_SOLID;
+}
+
+void tribox_voxels_add(tribox_voxels *v, const float u[9])
+{
+    bool spans[3];
+    int64_t base[3], cells[3];
+    for (int n = 0; n < 9; n++)
+        if (!tribox_is_finite(u[n]))
+            return;
+    for (int a = 0; a < 3; a++) {
+        float least = u[3 * a], most = least;
+        for (int j = 1; j < 3; j++) {
+            least = u[3 * a + j] < least ? u[3 * a + j] : least;
+            most = u[3 * a + j] > most ? u[3 * a + j] : most;
+        }
+        const tribox_cells touched = tribox_grid_cells(v->grid, a, least, most);
+        const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->grid->size[a];
+        if (touched.first >= end || touched.last < from)
+            return;
+        spans[a] = touched.last > touched.first;
+        base[a] = tribox_greatest(touched.first, 0);
+        cells[a] = tribox_least(touched.last + 1, v->grid->size[a]) - base[a];
+    }
+    if (spans[0] + spans[1] + spans[2] < 2)
+        set_line(v, base, cells);
+    else
+        tribox_voxels_join(v, u, base, cells, shape_of(spans, v->plan.axes));
+}
