@@ -4,13 +4,17 @@
 
 #include <stdint.h>
 
-/* In parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
+/* Without an instruction in parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
 static inline unsigned tribox_count_bits(uint64_t word)
 {
+#if defined(__POPCNT__)
+    return (unsigned)__builtin_popcountll(word);
+#else
     word -= word >> 1 & UINT64_C(0x5555555555555555);
     word = (word & UINT64_C(0x3333333333333333)) + (word >> 2 & UINT64_C(0x3333333333333333));
     word = (word + (word >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
     return (unsigned)(word * UINT64_C(0x0101010101010101) >> 56);
+#endif
 }
 
 /* Sets bits of a word. Returns how many of them were not set before. */

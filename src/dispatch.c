@@ -14,8 +14,13 @@ static bool runs_anywhere(void) { return true; }
 #if defined(TRIBOX_X86)
 extern const tribox_kernel tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512;
 static bool runs_sse2(void) { return __builtin_cpu_supports("sse2"); }
-static bool runs_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
-static bool runs_avx512(void) { return __builtin_cpu_supports("avx512f"); }
+/* The compiler uses these beside wide vectors. Every processor with AVX2 has them, but an emulated one may not. */
+static bool has_bit_instructions(void)
+{
+    return __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+}
+static bool runs_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_bit_instructions(); }
+static bool runs_avx512(void) { return __builtin_cpu_supports("avx512f") && has_bit_instructions(); }
 #endif
 
 /* NEON is in every AArch64 processor that runs an operating system. */
