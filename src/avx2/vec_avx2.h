@@ -19,6 +19,7 @@
 
 typedef __m256 vnum;
 typedef __m256 vmask;
+typedef __m256i vint;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm256_loadu_ps(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
@@ -32,6 +33,7 @@ TRIBOX_INLINE void v_write(float *p, vnum a) { _mm256_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm256_add_ps(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm256_sub_ps(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm256_mul_ps(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return _mm256_div_ps(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm256_fmadd_ps(a, b, c); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm256_fmsub_ps(a, b, c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm256_min_ps(a, b); }
@@ -39,6 +41,16 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm256_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
+TRIBOX_INLINE vnum v_floor(vnum a) { return _mm256_floor_ps(a); }
+TRIBOX_INLINE __m128 avx2_plane(__m128 p, double cell, double origin)
+{
+    return _mm256_cvtpd_ps(_mm256_add_pd(_mm256_set1_pd(origin), _mm256_mul_pd(_mm256_cvtps_pd(p), _mm256_set1_pd(cell))));
+}
+TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
+{
+    const __m128 low = avx2_plane(_mm256_castps256_ps128(p), cell, origin);
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(low), avx2_plane(_mm256_extractf128_ps(p, 1), cell, origin), 1);
+}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_EQ_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_ps(b, a, m); }
@@ -64,6 +76,19 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     to[3] = _mm256_shuffle_ps(high_01, high_23, 0xee);
 }
 
+TRIBOX_INLINE vint i_load(const int32_t *p) { return _mm256_loadu_si256((const __m256i *)p); }
+TRIBOX_INLINE vint i_splat(int32_t a) { return _mm256_set1_epi32(a); }
+TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm256_storeu_si256((__m256i *)p, a); }
+TRIBOX_INLINE vint i_cut(vnum a) { return _mm256_cvttps_epi32(a); }
+TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm256_add_epi32(a, b); }
+TRIBOX_INLINE vint i_mul(vint a, vint b) { return _mm256_mullo_epi32(a, b); }
+TRIBOX_INLINE vint i_and(vint a, vint b) { return _mm256_and_si256(a, b); }
+TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm256_or_si256(a, b); }
+TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm256_andnot_si256(b, a); }
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm256_sllv_epi32(a, n); }
+TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm256_srlv_epi32(a, n); }
+TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm256_and_si256(_mm256_castps_si256(m), a); }
+
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE vmask m_all(void) { return _mm256_castsi256_ps(_mm256_set1_epi32(-1)); }
 TRIBOX_INLINE vmask m_none(void) { return _mm256_setzero_ps(); }
@@ -72,3 +97,22 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm256_movemask_ps(a); }
+TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))); }
+
+/* For each set of the lanes up to k, its lanes as bytes, the first lowest; before the bytes of the lanes above. */
+#define AVX2_SETS_TO_0(above) (above), ((above) << 8 | 0)
+#define AVX2_SETS_TO_1(above) AVX2_SETS_TO_0(above), AVX2_SETS_TO_0((above) << 8 | 1)
+#define AVX2_SETS_TO_2(above) AVX2_SETS_TO_1(above), AVX2_SETS_TO_1((above) << 8 | 2)
+#define AVX2_SETS_TO_3(above) AVX2_SETS_TO_2(above), AVX2_SETS_TO_2((above) << 8 | 3)
+#define AVX2_SETS_TO_4(above) AVX2_SETS_TO_3(above), AVX2_SETS_TO_3((above) << 8 | 4)
+#define AVX2_SETS_TO_5(above) AVX2_SETS_TO_4(above), AVX2_SETS_TO_4((above) << 8 | 5)
+#define AVX2_SETS_TO_6(above) AVX2_SETS_TO_5(above), AVX2_SETS_TO_5((above) << 8 | 6)
+#define AVX2_SETS_TO_7(above) AVX2_SETS_TO_6(above), AVX2_SETS_TO_6((above) << 8 | 7)
+/* The numbers of the lanes of m, closed up. */
+TRIBOX_INLINE __m256i avx2_lanes(vmask m)
+{
+    static const uint64_t set[256] = {AVX2_SETS_TO_7(UINT64_C(0))};
+    return _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(set + m_bits(m))));
+}
+TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm256_permutevar8x32_ps(a, avx2_lanes(m))); }
+TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm256_permutevar8x32_epi32(a, avx2_lanes(m))); }

@@ -19,6 +19,7 @@
 
 typedef __m512 vnum;
 typedef __mmask16 vmask;
+typedef __m512i vint;
 
 TRIBOX_INLINE __m512i avx512_bits(vnum a) { return _mm512_castps_si512(a); }
 TRIBOX_INLINE vnum avx512_float(__m512i a) { return _mm512_castsi512_ps(a); }
@@ -33,6 +34,7 @@ TRIBOX_INLINE void v_write(float *p, vnum a) { _mm512_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_ps(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm512_sub_ps(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm512_mul_ps(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return _mm512_div_ps(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm512_fmadd_ps(a, b, c); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm512_fmsub_ps(a, b, c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm512_min_ps(a, b); }
@@ -44,6 +46,17 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
     return avx512_float(_mm512_ternarylogic_epi32(avx512_bits(a), avx512_bits(sign), rest, 0xb4)); /* a ^ (sign & ~rest) */
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
+TRIBOX_INLINE vnum v_floor(vnum a) { return _mm512_floor_ps(a); }
+TRIBOX_INLINE __m256 avx512_plane(__m256 p, double cell, double origin)
+{
+    return _mm512_cvtpd_ps(_mm512_add_pd(_mm512_set1_pd(origin), _mm512_mul_pd(_mm512_cvtps_pd(p), _mm512_set1_pd(cell))));
+}
+TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
+{
+    const __m256 low = avx512_plane(_mm512_castps512_ps256(p), cell, origin);
+    const __m256 high = avx512_plane(_mm256_castpd_ps(_mm512_extractf64x4_pd(_mm512_castps_pd(p), 1)), cell, origin);
+    return _mm512_castpd_ps(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_castps_pd(low)), _mm256_castps_pd(high), 1));
+}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_EQ_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_blend_ps(m, b, a); }
@@ -70,6 +83,20 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     to[3] = _mm512_shuffle_ps(high_01, high_23, 0xee);
 }
 
+TRIBOX_INLINE vint i_load(const int32_t *p) { return _mm512_loadu_si512(p); }
+TRIBOX_INLINE vint i_splat(int32_t a) { return _mm512_set1_epi32(a); }
+TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm512_storeu_si512(p, a); }
+TRIBOX_INLINE vint i_cut(vnum a) { return _mm512_cvttps_epi32(a); }
+TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm512_add_epi32(a, b); }
+TRIBOX_INLINE vint i_mul(vint a, vint b) { return _mm512_mullo_epi32(a, b); }
+TRIBOX_INLINE vint i_and(vint a, vint b) { return _mm512_and_si512(a, b); }
+TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm512_or_si512(a, b); }
+TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm512_andnot_si512(b, a); }
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm512_sllv_epi32(a, n); }
+TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm512_srlv_epi32(a, n); }
+TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm512_maskz_mov_epi32(m, a); }
+
+TRIBOX_INLINE vmask m_has_bits(vint a) { return _mm512_test_epi32_mask(a, a); }
 TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi32_mask(avx512_bits(a), _mm512_setzero_si512()); }
 TRIBOX_INLINE vmask m_all(void) { return (vmask)0xffff; }
 TRIBOX_INLINE vmask m_none(void) { return 0; }
@@ -78,3 +105,7 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+/* Not compressed to memory, which Zen 4 does in microcode. */
+TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm512_maskz_compress_ps(m, a)); }
+TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm512_maskz_compress_epi32(m, a)); }

@@ -9,6 +9,7 @@
 
 #include <arm_neon.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "kernel.h"
 
@@ -19,6 +20,7 @@
 
 typedef float32x4_t vnum;
 typedef uint32x4_t vmask;
+typedef int32x4_t vint;
 
 TRIBOX_INLINE vmask neon_bits(vnum a) { return vreinterpretq_u32_f32(a); }
 TRIBOX_INLINE vnum neon_number(vmask bits) { return vreinterpretq_f32_u32(bits); }
@@ -33,6 +35,7 @@ TRIBOX_INLINE void v_write(float *p, vnum a) { vst1q_f32(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return vaddq_f32(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return vsubq_f32(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return vmulq_f32(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return vdivq_f32(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return vfmaq_f32(c, a, b); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return vfmaq_f32(vnegq_f32(c), a, b); }
 /* FMIN and FMAX have other answers for NaN and for zeros of two signs. */
@@ -44,6 +47,16 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
     return neon_number(veorq_u32(neon_bits(a), vandq_u32(neon_bits(sign), vdupq_n_u32(0x80000000u))));
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u32(neon_bits(a), neon_bits(b))); }
+TRIBOX_INLINE vnum v_floor(vnum a) { return vrndmq_f32(a); }
+TRIBOX_INLINE float64x2_t neon_plane(float64x2_t p, double cell, double origin)
+{
+    return vaddq_f64(vdupq_n_f64(origin), vmulq_f64(p, vdupq_n_f64(cell)));
+}
+TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
+{
+    const float32x2_t low = vcvt_f32_f64(neon_plane(vcvt_f64_f32(vget_low_f32(p)), cell, origin));
+    return vcvt_high_f32_f64(low, neon_plane(vcvt_high_f64_f32(p), cell, origin));
+}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f32(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return vceqzq_f32(a); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f32(m, a, b); }
@@ -70,6 +83,20 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     to[3] = vreinterpretq_f32_f64(vtrn2q_f64(odd_01, odd_23));
 }
 
+TRIBOX_INLINE vint i_load(const int32_t *p) { return vld1q_s32(p); }
+TRIBOX_INLINE vint i_splat(int32_t a) { return vdupq_n_s32(a); }
+TRIBOX_INLINE void i_write(int32_t *p, vint a) { vst1q_s32(p, a); }
+TRIBOX_INLINE vint i_cut(vnum a) { return vcvtq_s32_f32(a); }
+TRIBOX_INLINE vint i_add(vint a, vint b) { return vaddq_s32(a, b); }
+TRIBOX_INLINE vint i_mul(vint a, vint b) { return vmulq_s32(a, b); }
+TRIBOX_INLINE vint i_and(vint a, vint b) { return vandq_s32(a, b); }
+TRIBOX_INLINE vint i_or(vint a, vint b) { return vorrq_s32(a, b); }
+TRIBOX_INLINE vint i_andnot(vint a, vint b) { return vbicq_s32(a, b); }
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return vshlq_s32(a, n); }
+TRIBOX_INLINE vint i_shr(vint a, vint n) { return vreinterpretq_s32_u32(vshlq_u32(vreinterpretq_u32_s32(a), vnegq_s32(n))); }
+TRIBOX_INLINE vint i_keep(vmask m, vint a) { return vandq_s32(vreinterpretq_s32_u32(m), a); }
+
+TRIBOX_INLINE vmask m_has_bits(vint a) { return vtstq_s32(a, a); }
 TRIBOX_INLINE vmask m_signs(vnum a) { return vcltzq_s32(vreinterpretq_s32_f32(a)); }
 TRIBOX_INLINE vmask m_all(void) { return vdupq_n_u32(UINT32_MAX); }
 TRIBOX_INLINE vmask m_none(void) { return vdupq_n_u32(0); }
@@ -79,3 +106,16 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u32(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u32(a, b); }
 /* NEON has no movemask: each lane keeps its own bit, and the lanes are added up. */
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return vaddvq_u32(vandq_u32(a, (vmask){1, 2, 4, 8})); }
+
+/* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */
+TRIBOX_INLINE void neon_pack(void *p, vmask m, uint32x4_t a)
+{
+    const uint64_t bits = m_bits(m), first = bits & 1, second = first + (bits >> 1 & 1), third = second + (bits >> 2 & 1);
+    const uint64_t place[V_LANES] = {0, first, second, third};
+    for (int i = 0; i < V_LANES; i++) {
+        const uint32_t lane = a[i];
+        memcpy((uint32_t *)p + place[i], &lane, sizeof lane);
+    }
+}
+TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { neon_pack(p, m, neon_bits(a)); }
+TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { neon_pack(p, m, vreinterpretq_u32_s32(a)); }

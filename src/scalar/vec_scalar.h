@@ -17,6 +17,7 @@
 
 typedef float vnum;
 typedef bool vmask;
+typedef int32_t vint;
 
 TRIBOX_INLINE uint32_t scalar_bits(float a)
 {
@@ -46,6 +47,7 @@ TRIBOX_INLINE void v_write(float *p, vnum a) { *p = a; }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return a / b; }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return a * b + c; }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return a * b - c; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return a < b ? a : b; }
@@ -53,6 +55,13 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
 TRIBOX_INLINE vnum v_abs(vnum a) { return fabsf(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
+/* So far from zero floats are whole: the first sum rounds to a whole number, and all else is exact. */
+TRIBOX_INLINE vnum v_floor(vnum a)
+{
+    const vnum whole = a + 0x1.8p23f - 0x1.8p23f;
+    return whole - (float)(whole > a);
+}
+TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin) { return (float)(origin + (double)p * cell); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return a == 0; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)
@@ -68,6 +77,20 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
         memcpy(&to[k], (const float *)from[0] + k, sizeof *to);
 }
 
+TRIBOX_INLINE vint i_load(const int32_t *p) { return *p; }
+TRIBOX_INLINE vint i_splat(int32_t a) { return a; }
+TRIBOX_INLINE void i_write(int32_t *p, vint a) { *p = a; }
+TRIBOX_INLINE vint i_cut(vnum a) { return (int32_t)a; }
+TRIBOX_INLINE vint i_add(vint a, vint b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
+TRIBOX_INLINE vint i_mul(vint a, vint b) { return (int32_t)((uint32_t)a * (uint32_t)b); }
+TRIBOX_INLINE vint i_and(vint a, vint b) { return a & b; }
+TRIBOX_INLINE vint i_or(vint a, vint b) { return a | b; }
+TRIBOX_INLINE vint i_andnot(vint a, vint b) { return a & ~b; }
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a << n); }
+TRIBOX_INLINE vint i_shr(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a >> n); }
+TRIBOX_INLINE vint i_keep(vmask m, vint a) { return a & (int32_t)scalar_ones(m); }
+
+TRIBOX_INLINE vmask m_has_bits(vint a) { return a != 0; }
 TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }
 TRIBOX_INLINE vmask m_all(void) { return true; }
 TRIBOX_INLINE vmask m_none(void) { return false; }
@@ -76,3 +99,14 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a + b > 0; } /* of a | b gcc
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a)
+{
+    (void)m;
+    *p = a;
+}
+TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a)
+{
+    (void)m;
+    *p = a;
+}

@@ -9,6 +9,7 @@
 
 #include <emmintrin.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "kernel.h"
 
@@ -19,6 +20,7 @@
 
 typedef __m128 vnum;
 typedef __m128 vmask;
+typedef __m128i vint;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm_loadu_ps(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
@@ -30,6 +32,7 @@ TRIBOX_INLINE void v_write(float *p, vnum a) { _mm_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_ps(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm_sub_ps(a, b); }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return _mm_mul_ps(a, b); }
+TRIBOX_INLINE vnum v_div(vnum a, vnum b) { return _mm_div_ps(a, b); }
 TRIBOX_INLINE vnum v_fma(vnum a, vnum b, vnum c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
 TRIBOX_INLINE vnum v_fms(vnum a, vnum b, vnum c) { return _mm_sub_ps(_mm_mul_ps(a, b), c); }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return _mm_min_ps(a, b); }
@@ -37,6 +40,21 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_and_ps(_mm_castsi128_ps(_mm_set1_epi32(0x7fffffff)), a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, _mm_and_ps(_mm_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_ps(a, b); }
+/* So far from zero floats are whole: the first sum rounds to a whole number, and all else is exact. */
+TRIBOX_INLINE vnum v_floor(vnum a)
+{
+    const vnum far_away = _mm_set1_ps(0x1.8p23f), whole = _mm_sub_ps(_mm_add_ps(a, far_away), far_away);
+    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmpgt_ps(whole, a), _mm_set1_ps(1)));
+}
+/* Of lanes 0 and 1. */
+TRIBOX_INLINE vnum sse2_plane(vnum p, double cell, double origin)
+{
+    return _mm_cvtpd_ps(_mm_add_pd(_mm_set1_pd(origin), _mm_mul_pd(_mm_cvtps_pd(p), _mm_set1_pd(cell))));
+}
+TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
+{
+    return _mm_movelh_ps(sse2_plane(p, cell, origin), sse2_plane(_mm_movehl_ps(p, p), cell, origin));
+}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm_cmpeq_ps(a, _mm_setzero_ps()); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
@@ -61,6 +79,37 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     to[3] = _mm_movehl_ps(high_23, high_01);
 }
 
+TRIBOX_INLINE vint i_load(const int32_t *p) { return _mm_loadu_si128((const __m128i *)p); }
+TRIBOX_INLINE vint i_splat(int32_t a) { return _mm_set1_epi32(a); }
+TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm_storeu_si128((__m128i *)p, a); }
+TRIBOX_INLINE vint i_cut(vnum a) { return _mm_cvttps_epi32(a); }
+TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm_add_epi32(a, b); }
+/* SSE2 multiplies the even lanes alone, and shifts all lanes by one number. */
+TRIBOX_INLINE __m128i sse2_odd(vint a) { return _mm_srli_epi64(a, 32); }
+TRIBOX_INLINE vint i_mul(vint a, vint b)
+{
+    const __m128i even = _mm_mul_epu32(a, b), odd = _mm_mul_epu32(sse2_odd(a), sse2_odd(b));
+    const vnum low = _mm_shuffle_ps(_mm_castsi128_ps(even), _mm_castsi128_ps(odd), 0x88);
+    return _mm_shuffle_epi32(_mm_castps_si128(low), 0xd8);
+}
+TRIBOX_INLINE vint i_and(vint a, vint b) { return _mm_and_si128(a, b); }
+TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm_or_si128(a, b); }
+TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm_andnot_si128(b, a); }
+/* 2^n by the exponent of a float, its fraction cut off. 2^31 does not fit, but what comes instead are its bits. */
+TRIBOX_INLINE vint sse2_power(vint n)
+{
+    return _mm_cvttps_epi32(_mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(n, _mm_set1_epi32(127)), 23)));
+}
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return i_mul(a, _mm_and_si128(sse2_power(n), _mm_cmplt_epi32(n, _mm_set1_epi32(32)))); }
+/* a * 2^(31 - n) without its last 31 bits. */
+TRIBOX_INLINE vint i_shr(vint a, vint n)
+{
+    const vint power = sse2_power(_mm_sub_epi32(_mm_set1_epi32(31), n));
+    const __m128i even = _mm_mul_epu32(a, power), odd = _mm_mul_epu32(sse2_odd(a), sse2_odd(power));
+    return _mm_or_si128(_mm_srli_epi64(even, 31), _mm_slli_epi64(_mm_srli_epi64(odd, 31), 32));
+}
+TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm_and_si128(_mm_castps_si128(m), a); }
+
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE vmask m_all(void) { return _mm_castsi128_ps(_mm_set1_epi32(-1)); }
 TRIBOX_INLINE vmask m_none(void) { return _mm_setzero_ps(); }
@@ -69,3 +118,17 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_ps(a); }
+TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))); }
+
+/* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */
+TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128 a)
+{
+    const uint64_t bits = m_bits(m), first = bits & 1, second = first + (bits >> 1 & 1), third = second + (bits >> 2 & 1);
+    const size_t place[V_LANES] = {0, (size_t)first, (size_t)second, (size_t)third};
+    for (int i = 0; i < V_LANES; i++, a = _mm_shuffle_ps(a, a, 0x39)) {
+        const float lane = _mm_cvtss_f32(a);
+        memcpy((float *)p + place[i], &lane, sizeof lane);
+    }
+}
+TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { sse2_pack(p, m, a); }
+TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { sse2_pack(p, m, _mm_castsi128_ps(a)); }

@@ -70,6 +70,8 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
         return a - b;
     case V_MUL:
         return a * b;
+    case V_DIV:
+        return a / b;
     case V_FMA:
         return multiply_add(a, b, c);
     case V_FMS:
@@ -86,10 +88,7 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
         return a;
     case V_SELECT:
         return b > c ? a : b;
-#if defined(LANES_OF_DOUBLE)
-    case V_DIV:
-        return a / b;
-#else
+#if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return b > c ? NAN : a;
 #endif
@@ -135,12 +134,10 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 }
 
 static const char *const number_names[NUMBER_WORDS] = {
-    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",   [V_SUB] = "v_sub",     [V_MUL] = "v_mul",
-    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",   [V_MIN] = "v_min",     [V_MAX] = "v_max",
-    [V_ABS] = "v_abs",     [V_FLIP] = "v_flip", [V_WRITE] = "v_write", [V_SELECT] = "v_select",
-#if defined(LANES_OF_DOUBLE)
-    [V_DIV] = "v_div",
-#else
+    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",     [V_SUB] = "v_sub",       [V_MUL] = "v_mul", [V_DIV] = "v_div",
+    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",     [V_MIN] = "v_min",       [V_MAX] = "v_max", [V_ABS] = "v_abs",
+    [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select",
+#if !defined(LANES_OF_DOUBLE)
     [V_DROP] = "v_drop",
 #endif
 };
@@ -156,10 +153,7 @@ static const char *const mask_names[MASK_WORDS] = {
 /* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */
 static bool may_change_payload(number_word word)
 {
-#if defined(LANES_OF_DOUBLE)
-    if (word == V_DIV)
-        return true;
-#else
+#if !defined(LANES_OF_DOUBLE)
     if (word == V_DROP)
         return true;
 #endif
@@ -291,7 +285,6 @@ static void test_loads_at_any_alignment(void **state)
     }
 }
 
-#if defined(LANES_OF_DOUBLE)
 /* Whole numbers of 32 bits, at any alignment of ints; nothing is written beside the lanes. */
 static void test_cuts(void **state)
 {
@@ -303,16 +296,17 @@ static void test_cuts(void **state)
         for (unsigned k = 0; k < LANES_MAX + 2; k++)
             out[k] = 77;
         for (unsigned lane = 0; lane < lanes_count; lane++)
-            a[lane] = ldexp((double)(int32_t)random_bits(&r), -(int)random_int(&r, 31));
+            a[lane] = (lane_number)ldexp((int32_t)(random_bits(&r) & ~UINT64_C(127)), -random_int(&r, 31)); /* fits as float too */
         lanes_cut(a, out + 1);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             if (out[lane + 1] != (int32_t)a[lane])
-                fail_msg("v_write_int of %a in lane %u gives %d", a[lane], lane, (int)out[lane + 1]);
+                fail_msg("%a in lane %u is cut to %d", (double)a[lane], lane, (int)out[lane + 1]);
         assert_int_equal(out[0], 77);
         assert_int_equal(out[lanes_count + 1], 77);
     }
 }
-#else
+
+#if !defined(LANES_OF_DOUBLE)
 /* Fewer numbers than lanes, with nothing to be read before or after them. */
 static void test_loads_of_few(void **state)
 {
@@ -373,6 +367,185 @@ static void test_transposes(void **state)
             for (unsigned k = 0; k < 4; k++)
                 if (memcmp(&out[k][lane], (const unsigned char *)from[lane] + k * sizeof(float), sizeof(float)))
                     fail_msg("v_transpose4: number %u of lane %u is not the one at its place", k, lane);
+    }
+}
+
+/* Whole numbers, halves, and what lies next to them. */
+static float near_whole(random_source *r)
+{
+    const float range = ldexpf(1, random_int(r, 23));
+    const float number = roundf((float)random_double(r, -range, range)) + 0.5f * (float)random_int(r, 2);
+    const float beside = random_int(r, 2) ? nextafterf(number, random_int(r, 2) ? 1e9f : -1e9f) : number;
+    return fminf(fmaxf(beside, -0x1p22f), 0x1p22f);
+}
+
+static void test_floors(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "floors");
+    for (int round = 0; round < 100000; round++) {
+        float a[LANES_MAX], out[LANES_MAX];
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            a[lane] =
+                random_int(&r, 2) ? near_whole(&r) : ldexpf((float)random_double(&r, -1, 1), random_int_between(&r, -140, 22));
+        lanes_floor(a, out);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            if (out[lane] != floorf(a[lane]))
+                fail_msg("v_floor of %a in lane %u gives %a", (double)a[lane], lane, (double)out[lane]);
+    }
+}
+
+/* Each step is stored, so that no compiler fuses them. */
+static float plane_of(float p, double cell, double origin)
+{
+    const volatile double product = (double)p * cell;
+    const volatile double sum = origin + product;
+    return (float)sum;
+}
+
+/* Any numbers, and sums that cancel, where a fused operation would show. */
+static void test_planes(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "planes");
+    for (int round = 0; round < 100000; round++) {
+        float p[LANES_MAX], out[LANES_MAX];
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            p[lane] = random_int(&r, 2) ? (float)random_int(&r, 1 << 24) : any_bits(&r);
+        const double cell =
+            random_int(&r, 2) ? (double)any_bits(&r) : ldexp(random_double(&r, 0, 1), random_int_between(&r, -40, 40));
+        const volatile double first = (double)p[0] * cell;
+        const double origin = random_int(&r, 2) ? (double)any_bits(&r) : -first;
+        lanes_plane(p, cell, origin, out);
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            const float expected = plane_of(p[lane], cell, origin);
+            if (bits_of(out[lane]) != bits_of(expected) && !(isnan(out[lane]) && isnan(expected)))
+                fail_msg("v_plane(%a, %a, %a) in lane %u gives %a and should give %a", (double)p[lane], cell, origin, lane,
+                         (double)out[lane], (double)expected);
+        }
+    }
+}
+
+/* Bits alone; those shifted out on either side are gone. */
+static uint32_t int_of(int_word word, uint32_t first, uint32_t a, uint32_t b)
+{
+    switch (word) {
+    case I_SPLAT:
+        return first;
+    case I_WRITE:
+        return a;
+    case I_ADD:
+        return a + b;
+    case I_MUL:
+        return (uint32_t)((uint64_t)a * b);
+    case I_AND:
+        return a & b;
+    case I_OR:
+        return a | b;
+    case I_ANDNOT:
+        return a & ~b;
+    case I_SHL:
+        return b < 32 ? a << b : 0;
+    case I_SHR:
+        return b < 32 ? a >> b : 0;
+    case I_KEEP:
+        return b ? a : 0;
+    case INT_WORDS:
+        break;
+    }
+    return 0;
+}
+
+static const char *const int_names[INT_WORDS] = {
+    [I_SPLAT] = "i_splat", [I_WRITE] = "i_write",   [I_ADD] = "i_add", [I_MUL] = "i_mul", [I_AND] = "i_and",
+    [I_OR] = "i_or",       [I_ANDNOT] = "i_andnot", [I_SHL] = "i_shl", [I_SHR] = "i_shr", [I_KEEP] = "i_keep",
+};
+
+static void check_ints(int_word word, const int32_t *a, const int32_t *b)
+{
+    int32_t out[LANES_MAX];
+    lanes_int(word, a, b, out);
+    for (unsigned lane = 0; lane < lanes_count; lane++)
+        if ((uint32_t)out[lane] != int_of(word, (uint32_t)a[0], (uint32_t)a[lane], (uint32_t)b[lane]))
+            fail_msg("%s(%#x, %#x) in lane %u gives %#x", int_names[word], (unsigned)a[lane], (unsigned)b[lane], lane,
+                     (unsigned)out[lane]);
+}
+
+static int32_t any_int(random_source *r)
+{
+    static const int32_t special[] = {0, 1, -1, 2, 0xffff, 0x10000, 0x55555555, INT32_MAX, INT32_MIN, -65536};
+    enum { SPECIAL = sizeof special / sizeof special[0] };
+    return random_int(r, 2) ? (int32_t)random_bits(r) : special[random_int(r, SPECIAL)];
+}
+
+static void test_ints(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "ints");
+    for (int round = 0; round < 100000; round++) {
+        int32_t a[LANES_MAX], b[LANES_MAX];
+        uint64_t with_bits = 0;
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            a[lane] = any_int(&r);
+            b[lane] = any_int(&r);
+            with_bits |= (uint64_t)(a[lane] != 0) << lane;
+        }
+        for (int_word word = 0; word < INT_WORDS; word++)
+            if (word != I_SHL && word != I_SHR)
+                check_ints(word, a, b);
+        assert_true(lanes_with_bits(a) == with_bits);
+    }
+}
+
+/* By every number of bits in every lane. */
+static void test_shifts(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "shifts");
+    for (unsigned round = 0; round < 33000; round++) {
+        int32_t a[LANES_MAX], n[LANES_MAX];
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            a[lane] = any_int(&r);
+            n[lane] = lane ? random_int(&r, 33) : (int32_t)(round % 33);
+        }
+        for (unsigned turn = 0; turn < lanes_count; turn++) {
+            const int32_t first = n[0];
+            memmove(n, n + 1, (lanes_count - 1) * sizeof *n);
+            n[lanes_count - 1] = first;
+            check_ints(I_SHL, a, n);
+            check_ints(I_SHR, a, n);
+        }
+    }
+}
+
+/* Every mask; nothing is written beside the lanes. */
+static void test_packs(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "packs");
+    for (uint32_t mask = 0; mask >> lanes_count == 0; mask++) {
+        int32_t a[LANES_MAX], chosen[LANES_MAX], out[2][LANES_MAX + 2], expected[LANES_MAX];
+        float number[LANES_MAX], packed[LANES_MAX + 2];
+        unsigned count = 0;
+        for (unsigned k = 0; k < LANES_MAX + 2; k++) {
+            out[1][k] = 77;
+            packed[k] = 77;
+        }
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            a[lane] = (int32_t)random_bits(&r);
+            chosen[lane] = mask >> lane & 1 ? (int32_t)1 << random_int(&r, 31) : 0;
+            if (chosen[lane])
+                expected[count++] = a[lane];
+        }
+        memcpy(number, a, lanes_count * sizeof *a);
+        lanes_pack(number, chosen, packed + 1);
+        lanes_pack_int(a, chosen, out[1] + 1);
+        memcpy(out[0], packed, sizeof packed);
+        for (int is_int = 0; is_int < 2; is_int++)
+            if (memcmp(out[is_int] + 1, expected, count * sizeof *expected))
+                fail_msg("%s of mask %#x packs other lanes", is_int ? "i_pack" : "v_pack", (unsigned)mask);
+        assert_true(packed[0] == 77 && packed[lanes_count + 1] == 77);
+        assert_true(out[1][0] == 77 && out[1][lanes_count + 1] == 77);
     }
 }
 #endif
@@ -436,12 +609,16 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_special_values),
         cmocka_unit_test(test_random_bits),
         cmocka_unit_test(test_loads_at_any_alignment),
-#if defined(LANES_OF_DOUBLE)
         cmocka_unit_test(test_cuts),
-#else
+#if !defined(LANES_OF_DOUBLE)
         cmocka_unit_test(test_loads_of_few),
         cmocka_unit_test(test_permutes),
         cmocka_unit_test(test_transposes),
+        cmocka_unit_test(test_floors),
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_ints),
+        cmocka_unit_test(test_shifts),
+        cmocka_unit_test(test_packs),
 #endif
         cmocka_unit_test(test_bits_of_single_lanes),
         cmocka_unit_test(test_roundings),

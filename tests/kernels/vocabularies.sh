@@ -4,7 +4,7 @@ set -eu
 src=$1 test=$2
 status=0
 
-words() { sed -nE 's/^TRIBOX_INLINE [a-z0-9_]+ ([vm]_[a-z0-9_]+)\(.*/\1/p' "$1" | sort -u; }
+words() { sed -nE 's/^TRIBOX_INLINE [a-z0-9_]+ ([imv]_[a-z0-9_]+)\(.*/\1/p' "$1" | sort -u; }
 
 # For float, vec_<isa>.h; for double, vec_<isa>_double.h.
 for definition in "$src"/scalar/vec_scalar*.h; do

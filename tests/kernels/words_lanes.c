@@ -43,6 +43,8 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
         return v_sub(a, b);
     case V_MUL:
         return v_mul(a, b);
+    case V_DIV:
+        return v_div(a, b);
     case V_FMA:
         return v_fma(a, b, c);
     case V_FMS:
@@ -59,10 +61,7 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
         return copied(a);
     case V_SELECT:
         return v_select(v_gt(b, c), a, b);
-#if defined(LANES_OF_DOUBLE)
-    case V_DIV:
-        return v_div(a, b);
-#else
+#if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return v_drop(v_gt(b, c), a);
 #endif
@@ -80,6 +79,8 @@ void lanes_number(number_word word, const lane_number *a, const lane_number *b, 
 #if defined(LANES_OF_DOUBLE)
 void lanes_cut(const lane_number *a, int32_t *out) { v_write_int(out, lanes_of(a)); }
 #else
+void lanes_cut(const lane_number *a, int32_t *out) { i_write(out, i_cut(lanes_of(a))); }
+
 void lanes_load_few(const float *from, unsigned count, lane_number *out) { put(v_load_few(from, count), out); }
 
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out)
@@ -94,6 +95,66 @@ void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX])
     for (int k = 0; k < 4; k++)
         put(to[k], out[k]);
 }
+
+void lanes_floor(const float *a, float *out) { put(v_floor(lanes_of(a)), out); }
+
+void lanes_plane(const float *p, double cell, double origin, float *out) { put(v_plane(lanes_of(p), cell, origin), out); }
+
+/* Not i_load, which is a word under test. */
+static vint ints_of(const int32_t *from)
+{
+    vint number;
+    memcpy(&number, from, sizeof number);
+    return number;
+}
+
+static vint copied_int(vint a)
+{
+    int32_t memory[LANES_MAX + 1]; /* at any alignment */
+    i_write(memory + 1, a);
+    return i_load(memory + 1);
+}
+
+static vint int_of(int_word word, int32_t first, vint a, vint b)
+{
+    switch (word) {
+    case I_SPLAT:
+        return i_splat(first);
+    case I_WRITE:
+        return copied_int(a);
+    case I_ADD:
+        return i_add(a, b);
+    case I_MUL:
+        return i_mul(a, b);
+    case I_AND:
+        return i_and(a, b);
+    case I_OR:
+        return i_or(a, b);
+    case I_ANDNOT:
+        return i_andnot(a, b);
+    case I_SHL:
+        return i_shl(a, b);
+    case I_SHR:
+        return i_shr(a, b);
+    case I_KEEP:
+        return i_keep(m_has_bits(b), a);
+    case INT_WORDS:
+        break;
+    }
+    return a;
+}
+
+void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out)
+{
+    const vint number = int_of(word, *a, ints_of(a), ints_of(b));
+    memcpy(out, &number, sizeof number);
+}
+
+uint64_t lanes_with_bits(const int32_t *a) { return m_bits(m_has_bits(ints_of(a))); }
+
+void lanes_pack(const float *a, const int32_t *chosen, float *out) { v_pack(out, m_has_bits(ints_of(chosen)), lanes_of(a)); }
+
+void lanes_pack_int(const int32_t *a, const int32_t *chosen, int32_t *out) { i_pack(out, m_has_bits(ints_of(chosen)), ints_of(a)); }
 #endif
 
 static vmask mask_of(mask_word word, vnum a, vnum b, vnum c)

@@ -24,6 +24,7 @@ typedef enum number_word {
     V_ADD,
     V_SUB,
     V_MUL,
+    V_DIV,
     V_FMA,
     V_FMS,
     V_MIN,
@@ -32,10 +33,8 @@ typedef enum number_word {
     V_FLIP,   /* by the sign of b */
     V_WRITE,  /* a, written and read */
     V_SELECT, /* a where b > c, else b */
-#if defined(LANES_OF_DOUBLE)
-    V_DIV,
-#else
-    V_DROP,                                                               /* NaN where b > c, else a */
+#if !defined(LANES_OF_DOUBLE)
+    V_DROP, /* NaN where b > c, else a */
 #endif
     NUMBER_WORDS
 } number_word;
@@ -57,17 +56,39 @@ typedef enum mask_word {
     MASK_WORDS
 } mask_word;
 
+#if !defined(LANES_OF_DOUBLE)
+/* Words that give integers. */
+typedef enum int_word {
+    I_SPLAT, /* of lane 0 */
+    I_WRITE, /* a, written and read */
+    I_ADD,
+    I_MUL,
+    I_AND,
+    I_OR,
+    I_ANDNOT,
+    I_SHL,  /* by b */
+    I_SHR,  /* by b */
+    I_KEEP, /* a where b has bits */
+    INT_WORDS
+} int_word;
+#endif
+
 extern const unsigned lanes_count, lanes_fused;
 
 /* Each word over lanes_count numbers of a, b and c. The result `out` has as many. */
 void lanes_load(const float *from, lane_number *out);
 void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out);
-#if defined(LANES_OF_DOUBLE)
 void lanes_cut(const lane_number *a, int32_t *out); /* fractions cut off */
-#else
+#if !defined(LANES_OF_DOUBLE)
 void lanes_load_few(const float *from, unsigned count, lane_number *out); /* the first `count`, then the first again */
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out);
 void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX]);
+void lanes_floor(const float *a, float *out);
+void lanes_plane(const float *p, double cell, double origin, float *out);
+void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out);
+uint64_t lanes_with_bits(const int32_t *a);
+void lanes_pack(const float *a, const int32_t *chosen, float *out); /* those where `chosen` has bits */
+void lanes_pack_int(const int32_t *a, const int32_t *chosen, int32_t *out);
 #endif
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);
 
