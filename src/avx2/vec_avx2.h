@@ -112,7 +112,7 @@ TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm256_castsi256_ps(_mm256
 TRIBOX_INLINE __m256i avx2_lanes(vmask m)
 {
     static const uint64_t set[256] = {AVX2_SETS_TO_7(UINT64_C(0))};
-    return _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(set + m_bits(m))));
+    return _mm256_cvtepu8_epi32(_mm_set_epi64x(0, (int64_t)set[m_bits(m)]));
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm256_permutevar8x32_ps(a, avx2_lanes(m))); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm256_permutevar8x32_epi32(a, avx2_lanes(m))); }
