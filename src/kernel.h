@@ -200,6 +200,7 @@ typedef struct tribox_kernel {
     tribox_is_beside *is_beside;
     tribox_to_frame *to_frame;
     tribox_in_double *in_double;
+    const tribox_cells_kernel *cells;
     const tribox_grid_kernel *grid;
 } tribox_kernel;
 

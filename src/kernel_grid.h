@@ -76,6 +76,17 @@ typedef struct tribox_row_cells {
  */
 typedef void tribox_set_strip(tribox_voxels *v);
 
+/* Sets the cells of a soup, whose triangles are as many as the lanes of the kernel at least; larger triangles join the strips. */
+typedef void tribox_set_soup(tribox_voxels *v, const tribox_soup *soup);
+
+/* Writes the listed bits. */
+typedef void tribox_write(tribox_voxels *v);
+
+typedef struct tribox_cells_kernel {
+    tribox_set_soup *set_soup;
+    tribox_write *write;
+} tribox_cells_kernel;
+
 typedef struct tribox_grid_kernel {
     tribox_set_strip *set_strip[TRIBOX_SHAPES];
 } tribox_grid_kernel;

@@ -32,7 +32,7 @@ void tribox_voxels_set_strips(tribox_voxels *v)
         set_strip(v, shape);
 }
 
-void tribox_voxels_join(tribox_voxels *v, const float u[9], const int64_t base[3], const int64_t cells[3], tribox_shape shape)
+static void join(tribox_voxels *v, const float u[9], const int64_t base[3], const int64_t cells[3], tribox_shape shape)
 {
     tribox_strip *const strip = &v->strip[shape];
     const unsigned t = strip->count;
@@ -69,10 +69,17 @@ static tribox_shape shape_of(const bool spans[3], unsigned axes)
     return !spans[0] ? TRIBOX_FLAT_X : !spans[1] ? TRIBOX_FLAT_Y : !spans[2] ? TRIBOX_FLAT_Z : TRIBOX_SOLID;
 }
 
+void tribox_voxels_take(tribox_voxels *v, const float u[9], const tribox_cell_range *range)
+{
+    if (range->spans[0] + range->spans[1] + range->spans[2] < 2)
+        set_line(v, range->base, range->cells);
+    else
+        join(v, u, range->base, range->cells, shape_of(range->spans, v->plan.axes));
+}
+
 void tribox_voxels_add(tribox_voxels *v, const float u[9])
 {
-    bool spans[3];
-    int64_t base[3], cells[3];
+    tribox_cell_range range;
     for (int n = 0; n < 9; n++)
         if (!tribox_is_finite(u[n]))
             return;
@@ -86,12 +93,9 @@ void tribox_voxels_add(tribox_voxels *v, const float u[9])
         const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->grid->size[a];
         if (touched.first >= end || touched.last < from)
             return;
-        spans[a] = touched.last > touched.first;
-        base[a] = tribox_greatest(touched.first, 0);
-        cells[a] = tribox_least(touched.last + 1, v->grid->size[a]) - base[a];
+        range.spans[a] = touched.last > touched.first;
+        range.base[a] = tribox_greatest(touched.first, 0);
+        range.cells[a] = tribox_least(touched.last + 1, v->grid->size[a]) - range.base[a];
     }
-    if (spans[0] + spans[1] + spans[2] < 2)
-        set_line(v, base, cells);
-    else
-        tribox_voxels_join(v, u, base, cells, shape_of(spans, v->plan.axes));
+    tribox_voxels_take(v, u, &range);
 }

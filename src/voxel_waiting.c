@@ -43,6 +43,7 @@ void tribox_voxels_settle(tribox_voxels *v)
     tribox_batch batch;
     cell_bit cell[TRIBOX_BATCH];
     unsigned count = 0;
+    v->plan.kernel->cells->write(v);
     for (unsigned n = 0; n < v->waiting.count; n++) {
         const int32_t *const at = v->waiting.cell[n].at;
         cell[count] = bit_of(v, at);

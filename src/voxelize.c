@@ -2,6 +2,7 @@
 #include "voxels.h"
 
 #include "environment.h"
+#include "few.h"
 #include "finite.h"
 #include "grid_cells.h"
 
@@ -35,12 +36,33 @@ static void take_triangle(const tribox_soup *soup, size_t i, float u[9])
         u[n] = tribox_soup_axis(soup, n / 3)[n % 3][i];
 }
 
+/* Float is a filter where it tells places in the grid apart by less than half a cell (PROOFS.md 7.3), and nothing overflows. */
+static bool is_for_float(tribox_voxels *v)
+{
+    tribox_float_lattice *const f = &v->in_float;
+    bool is = true;
+    for (int a = 0; a < 3; a++) {
+        f->origin[a] = v->grid->origin[a];
+        f->per_cell[a] = (float)v->lattice.per_cell[a];
+        f->size[a] = (float)v->grid->size[a];
+        f->error[a] = (float)v->lattice.error[a] * 1.001f;
+        f->doubt[a] = f->error[a] + (f->size[a] + 1) * 0x1p-22f;
+        is &= v->grid->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;
+    }
+    return is;
+}
+
 static void set_soup(tribox_voxels *v, const tribox_soup *soup)
 {
-    for (size_t i = 0; i < soup->count; i++) {
-        float u[9];
-        take_triangle(soup, i, u);
-        tribox_voxels_add(v, u);
+    if (is_for_float(v) && soup->count) {
+        tribox_few few;
+        v->plan.kernel->cells->set_soup(v, tribox_few_triangles(soup, v->plan.kernel, &few));
+    } else {
+        for (size_t i = 0; i < soup->count; i++) {
+            float u[9];
+            take_triangle(soup, i, u);
+            tribox_voxels_add(v, u);
+        }
     }
     tribox_voxels_set_strips(v);
 }
@@ -76,12 +98,15 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
         v->first_layer = first;
         v->end_layer = (int64_t)first + layers;
         v->row_words = tribox_grid_row_words(grid);
+        v->row_halves = (int32_t)(2 * v->row_words);
         v->occupied = occupied;
         v->counts = (tribox_report){0, 0};
-        v->waiting.count = 0;
+        v->waiting.count = v->writes.count = 0;
         v->lattice = lattice_of(grid);
         for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
             v->strip[shape].count = 0;
+        for (tribox_class class = TRIBOX_FLATS; class < TRIBOX_CLASSES; class ++)
+            v->queue[class].count = 0;
         (v->plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(v, soup);
         tribox_voxels_settle(v);
         tribox_plan_report(&v->plan, v->counts, report);

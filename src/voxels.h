@@ -12,6 +12,43 @@
 #include "bits.h"
 #include "plan.h"
 
+/* Bits to be set, in halves of words (kernel/writes.h): written when more than TRIBOX_WRITES are listed. */
+enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 640 };
+typedef struct tribox_writes {
+    unsigned count;
+    int32_t half[TRIBOX_WRITES + TRIBOX_WRITES_STEP], bits[TRIBOX_WRITES + TRIBOX_WRITES_STEP];
+} tribox_writes;
+
+/*
+ * Triangles that wait until they fill a packet, by the cells that their boxes touch: lines of few cells are set at once; flats and
+ * bricks have a kernel of their own, and wait beside others of about their size.
+ */
+enum {
+    TRIBOX_LINE = 8,
+    TRIBOX_FLAT = 32,
+    TRIBOX_BRICK = 8
+}; /* most cells of a line, along an axis of a flat, along y and z of a brick */
+enum { TRIBOX_QUEUE = 64 };
+typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_BRICKS_2, TRIBOX_BRICKS_4, TRIBOX_BRICKS_8, TRIBOX_CLASSES } tribox_class;
+typedef struct tribox_queue {
+    unsigned count;
+    float u[9][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
+    float base[3][TRIBOX_QUEUE + TRIBOX_LANES_MAX], cells[3][TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of flats: 0 across the layer */
+} tribox_queue;
+
+/* The grid in float. */
+typedef struct tribox_float_lattice {
+    float origin[3], per_cell[3], size[3];
+    float error[3]; /* that of tribox_lattice, rounded up */
+    float doubt[3]; /* with what float adds to it, for every place in the grid */
+} tribox_float_lattice;
+
+/* The cells of a triangle's bounding box: within the grid, and on which axes there are more than one, even if some lie outside. */
+typedef struct tribox_cell_range {
+    int64_t base[3], cells[3];
+    bool spans[3];
+} tribox_cell_range;
+
 /* Open cells. */
 enum { TRIBOX_WAITING = 128 };
 typedef struct tribox_waiting {
@@ -27,10 +64,14 @@ struct tribox_voxels {
     const tribox_grid *grid;
     tribox_plan plan;
     tribox_lattice lattice;
+    tribox_float_lattice in_float;
     int64_t first_layer, end_layer;
     size_t row_words;
+    int32_t row_halves;
     uint64_t *occupied; /* of the first layer */
     tribox_report counts;
+    tribox_writes writes;
+    tribox_queue queue[TRIBOX_CLASSES];
     tribox_waiting waiting;
     tribox_strip strip[TRIBOX_SHAPES]; /* triangles that wait for their rows */
 };
@@ -58,8 +99,8 @@ void tribox_voxels_wait(tribox_voxels *v, const float u[9], int64_t first, int64
 /* Settles the cells that wait, but those that are set by now: once more after the last triangle. */
 void tribox_voxels_settle(tribox_voxels *v);
 
-/* Triangle u, whose box touches these cells of the grid, `cells` from `base` on each axis, joins the strip of its shape. */
-void tribox_voxels_join(tribox_voxels *v, const float u[9], const int64_t base[3], const int64_t cells[3], tribox_shape shape);
+/* Triangle u, which touches these cells of the grid: a line is set, another joins the strip of its shape. */
+void tribox_voxels_take(tribox_voxels *v, const float u[9], const tribox_cell_range *range);
 
 /* The rows of all strips that hold triangles. */
 void tribox_voxels_set_strips(tribox_voxels *v);

@@ -81,12 +81,14 @@ TRIBOX_INLINE vint i_splat(int32_t a) { return _mm256_set1_epi32(a); }
 TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm256_storeu_si256((__m256i *)p, a); }
 TRIBOX_INLINE vint i_cut(vnum a) { return _mm256_cvttps_epi32(a); }
 TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm256_add_epi32(a, b); }
+TRIBOX_INLINE vint i_sub(vint a, vint b) { return _mm256_sub_epi32(a, b); }
 TRIBOX_INLINE vint i_mul(vint a, vint b) { return _mm256_mullo_epi32(a, b); }
 TRIBOX_INLINE vint i_and(vint a, vint b) { return _mm256_and_si256(a, b); }
 TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm256_or_si256(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm256_andnot_si256(b, a); }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm256_sllv_epi32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm256_srlv_epi32(a, n); }
+TRIBOX_INLINE vint i_ones_from(vnum a) { return _mm256_sllv_epi32(_mm256_set1_epi32(-1), _mm256_cvttps_epi32(a)); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm256_and_si256(_mm256_castps_si256(m), a); }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }

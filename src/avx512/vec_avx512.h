@@ -88,12 +88,14 @@ TRIBOX_INLINE vint i_splat(int32_t a) { return _mm512_set1_epi32(a); }
 TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm512_storeu_si512(p, a); }
 TRIBOX_INLINE vint i_cut(vnum a) { return _mm512_cvttps_epi32(a); }
 TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm512_add_epi32(a, b); }
+TRIBOX_INLINE vint i_sub(vint a, vint b) { return _mm512_sub_epi32(a, b); }
 TRIBOX_INLINE vint i_mul(vint a, vint b) { return _mm512_mullo_epi32(a, b); }
 TRIBOX_INLINE vint i_and(vint a, vint b) { return _mm512_and_si512(a, b); }
 TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm512_or_si512(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm512_andnot_si512(b, a); }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm512_sllv_epi32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm512_srlv_epi32(a, n); }
+TRIBOX_INLINE vint i_ones_from(vnum a) { return _mm512_sllv_epi32(_mm512_set1_epi32(-1), _mm512_cvttps_epi32(a)); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm512_maskz_mov_epi32(m, a); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return _mm512_test_epi32_mask(a, a); }

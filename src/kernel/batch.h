@@ -80,6 +80,7 @@ TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
 tribox_in_double TRIBOX_SYMBOL(double);
+extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
 extern const tribox_kernel TRIBOX_SYMBOL(kernel);
 const tribox_kernel TRIBOX_SYMBOL(kernel) = {
@@ -96,5 +97,6 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .is_beside = is_beside,
     .to_frame = to_frame,
     .in_double = TRIBOX_SYMBOL(double),
+    .cells = &TRIBOX_SYMBOL(cells),
     .grid = &TRIBOX_SYMBOL(grid),
 };

@@ -88,12 +88,15 @@ TRIBOX_INLINE vint i_splat(int32_t a) { return vdupq_n_s32(a); }
 TRIBOX_INLINE void i_write(int32_t *p, vint a) { vst1q_s32(p, a); }
 TRIBOX_INLINE vint i_cut(vnum a) { return vcvtq_s32_f32(a); }
 TRIBOX_INLINE vint i_add(vint a, vint b) { return vaddq_s32(a, b); }
+TRIBOX_INLINE vint i_sub(vint a, vint b) { return vsubq_s32(a, b); }
 TRIBOX_INLINE vint i_mul(vint a, vint b) { return vmulq_s32(a, b); }
 TRIBOX_INLINE vint i_and(vint a, vint b) { return vandq_s32(a, b); }
 TRIBOX_INLINE vint i_or(vint a, vint b) { return vorrq_s32(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return vbicq_s32(a, b); }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return vshlq_s32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return vreinterpretq_s32_u32(vshlq_u32(vreinterpretq_u32_s32(a), vnegq_s32(n))); }
+/* Longer shifts are cut to a byte with a sign. */
+TRIBOX_INLINE vint i_ones_from(vnum a) { return vshlq_s32(vdupq_n_s32(-1), vcvtq_s32_f32(vminq_f32(a, vdupq_n_f32(32)))); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return vandq_s32(vreinterpretq_s32_u32(m), a); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return vtstq_s32(a, a); }

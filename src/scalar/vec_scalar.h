@@ -82,12 +82,14 @@ TRIBOX_INLINE vint i_splat(int32_t a) { return a; }
 TRIBOX_INLINE void i_write(int32_t *p, vint a) { *p = a; }
 TRIBOX_INLINE vint i_cut(vnum a) { return (int32_t)a; }
 TRIBOX_INLINE vint i_add(vint a, vint b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
+TRIBOX_INLINE vint i_sub(vint a, vint b) { return (int32_t)((uint32_t)a - (uint32_t)b); }
 TRIBOX_INLINE vint i_mul(vint a, vint b) { return (int32_t)((uint32_t)a * (uint32_t)b); }
 TRIBOX_INLINE vint i_and(vint a, vint b) { return a & b; }
 TRIBOX_INLINE vint i_or(vint a, vint b) { return a | b; }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return a & ~b; }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a << n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a >> n); }
+TRIBOX_INLINE vint i_ones_from(vnum a) { return a < 32 ? (int32_t)(~UINT32_C(0) << (uint32_t)a) : 0; }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return a & (int32_t)scalar_ones(m); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return a != 0; }

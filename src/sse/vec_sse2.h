@@ -84,6 +84,7 @@ TRIBOX_INLINE vint i_splat(int32_t a) { return _mm_set1_epi32(a); }
 TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm_storeu_si128((__m128i *)p, a); }
 TRIBOX_INLINE vint i_cut(vnum a) { return _mm_cvttps_epi32(a); }
 TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm_add_epi32(a, b); }
+TRIBOX_INLINE vint i_sub(vint a, vint b) { return _mm_sub_epi32(a, b); }
 /* SSE2 multiplies the even lanes alone, and shifts all lanes by one number. */
 TRIBOX_INLINE __m128i sse2_odd(vint a) { return _mm_srli_epi64(a, 32); }
 TRIBOX_INLINE vint i_mul(vint a, vint b)
@@ -107,6 +108,12 @@ TRIBOX_INLINE vint i_shr(vint a, vint n)
     const vint power = sse2_power(_mm_sub_epi32(_mm_set1_epi32(31), n));
     const __m128i even = _mm_mul_epu32(a, power), odd = _mm_mul_epu32(sse2_odd(a), sse2_odd(power));
     return _mm_or_si128(_mm_srli_epi64(even, 31), _mm_slli_epi64(_mm_srli_epi64(odd, 31), 32));
+}
+/* 0 - 2^a, but nothing from 32 on. */
+TRIBOX_INLINE vint i_ones_from(vnum a)
+{
+    const vint n = _mm_cvttps_epi32(_mm_min_ps(a, _mm_set1_ps(32)));
+    return _mm_and_si128(_mm_sub_epi32(_mm_setzero_si128(), sse2_power(n)), _mm_cmplt_epi32(n, _mm_set1_epi32(32)));
 }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm_and_si128(_mm_castps_si128(m), a); }
 

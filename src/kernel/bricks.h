@@ -1,0 +1,196 @@
+/*
+ * bricks.h - triangles whose boxes are bricks of few cells, a packet of them at once: row by row, triangle by lane, in float.
+ * After: reach.h, writes.h, shadow.h. Needs: nothing more.
+ *
+ * The limits of rows.h: the shadow along x takes or leaves whole rows, the two others and the plane limit them. Of the plane, with S the
+ * sum of F_a F_b R_i, the error is 2^-16 S + sum of |n_a| E_a, and where n_x is below 2^-19 S / R_x, that is used in its place
+ * (PROOFS.md 7.7).
+ */
+
+/* A triangle that waits in a queue, and is done with by another way: cells first to last of row (j, k) are open. */
+typedef struct lane_row {
+    vnum i, j, k;     /* the cell of bit 0 */
+    vmask is_along_y; /* bits count cells along y instead of x */
+} lane_row;
+
+/* The cells of these bits wait with their triangles. */
+static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, const lane_row *row, vint bits)
+{
+    int32_t open[V_LANES];
+    float i[V_LANES], j[V_LANES], k[V_LANES];
+    const uint64_t is_along_y = m_bits(row->is_along_y);
+    i_write(open, bits);
+    v_write(i, row->i);
+    v_write(j, row->j);
+    v_write(k, row->k);
+    for (uint64_t left = m_bits(m_has_bits(bits)); left; left &= left - 1) {
+        const unsigned lane = tribox_lowest_bit(left);
+        const bool is_y = is_along_y >> lane & 1;
+        float u[9];
+        for (int n = 0; n < 9; n++)
+            u[n] = queue->u[n][at + lane];
+        for (uint32_t cells = (uint32_t)open[lane]; cells; cells &= cells - 1) {
+            const int64_t along = tribox_lowest_bit(cells), x = (int64_t)i[lane] + (is_y ? 0 : along);
+            tribox_voxels_wait(v, u, x, x, (int64_t)j[lane] + (is_y ? along : 0), (int64_t)k[lane]);
+        }
+    }
+}
+
+/* Triangles of a queue that another way has to take. */
+static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned at, uint64_t lanes)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        const unsigned t = at + tribox_lowest_bit(lanes);
+        float u[9];
+        for (int n = 0; n < 9; n++)
+            u[n] = queue->u[n][t];
+        tribox_voxels_add(v, u);
+    }
+}
+
+/* Places on axis a of the triangles of a queue. */
+TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, int a)
+{
+    const tribox_float_lattice *const lattice = &v->in_float;
+    const vnum u[3] = {v_load(&queue->u[3 * a][at]), v_load(&queue->u[3 * a + 1][at]), v_load(&queue->u[3 * a + 2][at])};
+    return places_of(u, v_load(&queue->base[a][at]), v_load(&queue->cells[a][at]), v_splat(lattice->origin[a]),
+                     v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
+}
+
+/* The shadow along x keeps a row where at + j_slope * j + k_slope * k >= 0, up to its error. */
+typedef struct brick_side {
+    vnum at, j_slope, k_slope;
+} brick_side;
+
+TRIBOX_INLINE brick_side side_of_shadow(const lane_places *y, const lane_places *z, int j, vnum n, vmask asked)
+{
+    const vnum zero = v_splat(0);
+    const shadow_axis axis = shadow_axis_of(y, z, j, n);
+    const vmask is_asked = m_and(asked, axis.asked);
+    return (brick_side){v_select(is_asked, axis.slack, v_splat(INFINITY)), v_select(is_asked, v_sub(zero, axis.m_q), zero),
+                        v_select(is_asked, v_sub(zero, axis.m_p), zero)};
+}
+
+/* The plane: an upper and a lower limit with the same slopes. */
+typedef struct brick_plane {
+    vnum end_maybe, first_maybe, end_certain, first_certain, j_slope, k_slope;
+} brick_plane;
+
+TRIBOX_INLINE brick_plane plane_of(const lane_places p[3], const vnum normal[3], vnum bound_scale, vmask asked)
+{
+    const vnum zero = v_splat(0), one = v_splat(1), most = v_splat(INFINITY), least = v_splat(-INFINITY);
+    vnum n[3], S = zero, error = zero, low = zero, high = zero, d = zero;
+    for (int i = 0; i < 3; i++) {
+        S = v_fma(v_mul(p[(i + 1) % 3].F, p[(i + 2) % 3].F), p[i].R, S);
+        n[i] = v_flip(normal[i], normal[0]); /* towards positive x */
+        asked = m_andnot(asked, v_is_zero(p[i].F));
+    }
+    n[0] = v_max(n[0], v_div(v_mul(v_splat(0x1p-19f), S), p[0].R));
+    for (int a = 0; a < 3; a++) {
+        error = v_fma(v_abs(n[a]), p[a].E, error);
+        low = v_add(low, v_min(n[a], zero));
+        high = v_add(high, v_max(n[a], zero));
+        d = v_fma(n[a], p[a].g[0], d);
+    }
+    const vnum per_n = v_div(one, n[0]);
+    const vnum off = v_mul(v_fma(v_splat(0x1p-16f), S, v_mul(bound_scale, error)), per_n);
+    const vnum upper = v_fma(v_sub(d, low), per_n, one), lower = v_fma(v_sub(d, high), per_n, one);
+    return (brick_plane){v_select(asked, v_add(upper, off), most),
+                         v_select(asked, v_sub(lower, off), least),
+                         v_select(asked, v_sub(upper, off), most),
+                         v_select(asked, v_add(lower, off), least),
+                         v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero),
+                         v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero)};
+}
+
+TRIBOX_INLINE void narrow_by_plane(lane_run *run, const brick_plane *plane, vnum along, bool is_exact)
+{
+    run->end_maybe = v_min(run->end_maybe, v_add(along, plane->end_maybe));
+    run->first_maybe = v_max(run->first_maybe, v_add(along, plane->first_maybe));
+    if (is_exact) {
+        run->end_certain = v_min(run->end_certain, v_add(along, plane->end_certain));
+        run->first_certain = v_max(run->first_certain, v_add(along, plane->first_certain));
+    }
+}
+
+TRIBOX_INLINE void narrow_by_run(lane_run *run, const lane_run *other, bool is_exact)
+{
+    run->end_maybe = v_min(run->end_maybe, other->end_maybe);
+    run->first_maybe = v_max(run->first_maybe, other->first_maybe);
+    if (is_exact) {
+        run->end_certain = v_min(run->end_certain, other->end_certain);
+        run->first_certain = v_max(run->first_certain, other->first_certain);
+    }
+}
+
+/* Where is_exact, certain cells are listed and open ones wait; else all that may overlap are listed. */
+TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsigned at, bool is_exact)
+{
+    const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
+    const vmask has_edges = v->plan.axes & TRIBOX_AXES_EDGES ? m_all() : m_none();
+    const vmask has_plane = v->plan.axes & TRIBOX_AXES_PLANE ? m_all() : m_none();
+    lane_places p[3];
+    vnum base[3], cells[3];
+    vmask wild = m_none();
+    for (int a = 0; a < 3; a++) {
+        base[a] = v_load(&queue->base[a][at]);
+        cells[a] = v_load(&queue->cells[a][at]);
+        p[a] = queued_places(v, queue, at, a);
+        wild = m_or(wild, is_wild(&p[a]));
+    }
+    const vnum n[3] = {shadow_normal(&p[1], &p[2]), shadow_normal(&p[2], &p[0]), shadow_normal(&p[0], &p[1])};
+    const vnum side_error = v_mul(bound_scale, shadow_error(&p[1], &p[2])), none = v_sub(v_splat(0), side_error);
+    brick_side side[3];
+    for (int e = 0; e < 3; e++)
+        side[e] = side_of_shadow(&p[1], &p[2], e, n[0], has_edges);
+    const shadow_limits zx =
+        limits_of(&p[0], &p[2], v_sub(v_splat(0), n[1]), v_mul(bound_scale, shadow_error(&p[0], &p[2])), has_edges);
+    const shadow_limits xy = limits_of(&p[0], &p[1], n[2], v_mul(bound_scale, shadow_error(&p[0], &p[1])), has_edges);
+    const brick_plane plane = plane_of(p, n, bound_scale, has_plane);
+
+    const lane_bits bits = bits_at(v, base);
+    const vmask present = m_not(wild);
+    lane_run in_j[TRIBOX_BRICK];
+    int rows = 0;
+    for (; rows < TRIBOX_BRICK && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++) {
+        in_j[rows] = whole_run(cells[0]);
+        narrow(&in_j[rows], &xy, v_splat((float)rows), is_exact);
+    }
+    for (int layer = 0; layer < TRIBOX_BRICK; layer++) {
+        const vnum k = v_splat((float)layer), z = v_add(base[2], k);
+        const vmask has_layer = m_and(present, v_gt(cells[2], k));
+        const vmask in_k =
+            m_andnot(m_andnot(has_layer, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
+        if (!m_bits(has_layer))
+            break;
+        lane_run run_k = whole_run(cells[0]);
+        narrow(&run_k, &zx, k, is_exact);
+        vnum side_k[3];
+        for (int e = 0; e < 3; e++)
+            side_k[e] = v_fma(side[e].k_slope, k, side[e].at);
+        const vnum plane_k = v_mul(plane.k_slope, k);
+        make_room(v);
+        for (int row = 0; row < rows; row++) {
+            const vnum j = v_splat((float)row);
+            const vmask in = m_and(in_k, v_gt(cells[1], j));
+            const vnum slack = lane_min3(v_fma(side[0].j_slope, j, side_k[0]), v_fma(side[1].j_slope, j, side_k[1]),
+                                         v_fma(side[2].j_slope, j, side_k[2]));
+            lane_run run = run_k;
+            narrow_by_run(&run, &in_j[row], is_exact);
+            narrow_by_plane(&run, &plane, v_fma(plane.j_slope, j, plane_k), is_exact);
+            vint set = i_keep(m_andnot(in, v_gt(none, slack)), run_bits(run.first_maybe, run.end_maybe));
+            if (is_exact) {
+                const vint maybe = set;
+                set = i_keep(m_andnot(in, v_gt(side_error, slack)), run_bits(run.first_certain, run.end_certain));
+                const vint open = i_andnot(maybe, set);
+                if (m_bits(m_has_bits(open))) {
+                    const lane_row at_row = {base[0], v_add(base[1], j), z, m_none()};
+                    wait_for_cells(v, queue, at, &at_row, open);
+                }
+            }
+            const int32_t halves = v->row_halves * (row + layer * (int32_t)v->grid->size[1]);
+            list_bits(v, i_add(bits.half, i_splat(halves)), bits.from, set);
+        }
+    }
+    hand_on_queued(v, queue, at, m_bits(wild));
+}

@@ -1,0 +1,73 @@
+/*
+ * flats.h - triangles whose boxes are one layer of cells across an axis, a packet of them at once: their shadows alone, in float.
+ * After: bricks.h. Needs: nothing more.
+ *
+ * Axis q is x, or y of triangles in a layer across x; axis p is z, or y of triangles in a layer across z. Of a row p the cells along q
+ * are limited (PROOFS.md 7.4).
+ */
+TRIBOX_INLINE vnum either(vmask m, float a, float b) { return v_select(m, v_splat(a), v_splat(b)); }
+
+/* Places on the one or the other axis. */
+TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, vmask m, int a, int b)
+{
+    const tribox_float_lattice *const lattice = &v->in_float;
+    vnum u[3];
+    for (int j = 0; j < 3; j++)
+        u[j] = v_select(m, v_load(&queue->u[3 * a + j][at]), v_load(&queue->u[3 * b + j][at]));
+    return places_of(u, v_select(m, v_load(&queue->base[a][at]), v_load(&queue->base[b][at])),
+                     v_select(m, v_load(&queue->cells[a][at]), v_load(&queue->cells[b][at])),
+                     either(m, lattice->origin[a], lattice->origin[b]), either(m, lattice->per_cell[a], lattice->per_cell[b]),
+                     either(m, lattice->error[a], lattice->error[b]));
+}
+
+/* Lists cells along y: bit n of `set` is the cell n rows on. */
+TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
+{
+    const vint one = i_splat(1), bit = i_shl(one, from);
+    for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->row_halves)))
+        list(v, m_has_bits(i_and(set, one)), half, bit);
+}
+
+TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, bool is_exact)
+{
+    vnum base[3], cells[3];
+    for (int a = 0; a < 3; a++) {
+        base[a] = v_load(&queue->base[a][at]);
+        cells[a] = v_load(&queue->cells[a][at]);
+    }
+    const vmask is_x = v_is_zero(cells[0]), is_z = v_is_zero(cells[2]);
+    const lane_places q = flat_places(v, queue, at, is_x, 1, 0), p = flat_places(v, queue, at, is_z, 1, 2);
+    const vmask wild = m_or(is_wild(&q), is_wild(&p));
+    const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
+    const shadow_limits limits = limits_of(&q, &p, shadow_normal(&q, &p), v_mul(bound_scale, shadow_error(&q, &p)), m_all());
+    const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
+    const vint step =
+        i_or(i_keep(is_z, i_splat(v->row_halves)), i_keep(m_not(is_z), i_splat(v->row_halves * (int32_t)v->grid->size[1])));
+    const vnum step_j = either(is_z, 1, 0), step_k = either(is_z, 0, 1);
+    const lane_bits bits = bits_at(v, base);
+    vint half = bits.half;
+    for (int row = 0; row < TRIBOX_FLAT; row++, half = i_add(half, step)) {
+        const vnum r = v_splat((float)row), z = v_fma(step_k, r, base[2]);
+        const vmask has_row = m_andnot(v_gt(rows, r), wild);
+        const vmask in =
+            m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
+        if (!m_bits(has_row))
+            break;
+        lane_run run = whole_run(along);
+        narrow(&run, &limits, r, is_exact);
+        vint set = i_keep(in, run_bits(run.first_maybe, run.end_maybe));
+        if (is_exact) {
+            const vint maybe = set;
+            set = i_keep(in, run_bits(run.first_certain, run.end_certain));
+            const vint open = i_andnot(maybe, set);
+            if (m_bits(m_has_bits(open))) {
+                const lane_row at_row = {base[0], v_fma(step_j, r, base[1]), z, is_x};
+                wait_for_cells(v, queue, at, &at_row, open);
+            }
+        }
+        make_room(v);
+        list_bits(v, half, bits.from, i_keep(m_not(is_x), set));
+        list_column(v, half, bits.from, i_keep(is_x, set));
+    }
+    hand_on_queued(v, queue, at, m_bits(wild));
+}

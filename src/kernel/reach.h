@@ -1,0 +1,66 @@
+/*
+ * reach.h - which cells of a grid the bounding boxes of a packet of triangles touch, in float.
+ * After: axes.h, voxels.h. Needs: v_floor, v_plane.
+ *
+ * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the planes of the grid decide, which
+ * are one cell away at most (PROOFS.md 7.3).
+ */
+typedef struct lane_reach {
+    vnum u[9];              /* the triangles: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
+    vnum base[3], cells[3]; /* the first cell, and how many, within the grid */
+    vmask spans[3];         /* those with more than one, even if some lie outside the grid */
+    vmask inside;           /* those that touch the grid */
+} lane_reach;
+
+/* The sum is finite only if every number is. */
+TRIBOX_INLINE vmask is_finite(const vnum u[9])
+{
+    vnum sum = v_splat(0);
+    for (int n = 0; n < 9; n++)
+        sum = v_add(sum, u[n]);
+    return v_gt(v_splat(INFINITY), v_abs(sum));
+}
+
+/* Cells of an axis, first to last: below 0 or from `size` on they lie outside the grid. */
+typedef struct lane_cells {
+    vnum first, last;
+} lane_cells;
+
+TRIBOX_INLINE vnum plus_where(vnum a, vmask more, vmask less)
+{
+    const vnum zero = v_splat(0), one = v_splat(1);
+    return v_sub(v_add(a, v_select(more, one, zero)), v_select(less, one, zero));
+}
+
+/* The cells that [least, most] touches, from their planes, where the first guess is at most one off. */
+static lane_cells ask_planes(lane_cells guess, vnum least, vnum most, double cell, double origin)
+{
+    const vnum one = v_splat(1);
+    const vnum above_first = v_plane(v_add(guess.first, one), cell, origin), first = v_plane(guess.first, cell, origin);
+    const vnum above_last = v_plane(v_add(guess.last, one), cell, origin), last = v_plane(guess.last, cell, origin);
+    return (lane_cells){plus_where(guess.first, v_gt(least, above_first), m_not(v_gt(least, first))),
+                        plus_where(guess.last, m_not(v_gt(above_last, most)), v_gt(last, most))};
+}
+
+TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
+{
+    const vnum place = v_mul(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]));
+    return v_min(v_max(place, v_splat(-0.5f)), v_splat(lattice->size[a] + 0.5f));
+}
+
+TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a)
+{
+    const tribox_float_lattice *const lattice = &v->in_float;
+    const vnum half = v_splat(0.5f), zero = v_splat(0), size = v_splat(lattice->size[a]);
+    const vnum least = lane_min3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
+    const vnum most = lane_max3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
+    const vnum from = place_of(least, lattice, a), to = place_of(most, lattice, a);
+    lane_cells c = {v_floor(from), v_floor(to)};
+    const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
+    if (m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a]))))
+        c = ask_planes(c, least, most, v->grid->cell[a], v->grid->origin[a]);
+    r->spans[a] = v_gt(c.last, c.first);
+    r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
+    r->base[a] = v_max(c.first, zero);
+    r->cells[a] = v_sub(v_min(v_add(c.last, v_splat(1)), size), r->base[a]);
+}

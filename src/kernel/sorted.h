@@ -1,0 +1,195 @@
+/*
+ * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch.
+ * After: bricks.h, flats.h. Needs: KERNEL.
+ *
+ * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and bricks of few cells wait in queues until
+ * they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the layers asked for.
+ */
+
+static void hand_on(tribox_voxels *v, const lane_reach *r, uint64_t lanes)
+{
+    float u[9][V_LANES], base[3][V_LANES], cells[3][V_LANES];
+    uint64_t spans[3];
+    for (int n = 0; n < 9; n++)
+        v_write(u[n], r->u[n]);
+    for (int a = 0; a < 3; a++) {
+        v_write(base[a], r->base[a]);
+        v_write(cells[a], r->cells[a]);
+        spans[a] = m_bits(r->spans[a]);
+    }
+    for (; lanes; lanes &= lanes - 1) {
+        const unsigned lane = tribox_lowest_bit(lanes);
+        float triangle[9];
+        tribox_cell_range range;
+        for (int n = 0; n < 9; n++)
+            triangle[n] = u[n][lane];
+        for (int a = 0; a < 3; a++) {
+            range.base[a] = (int64_t)base[a][lane];
+            range.cells[a] = (int64_t)cells[a][lane];
+            range.spans[a] = spans[a] >> lane & 1;
+        }
+        tribox_voxels_take(v, triangle, &range);
+    }
+}
+
+/* Triangles that are not known to be finite. */
+static void add_each(tribox_voxels *v, const lane_reach *r, uint64_t lanes)
+{
+    float u[9][V_LANES];
+    for (int n = 0; n < 9; n++)
+        v_write(u[n], r->u[n]);
+    for (; lanes; lanes &= lanes - 1) {
+        float triangle[9];
+        for (int n = 0; n < 9; n++)
+            triangle[n] = u[n][tribox_lowest_bit(lanes)];
+        tribox_voxels_add(v, triangle);
+    }
+}
+
+TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class class, unsigned at)
+{
+    const tribox_queue *const queue = &v->queue[class];
+    const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
+    if (class == TRIBOX_FLATS && is_exact)
+        set_flats(v, queue, at, true);
+    else if (class == TRIBOX_FLATS)
+        set_flats(v, queue, at, false);
+    else if (is_exact)
+        set_bricks(v, queue, at, true);
+    else
+        set_bricks(v, queue, at, false);
+}
+
+/* Whole packets of a queue; the rest moves to its beginning. */
+static void set_packets(tribox_voxels *v, tribox_class class)
+{
+    tribox_queue *const queue = &v->queue[class];
+    unsigned at = 0;
+    for (; at + V_LANES <= queue->count; at += V_LANES)
+        set_queued(v, class, at);
+    queue->count -= at;
+    for (int n = 0; n < 9; n++)
+        v_write(queue->u[n], v_load(&queue->u[n][at]));
+    for (int a = 0; a < 3; a++) {
+        v_write(queue->base[a], v_load(&queue->base[a][at]));
+        v_write(queue->cells[a], v_load(&queue->cells[a][at]));
+    }
+}
+
+/* A packet that is not full ends with copies of its first triangle, which set no other cells. */
+static void finish_queue(tribox_voxels *v, tribox_class class)
+{
+    tribox_queue *const queue = &v->queue[class];
+    if (!queue->count)
+        return;
+    for (; queue->count % V_LANES; queue->count++) {
+        for (int n = 0; n < 9; n++)
+            queue->u[n][queue->count] = queue->u[n][0];
+        for (int a = 0; a < 3; a++) {
+            queue->base[a][queue->count] = queue->base[a][0];
+            queue->cells[a][queue->count] = queue->cells[a][0];
+        }
+    }
+    set_packets(v, class);
+}
+
+TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class class, vmask m, const lane_reach *r)
+{
+    tribox_queue *const queue = &v->queue[class];
+    const unsigned to = queue->count;
+    if (!m_bits(m))
+        return;
+    for (int n = 0; n < 9; n++)
+        v_pack(&queue->u[n][to], m, r->u[n]);
+    for (int a = 0; a < 3; a++) {
+        v_pack(&queue->base[a][to], m, r->base[a]);
+        v_pack(&queue->cells[a][to], m, class == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a]);
+    }
+    queue->count = to + tribox_count_bits(m_bits(m));
+    if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
+        set_packets(v, class);
+}
+
+/* Lines of cells, of the layers asked for alone. */
+TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines, vnum rows)
+{
+    const lane_bits bits = bits_at(v, r->base);
+    const vint one = i_splat(1), bit = i_shl(one, bits.from);
+    const vint step = i_or(i_keep(r->spans[1], i_splat(v->row_halves)),
+                           i_keep(m_not(r->spans[1]), i_splat(v->row_halves * (int32_t)v->grid->size[1])));
+    vint half = bits.half;
+    make_room(v);
+    list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
+    for (int row = 1; row < TRIBOX_LINE; row++) {
+        const vmask more = m_and(lines, v_gt(rows, v_splat((float)row)));
+        half = i_add(half, step);
+        if (!m_bits(more))
+            break;
+        list(v, more, half, bit);
+    }
+}
+
+TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(most))); }
+
+static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at)
+{
+    lane_reach r = {.inside = m_all()};
+    for (int n = 0; n < 9; n++)
+        r.u[n] = v_load(tribox_soup_axis(soup, n / 3)[n % 3] + at);
+    const vmask finite = is_finite(r.u);
+    for (int a = 0; a < 3; a++)
+        reach_axis(&r, v, a);
+    const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->first_layer), end = v_splat((float)v->end_layer);
+    const vmask inside = m_and(m_and(r.inside, finite), m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
+    if (m_bits(finite) != LANES_ALL)
+        add_each(v, &r, m_bits(m_not(finite)));
+    if (!m_bits(inside))
+        return;
+
+    const vmask x = r.spans[0], y = r.spans[1], z = r.spans[2], is_narrow = at_most(r.cells[0], TRIBOX_FLAT);
+    const vmask wide = m_or(m_or(m_and(x, y), m_and(y, z)), m_and(z, x)), solid = m_and(m_and(x, y), z);
+    vmask left = inside;
+
+    lane_reach line = r;
+    line.base[2] = v_max(r.base[2], first);
+    line.cells[2] = v_sub(v_min(end_z, end), line.base[2]);
+    const vnum line_rows = v_max(r.cells[1], line.cells[2]);
+    const vmask lines = m_andnot(m_and(m_and(inside, is_narrow), at_most(line_rows, TRIBOX_LINE)), wide);
+    if (m_bits(lines))
+        list_lines(v, &line, lines, line_rows);
+    left = m_andnot(left, lines);
+    if (!m_bits(left))
+        return;
+
+    /* Without edges a shadow has no limits: only the plane has. */
+    const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(wide, solid) : m_none(), few = m_and(left, is_narrow);
+    const vmask flats = m_and(m_and(few, flat), m_and(at_most(r.cells[1], TRIBOX_FLAT), at_most(r.cells[2], TRIBOX_FLAT)));
+    const vnum most = v_max(r.cells[1], r.cells[2]);
+    const vmask bricks = m_andnot(m_and(m_and(few, wide), at_most(most, TRIBOX_BRICK)), flat);
+    const vmask small = m_and(bricks, at_most(most, 2)), middle = m_andnot(m_and(bricks, at_most(most, 4)), small);
+    enqueue(v, TRIBOX_FLATS, flats, &r);
+    enqueue(v, TRIBOX_BRICKS_2, small, &r);
+    enqueue(v, TRIBOX_BRICKS_4, middle, &r);
+    enqueue(v, TRIBOX_BRICKS_8, m_andnot(bricks, m_or(small, middle)), &r);
+    left = m_andnot(left, m_or(flats, bricks));
+    if (m_bits(left))
+        hand_on(v, &r, m_bits(left));
+}
+
+/* The last packet ends with the last triangle: those that come twice set no more cells. */
+static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
+{
+    for (size_t at = 0; at + V_LANES <= soup->count; at += V_LANES)
+        sort_packet(v, soup, at);
+    if (soup->count % V_LANES)
+        sort_packet(v, soup, soup->count > V_LANES ? soup->count - V_LANES : 0);
+    for (tribox_class class = TRIBOX_FLATS; class < TRIBOX_CLASSES; class ++)
+        finish_queue(v, class);
+    write_listed(v);
+}
+
+extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
+const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
+    .set_soup = sort_soup,
+    .write = write_listed,
+};

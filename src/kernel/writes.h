@@ -1,0 +1,69 @@
+/*
+ * writes.h - bits of cells: listed first, then written many at a time, so that misses of the cache overlap.
+ * After: voxels.h. Needs: the words of integers.
+ *
+ * An entry is some of the 32 bits of half a word; the halves of a grid are counted from the start of the first layer.
+ */
+
+/* Half `half` of the grid: on a machine that stores the high half of a word first, the other one in memory. */
+TRIBOX_INLINE unsigned char *half_at(uint64_t *occupied, uint32_t half)
+{
+    const uint64_t one = 1;
+    unsigned char first;
+    memcpy(&first, &one, 1);
+    return (unsigned char *)occupied + 4 * (size_t)(first ? half : half ^ 1);
+}
+
+static void write_listed(tribox_voxels *v)
+{
+    tribox_writes *const w = &v->writes;
+    size_t set = 0;
+    for (unsigned n = 0; n < w->count; n++) {
+        unsigned char *const at = half_at(v->occupied, (uint32_t)w->half[n]);
+        uint32_t before;
+        memcpy(&before, at, sizeof before);
+        const uint32_t after = before | (uint32_t)w->bits[n];
+        memcpy(at, &after, sizeof after);
+        set += tribox_count_bits(after ^ before);
+    }
+    v->counts.overlapping += set;
+    w->count = 0;
+}
+
+/* Room for what a step lists. */
+TRIBOX_INLINE void make_room(tribox_voxels *v)
+{
+    if (v->writes.count > TRIBOX_WRITES)
+        write_listed(v);
+}
+
+TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits)
+{
+    tribox_writes *const w = &v->writes;
+    i_pack(&w->half[w->count], m, half);
+    i_pack(&w->bits[w->count], m, bits);
+    w->count += tribox_count_bits(m_bits(m));
+}
+
+/* Bits that begin at bit `from`, 0 to 31, of a half, and may go on in the next. */
+TRIBOX_INLINE void list_bits(tribox_voxels *v, vint half, vint from, vint bits)
+{
+    const vint high = i_shr(bits, i_sub(i_splat(32), from));
+    const vint low = i_shl(bits, from);
+    const vmask has_high = m_has_bits(high);
+    list(v, m_has_bits(low), half, low);
+    if (m_bits(has_high))
+        list(v, has_high, i_add(half, i_splat(1)), high);
+}
+
+/* Where the bits of cells are: their halves, and the bit of the first. */
+typedef struct lane_bits {
+    vint half, from;
+} lane_bits;
+
+TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3])
+{
+    const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->first_layer)), i = i_cut(base[0]);
+    const vint row = i_add(i_mul(layer, i_splat((int32_t)v->grid->size[1])), i_cut(base[1]));
+    return (lane_bits){i_add(i_mul(row, i_splat(v->row_halves)), i_shr(i, i_splat(5))), i_and(i, i_splat(31))};
+}
