@@ -1,9 +1,10 @@
 /*
- * main.c - how fast are soups voxelized, beside the paper's test for each cell and beside Schwarz and Seidel (voxel_rivals.h)?
+ * main.c - how fast are soups voxelized, beside the paper's test for each cell, beside Schwarz and Seidel (voxel_rivals.h), and
+ * beside what reading the soup or writing the answer takes (voxel_limits.h)?
  *
- * EXACT has to be the same on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. The bits are cleared before
- * each pass, outside the time. A rival that takes too long for one pass is timed once, and if even that would take minutes, on every
- * n-th triangle; the table says so.
+ * EXACT has to be the same on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. The bits are cleared
+ * before each pass, outside the time. A rival that takes too long for one pass is timed once, and if even that would take minutes,
+ * on every n-th triangle; the table says so.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -14,18 +15,21 @@
 
 #include "common/entries.h"
 #include "common/header.h"
+#include "common/loads.h"
 #include "common/whole.h"
 #include "console/clock.h"
 #include "console/message.h"
 #include "console/option_reader.h"
+#include "voxel_limits.h"
 #include "voxel_rivals.h"
 #include "voxel_scenes.h"
 #include "voxelize/layers.h"
 
 enum { ROUNDS_MAX = 101, RESOLUTIONS_MAX = 8, MESHES_MAX = 64 };
 
-enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, TIMED };
-static const char *const names[TIMED] = {"exact", "conservative", "fast", "exact, 2 threads", "Schwarz-Seidel", "cell by cell"};
+enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, READING, WRITING, TIMED };
+static const char *const names[TIMED] = {"exact",          "conservative", "fast",    "exact, 2 threads",
+                                         "Schwarz-Seidel", "cell by cell", "reading", "writing"};
 
 typedef struct settings {
     uint64_t seed, rounds;
@@ -47,6 +51,7 @@ typedef struct task {
     uint64_t *bits;
     float (*sample)[3][3]; /* room for the triangles that a rival is timed on */
     size_t step[TIMED];    /* every step-th triangle is timed */
+    voxel_words answer;    /* what `writing` writes */
 } task;
 
 /* What was found of it. */
@@ -59,7 +64,8 @@ typedef struct finding {
 static const char usage[] =
     "Usage: voxels [--resolution N]... [--rounds N] [--kernel NAME] [--seed N] [--limit SECONDS] [--no-scenes] [--quick] [--json] "
     "[MESH...]\n"
-    "Times tribox_voxelize against the paper's test for each cell and against Schwarz and Seidel 2010, and prints a table.\n"
+    "Times tribox_voxelize against the paper's test for each cell and against Schwarz and Seidel 2010, and prints a table;\n"
+    "in it are the limits too: reading the soup alone, and writing the words of the answer alone.\n"
     "  MESH             a mesh file, besides the three soups that are made here; $TRIBOX_MESHES may name a folder to look in\n"
     "  --resolution N   cells along the longest side, 2 to 2048, or several, as in 64,512; without it 256,1024\n"
     "  --rounds N       rounds, 3 to 101; without it 9\n"
@@ -118,6 +124,23 @@ static bool run_cells(const contestant *self, uint64_t *bits, tribox_report *rep
     return run_rival(t, voxelize_cell_by_cell, t->step[RIVAL_CELLS], bits);
 }
 
+static bool run_reading(const contestant *self, uint64_t *bits, tribox_report *report)
+{
+    const task *const t = self->question;
+    (void)report;
+    bits[0] = loads_all(&t->scene->soup);
+    return true;
+}
+
+static bool run_writing(const contestant *self, uint64_t *bits, tribox_report *report)
+{
+    const task *const t = self->question;
+    const size_t set = voxel_words_write(&t->answer, bits);
+    if (report)
+        *report = (tribox_report){.overlapping = set};
+    return true;
+}
+
 /* The sample of the rival is picked anew, as both rivals share the room. */
 static void clear_and_pick(const contestant *self, uint64_t *bits)
 {
@@ -148,6 +171,9 @@ static size_t enter(const task *t, contestant *list)
     list[TWO_THREADS].has_threads = true;
     list[RIVAL_SEIDEL].run = run_seidel;
     list[RIVAL_CELLS].run = run_cells;
+    list[READING].run = run_reading;
+    list[READING].promise = PROMISE_NOTHING;
+    list[WRITING].run = run_writing;
     for (int c = RIVAL_SEIDEL; c <= RIVAL_CELLS; c++) {
         list[c].prepare = clear_and_pick;
         list[c].options.kernel = NULL;
@@ -201,6 +227,9 @@ static bool answer(task *t, generator *order, finding *f)
 {
     const size_t count = enter(t, f->list);
     const truth from = {find_truth, t, t->words};
+    memset(t->bits, 0, t->words * sizeof *t->bits);
+    if (!voxel_words_find(&t->scene->soup, &t->grid, &f->list[EXACT].options, t->bits, &t->answer))
+        return message_failure("out of memory for the words of the answer; choose a lower resolution") == 0;
     if (!entries_verify(f->list, count, t->scene->name, &from, f->scores))
         return false;
     for (int c = RIVAL_SEIDEL; c <= RIVAL_CELLS; c++)
@@ -226,7 +255,7 @@ static void print_table(const task *t, const finding *f)
     printf("%-18s %14s %12s %16s %10s\n", "", "ns a triangle", "ns a cell", "million tri./s", "x exact");
     for (size_t c = 0; c < TIMED; c++) {
         const double ns = measure_spread(&f->taken, c).median;
-        printf("%-18s %14.1f %12.2f %16.3f %10.2f", f->list[c].name, ns, ns_per_cell(t, f, c), 1e3 / ns, times_exact(f, c));
+        printf("%-18s %14.1f %12.2f %16.3f %10.3f", f->list[c].name, ns, ns_per_cell(t, f, c), 1e3 / ns, times_exact(f, c));
         if (t->step[c] > 1)
             printf("   one of %zu triangles", t->step[c]);
         printf("%s\n", f->list[c].is_timed_once ? "   timed once" : "");
@@ -282,6 +311,7 @@ static bool run_grid(const voxel_scene *at, uint32_t resolution, const settings 
     else if (is_answered)
         print_table(&t, f);
     fflush(stdout);
+    voxel_words_free(&t.answer);
     free(t.bits);
     free(t.sample);
     return is_answered;
@@ -314,14 +344,15 @@ static void print_means(const means *m, const settings *s)
         double all = 0;
         printf("%-18s", names[c]);
         for (size_t r = 0; r < s->resolutions; r++) {
-            printf(" %8.2f", exp(m->logarithm[r][c] / (double)m->count));
+            printf(" %8.3f", exp(m->logarithm[r][c] / (double)m->count));
             all += m->logarithm[r][c];
         }
-        printf(" %8.2f\n", exp(all / (double)(m->count * s->resolutions)));
+        printf(" %8.3f\n", exp(all / (double)(m->count * s->resolutions)));
     }
     if (!getrusage(RUSAGE_SELF, &here))
-        printf("peak memory of the process: %.0f MiB, with three copies of a soup and five grids of bits\n",
-               (double)here.ru_maxrss / 1024);
+        printf(
+            "peak memory of the process: %.0f MiB, with three copies of a soup, five grids of bits and the words of the answer\n",
+            (double)here.ru_maxrss / 1024);
 }
 
 enum { OPTION_RESOLUTION, OPTION_ROUNDS, OPTION_KERNEL, OPTION_SEED, OPTION_LIMIT, OPTION_NO_SCENES, OPTION_QUICK, OPTION_JSON };
