@@ -107,7 +107,8 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
             v->strip[shape].count = 0;
         for (tribox_class class = TRIBOX_FLATS; class < TRIBOX_CLASSES; class ++)
             v->queue[class].count = 0;
-        (v->plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(v, soup);
+        if (layers)
+            (v->plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(v, soup);
         tribox_voxels_settle(v);
         tribox_plan_report(&v->plan, v->counts, report);
     }

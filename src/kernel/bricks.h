@@ -124,7 +124,7 @@ TRIBOX_INLINE void narrow_by_run(lane_run *run, const lane_run *other, bool is_e
 }
 
 /* Where is_exact, certain cells are listed and open ones wait; else all that may overlap are listed. */
-TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsigned at, bool is_exact)
+TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
 {
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
     const vmask has_edges = v->plan.axes & TRIBOX_AXES_EDGES ? m_all() : m_none();
@@ -149,7 +149,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
     const brick_plane plane = plane_of(p, n, bound_scale, has_plane);
 
     const lane_bits bits = bits_at(v, base);
-    const vmask present = m_not(wild);
+    const vmask present = m_andnot(lanes_between(0, count), wild);
     lane_run in_j[TRIBOX_BRICK];
     int rows = 0;
     for (; rows < TRIBOX_BRICK && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++) {
@@ -192,5 +192,5 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
             list_bits(v, i_add(bits.half, i_splat(halves)), bits.from, set);
         }
     }
-    hand_on_queued(v, queue, at, m_bits(wild));
+    hand_on_queued(v, queue, at, m_bits(m_and(lanes_between(0, count), wild)));
 }

@@ -28,7 +28,7 @@ TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
         list(v, m_has_bits(i_and(set, one)), half, bit);
 }
 
-TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, bool is_exact)
+TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
 {
     vnum base[3], cells[3];
     for (int a = 0; a < 3; a++) {
@@ -37,7 +37,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     }
     const vmask is_x = v_is_zero(cells[0]), is_z = v_is_zero(cells[2]);
     const lane_places q = flat_places(v, queue, at, is_x, 1, 0), p = flat_places(v, queue, at, is_z, 1, 2);
-    const vmask wild = m_or(is_wild(&q), is_wild(&p));
+    const vmask present = lanes_between(0, count), wild = m_and(present, m_or(is_wild(&q), is_wild(&p)));
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
     const shadow_limits limits = limits_of(&q, &p, shadow_normal(&q, &p), v_mul(bound_scale, shadow_error(&q, &p)), m_all());
     const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
@@ -48,7 +48,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     vint half = bits.half;
     for (int row = 0; row < TRIBOX_FLAT; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(step_k, r, base[2]);
-        const vmask has_row = m_andnot(v_gt(rows, r), wild);
+        const vmask has_row = m_andnot(m_and(present, v_gt(rows, r)), wild);
         const vmask in =
             m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
         if (!m_bits(has_row))

@@ -12,6 +12,14 @@ typedef struct lane_reach {
     vmask inside;           /* those that touch the grid */
 } lane_reach;
 
+/* Lanes `from` to before `end`. */
+TRIBOX_INLINE vmask lanes_between(unsigned from, unsigned end)
+{
+    static const float lane[TRIBOX_LANES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const vnum number = v_load(lane);
+    return m_andnot(v_gt(v_splat((float)end), number), v_gt(v_splat((float)from), number));
+}
+
 /* The sum is finite only if every number is. */
 TRIBOX_INLINE vmask is_finite(const vnum u[9])
 {

@@ -46,18 +46,18 @@ static void add_each(tribox_voxels *v, const lane_reach *r, uint64_t lanes)
     }
 }
 
-TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class class, unsigned at)
+TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class class, unsigned at, unsigned count)
 {
     const tribox_queue *const queue = &v->queue[class];
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
     if (class == TRIBOX_FLATS && is_exact)
-        set_flats(v, queue, at, true);
+        set_flats(v, queue, at, count, true);
     else if (class == TRIBOX_FLATS)
-        set_flats(v, queue, at, false);
+        set_flats(v, queue, at, count, false);
     else if (is_exact)
-        set_bricks(v, queue, at, true);
+        set_bricks(v, queue, at, count, true);
     else
-        set_bricks(v, queue, at, false);
+        set_bricks(v, queue, at, count, false);
 }
 
 /* Whole packets of a queue; the rest moves to its beginning. */
@@ -66,7 +66,7 @@ static void set_packets(tribox_voxels *v, tribox_class class)
     tribox_queue *const queue = &v->queue[class];
     unsigned at = 0;
     for (; at + V_LANES <= queue->count; at += V_LANES)
-        set_queued(v, class, at);
+        set_queued(v, class, at, V_LANES);
     queue->count -= at;
     for (int n = 0; n < 9; n++)
         v_write(queue->u[n], v_load(&queue->u[n][at]));
@@ -76,21 +76,22 @@ static void set_packets(tribox_voxels *v, tribox_class class)
     }
 }
 
-/* A packet that is not full ends with copies of its first triangle, which set no other cells. */
+/* The last packet of a queue may have fewer triangles than lanes: the others repeat the first, and are left out. */
 static void finish_queue(tribox_voxels *v, tribox_class class)
 {
     tribox_queue *const queue = &v->queue[class];
+    set_packets(v, class);
     if (!queue->count)
         return;
-    for (; queue->count % V_LANES; queue->count++) {
+    for (unsigned t = queue->count; t < V_LANES; t++) {
         for (int n = 0; n < 9; n++)
-            queue->u[n][queue->count] = queue->u[n][0];
+            queue->u[n][t] = queue->u[n][0];
         for (int a = 0; a < 3; a++) {
-            queue->base[a][queue->count] = queue->base[a][0];
-            queue->cells[a][queue->count] = queue->cells[a][0];
+            queue->base[a][t] = queue->base[a][0];
+            queue->cells[a][t] = queue->cells[a][0];
         }
     }
-    set_packets(v, class);
+    set_queued(v, class, 0, queue->count);
 }
 
 TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class class, vmask m, const lane_reach *r)
@@ -131,9 +132,11 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
 
 TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(most))); }
 
-static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at)
+/* Lanes `from` to before `end_lane` of the packet at triangle `at`. */
+static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
-    lane_reach r = {.inside = m_all()};
+    const vmask present = lanes_between(from, end_lane);
+    lane_reach r = {.inside = present};
     for (int n = 0; n < 9; n++)
         r.u[n] = v_load(tribox_soup_axis(soup, n / 3)[n % 3] + at);
     const vmask finite = is_finite(r.u);
@@ -141,8 +144,8 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at)
         reach_axis(&r, v, a);
     const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->first_layer), end = v_splat((float)v->end_layer);
     const vmask inside = m_and(m_and(r.inside, finite), m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
-    if (m_bits(finite) != LANES_ALL)
-        add_each(v, &r, m_bits(m_not(finite)));
+    if (m_bits(m_andnot(present, finite)))
+        add_each(v, &r, m_bits(m_andnot(present, finite)));
     if (!m_bits(inside))
         return;
 
@@ -176,13 +179,16 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at)
         hand_on(v, &r, m_bits(left));
 }
 
-/* The last packet ends with the last triangle: those that come twice set no more cells. */
+/* The last packet ends with the last triangle, unless they are fewer than a packet. */
 static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
 {
+    const unsigned rest = soup->count % V_LANES;
     for (size_t at = 0; at + V_LANES <= soup->count; at += V_LANES)
-        sort_packet(v, soup, at);
-    if (soup->count % V_LANES)
-        sort_packet(v, soup, soup->count > V_LANES ? soup->count - V_LANES : 0);
+        sort_packet(v, soup, at, 0, V_LANES);
+    if (soup->count < V_LANES)
+        sort_packet(v, soup, 0, 0, rest);
+    else if (rest)
+        sort_packet(v, soup, soup->count - V_LANES, V_LANES - rest, V_LANES);
     for (tribox_class class = TRIBOX_FLATS; class < TRIBOX_CLASSES; class ++)
         finish_queue(v, class);
     write_listed(v);
