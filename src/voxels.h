@@ -13,10 +13,10 @@
 #include "plan.h"
 
 /* Bits to be set, in halves of words (kernel/writes.h): written when more than TRIBOX_WRITES are listed. */
-enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 640 };
+enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 640, TRIBOX_WRITES_AHEAD = 48 };
 typedef struct tribox_writes {
     unsigned count;
-    int32_t half[TRIBOX_WRITES + TRIBOX_WRITES_STEP], bits[TRIBOX_WRITES + TRIBOX_WRITES_STEP];
+    int32_t half[TRIBOX_WRITES + TRIBOX_WRITES_STEP + TRIBOX_WRITES_AHEAD], bits[TRIBOX_WRITES + TRIBOX_WRITES_STEP];
 } tribox_writes;
 
 /*
@@ -75,6 +75,16 @@ struct tribox_voxels {
     tribox_waiting waiting;
     tribox_strip strip[TRIBOX_SHAPES]; /* triangles that wait for their rows */
 };
+
+/* This address is written soon: it may come into the cache. */
+static inline void tribox_will_write(const void *at)
+{
+#if defined(__GNUC__)
+    __builtin_prefetch(at, 1);
+#else
+    (void)at;
+#endif
+}
 
 static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b; }
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }

@@ -103,24 +103,11 @@ TRIBOX_INLINE brick_plane plane_of(const lane_places p[3], const vnum normal[3],
                          v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero)};
 }
 
-TRIBOX_INLINE void narrow_by_plane(lane_run *run, const brick_plane *plane, vnum along, bool is_exact)
+TRIBOX_INLINE row_cells cells_by_plane(const brick_plane *plane, vnum along, bool is_exact)
 {
-    run->end_maybe = v_min(run->end_maybe, v_add(along, plane->end_maybe));
-    run->first_maybe = v_max(run->first_maybe, v_add(along, plane->first_maybe));
-    if (is_exact) {
-        run->end_certain = v_min(run->end_certain, v_add(along, plane->end_certain));
-        run->first_certain = v_max(run->first_certain, v_add(along, plane->first_certain));
-    }
-}
-
-TRIBOX_INLINE void narrow_by_run(lane_run *run, const lane_run *other, bool is_exact)
-{
-    run->end_maybe = v_min(run->end_maybe, other->end_maybe);
-    run->first_maybe = v_max(run->first_maybe, other->first_maybe);
-    if (is_exact) {
-        run->end_certain = v_min(run->end_certain, other->end_certain);
-        run->first_certain = v_max(run->first_certain, other->first_certain);
-    }
+    const lane_run run = {v_add(along, plane->first_maybe), v_add(along, plane->end_maybe), v_add(along, plane->first_certain),
+                          v_add(along, plane->end_certain)};
+    return cells_of(&run, is_exact);
 }
 
 /* Where is_exact, certain cells are listed and open ones wait; else all that may overlap are listed. */
@@ -150,12 +137,10 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
 
     const lane_bits bits = bits_at(v, base);
     const vmask present = m_andnot(lanes_between(0, count), wild);
-    lane_run in_j[TRIBOX_BRICK];
+    row_cells in_row[TRIBOX_BRICK];
     int rows = 0;
-    for (; rows < TRIBOX_BRICK && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++) {
-        in_j[rows] = whole_run(cells[0]);
-        narrow(&in_j[rows], &xy, v_splat((float)rows), is_exact);
-    }
+    for (; rows < TRIBOX_BRICK && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++)
+        in_row[rows] = cells_within(&xy, cells[0], v_splat((float)rows), is_exact);
     for (int layer = 0; layer < TRIBOX_BRICK; layer++) {
         const vnum k = v_splat((float)layer), z = v_add(base[2], k);
         const vmask has_layer = m_and(present, v_gt(cells[2], k));
@@ -163,8 +148,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
             m_andnot(m_andnot(has_layer, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
         if (!m_bits(has_layer))
             break;
-        lane_run run_k = whole_run(cells[0]);
-        narrow(&run_k, &zx, k, is_exact);
+        const row_cells in_layer = cells_within(&zx, cells[0], k, is_exact);
         vnum side_k[3];
         for (int e = 0; e < 3; e++)
             side_k[e] = v_fma(side[e].k_slope, k, side[e].at);
@@ -175,14 +159,14 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
             const vmask in = m_and(in_k, v_gt(cells[1], j));
             const vnum slack = lane_min3(v_fma(side[0].j_slope, j, side_k[0]), v_fma(side[1].j_slope, j, side_k[1]),
                                          v_fma(side[2].j_slope, j, side_k[2]));
-            lane_run run = run_k;
-            narrow_by_run(&run, &in_j[row], is_exact);
-            narrow_by_plane(&run, &plane, v_fma(plane.j_slope, j, plane_k), is_exact);
-            vint set = i_keep(m_andnot(in, v_gt(none, slack)), run_bits(run.first_maybe, run.end_maybe));
+            const row_cells in_plane = cells_by_plane(&plane, v_fma(plane.j_slope, j, plane_k), is_exact);
+            const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);
+            vint set = i_keep(m_andnot(in, v_gt(none, slack)), maybe);
             if (is_exact) {
-                const vint maybe = set;
-                set = i_keep(m_andnot(in, v_gt(side_error, slack)), run_bits(run.first_certain, run.end_certain));
-                const vint open = i_andnot(maybe, set);
+                const vint certain = i_and(i_and(in_row[row].certain, in_layer.certain), in_plane.certain);
+                const vint open_or_set = set;
+                set = i_keep(m_andnot(in, v_gt(side_error, slack)), certain);
+                const vint open = i_andnot(open_or_set, set);
                 if (m_bits(m_has_bits(open))) {
                     const lane_row at_row = {base[0], v_add(base[1], j), z, m_none()};
                     wait_for_cells(v, queue, at, &at_row, open);

@@ -53,13 +53,10 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
             m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
         if (!m_bits(has_row))
             break;
-        lane_run run = whole_run(along);
-        narrow(&run, &limits, r, is_exact);
-        vint set = i_keep(in, run_bits(run.first_maybe, run.end_maybe));
+        const row_cells of_row = cells_within(&limits, along, r, is_exact);
+        const vint set = i_keep(in, of_row.certain);
         if (is_exact) {
-            const vint maybe = set;
-            set = i_keep(in, run_bits(run.first_certain, run.end_certain));
-            const vint open = i_andnot(maybe, set);
+            const vint open = i_andnot(i_keep(in, of_row.maybe), set);
             if (m_bits(m_has_bits(open))) {
                 const lane_row at_row = {base[0], v_fma(step_j, r, base[1]), z, is_x};
                 wait_for_cells(v, queue, at, &at_row, open);

@@ -134,9 +134,29 @@ TRIBOX_INLINE void narrow(lane_run *run, const shadow_limits *limits, vnum p, bo
     }
 }
 
-/* The bits of a run's cells. */
+/* Cells of a row, a bit each. */
+typedef struct row_cells {
+    vint maybe, certain;
+} row_cells;
+
 TRIBOX_INLINE vint run_bits(vnum first, vnum end)
 {
     const vnum half = v_splat(0.5f);
     return i_andnot(i_ones_from(v_max(first, half)), i_ones_from(v_max(end, half)));
+}
+
+TRIBOX_INLINE row_cells cells_of(const lane_run *run, bool is_exact)
+{
+    row_cells cells;
+    cells.maybe = run_bits(run->first_maybe, run->end_maybe);
+    cells.certain = is_exact ? run_bits(run->first_certain, run->end_certain) : cells.maybe;
+    return cells;
+}
+
+/* The cells that the limits leave of the first `cells` of row p. */
+TRIBOX_INLINE row_cells cells_within(const shadow_limits *limits, vnum cells, vnum p, bool is_exact)
+{
+    lane_run run = whole_run(cells);
+    narrow(&run, limits, p, is_exact);
+    return cells_of(&run, is_exact);
 }

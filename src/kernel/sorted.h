@@ -6,16 +6,16 @@
  * they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the layers asked for.
  */
 
-static void hand_on(tribox_voxels *v, const lane_reach *r, uint64_t lanes)
+static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
 {
     float u[9][V_LANES], base[3][V_LANES], cells[3][V_LANES];
     uint64_t spans[3];
     for (int n = 0; n < 9; n++)
-        v_write(u[n], r->u[n]);
+        v_write(u[n], r.u[n]);
     for (int a = 0; a < 3; a++) {
-        v_write(base[a], r->base[a]);
-        v_write(cells[a], r->cells[a]);
-        spans[a] = m_bits(r->spans[a]);
+        v_write(base[a], r.base[a]);
+        v_write(cells[a], r.cells[a]);
+        spans[a] = m_bits(r.spans[a]);
     }
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
@@ -33,11 +33,11 @@ static void hand_on(tribox_voxels *v, const lane_reach *r, uint64_t lanes)
 }
 
 /* Triangles that are not known to be finite. */
-static void add_each(tribox_voxels *v, const lane_reach *r, uint64_t lanes)
+static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
 {
     float u[9][V_LANES];
     for (int n = 0; n < 9; n++)
-        v_write(u[n], r->u[n]);
+        v_write(u[n], r.u[n]);
     for (; lanes; lanes &= lanes - 1) {
         float triangle[9];
         for (int n = 0; n < 9; n++)
@@ -136,16 +136,18 @@ TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(m
 static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
     const vmask present = lanes_between(from, end_lane);
-    lane_reach r = {.inside = present};
+    lane_reach r;
+    r.inside = present;
     for (int n = 0; n < 9; n++)
         r.u[n] = v_load(tribox_soup_axis(soup, n / 3)[n % 3] + at);
     const vmask finite = is_finite(r.u);
-    for (int a = 0; a < 3; a++)
-        reach_axis(&r, v, a);
+    reach_axis(&r, v, 0);
+    reach_axis(&r, v, 1);
+    reach_axis(&r, v, 2);
     const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->first_layer), end = v_splat((float)v->end_layer);
     const vmask inside = m_and(m_and(r.inside, finite), m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
     if (m_bits(m_andnot(present, finite)))
-        add_each(v, &r, m_bits(m_andnot(present, finite)));
+        add_each(v, r, m_bits(m_andnot(present, finite)));
     if (!m_bits(inside))
         return;
 
@@ -176,7 +178,7 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
     enqueue(v, TRIBOX_BRICKS_8, m_andnot(bricks, m_or(small, middle)), &r);
     left = m_andnot(left, m_or(flats, bricks));
     if (m_bits(left))
-        hand_on(v, &r, m_bits(left));
+        hand_on(v, r, m_bits(left));
 }
 
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */

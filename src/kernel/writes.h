@@ -18,7 +18,12 @@ static void write_listed(tribox_voxels *v)
 {
     tribox_writes *const w = &v->writes;
     size_t set = 0;
+    if (!w->count)
+        return;
+    for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
+        w->half[w->count + n] = w->half[w->count - 1];
     for (unsigned n = 0; n < w->count; n++) {
+        tribox_will_write(half_at(v->occupied, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
         unsigned char *const at = half_at(v->occupied, (uint32_t)w->half[n]);
         uint32_t before;
         memcpy(&before, at, sizeof before);
