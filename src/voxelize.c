@@ -100,6 +100,7 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
         v->row_words = tribox_grid_row_words(grid);
         v->row_halves = (int32_t)(2 * v->row_words);
         v->occupied = occupied;
+        v->is_far = v->row_words * grid->size[1] * layers > 1 << 17;
         v->counts = (tribox_report){0, 0};
         v->waiting.count = v->writes.count = 0;
         v->lattice = lattice_of(grid);

@@ -69,6 +69,7 @@ struct tribox_voxels {
     size_t row_words;
     int32_t row_halves;
     uint64_t *occupied; /* of the first layer */
+    bool is_far;        /* from the nearer caches: more than 1 MiB of bits */
     tribox_report counts;
     tribox_writes writes;
     tribox_queue queue[TRIBOX_CLASSES];

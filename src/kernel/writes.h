@@ -14,24 +14,31 @@ TRIBOX_INLINE unsigned char *half_at(uint64_t *occupied, uint32_t half)
     return (unsigned char *)occupied + 4 * (size_t)(first ? half : half ^ 1);
 }
 
-static void write_listed(tribox_voxels *v)
+/* Fetching ahead pays where the grid is larger than a cache, and costs where it is not. */
+TRIBOX_INLINE size_t write_each(const tribox_writes *w, uint64_t *occupied, bool is_far)
 {
-    tribox_writes *const w = &v->writes;
     size_t set = 0;
-    if (!w->count)
-        return;
-    for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
-        w->half[w->count + n] = w->half[w->count - 1];
     for (unsigned n = 0; n < w->count; n++) {
-        tribox_will_write(half_at(v->occupied, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
-        unsigned char *const at = half_at(v->occupied, (uint32_t)w->half[n]);
+        unsigned char *const at = half_at(occupied, (uint32_t)w->half[n]);
         uint32_t before;
+        if (is_far)
+            tribox_will_write(half_at(occupied, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
         memcpy(&before, at, sizeof before);
         const uint32_t after = before | (uint32_t)w->bits[n];
         memcpy(at, &after, sizeof after);
         set += tribox_count_bits(after ^ before);
     }
-    v->counts.overlapping += set;
+    return set;
+}
+
+static void write_listed(tribox_voxels *v)
+{
+    tribox_writes *const w = &v->writes;
+    if (!w->count)
+        return;
+    for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
+        w->half[w->count + n] = w->half[w->count - 1];
+    v->counts.overlapping += v->is_far ? write_each(w, v->occupied, true) : write_each(w, v->occupied, false);
     w->count = 0;
 }
 
