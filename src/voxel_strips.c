@@ -51,14 +51,16 @@ static void join(tribox_voxels *v, const float u[9], const int64_t base[3], cons
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
 static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cells[3])
 {
-    const int64_t end_k = tribox_least(base[2] + cells[2], v->end_layer);
-    size_t set = 0;
-    for (int64_t k = tribox_greatest(base[2], v->first_layer); k < end_k; k++) {
-        uint64_t *row = v->occupied + ((k - v->first_layer) * v->grid->size[1] + base[1]) * (int64_t)v->row_words;
-        for (int64_t j = 0; j < cells[1]; j++, row += v->row_words)
-            set += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
-    }
-    v->counts.overlapping += set;
+    const int64_t from = tribox_greatest(base[2], v->first_layer), end = tribox_least(base[2] + cells[2], v->end_layer);
+    const size_t layer_words = v->row_words * v->grid->size[1];
+    uint64_t *const row = v->occupied + (size_t)(from - v->first_layer) * layer_words + (size_t)base[1] * v->row_words;
+    const uint64_t bit = UINT64_C(1) << base[0] % 64;
+    if (cells[0] > 1)
+        v->counts.overlapping += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
+    else if (cells[1] > 1)
+        v->counts.overlapping += tribox_set_column(row + base[0] / 64, v->row_words, cells[1], bit);
+    else
+        v->counts.overlapping += tribox_set_column(row + base[0] / 64, layer_words, end - from, bit);
 }
 
 /* By the axes on which the box spans more than one cell, even if some lie outside the grid (kernel_grid.h). */

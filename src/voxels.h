@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#include "bits.h"
+#include "cell_bits.h"
 #include "plan.h"
 
 /* Bits to be set, in halves of words (kernel/writes.h): written when more than TRIBOX_WRITES are listed. */
@@ -89,20 +89,6 @@ static inline void tribox_will_write(const void *at)
 
 static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b; }
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
-
-/* Sets cells first to last of a row, a word at a time. Returns how many were not set before. */
-static inline size_t tribox_set_cells(uint64_t *row, int64_t first, int64_t last)
-{
-    const uint64_t full = ~UINT64_C(0), from = full << first % 64, to = full >> (63 - last % 64);
-    uint64_t *word = row + first / 64, *const end = row + last / 64;
-    if (word == end)
-        return tribox_set_bits(word, from & to);
-    size_t set = tribox_set_bits(word, from);
-    while (++word < end)
-        if (*word != full)
-            set += tribox_set_bits(word, full);
-    return set + tribox_set_bits(word, to);
-}
 
 /* Cells first to last of row (j, k) wait with triangle u. */
 void tribox_voxels_wait(tribox_voxels *v, const float u[9], int64_t first, int64_t last, int64_t j, int64_t k);
