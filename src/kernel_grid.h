@@ -25,25 +25,6 @@ enum { TRIBOX_STRIP = 32 };
  */
 typedef enum tribox_shape { TRIBOX_SOLID, TRIBOX_FLAT_X, TRIBOX_FLAT_Y, TRIBOX_FLAT_Z, TRIBOX_SHAPES } tribox_shape;
 
-/*
- * Limits on the cells of rows along x, linear in row j and layer k. Of triangle t, with i, j and k counted from its base:
- *   a side keeps a row where at + j_slope * j + k_slope * k >= 0, up to its error
- *   an upper limit keeps the cells with i + 1 <= at + slope * (j or k), a lower limit those with i + 1 > at + slope * (j or k),
- *   up to their errors (PROOFS.md 7.5)
- */
-typedef struct tribox_side {
-    double at[TRIBOX_STRIP], j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
-} tribox_side;
-
-typedef struct tribox_limit {
-    double at[TRIBOX_STRIP], slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
-} tribox_limit;
-
-/* The plane: an upper and a lower limit with the same slopes and error. */
-typedef struct tribox_slab {
-    double upper[TRIBOX_STRIP], lower[TRIBOX_STRIP], j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP], error[TRIBOX_STRIP];
-} tribox_slab;
-
 /* Triangles of one shape. */
 typedef struct tribox_strip {
     unsigned count;
@@ -52,23 +33,6 @@ typedef struct tribox_strip {
     double cells[3][TRIBOX_STRIP];                 /* how many there are on each axis, within the grid */
     int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, in words from the first layer's start */
 } tribox_strip;
-
-/* Their limits: those that the shape needs. */
-typedef struct tribox_limits {
-    tribox_side side[3];                   /* of the projection along x */
-    tribox_limit upper[2][2], lower[2][2]; /* [0] of the projection along y, linear in k; [1] along z, linear in j */
-    tribox_slab plane;
-    double error[TRIBOX_STRIP]; /* the largest of the limits' errors, in cells */
-    double cells[2][TRIBOX_STRIP];
-} tribox_limits;
-
-/*
- * Of each of 64 rows the cells that may overlap, and of those the ones that certainly do: from first to before end, none where
- * end <= first. All lie from 0 to cells[0].
- */
-typedef struct tribox_row_cells {
-    int32_t first_maybe[64], end_maybe[64], first_certain[64], end_certain[64];
-} tribox_row_cells;
 
 /*
  * Sets the rows of a strip's triangles. The numbers of the strip after the last, up to a multiple of TRIBOX_DOUBLES_MAX (kernel.h),

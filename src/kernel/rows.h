@@ -1,5 +1,5 @@
 /*
- * rows.h - one triangle against rows of grid cells, in double: each axis leaves an interval of the row.
+ * rows.h - the limits that each axis puts on the cells that one triangle overlaps, in double.
  * After: axes.h. Needs: v_div, v_read, v_write_int.
  *
  * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these,
@@ -7,8 +7,9 @@
  * corner of the cell that is least along m,
  *   m_a (g_ja - X_a) + m_b (g_jb - X_b) >= 0
  * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that plus one: the left side is linear in the cell.
- * Along x it is a limit on i; in the projection along x it is a side, which takes or leaves whole rows. The plane limits i from
- * both ends:
+ * So the projections along y and z limit i in each row, and the one along x limits j in each layer, up to an error:
+ *   an upper limit keeps the cells with i + 1 <= at + slope * (k or j), a lower limit those with i + 1 > at + slope * (k or j)
+ * The plane limits i from both ends:
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
  * Error bounds (PROOFS.md 7.2, 7.6). With F_a the extent of the triangle in cells and R_a = F_a + cells + 2, |g - X| <= 3 R_a
@@ -18,18 +19,32 @@
  * where 2^-44, 512 u at u = 2^-53, covers the roundings of these lines and a sign of n_i that they turn. The plane is off by at
  * most
  *   sum of |n_a| E_a + 2^-43 S     S = sum of F_a F_b R_i
- * Divided by |m_x| or |n_x| these bound a limit. Where n_x is below 2^-46 S / R_x, that is used in its place, which moves the plane
- * by at most 3 * 2^-46 S (PROOFS.md 7.7). FAST keeps 2^-43 S: without it a segment, whose n is zero, would be lost.
+ * Divided by |m_x| (by |m_y| for a limit on j) or |n_x| these bound a limit. Where n_x is below 2^-46 S / R_x, that is used in its
+ * place, which moves the plane by at most 3 * 2^-46 S (PROOFS.md 7.7). FAST keeps 2^-43 S: without it a segment, whose n is zero,
+ * would be lost.
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */
 
-/* To the nearest integer, for places in a grid: below 2^51. */
-TRIBOX_INLINE vnum rounded(vnum a)
-{
-    const vnum shift = v_splat(0x1.8p52);
-    return v_sub(v_add(a, shift), shift);
-}
+/* A limit of each triangle of a strip, moved outwards by its error (maybe) and inwards (certain). */
+typedef struct strip_limit {
+    double maybe[TRIBOX_STRIP], certain[TRIBOX_STRIP], slope[TRIBOX_STRIP];
+} strip_limit;
+
+/* The plane: an upper and a lower limit with the same slopes. */
+typedef struct strip_plane {
+    double upper_maybe[TRIBOX_STRIP], upper_certain[TRIBOX_STRIP], lower_maybe[TRIBOX_STRIP], lower_certain[TRIBOX_STRIP];
+    double j_slope[TRIBOX_STRIP], k_slope[TRIBOX_STRIP];
+} strip_plane;
+
+/* Those that a shape needs. [0]: of the projection along x, on j by k; [1]: along y, on i by k; [2]: along z, on i by j. */
+typedef struct strip_limits {
+    strip_limit upper[3][2], lower[3][2];
+    strip_plane plane; /* on i by both */
+} strip_limits;
+
+/* Whether the projection along i limits a shape. */
+TRIBOX_INLINE bool is_limited(tribox_shape shape, int i) { return shape == TRIBOX_SOLID || (int)shape == TRIBOX_FLAT_X + i; }
 
 typedef struct row_triangle {
     vnum f[3][3], g[3][3]; /* edges and vertices, [j][a] */
@@ -86,18 +101,6 @@ TRIBOX_INLINE row_axis axis_of(const row_triangle *t, int i, int j)
                       m_and(is_not_zero(m_a), is_not_zero(m_b))};
 }
 
-TRIBOX_INLINE void write_sides(tribox_limits *limits, unsigned at, const row_triangle *t, vnum bound_scale)
-{
-    const vnum zero = v_splat(0), error = v_mul(bound_scale, edges_error(t, 0));
-    for (int j = 0; j < 3; j++) {
-        const row_axis axis = axis_of(t, 0, j);
-        v_write(&limits->side[j].at[at], v_select(axis.asked, axis.slack, v_splat(INFINITY)));
-        v_write(&limits->side[j].j_slope[at], v_select(axis.asked, v_sub(zero, axis.m_a), zero));
-        v_write(&limits->side[j].k_slope[at], v_select(axis.asked, v_sub(zero, axis.m_b), zero));
-        v_write(&limits->side[j].error[at], error);
-    }
-}
-
 /* A limit in lanes, one more than the place that it stands for; infinite where there is none. */
 typedef struct row_limit {
     vnum at, slope, error;
@@ -108,47 +111,50 @@ TRIBOX_INLINE row_limit select_limit(vmask m, const row_limit *a, const row_limi
     return (row_limit){v_select(m, a->at, b->at), v_select(m, a->slope, b->slope), v_select(m, a->error, b->error)};
 }
 
-TRIBOX_INLINE void write_limit(tribox_limit *limit, unsigned at, const row_limit *from)
+TRIBOX_INLINE void write_upper(strip_limit *limit, unsigned at, const row_limit *from)
 {
-    v_write(&limit->at[at], from->at);
+    v_write(&limit->maybe[at], v_add(from->at, from->error));
+    v_write(&limit->certain[at], v_sub(from->at, from->error));
     v_write(&limit->slope[at], from->slope);
-    v_write(&limit->error[at], from->error);
+}
+
+TRIBOX_INLINE void write_lower(strip_limit *limit, unsigned at, const row_limit *from)
+{
+    v_write(&limit->maybe[at], v_sub(from->at, from->error));
+    v_write(&limit->certain[at], v_add(from->at, from->error));
+    v_write(&limit->slope[at], from->slope);
 }
 
 /*
- * The three edges of the projection along i, 1 or 2: at most two of their limits are upper and at most two lower, as the m_x sum to
- * zero (PROOFS.md 7.5). One limit may fill both places. Returns the largest error.
+ * The three edges of the projection along i: at most two of their limits are upper and at most two lower, as the m of the axis that
+ * they limit sum to zero (PROOFS.md 7.5). One limit may fill both places.
  */
-TRIBOX_INLINE vnum write_limits(tribox_limits *limits, unsigned at, const row_triangle *t, int i, vnum bound_scale)
+TRIBOX_INLINE void write_limits(strip_limits *limits, unsigned at, const row_triangle *t, int i, vnum bound_scale)
 {
     const vnum zero = v_splat(0), error = v_mul(bound_scale, edges_error(t, i));
     const row_limit no_upper = {v_splat(INFINITY), zero, zero}, no_lower = {v_splat(-INFINITY), zero, zero};
     row_limit limit[3];
     vmask is_upper[3], is_lower[3];
-    vnum largest = zero;
     for (int j = 0; j < 3; j++) {
         const row_axis axis = axis_of(t, i, j);
-        const vnum m_x = i == 1 ? axis.m_b : axis.m_a, m_other = i == 1 ? axis.m_a : axis.m_b;
-        const vnum per_m = v_div(v_splat(1), m_x);
+        const vnum m = i == 1 ? axis.m_b : axis.m_a, m_other = i == 1 ? axis.m_a : axis.m_b;
+        const vnum per_m = v_div(v_splat(1), m);
         limit[j] =
             (row_limit){v_fma(axis.slack, per_m, v_splat(1)), v_mul(v_sub(zero, m_other), per_m), v_mul(error, v_abs(per_m))};
-        is_upper[j] = m_and(axis.asked, v_gt(m_x, zero));
-        is_lower[j] = m_and(axis.asked, v_gt(zero, m_x));
-        largest = v_max(largest, v_select(axis.asked, limit[j].error, zero));
+        is_upper[j] = m_and(axis.asked, v_gt(m, zero));
+        is_lower[j] = m_and(axis.asked, v_gt(zero, m));
     }
     const row_limit third_upper = select_limit(is_upper[2], &limit[2], &no_upper);
     const row_limit third_lower = select_limit(is_lower[2], &limit[2], &no_lower);
     for (int j = 0; j < 2; j++) {
         const row_limit upper = select_limit(is_upper[j], &limit[j], &third_upper);
         const row_limit lower = select_limit(is_lower[j], &limit[j], &third_lower);
-        write_limit(&limits->upper[i - 1][j], at, &upper);
-        write_limit(&limits->lower[i - 1][j], at, &lower);
+        write_upper(&limits->upper[i][j], at, &upper);
+        write_lower(&limits->lower[i][j], at, &lower);
     }
-    return largest;
 }
 
-/* Returns the error of its limits. */
-TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_triangle *t, vnum bound_scale)
+TRIBOX_INLINE void write_plane(strip_plane *plane, unsigned at, const row_triangle *t, vnum bound_scale)
 {
     const vnum zero = v_splat(0), one = v_splat(1);
     vnum n[3], S = zero, error = zero, least = zero, most = zero, d = zero;
@@ -167,13 +173,14 @@ TRIBOX_INLINE vnum write_plane(tribox_limits *limits, unsigned at, const row_tri
         d = v_fma(n[a], t->g[0][a], d);
     }
     const vnum per_n = v_div(one, n[0]);
-    error = v_select(asked, v_mul(v_fma(v_splat(0x1p-43), S, v_mul(bound_scale, error)), per_n), zero);
-    v_write(&limits->plane.upper[at], v_select(asked, v_fma(v_sub(d, least), per_n, one), v_splat(INFINITY)));
-    v_write(&limits->plane.lower[at], v_select(asked, v_fma(v_sub(d, most), per_n, one), v_splat(-INFINITY)));
-    v_write(&limits->plane.j_slope[at], v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero));
-    v_write(&limits->plane.k_slope[at], v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero));
-    v_write(&limits->plane.error[at], error);
-    return error;
+    error = v_mul(v_fma(v_splat(0x1p-43), S, v_mul(bound_scale, error)), per_n);
+    const vnum upper = v_fma(v_sub(d, least), per_n, one), lower = v_fma(v_sub(d, most), per_n, one);
+    v_write(&plane->upper_maybe[at], v_select(asked, v_add(upper, error), v_splat(INFINITY)));
+    v_write(&plane->upper_certain[at], v_select(asked, v_sub(upper, error), v_splat(INFINITY)));
+    v_write(&plane->lower_maybe[at], v_select(asked, v_sub(lower, error), v_splat(-INFINITY)));
+    v_write(&plane->lower_certain[at], v_select(asked, v_add(lower, error), v_splat(-INFINITY)));
+    v_write(&plane->j_slope[at], v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero));
+    v_write(&plane->k_slope[at], v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero));
 }
 
 /* A triangle without extent limits nothing. */
@@ -186,119 +193,70 @@ TRIBOX_INLINE row_triangle without_extent(const row_triangle *t)
 }
 
 TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale,
-                           tribox_limits *limits, tribox_shape shape)
+                           strip_limits *limits, tribox_shape shape)
 {
     for (unsigned at = 0; at < strip->count; at += V_LANES) {
         row_triangle t;
-        vnum error = v_splat(0);
         for (int a = 0; a < 3; a++)
             place_axis(&t, strip, at, lattice, a);
         for (int i = 0; i < 3; i++)
             place_normal(&t, i);
         const row_triangle edges = axes & TRIBOX_AXES_EDGES ? t : without_extent(&t);
         const row_triangle plane = axes & TRIBOX_AXES_PLANE ? t : without_extent(&t);
-        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_X)
-            write_sides(limits, at, &edges, v_splat(bound_scale));
-        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_Y)
-            error = v_max(error, write_limits(limits, at, &edges, 1, v_splat(bound_scale)));
-        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_Z)
-            error = v_max(error, write_limits(limits, at, &edges, 2, v_splat(bound_scale)));
+        for (int i = 0; i < 3; i++)
+            if (is_limited(shape, i))
+                write_limits(limits, at, &edges, i, v_splat(bound_scale));
         if (shape == TRIBOX_SOLID)
-            error = v_max(error, write_plane(limits, at, &plane, v_splat(bound_scale)));
-        v_write(&limits->error[at], error);
-        for (int a = 0; a < 2; a++)
-            v_write(&limits->cells[a][at], v_read(&strip->cells[a][at]));
+            write_plane(&limits->plane, at, &plane, v_splat(bound_scale));
     }
 }
 
-/* The limits of rows in lanes: of the cells that may overlap, or of those that certainly do. */
-typedef struct row_ends {
-    vnum side, upper, lower;
-} row_ends;
+/* The limits of runs of cells in lanes: of the cells that may overlap, and of those that certainly do. */
+typedef struct run_ends {
+    vnum upper, lower;
+} run_ends;
 
-/*
- * Whole cells. A limit is one more than a place, so that cutting off its fraction rounds up (PROOFS.md 7.5); clamped half a cell
- * clear of zero and of `cells`, both ends lie in the row whatever the limits.
- */
-TRIBOX_INLINE void write_ends(int32_t *first, int32_t *end, const row_ends *ends, vnum cells)
+typedef struct run_limits {
+    run_ends maybe, certain;
+} run_limits;
+
+TRIBOX_INLINE run_limits no_limits(void)
 {
-    const vnum half = v_splat(0.5), last = v_add(cells, half);
-    const vnum upper = v_select(v_gt(v_splat(0), ends->side), half, ends->upper);
-    v_write_int(end, v_min(v_max(upper, half), last));
-    v_write_int(first, v_min(v_max(ends->lower, half), last));
+    const run_ends none = {v_splat(INFINITY), v_splat(-INFINITY)};
+    return (run_limits){none, none};
 }
 
-TRIBOX_INLINE void limit(row_ends *ends, vnum upper, vnum lower)
+TRIBOX_INLINE void narrow(run_ends *ends, vnum upper, vnum lower)
 {
     ends->upper = v_min(ends->upper, upper);
     ends->lower = v_max(ends->lower, lower);
 }
 
-/* Limits with errors of their own, or without where one common error follows. */
-TRIBOX_INLINE void limit_both(row_ends *maybe, row_ends *certain, vnum upper, vnum lower, vnum upper_error, vnum lower_error,
-                              bool is_error_common)
+/* By triangle t's edges of the projection along i, at the places p of the axis that their limits are linear in. */
+TRIBOX_INLINE void narrow_by_edges(run_limits *run, const strip_limits *limits, unsigned t, int i, vnum p)
 {
-    if (is_error_common) {
-        limit(maybe, upper, lower);
-    } else {
-        limit(maybe, v_add(upper, upper_error), v_sub(lower, lower_error));
-        limit(certain, v_sub(upper, upper_error), v_add(lower, lower_error));
+    for (int e = 0; e < 2; e++) {
+        const strip_limit *const upper = &limits->upper[i][e], *const lower = &limits->lower[i][e];
+        const vnum upper_slope = v_splat(upper->slope[t]), lower_slope = v_splat(lower->slope[t]);
+        narrow(&run->maybe, v_fma(upper_slope, p, v_splat(upper->maybe[t])), v_fma(lower_slope, p, v_splat(lower->maybe[t])));
+        narrow(&run->certain, v_fma(upper_slope, p, v_splat(upper->certain[t])), v_fma(lower_slope, p, v_splat(lower->certain[t])));
     }
 }
 
-TRIBOX_INLINE void limit_rows(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out,
-                              tribox_shape shape, bool is_error_common)
+TRIBOX_INLINE void narrow_by_plane(run_limits *run, const strip_plane *plane, unsigned t, vnum j, vnum k)
 {
-    static const float count[64] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
-                                    22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43,
-                                    44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63};
-    const vnum wide = v_splat(limits->cells[1][t]), per_wide = v_splat(1 / limits->cells[1][t]),
-               cells = v_splat(limits->cells[0][t]);
-    for (unsigned at = 0; at < rows; at += V_LANES) {
-        const vnum r = v_add(v_splat(row), v_load(&count[at])), half = v_splat(0.5);
-        const vnum k = rounded(v_fms(v_add(r, half), per_wide, half)), j = v_sub(r, v_mul(k, wide));
-        row_ends maybe = {v_splat(INFINITY), v_splat(INFINITY), v_splat(-INFINITY)}, certain = maybe;
-        if (shape == TRIBOX_SOLID || shape == TRIBOX_FLAT_X) {
-            vnum slack = v_splat(INFINITY);
-            for (int e = 0; e < 3; e++)
-                slack = v_min(slack, v_fma(v_splat(limits->side[e].j_slope[t]), j,
-                                           v_fma(v_splat(limits->side[e].k_slope[t]), k, v_splat(limits->side[e].at[t]))));
-            maybe.side = v_add(slack, v_splat(limits->side[0].error[t]));
-            certain.side = v_sub(slack, v_splat(limits->side[0].error[t]));
-        }
-        for (int e = 0; e < 4; e++) {
-            const tribox_limit *const upper = &limits->upper[e / 2][e % 2], *const lower = &limits->lower[e / 2][e % 2];
-            const vnum p = e < 2 ? k : j;
-            if (shape == TRIBOX_SOLID || shape == (e < 2 ? TRIBOX_FLAT_Y : TRIBOX_FLAT_Z))
-                limit_both(&maybe, &certain, v_fma(v_splat(upper->slope[t]), p, v_splat(upper->at[t])),
-                           v_fma(v_splat(lower->slope[t]), p, v_splat(lower->at[t])), v_splat(upper->error[t]),
-                           v_splat(lower->error[t]), is_error_common);
-        }
-        if (shape == TRIBOX_SOLID) {
-            const tribox_slab *const plane = &limits->plane;
-            const vnum along = v_fma(v_splat(plane->j_slope[t]), j, v_mul(v_splat(plane->k_slope[t]), k));
-            const vnum error = v_splat(plane->error[t]);
-            limit_both(&maybe, &certain, v_add(along, v_splat(plane->upper[t])), v_add(along, v_splat(plane->lower[t])), error,
-                       error, is_error_common);
-        }
-        if (is_error_common) {
-            const vnum error = v_splat(limits->error[t]);
-            certain.upper = v_sub(maybe.upper, error);
-            certain.lower = v_add(maybe.lower, error);
-            maybe.upper = v_add(maybe.upper, error);
-            maybe.lower = v_sub(maybe.lower, error);
-        }
-        write_ends(&out->first_maybe[at], &out->end_maybe[at], &maybe, cells);
-        write_ends(&out->first_certain[at], &out->end_certain[at], &certain, cells);
-    }
+    const vnum along = v_fma(v_splat(plane->j_slope[t]), j, v_mul(v_splat(plane->k_slope[t]), k));
+    narrow(&run->maybe, v_add(along, v_splat(plane->upper_maybe[t])), v_add(along, v_splat(plane->lower_maybe[t])));
+    narrow(&run->certain, v_add(along, v_splat(plane->upper_certain[t])), v_add(along, v_splat(plane->lower_certain[t])));
 }
 
-/* One error for all limits, the largest, costs fewer operations; that of an edge nearly parallel to x would open too many cells. */
-TRIBOX_INLINE void walk_rows(const tribox_limits *limits, unsigned t, double row, unsigned rows, tribox_row_cells *out,
-                             tribox_shape shape)
+/*
+ * Whole cells. A limit is one more than a place, so that cutting off its fraction rounds up (PROOFS.md 7.5); clamped half a cell
+ * clear of zero and of `cells`, both ends lie in the run whatever the limits.
+ */
+TRIBOX_INLINE void write_ends(int32_t *first, int32_t *end, const run_ends *ends, vnum cells)
 {
-    if (limits->error[t] < 0x1p-8)
-        limit_rows(limits, t, row, rows, out, shape, true);
-    else
-        limit_rows(limits, t, row, rows, out, shape, false);
+    const vnum half = v_splat(0.5), last = v_add(cells, half);
+    v_write_int(end, v_min(v_max(ends->upper, half), last));
+    v_write_int(first, v_min(v_max(ends->lower, half), last));
 }
