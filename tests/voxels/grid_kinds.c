@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "common/contact.h"
 
@@ -137,6 +138,24 @@ static void draw_huge(random_source *r, tribox_grid *grid)
     scale(grid, random_int_between(r, 80, 115));
 }
 
+/* Small and large, but far from the ends of the float range. */
+static void draw_scaled(random_source *r, tribox_grid *grid)
+{
+    draw_any(r, grid);
+    scale(grid, random_int(r, 2) ? -90 : 90);
+}
+
+/* Planes that are off by nearly half a cell, by just that, and by more: from there on float tells no cell from its neighbour. */
+static void draw_brink(random_source *r, tribox_grid *grid)
+{
+    const int spacings = random_int_between(r, 1, 2);
+    for (int a = 0; a < 3; a++) {
+        const int exponent = random_int_between(r, 20, 22), from = random_int_between(r, -40, 40);
+        grid->cell[a] = ldexpf((float)spacings, exponent - 23);
+        grid->origin[a] = (float)(random_int(r, 2) ? 1 : -1) * ldexpf(1, exponent + spacings - 1) + grid->cell[a] * (float)from;
+    }
+}
+
 /* Cells of a few times the least float. */
 static void draw_subnormal(random_source *r, tribox_grid *grid)
 {
@@ -185,6 +204,8 @@ static const grid_kind kinds[] = {
     {"own lengths", draw_own_lengths, true},
     {"tiny", draw_tiny, false},
     {"huge", draw_huge, false},
+    {"scaled", draw_scaled, true},
+    {"brink", draw_brink, true},
     {"subnormal", draw_subnormal, false},
     {"mixed", draw_mixed, false},
     {"range", draw_ends_of_range, false},
@@ -194,6 +215,15 @@ static const grid_kind kinds[] = {
 size_t grid_kind_count(void) { return sizeof kinds / sizeof kinds[0]; }
 
 const grid_kind *grid_kind_at(size_t i) { return &kinds[i]; }
+
+void draw_grid_of_size(random_source *r, const grid_kind *kind, const uint32_t size[3], grid_planes *l)
+{
+    tribox_grid grid;
+    do {
+        memcpy(grid.size, size, sizeof grid.size);
+        kind->draw(r, &grid);
+    } while (!grid_planes_make(l, &grid));
+}
 
 void draw_grid_of_kind(random_source *r, const grid_kind *kind, size_t cells, grid_planes *l)
 {

@@ -14,7 +14,10 @@ typedef struct grid_kind {
 size_t grid_kind_count(void);
 const grid_kind *grid_kind_at(size_t i);
 
-/* Draws until the planes rise strictly. At most `cells` cells. */
+/* A grid of these sizes, but of one cell if that is what the kind is about; draws until the planes rise strictly. */
+void draw_grid_of_size(random_source *r, const grid_kind *kind, const uint32_t size[3], grid_planes *l);
+
+/* The same of any sizes, at most `cells` cells. */
 void draw_grid_of_kind(random_source *r, const grid_kind *kind, size_t cells, grid_planes *l);
 
 #endif
