@@ -49,14 +49,12 @@ typedef struct tribox_cell_range {
     bool spans[3];
 } tribox_cell_range;
 
-/* Open cells. */
+/* Open cells of up to TRIBOX_WAITING rows: of row at[1], at[2] those of these bits, counted along x from at[0] on. */
 enum { TRIBOX_WAITING = 128 };
 typedef struct tribox_waiting {
     unsigned count;
-    struct {
-        float u[9]; /* the triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below */
-        int32_t at[3];
-    } cell[TRIBOX_WAITING];
+    float u[9][TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* the triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below */
+    int32_t at[3][TRIBOX_WAITING + TRIBOX_LANES_MAX], bits[TRIBOX_WAITING + TRIBOX_LANES_MAX];
 } tribox_waiting;
 
 /* One call: the layers that it writes. */

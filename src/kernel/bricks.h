@@ -7,33 +7,20 @@
  * (PROOFS.md 7.7).
  */
 
-/* A triangle that waits in a queue, and is done with by another way: cells first to last of row (j, k) are open. */
-typedef struct lane_row {
-    vnum i, j, k;     /* the cell of bit 0 */
-    vmask is_along_y; /* bits count cells along y instead of x */
-} lane_row;
-
-/* The cells of these bits wait with their triangles. */
-static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, const lane_row *row, vint bits)
+/* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
+static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint open, const vint cell[3])
 {
-    int32_t open[V_LANES];
-    float i[V_LANES], j[V_LANES], k[V_LANES];
-    const uint64_t is_along_y = m_bits(row->is_along_y);
-    i_write(open, bits);
-    v_write(i, row->i);
-    v_write(j, row->j);
-    v_write(k, row->k);
-    for (uint64_t left = m_bits(m_has_bits(bits)); left; left &= left - 1) {
-        const unsigned lane = tribox_lowest_bit(left);
-        const bool is_y = is_along_y >> lane & 1;
-        float u[9];
-        for (int n = 0; n < 9; n++)
-            u[n] = queue->u[n][at + lane];
-        for (uint32_t cells = (uint32_t)open[lane]; cells; cells &= cells - 1) {
-            const int64_t along = tribox_lowest_bit(cells), x = (int64_t)i[lane] + (is_y ? 0 : along);
-            tribox_voxels_wait(v, u, x, x, (int64_t)j[lane] + (is_y ? along : 0), (int64_t)k[lane]);
-        }
-    }
+    tribox_waiting *const w = &v->waiting;
+    const vmask m = m_has_bits(open);
+    const unsigned more = tribox_count_bits(m_bits(m));
+    if (w->count + more > TRIBOX_WAITING)
+        tribox_voxels_settle(v);
+    for (int n = 0; n < 9; n++)
+        v_pack(&w->u[n][w->count], m, v_load(&queue->u[n][at]));
+    for (int a = 0; a < 3; a++)
+        i_pack(&w->at[a][w->count], m, cell[a]);
+    i_pack(&w->bits[w->count], m, open);
+    w->count += more;
 }
 
 /* Triangles of a queue that another way has to take. */
@@ -168,8 +155,8 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
                 set = i_keep(m_andnot(in, v_gt(side_error, slack)), certain);
                 const vint open = i_andnot(open_or_set, set);
                 if (m_bits(m_has_bits(open))) {
-                    const lane_row at_row = {base[0], v_add(base[1], j), z, m_none()};
-                    wait_for_cells(v, queue, at, &at_row, open);
+                    const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], j)), i_cut(z)};
+                    wait_for_cells(v, queue, at, open, cell);
                 }
             }
             const int32_t halves = v->row_halves * (row + layer * (int32_t)v->grid->size[1]);

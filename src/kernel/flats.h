@@ -28,6 +28,15 @@ TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
         list(v, m_has_bits(i_and(set, one)), half, bit);
 }
 
+/* Open cells along y. */
+static void wait_for_column(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint open, const vint cell[3])
+{
+    const vint one = i_splat(1);
+    vint above[3] = {cell[0], cell[1], cell[2]};
+    for (; m_bits(m_has_bits(open)); open = i_shr(open, one), above[1] = i_add(above[1], one))
+        wait_for_cells(v, queue, at, i_and(open, one), above);
+}
+
 TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
 {
     vnum base[3], cells[3];
@@ -43,11 +52,11 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
     const vint step =
         i_or(i_keep(is_z, i_splat(v->row_halves)), i_keep(m_not(is_z), i_splat(v->row_halves * (int32_t)v->grid->size[1])));
-    const vnum step_j = either(is_z, 1, 0), step_k = either(is_z, 0, 1);
+    const vnum layers = either(is_z, 0, 1);
     const lane_bits bits = bits_at(v, base);
     vint half = bits.half;
     for (int row = 0; row < TRIBOX_FLAT; row++, half = i_add(half, step)) {
-        const vnum r = v_splat((float)row), z = v_fma(step_k, r, base[2]);
+        const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
         const vmask has_row = m_andnot(m_and(present, v_gt(rows, r)), wild);
         const vmask in =
             m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
@@ -58,8 +67,9 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
         if (is_exact) {
             const vint open = i_andnot(i_keep(in, of_row.maybe), set);
             if (m_bits(m_has_bits(open))) {
-                const lane_row at_row = {base[0], v_fma(step_j, r, base[1]), z, is_x};
-                wait_for_cells(v, queue, at, &at_row, open);
+                const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], v_select(is_z, r, v_splat(0)))), i_cut(z)};
+                wait_for_cells(v, queue, at, i_keep(m_not(is_x), open), cell);
+                wait_for_column(v, queue, at, i_keep(is_x, open), cell);
             }
         }
         make_room(v);
