@@ -1,10 +1,8 @@
 /*
  * bricks.h - triangles whose boxes are bricks of few cells, a packet of them at once: row by row, triangle by lane, in float.
- * After: reach.h, writes.h, shadow.h. Needs: nothing more.
+ * After: reach.h, writes.h, runs.h. Needs: nothing more.
  *
- * The limits of rows.h: the shadow along x takes or leaves whole rows, the two others and the plane limit them. Of the plane, with S the
- * sum of F_a F_b R_i, the error is 2^-16 S + sum of |n_a| E_a, and where n_x is below 2^-19 S / R_x, that is used in its place
- * (PROOFS.md 7.7).
+ * The shadow along x takes or leaves whole rows; the two others limit each row and each layer, and the plane limits the rows.
  */
 
 /* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
@@ -58,39 +56,7 @@ TRIBOX_INLINE brick_side side_of_shadow(const lane_places *y, const lane_places 
                         v_select(is_asked, v_sub(zero, axis.m_p), zero)};
 }
 
-/* The plane: an upper and a lower limit with the same slopes. */
-typedef struct brick_plane {
-    vnum end_maybe, first_maybe, end_certain, first_certain, j_slope, k_slope;
-} brick_plane;
-
-TRIBOX_INLINE brick_plane plane_of(const lane_places p[3], const vnum normal[3], vnum bound_scale, vmask asked)
-{
-    const vnum zero = v_splat(0), one = v_splat(1), most = v_splat(INFINITY), least = v_splat(-INFINITY);
-    vnum n[3], S = zero, error = zero, low = zero, high = zero, d = zero;
-    for (int i = 0; i < 3; i++) {
-        S = v_fma(v_mul(p[(i + 1) % 3].F, p[(i + 2) % 3].F), p[i].R, S);
-        n[i] = v_flip(normal[i], normal[0]); /* towards positive x */
-        asked = m_andnot(asked, v_is_zero(p[i].F));
-    }
-    n[0] = v_max(n[0], v_div(v_mul(v_splat(0x1p-19f), S), p[0].R));
-    for (int a = 0; a < 3; a++) {
-        error = v_fma(v_abs(n[a]), p[a].E, error);
-        low = v_add(low, v_min(n[a], zero));
-        high = v_add(high, v_max(n[a], zero));
-        d = v_fma(n[a], p[a].g[0], d);
-    }
-    const vnum per_n = v_div(one, n[0]);
-    const vnum off = v_mul(v_fma(v_splat(0x1p-16f), S, v_mul(bound_scale, error)), per_n);
-    const vnum upper = v_fma(v_sub(d, low), per_n, one), lower = v_fma(v_sub(d, high), per_n, one);
-    return (brick_plane){v_select(asked, v_add(upper, off), most),
-                         v_select(asked, v_sub(lower, off), least),
-                         v_select(asked, v_sub(upper, off), most),
-                         v_select(asked, v_add(lower, off), least),
-                         v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero),
-                         v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero)};
-}
-
-TRIBOX_INLINE row_cells cells_by_plane(const brick_plane *plane, vnum along, bool is_exact)
+TRIBOX_INLINE row_cells cells_by_plane(const plane_limits *plane, vnum along, bool is_exact)
 {
     const lane_run run = {v_add(along, plane->first_maybe), v_add(along, plane->end_maybe), v_add(along, plane->first_certain),
                           v_add(along, plane->end_certain)};
@@ -120,7 +86,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
     const shadow_limits zx =
         limits_of(&p[0], &p[2], v_sub(v_splat(0), n[1]), v_mul(bound_scale, shadow_error(&p[0], &p[2])), has_edges);
     const shadow_limits xy = limits_of(&p[0], &p[1], n[2], v_mul(bound_scale, shadow_error(&p[0], &p[1])), has_edges);
-    const brick_plane plane = plane_of(p, n, bound_scale, has_plane);
+    const plane_limits plane = plane_of(p, n, bound_scale, has_plane);
 
     const lane_bits bits = bits_at(v, base);
     const vmask present = m_andnot(lanes_between(0, count), wild);

@@ -1,13 +1,25 @@
 /*
- * shadow.h - shadows of triangles on two axes of a grid, in float: rows of cells along axis q are limited, linearly in the row p.
- * After: axes.h, voxels.h. Needs: v_div.
+ * limits.h - the limits that each axis puts on the cells that triangles overlap, triangle by lane.
+ * After: axes.h. Needs: v_div.
  *
- * The limits are those of rows.h, triangle by lane, and so are the names. Axes q and p of a shadow are turned so that with
- * n = f_0q f_1p - f_0p f_1q, s its sign, m_q = s f_jp and m_p = -s f_jq, a cell overlaps only if, X its corner that is least along m,
+ * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these.
+ * The shadow along an axis lies on the two others, q and p, and n = f_0q f_1p - f_0p f_1q, s its sign. Edge j says that a cell overlaps
+ * only if, with m_q = s f_jp, m_p = -s f_jq and X the corner of the cell that is least along m,
  *   m_q (g_jq - X_q) + m_p (g_jp - X_p) >= 0
+ * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that plus one: the left side is linear in the cell. So
+ * it limits the cells along q in each row p. The plane limits them along x:
+ *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
- * Error bounds (PROOFS.md 7.6), with E_a = error_a + 2^-22 (base_a + R_a) for places and planes:
- *   W = F_p (E_q + 2^-17 R_q) + F_q (E_p + 2^-17 R_p)
+ * Error bounds (PROOFS.md 7.2, 7.6, 7.7), u the unit roundoff. With F the extent of the triangle on an axis and R = F + cells + 2,
+ * |g - X| <= 3 R (<= R unless planes are nearly as close as floats). A place and the plane that it is compared with are off by at most
+ * E = error + 4 u (base + R) together, the left side of an edge by
+ *   W = F_p (E_q + 128 u R_q) + F_q (E_p + 128 u R_p)
+ * which also covers a sign of n that rounding turns, and the plane by
+ *   sum of |n_a| E_a + 256 u S     S = sum of F_a F_b R_i
+ * Divided by |m_q| or |n_x| these bound a limit. Where n_x is below 32 u S / R_x, that is used in its place. FAST keeps 256 u S: without
+ * it a segment, whose n is zero, would be lost.
+ *
+ * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */
 
 /* One axis of a triangle in places, counted from its first cell. */
@@ -25,18 +37,11 @@ TRIBOX_INLINE lane_places places_of(const vnum u[3], vnum base, vnum cells, vnum
     }
     p.F = lane_max3(v_abs(p.f[0]), v_abs(p.f[1]), v_abs(p.f[2]));
     p.R = v_add(v_add(p.F, cells), v_splat(2));
-    p.E = v_fma(v_add(base, p.R), v_splat(0x1p-22f), error);
+    p.E = v_fma(v_add(base, p.R), v_splat(4 * V_UNIT), error);
     return p;
 }
 
-/* Those that float is too narrow for: longer than 2^20 cells, or with edges that are shorter than 2^-40 cells but not zero. */
-TRIBOX_INLINE vmask is_wild(const lane_places *a)
-{
-    vmask wild = v_gt(a->F, v_splat(0x1p20f));
-    for (int j = 0; j < 3; j++)
-        wild = m_or(wild, m_andnot(v_gt(v_splat(0x1p-40f), v_abs(a->f[j])), v_is_zero(a->f[j])));
-    return wild;
-}
+TRIBOX_INLINE vmask is_not_zero(vnum a) { return v_gt(v_abs(a), v_splat(0)); }
 
 /* The cross product of the first two edges: a part of the normal. */
 TRIBOX_INLINE vnum shadow_normal(const lane_places *q, const lane_places *p)
@@ -46,7 +51,7 @@ TRIBOX_INLINE vnum shadow_normal(const lane_places *q, const lane_places *p)
 
 TRIBOX_INLINE vnum shadow_error(const lane_places *q, const lane_places *p)
 {
-    const vnum rounding = v_splat(0x1p-17f);
+    const vnum rounding = v_splat(128 * V_UNIT);
     return v_fma(p->F, v_fma(q->R, rounding, q->E), v_mul(q->F, v_fma(p->R, rounding, p->E)));
 }
 
@@ -63,7 +68,7 @@ TRIBOX_INLINE shadow_axis shadow_axis_of(const lane_places *q, const lane_places
 {
     const vnum m_q = v_flip(p->f[j], n), m_p = v_flip(q->f[j], v_flip(n, v_splat(-0.0f)));
     return (shadow_axis){m_q, m_p, v_add(from_corner(q->g[j], m_q), from_corner(p->g[j], m_p)),
-                         m_not(m_or(v_is_zero(m_q), v_is_zero(m_p)))};
+                         m_and(is_not_zero(m_q), is_not_zero(m_p))};
 }
 
 /*
@@ -109,54 +114,34 @@ TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p
     return limits;
 }
 
-/* Cells of a row from `first` to before `end`, once their fractions are cut off: those that may overlap, and those that certainly do. */
-typedef struct lane_run {
-    vnum first_maybe, end_maybe, first_certain, end_certain;
-} lane_run;
+/* The plane: an upper and a lower limit with the same slopes. */
+typedef struct plane_limits {
+    vnum end_maybe, first_maybe, end_certain, first_certain, j_slope, k_slope;
+} plane_limits;
 
-TRIBOX_INLINE lane_run whole_run(vnum cells)
+TRIBOX_INLINE plane_limits plane_of(const lane_places p[3], const vnum normal[3], vnum bound_scale, vmask asked)
 {
-    const vnum half = v_splat(0.5f), last = v_add(cells, half);
-    return (lane_run){half, last, half, last};
-}
-
-/* What the limits leave of a run in row p. */
-TRIBOX_INLINE void narrow(lane_run *run, const shadow_limits *limits, vnum p, bool is_exact)
-{
-    for (int j = 0; j < 2; j++) {
-        const shadow_limit *const upper = &limits->upper[j], *const lower = &limits->lower[j];
-        run->end_maybe = v_min(run->end_maybe, v_fma(upper->slope, p, upper->maybe));
-        run->first_maybe = v_max(run->first_maybe, v_fma(lower->slope, p, lower->maybe));
-        if (is_exact) {
-            run->end_certain = v_min(run->end_certain, v_fma(upper->slope, p, upper->certain));
-            run->first_certain = v_max(run->first_certain, v_fma(lower->slope, p, lower->certain));
-        }
+    const vnum zero = v_splat(0), one = v_splat(1), most = v_splat(INFINITY), least = v_splat(-INFINITY);
+    vnum n[3], S = zero, error = zero, low = zero, high = zero, d = zero;
+    for (int i = 0; i < 3; i++) {
+        S = v_fma(v_mul(p[(i + 1) % 3].F, p[(i + 2) % 3].F), p[i].R, S);
+        n[i] = v_flip(normal[i], normal[0]); /* towards positive x */
+        asked = m_and(asked, is_not_zero(p[i].F));
     }
-}
-
-/* Cells of a row, a bit each. */
-typedef struct row_cells {
-    vint maybe, certain;
-} row_cells;
-
-TRIBOX_INLINE vint run_bits(vnum first, vnum end)
-{
-    const vnum half = v_splat(0.5f);
-    return i_andnot(i_ones_from(v_max(first, half)), i_ones_from(v_max(end, half)));
-}
-
-TRIBOX_INLINE row_cells cells_of(const lane_run *run, bool is_exact)
-{
-    row_cells cells;
-    cells.maybe = run_bits(run->first_maybe, run->end_maybe);
-    cells.certain = is_exact ? run_bits(run->first_certain, run->end_certain) : cells.maybe;
-    return cells;
-}
-
-/* The cells that the limits leave of the first `cells` of row p. */
-TRIBOX_INLINE row_cells cells_within(const shadow_limits *limits, vnum cells, vnum p, bool is_exact)
-{
-    lane_run run = whole_run(cells);
-    narrow(&run, limits, p, is_exact);
-    return cells_of(&run, is_exact);
+    n[0] = v_max(n[0], v_div(v_mul(v_splat(32 * V_UNIT), S), p[0].R));
+    for (int a = 0; a < 3; a++) {
+        error = v_fma(v_abs(n[a]), p[a].E, error);
+        low = v_add(low, v_min(n[a], zero));
+        high = v_add(high, v_max(n[a], zero));
+        d = v_fma(n[a], p[a].g[0], d);
+    }
+    const vnum per_n = v_div(one, n[0]);
+    const vnum off = v_mul(v_fma(v_splat(256 * V_UNIT), S, v_mul(bound_scale, error)), per_n);
+    const vnum upper = v_fma(v_sub(d, low), per_n, one), lower = v_fma(v_sub(d, high), per_n, one);
+    return (plane_limits){v_select(asked, v_add(upper, off), most),
+                          v_select(asked, v_sub(lower, off), least),
+                          v_select(asked, v_sub(upper, off), most),
+                          v_select(asked, v_add(lower, off), least),
+                          v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero),
+                          v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero)};
 }
