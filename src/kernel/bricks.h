@@ -33,13 +33,15 @@ static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned
     }
 }
 
-/* Places on axis a of the triangles of a queue. */
-TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, int a)
+/* Places on axis a of the triangles of a queue. Those that are wild join the others. */
+TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, int a, vmask *wild)
 {
     const tribox_float_lattice *const lattice = &v->in_float;
     const vnum u[3] = {v_load(&queue->u[3 * a][at]), v_load(&queue->u[3 * a + 1][at]), v_load(&queue->u[3 * a + 2][at])};
-    return places_of(u, v_load(&queue->base[a][at]), v_load(&queue->cells[a][at]), v_splat(lattice->origin[a]),
-                     v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
+    const lane_places p = places_of(u, v_load(&queue->base[a][at]), v_load(&queue->cells[a][at]), v_splat(lattice->origin[a]),
+                                    v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
+    *wild = m_or(*wild, is_wild(u, &p));
+    return p;
 }
 
 /* The shadow along x keeps a row where at + j_slope * j + k_slope * k >= 0, up to its error. */
@@ -75,8 +77,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
     for (int a = 0; a < 3; a++) {
         base[a] = v_load(&queue->base[a][at]);
         cells[a] = v_load(&queue->cells[a][at]);
-        p[a] = queued_places(v, queue, at, a);
-        wild = m_or(wild, is_wild(&p[a]));
+        p[a] = queued_places(v, queue, at, a, &wild);
     }
     const vnum n[3] = {shadow_normal(&p[1], &p[2]), shadow_normal(&p[2], &p[0]), shadow_normal(&p[0], &p[1])};
     const vnum side_error = v_mul(bound_scale, shadow_error(&p[1], &p[2])), none = v_sub(v_splat(0), side_error);

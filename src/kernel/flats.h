@@ -8,16 +8,19 @@
 TRIBOX_INLINE vnum either(vmask m, float a, float b) { return v_select(m, v_splat(a), v_splat(b)); }
 
 /* Places on the one or the other axis. */
-TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, vmask m, int a, int b)
+TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, vmask m, int a, int b,
+                                      vmask *wild)
 {
     const tribox_float_lattice *const lattice = &v->in_float;
     vnum u[3];
     for (int j = 0; j < 3; j++)
         u[j] = v_select(m, v_load(&queue->u[3 * a + j][at]), v_load(&queue->u[3 * b + j][at]));
-    return places_of(u, v_select(m, v_load(&queue->base[a][at]), v_load(&queue->base[b][at])),
-                     v_select(m, v_load(&queue->cells[a][at]), v_load(&queue->cells[b][at])),
-                     either(m, lattice->origin[a], lattice->origin[b]), either(m, lattice->per_cell[a], lattice->per_cell[b]),
-                     either(m, lattice->error[a], lattice->error[b]));
+    const lane_places p = places_of(
+        u, v_select(m, v_load(&queue->base[a][at]), v_load(&queue->base[b][at])),
+        v_select(m, v_load(&queue->cells[a][at]), v_load(&queue->cells[b][at])), either(m, lattice->origin[a], lattice->origin[b]),
+        either(m, lattice->per_cell[a], lattice->per_cell[b]), either(m, lattice->error[a], lattice->error[b]));
+    *wild = m_or(*wild, is_wild(u, &p));
+    return p;
 }
 
 /* Lists cells along y: bit n of `set` is the cell n rows on. */
@@ -45,8 +48,9 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
         cells[a] = v_load(&queue->cells[a][at]);
     }
     const vmask is_x = v_is_zero(cells[0]), is_z = v_is_zero(cells[2]);
-    const lane_places q = flat_places(v, queue, at, is_x, 1, 0), p = flat_places(v, queue, at, is_z, 1, 2);
-    const vmask present = lanes_between(0, count), wild = m_and(present, m_or(is_wild(&q), is_wild(&p)));
+    const vmask present = lanes_between(0, count);
+    vmask wild = m_none();
+    const lane_places q = flat_places(v, queue, at, is_x, 1, 0, &wild), p = flat_places(v, queue, at, is_z, 1, 2, &wild);
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
     const shadow_limits limits = limits_of(&q, &p, shadow_normal(&q, &p), v_mul(bound_scale, shadow_error(&q, &p)), m_all());
     const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
@@ -76,5 +80,5 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
         list_bits(v, half, bits.from, i_keep(m_not(is_x), set));
         list_column(v, half, bits.from, i_keep(is_x, set));
     }
-    hand_on_queued(v, queue, at, m_bits(wild));
+    hand_on_queued(v, queue, at, m_bits(m_and(present, wild)));
 }

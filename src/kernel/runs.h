@@ -3,12 +3,15 @@
  * After: limits.h. Needs: the words of integers.
  */
 
-/* Those that float is too narrow for: longer than 2^20 cells, or with edges that are shorter than 2^-40 cells but not zero. */
-TRIBOX_INLINE vmask is_wild(const lane_places *a)
+/*
+ * Those that float is too narrow for: longer than 2^20 cells, or with edges shorter than 2^-40 cells, unless they are zero before they
+ * are scaled.
+ */
+TRIBOX_INLINE vmask is_wild(const vnum u[3], const lane_places *a)
 {
     vmask wild = v_gt(a->F, v_splat(0x1p20f));
     for (int j = 0; j < 3; j++)
-        wild = m_or(wild, m_andnot(v_gt(v_splat(0x1p-40f), v_abs(a->f[j])), v_is_zero(a->f[j])));
+        wild = m_or(wild, m_andnot(v_gt(v_splat(0x1p-40f), v_abs(a->f[j])), v_is_zero(v_sub(u[(j + 1) % 3], u[j]))));
     return wild;
 }
 
