@@ -2,4 +2,6 @@
 #include "voxels.h"
 #include "axes.h"
 #include "rows.h"
+#include "columns.h"
+#include "packed_rows.h"
 #include "strips.h"

@@ -1,0 +1,86 @@
+/*
+ * columns.h - what the projection along x leaves of each layer of a triangle: an interval of j. After: rows.h, voxels.h.
+ *
+ * Where the triangle is flat along x these are its cells, a column in each layer. Elsewhere they are rows (packed_rows.h).
+ *
+ * EXACT (`has_certain`) sets the cells that certainly overlap, and those that may wait. The others set all that may.
+ */
+/* One triangle. Its layers from `first` to before `end`, counted from its own first, are asked. */
+typedef struct strip_place {
+    tribox_voxels *v;
+    const tribox_strip *strip;
+    const strip_limits *limits;
+    unsigned t;
+    int64_t first, end;
+} strip_place;
+
+/* The intervals of V_LANES layers: from first to before end, none where end <= first. */
+typedef struct layer_packet {
+    int32_t first_maybe[V_LANES], end_maybe[V_LANES], first_certain[V_LANES], end_certain[V_LANES];
+} layer_packet;
+
+/* `first` and the next whole numbers. */
+TRIBOX_INLINE vnum count_from(int64_t first)
+{
+    static const float count[TRIBOX_DOUBLES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7};
+    return v_add(v_splat((double)first), v_load(count));
+}
+
+TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packet *layers)
+{
+    const vnum wide = v_splat(p->strip->cells[1][p->t]);
+    run_limits run = no_limits();
+    narrow_by_edges(&run, p->limits, p->t, 0, count_from(first));
+    write_ends(layers->first_maybe, layers->end_maybe, &run.maybe, wide);
+    write_ends(layers->first_certain, layers->end_certain, &run.certain, wide);
+}
+
+/* Cells first to before end of row (j, k), all counted from the triangle's own first, wait. */
+static void wait_for_cells(const strip_place *p, int64_t first, int64_t end, int64_t j, int64_t k)
+{
+    const tribox_strip *const strip = p->strip;
+    const int64_t base[3] = {(int64_t)strip->base[0][p->t], (int64_t)strip->base[1][p->t], (int64_t)strip->base[2][p->t]};
+    float u[9];
+    for (int n = 0; n < 9; n++)
+        u[n] = strip->u[n][p->t];
+    tribox_voxels_wait(p->v, u, base[0] + first, base[0] + end - 1, base[1] + j, base[2] + k);
+}
+
+static void wait_for_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
+{
+    for (int64_t j = first; j < end; j++)
+        wait_for_cells(p, 0, 1, j, k);
+}
+
+/* Returns how many cells of the column were not set before. */
+TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
+{
+    const int64_t row = (int64_t)p->v->row_words, layer = row * p->v->grid->size[1];
+    if (first >= end)
+        return 0;
+    uint64_t *const word = p->v->occupied + (p->strip->word[p->t] + k * layer + first * row);
+    return tribox_set_column(word, (size_t)row, end - first, UINT64_C(1) << p->strip->bit[p->t]);
+}
+
+TRIBOX_INLINE void set_columns(const strip_place *p, bool has_certain)
+{
+    size_t set = 0;
+    for (int64_t k = p->first; k < p->end; k += V_LANES) {
+        layer_packet layers;
+        limit_layers(p, k, &layers);
+        for (int n = 0; n < V_LANES && k + n < p->end; n++) {
+            const int64_t first = layers.first_maybe[n], end = layers.end_maybe[n];
+            const int64_t certain = layers.first_certain[n], certain_end = layers.end_certain[n];
+            if (!has_certain) {
+                set += set_column(p, first, end, k + n);
+            } else if (certain < certain_end) {
+                set += set_column(p, certain, certain_end, k + n);
+                wait_for_column(p, first, certain, k + n);
+                wait_for_column(p, certain_end, end, k + n);
+            } else {
+                wait_for_column(p, first, end, k + n);
+            }
+        }
+    }
+    p->v->counts.overlapping += set;
+}
