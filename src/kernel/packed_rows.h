@@ -91,7 +91,7 @@ TRIBOX_INLINE row_cursor first_rows(const strip_place *p, tribox_shape shape)
     }
 }
 
-/* A packet of rows: their cells and words. */
+/* A packet of rows: their words, which come into the cache meanwhile, and their cells. */
 TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at, tribox_shape shape, bool has_certain)
 {
     const unsigned t = p->t;
@@ -108,6 +108,9 @@ TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at,
     if (has_certain)
         write_ends(&rows->certain.first[at], &rows->certain.end[at], &run.certain, cells);
     v_write_int(&rows->word[at], v_fma(k, v_splat(layer_words), v_fma(j, v_splat(row_words), v_splat((double)p->strip->word[t]))));
+    if (p->v->is_far)
+        for (unsigned n = at; n < at + V_LANES; n++)
+            tribox_will_write(p->v->occupied + (rows->word[n] + (p->strip->bit[t] + rows->maybe.first[n]) / 64));
 }
 
 /* Lanes after the last row repeat it. */
