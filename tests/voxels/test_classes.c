@@ -19,6 +19,7 @@
 enum {
     PAIRS_A_ROUND = 10000, /* after LENGTHS rounds every combination of lengths has been asked about */
     MIXED_A_ROUND = 10,    /* soups of all lengths */
+    SPECKS_A_ROUND = 100,  /* soups of a tiny triangle */
     OWN_MAX = 3,           /* triangles of other soups that differ */
     LARGE = 2000,          /* cells of a bounding box: soups of larger ones are small */
     ASKED_MAX = 10000,     /* cells that the oracle is asked about in a soup of all lengths */
@@ -237,6 +238,32 @@ static void try_mixed(test_run *t)
     check_soup(t, kind->is_within_fast);
 }
 
+/* A triangle far smaller than a cell, about a corner of cells at zero, where floats are fine enough for that. */
+static void try_speck(test_run *t)
+{
+    const grid_kind *const kind = grid_kind_at((size_t)random_int(&t->r, (int)grid_kind_count()));
+    const uint32_t size[3] = {5, 5, 5};
+    draw_grid_of_size(&t->r, kind, size, &t->at);
+    tribox_grid grid = t->at.grid;
+    for (int a = 0; a < 3; a++)
+        grid.origin[a] = -ldexpf(grid.cell[a], random_int_between(&t->r, 0, 2));
+    if (!grid_planes_make(&t->at, &grid))
+        return;
+    float u[3][3];
+    for (int a = 0; a < 3; a++) {
+        const int exponent = -random_int(&t->r, 130);
+        for (int j = 0; j < 3; j++) {
+            const double at = ldexp(random_double(&t->r, -1, 1), exponent) * (double)grid.cell[a];
+            const int n = random_int(&t->r, 8);
+            u[j][a] = n > 2 ? nearest_float(at) : n > 1 ? copysignf(0x1p-149f, (float)at) : 0;
+        }
+    }
+    t->own.count = 0;
+    triangle_list_put(&t->own, (const_vertices)u);
+    repeat_triangles(t, counts[random_int(&t->r, SMALL_COUNTS)]);
+    check_soup(t, false);
+}
+
 static test_run *test_run_make(const arguments *args, const char *scene)
 {
     test_run *const t = calloc(1, sizeof *t);
@@ -277,10 +304,20 @@ static void test_mixed(void **state)
     free(t);
 }
 
+static void test_specks(void **state)
+{
+    const arguments *const args = *state;
+    test_run *const t = test_run_make(args, "specks");
+    for (size_t round = 0; round < SPECKS_A_ROUND * arguments_rounds(args, PAIRS_A_ROUND); round++)
+        try_speck(t);
+    print_tally(t);
+    free(t);
+}
+
 int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_lengths, &args),
-                                       cmocka_unit_test_prestate(test_mixed, &args)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_lengths, &args), cmocka_unit_test_prestate(test_mixed, &args),
+                                       cmocka_unit_test_prestate(test_specks, &args)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
