@@ -56,8 +56,10 @@ TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
     return v_min(v_max(place, v_splat(-0.5f)), v_splat(lattice->size[a] + 0.5f));
 }
 
-TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a)
+TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a, const float *const stream[3], size_t at)
 {
+    for (int j = 0; j < 3; j++)
+        r->u[3 * a + j] = v_load(stream[j] + at);
     const tribox_float_lattice *const lattice = &v->in_float;
     const vnum half = v_splat(0.5f), zero = v_splat(0), size = v_splat(lattice->size[a]);
     const vnum least = lane_min3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);

@@ -135,19 +135,19 @@ TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(m
 /* Lanes `from` to before `end_lane` of the packet at triangle `at`. */
 static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
-    const vmask present = lanes_between(from, end_lane);
     lane_reach r;
-    r.inside = present;
-    for (int n = 0; n < 9; n++)
-        r.u[n] = v_load(tribox_soup_axis(soup, n / 3)[n % 3] + at);
-    const vmask finite = is_finite(r.u);
-    reach_axis(&r, v, 0);
-    reach_axis(&r, v, 1);
-    reach_axis(&r, v, 2);
+    r.inside = lanes_between(from, end_lane);
+    /* z first: whoever asks for some layers alone looks at most triangles in vain. */
+    reach_axis(&r, v, 2, soup->z, at);
     const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->first_layer), end = v_splat((float)v->end_layer);
-    const vmask inside = m_and(m_and(r.inside, finite), m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
-    if (m_bits(m_andnot(present, finite)))
-        add_each(v, r, m_bits(m_andnot(present, finite)));
+    r.inside = m_and(r.inside, m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
+    if (!m_bits(r.inside))
+        return;
+    reach_axis(&r, v, 1, soup->y, at);
+    reach_axis(&r, v, 0, soup->x, at);
+    const vmask inside = m_and(r.inside, is_finite(r.u)), unknown = m_andnot(r.inside, inside);
+    if (m_bits(unknown))
+        add_each(v, r, m_bits(unknown));
     if (!m_bits(inside))
         return;
 
