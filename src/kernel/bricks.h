@@ -49,20 +49,13 @@ typedef struct brick_side {
     vnum at, j_slope, k_slope;
 } brick_side;
 
-TRIBOX_INLINE brick_side side_of_shadow(const lane_places *y, const lane_places *z, int j, vnum n, vmask asked)
+TRIBOX_INLINE brick_side side_of_shadow(const lane_places *y, const lane_places *z, int j, vmask asked)
 {
     const vnum zero = v_splat(0);
-    const shadow_axis axis = shadow_axis_of(y, z, j, n);
+    const shadow_axis axis = shadow_axis_of(y, z, j, shadow_normal(y, z));
     const vmask is_asked = m_and(asked, axis.asked);
     return (brick_side){v_select(is_asked, axis.slack, v_splat(INFINITY)), v_select(is_asked, v_sub(zero, axis.m_q), zero),
                         v_select(is_asked, v_sub(zero, axis.m_p), zero)};
-}
-
-TRIBOX_INLINE row_cells cells_by_plane(const plane_limits *plane, vnum along, bool is_exact)
-{
-    const lane_run run = {v_add(along, plane->first_maybe), v_add(along, plane->end_maybe), v_add(along, plane->first_certain),
-                          v_add(along, plane->end_certain)};
-    return cells_of(&run, is_exact);
 }
 
 /* Where is_exact, certain cells are listed and open ones wait; else all that may overlap are listed. */
@@ -79,15 +72,12 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
         cells[a] = v_load(&queue->cells[a][at]);
         p[a] = queued_places(v, queue, at, a, &wild);
     }
-    const vnum n[3] = {shadow_normal(&p[1], &p[2]), shadow_normal(&p[2], &p[0]), shadow_normal(&p[0], &p[1])};
     const vnum side_error = v_mul(bound_scale, shadow_error(&p[1], &p[2])), none = v_sub(v_splat(0), side_error);
     brick_side side[3];
     for (int e = 0; e < 3; e++)
-        side[e] = side_of_shadow(&p[1], &p[2], e, n[0], has_edges);
-    const shadow_limits zx =
-        limits_of(&p[0], &p[2], v_sub(v_splat(0), n[1]), v_mul(bound_scale, shadow_error(&p[0], &p[2])), has_edges);
-    const shadow_limits xy = limits_of(&p[0], &p[1], n[2], v_mul(bound_scale, shadow_error(&p[0], &p[1])), has_edges);
-    const plane_limits plane = plane_of(p, n, bound_scale, has_plane);
+        side[e] = side_of_shadow(&p[1], &p[2], e, has_edges);
+    const shadow_limits zx = limits_of(&p[0], &p[2], bound_scale, has_edges), xy = limits_of(&p[0], &p[1], bound_scale, has_edges);
+    const plane_limits plane = plane_of(p, bound_scale, has_plane);
 
     const lane_bits bits = bits_at(v, base);
     const vmask present = m_andnot(lanes_between(0, count), wild);
@@ -113,7 +103,8 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
             const vmask in = m_and(in_k, v_gt(cells[1], j));
             const vnum slack = lane_min3(v_fma(side[0].j_slope, j, side_k[0]), v_fma(side[1].j_slope, j, side_k[1]),
                                          v_fma(side[2].j_slope, j, side_k[2]));
-            const row_cells in_plane = cells_by_plane(&plane, v_fma(plane.j_slope, j, plane_k), is_exact);
+            const lane_run of_plane = run_by_plane(&plane, v_fma(plane.j_slope, j, plane_k));
+            const row_cells in_plane = cells_of(&of_plane, is_exact);
             const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);
             vint set = i_keep(m_andnot(in, v_gt(none, slack)), maybe);
             if (is_exact) {

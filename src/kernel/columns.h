@@ -29,10 +29,10 @@ TRIBOX_INLINE vnum count_from(int64_t first)
 TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packet *layers)
 {
     const vnum wide = v_splat(p->strip->cells[1][p->t]);
-    run_limits run = no_limits();
-    narrow_by_edges(&run, p->limits, p->t, 0, count_from(first));
-    write_ends(layers->first_maybe, layers->end_maybe, &run.maybe, wide);
-    write_ends(layers->first_certain, layers->end_certain, &run.certain, wide);
+    lane_run run = whole_run(wide);
+    narrow_by_shadow(&run, p->limits, p->t, 0, count_from(first), true);
+    write_ends(layers->first_maybe, layers->end_maybe, run.first_maybe, run.end_maybe, wide);
+    write_ends(layers->first_certain, layers->end_certain, run.first_certain, run.end_certain, wide);
 }
 
 /* Cells first to before end of row (j, k), all counted from the triangle's own first, wait. */

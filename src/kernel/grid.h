@@ -1,6 +1,7 @@
 /* grid.h - the texts about rows of a grid, in order. After: a vocabulary of double, and KERNEL, the kernel's name. */
 #include "voxels.h"
 #include "axes.h"
+#include "limits.h"
 #include "rows.h"
 #include "columns.h"
 #include "packed_rows.h"

@@ -87,9 +87,10 @@ TRIBOX_INLINE shadow_limit select_limit(vmask m, const shadow_limit *a, const sh
     return (shadow_limit){v_select(m, a->slope, b->slope), v_select(m, a->maybe, b->maybe), v_select(m, a->certain, b->certain)};
 }
 
-TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p, vnum n, vnum error, vmask asked)
+TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p, vnum bound_scale, vmask asked)
 {
     const vnum zero = v_splat(0), most = v_splat(INFINITY), least = v_splat(-INFINITY);
+    const vnum n = shadow_normal(q, p), error = v_mul(bound_scale, shadow_error(q, p));
     const shadow_limit no_upper = {zero, most, most}, no_lower = {zero, least, least};
     shadow_limit upper[3], lower[3];
     vmask is_upper[3], is_lower[3];
@@ -114,14 +115,40 @@ TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p
     return limits;
 }
 
+/* Cells of a row from `first` to before `end`, once their fractions are cut off: those that may overlap, and those that certainly do. */
+typedef struct lane_run {
+    vnum first_maybe, end_maybe, first_certain, end_certain;
+} lane_run;
+
+TRIBOX_INLINE lane_run whole_run(vnum cells)
+{
+    const vnum half = v_splat(0.5f), last = v_add(cells, half);
+    return (lane_run){half, last, half, last};
+}
+
+/* What the limits leave of a run in row p. */
+TRIBOX_INLINE void narrow(lane_run *run, const shadow_limits *limits, vnum p, bool is_exact)
+{
+    for (int j = 0; j < 2; j++) {
+        const shadow_limit *const upper = &limits->upper[j], *const lower = &limits->lower[j];
+        run->end_maybe = v_min(run->end_maybe, v_fma(upper->slope, p, upper->maybe));
+        run->first_maybe = v_max(run->first_maybe, v_fma(lower->slope, p, lower->maybe));
+        if (is_exact) {
+            run->end_certain = v_min(run->end_certain, v_fma(upper->slope, p, upper->certain));
+            run->first_certain = v_max(run->first_certain, v_fma(lower->slope, p, lower->certain));
+        }
+    }
+}
+
 /* The plane: an upper and a lower limit with the same slopes. */
 typedef struct plane_limits {
     vnum end_maybe, first_maybe, end_certain, first_certain, j_slope, k_slope;
 } plane_limits;
 
-TRIBOX_INLINE plane_limits plane_of(const lane_places p[3], const vnum normal[3], vnum bound_scale, vmask asked)
+TRIBOX_INLINE plane_limits plane_of(const lane_places p[3], vnum bound_scale, vmask asked)
 {
     const vnum zero = v_splat(0), one = v_splat(1), most = v_splat(INFINITY), least = v_splat(-INFINITY);
+    const vnum normal[3] = {shadow_normal(&p[1], &p[2]), shadow_normal(&p[2], &p[0]), shadow_normal(&p[0], &p[1])};
     vnum n[3], S = zero, error = zero, low = zero, high = zero, d = zero;
     for (int i = 0; i < 3; i++) {
         S = v_fma(v_mul(p[(i + 1) % 3].F, p[(i + 2) % 3].F), p[i].R, S);
@@ -144,4 +171,11 @@ TRIBOX_INLINE plane_limits plane_of(const lane_places p[3], const vnum normal[3]
                           v_select(asked, v_add(lower, off), least),
                           v_select(asked, v_mul(v_sub(zero, n[1]), per_n), zero),
                           v_select(asked, v_mul(v_sub(zero, n[2]), per_n), zero)};
+}
+
+/* The cells that the plane leaves of a row: `along` is what its slopes come to there. */
+TRIBOX_INLINE lane_run run_by_plane(const plane_limits *plane, vnum along)
+{
+    return (lane_run){v_add(along, plane->first_maybe), v_add(along, plane->end_maybe), v_add(along, plane->first_certain),
+                      v_add(along, plane->end_certain)};
 }

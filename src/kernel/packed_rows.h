@@ -97,16 +97,16 @@ TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at,
     const unsigned t = p->t;
     const double row_words = (double)p->v->row_words, layer_words = row_words * p->v->grid->size[1];
     const vnum j = v_read(&rows->j[at]), k = v_read(&rows->k[at]), cells = v_splat(p->strip->cells[0][t]);
-    run_limits run = no_limits();
+    lane_run run = whole_run(cells);
     if (shape != TRIBOX_FLAT_Z)
-        narrow_by_edges(&run, p->limits, t, 1, k);
+        narrow_by_shadow(&run, p->limits, t, 1, k, has_certain);
     if (shape != TRIBOX_FLAT_Y)
-        narrow_by_edges(&run, p->limits, t, 2, j);
+        narrow_by_shadow(&run, p->limits, t, 2, j, has_certain);
     if (shape == TRIBOX_SOLID)
         narrow_by_plane(&run, &p->limits->plane, t, j, k);
-    write_ends(&rows->maybe.first[at], &rows->maybe.end[at], &run.maybe, cells);
+    write_ends(&rows->maybe.first[at], &rows->maybe.end[at], run.first_maybe, run.end_maybe, cells);
     if (has_certain)
-        write_ends(&rows->certain.first[at], &rows->certain.end[at], &run.certain, cells);
+        write_ends(&rows->certain.first[at], &rows->certain.end[at], run.first_certain, run.end_certain, cells);
     v_write_int(&rows->word[at], v_fma(k, v_splat(layer_words), v_fma(j, v_splat(row_words), v_splat((double)p->strip->word[t]))));
     if (p->v->is_far)
         for (unsigned n = at; n < at + V_LANES; n++)

@@ -15,31 +15,6 @@ TRIBOX_INLINE vmask is_wild(const vnum u[3], const lane_places *a)
     return wild;
 }
 
-/* Cells of a row from `first` to before `end`, once their fractions are cut off: those that may overlap, and those that certainly do. */
-typedef struct lane_run {
-    vnum first_maybe, end_maybe, first_certain, end_certain;
-} lane_run;
-
-TRIBOX_INLINE lane_run whole_run(vnum cells)
-{
-    const vnum half = v_splat(0.5f), last = v_add(cells, half);
-    return (lane_run){half, last, half, last};
-}
-
-/* What the limits leave of a run in row p. */
-TRIBOX_INLINE void narrow(lane_run *run, const shadow_limits *limits, vnum p, bool is_exact)
-{
-    for (int j = 0; j < 2; j++) {
-        const shadow_limit *const upper = &limits->upper[j], *const lower = &limits->lower[j];
-        run->end_maybe = v_min(run->end_maybe, v_fma(upper->slope, p, upper->maybe));
-        run->first_maybe = v_max(run->first_maybe, v_fma(lower->slope, p, lower->maybe));
-        if (is_exact) {
-            run->end_certain = v_min(run->end_certain, v_fma(upper->slope, p, upper->certain));
-            run->first_certain = v_max(run->first_certain, v_fma(lower->slope, p, lower->certain));
-        }
-    }
-}
-
 /* Cells of a row, a bit each. */
 typedef struct row_cells {
     vint maybe, certain;
