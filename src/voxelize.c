@@ -99,6 +99,7 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
         v->end_layer = (int64_t)first + layers;
         v->row_words = tribox_grid_row_words(grid);
         v->row_halves = (int32_t)(2 * v->row_words);
+        v->layer_halves = (int32_t)(uint32_t)(2 * v->row_words * grid->size[1]);
         v->occupied = occupied;
         v->is_far = v->row_words * grid->size[1] * layers > 1 << 17;
         v->counts = (tribox_report){0, 0};

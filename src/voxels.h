@@ -65,7 +65,7 @@ struct tribox_voxels {
     tribox_float_lattice in_float;
     int64_t first_layer, end_layer;
     size_t row_words;
-    int32_t row_halves;
+    int32_t row_halves, layer_halves; /* modulo 2^32, as halves are counted */
     uint64_t *occupied; /* of the first layer */
     bool is_far;        /* from the nearer caches: more than 1 MiB of bits */
     tribox_report counts;

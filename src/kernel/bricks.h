@@ -97,6 +97,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
         for (int e = 0; e < 3; e++)
             side_k[e] = v_fma(side[e].k_slope, k, side[e].at);
         const vnum plane_k = v_mul(plane.k_slope, k);
+        vint half = i_add(bits.half, i_splat((int32_t)((uint32_t)layer * (uint32_t)v->layer_halves)));
         make_room(v);
         for (int row = 0; row < rows; row++) {
             const vnum j = v_splat((float)row);
@@ -117,8 +118,8 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
                     wait_for_cells(v, queue, at, open, cell);
                 }
             }
-            const int32_t halves = v->row_halves * (row + layer * (int32_t)v->grid->size[1]);
-            list_bits(v, i_add(bits.half, i_splat(halves)), bits.from, set);
+            list_bits(v, half, bits.from, set);
+            half = i_add(half, i_splat(v->row_halves));
         }
     }
     hand_on_queued(v, queue, at, m_bits(m_and(lanes_between(0, count), wild)));

@@ -54,8 +54,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
     const shadow_limits limits = limits_of(&q, &p, bound_scale, m_all());
     const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
-    const vint step =
-        i_or(i_keep(is_z, i_splat(v->row_halves)), i_keep(m_not(is_z), i_splat(v->row_halves * (int32_t)v->grid->size[1])));
+    const vint step = i_or(i_keep(is_z, i_splat(v->row_halves)), i_keep(m_not(is_z), i_splat(v->layer_halves)));
     const vnum layers = either(is_z, 0, 1);
     const lane_bits bits = bits_at(v, base);
     vint half = bits.half;

@@ -4,12 +4,12 @@
  */
 
 /*
- * Those that float is too narrow for: longer than 128 cells, where the error bounds grow to a notable part of a cell, or with edges
+ * Those that float is too narrow for: longer than 64 cells, where the error bounds grow to a notable part of a cell, or with edges
  * shorter than 2^-40 cells, unless they are zero before they are scaled.
  */
 TRIBOX_INLINE vmask is_wild(const vnum u[3], const lane_places *a)
 {
-    vmask wild = v_gt(a->F, v_splat(128));
+    vmask wild = v_gt(a->F, v_splat(64));
     for (int j = 0; j < 3; j++)
         wild = m_or(wild, m_andnot(v_gt(v_splat(0x1p-40f), v_abs(a->f[j])), v_is_zero(v_sub(u[(j + 1) % 3], u[j]))));
     return wild;

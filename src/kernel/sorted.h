@@ -116,8 +116,7 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
 {
     const lane_bits bits = bits_at(v, r->base);
     const vint one = i_splat(1), bit = i_shl(one, bits.from);
-    const vint step = i_or(i_keep(r->spans[1], i_splat(v->row_halves)),
-                           i_keep(m_not(r->spans[1]), i_splat(v->row_halves * (int32_t)v->grid->size[1])));
+    const vint step = i_or(i_keep(r->spans[1], i_splat(v->row_halves)), i_keep(m_not(r->spans[1]), i_splat(v->layer_halves)));
     vint half = bits.half;
     make_room(v);
     list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
