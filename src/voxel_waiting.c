@@ -33,39 +33,57 @@ static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, 
     }
 }
 
-/* The cells that wait, one by one. Returns how many are left in the batch. */
-static unsigned add_row(tribox_voxels *v, unsigned row, tribox_batch *batch, unsigned count, cell_bit *cell)
+/* The words of row n of those that wait. */
+static uint64_t *row_of(const tribox_voxels *v, unsigned n)
 {
-    const tribox_waiting *const w = &v->waiting;
-    const int32_t j = w->at[1][row], k = w->at[2][row];
-    uint64_t *const words = v->occupied + ((k - v->first_layer) * (int64_t)v->grid->size[1] + j) * (int64_t)v->row_words;
-    for (uint32_t left = (uint32_t)w->bits[row]; left; left &= left - 1) {
-        const int32_t at[3] = {w->at[0][row] + (int32_t)tribox_lowest_bit(left), j, k};
-        cell[count] = (cell_bit){words + at[0] / 64, UINT64_C(1) << at[0] % 64};
-        if (*cell[count].word & cell[count].bit)
-            continue;
-        for (int m = 0; m < 9; m++)
-            batch->number[m][count] = w->u[m][row];
-        for (int a = 0; a < 3; a++) {
-            batch->number[9 + a][count] = tribox_grid_plane(v->grid, a, (uint64_t)at[a]);
-            batch->number[12 + a][count] = tribox_grid_plane(v->grid, a, (uint64_t)at[a] + 1);
-        }
-        if (++count == TRIBOX_BATCH) {
-            settle_batch(v, batch, count, cell);
-            count = 0;
-        }
+    const int64_t layer = v->waiting.at[2][n] - v->first_layer;
+    return v->occupied + (layer * (int64_t)v->grid->size[1] + v->waiting.at[1][n]) * (int64_t)v->row_words;
+}
+
+/* Those of its cells that are not set by now: most rows have none. Cells may go on in the next word. */
+static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
+{
+    const int32_t i = v->waiting.at[0][n], from = i % 64;
+    const uint64_t *const word = row_of(v, n) + i / 64;
+    const uint64_t next = word[(size_t)i / 64 + 1 < v->row_words];
+    return (uint32_t)v->waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
+}
+
+/* One of these cells joins the batch. */
+static void add_cell(const tribox_voxels *v, unsigned n, int32_t i, tribox_batch *batch, unsigned to)
+{
+    const int32_t at[3] = {i, v->waiting.at[1][n], v->waiting.at[2][n]};
+    for (int m = 0; m < 9; m++)
+        batch->number[m][to] = v->waiting.u[m][n];
+    for (int a = 0; a < 3; a++) {
+        batch->number[9 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a]);
+        batch->number[12 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a] + 1);
     }
-    return count;
 }
 
 void tribox_voxels_settle(tribox_voxels *v)
 {
     tribox_batch batch;
     cell_bit cell[TRIBOX_BATCH];
-    unsigned count = 0;
+    uint32_t left[TRIBOX_WAITING];
+    unsigned row[TRIBOX_WAITING], rows = 0, count = 0;
     v->plan.kernel->cells->write(v);
-    for (unsigned row = 0; row < v->waiting.count; row++)
-        count = add_row(v, row, &batch, count, cell);
+    for (unsigned n = 0; n < v->waiting.count; n++) {
+        row[rows] = n;
+        left[rows] = unset_cells(v, n);
+        rows += left[rows] != 0;
+    }
+    for (unsigned r = 0; r < rows; r++) {
+        for (; left[r]; left[r] &= left[r] - 1) {
+            const int32_t i = v->waiting.at[0][row[r]] + (int32_t)tribox_lowest_bit(left[r]);
+            cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};
+            add_cell(v, row[r], i, &batch, count);
+            if (++count == TRIBOX_BATCH) {
+                settle_batch(v, &batch, count, cell);
+                count = 0;
+            }
+        }
+    }
     if (count)
         settle_batch(v, &batch, count, cell);
     v->waiting.count = 0;
