@@ -300,16 +300,17 @@ TRIBOX_API size_t tribox_grid_words(const tribox_grid *grid);
  * the surface is marked: a cell inside a closed mesh that no triangle overlaps stays clear.
  *
  * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set. CONSERVATIVE sets a
- * superset of it: the extra cells lie within the rounding error of a row, at most 2^-8 of a cell along x, and more only for edges
- * nearly parallel to x and where floats are hardly finer than cells. FAST takes the same limits without their error bounds. All
- * this is computed in double. Triangles may lie outside the grid in part or wholly.
+ * superset of it: the extra cells miss their triangle by less than 2^-7 of a cell on some axis, and by more only in grids of more
+ * than 2^13 cells along an axis or where floats are hardly finer than cells. FAST takes the same limits without error bounds, but
+ * for that of the plane, and errs by as much on either side. Triangles may lie outside the grid in part or wholly.
  *
  * occupied: tribox_grid_words(grid) words. Cell (i, j, k) is bit i % 64 of occupied[(k * size[1] + j) * row_words + i / 64].
  * options: NULL for the defaults; the order of the axes is ignored here.
  * report: overlapping counts the cells newly set; NULL if not wanted.
  *
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except for
- * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the grid.
+ * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the grid. Many triangles in one call are
+ * faster than one in each: small ones are taken a packet at once. Nothing is allocated; the call takes up to 84 KB of stack.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, or count floats exceed the address space), TRIBOX_BAD_GRID,
  * TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
