@@ -17,7 +17,7 @@
  * which also covers a sign of n that rounding turns, and the plane by
  *   sum of |n_a| E_a + 256 u S     S = sum of F_a F_b R_i
  * Divided by |m_q| or |n_x| these bound a limit. Where n_x is below 32 u S / R_x, that is used in its place. FAST keeps 256 u S: without
- * it a segment, whose n is zero, would be lost.
+ * it a segment, whose n is zero, would be lost. PROOFS.md counts 80 u at most for an edge, and 176 u S for the plane.
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */

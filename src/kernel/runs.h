@@ -5,7 +5,7 @@
 
 /*
  * Those that float is too narrow for: longer than 64 cells, where the error bounds grow to a notable part of a cell, or with edges
- * shorter than 2^-40 cells, unless they are zero before they are scaled.
+ * shorter than 2^-40 cells, unless they are zero before they are scaled (PROOFS.md 7.9).
  */
 TRIBOX_INLINE vmask is_wild(const vnum u[3], const lane_places *a)
 {
