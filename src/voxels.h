@@ -31,10 +31,11 @@ enum {
 }; /* most cells of a line, along an axis of a flat, along y and z of a brick */
 enum { TRIBOX_QUEUE = 64 };
 typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_BRICKS_2, TRIBOX_BRICKS_4, TRIBOX_BRICKS_8, TRIBOX_CLASSES } tribox_class;
+enum { TRIBOX_QUEUED = 15 };
 typedef struct tribox_queue {
     unsigned count;
-    float u[9][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
-    float base[3][TRIBOX_QUEUE + TRIBOX_LANES_MAX], cells[3][TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of flats: 0 across the layer */
+    /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of the triangles, their first cells on each axis, and how many: of flats 0 across the layer */
+    float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
 } tribox_queue;
 
 /* The grid in float. */
@@ -67,8 +68,8 @@ struct tribox_voxels {
     int64_t first_layer, end_layer;
     size_t row_words;
     int32_t row_halves, layer_halves; /* modulo 2^32, as halves are counted */
-    uint64_t *occupied; /* of the first layer */
-    bool is_far;        /* from the nearer caches: more than 1 MiB of bits */
+    uint64_t *occupied;               /* of the first layer */
+    bool is_far;                      /* from the nearer caches: more than 1 MiB of bits */
     tribox_report counts;
     tribox_writes writes;
     tribox_queue queue[TRIBOX_CLASSES];

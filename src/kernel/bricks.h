@@ -14,7 +14,7 @@ static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned
     if (w->count + more > TRIBOX_WAITING)
         tribox_voxels_settle(v);
     for (int n = 0; n < 9; n++)
-        v_pack(&w->u[n][w->count], m, v_load(&queue->u[n][at]));
+        v_pack(&w->u[n][w->count], m, v_load(&queue->number[n][at]));
     for (int a = 0; a < 3; a++)
         i_pack(&w->at[a][w->count], m, cell[a]);
     i_pack(&w->bits[w->count], m, open);
@@ -28,7 +28,7 @@ static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned
         const unsigned t = at + tribox_lowest_bit(lanes);
         float u[9];
         for (int n = 0; n < 9; n++)
-            u[n] = queue->u[n][t];
+            u[n] = queue->number[n][t];
         tribox_voxels_add(v, u);
     }
 }
@@ -37,9 +37,10 @@ static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned
 TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, int a, vmask *wild)
 {
     const tribox_float_lattice *const lattice = &v->in_float;
-    const vnum u[3] = {v_load(&queue->u[3 * a][at]), v_load(&queue->u[3 * a + 1][at]), v_load(&queue->u[3 * a + 2][at])};
-    const lane_places p = places_of(u, v_load(&queue->base[a][at]), v_load(&queue->cells[a][at]), v_splat(lattice->origin[a]),
-                                    v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
+    const vnum u[3] = {v_load(&queue->number[3 * a][at]), v_load(&queue->number[3 * a + 1][at]),
+                       v_load(&queue->number[3 * a + 2][at])};
+    const lane_places p = places_of(u, v_load(&queue->number[9 + a][at]), v_load(&queue->number[12 + a][at]),
+                                    v_splat(lattice->origin[a]), v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
     *wild = m_or(*wild, is_wild(u, &p));
     return p;
 }
@@ -68,8 +69,8 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
     vnum base[3], cells[3];
     vmask wild = m_none();
     for (int a = 0; a < 3; a++) {
-        base[a] = v_load(&queue->base[a][at]);
-        cells[a] = v_load(&queue->cells[a][at]);
+        base[a] = v_load(&queue->number[9 + a][at]);
+        cells[a] = v_load(&queue->number[12 + a][at]);
         p[a] = queued_places(v, queue, at, a, &wild);
     }
     const vnum side_error = v_mul(bound_scale, shadow_error(&p[1], &p[2])), none = v_sub(v_splat(0), side_error);

@@ -14,11 +14,12 @@ TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue
     const tribox_float_lattice *const lattice = &v->in_float;
     vnum u[3];
     for (int j = 0; j < 3; j++)
-        u[j] = v_select(m, v_load(&queue->u[3 * a + j][at]), v_load(&queue->u[3 * b + j][at]));
-    const lane_places p = places_of(
-        u, v_select(m, v_load(&queue->base[a][at]), v_load(&queue->base[b][at])),
-        v_select(m, v_load(&queue->cells[a][at]), v_load(&queue->cells[b][at])), either(m, lattice->origin[a], lattice->origin[b]),
-        either(m, lattice->per_cell[a], lattice->per_cell[b]), either(m, lattice->error[a], lattice->error[b]));
+        u[j] = v_select(m, v_load(&queue->number[3 * a + j][at]), v_load(&queue->number[3 * b + j][at]));
+    const lane_places p =
+        places_of(u, v_select(m, v_load(&queue->number[9 + a][at]), v_load(&queue->number[9 + b][at])),
+                  v_select(m, v_load(&queue->number[12 + a][at]), v_load(&queue->number[12 + b][at])),
+                  either(m, lattice->origin[a], lattice->origin[b]), either(m, lattice->per_cell[a], lattice->per_cell[b]),
+                  either(m, lattice->error[a], lattice->error[b]));
     *wild = m_or(*wild, is_wild(u, &p));
     return p;
 }
@@ -44,8 +45,8 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
 {
     vnum base[3], cells[3];
     for (int a = 0; a < 3; a++) {
-        base[a] = v_load(&queue->base[a][at]);
-        cells[a] = v_load(&queue->cells[a][at]);
+        base[a] = v_load(&queue->number[9 + a][at]);
+        cells[a] = v_load(&queue->number[12 + a][at]);
     }
     const vmask is_x = v_is_zero(cells[0]), is_z = v_is_zero(cells[2]);
     const vmask present = lanes_between(0, count);

@@ -68,12 +68,8 @@ static void set_packets(tribox_voxels *v, tribox_class class)
     for (; at + V_LANES <= queue->count; at += V_LANES)
         set_queued(v, class, at, V_LANES);
     queue->count -= at;
-    for (int n = 0; n < 9; n++)
-        v_write(queue->u[n], v_load(&queue->u[n][at]));
-    for (int a = 0; a < 3; a++) {
-        v_write(queue->base[a], v_load(&queue->base[a][at]));
-        v_write(queue->cells[a], v_load(&queue->cells[a][at]));
-    }
+    for (int n = 0; n < TRIBOX_QUEUED; n++)
+        v_write(queue->number[n], v_load(&queue->number[n][at]));
 }
 
 /* The last packet of a queue may have fewer triangles than lanes: the others repeat the first, and are left out. */
@@ -83,30 +79,55 @@ static void finish_queue(tribox_voxels *v, tribox_class class)
     set_packets(v, class);
     if (!queue->count)
         return;
-    for (unsigned t = queue->count; t < V_LANES; t++) {
-        for (int n = 0; n < 9; n++)
-            queue->u[n][t] = queue->u[n][0];
-        for (int a = 0; a < 3; a++) {
-            queue->base[a][t] = queue->base[a][0];
-            queue->cells[a][t] = queue->cells[a][0];
-        }
-    }
+    for (int n = 0; n < TRIBOX_QUEUED; n++)
+        for (unsigned t = queue->count; t < V_LANES; t++)
+            queue->number[n][t] = queue->number[n][0];
     set_queued(v, class, 0, queue->count);
+}
+
+/* Of a flat 0 across the layer. */
+TRIBOX_INLINE vnum queued_cells(tribox_class class, const lane_reach *r, int a)
+{
+    return class == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a];
+}
+
+TRIBOX_INLINE void pack_lanes(tribox_queue *queue, tribox_class class, vmask m, const lane_reach *r)
+{
+    const unsigned to = queue->count;
+    for (int n = 0; n < 9; n++)
+        v_pack(&queue->number[n][to], m, r->u[n]);
+    for (int a = 0; a < 3; a++) {
+        v_pack(&queue->number[9 + a][to], m, r->base[a]);
+        v_pack(&queue->number[12 + a][to], m, queued_cells(class, r, a));
+    }
+}
+
+/* Lane by lane: one costs less than what it takes to close up a few others. */
+TRIBOX_INLINE void copy_lanes(tribox_queue *queue, tribox_class class, vmask m, const lane_reach *r)
+{
+    float lane[TRIBOX_QUEUED][V_LANES];
+    unsigned to = queue->count;
+    for (int n = 0; n < 9; n++)
+        v_write(lane[n], r->u[n]);
+    for (int a = 0; a < 3; a++) {
+        v_write(lane[9 + a], r->base[a]);
+        v_write(lane[12 + a], queued_cells(class, r, a));
+    }
+    for (uint64_t left = m_bits(m); left; left &= left - 1, to++)
+        for (int n = 0; n < TRIBOX_QUEUED; n++)
+            queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
 }
 
 TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class class, vmask m, const lane_reach *r)
 {
     tribox_queue *const queue = &v->queue[class];
-    const unsigned to = queue->count;
     if (!m_bits(m))
         return;
-    for (int n = 0; n < 9; n++)
-        v_pack(&queue->u[n][to], m, r->u[n]);
-    for (int a = 0; a < 3; a++) {
-        v_pack(&queue->base[a][to], m, r->base[a]);
-        v_pack(&queue->cells[a][to], m, class == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a]);
-    }
-    queue->count = to + tribox_count_bits(m_bits(m));
+    if (V_LANES <= 4)
+        copy_lanes(queue, class, m, r);
+    else
+        pack_lanes(queue, class, m, r);
+    queue->count += m_count(m);
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
         set_packets(v, class);
 }
