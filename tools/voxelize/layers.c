@@ -8,11 +8,12 @@
 #include "layers_work.h"
 
 /*
- * Every slab looks at all triangles and skips those of others, which is cheap but not free: there are more slabs than threads
- * only where that costs no more than a twentieth of the work. WINDOW triangles at a time, so that progress is reported meanwhile.
+ * Every slab looks at all triangles and skips those of others, which is cheap but not free, and large triangles are in many slabs:
+ * there are more slabs than threads, EACH_MOST times as many, only where skipping costs no more than a fourteenth of the work. WINDOW
+ * triangles at a time, so that progress is reported meanwhile.
  */
-enum { SLABS_USEFUL = 64, SLABS_MAX = THREADS_MAX, WINDOW = 1 << 17 };
-static const double skip_cost = 1, skip_share = 0.05;
+enum { EACH_MOST = 3, SLABS_MAX = EACH_MOST * THREADS_MAX, WINDOW = 1 << 17 };
+static const double skip_cost = 0.7, skip_share = 0.07; /* nanoseconds, as in layers_work.c */
 
 typedef struct crew {
     const tribox_soup *soup;
@@ -35,8 +36,8 @@ typedef struct crew {
 static int slabs_for(const layers_work *work, size_t triangles, unsigned threads)
 {
     const double cheap = skip_share * layers_work_total(work) / (skip_cost * (double)triangles + 1);
-    const int each = (int)((cheap < SLABS_USEFUL ? cheap : SLABS_USEFUL) / threads);
-    return (int)threads * (each > 1 ? each : 1);
+    const double each = cheap / threads;
+    return (int)threads * (each < 1 ? 1 : each < EACH_MOST ? (int)each : EACH_MOST);
 }
 
 static void set_borders(crew *c, const layers_work *work, uint32_t layers)

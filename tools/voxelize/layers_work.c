@@ -5,10 +5,10 @@
 #include <stdbool.h>
 
 /* About how many triangles are looked at; all of them would cost as much as voxelizing small ones. */
-enum { SAMPLE = 1 << 13 };
+enum { SAMPLE = 1 << 11 };
 
 /* Nanoseconds, roughly: only their ratio matters to the balance, their size to the number of slabs. */
-static const double triangle_cost = 20, row_cost = 4, empty_layer_cost = 100;
+static const double triangle_cost = 6, row_cost = 7, empty_layer_cost = 100;
 
 typedef struct interval {
     double lo, hi;
