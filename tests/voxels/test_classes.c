@@ -187,7 +187,17 @@ static size_t put_triangle(test_run *t, const cell_span span[3])
     return occupancy_cost(&t->at, (const_vertices)u, TRIBOX_AXES_ALL);
 }
 
-/* Begins with any of them. */
+/* A copy with a number that is not finite: it overlaps nothing. */
+static void put_spoiled(test_run *t)
+{
+    static const float numbers[] = {(float)NAN, INFINITY, -INFINITY};
+    float u[3][3];
+    triangle_list_get(&t->own, (size_t)random_int(&t->r, (int)t->own.count), u);
+    u[random_int(&t->r, 3)][random_int(&t->r, 3)] = numbers[random_int(&t->r, 3)];
+    triangle_list_put(&t->all, (const_vertices)u);
+}
+
+/* Begins with any of them, and may end with spoiled ones. */
 static void repeat_triangles(test_run *t, size_t count)
 {
     const size_t start = (size_t)random_int(&t->r, (int)t->own.count);
@@ -196,6 +206,8 @@ static void repeat_triangles(test_run *t, size_t count)
         triangle_list_get(&t->own, (start + t->all.count) % t->own.count, u);
         triangle_list_put(&t->all, (const_vertices)u);
     }
+    for (int spoiled = random_int(&t->r, 4); spoiled > 0; spoiled--)
+        put_spoiled(t);
 }
 
 /* A soup of triangles over these spans of cells. */
