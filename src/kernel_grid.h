@@ -17,7 +17,7 @@ typedef struct tribox_lattice {
 } tribox_lattice;
 
 /* Triangles are limited row by row, this many at a time. */
-enum { TRIBOX_STRIP = 32 };
+enum { TRIBOX_STRIP = 16 };
 
 /*
  * Which axes matter: all three projections and the plane; or, where the bounding box lies in one layer of cells across an axis, the

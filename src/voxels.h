@@ -13,7 +13,7 @@
 #include "plan.h"
 
 /* Bits to be set: which half of a word, and its bits (kernel/writes.h). They are written when more than TRIBOX_WRITES are listed. */
-enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 640, TRIBOX_WRITES_AHEAD = 48 };
+enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 320, TRIBOX_WRITES_AHEAD = 48 };
 enum { TRIBOX_WRITES_ALL = TRIBOX_WRITES + TRIBOX_WRITES_STEP + TRIBOX_WRITES_AHEAD };
 typedef struct tribox_writes {
     unsigned count;
@@ -29,7 +29,7 @@ enum {
     TRIBOX_FLAT = 32,
     TRIBOX_BRICK = 8
 }; /* most cells of a line, along an axis of a flat, along y and z of a brick */
-enum { TRIBOX_QUEUE = 64 };
+enum { TRIBOX_QUEUE = 48 };
 typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_BRICKS_2, TRIBOX_BRICKS_4, TRIBOX_BRICKS_8, TRIBOX_CLASSES } tribox_class;
 enum { TRIBOX_QUEUED = 15 };
 typedef struct tribox_queue {

@@ -28,8 +28,10 @@ TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue
 TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
 {
     const vint one = i_splat(1), bit = i_shl(one, from);
-    for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->row_halves)))
+    for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->row_halves))) {
+        make_room(v);
         list(v, m_has_bits(i_and(set, one)), half, bit);
+    }
 }
 
 /* Open cells along y. */
