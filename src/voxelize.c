@@ -36,7 +36,7 @@ static void take_triangle(const tribox_soup *soup, size_t i, float u[9])
         u[n] = tribox_soup_axis(soup, n / 3)[n % 3][i];
 }
 
-/* Float is a filter where it tells places in the grid apart by less than half a cell (PROOFS.md 7.3), and nothing overflows. */
+/* Float is a filter where it tells places in the grid apart by less than half a cell, and nothing overflows (PROOFS.md 7.9). */
 static bool is_for_float(tribox_voxels *v)
 {
     tribox_float_lattice *const f = &v->in_float;

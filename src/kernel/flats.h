@@ -2,8 +2,8 @@
  * flats.h - triangles whose boxes are one layer of cells across an axis, a packet of them at once: their shadows alone, in float.
  * After: bricks.h. Needs: nothing more.
  *
- * Axis q is x, or y of triangles in a layer across x; axis p is z, or y of triangles in a layer across z. Of a row p the cells along q
- * are limited (PROOFS.md 7.4).
+ * Axis q is x, or y of triangles in a layer across x; axis p is z, or y of triangles in a layer across z. Of a row p the cells
+ * along q are limited (PROOFS.md 7.4).
  */
 TRIBOX_INLINE vnum either(vmask m, float a, float b) { return v_select(m, v_splat(a), v_splat(b)); }
 

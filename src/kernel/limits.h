@@ -3,21 +3,21 @@
  * After: axes.h. Needs: v_div.
  *
  * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these.
- * The shadow along an axis lies on the two others, q and p, and n = f_0q f_1p - f_0p f_1q, s its sign. Edge j says that a cell overlaps
- * only if, with m_q = s f_jp, m_p = -s f_jq and X the corner of the cell that is least along m,
+ * The shadow along an axis lies on the two others, q and p, and n = f_0q f_1p - f_0p f_1q, s its sign. Edge j says that a cell
+ * overlaps only if, with m_q = s f_jp, m_p = -s f_jq and X the corner of the cell that is least along m,
  *   m_q (g_jq - X_q) + m_p (g_jp - X_p) >= 0
  * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that plus one: the left side is linear in the cell. So
  * it limits the cells along q in each row p. The plane limits them along x:
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
  * Error bounds (PROOFS.md 7.2, 7.6, 7.7), u the unit roundoff. With F the extent of the triangle on an axis and R = F + cells + 2,
- * |g - X| <= 3 R (<= R unless planes are nearly as close as floats). A place and the plane that it is compared with are off by at most
- * E = error + 4 u (base + R) together, the left side of an edge by
+ * |g - X| <= 3 R (<= R unless planes are nearly as close as floats). A place and the plane that it is compared with are off by at
+ * most E = error + 4 u (base + R) together, the left side of an edge by
  *   W = F_p (E_q + 128 u R_q) + F_q (E_p + 128 u R_p)
  * which also covers a sign of n that rounding turns, and the plane by
  *   sum of |n_a| E_a + 256 u S     S = sum of F_a F_b R_i
- * Divided by |m_q| or |n_x| these bound a limit. Where n_x is below 32 u S / R_x, that is used in its place. FAST keeps 256 u S: without
- * it a segment, whose n is zero, would be lost. PROOFS.md counts 80 u at most for an edge, and 176 u S for the plane.
+ * Divided by |m_q| or |n_x| these bound a limit. Where n_x is below 32 u S / R_x, that is used in its place. FAST keeps 256 u S:
+ * without it a segment, whose n is zero, would be lost. PROOFS.md counts 80 u at most for an edge, and 176 u S for the plane.
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */
@@ -72,8 +72,8 @@ TRIBOX_INLINE shadow_axis shadow_axis_of(const lane_places *q, const lane_places
 }
 
 /*
- * Limits on cells: one more than places, so that cutting off the fraction rounds up; infinite where there are none. Of the three edges
- * at most two are upper and at most two lower; one may fill both places (PROOFS.md 7.5).
+ * Limits on cells: one more than places, so that cutting off the fraction rounds up; infinite where there are none. Of the three
+ * edges at most two are upper and at most two lower; one may fill both places (PROOFS.md 7.5).
  */
 typedef struct shadow_limit {
     vnum slope, maybe, certain;
@@ -115,7 +115,7 @@ TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p
     return limits;
 }
 
-/* Cells of a row from `first` to before `end`, once their fractions are cut off: those that may overlap, and those that certainly do. */
+/* Cells of a row from `first` to before `end`, once fractions are cut off: those that may overlap, and those that certainly do. */
 typedef struct lane_run {
     vnum first_maybe, end_maybe, first_certain, end_certain;
 } lane_run;

@@ -2,8 +2,9 @@
  * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch.
  * After: bricks.h, flats.h. Needs: KERNEL.
  *
- * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and bricks of few cells wait in queues until
- * they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the layers asked for.
+ * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and bricks of
+ * few cells wait in queues until they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the
+ * layers asked for, or on company (PROOFS.md 7.9).
  */
 
 static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
