@@ -80,7 +80,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
     const shadow_limits zx = limits_of(&p[0], &p[2], bound_scale, has_edges), xy = limits_of(&p[0], &p[1], bound_scale, has_edges);
     const plane_limits plane = plane_of(p, bound_scale, has_plane);
 
-    const lane_bits bits = bits_at(v, base, cells[0]);
+    const lane_bits bits = bits_at(v, base);
     const vmask present = m_andnot(lanes_between(0, count), wild);
     row_cells in_row[TRIBOX_BRICK];
     int rows = 0;
@@ -100,16 +100,15 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
         const vnum plane_k = v_mul(plane.k_slope, k);
         vint half = i_add(bits.half, i_splat((int32_t)((uint32_t)layer * (uint32_t)v->layer_halves)));
         make_room(v);
-        for (int row = 0; row < rows; row++, half = i_add(half, i_splat(v->row_halves))) {
+        for (int row = 0; row < rows; row++) {
             const vnum j = v_splat((float)row);
             const vmask in = m_and(in_k, v_gt(cells[1], j));
             const vnum slack = lane_min3(v_fma(side[0].j_slope, j, side_k[0]), v_fma(side[1].j_slope, j, side_k[1]),
                                          v_fma(side[2].j_slope, j, side_k[2]));
-            const vmask may_be_in = m_andnot(in, v_gt(none, slack));
             const lane_run of_plane = run_by_plane(&plane, v_fma(plane.j_slope, j, plane_k));
             const row_cells in_plane = cells_of(&of_plane, is_exact);
             const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);
-            vint set = i_keep(may_be_in, maybe);
+            vint set = i_keep(m_andnot(in, v_gt(none, slack)), maybe);
             if (is_exact) {
                 const vint certain = i_and(i_and(in_row[row].certain, in_layer.certain), in_plane.certain);
                 const vint open_or_set = set;
@@ -120,7 +119,8 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
                     wait_for_cells(v, queue, at, open, cell);
                 }
             }
-            list_bits(v, half, &bits, set);
+            list_bits(v, half, bits.from, set);
+            half = i_add(half, i_splat(v->row_halves));
         }
     }
     hand_on_queued(v, queue, at, m_bits(m_and(lanes_between(0, count), wild)));

@@ -59,7 +59,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
     const vint step = i_or(i_keep(is_z, i_splat(v->row_halves)), i_keep(m_not(is_z), i_splat(v->layer_halves)));
     const vnum layers = either(is_z, 0, 1);
-    const lane_bits bits = bits_at(v, base, cells[0]);
+    const lane_bits bits = bits_at(v, base);
     vint half = bits.half;
     for (int row = 0; row < TRIBOX_FLAT; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
@@ -79,7 +79,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
             }
         }
         make_room(v);
-        list_bits(v, half, &bits, i_keep(m_not(is_x), set));
+        list_bits(v, half, bits.from, i_keep(m_not(is_x), set));
         list_column(v, half, bits.from, i_keep(is_x, set));
     }
     hand_on_queued(v, queue, at, m_bits(m_and(present, wild)));

@@ -136,12 +136,12 @@ TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class class, vmask m, const 
 /* Lines of cells, of the layers asked for alone. */
 TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines, vnum rows)
 {
-    const lane_bits bits = bits_at(v, r->base, r->cells[0]);
+    const lane_bits bits = bits_at(v, r->base);
     const vint one = i_splat(1), bit = i_shl(one, bits.from);
     const vint step = i_or(i_keep(r->spans[1], i_splat(v->row_halves)), i_keep(m_not(r->spans[1]), i_splat(v->layer_halves)));
     vint half = bits.half;
     make_room(v);
-    list_bits(v, half, &bits, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
+    list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
     for (int row = 1; row < TRIBOX_LINE; row++) {
         const vmask more = m_and(lines, v_gt(rows, v_splat((float)row)));
         half = i_add(half, step);

@@ -75,30 +75,25 @@ TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits)
     w->count += m_count(m);
 }
 
-/* Where the bits of cells are: their halves, and the bit of the first, 0 to 31. */
+/* Bits that begin at bit `from`, 0 to 31, of a half, and may go on in the next. */
+TRIBOX_INLINE void list_bits(tribox_voxels *v, vint half, vint from, vint bits)
+{
+    const vint high = i_shr(bits, i_sub(i_splat(32), from));
+    const vint low = i_shl(bits, from);
+    const vmask has_high = m_has_bits(high);
+    list(v, m_has_bits(low), half, low);
+    if (m_bits(has_high))
+        list(v, has_high, i_add(half, i_splat(1)), high);
+}
+
+/* Where the bits of cells are: their halves, and the bit of the first. */
 typedef struct lane_bits {
     vint half, from;
-    bool may_cross; /* some may go on in the next half */
 } lane_bits;
 
-TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3], vnum cells_x)
+TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3])
 {
     const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->first_layer)), i = i_cut(base[0]);
     const vint row = i_add(i_mul(layer, i_splat((int32_t)v->grid->size[1])), i_cut(base[1]));
-    const vint from = i_and(i, i_splat(31)), last = i_add(from, i_sub(i_cut(cells_x), i_splat(1)));
-    return (lane_bits){i_add(i_mul(row, i_splat(v->row_halves)), i_shr(i, i_splat(5))), from,
-                       m_bits(m_has_bits(i_and(last, i_splat(32)))) != 0};
-}
-
-/* Bits of cells of a row, its half given. */
-TRIBOX_INLINE void list_bits(tribox_voxels *v, vint half, const lane_bits *at, vint bits)
-{
-    const vint low = i_shl(bits, at->from);
-    list(v, m_has_bits(low), half, low);
-    if (at->may_cross) {
-        const vint high = i_shr(bits, i_sub(i_splat(32), at->from));
-        const vmask has_high = m_has_bits(high);
-        if (m_bits(has_high))
-            list(v, has_high, i_add(half, i_splat(1)), high);
-    }
+    return (lane_bits){i_add(i_mul(row, i_splat(v->row_halves)), i_shr(i, i_splat(5))), i_and(i, i_splat(31))};
 }
