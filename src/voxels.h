@@ -12,12 +12,11 @@
 #include "cell_bits.h"
 #include "plan.h"
 
-/* Bits to be set: which half of a word, and its bits (kernel/writes.h). They are written when more than TRIBOX_WRITES are listed. */
+/* Bits to be set, in halves of words (kernel/writes.h): written when more than TRIBOX_WRITES are listed. */
 enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 320, TRIBOX_WRITES_AHEAD = 48 };
-enum { TRIBOX_WRITES_ALL = TRIBOX_WRITES + TRIBOX_WRITES_STEP + TRIBOX_WRITES_AHEAD };
 typedef struct tribox_writes {
     unsigned count;
-    int32_t number[2 * TRIBOX_WRITES_ALL]; /* two to an entry, side by side or in two halves of the list, as the kernel likes */
+    int32_t half[TRIBOX_WRITES + TRIBOX_WRITES_STEP + TRIBOX_WRITES_AHEAD], bits[TRIBOX_WRITES + TRIBOX_WRITES_STEP];
 } tribox_writes;
 
 /*

@@ -10,12 +10,10 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-#include "bits.h"
 #include "kernel.h"
 
 #define V_LANES 8
 #define V_FUSED 1 /* v_fma and v_fms round once */
-#define V_STRIDE 1
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
 
@@ -92,16 +90,6 @@ TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm256_sllv_epi32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm256_srlv_epi32(a, n); }
 TRIBOX_INLINE vint i_ones_from(vnum a) { return _mm256_sllv_epi32(_mm256_set1_epi32(-1), _mm256_cvttps_epi32(a)); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm256_and_si256(_mm256_castps_si256(m), a); }
-/* Nibbles by a table, added up by eights. */
-TRIBOX_INLINE vint i_counts(vint a)
-{
-    const __m256i nibble = _mm256_set1_epi8(0x0f);
-    const __m256i bits =
-        _mm256_setr_epi8(0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4, 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4);
-    const __m256i low = _mm256_and_si256(a, nibble), high = _mm256_and_si256(_mm256_srli_epi32(a, 4), nibble);
-    const __m256i of_byte = _mm256_add_epi8(_mm256_shuffle_epi8(bits, low), _mm256_shuffle_epi8(bits, high));
-    return _mm256_sad_epu8(of_byte, _mm256_setzero_si256());
-}
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE vmask m_all(void) { return _mm256_castsi256_ps(_mm256_set1_epi32(-1)); }
@@ -112,7 +100,6 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm256_movemask_ps(a); }
 TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))); }
-TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(m_bits(a)); }
 
 /* For each set of the lanes up to k, its lanes as bytes, the first lowest; before the bytes of the lanes above. */
 #define AVX2_SETS_TO_0(above) (above), ((above) << 8 | 0)
@@ -131,8 +118,3 @@ TRIBOX_INLINE __m256i avx2_lanes(vmask m)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm256_permutevar8x32_ps(a, avx2_lanes(m))); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm256_permutevar8x32_epi32(a, avx2_lanes(m))); }
-TRIBOX_INLINE void i_pack_pairs(int32_t *p, int32_t *q, vmask m, vint a, vint b)
-{
-    i_pack(p, m, a);
-    i_pack(q, m, b);
-}

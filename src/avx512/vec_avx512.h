@@ -10,12 +10,10 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-#include "bits.h"
 #include "kernel.h"
 
 #define V_LANES 16
 #define V_FUSED 1 /* v_fma and v_fms round once */
-#define V_STRIDE 1
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
 
@@ -99,15 +97,6 @@ TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm512_sllv_epi32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm512_srlv_epi32(a, n); }
 TRIBOX_INLINE vint i_ones_from(vnum a) { return _mm512_sllv_epi32(_mm512_set1_epi32(-1), _mm512_cvttps_epi32(a)); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm512_maskz_mov_epi32(m, a); }
-/* Pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
-TRIBOX_INLINE vint i_counts(vint a)
-{
-    const __m512i pairs = _mm512_set1_epi32(0x55555555), nibbles = _mm512_set1_epi32(0x33333333);
-    a = _mm512_sub_epi32(a, _mm512_and_si512(_mm512_srli_epi32(a, 1), pairs));
-    a = _mm512_add_epi32(_mm512_and_si512(a, nibbles), _mm512_and_si512(_mm512_srli_epi32(a, 2), nibbles));
-    a = _mm512_and_si512(_mm512_add_epi32(a, _mm512_srli_epi32(a, 4)), _mm512_set1_epi32(0x0f0f0f0f));
-    return _mm512_srli_epi32(_mm512_mullo_epi32(a, _mm512_set1_epi32(0x01010101)), 24);
-}
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return _mm512_test_epi32_mask(a, a); }
 TRIBOX_INLINE vmask m_signs(vnum a) { return _mm512_cmplt_epi32_mask(avx512_bits(a), _mm512_setzero_si512()); }
@@ -118,13 +107,7 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
-TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(a); }
 
 /* Not compressed to memory, which Zen 4 does in microcode. */
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm512_maskz_compress_ps(m, a)); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { i_write(p, _mm512_maskz_compress_epi32(m, a)); }
-TRIBOX_INLINE void i_pack_pairs(int32_t *p, int32_t *q, vmask m, vint a, vint b)
-{
-    i_pack(p, m, a);
-    i_pack(q, m, b);
-}

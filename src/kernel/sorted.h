@@ -128,7 +128,7 @@ TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class class, vmask m, const 
         copy_lanes(queue, class, m, r);
     else
         pack_lanes(queue, class, m, r);
-    queue->count += m_count(m);
+    queue->count += tribox_count_bits(m_bits(m));
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
         set_packets(v, class);
 }
@@ -186,6 +186,12 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
     left = m_andnot(left, lines);
     if (!m_bits(left))
         return;
+
+    /* One lane has nothing to gain: the rows in double are as fast, and fewer. */
+    if (V_LANES == 1) {
+        hand_on(v, r, m_bits(left));
+        return;
+    }
 
     /* Without edges a shadow has no limits: only the plane has. */
     const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(wide, solid) : m_none(), few = m_and(left, is_narrow);

@@ -14,39 +14,21 @@ TRIBOX_INLINE unsigned char *half_at(uint64_t *occupied, uint32_t half)
     return (unsigned char *)occupied + 4 * (size_t)(first ? half : half ^ 1);
 }
 
-/* Entry n begins with its half, and has its bits HALF_TO_BITS later. */
-enum { HALF_TO_BITS = V_STRIDE == 2 ? 1 : TRIBOX_WRITES_ALL };
-TRIBOX_INLINE const int32_t *entry_at(const tribox_writes *w, unsigned n) { return &w->number[n * V_STRIDE]; }
-
-/* How many bits the first `count` numbers have; what follows, up to a packet, is cleared. */
-TRIBOX_INLINE size_t count_all(int32_t *bits, unsigned count)
-{
-    int32_t lane[V_LANES];
-    size_t all = 0;
-    vint sum = i_splat(0);
-    i_write(bits + count, sum);
-    for (unsigned n = 0; n < count; n += V_LANES)
-        sum = i_add(sum, i_counts(i_load(bits + n)));
-    i_write(lane, sum);
-    for (int i = 0; i < V_LANES; i++)
-        all += (size_t)lane[i];
-    return all;
-}
-
 /* Fetching ahead pays where the grid is larger than a cache, and costs where it is not. */
-TRIBOX_INLINE size_t write_each(tribox_writes *w, uint64_t *occupied, bool is_far)
+TRIBOX_INLINE size_t write_each(const tribox_writes *w, uint64_t *occupied, bool is_far)
 {
+    size_t set = 0;
     for (unsigned n = 0; n < w->count; n++) {
-        unsigned char *const at = half_at(occupied, (uint32_t)*entry_at(w, n));
-        int32_t before;
+        unsigned char *const at = half_at(occupied, (uint32_t)w->half[n]);
+        uint32_t before;
         if (is_far)
-            tribox_will_write(half_at(occupied, (uint32_t)*entry_at(w, n + TRIBOX_WRITES_AHEAD)));
+            tribox_will_write(half_at(occupied, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
         memcpy(&before, at, sizeof before);
-        const int32_t after = before | entry_at(w, n)[HALF_TO_BITS];
+        const uint32_t after = before | (uint32_t)w->bits[n];
         memcpy(at, &after, sizeof after);
-        w->number[n] = after ^ before; /* its entry is read */
+        set += tribox_count_bits(after ^ before);
     }
-    return count_all(w->number, w->count);
+    return set;
 }
 
 static void write_listed(tribox_voxels *v)
@@ -55,7 +37,7 @@ static void write_listed(tribox_voxels *v)
     if (!w->count)
         return;
     for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
-        w->number[(w->count + n) * V_STRIDE] = *entry_at(w, w->count - 1);
+        w->half[w->count + n] = w->half[w->count - 1];
     v->counts.overlapping += v->is_far ? write_each(w, v->occupied, true) : write_each(w, v->occupied, false);
     w->count = 0;
 }
@@ -70,9 +52,9 @@ TRIBOX_INLINE void make_room(tribox_voxels *v)
 TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits)
 {
     tribox_writes *const w = &v->writes;
-    int32_t *const to = &w->number[w->count * V_STRIDE];
-    i_pack_pairs(to, to + HALF_TO_BITS, m, half, bits);
-    w->count += m_count(m);
+    i_pack(&w->half[w->count], m, half);
+    i_pack(&w->bits[w->count], m, bits);
+    w->count += tribox_count_bits(m_bits(m));
 }
 
 /* Bits that begin at bit `from`, 0 to 31, of a half, and may go on in the next. */

@@ -11,12 +11,10 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "bits.h"
 #include "kernel.h"
 
 #define V_LANES 4
 #define V_FUSED 1 /* v_fma and v_fms round once */
-#define V_STRIDE 2
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
 
@@ -100,7 +98,6 @@ TRIBOX_INLINE vint i_shr(vint a, vint n) { return vreinterpretq_s32_u32(vshlq_u3
 /* Longer shifts are cut to a byte with a sign. */
 TRIBOX_INLINE vint i_ones_from(vnum a) { return vshlq_s32(vdupq_n_s32(-1), vcvtq_s32_f32(vminq_f32(a, vdupq_n_f32(32)))); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return vandq_s32(vreinterpretq_s32_u32(m), a); }
-TRIBOX_INLINE vint i_counts(vint a) { return vreinterpretq_s32_u32(vpaddlq_u16(vpaddlq_u8(vcntq_u8(vreinterpretq_u8_s32(a))))); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return vtstq_s32(a, a); }
 TRIBOX_INLINE vmask m_signs(vnum a) { return vcltzq_s32(vreinterpretq_s32_f32(a)); }
@@ -112,7 +109,6 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u32(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u32(a, b); }
 /* NEON has no movemask: each lane keeps its own bit, and the lanes are added up. */
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return vaddvq_u32(vandq_u32(a, (vmask){1, 2, 4, 8})); }
-TRIBOX_INLINE unsigned m_count(vmask a) { return vaddvq_u32(vshrq_n_u32(a, 31)); }
 
 /* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */
 TRIBOX_INLINE void neon_pack(void *p, vmask m, uint32x4_t a)
@@ -126,14 +122,3 @@ TRIBOX_INLINE void neon_pack(void *p, vmask m, uint32x4_t a)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { neon_pack(p, m, neon_bits(a)); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { neon_pack(p, m, vreinterpretq_u32_s32(a)); }
-/* As above, two numbers at a time. */
-TRIBOX_INLINE void i_pack_pairs(int32_t *p, int32_t *q, vmask m, vint a, vint b)
-{
-    (void)q;
-    const uint64_t bits = m_bits(m), first = bits & 1, second = first + (bits >> 1 & 1), third = second + (bits >> 2 & 1);
-    const int32x4_t low = vzip1q_s32(a, b), high = vzip2q_s32(a, b);
-    vst1_s32(p, vget_low_s32(low));
-    vst1_s32(p + 2 * first, vget_high_s32(low));
-    vst1_s32(p + 2 * second, vget_low_s32(high));
-    vst1_s32(p + 2 * third, vget_high_s32(high));
-}

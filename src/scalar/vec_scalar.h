@@ -8,12 +8,10 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "bits.h"
 #include "kernel.h"
 
 #define V_LANES 1
 #define V_FUSED 0 /* v_fma and v_fms round twice */
-#define V_STRIDE 1
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
 
@@ -94,8 +92,6 @@ TRIBOX_INLINE vint i_shr(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)
 TRIBOX_INLINE vint i_ones_from(vnum a) { return a < 32 ? (int32_t)(~UINT32_C(0) << (uint32_t)a) : 0; }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return a & (int32_t)scalar_ones(m); }
 
-TRIBOX_INLINE vint i_counts(vint a) { return (int32_t)tribox_count_bits((uint32_t)a); }
-
 TRIBOX_INLINE vmask m_has_bits(vint a) { return a != 0; }
 TRIBOX_INLINE vmask m_signs(vnum a) { return scalar_bits(a) >> 31; }
 TRIBOX_INLINE vmask m_all(void) { return true; }
@@ -105,7 +101,6 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a + b > 0; } /* of a | b gcc
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
-TRIBOX_INLINE unsigned m_count(vmask a) { return a; }
 
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a)
 {
@@ -116,9 +111,4 @@ TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a)
 {
     (void)m;
     *p = a;
-}
-TRIBOX_INLINE void i_pack_pairs(int32_t *p, int32_t *q, vmask m, vint a, vint b)
-{
-    i_pack(p, m, a);
-    i_pack(q, m, b);
 }

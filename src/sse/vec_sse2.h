@@ -11,12 +11,10 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "bits.h"
 #include "kernel.h"
 
 #define V_LANES 4
 #define V_FUSED 0 /* v_fma and v_fms round twice */
-#define V_STRIDE 2
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
 
@@ -118,15 +116,6 @@ TRIBOX_INLINE vint i_ones_from(vnum a)
     return _mm_and_si128(_mm_sub_epi32(_mm_setzero_si128(), sse2_power(n)), _mm_cmplt_epi32(n, _mm_set1_epi32(32)));
 }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm_and_si128(_mm_castps_si128(m), a); }
-/* Pairs of bits, nibbles, then bytes, which are added up by eights. */
-TRIBOX_INLINE vint i_counts(vint a)
-{
-    const __m128i pairs = _mm_set1_epi8(0x55), nibbles = _mm_set1_epi8(0x33), bytes = _mm_set1_epi8(0x0f);
-    a = _mm_sub_epi8(a, _mm_and_si128(_mm_srli_epi64(a, 1), pairs));
-    a = _mm_add_epi8(_mm_and_si128(a, nibbles), _mm_and_si128(_mm_srli_epi64(a, 2), nibbles));
-    a = _mm_and_si128(_mm_add_epi8(a, _mm_srli_epi64(a, 4)), bytes);
-    return _mm_sad_epu8(a, _mm_setzero_si128());
-}
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
 TRIBOX_INLINE vmask m_all(void) { return _mm_castsi128_ps(_mm_set1_epi32(-1)); }
@@ -137,8 +126,6 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_ps(a); }
 TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))); }
-/* Nibble n of the number is how many bits n has. */
-TRIBOX_INLINE unsigned m_count(vmask a) { return UINT64_C(0x4332322132212110) >> (4 * m_bits(a)) & 15; }
 
 /* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */
 TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128 a)
@@ -152,14 +139,3 @@ TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128 a)
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { sse2_pack(p, m, a); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { sse2_pack(p, m, _mm_castsi128_ps(a)); }
-/* As above, two numbers at a time. */
-TRIBOX_INLINE void i_pack_pairs(int32_t *p, int32_t *q, vmask m, vint a, vint b)
-{
-    (void)q;
-    const uint64_t bits = m_bits(m), first = bits & 1, second = first + (bits >> 1 & 1), third = second + (bits >> 2 & 1);
-    const __m128 low = _mm_castsi128_ps(_mm_unpacklo_epi32(a, b)), high = _mm_castsi128_ps(_mm_unpackhi_epi32(a, b));
-    _mm_storel_pi((__m64 *)p, low);
-    _mm_storeh_pi((__m64 *)(p + 2 * first), low);
-    _mm_storel_pi((__m64 *)(p + 2 * second), high);
-    _mm_storeh_pi((__m64 *)(p + 2 * third), high);
-}

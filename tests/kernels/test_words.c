@@ -540,38 +540,13 @@ static void test_ones(void **state)
     }
 }
 
-static unsigned count_bits(uint32_t bits)
-{
-    unsigned count = 0;
-    for (; bits; bits &= bits - 1)
-        count++;
-    return count;
-}
-
-static void test_counts(void **state)
-{
-    (void)state;
-    random_source r = random_named(args.seed, "counts");
-    for (int round = 0; round < 100000; round++) {
-        int32_t a[LANES_MAX];
-        unsigned bits = 0, lanes = 0;
-        for (unsigned lane = 0; lane < lanes_count; lane++) {
-            a[lane] = random_int(&r, 4) ? any_int(&r) : 0;
-            bits += count_bits((uint32_t)a[lane]);
-            lanes += a[lane] != 0;
-        }
-        assert_int_equal(lanes_bits(a), bits);
-        assert_int_equal(lanes_chosen(a), lanes);
-    }
-}
-
 /* Every mask; nothing is written beside the lanes. */
 static void test_packs(void **state)
 {
     (void)state;
     random_source r = random_named(args.seed, "packs");
     for (uint32_t mask = 0; mask >> lanes_count == 0; mask++) {
-        int32_t a[LANES_MAX], chosen[LANES_MAX], out[2][LANES_MAX + 2], expected[LANES_MAX], pairs[2 * LANES_MAX];
+        int32_t a[LANES_MAX], chosen[LANES_MAX], out[2][LANES_MAX + 2], expected[LANES_MAX];
         float number[LANES_MAX], packed[LANES_MAX + 2];
         unsigned count = 0;
         for (unsigned k = 0; k < LANES_MAX + 2; k++) {
@@ -587,16 +562,10 @@ static void test_packs(void **state)
         memcpy(number, a, lanes_count * sizeof *a);
         lanes_pack(number, chosen, packed + 1);
         lanes_pack_int(a, chosen, out[1] + 1);
-        lanes_pack_pairs(chosen, a, chosen, pairs);
         memcpy(out[0], packed, sizeof packed);
         for (int is_int = 0; is_int < 2; is_int++)
             if (memcmp(out[is_int] + 1, expected, count * sizeof *expected))
                 fail_msg("%s of mask %#x packs other lanes", is_int ? "i_pack" : "v_pack", (unsigned)mask);
-        for (unsigned lane = 0, k = 0; lane < lanes_count; lane++)
-            if (chosen[lane]) {
-                assert_int_equal(pairs[2 * k], chosen[lane]);
-                assert_int_equal(pairs[2 * k++ + 1], a[lane]);
-            }
         assert_true(packed[0] == 77 && packed[lanes_count + 1] == 77);
         assert_true(out[1][0] == 77 && out[1][lanes_count + 1] == 77);
     }
@@ -672,7 +641,6 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_ints),
         cmocka_unit_test(test_shifts),
         cmocka_unit_test(test_ones),
-        cmocka_unit_test(test_counts),
         cmocka_unit_test(test_packs),
 #endif
         cmocka_unit_test(test_bits_of_single_lanes),

@@ -156,28 +156,6 @@ uint64_t lanes_with_bits(const int32_t *a) { return m_bits(m_has_bits(ints_of(a)
 
 void lanes_ones_from(const float *a, int32_t *out) { i_write(out, i_ones_from(lanes_of(a))); }
 
-unsigned lanes_bits(const int32_t *a)
-{
-    int32_t count[LANES_MAX];
-    unsigned all = 0;
-    i_write(count, i_counts(ints_of(a)));
-    for (unsigned lane = 0; lane < V_LANES; lane++)
-        all += (unsigned)count[lane];
-    return all;
-}
-
-unsigned lanes_chosen(const int32_t *a) { return m_count(m_has_bits(ints_of(a))); }
-
-void lanes_pack_pairs(const int32_t *a, const int32_t *b, const int32_t *chosen, int32_t *out)
-{
-    int32_t number[2 * LANES_MAX];
-    i_pack_pairs(number, V_STRIDE == 2 ? number + 1 : number + LANES_MAX, m_has_bits(ints_of(chosen)), ints_of(a), ints_of(b));
-    for (unsigned n = 0; n < V_LANES; n++) {
-        out[2 * n] = number[n * V_STRIDE];
-        out[2 * n + 1] = number[n * V_STRIDE + (V_STRIDE == 2 ? 1 : LANES_MAX)];
-    }
-}
-
 void lanes_pack(const float *a, const int32_t *chosen, float *out) { v_pack(out, m_has_bits(ints_of(chosen)), lanes_of(a)); }
 
 void lanes_pack_int(const int32_t *a, const int32_t *chosen, int32_t *out) { i_pack(out, m_has_bits(ints_of(chosen)), ints_of(a)); }

@@ -90,9 +90,6 @@ void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out);
 uint64_t lanes_with_bits(const int32_t *a);
 void lanes_pack(const float *a, const int32_t *chosen, float *out); /* those where `chosen` has bits */
 void lanes_ones_from(const float *a, int32_t *out);
-unsigned lanes_bits(const int32_t *a);   /* how many there are */
-unsigned lanes_chosen(const int32_t *a); /* how many have bits */
-void lanes_pack_pairs(const int32_t *a, const int32_t *b, const int32_t *chosen, int32_t *out);
 void lanes_pack_int(const int32_t *a, const int32_t *chosen, int32_t *out);
 #endif
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);
