@@ -21,8 +21,9 @@ static inline size_t tribox_set_cells(uint64_t *row, int64_t first, int64_t last
 }
 
 /*
- * Sets one bit in each of `count` words, `step` apart. Eight are loaded before any is stored, as a load that lies a multiple of 4096
- * bytes after a store in flight waits for it; and nothing is stored where nothing is new. Returns how many were not set before.
+ * Sets one bit in each of `count` words, `step` apart. Eight are loaded before any is stored, as a load that lies a multiple of
+ * 4096 bytes after a store in flight waits for it; and nothing is stored where nothing is new. Returns how many were not set
+ * before.
  */
 static inline size_t tribox_set_column(uint64_t *word, size_t step, int64_t count, uint64_t bit)
 {

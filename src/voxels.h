@@ -1,8 +1,8 @@
 /*
  * voxels.h - one voxelization: what its rooms share.
  *
- * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves open wait with their triangle until the
- * bits of others are written, as those set most of them; the rest are settled by their own boxes.
+ * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves open wait with their triangle until
+ * the bits of others are written, as those set most of them; the rest are settled by their own boxes.
  */
 #ifndef TRIBOX_VOXELS_H
 #define TRIBOX_VOXELS_H
@@ -33,7 +33,7 @@ typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_BRICKS_2, TRIBOX_BRICKS_4, TRIB
 enum { TRIBOX_QUEUED = 15 };
 typedef struct tribox_queue {
     unsigned count;
-    /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of the triangles, their first cells on each axis, and how many: of flats 0 across the layer */
+    /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of each, its first cell on each axis, and how many: of flats 0 across the layer */
     float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
 } tribox_queue;
 

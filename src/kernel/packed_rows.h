@@ -134,7 +134,7 @@ static inline uint64_t cell_bits(const row_cells *cells, unsigned n)
     return bits_below(cells->end[n]) & ~bits_below(cells->first[n]);
 }
 
-/* Rows that lie in one word each: eight words are loaded before one is stored (cell_bits.h). Returns how many cells were not set. */
+/* Rows that lie in one word each: eight are loaded before one is stored (cell_bits.h). Returns how many cells were not set. */
 static size_t set_narrow_rows(uint64_t *occupied, const row_list *rows, const row_cells *cells, int bit)
 {
     size_t set = 0;

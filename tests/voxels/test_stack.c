@@ -1,6 +1,6 @@
 /*
- * test_stack.c - a voxelization takes no more stack than the header says, on every kernel: the stack of a thread is painted before the
- * call, and what is still painted after it was not touched.
+ * test_stack.c - a voxelization takes no more stack than the header says, on every kernel: the stack of a thread is painted before
+ * the call, and what is still painted after it was not touched.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>

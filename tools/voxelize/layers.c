@@ -9,8 +9,8 @@
 
 /*
  * Every slab looks at all triangles and skips those of others, which is cheap but not free, and large triangles are in many slabs:
- * there are more slabs than threads, EACH_MOST times as many, only where skipping costs no more than a fourteenth of the work. WINDOW
- * triangles at a time, so that progress is reported meanwhile.
+ * there are more slabs than threads, EACH_MOST times as many, only where skipping costs no more than a fourteenth of the work.
+ * WINDOW triangles at a time, so that progress is reported meanwhile.
  */
 enum { EACH_MOST = 3, SLABS_MAX = EACH_MOST * THREADS_MAX, WINDOW = 1 << 17 };
 static const double skip_cost = 0.7, skip_share = 0.07; /* nanoseconds, as in layers_work.c */
