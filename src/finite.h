@@ -13,14 +13,15 @@ static inline bool tribox_is_finite(float number)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-/* Whether all nine coordinates of a triangle are finite. */
-static inline bool tribox_triangle_is_finite(const float u[3][3])
+static inline bool tribox_are_finite(const float *number, int count)
 {
-    for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++)
-            if (!tribox_is_finite(u[j][a]))
-                return false;
-    return true;
+    bool are = true;
+    for (int n = 0; n < count; n++)
+        are &= tribox_is_finite(number[n]);
+    return are;
 }
+
+/* Whether all nine coordinates of a triangle are finite. */
+static inline bool tribox_triangle_is_finite(const float u[3][3]) { return tribox_are_finite(&u[0][0], 9); }
 
 #endif

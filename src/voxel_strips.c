@@ -82,9 +82,8 @@ void tribox_voxels_take(tribox_voxels *v, const float u[9], const tribox_cell_ra
 void tribox_voxels_add(tribox_voxels *v, const float u[9])
 {
     tribox_cell_range range;
-    for (int n = 0; n < 9; n++)
-        if (!tribox_is_finite(u[n]))
-            return;
+    if (!tribox_are_finite(u, 9))
+        return;
     for (int a = 0; a < 3; a++) {
         float least = u[3 * a], most = least;
         for (int j = 1; j < 3; j++) {

@@ -6,14 +6,6 @@
 #include "finite.h"
 #include "grid_cells.h"
 
-static bool is_finite(const float u[9])
-{
-    bool is = true;
-    for (int n = 0; n < 9; n++)
-        is &= tribox_is_finite(u[n]);
-    return is;
-}
-
 static tribox_lattice lattice_of(const tribox_grid *grid)
 {
     tribox_lattice lattice;
@@ -73,7 +65,7 @@ static void set_soup_by_cells(tribox_voxels *v, const tribox_soup *soup)
     for (size_t i = 0; i < soup->count; i++) {
         float u[9];
         take_triangle(soup, i, u);
-        if (is_finite(u))
+        if (tribox_are_finite(u, 9))
             for (int64_t k = v->first_layer; k < v->end_layer; k++)
                 for (int64_t j = 0; j < v->grid->size[1]; j++)
                     tribox_voxels_wait(v, u, 0, (int64_t)v->grid->size[0] - 1, j, k);
@@ -107,8 +99,8 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
         v->lattice = lattice_of(grid);
         for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
             v->strip[shape].count = 0;
-        for (tribox_class class = TRIBOX_FLATS; class < TRIBOX_CLASSES; class ++)
-            v->queue[class].count = 0;
+        for (tribox_class kind = TRIBOX_FLATS; kind < TRIBOX_CLASSES; kind++)
+            v->queue[kind].count = 0;
         if (layers)
             (v->plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(v, soup);
         tribox_voxels_settle(v);

@@ -24,11 +24,11 @@ typedef struct tribox_writes {
  * bricks have a kernel of their own, and wait beside others of about their size.
  */
 enum {
-    TRIBOX_LINE = 8,
-    TRIBOX_FLAT = 32,
-    TRIBOX_BRICK = 8
-}; /* most cells of a line, along an axis of a flat, along y and z of a brick */
-enum { TRIBOX_QUEUE = 48 };
+    TRIBOX_LINE = 8,  /* most rows of a line */
+    TRIBOX_FLAT = 32, /* most cells of a flat along an axis, and of a line or a brick along x */
+    TRIBOX_BRICK = 8, /* most cells of a brick along y and along z */
+    TRIBOX_QUEUE = 48
+};
 typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_BRICKS_2, TRIBOX_BRICKS_4, TRIBOX_BRICKS_8, TRIBOX_CLASSES } tribox_class;
 enum { TRIBOX_QUEUED = 15 };
 typedef struct tribox_queue {

@@ -47,13 +47,13 @@ static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
 }
 
-TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class class, unsigned at, unsigned count)
+TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, unsigned count)
 {
-    const tribox_queue *const queue = &v->queue[class];
+    const tribox_queue *const queue = &v->queue[kind];
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
-    if (class == TRIBOX_FLATS && is_exact)
+    if (kind == TRIBOX_FLATS && is_exact)
         set_flats(v, queue, at, count, true);
-    else if (class == TRIBOX_FLATS)
+    else if (kind == TRIBOX_FLATS)
         set_flats(v, queue, at, count, false);
     else if (is_exact)
         set_bricks(v, queue, at, count, true);
@@ -62,49 +62,49 @@ TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class class, unsigned at,
 }
 
 /* Whole packets of a queue; the rest moves to its beginning. */
-static void set_packets(tribox_voxels *v, tribox_class class)
+static void set_packets(tribox_voxels *v, tribox_class kind)
 {
-    tribox_queue *const queue = &v->queue[class];
+    tribox_queue *const queue = &v->queue[kind];
     unsigned at = 0;
     for (; at + V_LANES <= queue->count; at += V_LANES)
-        set_queued(v, class, at, V_LANES);
+        set_queued(v, kind, at, V_LANES);
     queue->count -= at;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         v_write(queue->number[n], v_load(&queue->number[n][at]));
 }
 
 /* The last packet of a queue may have fewer triangles than lanes: the others repeat the first, and are left out. */
-static void finish_queue(tribox_voxels *v, tribox_class class)
+static void finish_queue(tribox_voxels *v, tribox_class kind)
 {
-    tribox_queue *const queue = &v->queue[class];
-    set_packets(v, class);
+    tribox_queue *const queue = &v->queue[kind];
+    set_packets(v, kind);
     if (!queue->count)
         return;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         for (unsigned t = queue->count; t < V_LANES; t++)
             queue->number[n][t] = queue->number[n][0];
-    set_queued(v, class, 0, queue->count);
+    set_queued(v, kind, 0, queue->count);
 }
 
 /* Of a flat 0 across the layer. */
-TRIBOX_INLINE vnum queued_cells(tribox_class class, const lane_reach *r, int a)
+TRIBOX_INLINE vnum queued_cells(tribox_class kind, const lane_reach *r, int a)
 {
-    return class == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a];
+    return kind == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a];
 }
 
-TRIBOX_INLINE void pack_lanes(tribox_queue *queue, tribox_class class, vmask m, const lane_reach *r)
+TRIBOX_INLINE void pack_lanes(tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     const unsigned to = queue->count;
     for (int n = 0; n < 9; n++)
         v_pack(&queue->number[n][to], m, r->u[n]);
     for (int a = 0; a < 3; a++) {
         v_pack(&queue->number[9 + a][to], m, r->base[a]);
-        v_pack(&queue->number[12 + a][to], m, queued_cells(class, r, a));
+        v_pack(&queue->number[12 + a][to], m, queued_cells(kind, r, a));
     }
 }
 
 /* Lane by lane: one costs less than what it takes to close up a few others. */
-TRIBOX_INLINE void copy_lanes(tribox_queue *queue, tribox_class class, vmask m, const lane_reach *r)
+TRIBOX_INLINE void copy_lanes(tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     float lane[TRIBOX_QUEUED][V_LANES];
     unsigned to = queue->count;
@@ -112,25 +112,25 @@ TRIBOX_INLINE void copy_lanes(tribox_queue *queue, tribox_class class, vmask m, 
         v_write(lane[n], r->u[n]);
     for (int a = 0; a < 3; a++) {
         v_write(lane[9 + a], r->base[a]);
-        v_write(lane[12 + a], queued_cells(class, r, a));
+        v_write(lane[12 + a], queued_cells(kind, r, a));
     }
     for (uint64_t left = m_bits(m); left; left &= left - 1, to++)
         for (int n = 0; n < TRIBOX_QUEUED; n++)
             queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
 }
 
-TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class class, vmask m, const lane_reach *r)
+TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const lane_reach *r)
 {
-    tribox_queue *const queue = &v->queue[class];
+    tribox_queue *const queue = &v->queue[kind];
     if (!m_bits(m))
         return;
     if (V_LANES <= 4)
-        copy_lanes(queue, class, m, r);
+        copy_lanes(queue, kind, m, r);
     else
-        pack_lanes(queue, class, m, r);
+        pack_lanes(queue, kind, m, r);
     queue->count += tribox_count_bits(m_bits(m));
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
-        set_packets(v, class);
+        set_packets(v, kind);
 }
 
 /* Lines of cells, of the layers asked for alone. */
@@ -218,8 +218,8 @@ static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
         sort_packet(v, soup, 0, 0, rest);
     else if (rest)
         sort_packet(v, soup, soup->count - V_LANES, V_LANES - rest, V_LANES);
-    for (tribox_class class = TRIBOX_FLATS; class < TRIBOX_CLASSES; class ++)
-        finish_queue(v, class);
+    for (tribox_class kind = TRIBOX_FLATS; kind < TRIBOX_CLASSES; kind++)
+        finish_queue(v, kind);
     write_listed(v);
 }
 
