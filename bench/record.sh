@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the machine it runs on, and leaves tables and charts in bench/results/<processor>: record.sh [MESH...]
-# Run it while the machine is idle; without building it takes four minutes. NAME=... names the folder, BUILD=... the build.
+# Run it while the machine is idle; without building it takes five minutes. NAME=... names the folder, BUILD=... the build.
 set -eu
 cd "$(dirname "$0")/.."
 packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf gnuplot-nox libassimp-dev libcgal-dev libgmp-dev libmpfr-dev
@@ -16,4 +16,5 @@ rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # th
 "$build/bench/ratios" >"$results/ratios.txt"
 "$build/bench/cgal" >"$results/cgal.txt"
 { "$build/bench/inputs" && "$build/bench/inputs" --kernel avx2; } >"$results/inputs.txt"
+"$build/bench/voxels" --limit 1 "$@" >"$results/voxels.txt"
 echo "$results: done; tables that say 'disturbed' were not measured on a quiet machine"
