@@ -1,6 +1,6 @@
 /*
  * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on
- * an axis is in cells too, in double. No two planes are the same float, so an axis has fewer than 2^26 cells (PROOFS.md 7.2).
+ * an axis is in cells too. No two planes are the same float, so an axis has fewer than 2^26 cells (PROOFS.md 7.2).
  */
 #ifndef TRIBOX_KERNEL_GRID_H
 #define TRIBOX_KERNEL_GRID_H
@@ -12,7 +12,6 @@ typedef struct tribox_voxels tribox_voxels; /* one call: voxels.h */
 /* A grid as kernels see it. */
 typedef struct tribox_lattice {
     double origin[3], per_cell[3]; /* the place of x is (x - origin) * per_cell */
-    double size[3];                /* cells */
     double error[3]; /* cells: how far off plane p and the place of a number near the grid can be, together (PROOFS.md 7.2) */
 } tribox_lattice;
 
@@ -40,7 +39,10 @@ typedef struct tribox_strip {
  */
 typedef void tribox_set_strip(tribox_voxels *v);
 
-/* Sets the cells of a soup, whose triangles are as many as the lanes of the kernel at least; larger triangles join the strips. */
+/*
+ * Sets the cells of a soup of one triangle at least; larger triangles join the strips. Whole packets are read: where the triangles
+ * are fewer than the lanes of the kernel, numbers have to follow them (tribox_few).
+ */
 typedef void tribox_set_soup(tribox_voxels *v, const tribox_soup *soup);
 
 /* Writes the listed bits. */

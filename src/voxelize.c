@@ -14,10 +14,9 @@ static tribox_lattice lattice_of(const tribox_grid *grid)
         const double farthest = -lowest > highest ? -lowest : highest;
         lattice.origin[a] = grid->origin[a];
         lattice.per_cell[a] = 1 / (double)grid->cell[a];
-        lattice.size[a] = grid->size[a];
         /* planes: half a spacing of floats, and of doubles while they are made; places: three roundings in double. The
          * 0x1.001 alone would cover the other two terms (PROOFS.md 7.2). */
-        lattice.error[a] = (0x1.001p-24 * farthest + 0x1p-149) * lattice.per_cell[a] + 0x1p-50 * (lattice.size[a] + 4);
+        lattice.error[a] = (0x1.001p-24 * farthest + 0x1p-149) * lattice.per_cell[a] + 0x1p-50 * ((double)grid->size[a] + 4);
     }
     return lattice;
 }

@@ -218,7 +218,7 @@ static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
         sort_packet(v, soup, 0, 0, rest);
     else if (rest)
         sort_packet(v, soup, soup->count - V_LANES, V_LANES - rest, V_LANES);
-    for (tribox_class kind = TRIBOX_FLATS; kind < TRIBOX_CLASSES; kind++)
+    for (tribox_class kind = TRIBOX_FLATS; V_LANES > 1 && kind < TRIBOX_CLASSES; kind++)
         finish_queue(v, kind);
     write_listed(v);
 }
