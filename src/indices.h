@@ -7,7 +7,7 @@
 #include "tribox.h"
 
 /* 0 where there are no indices. */
-static inline unsigned tribox_index_bytes(const tribox_mesh *mesh) { return mesh->indices ? mesh->index_bytes : 0; }
+static inline unsigned tribox_vertex_bytes(const tribox_mesh *mesh) { return mesh->indices ? mesh->index_bytes : 0; }
 
 /* index_bytes: that of the mesh, as an argument of its own so that it can be a constant. */
 static inline size_t tribox_vertex_number(const tribox_mesh *mesh, unsigned index_bytes, size_t corner)

@@ -202,7 +202,7 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
 /* How many corners of triangles at .. at + count - 1 have no vertex; *first becomes the first of them, if it is none yet. */
 static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t none, size_t *first)
 {
-    const unsigned bytes = tribox_index_bytes(mesh);
+    const unsigned bytes = tribox_vertex_bytes(mesh);
     size_t found = 0;
     for (size_t corner = 3 * at; corner < 3 * (at + count); corner++)
         if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices) {

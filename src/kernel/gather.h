@@ -65,7 +65,7 @@ static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, 
 static void gather_vertices(const tribox_mesh *mesh, size_t first, size_t count, size_t least, float *const to[9], size_t to_first)
 {
     for (size_t corner = 0; corner < 3 * count; corner++) {
-        const size_t vertex = tribox_vertex_number(mesh, tribox_index_bytes(mesh), 3 * first + corner);
+        const size_t vertex = tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * first + corner);
         for (size_t a = 0; vertex >= least && a < 3; a++)
             memcpy(to[3 * a + corner % 3] + to_first + corner / 3,
                    (const char *)mesh->positions + vertex * mesh->stride + a * sizeof(float), sizeof(float));
