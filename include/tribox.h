@@ -114,7 +114,7 @@ typedef enum tribox_status {
     TRIBOX_BAD_OPTION,   /* the accuracy, axis set or order is unknown, or not available in this call */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
     TRIBOX_NO_MEMORY,    /* reserved: no call of the library returns it, as none allocates; programs may use it for themselves */
-    TRIBOX_BAD_INDEX     /* the mesh refers to a vertex that it does not have; tribox_mesh_bad_indices finds the first */
+    TRIBOX_BAD_INDEX     /* a mesh refers to a vertex that it does not have (tribox_mesh_bad_indices), or an order to a triangle */
 } tribox_status;
 
 /** Says in English what a status means, without a full stop. Static storage; never NULL. */
@@ -267,6 +267,175 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
  */
 TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
                                               uint64_t *mask, tribox_report *report);
+
+/* ============================================================================================================================== */
+/*                                                    One soup, box after box                                                     */
+/* ============================================================================================================================== */
+
+/**
+ * An index over a soup: the bounds of every 64 triangles, of every 64 of those, and so on, in memory of the caller's. It makes
+ * questions about boxes cost what the answer and the border of the box cost, and not the soup. Answers are those of tribox_overlap,
+ * bit for bit.
+ *
+ * It pays where triangles that are near in number are near in space, as tribox_soup_order makes them. In any other order answers
+ * are as right, and hardly slower than without an index.
+ *
+ * It may be copied, mapped, or written to a file for the same version of the library and byte order: no number in it is an address.
+ * Whatever stands in it, nothing is read outside it and the soup. Any number of threads may ask it at once.
+ */
+typedef struct tribox_index {
+    const void *nodes; /* tribox_index_bytes(count) bytes, at any alignment; 64 is the fastest */
+    size_t count;      /* triangles of the soup that it was built over */
+} tribox_index;
+
+/** The bytes of an index over so many triangles: some 1.1 % of their soup, 1600 at the least; SIZE_MAX where that overflows. */
+TRIBOX_API size_t tribox_index_bytes(size_t count);
+
+/**
+ * Builds the index of a soup, whose streams are read once. Triangles with a NaN or infinite coordinate overlap nothing, and the
+ * triangles around them are found as fast as without them.
+ *
+ * options: only the kernel matters; NULL for the best. Every kernel builds the same bytes.
+ * memory: tribox_index_bytes(soup->count) bytes, all of them written. Must not overlap the soup.
+ * index: receives memory and soup->count; NULL if not wanted.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup, memory or a stream of a non-empty soup is NULL, or count floats exceed the address
+ * space) or TRIBOX_NO_KERNEL.
+ */
+TRIBOX_API tribox_status tribox_index_build(const tribox_soup *soup, const tribox_options *options, void *memory,
+                                            tribox_index *index);
+
+/** Triangles under one node of the lowest level: what threads that update an index share out. */
+enum { TRIBOX_INDEX_BLOCK = 4096 };
+
+/**
+ * Brings an index up to date after triangles first .. first + count - 1 alone have changed: to the bytes that tribox_index_build
+ * writes.
+ *
+ * Threads may share this work, or that of a build. Ranges of whole blocks, which begin at a multiple of TRIBOX_INDEX_BLOCK and end
+ * at one or with the soup, leave out what they would have in common unless they are the whole soup: so any number of threads may
+ * update such ranges at once, and when all are done, one call of count 0 finishes the index. It has to come; until then, answers
+ * may be wrong.
+ *
+ * soup, options: as for tribox_index_build.
+ * memory: of an index over a soup of as many triangles.
+ *
+ * Returns what tribox_index_build does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
+ */
+TRIBOX_API tribox_status tribox_index_update(const tribox_soup *soup, size_t first, size_t count, const tribox_options *options,
+                                             void *memory);
+
+/**
+ * tribox_overlap by an index: the same mask at EXACT and CONSERVATIVE, and at FAST that mask and triangles of groups of 64 that lie
+ * wholly inside the box, which are never tested.
+ *
+ * soup: the one that the index was built over. About other triangles, or a damaged index, answers are wrong, but nothing else is.
+ * options: as for tribox_overlap, but the axes have to include TRIBOX_AXES_BOX: without it far triangles overlap, too.
+ * mask: all of its words are written, however few triangles overlap; NULL to count them, which writes nothing and reads least.
+ *
+ * Other arguments and the returned status are as for tribox_overlap; TRIBOX_BAD_ARGUMENT also if index or its nodes are NULL, or
+ * its count is not soup->count; TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
+ */
+TRIBOX_API tribox_status tribox_index_overlap(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                              const tribox_options *options, uint64_t *mask, tribox_report *report);
+
+/**
+ * The words of that mask that are not zero, in ascending order: bit b of bits[k] says that triangle 64 * number[k] + b overlaps.
+ *
+ * room: how many words number, bits and inside have room for; those beyond are not written.
+ * inside: of tribox_classify, for the same words: which of the triangles lie wholly inside; NULL if not wanted. At FAST such
+ *   triangles are then set in bits, too.
+ * found: receives how many words there are, be there room for them or not.
+ *
+ * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if found is NULL, number or
+ * bits is NULL and room is not 0, or soup->count is more than 2^38.
+ */
+TRIBOX_API tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                            const tribox_options *options, size_t room, uint32_t *number, uint64_t *bits,
+                                            uint64_t *inside, size_t *found, tribox_report *report);
+
+/**
+ * The triangles that overlap, as a list.
+ *
+ * ids: the list has ids[i] for triangle i, such as tribox_soup_order wrote: the triangle's number before the soup was gathered in
+ *   order. NULL for i itself. In either case the list is in ascending order of i.
+ * room: how many numbers list has room for; those beyond are not written.
+ * found: receives how many triangles overlap, be there room for them or not.
+ *
+ * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if found is NULL, list is NULL
+ * and room is not 0, or soup->count is more than 2^32.
+ */
+TRIBOX_API tribox_status tribox_index_list(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                           const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list,
+                                           size_t *found);
+
+/**
+ * The lists of many boxes, one after another: that of box i is list[start[i]] .. list[start[i + 1] - 1]. Boxes that are near in
+ * number should be near in space (tribox_boxes_order), so that they find their triangles in the cache.
+ *
+ * boxes: six streams. A box that is empty, or has a NaN or infinite bound, has an empty list. This is not an error.
+ * ids, room: as for tribox_index_list. All is written in turn as far as room goes.
+ * start: boxes->count + 1 numbers, all of them written; start[boxes->count] is the room that all lists take.
+ *
+ * Other arguments and the returned status are as for tribox_index_list; TRIBOX_BAD_ARGUMENT also if boxes, a stream of a non-empty
+ * set or start is NULL.
+ */
+TRIBOX_API tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *soup, const tribox_boxes *boxes,
+                                            const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list,
+                                            size_t *start);
+
+/**
+ * Finds some triangle that overlaps the box: not the first, but at EXACT the same on every processor.
+ *
+ * triangle: receives its index, or soup->count if no triangle overlaps.
+ *
+ * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if triangle is NULL.
+ */
+TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                          const tribox_options *options, size_t *triangle);
+
+/**
+ * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th; those with
+ * a NaN or infinite coordinate come last. The same on every processor. The soup is cut in two across its longest side, and so are
+ * the parts, down to the 64 triangles of a word: so that no node of an index straddles a cut.
+ *
+ * order: room for soup->count numbers.
+ * scratch: 16 bytes for each triangle, at any alignment.
+ *
+ * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or scratch is NULL and the soup is
+ * not empty; count is more than 2^32 or exceeds the address space).
+ */
+TRIBOX_API tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *scratch);
+
+/** The same for boxes. Those that have a NaN or infinite bound come last. */
+TRIBOX_API tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch);
+
+/** The same for the triangles of a mesh; TRIBOX_BAD_INDEX also if a triangle refers to a vertex that does not exist. */
+TRIBOX_API tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch);
+
+/**
+ * Writes triangles order[first] .. order[first + count - 1] of a soup as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of
+ * triangle order[first + i]. Threads may write parts of the streams.
+ *
+ * order: at least first + count triangles of the soup, in any order; a triangle may come more than once.
+ * x, y, z: three streams each, of `count` floats, at any alignment, which overlap none of the soup's. Values are copied as they
+ *   are, NaN and infinity included.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or a stream that is written is NULL
+ * where count > 0; first + count exceeds the address space) or TRIBOX_BAD_INDEX (these places of order name a triangle that the
+ * soup does not have).
+ */
+TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint32_t *order, size_t first, size_t count,
+                                            float *const x[3], float *const y[3], float *const z[3]);
+
+/**
+ * The same for a mesh: from its triangles as they are to ordered streams.
+ *
+ * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed does, TRIBOX_BAD_INDEX also if one of
+ * these triangles refers to a vertex that does not exist.
+ */
+TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order, size_t first, size_t count,
+                                            float *const x[3], float *const y[3], float *const z[3]);
 
 /* ============================================================================================================================== */
 /*                                                        Cells of a grid                                                         */
