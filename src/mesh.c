@@ -5,6 +5,7 @@
 #include "dispatch.h"
 #include "environment.h"
 #include "few.h"
+#include "mesh_input.h"
 #include "pairs.h"
 #include "soup.h"
 
@@ -17,7 +18,7 @@ enum { KEPT_WORDS = 2048, COPIED = 1024 };
 /* Whether `count` items of `bytes` bytes each fit the address space. */
 static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
 
-static bool is_readable(const tribox_mesh *mesh)
+bool tribox_mesh_is_readable(const tribox_mesh *mesh)
 {
     if (!mesh || (mesh->stride && mesh->stride < 12) || !fits(mesh->vertices, mesh->stride ? mesh->stride : 12))
         return false;
@@ -26,15 +27,14 @@ static bool is_readable(const tribox_mesh *mesh)
     return fits(mesh->count, 3 * sizeof(float)) && (mesh->positions || !mesh->count);
 }
 
-/* The same mesh, its stride set. */
-static tribox_mesh with_stride(const tribox_mesh *mesh)
+tribox_mesh tribox_mesh_with_stride(const tribox_mesh *mesh)
 {
     tribox_mesh strided = *mesh;
     strided.stride = mesh->stride ? mesh->stride : 12;
     return strided;
 }
 
-static bool is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
+bool tribox_mesh_is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
 {
     return !count || kernel->find_vertices(mesh, first, count).greatest < mesh->vertices;
 }
@@ -42,7 +42,7 @@ static bool is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, si
 tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
                                      float *const x[3], float *const y[3], float *const z[3])
 {
-    if (!is_readable(mesh) || first > mesh->count || count > mesh->count - first || !x || !y || !z)
+    if (!tribox_mesh_is_readable(mesh) || first > mesh->count || count > mesh->count - first || !x || !y || !z)
         return TRIBOX_BAD_ARGUMENT;
     float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
     for (int k = 0; count && k < 9; k++)
@@ -51,8 +51,8 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
     const tribox_kernel *const kernel = tribox_kernel_find(options ? options->kernel : NULL);
     if (!kernel)
         return TRIBOX_NO_KERNEL;
-    const tribox_mesh strided = with_stride(mesh);
-    if (!is_in_range(&strided, kernel, first, count))
+    const tribox_mesh strided = tribox_mesh_with_stride(mesh);
+    if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
         return TRIBOX_BAD_INDEX;
     kernel->gather(&strided, first, count, to);
     return TRIBOX_OK;
@@ -157,7 +157,7 @@ static bool answer_checked(const tribox_mesh *mesh, const tribox_box *box, tribo
     const bool is_empty = tribox_box_is_empty(box);
     const bool is_small = mesh->indices && mesh->vertices <= COPIED && mesh->vertices <= 3 * mesh->count;
     const bool is_checked_first = !mesh->indices || is_empty || is_small || (mask && words > KEPT_WORDS);
-    if (is_checked_first && !is_in_range(mesh, plan->kernel, 0, mesh->count))
+    if (is_checked_first && !tribox_mesh_is_in_range(mesh, plan->kernel, 0, mesh->count))
         return false;
     if (is_empty) {
         tribox_pairs_write_none(mesh->count, mask);
@@ -180,7 +180,7 @@ static bool answer_checked(const tribox_mesh *mesh, const tribox_box *box, tribo
 tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options, uint64_t *mask,
                                      tribox_report *report)
 {
-    if (!box || !is_readable(mesh))
+    if (!box || !tribox_mesh_is_readable(mesh))
         return TRIBOX_BAD_ARGUMENT;
     if (!tribox_box_is_finite(box))
         return TRIBOX_BAD_BOX;
@@ -188,7 +188,7 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)
         return status;
-    const tribox_mesh strided = with_stride(mesh);
+    const tribox_mesh strided = tribox_mesh_with_stride(mesh);
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     const bool is_answered = answer_checked(&strided, box, &plan, mask, &counts);
@@ -215,7 +215,7 @@ static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t
 size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
 {
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
-    const size_t triangles = is_readable(mesh) ? mesh->count : 0, corners = 3 * triangles;
+    const size_t triangles = tribox_mesh_is_readable(mesh) ? mesh->count : 0, corners = 3 * triangles;
     size_t found = 0, lowest = corners;
     if (corners && !mesh->indices) {
         found = corners > mesh->vertices ? corners - mesh->vertices : 0;
@@ -223,7 +223,7 @@ size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
     }
     for (size_t at = 0; mesh && mesh->indices && at < triangles; at += 64) {
         const size_t count = triangles - at < 64 ? triangles - at : 64;
-        if (!is_in_range(mesh, kernel, at, count))
+        if (!tribox_mesh_is_in_range(mesh, kernel, at, count))
             found += count_bad(mesh, at, count, corners, &lowest);
     }
     if (first)

@@ -1,0 +1,18 @@
+/* mesh_input.h - what every call checks of a mesh before it reads it. */
+#ifndef TRIBOX_MESH_INPUT_H
+#define TRIBOX_MESH_INPUT_H
+
+#include <stdbool.h>
+
+#include "kernel.h"
+
+/* Whether the mesh can be read, but for vertex numbers that are too great. */
+bool tribox_mesh_is_readable(const tribox_mesh *mesh);
+
+/* The same mesh, its stride set. */
+tribox_mesh tribox_mesh_with_stride(const tribox_mesh *mesh);
+
+/* Whether triangles first .. first + count - 1 name vertices of the mesh only. */
+bool tribox_mesh_is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count);
+
+#endif
