@@ -288,7 +288,7 @@ typedef struct tribox_index {
     size_t count;      /* triangles of the soup that it was built over */
 } tribox_index;
 
-/** The bytes of an index over so many triangles: some 1.1 % of their soup, 1600 at the least; SIZE_MAX where that overflows. */
+/** The bytes of an index over so many triangles: some 1.1 % of their soup, and 1600 at the least. No count makes it overflow. */
 TRIBOX_API size_t tribox_index_bytes(size_t count);
 
 /**

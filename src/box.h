@@ -3,6 +3,7 @@
 #define TRIBOX_BOX_H
 
 #include "finite.h"
+#include "soup.h"
 #include "tribox.h"
 
 static inline bool tribox_box_is_finite(const tribox_box *box)
@@ -17,6 +18,17 @@ static inline bool tribox_box_is_finite(const tribox_box *box)
 static inline bool tribox_box_is_empty(const tribox_box *box)
 {
     return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
+}
+
+/* Whether boxes can be read: no NULL where boxes are, and a count that fits. */
+static inline bool tribox_boxes_are_readable(const tribox_boxes *boxes)
+{
+    if (!boxes || !tribox_is_addressable(boxes->count))
+        return false;
+    for (int a = 0; boxes->count && a < 3; a++)
+        if (!boxes->lo[a] || !boxes->hi[a])
+            return false;
+    return true;
 }
 
 #endif

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include "indices.h"
 #include "kernel_grid.h"
+#include "kernel_index.h"
 #include "soup.h"
 
 #if defined(__FAST_MATH__)
@@ -202,6 +203,7 @@ typedef struct tribox_kernel {
     tribox_in_double *in_double;
     const tribox_cells_kernel *cells;
     const tribox_grid_kernel *grid;
+    const tribox_index_kernel *index;
 } tribox_kernel;
 
 #endif

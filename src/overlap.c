@@ -52,11 +52,8 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
 tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
                                    uint64_t *mask, tribox_report *report)
 {
-    if (!triangle || !boxes || !tribox_is_addressable(boxes->count))
+    if (!triangle || !tribox_boxes_are_readable(boxes))
         return TRIBOX_BAD_ARGUMENT;
-    for (int a = 0; boxes->count && a < 3; a++)
-        if (!boxes->lo[a] || !boxes->hi[a])
-            return TRIBOX_BAD_ARGUMENT;
     tribox_plan plan;
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)

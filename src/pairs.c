@@ -18,15 +18,16 @@ static void survey_word(const tribox_pairs *p, tribox_plan *plan, size_t word, u
 /* Pairs that the walks left open, gathered until they fill a batch. */
 typedef struct gathering {
     tribox_batch batch;
-    size_t lane[TRIBOX_BATCH]; /* of pair i of the batch, counted from the start of the block */
+    size_t pair[TRIBOX_BATCH]; /* the number of each among the pairs of the call, */
+    size_t lane[TRIBOX_BATCH]; /* and its lane among those of the words that are settled */
     unsigned count;
 } gathering;
 
 /* Vertex v of every gathered triangle of a mesh. */
-static void fill_vertex(gathering *g, const tribox_corners *corners, size_t start, size_t v)
+static void fill_vertex(gathering *g, const tribox_corners *corners, size_t v)
 {
     for (unsigned i = 0; i < g->count; i++) {
-        const size_t corner = 3 * (start + g->lane[i]) + v;
+        const size_t corner = 3 * g->pair[i] + v;
         float position[3];
         memcpy(position, corners->base + (corners->offset ? corners->offset[corner] : sizeof position * corner), sizeof position);
         for (size_t a = 0; a < 3; a++)
@@ -35,34 +36,34 @@ static void fill_vertex(gathering *g, const tribox_corners *corners, size_t star
 }
 
 /* Pair i of the batch in place k of each number: from its stream, or the same for all. */
-static void fill_batch(gathering *g, const tribox_pairs *p, size_t start)
+static void fill_batch(gathering *g, const tribox_pairs *p)
 {
     const float *stream[15] = {NULL};
     float constant[15] = {0};
     for (int a = 0; a < 3; a++) {
         for (int v = 0; v < 3; v++) {
-            stream[3 * a + v] = p->soup ? tribox_soup_axis(p->soup, a)[v] + start : NULL;
+            stream[3 * a + v] = p->soup ? tribox_soup_axis(p->soup, a)[v] : NULL;
             constant[3 * a + v] = p->triangle ? p->triangle[v][a] : 0;
         }
-        stream[9 + a] = p->boxes ? p->boxes->lo[a] + start : NULL;
-        stream[12 + a] = p->boxes ? p->boxes->hi[a] + start : NULL;
+        stream[9 + a] = p->boxes ? p->boxes->lo[a] : NULL;
+        stream[12 + a] = p->boxes ? p->boxes->hi[a] : NULL;
         constant[9 + a] = p->box ? p->box->lo[a] : 0;
         constant[12 + a] = p->box ? p->box->hi[a] : 0;
     }
     for (int k = 0; k < 15; k++)
         for (unsigned i = 0; i < g->count; i++)
-            g->batch.number[k][i] = stream[k] ? stream[k][g->lane[i]] : constant[k];
+            g->batch.number[k][i] = stream[k] ? stream[k][g->pair[i]] : constant[k];
     for (size_t v = 0; p->corners && v < 3; v++)
-        fill_vertex(g, p->corners, start, v);
+        fill_vertex(g, p->corners, v);
 }
 
 /*
- * Settles what is gathered, and adds the pairs that overlap to the hits of the block. Returns how many have finite numbers; the
+ * Settles what is gathered, and adds the pairs that overlap to the hits of their words. Returns how many have finite numbers; the
  * others overlap nothing.
  */
-static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, size_t start, uint64_t *hit)
+static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit)
 {
-    fill_batch(g, p, start);
+    fill_batch(g, p);
     const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const size_t lane = g->lane[tribox_lowest_bit(left)];
@@ -87,21 +88,32 @@ void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t wo
     }
 }
 
-size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
-                                 uint64_t *hit)
+size_t tribox_pairs_settle_words(const tribox_pairs *p, const tribox_plan *plan, const size_t *number, size_t words,
+                                 const uint64_t *open, uint64_t *hit)
 {
     gathering g;
     size_t undecided = 0;
     g.count = 0;
     for (size_t w = 0; w < words; w++)
         for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
-            g.lane[g.count++] = 64 * w + tribox_lowest_bit(rest);
+            const unsigned lane = tribox_lowest_bit(rest);
+            g.pair[g.count] = 64 * number[w] + lane;
+            g.lane[g.count++] = 64 * w + lane;
             if (g.count == TRIBOX_BATCH)
-                undecided += settle_gathered(&g, p, plan, 64 * word, hit);
+                undecided += settle_gathered(&g, p, plan, hit);
         }
     if (g.count)
-        undecided += settle_gathered(&g, p, plan, 64 * word, hit);
+        undecided += settle_gathered(&g, p, plan, hit);
     return undecided;
+}
+
+size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
+                                 uint64_t *hit)
+{
+    size_t number[TRIBOX_BLOCK_WORDS];
+    for (size_t w = 0; w < words; w++)
+        number[w] = word + w;
+    return tribox_pairs_settle_words(p, plan, number, words, open, hit);
 }
 
 size_t tribox_pairs_answer_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit)

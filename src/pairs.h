@@ -10,7 +10,14 @@ enum { TRIBOX_BLOCK_WORDS = 64 };
 /* The kernel's answer about words word .. word + words - 1, at most TRIBOX_BLOCK_WORDS: bits as of a walk (kernel.h). */
 void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open);
 
-/* Settles the open lanes of such words and adds those that overlap to the hits. Returns how many of them have finite numbers. */
+/*
+ * Settles the open lanes of words from anywhere, whose numbers are given, and adds those that overlap to the hits. Returns how many
+ * of them have finite numbers.
+ */
+size_t tribox_pairs_settle_words(const tribox_pairs *p, const tribox_plan *plan, const size_t *number, size_t words,
+                                 const uint64_t *open, uint64_t *hit);
+
+/* The same for words word .. word + words - 1. */
 size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
                                  uint64_t *hit);
 

@@ -82,6 +82,7 @@ TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 tribox_in_double TRIBOX_SYMBOL(double);
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
+extern const tribox_index_kernel TRIBOX_SYMBOL(index);
 extern const tribox_kernel TRIBOX_SYMBOL(kernel);
 const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
@@ -99,4 +100,5 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .in_double = TRIBOX_SYMBOL(double),
     .cells = &TRIBOX_SYMBOL(cells),
     .grid = &TRIBOX_SYMBOL(grid),
+    .index = &TRIBOX_SYMBOL(index),
 };

@@ -1,0 +1,31 @@
+/* index_levels.h - where the nodes of an index lie: level after level, the lowest, over words of the soup, first. */
+#ifndef TRIBOX_INDEX_LEVELS_H
+#define TRIBOX_INDEX_LEVELS_H
+
+#include "kernel_index.h"
+
+/* 64 to the power of this, times 64, is more than any count. */
+enum { TRIBOX_INDEX_LEVELS = 10 };
+
+typedef struct tribox_levels {
+    unsigned count;                    /* the last one has one node */
+    size_t nodes[TRIBOX_INDEX_LEVELS]; /* of a level */
+    size_t start[TRIBOX_INDEX_LEVELS]; /* the number of its first node among all nodes */
+} tribox_levels;
+
+/* One level at least, and one node. Nodes of a level are as many as words of a mask with a bit for each of their children. */
+static inline tribox_levels tribox_levels_of(size_t triangles)
+{
+    tribox_levels levels = {.count = 0};
+    size_t children = tribox_mask_words(triangles), start = 0;
+    do {
+        const size_t nodes = children ? tribox_mask_words(children) : 1;
+        levels.nodes[levels.count] = nodes;
+        levels.start[levels.count++] = start;
+        start += nodes;
+        children = nodes;
+    } while (children > 1);
+    return levels;
+}
+
+#endif

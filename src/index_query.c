@@ -1,0 +1,131 @@
+/* index_query.c - the descent from the top of an index to the words that a box can touch, and what the kernel says of them. */
+#include "index_query.h"
+
+#include <string.h>
+
+#include "bits.h"
+#include "soup.h"
+
+/* Bits for the first `count` children of a node. */
+static uint64_t first_bits(size_t count) { return count < 64 ? (UINT64_C(1) << count) - 1 : ~UINT64_C(0); }
+
+/* Of the children that begin at number `first`, a bit for each of `count` in all. */
+static uint64_t there(size_t count, size_t first) { return count > first ? first_bits(count - first) : 0; }
+
+/*
+ * Asks node j of a level. Whatever a damaged node says, children that are not there do not touch, and only those that have all
+ * their triangles are inside.
+ */
+static tribox_touch ask(const tribox_query *q, unsigned level, size_t j)
+{
+    const char *const place = q->nodes + (q->levels.start[level] + j) * sizeof(tribox_node);
+    const tribox_node *node = (const tribox_node *)(const void *)place;
+    tribox_node aligned;
+    if ((uintptr_t)place % _Alignof(tribox_node)) {
+        memcpy(&aligned, place, sizeof aligned);
+        node = &aligned;
+    }
+    tribox_touch found = q->plan->kernel->index->touch(node, q->pairs.box);
+    const size_t children = level ? q->levels.nodes[level - 1] : tribox_mask_words(q->pairs.count);
+    found.touching &= there(children, 64 * j);
+    found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
+    return found;
+}
+
+/* Walks the pending words that have to be asked, those that follow one another together. Returns whether a lane is open. */
+static bool walk_pending(tribox_query *q, uint64_t *hit, uint64_t *open)
+{
+    uint64_t any = 0;
+    /* A survey pays where many words are to come: where so many have. */
+    q->plan->choice.is_open = q->plan->choice.is_open && q->pending == TRIBOX_PENDING;
+    for (unsigned k = 0, n; k < q->pending; k += n) {
+        n = 1;
+        open[k] = 0;
+        if (q->full[k])
+            continue;
+        while (k + n < q->pending && !q->full[k + n] && q->word[k + n] == q->word[k] + n)
+            n++;
+        tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, open + k);
+        for (unsigned i = k; i < k + n; i++)
+            any |= open[i];
+    }
+    return any;
+}
+
+static void answer_pending(tribox_query *q)
+{
+    uint64_t hit[TRIBOX_PENDING], open[TRIBOX_PENDING];
+    if (walk_pending(q, hit, open))
+        q->to->counts.undecided += tribox_pairs_settle_words(&q->pairs, q->plan, q->word, q->pending, open, hit);
+    for (unsigned k = 0; k < q->pending; k++) {
+        if (q->full[k])
+            tribox_answers_take_full(q, q->word[k], q->full[k]);
+        else
+            tribox_answers_take_word(q, q->word[k], hit[k]);
+    }
+    q->pending = 0;
+}
+
+/* Where answers go into places of their own, full words need not wait for those that come before them. */
+static bool is_ordered(const tribox_query *q) { return q->to->form == TRIBOX_WORDS || q->to->form == TRIBOX_LIST; }
+
+static void push(tribox_query *q, size_t word, size_t full)
+{
+    if (full && !is_ordered(q)) {
+        tribox_answers_take_full(q, word, full);
+        return;
+    }
+    if (q->pending == TRIBOX_PENDING)
+        answer_pending(q);
+    q->word[q->pending] = word;
+    q->full[q->pending++] = full;
+}
+
+/* Levels are few: 9 at the most below the top. */
+static void visit(tribox_query *q, unsigned level, size_t j)
+{
+    const tribox_touch found = ask(q, level, j);
+    for (uint64_t left = found.touching; left; left &= left - 1) {
+        const unsigned c = tribox_lowest_bit(left);
+        const size_t child = 64 * j + c;
+        if (found.inside >> c & 1)
+            push(q, child << 6 * level, (size_t)1 << 6 * level);
+        else if (level)
+            visit(q, level - 1, child);
+        else
+            push(q, child, 0);
+    }
+}
+
+void tribox_query_run(tribox_query *q)
+{
+    q->pending = 0;
+    visit(q, q->levels.count - 1, 0);
+    answer_pending(q);
+}
+
+static bool any_in(tribox_query *q, unsigned level, size_t j, size_t *triangle)
+{
+    const tribox_touch found = ask(q, level, j);
+    if (found.inside) {
+        *triangle = 64 * ((64 * j + tribox_lowest_bit(found.inside)) << 6 * level);
+        return true;
+    }
+    for (uint64_t left = found.touching; left; left &= left - 1) {
+        const size_t child = 64 * j + tribox_lowest_bit(left);
+        uint64_t hit;
+        if (level) {
+            if (any_in(q, level - 1, child, triangle))
+                return true;
+            continue;
+        }
+        tribox_pairs_answer_block(&q->pairs, q->plan, child, 1, &hit);
+        if (hit) {
+            *triangle = 64 * child + tribox_lowest_bit(hit);
+            return true;
+        }
+    }
+    return false;
+}
+
+bool tribox_query_any(tribox_query *q, size_t *triangle) { return any_in(q, q->levels.count - 1, 0, triangle); }

@@ -1,0 +1,37 @@
+/* kernel_index.h - how index.c and the kernels speak of the nodes of an index. */
+#ifndef TRIBOX_KERNEL_INDEX_H
+#define TRIBOX_KERNEL_INDEX_H
+
+#include "tribox.h"
+
+/*
+ * A node: the bounds of 64 children, each a word of 64 triangles or a node of the level below. bound[a][c] is the lower bound of
+ * child c on axis a, bound[3 + a][c] the upper one, both over its finite triangles alone. A child that has none is nowhere: its
+ * lower bounds are infinity, its upper ones -infinity. Zeros are positive, so that every kernel writes the same bytes.
+ */
+typedef struct tribox_node {
+    float bound[6][64];
+    uint64_t whole;     /* bit c: every triangle that child c has room for is there and finite */
+    uint64_t unused[7]; /* zero; so that nodes begin at a line of the cache */
+} tribox_node;
+
+/* Writes a node over words of a soup, from word `first` on: as many as there are, at most 64. */
+typedef void tribox_bound_soup(const tribox_soup *soup, size_t first, tribox_node *node);
+
+/* Writes a node over `count` nodes, 0 to 64, that lie one after another at any alignment. */
+typedef void tribox_bound_nodes(const void *nodes, size_t count, tribox_node *node);
+
+/* The children of a node that touch a box, or that may if the node is damaged, and those of them that lie wholly inside it. */
+typedef struct tribox_touch {
+    uint64_t touching, inside;
+} tribox_touch;
+
+typedef tribox_touch tribox_touch_node(const tribox_node *node, const tribox_box *box);
+
+typedef struct tribox_index_kernel {
+    tribox_bound_soup *bound_soup;
+    tribox_bound_nodes *bound_nodes;
+    tribox_touch_node *touch;
+} tribox_index_kernel;
+
+#endif
