@@ -1,0 +1,193 @@
+/* index_forms.c - calls to the index that are timed, and their verification. */
+#include "index_forms.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/loads.h"
+#include "console/message.h"
+
+static const char *const names[FORMS] = {"list", "count", "any", "words", "mask", "linear"};
+
+const char *index_form_name(index_form form) { return names[form]; }
+
+bool answer_room_make(size_t triangles, size_t elsewhere_bytes, answer_room *made)
+{
+    const size_t words = tribox_mask_words(triangles) + 1, bytes = words * (3 * sizeof(uint64_t) + 65 * sizeof(uint32_t));
+    uint64_t *const storage = malloc(bytes);
+    void *const elsewhere = malloc(elsewhere_bytes);
+    *made = (answer_room){.bits = storage, .storage = storage, .elsewhere = elsewhere, .elsewhere_bytes = elsewhere_bytes};
+    if (!storage || !elsewhere) {
+        answer_room_free(made);
+        return message_failure("out of memory for answers") == EXIT_CODE_OK;
+    }
+    memset(storage, 0, bytes);
+    memset(elsewhere, 1, elsewhere_bytes);
+    made->mask = storage + words;
+    made->linear = storage + 2 * words;
+    made->number = (uint32_t *)(storage + 3 * words);
+    made->list = made->number + words;
+    return true;
+}
+
+void answer_room_free(answer_room *made)
+{
+    free(made->storage);
+    free(made->elsewhere);
+}
+
+static bool ask_list(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+{
+    return !tribox_index_list(&q->soup->index, &q->soup->room.soup, box, options, q->soup->ids, q->soup->room.soup.count,
+                              q->room->list, &report->overlapping);
+}
+
+static bool ask_count(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+{
+    return !tribox_index_overlap(&q->soup->index, &q->soup->room.soup, box, options, NULL, report);
+}
+
+/* Counts whether there is one; which it is stands in number[0]. */
+static bool ask_any(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+{
+    size_t triangle;
+    const bool is_answered = !tribox_index_any(&q->soup->index, &q->soup->room.soup, box, options, &triangle);
+    q->room->number[0] = (uint32_t)triangle;
+    report->overlapping = triangle < q->soup->room.soup.count;
+    return is_answered;
+}
+
+/* Counts words. */
+static bool ask_words(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+{
+    const tribox_soup *const soup = &q->soup->room.soup;
+    return !tribox_index_words(&q->soup->index, soup, box, options, tribox_mask_words(soup->count), q->room->number, q->room->bits,
+                               NULL, &report->overlapping, NULL);
+}
+
+static bool ask_mask(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+{
+    return !tribox_index_overlap(&q->soup->index, &q->soup->room.soup, box, options, q->room->mask, report);
+}
+
+static bool ask_linear(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
+{
+    return !tribox_overlap(&q->soup->room.soup, box, options, q->room->linear, report);
+}
+
+typedef bool ask_form(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report);
+
+static inline bool run_form(const contestant *self, ask_form *ask, tribox_report *report)
+{
+    const index_question *const q = self->question;
+    tribox_report all = {0, 0};
+    for (size_t b = 0; b < q->count; b++) {
+        tribox_report one = {0, 0};
+        if (!ask(q, &q->boxes[b], &self->options, &one))
+            return false;
+        all.overlapping += one.overlapping;
+    }
+    if (report)
+        *report = all;
+    return true;
+}
+
+#define RUN(form) \
+    static bool run_##form(const contestant *self, uint64_t *mask, tribox_report *report) \
+    { \
+        (void)mask; \
+        return run_form(self, ask_##form, report); \
+    }
+RUN(list)
+RUN(count)
+RUN(any)
+RUN(words)
+RUN(mask)
+RUN(linear)
+
+contestant index_contestant(const index_question *question, index_form form, const char *kernel)
+{
+    static bool (*const run[FORMS])(const contestant *, uint64_t *, tribox_report *) = {run_list,  run_count, run_any,
+                                                                                        run_words, run_mask,  run_linear};
+    contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}, .pairs = (double)question->count};
+    snprintf(made.name, sizeof made.name, "%s", names[form]);
+    return made;
+}
+
+static void empty_caches(const contestant *self, uint64_t *mask)
+{
+    const answer_room *const room = ((const index_question *)self->question)->room;
+    mask[0] = loads_words(room->elsewhere, room->elsewhere_bytes / sizeof(uint32_t));
+}
+
+contestant index_contestant_cold(const index_question *question, index_form form, const char *kernel)
+{
+    contestant made = index_contestant(question, form, kernel);
+    made.prepare = empty_caches;
+    return made;
+}
+
+static bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
+
+/* The list is to be the set bits in ascending order, each by the number that it has in the file. */
+static bool is_list_right(const index_question *q, size_t found)
+{
+    const size_t count = q->soup->room.soup.count;
+    size_t at = 0;
+    for (size_t i = 0; i < count; i++)
+        if (is_set(q->room->linear, i)) {
+            if (at == found || q->room->list[at] != (q->soup->ids ? q->soup->ids[i] : (uint32_t)i))
+                return false;
+            at++;
+        }
+    return at == found;
+}
+
+static bool are_words_right(const index_question *q, size_t found)
+{
+    const size_t words = tribox_mask_words(q->soup->room.soup.count);
+    size_t at = 0;
+    for (size_t w = 0; w < words; w++)
+        if (q->room->linear[w]) {
+            if (at == found || q->room->number[at] != w || q->room->bits[at] != q->room->linear[w])
+                return false;
+            at++;
+        }
+    return at == found;
+}
+
+/* Forms that are wrong about a box; a refusal is wrong, too. */
+static unsigned find_wrong(const index_question *q, const tribox_box *box, const tribox_options *options)
+{
+    const size_t words = tribox_mask_words(q->soup->room.soup.count);
+    tribox_report linear, mask, count, list, found, any;
+    unsigned wrong = 0;
+    if (!ask_linear(q, box, options, &linear))
+        return 1u << FORM_LINEAR;
+    memset(q->room->mask, 0xff, words * sizeof *q->room->mask);
+    if (!ask_mask(q, box, options, &mask) || mask.overlapping != linear.overlapping ||
+        memcmp(q->room->mask, q->room->linear, words * sizeof *q->room->mask) != 0)
+        wrong |= 1u << FORM_MASK;
+    if (!ask_count(q, box, options, &count) || count.overlapping != linear.overlapping)
+        wrong |= 1u << FORM_COUNT;
+    if (!ask_list(q, box, options, &list) || list.overlapping != linear.overlapping || !is_list_right(q, list.overlapping))
+        wrong |= 1u << FORM_LIST;
+    if (!ask_words(q, box, options, &found) || !are_words_right(q, found.overlapping))
+        wrong |= 1u << FORM_WORDS;
+    if (!ask_any(q, box, options, &any) || any.overlapping != (linear.overlapping > 0) ||
+        (any.overlapping && !is_set(q->room->linear, q->room->number[0])))
+        wrong |= 1u << FORM_ANY;
+    return wrong;
+}
+
+bool index_forms_verify(const index_question *question, size_t boxes, const char *kernel)
+{
+    for (size_t b = 0; b < boxes && b < question->count; b++) {
+        const unsigned wrong = find_wrong(question, &question->boxes[b], &(tribox_options){.kernel = kernel});
+        for (int f = 0; f < FORMS; f++)
+            if (wrong >> f & 1)
+                return message_failure("order %s, box %zu: %s is wrong", question->soup->name, b, names[f]) == EXIT_CODE_OK;
+    }
+    return true;
+}

@@ -1,0 +1,243 @@
+/* index_measure.c - every order, box size and form, verified, then timed side by side. */
+#include "index_measure.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/loads.h"
+#include "console/message.h"
+#include "many_boxes.h"
+#include "mesh_words.h"
+#include "node_bounds.h"
+#include "timing/measure.h"
+
+/* A linear pass has as many boxes as there is time for: it costs hardly more for one box than for another. */
+static const size_t linear_pairs = 100000000;
+
+/* As many boxes are verified as can be, by linear passes too. */
+static const size_t verified_pairs = 20000000;
+
+static const double sample_seconds = 2e-3;
+
+/* Of one soup, in all orders. */
+typedef struct bench {
+    const index_scene *scene;
+    const index_effort *how;
+    generator *turns;
+    ordered_soup soup[ORDERS];
+    node_bounds bounds[ORDERS];
+    answer_room room;
+    tribox_box *boxes;
+    samples *taken;
+} bench;
+
+static size_t least_of(size_t p, size_t q) { return p < q ? p : q; }
+
+/* Boxes that a number of pairs allows. */
+static size_t boxes_within(const bench *b, size_t pairs)
+{
+    const size_t boxes = pairs / b->scene->room.soup.count;
+    return least_of(boxes ? boxes : 1, (size_t)b->how->boxes);
+}
+
+static void take_times(bench *b, const contestant *list, size_t count, double sample)
+{
+    measure(list, count, (effort){.rounds = (size_t)b->how->rounds, .seconds = 1e9, .sample = sample}, b->turns, b->room.mask,
+            b->taken);
+}
+
+static double least_ns(const bench *b, size_t c) { return measure_spread(b->taken, c).least; }
+
+/* ---- reading and building -------------------------------------------------------------------------------------------------- */
+
+static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const ordered_soup *const s = self->question;
+    (void)report;
+    mask[0] = loads_all(&s->room.soup);
+    return true;
+}
+
+static bool run_build(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const ordered_soup *const s = self->question;
+    (void)mask;
+    (void)report;
+    return !tribox_index_build(&s->room.soup, &self->options, s->memory, NULL);
+}
+
+static void measure_builds(bench *b, scene_result *r)
+{
+    contestant list[ORDERS + 1];
+    for (int o = 0; o <= ORDERS; o++)
+        list[o] = (contestant){.run = o < ORDERS ? run_build : run_reading,
+                               .question = &b->soup[o < ORDERS ? o : ORDER_FILE],
+                               .options = {.kernel = b->how->kernel},
+                               .pairs = (double)r->triangles};
+    take_times(b, list, ORDERS + 1, sample_seconds);
+    r->reading = least_ns(b, ORDERS);
+    for (size_t o = 0; o < ORDERS; o++)
+        r->order[o].cost.build = least_ns(b, o);
+}
+
+/* ---- box after box --------------------------------------------------------------------------------------------------------- */
+
+static void count_visits(const bench *b, soup_order o, size_result *s)
+{
+    const double boxes = (double)b->how->boxes;
+    node_visits all = {0, 0, 0};
+    for (size_t k = 0; k < b->how->boxes; k++) {
+        const node_visits one = node_bounds_visit(&b->bounds[o], &b->boxes[k], NULL);
+        all.nodes += one.nodes;
+        all.asked += one.asked;
+        all.inside += one.inside;
+    }
+    s->nodes = (double)all.nodes / boxes;
+    s->asked = (double)all.asked / boxes;
+    s->inside = (double)all.inside / boxes;
+}
+
+/* Every form, of every order. */
+static void measure_warm(bench *b, index_question question[ORDERS][2], int size, scene_result *r)
+{
+    contestant list[ORDERS * FORMS];
+    size_t count = 0;
+    for (int o = 0; o < ORDERS; o++)
+        for (int f = 0; f < FORMS; f++)
+            list[count++] = index_contestant(&question[o][f == FORM_LINEAR], (index_form)f, b->how->kernel);
+    take_times(b, list, count, sample_seconds);
+    for (size_t c = 0; c < count; c++)
+        r->order[c / FORMS].size[size].us[c % FORMS] = 1e-3 * least_ns(b, c);
+}
+
+static void measure_cold(bench *b, index_question question[2], int size, scene_result *r)
+{
+    contestant list[FORMS];
+    for (int f = 0; f < FORMS; f++)
+        list[f] = index_contestant_cold(&question[f == FORM_LINEAR], (index_form)f, b->how->kernel);
+    take_times(b, list, FORMS, 0);
+    for (size_t f = 0; f < FORMS; f++)
+        r->order[ORDER_CUTS].size[size].cold[f] = 1e-3 * least_ns(b, f);
+}
+
+/* Hits are those of the same boxes in any order, which the verification has seen to be so. */
+static double count_hits(const index_question *question, const char *kernel)
+{
+    const contestant counting = index_contestant(question, FORM_COUNT, kernel);
+    tribox_report report = {0, 0};
+    counting.run(&counting, NULL, &report);
+    return (double)report.overlapping / (double)question->count;
+}
+
+static bool measure_size(bench *b, int size, scene_result *r)
+{
+    index_question question[ORDERS][2];
+    index_scene_boxes(b->scene, box_part[size], (size_t)b->how->boxes, b->how->seed + (uint64_t)size, b->boxes);
+    for (int o = 0; o < ORDERS; o++) {
+        question[o][0] = (index_question){&b->soup[o], b->boxes, (size_t)b->how->boxes, &b->room};
+        question[o][1] = question[o][0];
+        question[o][1].count = boxes_within(b, linear_pairs);
+        if (!index_forms_verify(&question[o][0], boxes_within(b, verified_pairs), b->how->kernel))
+            return false;
+        count_visits(b, (soup_order)o, &r->order[o].size[size]);
+        r->order[o].size[size].hits = count_hits(&question[o][0], b->how->kernel);
+    }
+    measure_warm(b, question, size, r);
+    measure_cold(b, question[ORDER_CUTS], size, r);
+    return true;
+}
+
+/* ---- many boxes at once ---------------------------------------------------------------------------------------------------- */
+
+static bool measure_many(bench *b, int size, many_result *r)
+{
+    const size_t count = (size_t)b->how->many;
+    tribox_box *const boxes = malloc(count * sizeof *boxes);
+    many_boxes m = {.room = 0};
+    if (boxes)
+        index_scene_boxes(b->scene, box_part[size], count, b->how->seed + 99, boxes);
+    const bool is_made = boxes && many_boxes_make(&b->soup[ORDER_CUTS], boxes, count, b->how->kernel, &m) &&
+                         many_boxes_are_right(&m, b->how->kernel, b->room.list);
+    if (is_made) {
+        contestant list[MANY_RUNS];
+        for (int c = 0; c < MANY_RUNS; c++)
+            list[c] = many_boxes_contestant(&m, (many_run)c, b->how->kernel);
+        take_times(b, list, MANY_RUNS, sample_seconds);
+        *r = (many_result){count, least_ns(b, MANY_AS_DRAWN), least_ns(b, MANY_IN_ORDER), least_ns(b, MANY_ORDERING)};
+    }
+    many_boxes_free(&m);
+    free(boxes);
+    return is_made || message_failure("the lists of %zu boxes are wrong, or there is no memory for them", count) == EXIT_CODE_OK;
+}
+
+/* ---- a mesh without streams ------------------------------------------------------------------------------------------------ */
+
+/* Boxes of a tenth: words enough, from all over the soup. */
+static bool measure_mesh(bench *b, scene_result *r)
+{
+    mesh_words question;
+    uint64_t answer[2] = {0, 0};
+    index_scene_boxes(b->scene, 0.1, (size_t)b->how->boxes, b->how->seed, b->boxes);
+    if (!mesh_words_make(&b->scene->room.soup, &b->soup[ORDER_CUTS], &b->bounds[ORDER_CUTS], b->boxes, (size_t)b->how->boxes,
+                         &question))
+        return false;
+    const contestant list[2] = {mesh_words_contestant(&question, true, b->how->kernel),
+                                mesh_words_contestant(&question, false, b->how->kernel)};
+    for (int c = 0; c < 2; c++)
+        list[c].run(&list[c], &answer[c], NULL);
+    take_times(b, list, 2, sample_seconds);
+    r->streams_word = least_ns(b, 0);
+    r->mesh_word = least_ns(b, 1);
+    mesh_words_free(&question);
+    return answer[0] == answer[1] || message_failure("streams and mesh answer differently") == EXIT_CODE_OK;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------------------- */
+
+enum { ORDER_TRIES = 3 };
+
+static bool make(bench *b, scene_result *r)
+{
+    if (!answer_room_make(r->triangles, b->how->evicted, &b->room))
+        return false;
+    b->boxes = malloc((size_t)b->how->boxes * sizeof *b->boxes);
+    for (int o = 0; o < ORDERS; o++) {
+        if (!ordered_soup_make(b->scene, (soup_order)o, ORDER_TRIES, b->how->kernel, &b->soup[o]))
+            return false;
+        if (!b->boxes || !node_bounds_make(&b->soup[o].room.soup, &b->bounds[o]))
+            return message_failure("out of memory for bounds") == EXIT_CODE_OK;
+        r->order[o].name = b->soup[o].name;
+        r->order[o].cost = b->soup[o].cost;
+    }
+    return true;
+}
+
+static void release(bench *b)
+{
+    answer_room_free(&b->room);
+    free(b->boxes);
+    for (int o = 0; o < ORDERS; o++) {
+        ordered_soup_free(&b->soup[o]);
+        node_bounds_free(&b->bounds[o]);
+    }
+}
+
+bool index_measure(const index_scene *scene, const index_effort *how, generator *order, scene_result *r)
+{
+    static samples taken;
+    const size_t count = scene->room.soup.count;
+    bench b = {.scene = scene, .how = how, .turns = order, .taken = &taken};
+    *r = (scene_result){.triangles = count, .memory = (double)tribox_index_bytes(count) / (36.0 * (double)count)};
+    memcpy(r->name, scene->name, sizeof r->name);
+    bool is_measured = make(&b, r);
+    if (is_measured)
+        measure_builds(&b, r);
+    for (int p = 0; is_measured && p < BOX_SIZES; p++)
+        is_measured = measure_size(&b, p, r);
+    for (int k = 0; is_measured && k < MANY_SIZES; k++)
+        is_measured = measure_many(&b, k, &r->many[k]);
+    is_measured = is_measured && measure_mesh(&b, r);
+    release(&b);
+    return is_measured;
+}

@@ -1,0 +1,35 @@
+/* index_scenes.h - soups to be asked about many boxes, mesh files and a terrain, and the boxes. */
+#ifndef BENCH_INDEX_SCENES_H
+#define BENCH_INDEX_SCENES_H
+
+#include "soup_room.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct index_scene {
+    char name[64];
+    soup_room room; /* in the order of the file; finite triangles alone */
+    tribox_box bounds;
+} index_scene;
+
+/* A mesh file, if there is no slash in its name in the folder $TRIBOX_MESHES; false, with a message, if it cannot be read. */
+bool index_scene_read(const char *name, index_scene *made);
+
+/* A height field over a square, about so many triangles, in rows as scanners leave them. False, with a message, if memory fails. */
+bool index_scene_terrain(size_t triangles, uint64_t seed, index_scene *made);
+
+void index_scene_free(index_scene *made);
+
+/* The length of the longest side. */
+double index_scene_extent(const index_scene *scene);
+
+/* Cubes whose edge is `part` of the greatest extent, each around a random point of a random triangle. */
+void index_scene_boxes(const index_scene *scene, double part, size_t count, uint64_t seed, tribox_box *boxes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
