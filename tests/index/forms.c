@@ -1,0 +1,291 @@
+#include "forms.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/kernels_here.h"
+#include "fences.h"
+
+form_fences form_fences_make(size_t triangles, size_t boxes)
+{
+    const size_t words = tribox_mask_words(triangles);
+    return (form_fences){
+        .mask = guarded_make(words * sizeof(uint64_t)),
+        .number = guarded_make(words * sizeof(uint32_t)),
+        .bits = guarded_make(words * sizeof(uint64_t)),
+        .inside = guarded_make(words * sizeof(uint64_t)),
+        .list = guarded_make(triangles * boxes * sizeof(uint32_t)),
+        .start = guarded_make((boxes + 1) * sizeof(size_t)),
+        .report = guarded_make(sizeof(tribox_report)),
+        .found = guarded_make(sizeof(size_t)),
+    };
+}
+
+void form_fences_free(form_fences *f)
+{
+    const guarded all[] = {f->mask, f->number, f->bits, f->inside, f->list, f->start, f->report, f->found};
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
+        guarded_free(all[k]);
+}
+
+/* What is asked, and the answers of the calls without an index. */
+typedef struct question {
+    const form_fences *f;
+    const stored_soup *s;
+    const tribox_box *box;
+    const tribox_options *options;
+    const char *name;
+    size_t words;
+    uint64_t *least, *most; /* the mask: bits that have to be set, and that may be */
+    uint64_t *inside;       /* of tribox_classify */
+    uint64_t *mask;         /* of tribox_index_overlap, once it is asked */
+} question;
+
+static uint64_t *words_of(fenced place) { return (uint64_t *)(void *)place.at; }
+static uint32_t *numbers_of(fenced place) { return (uint32_t *)(void *)place.at; }
+
+static void say(const question *q, const char *form)
+{
+    static const char *const accuracies[] = {"EXACT", "CONSERVATIVE", "FAST"};
+    snprintf(doing, sizeof doing, "%s: %s, %zu triangles, kernel %s, %s, axes %u, order %u", form, q->name, q->s->soup.count,
+             q->options->kernel, accuracies[q->options->accuracy], q->options->axes, q->options->order);
+}
+
+static void print_box(const question *q)
+{
+    for (int a = 0; a < 3; a++)
+        print_error("axis %d of the box: %a to %a\n", a, (double)q->box->lo[a], (double)q->box->hi[a]);
+}
+
+static void demand_ok(tribox_status status)
+{
+    if (status)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+}
+
+static void demand(const question *q, bool holds, const char *what, size_t number)
+{
+    if (holds)
+        return;
+    print_box(q);
+    fail_msg("%s: %s %zu", doing, what, number);
+}
+
+/* Words wholly inside are never tested: at FAST they are set as they are. */
+static void expect(question *q)
+{
+    const char *const kernel = q->options->kernel;
+    tribox_options options = *q->options;
+    say(q, "tribox_overlap");
+    if (options.accuracy == TRIBOX_EXACT)
+        options.kernel = "scalar";
+    demand_ok(tribox_overlap(&q->s->soup, q->box, &options, q->least, NULL));
+    options.kernel = kernel;
+    demand_ok(tribox_classify(&q->s->soup, q->box, &options, NULL, q->inside, NULL));
+    memcpy(q->most, q->least, q->words * sizeof *q->most);
+    for (size_t w = 0; options.accuracy == TRIBOX_FAST && w < q->words; w++) {
+        const size_t left = q->s->soup.count - 64 * w;
+        const uint64_t all = left < 64 ? ~(~UINT64_C(0) << left) : ~UINT64_C(0);
+        q->most[w] |= q->inside[w] == all ? all : 0;
+        q->least[w] |= ~q->inside[w] ? 0 : ~UINT64_C(0);
+    }
+}
+
+static void demand_mask(const question *q, const uint64_t *mask)
+{
+    for (size_t w = 0; w < q->words; w++)
+        for (uint64_t wrong = (q->least[w] & ~mask[w]) | (mask[w] & ~q->most[w]); wrong;) {
+            const size_t i = 64 * w + (size_t)__builtin_ctzll(wrong);
+            for (int v = 0; i < q->s->soup.count && v < 3; v++)
+                print_error("vertex %d of triangle %zu: %a %a %a\n", v, i, (double)q->s->soup.x[v][i], (double)q->s->soup.y[v][i],
+                            (double)q->s->soup.z[v][i]);
+            print_box(q);
+            fail_msg("%s: bit %zu is %d", doing, i, is_set(mask, i));
+        }
+}
+
+static size_t population(const uint64_t *mask, size_t words)
+{
+    size_t bits = 0;
+    for (size_t w = 0; w < words; w++)
+        bits += (size_t)__builtin_popcountll(mask[w]);
+    return bits;
+}
+
+static tribox_report *report_place(const question *q, fenced *place)
+{
+    *place = fenced_place(q->f->report, sizeof(tribox_report), AT_END);
+    return (tribox_report *)(void *)place->at;
+}
+
+static void demand_report(const question *q, const tribox_report *report, size_t overlapping)
+{
+    demand(q, report->overlapping == overlapping, "overlapping, by the report,", report->overlapping);
+    demand(q, report->undecided <= (q->options->accuracy == TRIBOX_FAST ? 0 : q->s->soup.count), "undecided", report->undecided);
+}
+
+static void check_mask(question *q)
+{
+    const fenced mask = fenced_place(q->f->mask, q->words * sizeof(uint64_t), AT_END);
+    fenced place;
+    tribox_report *const report = report_place(q, &place);
+    say(q, "tribox_index_overlap");
+    demand_ok(tribox_index_overlap(&q->s->index, &q->s->soup, q->box, q->options, words_of(mask), report));
+    demand_mask(q, words_of(mask));
+    assert_nothing_beside(&mask);
+    demand_report(q, report, population(words_of(mask), q->words));
+    memcpy(q->mask, words_of(mask), mask.bytes);
+}
+
+static void check_count(const question *q)
+{
+    fenced place;
+    tribox_report *const report = report_place(q, &place);
+    say(q, "tribox_index_overlap without a mask");
+    demand_ok(tribox_index_overlap(&q->s->index, &q->s->soup, q->box, q->options, NULL, report));
+    demand_report(q, report, population(q->mask, q->words));
+}
+
+/* There is room for the words that are found, and for no more. */
+static void check_words(const question *q, bool has_inside)
+{
+    size_t expected = 0, k = 0;
+    const bool is_classified = has_inside && q->options->accuracy == TRIBOX_FAST;
+    for (size_t w = 0; w < q->words; w++)
+        expected += (q->mask[w] | (is_classified ? q->inside[w] : 0)) != 0;
+    const fenced number = fenced_place(q->f->number, expected * sizeof(uint32_t), AT_END);
+    const fenced bits = fenced_place(q->f->bits, expected * sizeof(uint64_t), AT_END);
+    const fenced inside = fenced_place(q->f->inside, (has_inside ? expected : 0) * sizeof(uint64_t), AT_END);
+    const fenced found = fenced_place(q->f->found, sizeof(size_t), AT_END);
+    fenced place;
+    tribox_report *const report = report_place(q, &place);
+    say(q, has_inside ? "tribox_index_words with inside" : "tribox_index_words");
+    demand_ok(tribox_index_words(&q->s->index, &q->s->soup, q->box, q->options, expected, numbers_of(number), words_of(bits),
+                                 has_inside ? words_of(inside) : NULL, (size_t *)(void *)found.at, report));
+    demand(q, *(size_t *)(void *)found.at == expected, "words found", *(size_t *)(void *)found.at);
+    for (size_t w = 0; w < q->words; w++) {
+        const uint64_t all = q->mask[w] | (is_classified ? q->inside[w] : 0);
+        if (!all)
+            continue;
+        demand(q, numbers_of(number)[k] == w, "another word at place", k);
+        demand(q, words_of(bits)[k] == all, "other bits at place", k);
+        demand(q, !has_inside || words_of(inside)[k] == q->inside[w], "another inside at place", k);
+        k++;
+    }
+    assert_nothing_beside(&number);
+    assert_nothing_beside(&bits);
+    assert_nothing_beside(&inside);
+    demand_report(q, report, population(words_of(bits), expected));
+}
+
+static void check_list(const question *q, const uint32_t *ids)
+{
+    const size_t expected = population(q->mask, q->words);
+    const fenced list = fenced_place(q->f->list, expected * sizeof(uint32_t), AT_END);
+    size_t found = 0, k = 0;
+    say(q, ids ? "tribox_index_list with numbers" : "tribox_index_list");
+    demand_ok(tribox_index_list(&q->s->index, &q->s->soup, q->box, q->options, ids, expected, numbers_of(list), &found));
+    demand(q, found == expected, "triangles found", found);
+    for (size_t i = 0; i < q->s->soup.count; i++)
+        if (is_set(q->mask, i)) {
+            demand(q, numbers_of(list)[k] == (ids ? ids[i] : i), "another triangle at place", k);
+            k++;
+        }
+    assert_nothing_beside(&list);
+}
+
+static void check_any(const question *q)
+{
+    size_t triangle = SIZE_MAX, again = SIZE_MAX;
+    tribox_options other = *q->options;
+    say(q, "tribox_index_any");
+    demand_ok(tribox_index_any(&q->s->index, &q->s->soup, q->box, q->options, &triangle));
+    if (population(q->mask, q->words))
+        demand(q, triangle < q->s->soup.count && is_set(q->mask, triangle), "none overlapping", triangle);
+    else
+        demand(q, triangle == q->s->soup.count, "overlapping", triangle);
+    if (q->options->accuracy == TRIBOX_EXACT) {
+        other.kernel = "scalar";
+        demand_ok(tribox_index_any(&q->s->index, &q->s->soup, q->box, &other, &again));
+        demand(q, triangle == again, "another than the scalar kernel,", triangle);
+    }
+}
+
+void check_forms(const form_fences *f, const stored_soup *s, const tribox_box *box, const tribox_options *options, const char *name)
+{
+    const size_t words = tribox_mask_words(s->soup.count);
+    uint64_t *const masks = malloc((4 * words + 1) * sizeof *masks);
+    assert_non_null(masks);
+    question q = {f, s, box, options, name, words, masks, masks + words, masks + 2 * words, masks + 3 * words};
+    expect(&q);
+    check_mask(&q);
+    check_count(&q);
+    check_words(&q, false);
+    check_words(&q, true);
+    check_list(&q, NULL);
+    check_list(&q, s->ids);
+    check_any(&q);
+    free(masks);
+}
+
+static bool has_list(const tribox_box *box)
+{
+    for (int a = 0; a < 3; a++)
+        if (!isfinite(box->lo[a]) || !isfinite(box->hi[a]))
+            return false;
+    return true;
+}
+
+void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes *boxes, const tribox_options *options,
+                 const char *name)
+{
+    const size_t most = boxes->count * s->soup.count;
+    uint32_t *const expected = malloc((most + 1) * sizeof *expected);
+    size_t *const begins = malloc((boxes->count + 1) * sizeof *begins), total = 0;
+    tribox_box box = {{0, 0, 0}, {0, 0, 0}};
+    const question q = {.f = f, .s = s, .box = &box, .options = options, .name = name};
+    assert_true(expected && begins);
+    for (size_t b = 0; b < boxes->count; b++) {
+        size_t found = 0;
+        for (int a = 0; a < 3; a++) {
+            box.lo[a] = boxes->lo[a][b];
+            box.hi[a] = boxes->hi[a][b];
+        }
+        say(&q, "tribox_index_list");
+        if (has_list(&box))
+            demand_ok(tribox_index_list(&s->index, &s->soup, &box, options, s->ids, s->soup.count, expected + total, &found));
+        begins[b] = total;
+        total += found;
+    }
+    begins[boxes->count] = total;
+
+    const fenced list = fenced_place(f->list, total * sizeof(uint32_t), AT_END);
+    const fenced start = fenced_place(f->start, (boxes->count + 1) * sizeof(size_t), AT_END);
+    say(&q, "tribox_index_lists, the last box of which is");
+    demand_ok(tribox_index_lists(&s->index, &s->soup, boxes, options, s->ids, total, numbers_of(list), (size_t *)(void *)start.at));
+    for (size_t b = 0; b <= boxes->count; b++)
+        demand(&q, ((size_t *)(void *)start.at)[b] == begins[b], "another start of list", b);
+    for (size_t k = 0; k < total; k++)
+        demand(&q, numbers_of(list)[k] == expected[k], "another triangle at place", k);
+    assert_nothing_beside(&list);
+    assert_nothing_beside(&start);
+    free(expected);
+    free(begins);
+}
+
+tribox_options any_index_options(random_source *r)
+{
+    static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
+                            .axes = random_int(r, 3) ? 0 : TRIBOX_AXES_BOX | 2u * (unsigned)random_int(r, 4),
+                            .order = orders[random_int(r, sizeof orders / sizeof orders[0])],
+                            .kernel = names[random_int(r, kernels)]};
+}

@@ -1,0 +1,38 @@
+/* forms.h - every form of a question to an index, compared with what the calls without an index answer. */
+#ifndef TRIBOX_TESTS_FORMS_H
+#define TRIBOX_TESTS_FORMS_H
+
+#include <stdbool.h>
+
+#include "common/random_draws.h"
+#include "stored_soup.h"
+#include "tribox.h"
+
+/* Where the forms write, each between pages that cannot be touched. */
+typedef struct form_fences {
+    guarded mask, number, bits, inside, list, start, report, found;
+} form_fences;
+
+/* For so many triangles at most, and so many boxes at once. */
+form_fences form_fences_make(size_t triangles, size_t boxes);
+void form_fences_free(form_fences *f);
+
+/*
+ * Asks all forms about a box: mask, count, words, inside, list, any. EXACT has to be the scalar kernel's tribox_overlap bit for
+ * bit, CONSERVATIVE that of the same kernel; FAST may have more, in words that lie wholly inside. Nothing is written beside what is
+ * found. `name` is of the soup, for the message.
+ */
+void check_forms(const form_fences *f, const stored_soup *s, const tribox_box *box, const tribox_options *options,
+                 const char *name);
+
+/* Asks the lists of many boxes at once: each has to be tribox_index_list's, and none where a bound is NaN or infinite. */
+void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes *boxes, const tribox_options *options,
+                 const char *name);
+
+/* Options drawn from all that may be asked: of a kernel that runs here, with the axes of the box. */
+tribox_options any_index_options(random_source *r);
+
+/* The bit of triangle i. */
+static inline bool is_set(const uint64_t *mask, size_t i) { return mask[i / 64] >> i % 64 & 1; }
+
+#endif

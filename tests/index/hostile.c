@@ -1,0 +1,300 @@
+#include "hostile.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "common/contact.h"
+
+/* A lattice: number k is unit * (offset + k). Its cells have CELL units. */
+typedef struct lattice {
+    double unit, offset;
+} lattice;
+
+enum { CELL = 3 };
+
+/* The last two reach the ends of the range: subnormal numbers, and cells up to FLT_MAX. */
+static lattice any_lattice(random_source *r)
+{
+    static const lattice known[] = {
+        {1, 0}, {1, -20}, {0.125, 4096}, {0.1, 0}, {1, 0x1p20}, {0x1p-149, 0}, {0x1p-127, -3}, {0x1p122, 0}, {0x1p122, -63},
+    };
+    return known[random_int(r, sizeof known / sizeof known[0])];
+}
+
+static void put(random_source *r, stored_soup *s, size_t i, int v, int a, const lattice *l, int k)
+{
+    s->stream[3 * a + v][i] = random_sign_of_zero(r, nearest_float(l->unit * (l->offset + k)));
+}
+
+/* Every third bit of a number: cells in this order fill cubes of 64, of 4096, and so on. */
+static int every_third_bit(size_t number, int first)
+{
+    int k = 0;
+    for (int bit = 0; number >> (3 * bit + first); bit++)
+        k |= (int)(number >> (3 * bit + first) & 1) << bit;
+    return k;
+}
+
+void draw_cells(random_source *r, stored_soup *s)
+{
+    const lattice l = any_lattice(r);
+    for (size_t i = 0; i < s->soup.count; i++) {
+        const int reach = random_int(r, 200) ? CELL : 2 * CELL;
+        for (int a = 0; a < 3; a++) {
+            const int from = CELL * every_third_bit(i / 64, a);
+            for (int v = 0; v < 3; v++)
+                put(r, s, i, v, a, &l, from + random_int_between(r, 0, reach));
+        }
+    }
+}
+
+/* The same triangles, but near in number is not near in space. */
+static void draw_shuffled(random_source *r, stored_soup *s)
+{
+    draw_cells(r, s);
+    for (size_t i = s->soup.count; i > 1; i--) {
+        const size_t k = random_below(r, i);
+        for (int stream = 0; stream < STORED_STREAMS; stream++) {
+            const float kept = s->stream[stream][i - 1];
+            s->stream[stream][i - 1] = s->stream[stream][k];
+            s->stream[stream][k] = kept;
+        }
+    }
+}
+
+static void draw_cell_points(random_source *r, stored_soup *s)
+{
+    draw_cells(r, s);
+    for (size_t i = 0; i < s->soup.count; i++)
+        for (int a = 0; a < 3; a++)
+            s->stream[3 * a + 1][i] = s->stream[3 * a + 2][i] = s->stream[3 * a][i];
+}
+
+static void copy_triangle(stored_soup *s, size_t to, size_t from)
+{
+    for (int stream = 0; stream < STORED_STREAMS; stream++)
+        s->stream[stream][to] = s->stream[stream][from];
+}
+
+static void draw_all_equal(random_source *r, stored_soup *s)
+{
+    draw_cells(r, s);
+    for (size_t i = 1; i < s->soup.count; i++)
+        copy_triangle(s, i, 0);
+}
+
+/* Runs of the same triangle, which end anywhere in a word. */
+static void draw_duplicates(random_source *r, stored_soup *s)
+{
+    draw_cells(r, s);
+    for (size_t i = 1; i < s->soup.count; i++)
+        if (random_int(r, 100))
+            copy_triangle(s, i, i - 1);
+}
+
+/* Long and thin: two vertices of one cell, an ulp or a bit apart, and one of anywhere. */
+static void draw_slivers(random_source *r, stored_soup *s)
+{
+    draw_cells(r, s);
+    for (size_t i = 0; i < s->soup.count; i++) {
+        const size_t far = random_below(r, s->soup.count), near = random_int(r, 4) ? i : far;
+        for (int a = 0; a < 3; a++) {
+            s->stream[3 * a + 1][i] = nudged(r, s->stream[3 * a][i], 1);
+            s->stream[3 * a + 2][i] = s->stream[3 * a][near];
+        }
+    }
+}
+
+/* Triangles of every size about the origin: nothing is small beside what stands next to it. */
+static void draw_every_size(random_source *r, stored_soup *s)
+{
+    for (size_t i = 0; i < s->soup.count; i++) {
+        const double size = ldexp(1, random_int_between(r, -30, 30));
+        for (int k = 0; k < STORED_STREAMS; k++)
+            s->stream[k][i] = nearest_float(size * random_double(r, -1, 1));
+    }
+}
+
+/* Any finite floats. */
+static void draw_any_floats(random_source *r, stored_soup *s)
+{
+    for (int k = 0; k < STORED_STREAMS; k++)
+        for (size_t i = 0; i < s->soup.count; i++)
+            do {
+                const uint32_t bits = (uint32_t)random_bits(r);
+                memcpy(&s->stream[k][i], &bits, sizeof bits);
+            } while (!isfinite(s->stream[k][i]));
+}
+
+void put_batch(stored_soup *s, size_t first, const scene_batch *batch)
+{
+    for (size_t t = 0; t < SCENE_TRIANGLES && first + t < s->soup.count; t++)
+        for (int k = 0; k < STORED_STREAMS; k++)
+            s->stream[k][first + t] = batch->u[t][k % 3][k / 3];
+}
+
+/* Batches of one scene, each about a box of its own. */
+static void draw_scene(random_source *r, stored_soup *s)
+{
+    const scene *const drawn = scene_at(random_below(r, scene_count()));
+    for (size_t first = 0; first < s->soup.count; first += SCENE_TRIANGLES) {
+        scene_batch batch;
+        scene_draw_batch(drawn, r, &batch);
+        put_batch(s, first, &batch);
+    }
+}
+
+static const soup_kind kinds[] = {
+    {"cells", draw_cells},           {"shuffled", draw_shuffled},     {"points", draw_cell_points},
+    {"all-equal", draw_all_equal},   {"duplicates", draw_duplicates}, {"slivers", draw_slivers},
+    {"every-size", draw_every_size}, {"any-floats", draw_any_floats}, {"scene", draw_scene},
+};
+
+size_t soup_kind_count(void) { return sizeof kinds / sizeof kinds[0]; }
+
+const soup_kind *soup_kind_at(size_t i) { return &kinds[i]; }
+
+void spoil_triangle(random_source *r, stored_soup *s, size_t i)
+{
+    static const uint32_t bits[] = {0x7fc00000, 0xffc00000, 0x7f800001, 0x7f800000, 0xff800000};
+    for (int times = random_int(r, 4) ? 1 : random_int_between(r, 1, 9); times > 0; times--)
+        memcpy(&s->stream[random_int(r, STORED_STREAMS)][i], &bits[random_int(r, sizeof bits / sizeof bits[0])], sizeof bits[0]);
+}
+
+/* Every `step`-th triangle of a range that begins in the soup. */
+static void spoil_range(random_source *r, stored_soup *s, size_t first, size_t count, size_t step)
+{
+    for (size_t i = first; i < s->soup.count && i - first < count; i += step)
+        spoil_triangle(r, s, i);
+}
+
+void spoil_soup(random_source *r, stored_soup *s, dirt kind)
+{
+    const size_t count = s->soup.count;
+    if (!count || kind == DIRT_NONE)
+        return;
+    const size_t any = random_below(r, count);
+    switch (kind) {
+    case DIRT_ONE:
+        spoil_range(r, s, any, 1, 1);
+        break;
+    case DIRT_ONE_IN_A_WORD:
+        for (size_t first = 0; first < count; first += 64)
+            spoil_range(r, s, first + random_below(r, count - first < 64 ? count - first : 64), 1, 1);
+        break;
+    case DIRT_A_WORD:
+        spoil_range(r, s, any / 64 * 64, 64, 1);
+        break;
+    case DIRT_A_NODE:
+        spoil_range(r, s, any / TRIBOX_INDEX_BLOCK * TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK, 1);
+        break;
+    case DIRT_A_THIRD:
+        spoil_range(r, s, 1 % count, count, 3);
+        break;
+    case DIRT_TAIL:
+        spoil_range(r, s, (count - 1) / 64 * 64, 64, 1 + random_below(r, 9));
+        break;
+    case DIRT_ALL_BUT_ONE:
+        spoil_range(r, s, 0, any, 1);
+        spoil_range(r, s, any + 1 < count ? any + 1 : 0, any + 1 < count ? count : 0, 1);
+        break;
+    default:
+        spoil_range(r, s, 0, count, 1);
+    }
+}
+
+static bool is_finite_at(const stored_soup *s, size_t i)
+{
+    for (int k = 0; k < STORED_STREAMS; k++)
+        if (!isfinite(s->stream[k][i]))
+            return false;
+    return true;
+}
+
+tribox_box bounds_of(const stored_soup *s, size_t first, size_t count)
+{
+    tribox_box box = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+    for (size_t i = first; i < s->soup.count && i - first < count; i++)
+        for (int k = 0; k < STORED_STREAMS && is_finite_at(s, i); k++) {
+            box.lo[k / 3] = fminf(box.lo[k / 3], s->stream[k][i]);
+            box.hi[k / 3] = fmaxf(box.hi[k / 3], s->stream[k][i]);
+        }
+    return box;
+}
+
+/* The bounds of a triangle, of some, of a word or of as much as a node has. */
+static tribox_box draw_bounds_of_run(random_source *r, const stored_soup *s)
+{
+    static const size_t sizes[] = {1, 1, 64, 64, 64, 200, TRIBOX_INDEX_BLOCK};
+    const size_t size = sizes[random_int(r, sizeof sizes / sizeof sizes[0])], any = random_below(r, s->soup.count);
+    return bounds_of(s, size % 64 ? any : any / size * size, size);
+}
+
+static void join(tribox_box *box, const tribox_box *other)
+{
+    for (int a = 0; a < 3; a++) {
+        box->lo[a] = fminf(box->lo[a], other->lo[a]);
+        box->hi[a] = fmaxf(box->hi[a], other->hi[a]);
+    }
+}
+
+/* Now and then a bound beside its place by an ulp, or a zero of the other sign. */
+static void nudge_bounds(random_source *r, tribox_box *box)
+{
+    for (int a = 0; a < 3; a++) {
+        box->lo[a] = random_sign_of_zero(r, random_int(r, 5) ? box->lo[a] : nudged(r, box->lo[a], 1));
+        box->hi[a] = random_sign_of_zero(r, random_int(r, 5) ? box->hi[a] : nudged(r, box->hi[a], 1));
+    }
+}
+
+/* Beyond a face of another box, which it touches. */
+static tribox_box beside(random_source *r, tribox_box box)
+{
+    const int a = random_int(r, 3);
+    if (random_int(r, 2)) {
+        box.lo[a] = box.hi[a];
+        box.hi[a] = random_int(r, 2) ? FLT_MAX : box.lo[a];
+    } else {
+        box.hi[a] = box.lo[a];
+        box.lo[a] = random_int(r, 2) ? -FLT_MAX : box.hi[a];
+    }
+    return box;
+}
+
+/* Bounds that are any finite numbers of the soup. */
+static tribox_box draw_of_numbers(random_source *r, const stored_soup *s)
+{
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        float u[2];
+        for (int k = 0; k < 2; k++) {
+            u[k] = s->stream[3 * a + random_int(r, 3)][random_below(r, s->soup.count)];
+            u[k] = isfinite(u[k]) ? u[k] : 0;
+        }
+        box.lo[a] = fminf(u[0], u[1]);
+        box.hi[a] = fmaxf(u[0], u[1]);
+    }
+    return box;
+}
+
+tribox_box draw_box(random_source *r, const stored_soup *s)
+{
+    tribox_box box = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}};
+    const int kind = random_int(r, 20), a = random_int(r, 3);
+    if (kind == 0 || !s->soup.count)
+        return box;
+    box = kind < 8 ? draw_of_numbers(r, s) : kind == 8 ? bounds_of(s, 0, s->soup.count) : draw_bounds_of_run(r, s);
+    if (kind >= 14) {
+        const tribox_box other = draw_bounds_of_run(r, s);
+        join(&box, &other);
+    }
+    if (kind >= 18)
+        box = beside(r, box);
+    if (kind == 1)
+        memcpy(box.hi, box.lo, sizeof box.hi);
+    if (kind == 2)
+        box.hi[a] = box.lo[a];
+    nudge_bounds(r, &box);
+    return box;
+}

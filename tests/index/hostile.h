@@ -1,0 +1,49 @@
+/* hostile.h - soups and boxes made to be hard for an index: ties in every bound, clusters, duplicates, ends of the float range. */
+#ifndef TRIBOX_TESTS_HOSTILE_H
+#define TRIBOX_TESTS_HOSTILE_H
+
+#include "common/scenes.h"
+#include "stored_soup.h"
+
+typedef struct soup_kind {
+    const char *name;
+    void (*draw)(random_source *r, stored_soup *s);
+} soup_kind;
+
+size_t soup_kind_count(void);
+const soup_kind *soup_kind_at(size_t i);
+
+/*
+ * Words and nodes that lie in cells of their own, one beside the other: a box that follows a lattice has words, nodes and nodes of
+ * nodes wholly inside. The first of the kinds.
+ */
+void draw_cells(random_source *r, stored_soup *s);
+
+/* Writes a scene's triangles from the first one on, as far as the soup goes. */
+void put_batch(stored_soup *s, size_t first, const scene_batch *batch);
+
+/* What is NaN or infinite. */
+typedef enum dirt {
+    DIRT_NONE,
+    DIRT_ONE,
+    DIRT_ONE_IN_A_WORD, /* one in every word */
+    DIRT_A_WORD,
+    DIRT_A_NODE,
+    DIRT_A_THIRD,
+    DIRT_TAIL, /* in the last word alone */
+    DIRT_ALL_BUT_ONE,
+    DIRT_ALL,
+    DIRTS
+} dirt;
+
+/* One of a triangle's numbers, or several. */
+void spoil_triangle(random_source *r, stored_soup *s, size_t i);
+void spoil_soup(random_source *r, stored_soup *s, dirt kind);
+
+/* Lower and upper bounds of the finite triangles of a range; an empty box if there are none. */
+tribox_box bounds_of(const stored_soup *s, size_t first, size_t count);
+
+/* A finite box whose bounds are numbers of the soup, or an ulp beside them; empty, flat and point ones among them. */
+tribox_box draw_box(random_source *r, const stored_soup *s);
+
+#endif

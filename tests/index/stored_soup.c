@@ -1,0 +1,65 @@
+#include "stored_soup.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include <cmocka.h>
+
+enum { POISONED = 0xa5 };
+
+stored_soup stored_soup_make(size_t room)
+{
+    stored_soup s;
+    memset(&s, 0, sizeof s);
+    for (int k = 0; k < STORED_STREAMS; k++)
+        s.stream_fence[k] = guarded_make((room + STORED_SHIFTS) * sizeof(float));
+    s.ids_fence = guarded_make((room + STORED_SHIFTS) * sizeof(uint32_t));
+    s.nodes_fence = guarded_make(tribox_index_bytes(room) + STORED_SHIFTS);
+    return s;
+}
+
+void stored_soup_free(stored_soup *s)
+{
+    for (int k = 0; k < STORED_STREAMS; k++)
+        guarded_free(s->stream_fence[k]);
+    guarded_free(s->ids_fence);
+    guarded_free(s->nodes_fence);
+}
+
+static void *placed(guarded fence, size_t bytes, int shift, size_t unit)
+{
+    return shift == STORED_AT_END ? guarded_tail(fence, bytes) : fence.first + (size_t)shift * unit;
+}
+
+void stored_soup_lay(stored_soup *s, size_t count, int shift)
+{
+    for (int k = 0; k < STORED_STREAMS; k++) {
+        s->stream[k] = placed(s->stream_fence[k], count * sizeof(float), shift, sizeof(float));
+        (k < 3 ? s->soup.x : k < 6 ? s->soup.y : s->soup.z)[k % 3] = s->stream[k];
+    }
+    s->ids = placed(s->ids_fence, count * sizeof(uint32_t), shift, sizeof(uint32_t));
+    for (size_t i = 0; i < count; i++)
+        s->ids[i] = (uint32_t)i * 2654435761u ^ 0x9e3779b9u;
+    s->soup.count = count;
+    s->nodes = placed(s->nodes_fence, tribox_index_bytes(count), shift, 1);
+    s->index = (tribox_index){s->nodes, count};
+}
+
+void stored_soup_build(stored_soup *s, const char *kernel)
+{
+    tribox_index built = {NULL, 0};
+    memset(s->nodes, POISONED, stored_index_bytes(s));
+    assert_int_equal(tribox_index_build(&s->soup, &(tribox_options){.kernel = kernel}, s->nodes, &built), TRIBOX_OK);
+    assert_ptr_equal(built.nodes, s->nodes);
+    assert_int_equal(built.count, s->soup.count);
+}
+
+void stored_soup_hide(const stored_soup *s, bool is_hidden)
+{
+    for (int k = 0; k < STORED_STREAMS; k++) {
+        const guarded fence = s->stream_fence[k];
+        assert_int_equal(mprotect(fence.first, fence.size, is_hidden ? PROT_NONE : PROT_READ | PROT_WRITE), 0);
+    }
+}

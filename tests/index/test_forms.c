@@ -1,0 +1,150 @@
+/*
+ * test_forms.c - all forms of a question answer alike, and as the calls without an index do: hostile soups and boxes, every kernel,
+ * accuracy and set of axes. --long asks a million questions.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/oracle.h"
+#include "common/kernels_here.h"
+#include "forms.h"
+#include "hostile.h"
+
+enum { TRIANGLES = 2000, BOXES = 20, PAIRS_A_QUESTION = 10 };
+
+static arguments args;
+static stored_soup stored;
+static form_fences fences;
+
+static int make_all(void **state)
+{
+    (void)state;
+    stored = stored_soup_make(TRIANGLES);
+    fences = form_fences_make(TRIANGLES, BOXES);
+    return 0;
+}
+
+static int free_all(void **state)
+{
+    (void)state;
+    stored_soup_free(&stored);
+    form_fences_free(&fences);
+    return 0;
+}
+
+/* Mostly some words: a question about them has all there is, but for a second level of nodes. */
+static void draw_soup(random_source *r, const soup_kind *kind)
+{
+    const int most = random_int(r, 12) ? 300 : TRIANGLES, shift = random_int(r, 2 * STORED_SHIFTS);
+    stored_soup_lay(&stored, (size_t)random_int(r, most + 1), shift < STORED_SHIFTS ? shift : STORED_AT_END);
+    kind->draw(r, &stored);
+    spoil_soup(r, &stored, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
+    const tribox_options options = any_index_options(r);
+    stored_soup_build(&stored, options.kernel);
+}
+
+/* A soup, some boxes one by one, and the same at once. */
+static void check_soup(random_source *r, const soup_kind *kind)
+{
+    static float bound[6][BOXES];
+    tribox_boxes boxes = {.count = BOXES};
+    draw_soup(r, kind);
+    const tribox_options options = any_index_options(r);
+    for (int b = 0; b < BOXES; b++) {
+        const tribox_box box = draw_box(r, &stored);
+        check_forms(&fences, &stored, &box, &options, kind->name);
+        for (int a = 0; a < 3; a++) {
+            bound[a][b] = box.lo[a];
+            bound[3 + a][b] = box.hi[a];
+        }
+    }
+    for (int a = 0; a < 3; a++) {
+        boxes.lo[a] = bound[a];
+        boxes.hi[a] = bound[3 + a];
+    }
+    check_lists(&fences, &stored, &boxes, &options, kind->name);
+}
+
+static void test_hostile_soups(void **state)
+{
+    (void)state;
+    catch_faults();
+    const size_t rounds = arguments_rounds(&args, soup_kind_count() * BOXES * PAIRS_A_QUESTION);
+    for (size_t k = 0; k < soup_kind_count(); k++) {
+        random_source r = random_named(args.seed, soup_kind_at(k)->name);
+        for (size_t round = 0; round < rounds; round++)
+            check_soup(&r, soup_kind_at(k));
+    }
+}
+
+/* Each scene against its own box, with every option there is. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        scene_batch batch;
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        scene_draw_batch(scene_at(i), &r, &batch);
+        stored_soup_lay(&stored, SCENE_TRIANGLES, STORED_AT_END);
+        put_batch(&stored, 0, &batch);
+        stored_soup_build(&stored, names[i % (size_t)kernels]);
+        for (int k = 0; k < kernels; k++)
+            for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
+                for (unsigned axes = TRIBOX_AXES_BOX; axes <= TRIBOX_AXES_ALL; axes += 2)
+                    check_forms(&fences, &stored, &batch.box,
+                                &(tribox_options){.accuracy = accuracy, .axes = axes, .kernel = names[k]}, scene_at(i)->name);
+    }
+}
+
+/* The oracle knows neither an index nor a kernel. */
+static void check_by_oracle(const scene_batch *batch, unsigned axes, const char *name)
+{
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    uint64_t truth[2] = {0, 0}, mask[2];
+    for (int t = 0; t < SCENE_TRIANGLES; t++) {
+        const tribox_pair pair = scene_pair(batch, t);
+        truth[t / 64] |= (uint64_t)oracle_overlaps(oracle_separating(&pair), axes) << t % 64;
+    }
+    for (int k = 0; k < kernels; k++) {
+        const tribox_options options = {.axes = axes, .kernel = names[k]};
+        stored_soup_build(&stored, names[k]);
+        assert_int_equal(tribox_index_overlap(&stored.index, &stored.soup, &batch->box, &options, mask, NULL), TRIBOX_OK);
+        if (memcmp(mask, truth, sizeof mask))
+            fail_msg("scene %s, axes %u, kernel %s: not what the oracle says", name, axes, names[k]);
+    }
+}
+
+static void test_oracle(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        for (unsigned round = 0; round < 8; round++) {
+            scene_batch batch;
+            scene_draw_batch(scene_at(i), &r, &batch);
+            stored_soup_lay(&stored, SCENE_TRIANGLES, STORED_AT_END);
+            put_batch(&stored, 0, &batch);
+            check_by_oracle(&batch, TRIBOX_AXES_BOX | 2 * (round % 4), scene_at(i)->name);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hostile_soups),
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_oracle),
+    };
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
