@@ -1,0 +1,162 @@
+/*
+ * test_nodes.c - counts about 64, 64^2 and 64^3, where words, nodes and levels of nodes begin: NaN and infinity in every part of
+ * them, boxes with each of them wholly inside, memory of exactly that length at any alignment.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/kernels_here.h"
+#include "forms.h"
+#include "hostile.h"
+
+static const size_t counts[] = {0,    1,    2,    63,   64,    65,    127,        128,    129,       4031,
+                                4095, 4096, 4097, 8191, 12345, 65535, 262144 - 1, 262144, 262144 + 1};
+enum { COUNTS = sizeof counts / sizeof counts[0], COUNT_MAX = 262144 + 1, BOXES = 12, BOXES_OF_MANY = 5 };
+
+static arguments args;
+static stored_soup stored;
+static form_fences fences;
+static const char *names[KERNELS_MAX];
+static int kernels;
+
+static int make_all(void **state)
+{
+    (void)state;
+    kernels = kernels_here(names);
+    stored = stored_soup_make(COUNT_MAX);
+    fences = form_fences_make(COUNT_MAX, 1);
+    return 0;
+}
+
+static int free_all(void **state)
+{
+    (void)state;
+    stored_soup_free(&stored);
+    form_fences_free(&fences);
+    return 0;
+}
+
+static void draw(random_source *r, size_t count, dirt kind, int shift)
+{
+    stored_soup_lay(&stored, count, shift);
+    draw_cells(r, &stored);
+    spoil_soup(r, &stored, kind);
+    stored_soup_build(&stored, names[random_int(r, kernels)]);
+}
+
+/* With all kernels and accuracies in turn, as a soup of all counts times all of them would take minutes. */
+static void check(const tribox_box *box, size_t turn)
+{
+    const tribox_options options = {.accuracy = (tribox_accuracy)(turn % 3), .kernel = names[turn / 3 % (size_t)kernels]};
+    check_forms(&fences, &stored, box, &options, "cells");
+}
+
+/* Every count, with every kind of dirt; the long ones with one kind each. */
+static void test_counts(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t c = 0; c < COUNTS; c++) {
+        random_source r = random_named(args.seed, "counts");
+        const bool is_long = counts[c] > 2 * TRIBOX_INDEX_BLOCK;
+        for (int kind = is_long ? (int)c % DIRTS : 0; kind < (is_long ? (int)c % DIRTS + 1 : DIRTS); kind++) {
+            draw(&r, counts[c], (dirt)kind, kind % 2 ? STORED_AT_END : kind);
+            for (size_t b = 0; b < (is_long ? BOXES_OF_MANY : BOXES); b++) {
+                const tribox_box box = draw_box(&r, &stored);
+                check(&box, b);
+            }
+        }
+    }
+}
+
+/* Boxes about the whole soup, about all but its last triangles, and about one node or word of it, the last ones too. */
+static void check_parts(size_t count)
+{
+    const size_t sizes[] = {count, count - 1, count - count % 64, count - count % TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK, 64, 1};
+    for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
+        const tribox_box box = bounds_of(&stored, 0, sizes[k]), last = bounds_of(&stored, count - 1 - (count - 1) % 64, sizes[k]);
+        check(&box, k);
+        check(&last, k + 1);
+    }
+}
+
+/* Each kind of dirt in nodes, and in nodes of nodes, that would be wholly inside without it. */
+static void test_dirt(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t kind = 0; kind < DIRTS; kind++) {
+        random_source r = random_named(args.seed, "dirt");
+        draw(&r, kind % 2 ? 2 * TRIBOX_INDEX_BLOCK : TRIBOX_INDEX_BLOCK + 100, (dirt)kind, STORED_AT_END);
+        check_parts(stored.soup.count);
+        draw(&r, kind % 2 ? COUNT_MAX : 64 * TRIBOX_INDEX_BLOCK - 64, (dirt)kind, STORED_AT_END);
+        const tribox_box all = bounds_of(&stored, 0, stored.soup.count), most = bounds_of(&stored, 5000, 200000);
+        check(&all, kind);
+        check(&most, kind + 5);
+    }
+}
+
+/* One triangle that is not finite, in each of the places of a word, and of the last word of a soup. */
+static void test_dirt_in_a_word(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "dirt in a word");
+    for (size_t count = 64; count <= 200; count += 17)
+        for (size_t at = 0; at < count; at += 1 + at / 64) {
+            draw(&r, count, DIRT_NONE, STORED_AT_END);
+            const tribox_box box = bounds_of(&stored, 0, count);
+            spoil_triangle(&r, &stored, at);
+            stored_soup_build(&stored, names[at % (size_t)kernels]);
+            check(&box, at);
+        }
+}
+
+/* The index at every place beside an aligned one, and so the streams. */
+static void test_alignment(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "alignment");
+    for (int shift = 0; shift < STORED_SHIFTS; shift++)
+        for (int k = 0; k < kernels; k++) {
+            draw(&r, 5000, DIRT_ONE, shift);
+            const tribox_box box = draw_box(&r, &stored);
+            check(&box, (size_t)(3 * k + shift % 3));
+        }
+}
+
+static void test_bytes(void **state)
+{
+    (void)state;
+    size_t last = tribox_index_bytes(0);
+    assert_int_equal(last, tribox_index_bytes(1));
+    assert_in_range(last, 1600, 4096);
+    for (size_t count = 1; count <= 300000; count += count < 10000 ? 1 : 63) {
+        const size_t bytes = tribox_index_bytes(count);
+        if (bytes < last)
+            fail_msg("%zu triangles take less than fewer do", count);
+        if (count >= 100000 && (double)bytes > 0.012 * 36 * (double)count)
+            fail_msg("%zu triangles take %zu bytes", count, bytes);
+        last = bytes;
+    }
+    for (size_t count = 300000; count < SIZE_MAX / 2; count *= 2) {
+        assert_true(tribox_index_bytes(count) >= last);
+        last = tribox_index_bytes(count);
+    }
+    assert_true(tribox_index_bytes(SIZE_MAX) >= last);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_counts),    cmocka_unit_test(test_dirt),  cmocka_unit_test(test_dirt_in_a_word),
+        cmocka_unit_test(test_alignment), cmocka_unit_test(test_bytes),
+    };
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
