@@ -2,7 +2,11 @@
 #ifndef TRIBOX_BITS_H
 #define TRIBOX_BITS_H
 
+#include <stddef.h>
 #include <stdint.h>
+
+/* How many words have a bit for each of `count` things. */
+static inline size_t tribox_words_of(size_t count) { return count / 64 + (count % 64 != 0); }
 
 /* Without an instruction in parallel within the word: pairs of bits, nibbles, bytes, and a product that adds up the bytes. */
 static inline unsigned tribox_count_bits(uint64_t word)

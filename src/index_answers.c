@@ -14,11 +14,13 @@ static bool has_numbers(size_t count) { return (uint64_t)count <= UINT64_C(1) <<
 /* The triangles of a word, as a list. */
 static void list_word(tribox_answers *to, size_t word, uint64_t hit)
 {
-    for (; hit; hit &= hit - 1, to->found++)
-        if (to->found < to->room) {
-            const size_t i = 64 * word + tribox_lowest_bit(hit);
-            to->list[to->found] = to->ids ? to->ids[i] : (uint32_t)i;
-        }
+    const size_t count = tribox_count_bits(hit), there = to->found < to->room ? to->room - to->found : 0;
+    uint32_t *const list = to->list + to->found;
+    for (size_t n = 0; n < count && n < there; n++, hit &= hit - 1) {
+        const size_t i = 64 * word + tribox_lowest_bit(hit);
+        list[n] = to->ids ? to->ids[i] : (uint32_t)i;
+    }
+    to->found += count;
 }
 
 static void list_full(tribox_answers *to, size_t word, size_t words)
@@ -98,6 +100,7 @@ static tribox_status prepare(call *c, const tribox_index *index, const tribox_so
     c->query.levels = tribox_levels_of(index->count);
     c->query.pairs = (tribox_pairs){.soup = tribox_few_triangles(soup, c->plan.kernel, &c->few), .count = soup->count};
     c->query.plan = &c->plan;
+    c->query.may_choose = c->plan.choice.is_open;
     c->query.to = &c->answers;
     return TRIBOX_OK;
 }
@@ -149,7 +152,7 @@ tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *s
                                  const tribox_options *options, size_t room, uint32_t *number, uint64_t *bits, uint64_t *inside,
                                  size_t *found, tribox_report *report)
 {
-    if (!found || (room && (!number || !bits)) || !soup || !has_numbers(tribox_mask_words(soup->count)))
+    if (!found || (room && (!number || !bits)) || !soup || !has_numbers(tribox_words_of(soup->count)))
         return TRIBOX_BAD_ARGUMENT;
     call c;
     c.answers = (tribox_answers){.form = TRIBOX_WORDS, .number = number, .bits = bits, .inside = inside, .room = room};

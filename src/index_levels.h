@@ -2,6 +2,7 @@
 #ifndef TRIBOX_INDEX_LEVELS_H
 #define TRIBOX_INDEX_LEVELS_H
 
+#include "bits.h"
 #include "kernel_index.h"
 
 /* 64 to the power of this, times 64, is more than any count. */
@@ -13,13 +14,13 @@ typedef struct tribox_levels {
     size_t start[TRIBOX_INDEX_LEVELS]; /* the number of its first node among all nodes */
 } tribox_levels;
 
-/* One level at least, and one node. Nodes of a level are as many as words of a mask with a bit for each of their children. */
+/* One level at least, and one node. There are as many nodes as words with a bit for each of their children. */
 static inline tribox_levels tribox_levels_of(size_t triangles)
 {
     tribox_levels levels = {.count = 0};
-    size_t children = tribox_mask_words(triangles), start = 0;
+    size_t children = tribox_words_of(triangles), start = 0;
     do {
-        const size_t nodes = children ? tribox_mask_words(children) : 1;
+        const size_t nodes = children ? tribox_words_of(children) : 1;
         levels.nodes[levels.count] = nodes;
         levels.start[levels.count++] = start;
         start += nodes;

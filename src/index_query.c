@@ -26,7 +26,7 @@ static tribox_touch ask(const tribox_query *q, unsigned level, size_t j)
         node = &aligned;
     }
     tribox_touch found = q->plan->kernel->index->touch(node, q->pairs.box);
-    const size_t children = level ? q->levels.nodes[level - 1] : tribox_mask_words(q->pairs.count);
+    const size_t children = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count);
     found.touching &= there(children, 64 * j);
     found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
     return found;
@@ -37,7 +37,7 @@ static bool walk_pending(tribox_query *q, uint64_t *hit, uint64_t *open)
 {
     uint64_t any = 0;
     /* A survey pays where many words are to come: where so many have. */
-    q->plan->choice.is_open = q->plan->choice.is_open && q->pending == TRIBOX_PENDING;
+    q->plan->choice.is_open = q->may_choose && q->pending == TRIBOX_PENDING;
     for (unsigned k = 0, n; k < q->pending; k += n) {
         n = 1;
         open[k] = 0;
@@ -128,4 +128,8 @@ static bool any_in(tribox_query *q, unsigned level, size_t j, size_t *triangle)
     return false;
 }
 
-bool tribox_query_any(tribox_query *q, size_t *triangle) { return any_in(q, q->levels.count - 1, 0, triangle); }
+bool tribox_query_any(tribox_query *q, size_t *triangle)
+{
+    q->plan->choice.is_open = false;
+    return any_in(q, q->levels.count - 1, 0, triangle);
+}

@@ -32,6 +32,7 @@ typedef struct tribox_query {
     tribox_levels levels;
     tribox_pairs pairs; /* a soup and a box */
     tribox_plan *plan;
+    bool may_choose; /* the order of the groups is open */
     tribox_answers *to;
     unsigned pending;
     size_t word[TRIBOX_PENDING]; /* in ascending order */

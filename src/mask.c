@@ -2,7 +2,7 @@
 #include "bits.h"
 #include "tribox.h"
 
-size_t tribox_mask_words(size_t count) { return count / 64 + (count % 64 != 0); }
+size_t tribox_mask_words(size_t count) { return tribox_words_of(count); }
 
 size_t tribox_mask_indices(const uint64_t *mask, size_t count, uint32_t *indices)
 {
