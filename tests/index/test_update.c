@@ -1,0 +1,225 @@
+/*
+ * test_update.c - an index that is brought up to date, in one range or in many, is byte for byte the one that is built; and every
+ * kernel builds the same bytes.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/kernels_here.h"
+#include "fences.h"
+#include "hostile.h"
+
+enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 60 };
+
+static arguments args;
+static stored_soup stored;
+static guarded fence; /* of the index that is updated */
+static const char *names[KERNELS_MAX];
+static int kernels;
+
+static int make_all(void **state)
+{
+    (void)state;
+    kernels = kernels_here(names);
+    stored = stored_soup_make(COUNT_MAX);
+    fence = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
+    return 0;
+}
+
+static int free_all(void **state)
+{
+    (void)state;
+    stored_soup_free(&stored);
+    guarded_free(fence);
+    return 0;
+}
+
+static tribox_options any_kernel(random_source *r) { return (tribox_options){.kernel = names[random_int(r, kernels)]}; }
+
+static void draw(random_source *r, size_t count)
+{
+    const soup_kind *const kind = soup_kind_at(random_below(r, soup_kind_count()));
+    stored_soup_lay(&stored, count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
+    kind->draw(r, &stored);
+    spoil_soup(r, &stored, (dirt)random_int(r, DIRTS));
+}
+
+/* Other triangles in a range: finite ones, and some that are not. */
+static void change(random_source *r, size_t first, size_t count)
+{
+    for (size_t i = first; i < first + count; i++) {
+        for (int k = 0; k < STORED_STREAMS; k++)
+            stored.stream[k][i] = random_sign_of_zero(r, (float)random_int_between(r, -60, 60));
+        if (random_int(r, 50) == 0)
+            spoil_triangle(r, &stored, i);
+    }
+}
+
+/* A copy of the index as it is now, to be updated. */
+static fenced copied(void)
+{
+    const fenced copy = fenced_place(fence, stored_index_bytes(&stored), AT_END);
+    memcpy(copy.at, stored.nodes, copy.bytes);
+    return copy;
+}
+
+static void update(const fenced *index, size_t first, size_t count, const tribox_options *options)
+{
+    snprintf(doing, sizeof doing, "tribox_index_update: triangles %zu and %zu more of %zu, kernel %s", first, count,
+             stored.soup.count, options->kernel);
+    const tribox_status status = tribox_index_update(&stored.soup, first, count, options, index->at);
+    if (status)
+        fail_msg("%s: %s", doing, tribox_status_text(status));
+    assert_nothing_beside(index);
+}
+
+static void demand_as_built(const fenced *index, const char *kernel)
+{
+    stored_soup_build(&stored, kernel);
+    if (memcmp(index->at, stored.nodes, index->bytes))
+        fail_msg("%s: not the bytes of a build", doing);
+}
+
+/* Every byte is written, whatever stood there, and by every kernel alike. */
+static void test_kernels(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {0, 1, 3, 63, 64, 65, 100, 4095, 4096, 4097, 5000, 9000};
+    catch_faults();
+    random_source r = random_named(args.seed, "kernels");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        draw(&r, counts[round % (sizeof counts / sizeof counts[0])]);
+        const fenced index = fenced_place(fence, stored_index_bytes(&stored), round % 2 ? AT_END : (int)(round % STORED_SHIFTS));
+        for (int k = 0; k < kernels; k++) {
+            memset(index.at, 0x5a + k, index.bytes);
+            snprintf(doing, sizeof doing, "tribox_index_build: %zu triangles, kernel %s", stored.soup.count, names[k]);
+            assert_int_equal(
+                tribox_index_build(&stored.soup, &(tribox_options){.kernel = names[k]}, index.at, k % 2 ? &stored.index : NULL),
+                TRIBOX_OK);
+            assert_nothing_beside(&index);
+            stored.index.nodes = stored.nodes;
+            demand_as_built(&index, names[0]);
+        }
+    }
+}
+
+/* Every range of a short soup. */
+static void test_every_range(void **state)
+{
+    (void)state;
+    enum { COUNT = 150 };
+    catch_faults();
+    random_source r = random_named(args.seed, "every range");
+    draw(&r, COUNT);
+    for (size_t first = 0; first <= COUNT; first++)
+        for (size_t count = 0; count <= COUNT - first; count++) {
+            const tribox_options options = any_kernel(&r);
+            stored_soup_build(&stored, options.kernel);
+            const fenced index = copied();
+            change(&r, first, count);
+            update(&index, first, count, &options);
+            demand_as_built(&index, names[0]);
+        }
+}
+
+/* A place where a word, a node or the soup begins or ends, or one beside it. */
+static size_t draw_place(random_source *r, size_t count)
+{
+    const size_t place = random_below(r, count + 1), unit = random_int(r, 2) ? 64 : TRIBOX_INDEX_BLOCK;
+    const size_t near = random_int(r, 3) ? place / unit * unit : place;
+    if (random_int(r, 6) == 0)
+        return count;
+    return near && random_int(r, 4) == 0 ? near - 1 : near;
+}
+
+/*
+ * Ranges of long soups. Those of whole blocks leave the upper nodes to a call of count 0, unless they are the whole soup.
+ */
+static void check_range(random_source *r)
+{
+    const size_t count = stored.soup.count, one = draw_place(r, count), other = draw_place(r, count);
+    const size_t first = one < other ? one : other, end = one < other ? other : one;
+    const tribox_options options = any_kernel(r);
+    stored_soup_build(&stored, options.kernel);
+    const fenced index = copied();
+    change(r, first, end - first);
+    update(&index, first, end - first, &options);
+    const bool is_whole_blocks = first % TRIBOX_INDEX_BLOCK == 0 && (end % TRIBOX_INDEX_BLOCK == 0 || end == count);
+    if (is_whole_blocks && end - first < count)
+        update(&index, 0, 0, &options);
+    demand_as_built(&index, names[0]);
+}
+
+static void test_ranges(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {4096, 4097, 8191, 8192, 3 * 4096 + 17, 5 * 4096 + 64};
+    catch_faults();
+    random_source r = random_named(args.seed, "ranges");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        draw(&r, counts[round % (sizeof counts / sizeof counts[0])]);
+        for (int k = 0; k < 5; k++)
+            check_range(&r);
+    }
+}
+
+/* Three levels, and blocks of them in any order over memory that was never an index. */
+static void test_blocks(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "blocks");
+    draw(&r, COUNT_MAX);
+    const size_t blocks = (COUNT_MAX + TRIBOX_INDEX_BLOCK - 1) / TRIBOX_INDEX_BLOCK;
+    size_t *const order = malloc(blocks * sizeof *order);
+    assert_non_null(order);
+    for (size_t b = 0; b < blocks; b++) {
+        const size_t k = random_below(&r, b + 1);
+        order[b] = order[k];
+        order[k] = b;
+    }
+    const fenced index = fenced_place(fence, stored_index_bytes(&stored), AT_END);
+    for (size_t b = 0; b < blocks; b++) {
+        const size_t first = order[b] * TRIBOX_INDEX_BLOCK, left = COUNT_MAX - first;
+        const tribox_options options = any_kernel(&r);
+        update(&index, first, left < TRIBOX_INDEX_BLOCK ? left : TRIBOX_INDEX_BLOCK, &options);
+    }
+    const tribox_options options = any_kernel(&r);
+    update(&index, random_below(&r, COUNT_MAX), 0, &options);
+    demand_as_built(&index, names[0]);
+    check_range(&r);
+    check_range(&r);
+    free(order);
+}
+
+/* The whole soup in one range is a build. */
+static void test_whole(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {0, 1, 64, 4095, 4096, 4097, 70000};
+    catch_faults();
+    random_source r = random_named(args.seed, "whole");
+    for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++)
+        for (int k = 0; k < kernels; k++) {
+            draw(&r, counts[c]);
+            const fenced index = fenced_place(fence, stored_index_bytes(&stored), AT_END);
+            update(&index, 0, counts[c], &(tribox_options){.kernel = names[k]});
+            demand_as_built(&index, names[0]);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kernels), cmocka_unit_test(test_every_range), cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_blocks),  cmocka_unit_test(test_whole),
+    };
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
