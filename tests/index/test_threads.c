@@ -1,0 +1,146 @@
+/* test_threads.c - threads that build an index in ranges, and threads that ask one, as one would; for the thread sanitizer. */
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/kernels_here.h"
+#include "hostile.h"
+
+enum { COUNT = 40 * TRIBOX_INDEX_BLOCK + 77, WORDS = COUNT / 64 + 1, THREADS = 6, BOXES = 20 };
+
+static arguments args;
+static stored_soup stored;
+static unsigned char *shared; /* an index that threads write */
+static guarded fence;
+
+static int make_all(void **state)
+{
+    (void)state;
+    stored = stored_soup_make(COUNT);
+    fence = guarded_make(tribox_index_bytes(COUNT));
+    return 0;
+}
+
+static int free_all(void **state)
+{
+    (void)state;
+    stored_soup_free(&stored);
+    guarded_free(fence);
+    return 0;
+}
+
+typedef struct worker {
+    pthread_t thread;
+    size_t first, count; /* of triangles to build over */
+    tribox_box box[BOXES];
+    tribox_options options;
+    tribox_status status;
+    uint64_t mask[BOXES][WORDS];
+    size_t any[BOXES];
+} worker;
+
+static worker workers[THREADS];
+
+static void run_all(void *(*work)(void *))
+{
+    for (int t = 0; t < THREADS; t++)
+        assert_int_equal(pthread_create(&workers[t].thread, NULL, work, &workers[t]), 0);
+    for (int t = 0; t < THREADS; t++) {
+        assert_int_equal(pthread_join(workers[t].thread, NULL), 0);
+        assert_int_equal(workers[t].status, TRIBOX_OK);
+    }
+}
+
+static void *update(void *argument)
+{
+    worker *const w = argument;
+    w->status = tribox_index_update(&stored.soup, w->first, w->count, &w->options, shared);
+    return NULL;
+}
+
+/* Blocks shared out among the threads: a range each, which may be empty but not of count 0, since that finishes the index. */
+static void share_out(void)
+{
+    const size_t blocks = (COUNT + TRIBOX_INDEX_BLOCK - 1) / TRIBOX_INDEX_BLOCK;
+    for (size_t t = 0; t < THREADS; t++) {
+        const size_t first = blocks * t / THREADS * TRIBOX_INDEX_BLOCK, end = blocks * (t + 1) / THREADS * TRIBOX_INDEX_BLOCK;
+        workers[t].first = first;
+        workers[t].count = (end < COUNT ? end : COUNT) - first;
+    }
+}
+
+static void draw(random_source *r)
+{
+    stored_soup_lay(&stored, COUNT, STORED_AT_END);
+    draw_cells(r, &stored);
+    spoil_soup(r, &stored, DIRT_ONE_IN_A_WORD);
+    shared = guarded_tail(fence, stored_index_bytes(&stored));
+}
+
+static void test_build(void **state)
+{
+    (void)state;
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    random_source r = random_named(args.seed, "build");
+    for (int k = -1; k < kernels; k++) { /* -1: chosen by all threads at once */
+        draw(&r);
+        share_out();
+        for (int t = 0; t < THREADS; t++)
+            workers[t].options = (tribox_options){.kernel = k < 0 ? NULL : names[(k + t) % kernels]};
+        memset(shared, 0xff, stored_index_bytes(&stored));
+        run_all(update);
+        assert_int_equal(tribox_index_update(&stored.soup, 0, 0, NULL, shared), TRIBOX_OK);
+        stored_soup_build(&stored, names[0]);
+        assert_memory_equal(shared, stored.nodes, stored_index_bytes(&stored));
+    }
+}
+
+static tribox_status ask_all(worker *w)
+{
+    for (int b = 0; b < BOXES; b++) {
+        const tribox_status one = tribox_index_overlap(&stored.index, &stored.soup, &w->box[b], &w->options, w->mask[b], NULL);
+        const tribox_status other = tribox_index_any(&stored.index, &stored.soup, &w->box[b], &w->options, &w->any[b]);
+        if (one || other)
+            return one ? one : other;
+    }
+    return TRIBOX_OK;
+}
+
+static void *ask(void *argument)
+{
+    worker *const w = argument;
+    w->status = ask_all(w);
+    return NULL;
+}
+
+static void test_ask(void **state)
+{
+    (void)state;
+    static worker alone;
+    random_source r = random_named(args.seed, "ask");
+    draw(&r);
+    stored_soup_build(&stored, NULL);
+    for (int b = 0; b < BOXES; b++)
+        alone.box[b] = draw_box(&r, &stored);
+    assert_int_equal(ask_all(&alone), TRIBOX_OK);
+    for (int t = 0; t < THREADS; t++)
+        memcpy(workers[t].box, alone.box, sizeof alone.box);
+    run_all(ask);
+    for (int t = 0; t < THREADS; t++) {
+        assert_memory_equal(workers[t].mask, alone.mask, sizeof alone.mask);
+        assert_memory_equal(workers[t].any, alone.any, sizeof alone.any);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_build), cmocka_unit_test(test_ask)};
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
