@@ -1,0 +1,232 @@
+/*
+ * test_damaged.c - an index of random bytes, with flipped bits, or of another soup of as many triangles: nothing is read outside,
+ * and answers may be wrong but are answers. A copy anywhere answers as the index does.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/kernels_here.h"
+#include "fences.h"
+#include "forms.h"
+#include "hostile.h"
+
+enum { COUNT_MAX = 9000, WORDS = (COUNT_MAX + 63) / 64, BOXES = 4, PAIRS = 100000, ROUNDS = 300 };
+
+static arguments args;
+static stored_soup stored;
+static form_fences fences;
+
+static int make_all(void **state)
+{
+    (void)state;
+    stored = stored_soup_make(COUNT_MAX);
+    fences = form_fences_make(COUNT_MAX, BOXES);
+    return 0;
+}
+
+static int free_all(void **state)
+{
+    (void)state;
+    stored_soup_free(&stored);
+    form_fences_free(&fences);
+    return 0;
+}
+
+static void say(const char *form, const tribox_options *options)
+{
+    snprintf(doing, sizeof doing, "%s: damaged index of %zu triangles, kernel %s, accuracy %d", form, stored.soup.count,
+             options->kernel, (int)options->accuracy);
+}
+
+static void demand(bool holds, const char *what)
+{
+    if (!holds)
+        fail_msg("%s: %s", doing, what);
+}
+
+static size_t population(const uint64_t *mask, size_t words)
+{
+    size_t bits = 0;
+    for (size_t w = 0; w < words; w++)
+        bits += (size_t)__builtin_popcountll(mask[w]);
+    return bits;
+}
+
+static bool has_bits_past_count(uint64_t bits, size_t word)
+{
+    const size_t left = stored.soup.count - 64 * word;
+    return left < 64 && bits >> left;
+}
+
+static void check_mask(const tribox_box *box, const tribox_options *options)
+{
+    const size_t words = tribox_mask_words(stored.soup.count);
+    const fenced place = fenced_place(fences.mask, words * sizeof(uint64_t), AT_END);
+    const uint64_t *const mask = (const uint64_t *)(const void *)place.at;
+    tribox_report report = {SIZE_MAX, SIZE_MAX}, again = report;
+    say("tribox_index_overlap", options);
+    demand(!tribox_index_overlap(&stored.index, &stored.soup, box, options, (uint64_t *)(void *)place.at, &report), "refused");
+    demand(report.overlapping == population(mask, words) && report.undecided <= stored.soup.count, "another report");
+    demand(!words || !has_bits_past_count(mask[words - 1], words - 1), "bits past the count");
+    assert_nothing_beside(&place);
+    demand(!tribox_index_overlap(&stored.index, &stored.soup, box, options, NULL, &again), "refused");
+    demand(again.overlapping == report.overlapping, "counts otherwise than it marks");
+}
+
+static void check_words(const tribox_box *box, const tribox_options *options, size_t room)
+{
+    static uint32_t number[WORDS];
+    static uint64_t bits[WORDS], inside[WORDS];
+    const size_t words = tribox_mask_words(stored.soup.count);
+    size_t found = SIZE_MAX;
+    say("tribox_index_words", options);
+    demand(!tribox_index_words(&stored.index, &stored.soup, box, options, room, number, bits, inside, &found, NULL), "refused");
+    demand(found <= words, "more words than there are");
+    for (size_t k = 0; k < (found < room ? found : room); k++) {
+        demand(number[k] < words && (!k || number[k] > number[k - 1]), "numbers of words that are none, or not in order");
+        demand(bits[k] && !(inside[k] & ~bits[k]) && !has_bits_past_count(bits[k], number[k]), "bits that cannot be");
+    }
+}
+
+static void check_list(const tribox_box *box, const tribox_options *options, size_t room)
+{
+    static uint32_t list[COUNT_MAX], with_ids[COUNT_MAX];
+    size_t found = SIZE_MAX, again = SIZE_MAX;
+    say("tribox_index_list", options);
+    demand(!tribox_index_list(&stored.index, &stored.soup, box, options, NULL, room, list, &found), "refused");
+    demand(!tribox_index_list(&stored.index, &stored.soup, box, options, stored.ids, room, with_ids, &again), "refused");
+    demand(found == again && found <= stored.soup.count, "more triangles than there are");
+    for (size_t k = 0; k < (found < room ? found : room); k++) {
+        demand(list[k] < stored.soup.count && (!k || list[k] > list[k - 1]), "triangles that are none, or not in order");
+        demand(with_ids[k] == stored.ids[list[k]], "numbers of other triangles");
+    }
+}
+
+static void check_any(const tribox_box *box, const tribox_options *options)
+{
+    size_t triangle = SIZE_MAX;
+    say("tribox_index_any", options);
+    demand(!tribox_index_any(&stored.index, &stored.soup, box, options, &triangle), "refused");
+    demand(triangle <= stored.soup.count, "a triangle that is none");
+}
+
+static void check_all(random_source *r)
+{
+    for (int b = 0; b < BOXES; b++) {
+        const tribox_box box = draw_box(r, &stored);
+        const tribox_options options = any_index_options(r);
+        check_mask(&box, &options);
+        check_words(&box, &options, random_int(r, 2) ? WORDS : random_below(r, WORDS));
+        check_list(&box, &options, random_int(r, 2) ? COUNT_MAX : random_below(r, COUNT_MAX));
+        check_any(&box, &options);
+    }
+}
+
+static void draw(random_source *r)
+{
+    static const int most[] = {1, 64, 300, 4096, 4200, COUNT_MAX};
+    const size_t count = (size_t)random_int(r, 1 + most[random_int(r, sizeof most / sizeof most[0])]);
+    stored_soup_lay(&stored, count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
+    soup_kind_at(random_below(r, soup_kind_count()))->draw(r, &stored);
+    spoil_soup(r, &stored, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
+    stored_soup_build(&stored, any_index_options(r).kernel);
+}
+
+static void test_random_bytes(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "random bytes");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        draw(&r);
+        const int kind = random_int(&r, 4);
+        for (size_t k = 0; k < stored_index_bytes(&stored); k++)
+            stored.nodes[k] = kind == 0 ? 0xff : kind == 1 ? 0 : (unsigned char)random_int(&r, 256);
+        check_all(&r);
+    }
+}
+
+static void test_flipped_bits(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "flipped bits");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        draw(&r);
+        for (int times = 1 << random_int(&r, 12); times > 0; times--)
+            stored.nodes[random_below(&r, stored_index_bytes(&stored))] ^= (unsigned char)(1 << random_int(&r, 8));
+        check_all(&r);
+    }
+}
+
+/* Every child is said to be everywhere and whole: nodes and words past the last are still not there. */
+static void test_all_inside(void **state)
+{
+    (void)state;
+    enum { BOUNDS = 6 * 64, NODE = BOUNDS * sizeof(float) + 64 };
+    catch_faults();
+    random_source r = random_named(args.seed, "all inside");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        draw(&r);
+        const float bounds[2] = {random_int(&r, 2) ? 0 : -1, random_int(&r, 2) ? 0 : 1};
+        for (size_t node = 0; node < stored_index_bytes(&stored) / NODE; node++) {
+            for (size_t k = 0; k < BOUNDS; k++)
+                memcpy(stored.nodes + node * NODE + k * sizeof(float), &bounds[k >= BOUNDS / 2], sizeof(float));
+            memset(stored.nodes + node * NODE + BOUNDS * sizeof(float), random_int(&r, 3) ? 0xff : 0, sizeof(uint64_t));
+        }
+        for (int k = 0; k < 9; k++)
+            for (size_t i = 0; i < stored.soup.count; i++)
+                stored.stream[k][i] = (float)(i % 3) - 1;
+        check_all(&r);
+    }
+}
+
+static void test_another_soup(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "another soup");
+    for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+        draw(&r);
+        soup_kind_at(random_below(&r, soup_kind_count()))->draw(&r, &stored);
+        check_all(&r);
+    }
+}
+
+/* The original is gone when the copy is asked. */
+static void test_copies(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "copies");
+    const guarded elsewhere = guarded_make(tribox_index_bytes(COUNT_MAX) + STORED_SHIFTS);
+    for (int shift = 0; shift < STORED_SHIFTS; shift++) {
+        draw(&r);
+        const size_t bytes = stored_index_bytes(&stored);
+        stored.index.nodes = memcpy(shift % 3 ? elsewhere.first + shift : guarded_tail(elsewhere, bytes), stored.nodes, bytes);
+        memset(stored.nodes, 0, bytes);
+        guarded_read_only(elsewhere, true);
+        for (int b = 0; b < 3 * BOXES; b++) {
+            const tribox_box box = draw_box(&r, &stored);
+            const tribox_options options = any_index_options(&r);
+            check_forms(&fences, &stored, &box, &options, "a copy");
+        }
+        guarded_read_only(elsewhere, false);
+    }
+    guarded_free(elsewhere);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_bytes), cmocka_unit_test(test_flipped_bits), cmocka_unit_test(test_all_inside),
+        cmocka_unit_test(test_another_soup), cmocka_unit_test(test_copies),
+    };
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
