@@ -11,6 +11,7 @@
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
+#include "overlap/many_boxes.h"
 #include "overlap/report.h"
 
 static const char help[] =
@@ -24,7 +25,8 @@ static const char help[] =
     "float32 each), or - for standard input. Triangles and boxes are closed: touching is overlap.\n"
     "\n"
     "  -b, --box LX,...,HZ     lower and upper bounds, separated by commas or blanks\n"
-    "      --boxes FILE        a box per line, answered line by line; - is standard input\n"
+    "      --boxes FILE        a box per line, answered line by line; - is standard input; very many\n"
+    "                          are answered by an index, which is built along the way\n"
     "      --oriented CX,...   center C, half lengths H, and the directions U, V, W of the axes\n"
     "      --format WORD       stl or f32, whatever the name of the file; standard input needs it\n"
     "      --inside            also count the triangles inside the box, on its border and outside\n"
@@ -159,39 +161,69 @@ static int run_test(const mesh *m, const request *r, const masks *bits, int runs
     return EXIT_CODE_OK;
 }
 
-static int answer_box(const mesh *m, const request *r, const masks *bits, int runs, answer *a)
+static void tell_mesh(const mesh *m, answer *a)
 {
     a->triangles = m->soup.count;
     a->left_out = m->left_out;
     a->not_finite = m->not_finite;
     a->rounded = m->rounded;
     a->moved = m->moved;
-    int code = run_test(m, r, bits, runs, a);
-    if (!code && r->wants_list)
-        code = report_list(r, a, 0, bits->overlap, m->soup.count);
-    return code ? code : report_end(r, a);
 }
 
-static int answer_boxes(const mesh *m, const request *r, const masks *bits)
+static int answer_box(const mesh *m, const request *r)
 {
-    box_file boxes;
+    masks bits;
+    answer a = {.box = r->box};
+    tell_mesh(m, &a);
+    int code = masks_make(m->soup.count, r->wants_inside, &bits);
+    if (!code)
+        code = run_test(m, r, &bits, 5, &a);
+    if (!code && r->wants_list)
+        code = report_list(r, &a, 0, bits.overlap, m->soup.count);
+    masks_free(&bits);
+    return code ? code : report_end(r, &a);
+}
+
+static int answer_next(many_boxes *b, answer *a)
+{
+    tell_mesh(b->m, a);
+    int code = many_boxes_ask(b, a);
+    if (!code && b->r->wants_list)
+        code = many_boxes_list(b, a);
+    return code ? code : report_end(b->r, a);
+}
+
+static int answer_lines(many_boxes *b, box_file *boxes)
+{
+    bool end = false;
+    int code = EXIT_CODE_OK;
     size_t answered = 0;
-    bool end;
-    int code = box_file_open(&boxes, r->boxes_path);
-    if (code)
-        return code;
     for (;; answered++) {
-        answer a = {.runs = 0};
-        code = box_file_next(&boxes, &a.box, &end);
+        answer a = {.runs = 1};
+        code = box_file_next(boxes, &a.box, &end);
         if (code || end)
             break;
-        a.line = boxes.line;
-        code = answer_box(m, r, bits, 1, &a);
+        a.line = boxes->line;
+        code = answer_next(b, &a);
         if (code)
             break;
     }
     if (!code && !answered)
-        message_say("note: %s: there is no box in it", boxes.name);
+        message_say("note: %s: there is no box in it", boxes->name);
+    return code;
+}
+
+static int answer_boxes(mesh *m, const request *r)
+{
+    box_file boxes;
+    many_boxes b;
+    int code = box_file_open(&boxes, r->boxes_path);
+    if (code)
+        return code;
+    code = many_boxes_start(r, m, &b);
+    if (!code)
+        code = answer_lines(&b, &boxes);
+    many_boxes_end(&b);
     box_file_close(&boxes);
     return code;
 }
@@ -199,16 +231,11 @@ static int answer_boxes(const mesh *m, const request *r, const masks *bits)
 static int answer_mesh(const request *r)
 {
     mesh m;
-    masks bits;
-    answer a = {.box = r->box};
     int code = mesh_read_as(r->mesh_path, r->format, &m);
     if (code)
         return code;
     mesh_warn(r->mesh_path, &m);
-    code = masks_make(m.soup.count, r->wants_inside, &bits);
-    if (!code)
-        code = r->boxes_path ? answer_boxes(&m, r, &bits) : answer_box(&m, r, &bits, 5, &a);
-    masks_free(&bits);
+    code = r->boxes_path ? answer_boxes(&m, r) : answer_box(&m, r);
     mesh_free(&m);
     return code;
 }

@@ -32,7 +32,7 @@ class Boxes(support.TestCase):
         text = self.succeed("overlap", self.mesh, "--boxes", "-", stdin=lines.encode())
         for line, box in zip(text.splitlines(), boxes):
             count = len(meshes.overlapping(TRIANGLES, box))
-            self.assertRegex(line, r"^%s: %d of 300 triangles overlap \(%.2f %%\), \d+ undecided, [\d.]+ ns per triangle$"
+            self.assertRegex(line, r"^%s: %d of 300 triangles overlap \(%.2f %%\), \d+ undecided, [\d.]+ (ns per triangle|us by an index)$"
                              % (",".join("%g" % b for b in box), count, 100 * count / 300))
         self.assertEqual(len(text.splitlines()), len(boxes))
 

@@ -25,6 +25,9 @@ typedef struct masks {
     uint64_t *overlap, *inside;
 } masks;
 
+/* Of an index over the mesh: none, one over its triangles as they come in the file, one over triangles in order. */
+typedef enum index_stage { INDEX_NONE, INDEX_IN_FILE_ORDER, INDEX_ORDERED } index_stage;
+
 /* One box and what was found. */
 typedef struct answer {
     tribox_box box; /* not with --oriented */
@@ -36,6 +39,7 @@ typedef struct answer {
     int runs;
     double seconds;       /* of the test alone, best run */
     double total_seconds; /* with reading, where the mesh is streamed; else 0 */
+    index_stage stage;    /* whether it was found by an index */
     json json;            /* the object that is being printed */
 } answer;
 

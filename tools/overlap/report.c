@@ -8,6 +8,9 @@
 #include "console/message.h"
 #include "console/output.h"
 
+static const char *const index_words[] = {
+    [INDEX_NONE] = "none", [INDEX_IN_FILE_ORDER] = "in file order", [INDEX_ORDERED] = "ordered"};
+
 static double percent(const answer *a, uint64_t count) { return 100.0 * (double)count / (double)a->triangles; }
 
 static double ns_per_triangle(const answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
@@ -64,7 +67,11 @@ static void print_line(const request *r, const answer *a)
     printf(": %" PRIu64 " of %" PRIu64 " triangles overlap (%.2f %%), ", a->overlapping, a->triangles, percent(a, a->overlapping));
     if (r->wants_inside)
         printf("%" PRIu64 " inside, ", a->inside);
-    printf("%" PRIu64 " undecided, %.2f ns per triangle\n", a->undecided, ns_per_triangle(a));
+    printf("%" PRIu64 " undecided, ", a->undecided);
+    if (a->stage == INDEX_NONE)
+        printf("%.2f ns per triangle\n", ns_per_triangle(a));
+    else
+        printf("%.2f us by an index\n", 1e6 * a->seconds);
 }
 
 static void print_json_box(json *j, const tribox_box *box)
@@ -123,6 +130,8 @@ static void print_json_tail(const request *r, answer *a)
     json_string(j, "accuracy", accuracy_word(r->test.accuracy));
     output_json_axes(j, r->test.axes);
     json_string(j, "kernel", tribox_kernel_name(&r->test));
+    if (r->boxes_path)
+        json_string(j, "index", index_words[a->stage]);
     json_whole(j, "runs", (uint64_t)a->runs);
     json_number(j, "seconds", 6, a->seconds);
     json_number(j, "ns_per_triangle", 6, ns_per_triangle(a));
@@ -139,19 +148,33 @@ static void list_triangle(const request *r, answer *a, uint64_t index)
         printf("%" PRIu64 "\n", index);
 }
 
-int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count)
+static void list_triangles(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count)
 {
     uint32_t set[TRIANGLE_BLOCK];
+    const size_t listed = tribox_mask_indices(mask, count, set);
+    for (size_t i = 0; i < listed; i++)
+        list_triangle(r, a, first + set[i]);
+}
+
+/* Each line is of use by itself; a part of an object is not. */
+static int end_list(const request *r) { return r->wants_json && !ferror(stdout) ? EXIT_CODE_OK : output_flush(); }
+
+int report_list(const request *r, answer *a, uint64_t first, const uint64_t *mask, size_t count)
+{
     if (!first && r->wants_json)
         print_json_head(r, a);
-    for (size_t start = 0; start < count; start += TRIANGLE_BLOCK) {
-        const size_t part = count - start < TRIANGLE_BLOCK ? count - start : TRIANGLE_BLOCK;
-        const size_t listed = tribox_mask_indices(mask + start / 64, part, set);
-        for (size_t i = 0; i < listed; i++)
-            list_triangle(r, a, first + start + set[i]);
-    }
-    /* Each line is of use by itself; a part of an object is not. */
-    return r->wants_json && !ferror(stdout) ? EXIT_CODE_OK : output_flush();
+    for (size_t start = 0; start < count; start += TRIANGLE_BLOCK)
+        list_triangles(r, a, first + start, mask + start / 64, count - start < TRIANGLE_BLOCK ? count - start : TRIANGLE_BLOCK);
+    return end_list(r);
+}
+
+int report_words(const request *r, answer *a, const found_words *words)
+{
+    if (r->wants_json)
+        print_json_head(r, a);
+    for (size_t k = 0; k < words->count; k++)
+        list_triangles(r, a, 64 * (uint64_t)words->number[k], &words->bits[k], 64);
+    return end_list(r);
 }
 
 int report_end(const request *r, answer *a)
