@@ -12,21 +12,24 @@ static uint64_t first_bits(size_t count) { return count < 64 ? (UINT64_C(1) << c
 /* Of the children that begin at number `first`, a bit for each of `count` in all. */
 static uint64_t there(size_t count, size_t first) { return count > first ? first_bits(count - first) : 0; }
 
+/* Node j of a level: in its place, or a copy that is aligned. */
+static const tribox_node *node_at(const tribox_query *q, unsigned level, size_t j, tribox_node *copy)
+{
+    const char *const place = q->nodes + (q->levels.start[level] + j) * sizeof(tribox_node);
+    if ((uintptr_t)place % _Alignof(tribox_node) == 0)
+        return (const tribox_node *)(const void *)place;
+    memcpy(copy, place, sizeof *copy);
+    return copy;
+}
+
 /*
  * Asks node j of a level. Whatever a damaged node says, children that are not there do not touch, and only those that have all
  * their triangles are inside.
  */
-static tribox_touch ask(const tribox_query *q, unsigned level, size_t j)
+static tribox_touch ask(const tribox_query *q, unsigned level, size_t j, const tribox_node *node)
 {
-    const char *const place = q->nodes + (q->levels.start[level] + j) * sizeof(tribox_node);
-    const tribox_node *node = (const tribox_node *)(const void *)place;
-    tribox_node aligned;
-    if ((uintptr_t)place % _Alignof(tribox_node)) {
-        memcpy(&aligned, place, sizeof aligned);
-        node = &aligned;
-    }
-    tribox_touch found = q->plan->kernel->index->touch(node, q->pairs.box);
     const size_t children = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count);
+    tribox_touch found = q->plan->kernel->index->touch(node, q->pairs.box);
     found.touching &= there(children, 64 * j);
     found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
     return found;
@@ -84,7 +87,8 @@ static void push(tribox_query *q, size_t word, size_t full)
 /* Levels are few: 9 at the most below the top. */
 static void visit(tribox_query *q, unsigned level, size_t j)
 {
-    const tribox_touch found = ask(q, level, j);
+    tribox_node copy;
+    const tribox_touch found = ask(q, level, j, node_at(q, level, j, &copy));
     for (uint64_t left = found.touching; left; left &= left - 1) {
         const unsigned c = tribox_lowest_bit(left);
         const size_t child = 64 * j + c;
@@ -104,26 +108,32 @@ void tribox_query_run(tribox_query *q)
     answer_pending(q);
 }
 
-static bool any_in(tribox_query *q, unsigned level, size_t j, size_t *triangle)
+static bool any_in_word(tribox_query *q, size_t word, size_t *triangle)
 {
-    const tribox_touch found = ask(q, level, j);
+    uint64_t hit;
+    tribox_pairs_answer_block(&q->pairs, q->plan, word, 1, &hit);
+    if (hit)
+        *triangle = 64 * word + tribox_lowest_bit(hit);
+    return hit;
+}
+
+/* Children that lie inside answer at once. Of the others, where there are several, those come first whose middle is in the box. */
+static bool any_in_node(tribox_query *q, unsigned level, size_t j, size_t *triangle)
+{
+    tribox_node copy;
+    const tribox_node *const node = node_at(q, level, j, &copy);
+    const tribox_touch found = ask(q, level, j, node);
     if (found.inside) {
         *triangle = 64 * ((64 * j + tribox_lowest_bit(found.inside)) << 6 * level);
         return true;
     }
-    for (uint64_t left = found.touching; left; left &= left - 1) {
-        const size_t child = 64 * j + tribox_lowest_bit(left);
-        uint64_t hit;
-        if (level) {
-            if (any_in(q, level - 1, child, triangle))
-                return true;
-            continue;
-        }
-        tribox_pairs_answer_block(&q->pairs, q->plan, child, 1, &hit);
-        if (hit) {
-            *triangle = 64 * child + tribox_lowest_bit(hit);
+    const bool is_one = !(found.touching & (found.touching - 1));
+    uint64_t first = is_one ? 0 : found.touching & q->plan->kernel->index->find_centred(node, q->pairs.box);
+    for (uint64_t left = found.touching; left; first &= left) {
+        const unsigned c = tribox_lowest_bit(first ? first : left);
+        left &= ~(UINT64_C(1) << c);
+        if (level ? any_in_node(q, level - 1, 64 * j + c, triangle) : any_in_word(q, 64 * j + c, triangle))
             return true;
-        }
     }
     return false;
 }
@@ -131,5 +141,5 @@ static bool any_in(tribox_query *q, unsigned level, size_t j, size_t *triangle)
 bool tribox_query_any(tribox_query *q, size_t *triangle)
 {
     q->plan->choice.is_open = false;
-    return any_in(q, q->levels.count - 1, 0, triangle);
+    return any_in_node(q, q->levels.count - 1, 0, triangle);
 }

@@ -28,10 +28,14 @@ typedef struct tribox_touch {
 
 typedef tribox_touch tribox_touch_node(const tribox_node *node, const tribox_box *box);
 
+/* The children the middle of whose bounds is in the box: which of their triangles are likely to overlap. */
+typedef uint64_t tribox_find_centred(const tribox_node *node, const tribox_box *box);
+
 typedef struct tribox_index_kernel {
     tribox_bound_soup *bound_soup;
     tribox_bound_nodes *bound_nodes;
     tribox_touch_node *touch;
+    tribox_find_centred *find_centred;
 } tribox_index_kernel;
 
 #endif
