@@ -4,13 +4,14 @@
 set -eu
 cd "$(dirname "$0")/.."
 packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
-    libassimp-dev libpng-dev libcmocka-dev libgmp-dev libembree-dev libcgal-dev libmpfr-dev \
+    libassimp-dev libpng-dev libcmocka-dev libgmp-dev libembree-dev libcgal-dev libmpfr-dev libbullet-dev \
     python3-numpy python3-cffi python3-cffi-backend parallel openmpi-bin \
     git xz-utils doxygen mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross \
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
 build=${BUILD:-build-tests}
-test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled -Dpython=enabled "$@"
+test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled -Dpeers=enabled \
+    -Dpython=enabled "$@"
 meson compile -C "$build"
 status=0
 suites=

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "common/goal.h"
 #include "index_results.h"
 
 /* Goals for means are about these; the terrain has its own. */
@@ -13,7 +14,7 @@ static const double list_times_linear[BOX_SIZES] = {200, 60, 12, 5};
 static const double list_times_linear_terrain[BOX_SIZES] = {5000, 1000, 80, 12};
 static const size_t terrain_least = 9000000, memory_least = 100000;
 
-typedef void tell_goal(void *to, const char *what, double goal, bool is_most, double reached);
+typedef void tell_goal(void *to, const goal *g);
 
 static const scene_result *find(const scene_result *results, size_t count, const char *name)
 {
@@ -42,10 +43,10 @@ static void tell_lists(const scene_result *results, size_t count, tell_goal *tel
         }
         snprintf(what, sizeof what, "list, cuts, boxes of %.1f %%: times linear, mean of %d", 100 * box_part[p], found);
         if (found)
-            tell(to, what, list_times_linear[p], false, exp(logarithm / found));
+            tell(to, &(goal){what, false, list_times_linear[p], exp(logarithm / found)});
         snprintf(what, sizeof what, "list, cuts, boxes of %.1f %%: times linear, terrain", 100 * box_part[p]);
         if (terrain && terrain->triangles >= terrain_least)
-            tell(to, what, list_times_linear_terrain[p], false, list_ratio(terrain, ORDER_CUTS, p));
+            tell(to, &(goal){what, false, list_times_linear_terrain[p], list_ratio(terrain, ORDER_CUTS, p)});
     }
 }
 
@@ -59,10 +60,10 @@ static void tell_worst(const scene_result *results, size_t count, tell_goal *tel
         build = fmax(build, results[r].order[ORDER_CUTS].cost.build / results[r].reading);
         memory = fmax(memory, results[r].triangles >= memory_least ? 100 * results[r].memory : 0);
     }
-    tell(to, "list, in the order of the file: linear's time, the worst", 1.15, true, file);
-    tell(to, "build: times reading, the worst", 1.5, true, build);
+    tell(to, &(goal){"list, in the order of the file: linear's time, the worst", true, 1.15, file});
+    tell(to, &(goal){"build: times reading, the worst", true, 1.5, build});
     if (memory > 0)
-        tell(to, "memory: percent of the streams, the worst", 1.2, true, memory);
+        tell(to, &(goal){"memory: percent of the streams, the worst", true, 1.2, memory});
 }
 
 static void tell_all(const scene_result *results, size_t count, tell_goal *tell, void *to)
@@ -71,25 +72,22 @@ static void tell_all(const scene_result *results, size_t count, tell_goal *tell,
     tell_lists(results, count, tell, to);
     tell_worst(results, count, tell, to);
     if (dragon)
-        tell(to, "order by cuts: ns a triangle, dragon", 80, true, dragon->order[ORDER_CUTS].cost.order);
+        tell(to, &(goal){"order by cuts: ns a triangle, dragon", true, 80, dragon->order[ORDER_CUTS].cost.order});
 }
 
-static bool is_reached(double goal, bool is_most, double reached) { return is_most ? reached <= goal : reached >= goal; }
-
-static void tell_text(void *to, const char *what, double goal, bool is_most, double reached)
+static void tell_text(void *to, const goal *g)
 {
     (void)to;
-    printf("%-62s %-8s %8.5g  %-11s %8.4g\n", what, is_most ? "at most" : "at least", goal,
-           is_reached(goal, is_most, reached) ? "reached" : "NOT reached", reached);
+    goal_print(g);
 }
 
-static void tell_json(void *to, const char *what, double goal, bool is_most, double reached)
+static void tell_json(void *to, const goal *g)
 {
     json *const j = to;
     json_open_object(j, NULL);
-    json_string(j, "what", what);
-    json_number(j, is_most ? "at_most" : "at_least", 6, goal);
-    json_number(j, "reached", 6, reached);
+    json_string(j, "what", g->what);
+    json_number(j, g->is_most ? "at_most" : "at_least", 6, g->goal);
+    json_number(j, "reached", 6, g->reached);
     json_close(j);
 }
 
