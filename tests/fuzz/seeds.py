@@ -154,6 +154,39 @@ def soup():
                for count in (0, 1, 63, 64, 65, 255)}}
 
 
+def index():
+    """Boxes, a soup of runs, the range of an update, a quarter, and what is damaged: two bytes of a place, a length, a value."""
+    source = random.Random(6)
+    files = {}
+
+    def soup(way, count, many, run, kinds=16):
+        return bytes([count, many, run, kinds - 1]) + b"".join(shape(way, drawn(source, way, 9), source.randrange(4))
+                                                               for _ in range(kinds))
+
+    around = shape(LATTICE, lattice(-16, 15, -16, 15, -16, 15))
+    flat = shape(LATTICE, lattice(0, 1, -5, 5, -5, 5), 1)
+    for name, way in WAYS.items():
+        boxes = UNIT_BOX + shape(way, drawn(source, way, 6)) + around
+        for many in (0, 1):
+            files["%s_%s" % (name, ("few", "nodes")[many])] = (bytes([UNIT_EIGHTH]) + options() + bytes([many]) + boxes +
+                                                               soup(way, 255 if many else 180, many, 63) + bytes([40, 99, way]))
+    for name, unit in UNITS.items():
+        files[name] = bytes([unit]) + options(1) + b"\3" + flat + around + UNIT_BOX + soup(LATTICE, 255, 1, 255) + bytes([1, 1])
+    for name, bad in {"nan": NAN_CODE, "infinity": INFINITY_CODE}.items():
+        dirty = bytes([250, 0, 63, 1]) + shape(LATTICE, lattice(0, 0, 0, 1, 0, 0, 0, 1, 1)) + shape(NASTY, bytes([bad] * 9))
+        files[name] = bytes([UNIT_ONE]) + options() + b"\1" + UNIT_BOX + around + shape(NASTY, bytes([bad] * 6)) + dirty
+    for name, error in ERRORS.items():
+        files["wrong_" + name] = bytes([UNIT_ONE]) + options(error=error) + b"\0" + UNIT_BOX * 3 + soup(LATTICE, 190, 0, 9)
+    files["wrong_axes_set"] = bytes([UNIT_ONE]) + options(6) + b"\0" + UNIT_BOX * 3 + soup(LATTICE, 190, 0, 9)
+    files["none"] = bytes([UNIT_ONE]) + options() + b"\0" + UNIT_BOX * 3 + bytes([0, 0, 0, 0])
+    whole, bounds = bytes([6, 0, 7, 255]), bytes([0, 0, 255, 0, 3, 0, 255, 0])
+    for count in (0, 1, 185, 255):
+        for name, changes in {"whole": whole, "bounds": bounds, "both": bounds + whole, "bytes": source.randbytes(200)}.items():
+            files["damaged_%s_%d" % (name, count)] = (bytes([UNIT_ONE]) + options() + b"\5" + UNIT_BOX + around + flat +
+                                                      soup(LATTICE, count, 1, 63, 4) + bytes([0, 0, count]) + changes)
+    return files
+
+
 def oriented():
     source = random.Random(4)
     anywhere, in_frame, any_frame, rotation, positive = b"\1", b"\0", b"\0", b"\1", b"\1\1\1"
@@ -334,7 +367,7 @@ def command():
 
 
 TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "indexed": indexed, "soup": soup,
-           "oriented": oriented, "grid": grid, "files": files, "command": command}
+           "index": index, "oriented": oriented, "grid": grid, "files": files, "command": command}
 
 
 def main():
