@@ -39,7 +39,9 @@ static void bound_triangles(const tribox_soup *soup, size_t first, size_t count,
             const float u = stream[0][first + i], v = stream[1][first + i], w = stream[2][first + i];
             b->lo[a][i] = lesser(lesser(u, v), w);
             b->hi[a][i] = greater(greater(u, v), w);
-            b->is_finite[i] &= tribox_is_finite(u) & tribox_is_finite(v) & tribox_is_finite(w);
+            b->is_finite[i] &= tribox_is_finite(u);
+            b->is_finite[i] &= tribox_is_finite(v);
+            b->is_finite[i] &= tribox_is_finite(w);
         }
 }
 
@@ -80,7 +82,8 @@ void tribox_places_of_boxes(const tribox_places *places, const tribox_boxes *box
             for (size_t i = 0; i < block; i++) {
                 b.lo[a][i] = boxes->lo[a][first + done + i];
                 b.hi[a][i] = boxes->hi[a][first + done + i];
-                b.is_finite[i] &= tribox_is_finite(b.lo[a][i]) & tribox_is_finite(b.hi[a][i]);
+                b.is_finite[i] &= tribox_is_finite(b.lo[a][i]);
+                b.is_finite[i] &= tribox_is_finite(b.hi[a][i]);
             }
         write_places(places, &b, first + done, block);
     }
