@@ -15,7 +15,7 @@ static bool has_numbers(size_t count) { return (uint64_t)count <= UINT64_C(1) <<
 static void list_word(tribox_answers *to, size_t word, uint64_t hit)
 {
     const size_t count = tribox_count_bits(hit), there = to->found < to->room ? to->room - to->found : 0;
-    uint32_t *const list = to->list + to->found;
+    uint32_t *const list = there ? to->list + to->found : NULL;
     for (size_t n = 0; n < count && n < there; n++, hit &= hit - 1) {
         const size_t i = 64 * word + tribox_lowest_bit(hit);
         list[n] = to->ids ? to->ids[i] : (uint32_t)i;
