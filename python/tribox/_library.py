@@ -29,6 +29,7 @@ def list_kernels():
 
 
 lib = load()
+VERSION = f"{lib.TRIBOX_VERSION_MAJOR}.{lib.TRIBOX_VERSION_MINOR}.{lib.TRIBOX_VERSION_PATCH}"
 KERNELS = list_kernels()
 
 

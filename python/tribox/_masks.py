@@ -27,6 +27,15 @@ def bools(words, count):
     return np.unpackbits(words.view(BYTE), -1, count, "little").view(BOOL)
 
 
+def packed_bits(mask):
+    """An array of bool as words, bit i % 64 of word i // 64 for its element i."""
+    words = new_words(len(mask))
+    octets = words.view(BYTE)
+    octets[-8:] = 0
+    octets[:(len(mask) + 7) >> 3] = np.packbits(mask, bitorder="little")
+    return words.byteswap() if sys.byteorder == "big" else words
+
+
 def check_out(out, shape, packed_shape):
     """Whether out is for packed bits: uint64 of one shape, where bool has the other. Anything else is an error."""
     dtype = out.dtype if isinstance(out, np.ndarray) else None

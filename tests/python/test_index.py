@@ -1,0 +1,225 @@
+"""An Index answers as tribox.overlap does, in the caller's numbers, whatever it was made of."""
+
+import copy
+import pickle
+import threading
+
+import numpy as np
+import tribox
+from tribox import BadIndexError, InputError, InputTypeError
+
+import cases
+from cases import HI, LO
+
+NAN = float("nan")
+BOXES = [(LO, HI), ((0, 0, 0), (2, 2, 2)), ((-2, -2, -2), (2, 2, 2)), ((0.5, -2, -2), (0.5, 2, 2)), ((3, 3, 3), (4, 4, 4)),
+         ((1, 0, 0), (-1, 1, 1))]
+
+
+def forms(triangles):
+    """The same triangles in every form, with the options of Index."""
+    streams = np.ascontiguousarray(triangles.T)
+    mesh = tribox.Mesh(*cases.shared_vertices(np.nan_to_num(triangles), np.uint32)) if np.isfinite(triangles).all() else triangles
+    for form in (triangles, mesh, tribox.Soup(streams), streams.T, tribox.Soup([list(axis) for axis in streams])):
+        for keep_order in (False, True):
+            yield tribox.Index(form, keep_order=keep_order)
+
+
+def streams_of(boxes):
+    return [np.ascontiguousarray(np.float32([box[side] for box in boxes]).reshape(-1, 3).T) for side in range(2)]
+
+
+class Answers(cases.TestCase):
+    def check(self, index, expected, lo, hi, **options):
+        """All questions about one box, against n bools."""
+        count, numbers = len(expected), np.flatnonzero(expected).astype(np.uint32)
+        self.assert_same(index.overlap(lo, hi, **options), expected)
+        packed = index.overlap(lo, hi, packed=True, **options)
+        self.assert_same(tribox.mask_indices(packed), numbers)
+        self.assertEqual(packed.size, (count + 63) // 64)
+        listed = index.list(lo, hi, **options)
+        self.assert_same(listed if index.ids is None else np.sort(listed), numbers)
+        self.assertEqual(index.count(lo, hi, **options), len(numbers))
+        self.assertIs(index.any(lo, hi, **options), len(numbers) > 0)
+
+    def test_truth(self):
+        for count in (0, 1, 63, 64, 65, 300):
+            triangles = cases.lattice(count)
+            answers = [cases.truth(triangles, *box) for box in BOXES]
+            for index in forms(triangles):
+                self.assertEqual(len(index), count)
+                for box, expected in zip(BOXES, answers):
+                    self.check(index, expected, *box)
+
+    def test_like_overlap(self):
+        """More than 4096 triangles of all sizes, some of them not finite."""
+        triangles = cases.scattered(10000)
+        triangles[5, 1, 2], triangles[4000:4100, 0, 0], triangles[-1, 2, 1] = NAN, np.inf, -np.inf
+        for index in forms(triangles):
+            for box in BOXES:
+                self.check(index, tribox.overlap(triangles, *box), *box)
+
+    def test_options(self):
+        triangles = cases.lattice(200)
+        for index in (tribox.Index(triangles), tribox.Index(triangles, keep_order=True)):
+            for options in (dict(accuracy="conservative"), dict(axes=tribox.AXES_BOX), dict(order=321),
+                            dict(axes=tribox.AXES_BOX | tribox.AXES_EDGES), *(dict(kernel=name) for name in tribox.kernels())):
+                self.check(index, tribox.overlap(triangles, LO, HI, **options), LO, HI, **options)
+            fast = index.overlap(LO, HI, accuracy="fast")
+            self.assertFalse((tribox.overlap(triangles, LO, HI, accuracy="fast") & ~fast).any())
+
+    def test_out(self):
+        triangles = cases.lattice(130)
+        expected = tribox.overlap(triangles, LO, HI)
+        for index in (tribox.Index(triangles), tribox.Index(triangles, keep_order=True)):
+            for out in (np.ones(130, bool), np.ones(260, bool)[::2]):
+                self.assertIs(index.overlap(LO, HI, out=out), out)
+                self.assert_same(out, expected)
+            words = np.full(3, 2 ** 64 - 1, np.uint64)
+            self.assertIs(index.overlap(LO, HI, out=words), words)
+            self.assert_same(words, tribox.overlap(triangles, LO, HI, packed=True))
+
+    def test_lists(self):
+        """Also where more is found than there was room for at first, and where nothing is."""
+        triangles = cases.lattice(1000)
+        far = [((10, 10, 10), (11, 11, 11))]
+        for index in (tribox.Index(triangles), tribox.Index(triangles, keep_order=True)):
+            for boxes in (BOXES, BOXES * 20, far, [], [((NAN, 0, 0), (1, 1, 1)), *BOXES, ((0, 0, 0), (1, np.inf, 1))]):
+                numbers, start = index.lists(*streams_of(boxes))
+                self.assertEqual((numbers.dtype, start.dtype, start.shape), (np.uint32, np.intp, (len(boxes) + 1,)))
+                self.assertEqual((start[0], start[-1]), (0, len(numbers)))
+                for i, box in enumerate(boxes):
+                    own = numbers[start[i]:start[i + 1]]
+                    expected = index.list(*box) if np.isfinite(box).all() else np.empty(0, np.uint32)
+                    self.assert_same(own, expected)
+            everything = [((-9, -9, -9), (9, 9, 9))] * 100
+            numbers, start = index.lists(*streams_of(everything))
+            self.assert_same(start, np.arange(101) * 1000)
+
+    def test_long_list(self):
+        """Longer than the room for a first answer."""
+        triangles = np.resize(cases.lattice(300), (9000, 3, 3))
+        expected = np.flatnonzero(np.resize(cases.truth(triangles[:300], *BOXES[2]), 9000)).astype(np.uint32)
+        self.assertGreater(len(expected), 4096)
+        self.assert_same(np.sort(tribox.Index(triangles).list(*BOXES[2])), expected)
+
+    def test_repr(self):
+        triangles = cases.lattice(100)
+        size = tribox._library.lib.tribox_index_bytes(100)
+        self.assertEqual(repr(tribox.Index(triangles)), f"<tribox.Index: 100 triangles in order, {size} bytes>")
+        self.assertEqual(repr(tribox.Index(triangles, keep_order=True)), f"<tribox.Index: 100 triangles as given, {size} bytes>")
+
+
+class Arrays(cases.TestCase):
+    def test_soup_in_place(self):
+        """A Soup whose order is kept is read where it lies; anything else is copied, and may change."""
+        triangles = cases.lattice(100)
+        expected = tribox.overlap(triangles, LO, HI)
+        soup = tribox.Soup.of(triangles)
+        self.assertIs(tribox.Index(soup, keep_order=True).soup, soup)
+        for index in (tribox.Index(triangles), tribox.Index(triangles, keep_order=True), tribox.Index(soup)):
+            kept = triangles.copy(), soup.streams.copy()
+            triangles[:], soup.streams[:] = NAN, NAN
+            self.assert_same(index.overlap(LO, HI), expected)
+            triangles[:], soup.streams[:] = kept
+
+    def test_what_is_held_lives(self):
+        index = tribox.Index(tribox.Soup.of(cases.lattice(200)), keep_order=True)
+        expected = cases.truth(cases.lattice(200), LO, HI)
+        for _ in range(20):
+            np.full((200, 3, 3), np.nan, np.float32)
+            self.assert_same(index.overlap(LO, HI), expected)
+
+    def test_threads(self):
+        triangles = np.resize(cases.lattice(500), (20000, 3, 3))
+        index, wrong = tribox.Index(triangles), []
+        expected = [np.sort(index.list(*box)) for box in BOXES]
+
+        def work():
+            for turn in range(60):
+                wrong.extend([turn] * (not np.array_equal(np.sort(index.list(*BOXES[turn % 6])), expected[turn % 6])))
+
+        threads = [threading.Thread(target=work) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+
+
+class Pickles(cases.TestCase):
+    def setUp(self):
+        self.triangles = cases.lattice(5000)
+        self.expected = cases.truth(self.triangles[:200], LO, HI)
+
+    def same(self, index, other):
+        self.assertEqual(repr(index), repr(other))
+        np.testing.assert_array_equal(other.nodes, index.nodes)
+        for box in BOXES:
+            self.assert_same(other.list(*box), index.list(*box))
+        self.assert_same(other.overlap(LO, HI)[:200], self.expected)
+
+    def test_copies(self):
+        for index in forms(self.triangles):
+            for protocol in (2, pickle.HIGHEST_PROTOCOL):
+                self.same(index, pickle.loads(pickle.dumps(index, protocol)))
+            self.same(index, copy.deepcopy(index))
+            self.same(index, copy.copy(index))
+
+    def test_another_version(self):
+        """The nodes of another version are not believed."""
+        index = tribox.Index(self.triangles)
+        for change in (dict(version="0.0.9"), dict(byteorder="pdp"), dict(nodes=index.nodes[1:])):
+            state = {**index.__getstate__(), "nodes": np.zeros_like(index.nodes), **change}
+            other = tribox.Index.__new__(tribox.Index)
+            other.__setstate__(state)
+            self.same(index, other)
+
+
+class Errors(cases.TestCase):
+    def setUp(self):
+        self.triangles = cases.lattice(70)
+        self.index = tribox.Index(self.triangles)
+
+    def test_triangles(self):
+        for odd in (None, [[0, 0, 0]], 1):
+            self.refuse(InputTypeError, None, "triangles is of type", tribox.Index, odd)
+        self.refuse(InputTypeError, None, "dtype float64", tribox.Index, self.triangles.astype(float))
+        self.refuse(InputError, None, "strides", tribox.Index, self.triangles[::2])
+        vertices, faces = cases.shared_vertices(self.triangles, np.uint32)
+        faces[17, 2] = len(vertices)
+        for keep_order in (False, True):
+            self.refuse(BadIndexError, "BAD_INDEX", r"faces\[17, 2\] is", tribox.Index, tribox.Mesh(vertices, faces),
+                        keep_order=keep_order)
+
+    def test_questions(self):
+        kept = tribox.Index(self.triangles, keep_order=True)
+        for index in (self.index, kept, tribox.Index(self.triangles[:0])):
+            for call in (index.overlap, index.count, index.any, index.list):
+                self.refuse(InputError, "BAD_BOX", r"NaN or infinite: lo = \(nan, 0, 0\)", call, (NAN, 0, 0), HI)
+                self.refuse(InputError, None, "^hi = .*; give three numbers", call, LO, (1, 2))
+                for axes in (tribox.AXES_PLANE, tribox.AXES_PLANE | tribox.AXES_EDGES):
+                    self.refuse(InputError, "BAD_OPTION", f"axes = {axes}", call, LO, HI, axes=axes)
+                self.refuse(InputError, "BAD_OPTION", "order = 4", call, LO, HI, order=4)
+                self.refuse(InputError, None, "accuracy = 'exakt'", call, LO, HI, accuracy="exakt")
+                self.refuse(InputError, "NO_KERNEL", "kernel = 'sse9'", call, LO, HI, kernel="sse9")
+
+    def test_out(self):
+        out = np.zeros(70, bool)
+        for odd in (np.zeros(69, bool), np.zeros(3, np.uint64)):
+            self.refuse(InputError, None, "out has shape", self.index.overlap, LO, HI, out=odd)
+        with self.assertRaises(tribox.Error):
+            self.index.overlap(LO, (9, 9, NAN), out=out)
+        self.assertFalse(out.any())
+
+    def test_boxes(self):
+        bounds = np.zeros((3, 9), np.float32)
+        for odd in (bounds.T, bounds[:, ::2]):
+            self.refuse(InputError, None, r"lo has shape .*; give \(3, n\)", self.index.lists, odd, bounds)
+        self.refuse(InputTypeError, None, "hi has dtype float64", self.index.lists, bounds, bounds.astype(float))
+        self.refuse(InputError, None, r"lo has shape \(3, 9\) and hi \(3, 8\)", self.index.lists, bounds, bounds[:, :8])
+        self.refuse(InputError, "BAD_OPTION", "axes = 6", self.index.lists, bounds, bounds, axes=6)
+
+
+if __name__ == "__main__":
+    cases.main()
