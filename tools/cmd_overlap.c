@@ -11,7 +11,7 @@
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "overlap/many_boxes.h"
+#include "overlap/box_after_box.h"
 #include "overlap/report.h"
 
 static const char help[] =
@@ -184,16 +184,16 @@ static int answer_box(const mesh *m, const request *r)
     return code ? code : report_end(r, &a);
 }
 
-static int answer_next(many_boxes *b, answer *a)
+static int answer_next(box_after_box *b, answer *a)
 {
     tell_mesh(b->m, a);
-    int code = many_boxes_ask(b, a);
+    int code = box_after_box_ask(b, a);
     if (!code && b->r->wants_list)
-        code = many_boxes_list(b, a);
+        code = box_after_box_list(b, a);
     return code ? code : report_end(b->r, a);
 }
 
-static int answer_lines(many_boxes *b, box_file *boxes)
+static int answer_lines(box_after_box *b, box_file *boxes)
 {
     bool end = false;
     int code = EXIT_CODE_OK;
@@ -216,14 +216,14 @@ static int answer_lines(many_boxes *b, box_file *boxes)
 static int answer_boxes(mesh *m, const request *r)
 {
     box_file boxes;
-    many_boxes b;
+    box_after_box b;
     int code = box_file_open(&boxes, r->boxes_path);
     if (code)
         return code;
-    code = many_boxes_start(r, m, &b);
+    code = box_after_box_start(r, m, &b);
     if (!code)
         code = answer_lines(&b, &boxes);
-    many_boxes_end(&b);
+    box_after_box_end(&b);
     box_file_close(&boxes);
     return code;
 }

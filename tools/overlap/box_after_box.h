@@ -1,16 +1,16 @@
 /*
- * many_boxes.h - asks one mesh about box after box, without knowing how many will come: tests every triangle, builds an index when
+ * box_after_box.h - asks one mesh about box after box, without knowing how many will come: tests every triangle, builds an index when
  * it has paid as much for tests, and puts the mesh in order for it when it has paid as much again. So a file of boxes takes at most
  * about twice what it would take if the number were known. Answers are the same each way.
  */
-#ifndef MANY_BOXES_H
-#define MANY_BOXES_H
+#ifndef BOX_AFTER_BOX_H
+#define BOX_AFTER_BOX_H
 
 #include "found_words.h"
 #include "overlap.h"
 #include "read/mesh.h"
 
-typedef struct many_boxes {
+typedef struct box_after_box {
     const request *r;
     mesh *m;
     index_stage stage, last; /* the last that can be reached */
@@ -20,17 +20,17 @@ typedef struct many_boxes {
     void *nodes;       /* of the index */
     uint32_t *order;   /* the number in the file of each triangle; NULL until the mesh is in order */
     found_words words; /* with --list */
-} many_boxes;
+} box_after_box;
 
-/* Returns an exit_code; on success many_boxes_end gives back what this and the questions have taken, but not the mesh. */
-int many_boxes_start(const request *r, mesh *m, many_boxes *b);
+/* Returns an exit_code; on success box_after_box_end gives back what this and the questions have taken, but not the mesh. */
+int box_after_box_start(const request *r, mesh *m, box_after_box *b);
 
 /* Answers a->box. Returns an exit_code. */
-int many_boxes_ask(many_boxes *b, answer *a);
+int box_after_box_ask(box_after_box *b, answer *a);
 
 /* Prints the list of the last answer. Returns an exit_code. */
-int many_boxes_list(const many_boxes *b, answer *a);
+int box_after_box_list(const box_after_box *b, answer *a);
 
-void many_boxes_end(many_boxes *b);
+void box_after_box_end(box_after_box *b);
 
 #endif

@@ -1,6 +1,6 @@
-/* many_boxes.c - from one stage of the index to the next, and the question at each. */
+/* box_after_box.c - from one stage of the index to the next, and the question at each. */
 #define _POSIX_C_SOURCE 200809L
-#include "many_boxes.h"
+#include "box_after_box.h"
 
 #include <stdlib.h>
 
@@ -19,14 +19,14 @@ static bool is_for_index(const request *r, const mesh *m)
     return has_box_axes && !r->wants_inside && r->test.accuracy != TRIBOX_FAST && m->soup.count <= UINT32_MAX;
 }
 
-int many_boxes_start(const request *r, mesh *m, many_boxes *b)
+int box_after_box_start(const request *r, mesh *m, box_after_box *b)
 {
-    *b = (many_boxes){.r = r, .m = m, .last = is_for_index(r, m) ? INDEX_ORDERED : INDEX_NONE};
+    *b = (box_after_box){.r = r, .m = m, .last = is_for_index(r, m) ? INDEX_ORDERED : INDEX_NONE};
     return masks_make(m->soup.count, r->wants_inside, &b->bits);
 }
 
 /* Whether there is memory for a stage. Where there is not, nothing has changed. */
-static bool prepare(many_boxes *b, index_stage stage)
+static bool prepare(box_after_box *b, index_stage stage)
 {
     const size_t count = b->m->soup.count;
     if (stage == INDEX_ORDERED)
@@ -35,7 +35,7 @@ static bool prepare(many_boxes *b, index_stage stage)
     return b->nodes && (!b->r->wants_list || found_words_make(&b->words, count));
 }
 
-static int step_where_it_pays(many_boxes *b)
+static int step_where_it_pays(box_after_box *b)
 {
     if (b->stage == b->last || b->seconds < seconds_per_triangle[b->stage + 1] * (double)b->m->soup.count)
         return EXIT_CODE_OK;
@@ -49,7 +49,7 @@ static int step_where_it_pays(many_boxes *b)
     return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
 }
 
-static tribox_status ask_index(many_boxes *b, const tribox_box *box, tribox_report *report)
+static tribox_status ask_index(box_after_box *b, const tribox_box *box, tribox_report *report)
 {
     const tribox_soup *const soup = &b->m->soup;
     const tribox_options *const test = &b->r->test;
@@ -63,7 +63,7 @@ static tribox_status ask_index(many_boxes *b, const tribox_box *box, tribox_repo
     return status;
 }
 
-static int ask(many_boxes *b, answer *a)
+static int ask(box_after_box *b, answer *a)
 {
     if (b->stage == INDEX_NONE)
         return overlap_ask(b->r, &b->m->soup, &b->bits, a);
@@ -78,7 +78,7 @@ static int ask(many_boxes *b, answer *a)
     return EXIT_CODE_OK;
 }
 
-int many_boxes_ask(many_boxes *b, answer *a)
+int box_after_box_ask(box_after_box *b, answer *a)
 {
     int code = step_where_it_pays(b);
     if (!code)
@@ -88,12 +88,12 @@ int many_boxes_ask(many_boxes *b, answer *a)
     return code;
 }
 
-int many_boxes_list(const many_boxes *b, answer *a)
+int box_after_box_list(const box_after_box *b, answer *a)
 {
     return b->stage == INDEX_NONE ? report_list(b->r, a, 0, b->bits.overlap, b->m->soup.count) : report_words(b->r, a, &b->words);
 }
 
-void many_boxes_end(many_boxes *b)
+void box_after_box_end(box_after_box *b)
 {
     masks_free(&b->bits);
     found_words_free(&b->words);
