@@ -15,7 +15,7 @@
 #include "fences.h"
 #include "hostile.h"
 
-enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 60 };
+enum { COUNT_MAX = 64 * TRIBOX_INDEX_BLOCK + 100, PAIRS = 100000, ROUNDS = 36 };
 
 static arguments args;
 static stored_soup stored;
