@@ -11,15 +11,17 @@
  * CONSERVATIVE and FAST alone.
  */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/arguments.h"
 #include "drawn_pairs.h"
+#include "kernel_index.h"
 #include "common/kernels_here.h"
 
-enum { PAIRS_A_ROUND = 10000, ROUNDS_TO_AXES = 5, WORDS_MAX = 1024 };
+enum { PAIRS_A_ROUND = 10000, SELDOM = 5 /* rounds to those that ask what takes long */, WORDS_MAX = 1024 };
 
 static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
 enum { ORDERS = sizeof orders / sizeof orders[0] };
@@ -47,6 +49,7 @@ typedef enum part {
     MESHES,
     ORIENTED,
     VOXELS,
+    INDEX,
     CONSERVATIVE_TWICE, /* rounded twice: scalar */
     FAST_TWICE,
     CONSERVATIVE_ONCE,
@@ -54,8 +57,8 @@ typedef enum part {
     PARTS
 } part;
 
-static const char *const part_names[PARTS] = {"drawn",  "exact",         "axes",  "meshes",        "oriented",
-                                              "voxels", "conservative2", "fast2", "conservative1", "fast1"};
+static const char *const part_names[PARTS] = {"drawn", "exact",         "axes",  "meshes",        "oriented", "voxels",
+                                              "index", "conservative2", "fast2", "conservative1", "fast1"};
 
 /* One round of a scene. */
 typedef struct round_of_scene {
@@ -208,6 +211,74 @@ static void ask_voxels(const round_of_scene *round, const tribox_options *option
     put_status(to, tribox_voxelize(&round->soup, &round->grid, options, occupied, NULL));
 }
 
+/* More triangles than a node of the lowest level has: those of the round, over and over, some of them with a NaN. */
+enum { TURNS = 45, REPEATED = TURNS * SCENE_TRIANGLES, NODES = 3 };
+
+static tribox_soup repeated(const round_of_scene *round)
+{
+    static float stream[9][REPEATED];
+    tribox_soup soup = {.count = REPEATED};
+    for (int k = 0; k < 9; k++) {
+        const float *const from = (k < 3 ? round->soup.x : k < 6 ? round->soup.y : round->soup.z)[k % 3];
+        for (size_t i = 0; i < REPEATED; i++)
+            memcpy(&stream[k][i], &from[i % SCENE_TRIANGLES], sizeof(float));
+        for (size_t turn = 0; turn < TURNS; turn += 9)
+            stream[k][(turn + (size_t)k) * SCENE_TRIANGLES + turn] = NAN;
+        (k < 3 ? soup.x : k < 6 ? soup.y : soup.z)[k % 3] = stream[k];
+    }
+    return soup;
+}
+
+/* The nodes over many triangles, number by number, as the order of their bytes is the processor's. */
+static void build_index(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    static tribox_node nodes[NODES];
+    const tribox_soup soup = repeated(round);
+    if (tribox_index_bytes(REPEATED) != sizeof nodes) {
+        fputs("masks.c: NODES is wrong\n", stderr);
+        exit(2);
+    }
+    put_status(to, tribox_index_build(&soup, options, nodes, NULL));
+    for (size_t n = 0; n < NODES; n++) {
+        uint64_t *const bounds = take_words(to, 6 * 32), *const whole = take_words(to, 1);
+        for (size_t k = 0; k < 6 * 64; k++) {
+            uint32_t bits;
+            memcpy(&bits, &nodes[n].bound[k / 64][k % 64], sizeof bits);
+            bounds[k / 2] |= (uint64_t)bits << 32 * (k % 2);
+        }
+        *whole = nodes[n].whole;
+    }
+}
+
+static void put_numbers(answers *to, const uint32_t *numbers, size_t count)
+{
+    for (size_t k = 0; k < count; k++)
+        *take_words(to, 1) = numbers[k];
+}
+
+/* All forms of one question, and the starts of many lists. */
+static void ask_index(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    static tribox_node nodes[NODES];
+    uint32_t number[WORDS_MAX];
+    size_t found, start[SCENE_TRIANGLES + 1];
+    const size_t words = tribox_mask_words(round->soup.count);
+    tribox_index index;
+    build_index(round, options, to);
+    put_status(to, tribox_index_build(&round->soup, options, nodes, &index));
+    uint64_t *const mask = take_words(to, words), *const bits = take_words(to, words), *const inside = take_words(to, words);
+    put_status(to, tribox_index_overlap(&index, &round->soup, &round->box, options, mask, NULL));
+    put_status(to, tribox_index_words(&index, &round->soup, &round->box, options, words, number, bits, inside, &found, NULL));
+    put_numbers(to, number, found);
+    put_status(to, tribox_index_list(&index, &round->soup, &round->box, options, NULL, WORDS_MAX, number, &found));
+    put_numbers(to, number, found);
+    put_status(to, tribox_index_any(&index, &round->soup, &round->box, options, &found));
+    *take_words(to, 1) = found;
+    put_status(to, tribox_index_lists(&index, &round->soup, &round->boxes, options, NULL, 0, NULL, start));
+    for (size_t b = 0; b <= round->boxes.count; b++)
+        *take_words(to, 1) = start[b];
+}
+
 typedef void ask(const round_of_scene *round, const tribox_options *options, answers *to);
 
 static answers answers_of(ask *asks, const round_of_scene *round, tribox_options options, const char *kernel)
@@ -306,8 +377,11 @@ static void ask_round(const round_of_scene *round, const scene *s, digest digest
     add_answers(&digests[MESHES], &meshes);
     add_answers(&digests[VOXELS], &voxels);
     add_answers(&digests[ORIENTED], &oriented);
-    if (round_number % ROUNDS_TO_AXES == 0)
+    if (round_number % SELDOM == 0) {
+        const answers index = exact_answers(ask_index, round, 0, 0);
+        add_answers(&digests[INDEX], &index);
         ask_axes(round, &digests[AXES]);
+    }
     for (int is_fused = 0; is_fused < 2; is_fused++) {
         ask_rounded(round, TRIBOX_CONSERVATIVE, is_fused, &exact, &digests[is_fused ? CONSERVATIVE_ONCE : CONSERVATIVE_TWICE]);
         if (is_in_fast_range(s))
