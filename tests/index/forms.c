@@ -97,17 +97,22 @@ static void expect(question *q)
     }
 }
 
+static void fail_at_triangle(const question *q, size_t i, bool bit)
+{
+    for (int v = 0; i < q->s->soup.count && v < 3; v++)
+        print_error("vertex %d of triangle %zu: %a %a %a\n", v, i, (double)q->s->soup.x[v][i], (double)q->s->soup.y[v][i],
+                    (double)q->s->soup.z[v][i]);
+    print_box(q);
+    fail_msg("%s: bit %zu is %d", doing, i, bit);
+}
+
 static void demand_mask(const question *q, const uint64_t *mask)
 {
-    for (size_t w = 0; w < q->words; w++)
-        for (uint64_t wrong = (q->least[w] & ~mask[w]) | (mask[w] & ~q->most[w]); wrong;) {
-            const size_t i = 64 * w + (size_t)__builtin_ctzll(wrong);
-            for (int v = 0; i < q->s->soup.count && v < 3; v++)
-                print_error("vertex %d of triangle %zu: %a %a %a\n", v, i, (double)q->s->soup.x[v][i], (double)q->s->soup.y[v][i],
-                            (double)q->s->soup.z[v][i]);
-            print_box(q);
-            fail_msg("%s: bit %zu is %d", doing, i, is_set(mask, i));
-        }
+    for (size_t w = 0; w < q->words; w++) {
+        const uint64_t wrong = (q->least[w] & ~mask[w]) | (mask[w] & ~q->most[w]);
+        if (wrong)
+            fail_at_triangle(q, 64 * w + (size_t)__builtin_ctzll(wrong), mask[w] >> __builtin_ctzll(wrong) & 1);
+    }
 }
 
 static size_t population(const uint64_t *mask, size_t words)
