@@ -10,7 +10,7 @@ processor=${processor%-}
 results=bench/results/${NAME:-${processor:-unknown}}
 build=${BUILD:-build-bench}
 test -d "$build" || meson setup "$build" -Dpeers=enabled
-meson compile -C "$build" accuracy ratios cgal inputs voxels:executable index peers
+meson compile -C "$build" accuracy ratios cgal inputs voxels:executable index:executable peers
 mkdir -p "$results"
 bench/accuracy/chart.sh "$build/bench/accuracy" bench/accuracy/accuracy.gp "$results" "$@"
 rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # the repository keeps the table and the short chart

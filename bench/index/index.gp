@@ -10,8 +10,8 @@ title_of(scene) = scene[strlen(scene) - 3:] eq ".ply" ? scene[:strlen(scene) - 4
 
 # In the order of the legend; colours fit for colour-blind readers. Lists are drawn through, "is there any" is dashed.
 contestants = "linear CGAL Bullet Embree list CGAL_any any"
-array titles[7] = ["tribox\\_overlap", "CGAL", "Bullet, float", "Embree, filtered", "tribox\\_index\\_list", "CGAL do\\_intersect", \
-    "tribox\\_index\\_any"]
+array titles[7] = ["tribox\\_overlap", "CGAL", "Bullet, float", "Embree, filtered", \
+    "tribox\\_index\\_list", "CGAL do\\_intersect", "tribox\\_index\\_any"]
 array colours[7] = [0x909090, 0xE69F00, 0xCC79A7, 0x009E73, 0x0072B2, 0xE69F00, 0x0072B2]
 title_of_line(c) = titles[c]
 colour_of(c) = colours[c]
@@ -45,6 +45,8 @@ do for [c = 1:words(contestants)] {
     set label 10 + c title_of_line(c) at screen (left + 36) / width, screen base / height
 }
 set logscale xy
+unset mxtics
+unset mytics
 set xrange [0.08:62]
 set xtics ("0.1" 0.1, "0.3" 0.3, "1" 1, "3" 3, "10" 10, "50" 50)
 set format y "10^{%T}"

@@ -32,15 +32,6 @@ typedef struct bench {
     samples *taken;
 } bench;
 
-static size_t least_of(size_t p, size_t q) { return p < q ? p : q; }
-
-/* Boxes that a number of pairs allows. */
-static size_t boxes_within(const bench *b, size_t pairs)
-{
-    const size_t boxes = pairs / b->scene->room.soup.count;
-    return least_of(boxes ? boxes : 1, (size_t)b->how->boxes);
-}
-
 static void take_times(bench *b, const contestant *list, size_t count, double sample)
 {
     measure(list, count, (effort){.rounds = (size_t)b->how->rounds, .seconds = 1e9, .sample = sample}, b->turns, b->room.mask,
@@ -137,8 +128,9 @@ static bool measure_size(bench *b, int size, scene_result *r)
     for (int o = 0; o < ORDERS; o++) {
         question[o][0] = (index_question){&b->soup[o], b->boxes, (size_t)b->how->boxes, &b->room};
         question[o][1] = question[o][0];
-        question[o][1].count = boxes_within(b, linear_pairs);
-        if (!index_forms_verify(&question[o][0], boxes_within(b, verified_pairs), b->how->kernel))
+        question[o][1].count = index_scene_boxes_within(b->scene, linear_pairs, (size_t)b->how->boxes);
+        if (!index_forms_verify(&question[o][0], index_scene_boxes_within(b->scene, verified_pairs, (size_t)b->how->boxes),
+                                b->how->kernel))
             return false;
         count_visits(b, (soup_order)o, &r->order[o].size[size]);
         r->order[o].size[size].hits = count_hits(&question[o][0], b->how->kernel);

@@ -10,6 +10,27 @@
 #include "paper/random.h"
 #include "read/mesh.h"
 
+static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
+enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3 };
+
+size_t index_scene_usual(const char *const **names)
+{
+    const char *const folder = getenv("TRIBOX_MESHES");
+    *names = usual;
+    if (folder && *folder)
+        return USUAL;
+    message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
+    return 0;
+}
+
+bool index_scene_has_goals(const char *name)
+{
+    bool is_found = false;
+    for (int k = 0; k < WITH_GOALS; k++)
+        is_found = is_found || !strcmp(name, usual[k]);
+    return is_found;
+}
+
 static void find_bounds(index_scene *made)
 {
     const float *const *const streams[3] = {made->room.soup.x, made->room.soup.y, made->room.soup.z};
@@ -105,6 +126,12 @@ double index_scene_extent(const index_scene *scene)
     for (int a = 0; a < 3; a++)
         extent = fmax(extent, (double)scene->bounds.hi[a] - (double)scene->bounds.lo[a]);
     return extent;
+}
+
+size_t index_scene_boxes_within(const index_scene *scene, size_t pairs, size_t most)
+{
+    const size_t boxes = pairs / scene->room.soup.count;
+    return boxes == 0 ? 1 : boxes < most ? boxes : most;
 }
 
 void index_scene_boxes(const index_scene *scene, double part, size_t count, uint64_t seed, tribox_box *boxes)

@@ -14,6 +14,15 @@ typedef struct index_scene {
     tribox_box bounds;
 } index_scene;
 
+/*
+ * The meshes of the folder $TRIBOX_MESHES that are taken where none is named: those that goals are about, and one of few huge
+ * triangles. None, with a message, where there is no such folder. Returns how many.
+ */
+size_t index_scene_usual(const char *const **names);
+
+/* Whether the goals are about the mesh of this name. */
+bool index_scene_has_goals(const char *name);
+
 /* A mesh file, if there is no slash in its name in the folder $TRIBOX_MESHES; false, with a message, if it cannot be read. */
 bool index_scene_read(const char *name, index_scene *made);
 
@@ -24,6 +33,9 @@ void index_scene_free(index_scene *made);
 
 /* The length of the longest side. */
 double index_scene_extent(const index_scene *scene);
+
+/* How many boxes make so many pairs with all triangles, from 1 to most. */
+size_t index_scene_boxes_within(const index_scene *scene, size_t pairs, size_t most);
 
 /* Cubes whose edge is `part` of the greatest extent, each around a random point of a random triangle. */
 void index_scene_boxes(const index_scene *scene, double part, size_t count, uint64_t seed, tribox_box *boxes);

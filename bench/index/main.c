@@ -5,7 +5,6 @@
  * Every form has to be right about boxes of every size, or nothing is timed.
  */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "common/header.h"
 #include "common/whole.h"
@@ -68,10 +67,7 @@ static int take(void *request, int which, const char *value)
     case OPTION_SEED:
         return whole_read(value, "seed", 0, UINT64_MAX, &s->how.seed);
     case OPTION_QUICK:
-        s->terrain = 200000;
-        s->how.boxes = 20;
         s->how.many = 2000;
-        s->how.rounds = 3;
         s->how.evicted = (size_t)16 << 20;
         return EXIT_CODE_OK;
     case OPTION_JSON:
@@ -82,18 +78,16 @@ static int take(void *request, int which, const char *value)
     }
 }
 
-/* Those that the goals are about, and one of few huge triangles. */
-static void name_usual_meshes(settings *s)
+/* What was not given. */
+static void choose_rest(settings *s, const options_found *found)
 {
-    static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
-    if (s->meshes)
-        return;
-    const char *const folder = getenv("TRIBOX_MESHES");
-    if (!folder || !*folder)
-        message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
-    else
-        for (size_t k = 0; k < sizeof usual / sizeof usual[0]; k++)
-            s->mesh[s->meshes++] = usual[k];
+    const bool is_quick = options_has(found, OPTION_QUICK);
+    if (!options_has(found, OPTION_TERRAIN))
+        s->terrain = is_quick ? 200000 : 10000000;
+    if (!options_has(found, OPTION_BOXES))
+        s->how.boxes = is_quick ? 20 : 100;
+    if (!options_has(found, OPTION_ROUNDS))
+        s->how.rounds = is_quick ? 3 : 9;
 }
 
 static bool run_scene(const index_scene *at, const settings *s, generator *order, json *out, scene_result *r)
@@ -163,17 +157,18 @@ int main(int argc, char **argv)
 {
     static scene_result results[SCENES_MAX];
     options_found found;
-    settings s = {
-        .how =
-            {.rounds = 9, .boxes = 100, .many = 20000, .seed = 1, .evicted = (size_t)256 << 20, .kernel = tribox_kernel_name(NULL)},
-        .terrain = 10000000};
+    settings s = {.how = {.many = 20000, .seed = 1, .evicted = (size_t)256 << 20, .kernel = tribox_kernel_name(NULL)}};
     message_set_program("index");
     const int code = options_read(argc, argv, options, take, &s, &found);
     if (code)
         return code;
     if (found.wants_help)
         return fputs(usage, stdout) < 0;
-    name_usual_meshes(&s);
+    choose_rest(&s, &found);
+    const char *const *usual;
+    const size_t usual_count = s.meshes ? 0 : index_scene_usual(&usual);
+    for (size_t k = 0; k < usual_count; k++)
+        s.mesh[s.meshes++] = usual[k];
     const run r = {argc, argv, s.how.seed, machine_here()};
     return s.is_json ? report_json(&s, &r, results) : report_text(&s, &r, results);
 }

@@ -75,12 +75,6 @@ static int take(void *request, int which, const char *value)
     }
 }
 
-static size_t boxes_within(const settings *s, size_t triangles, size_t pairs)
-{
-    const size_t boxes = pairs / triangles ? pairs / triangles : 1;
-    return boxes < s->boxes ? boxes : (size_t)s->boxes;
-}
-
 /* Exact peers may not differ; the index has no excuse, as CGAL and Embree have none. */
 static bool are_answers_right(const field *f, const peer_errors errors[PEERS_MAX])
 {
@@ -99,10 +93,10 @@ static bool run_size(field *f, int size, const settings *s, tribox_box *boxes, g
 {
     const size_t count = (size_t)s->boxes;
     index_scene_boxes(f->scene, peer_part[size], count, s->seed + (uint64_t)size, boxes);
-    if (!field_answer(f, boxes, count, boxes_within(s, r->triangles, verified_pairs), errors))
+    if (!field_answer(f, boxes, count, index_scene_boxes_within(f->scene, verified_pairs, count), errors))
         return false;
     if (s->is_timed) {
-        field_time(f, (size_t)s->rounds, boxes_within(s, r->triangles, linear_pairs), order, r->us[size]);
+        field_time(f, (size_t)s->rounds, index_scene_boxes_within(f->scene, linear_pairs, count), order, r->us[size]);
         peers_print_row(r, size, (double)f->start[count] / (double)count);
     }
     return are_answers_right(f, errors);
@@ -131,19 +125,6 @@ static bool run_scene(const index_scene *at, const settings *s, generator *order
     field_free(&f);
     free(boxes);
     return is_run;
-}
-
-static void name_usual_meshes(settings *s)
-{
-    static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
-    const char *const folder = getenv("TRIBOX_MESHES");
-    if (s->meshes)
-        return;
-    if (!folder || !*folder)
-        message_say("no meshes: name some, or a folder with them in TRIBOX_MESHES; skipped");
-    else
-        for (size_t k = 0; k < sizeof usual / sizeof usual[0]; k++)
-            s->mesh[s->meshes++] = usual[k];
 }
 
 static bool run_all(const settings *s, peers_result *results, size_t *count)
@@ -191,7 +172,10 @@ int main(int argc, char **argv)
     }
     s.boxes = s.boxes ? s.boxes : s.is_timed ? 100 : BOXES_OF_TEST;
     s.terrain = options_has(&found, OPTION_TERRAIN) || s.is_timed ? s.terrain : TRIANGLES_OF_TEST;
-    name_usual_meshes(&s);
+    const char *const *usual;
+    const size_t usual_count = s.meshes ? 0 : index_scene_usual(&usual);
+    for (size_t k = 0; k < usual_count; k++)
+        s.mesh[s.meshes++] = usual[k];
     const run r = {argc, argv, s.seed, machine_here()};
     header_text(stdout, "", &r);
     if (!run_all(&s, results, &count))

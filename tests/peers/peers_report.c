@@ -9,10 +9,9 @@
 
 const double peer_part[PEER_SIZES] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5};
 
-/* Goals are about four of the sizes, and means over these meshes. */
+/* Goals are about four of the sizes. */
 enum { GOAL_SIZES = 4 };
 static const int goal_size[GOAL_SIZES] = {0, 2, 4, 6};
-static const char *const counted[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply"};
 
 static const struct peer_goal {
     const char *name;
@@ -20,14 +19,6 @@ static const struct peer_goal {
 } goals[] = {{"CGAL", {15, 40, 150, 300}}, {"Embree", {4, 6, 15, 25}}, {"linear", {200, 60, 12, 5}}};
 
 static const double any_times = 4;
-
-static bool is_counted(const peers_result *r)
-{
-    bool found = false;
-    for (size_t k = 0; k < sizeof counted / sizeof counted[0]; k++)
-        found = found || !strcmp(r->name, counted[k]);
-    return found;
-}
 
 /* Whom an entrant is compared with: list and linear with list, any with any. */
 static double times_own(const peers_result *r, int size, size_t e)
@@ -97,7 +88,7 @@ static double mean_times(const peers_result *results, size_t count, const char *
     size_t found = 0;
     for (size_t r = 0; r < count; r++) {
         const size_t e = entrant_called(&results[r], name, false);
-        if (!is_counted(&results[r]) || e == results[r].entrant_count)
+        if (!index_scene_has_goals(results[r].name) || e == results[r].entrant_count)
             continue;
         logarithm += log(times_own(&results[r], size, e));
         found++;
