@@ -10,5 +10,6 @@
 #include "gather.h"
 #include "beside.h"
 #include "frame.h"
+#include "move.h"
 #include "survey.h"
 #include "batch.h"
