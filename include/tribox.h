@@ -395,6 +395,21 @@ TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribo
                                           const tribox_options *options, size_t *triangle);
 
 /**
+ * tribox_overlap_oriented by an index: the same mask at EXACT. At CONSERVATIVE and FAST it may differ within rounding of contact:
+ * groups of triangles that certainly miss the box, or certainly lie wholly inside, are not tested.
+ *
+ * Other arguments and the returned status are as for tribox_index_overlap and tribox_overlap_oriented.
+ */
+TRIBOX_API tribox_status tribox_index_overlap_oriented(const tribox_index *index, const tribox_soup *soup,
+                                                       const tribox_oriented_box *box, const tribox_options *options,
+                                                       uint64_t *mask, tribox_report *report);
+
+/** The triangles of that mask as a list. Other arguments and the returned status are as for tribox_index_list. */
+TRIBOX_API tribox_status tribox_index_list_oriented(const tribox_index *index, const tribox_soup *soup,
+                                                    const tribox_oriented_box *box, const tribox_options *options,
+                                                    const uint32_t *ids, size_t room, uint32_t *list, size_t *found);
+
+/**
  * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th; those with
  * a NaN or infinite coordinate come last. The same on every processor. The soup is cut in two across its longest side, and so are
  * the parts, down to the 64 triangles of a word: so that no node of an index straddles a cut.

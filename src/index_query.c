@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bits.h"
+#include "oriented_words.h"
 #include "soup.h"
 
 /* Bits for the first `count` children of a node. */
@@ -29,36 +30,46 @@ static const tribox_node *node_at(const tribox_query *q, unsigned level, size_t 
 static tribox_touch ask(const tribox_query *q, unsigned level, size_t j, const tribox_node *node)
 {
     const size_t children = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count);
-    tribox_touch found = q->plan->kernel->index->touch(node, q->pairs.box);
+    const tribox_index_kernel *const kernel = q->plan->kernel->index;
+    tribox_touch found = q->oriented ? kernel->touch_oriented(node, q->oriented) : kernel->touch(node, q->pairs.box);
     found.touching &= there(children, 64 * j);
     found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
     return found;
 }
 
-/* Walks the pending words that have to be asked, those that follow one another together. Returns whether a lane is open. */
-static bool walk_pending(tribox_query *q, uint64_t *hit, uint64_t *open)
+/* How many of the pending words from place k on have to be asked and follow one another. */
+static unsigned run_at(const tribox_query *q, unsigned k)
 {
+    unsigned n = 0;
+    while (k + n < q->pending && !q->full[k + n] && q->word[k + n] == q->word[k] + n)
+        n++;
+    return n;
+}
+
+/* Asks the pending words that have to be asked. Returns whether a lane is open. */
+static bool ask_pending(tribox_query *q, uint64_t *hit, uint64_t *open)
+{
+    const tribox_oriented_question oriented = {q->pairs.soup, q->oriented, q->plan};
     uint64_t any = 0;
+    memset(open, 0, q->pending * sizeof *open);
     /* A survey pays where many words are to come: where so many have. */
     q->plan->choice.is_open = q->may_choose && q->pending == TRIBOX_PENDING;
-    for (unsigned k = 0, n; k < q->pending; k += n) {
-        n = 1;
-        open[k] = 0;
-        if (q->full[k])
-            continue;
-        while (k + n < q->pending && !q->full[k + n] && q->word[k + n] == q->word[k] + n)
-            n++;
-        tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, open + k);
-        for (unsigned i = k; i < k + n; i++)
-            any |= open[i];
+    for (unsigned k = 0, n; k < q->pending; k += n ? n : 1) {
+        n = run_at(q, k);
+        if (n && q->oriented)
+            q->to->counts.undecided += tribox_oriented_answer(&oriented, q->word[k], n, hit + k);
+        else if (n)
+            tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, open + k);
     }
+    for (unsigned k = 0; k < q->pending; k++)
+        any |= open[k];
     return any;
 }
 
 static void answer_pending(tribox_query *q)
 {
     uint64_t hit[TRIBOX_PENDING], open[TRIBOX_PENDING];
-    if (walk_pending(q, hit, open))
+    if (ask_pending(q, hit, open))
         q->to->counts.undecided += tribox_pairs_settle_words(&q->pairs, q->plan, q->word, q->pending, open, hit);
     for (unsigned k = 0; k < q->pending; k++) {
         if (q->full[k])

@@ -30,7 +30,8 @@ enum { TRIBOX_PENDING = TRIBOX_BLOCK_WORDS };
 typedef struct tribox_query {
     const char *nodes;
     tribox_levels levels;
-    tribox_pairs pairs; /* a soup and a box */
+    tribox_pairs pairs;                  /* a soup and a box, */
+    const tribox_oriented_box *oriented; /* or this one instead; else NULL */
     tribox_plan *plan;
     bool may_choose; /* the order of the groups is open */
     tribox_answers *to;
@@ -45,7 +46,7 @@ void tribox_answers_take_word(const tribox_query *q, size_t word, uint64_t hit);
 /* Takes words whose triangles all lie in the box. */
 void tribox_answers_take_full(const tribox_query *q, size_t word, size_t words);
 
-/* Finds all answers, in ascending order. The box is finite and not empty. */
+/* Finds all answers, in ascending order where that matters. The box is finite and not empty. */
 void tribox_query_run(tribox_query *q);
 
 /* Finds some triangle; false if there is none. */

@@ -28,6 +28,9 @@ typedef struct tribox_touch {
 
 typedef tribox_touch tribox_touch_node(const tribox_node *node, const tribox_box *box);
 
+/* The same of an oriented box: some of the children may touch, for all that rounding may have done, and those inside are so. */
+typedef tribox_touch tribox_touch_oriented(const tribox_node *node, const tribox_oriented_box *box);
+
 /* The children the middle of whose bounds is in the box: which of their triangles are likely to overlap. */
 typedef uint64_t tribox_find_centred(const tribox_node *node, const tribox_box *box);
 
@@ -35,6 +38,7 @@ typedef struct tribox_index_kernel {
     tribox_bound_soup *bound_soup;
     tribox_bound_nodes *bound_nodes;
     tribox_touch_node *touch;
+    tribox_touch_oriented *touch_oriented;
     tribox_find_centred *find_centred;
 } tribox_index_kernel;
 

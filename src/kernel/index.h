@@ -1,5 +1,16 @@
-/* index.h - the texts of a kernel about indices, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
+/* index.h - the texts of a kernel about indices, in order, and its table. After: a vocabulary of float, and KERNEL, its name. */
 #include "kernel_index.h"
 #include "axes.h"
 #include "extents.h"
 #include "nodes.h"
+#include "frame.h"
+#include "slabs.h"
+
+extern const tribox_index_kernel TRIBOX_SYMBOL(index);
+const tribox_index_kernel TRIBOX_SYMBOL(index) = {
+    .bound_soup = bound_soup,
+    .bound_nodes = bound_nodes,
+    .touch = touch,
+    .find_centred = find_centred,
+    .touch_oriented = touch_oriented,
+};

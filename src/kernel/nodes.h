@@ -1,6 +1,6 @@
 /*
- * nodes.h - a node of an index beside a box, child by child; and the table of what a kernel does about indices.
- * After: extents.h. Needs: KERNEL.
+ * nodes.h - a node of an index beside a box, child by child.
+ * After: axes.h.
  *
  * Bounds and box are numbers of the input: every comparison is exact. Box and children are closed, so touching is not apart.
  */
@@ -72,11 +72,3 @@ static uint64_t find_centred(const tribox_node *node, const tribox_box *box)
     }
     return found;
 }
-
-extern const tribox_index_kernel TRIBOX_SYMBOL(index);
-const tribox_index_kernel TRIBOX_SYMBOL(index) = {
-    .bound_soup = bound_soup,
-    .bound_nodes = bound_nodes,
-    .touch = touch,
-    .find_centred = find_centred,
-};

@@ -1,0 +1,204 @@
+/* index_calls.c - the calls that ask an index: what they check, and the form of the answer that they have found. */
+#include "box.h"
+#include "environment.h"
+#include "few.h"
+#include "index_query.h"
+#include "oriented_words.h"
+#include "soup.h"
+
+/* A call: its plan, its query, and what the query needs. */
+typedef struct call {
+    tribox_plan plan;
+    tribox_few few;
+    tribox_answers answers;
+    tribox_query query;
+} call;
+
+/* Whether so many things have numbers of 32 bits. */
+static bool has_numbers(size_t count) { return (uint64_t)count <= UINT64_C(1) << 32; }
+
+static bool is_readable(const tribox_index *index, const tribox_soup *soup)
+{
+    return index && index->nodes && tribox_soup_is_readable(soup) && index->count == soup->count;
+}
+
+/* The checks of the options; then all of a call is ready but the box. */
+static tribox_status prepare(call *c, const tribox_index *index, const tribox_soup *soup, const tribox_options *options)
+{
+    const tribox_status status = tribox_plan_make(options, &c->plan);
+    if (status)
+        return status;
+    if (!(c->plan.axes & TRIBOX_AXES_BOX))
+        return TRIBOX_BAD_OPTION;
+    c->query.nodes = index->nodes;
+    c->query.levels = tribox_levels_of(index->count);
+    c->query.pairs = (tribox_pairs){.soup = tribox_few_triangles(soup, c->plan.kernel, &c->few), .count = soup->count};
+    c->query.oriented = NULL;
+    c->query.plan = &c->plan;
+    c->query.may_choose = c->plan.choice.is_open;
+    c->query.to = &c->answers;
+    return TRIBOX_OK;
+}
+
+/* The checks of a call about one box, whose form of answer is set. */
+static tribox_status prepare_at_box(call *c, const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                    const tribox_options *options)
+{
+    if (!box || !is_readable(index, soup))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_box_is_finite(box))
+        return TRIBOX_BAD_BOX;
+    const tribox_status status = prepare(c, index, soup, options);
+    c->query.pairs.box = box;
+    return status;
+}
+
+/* The same for an oriented box. */
+static tribox_status prepare_at_oriented(call *c, const tribox_index *index, const tribox_soup *soup,
+                                         const tribox_oriented_box *box, const tribox_options *options)
+{
+    if (!box || !is_readable(index, soup))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_oriented_is_finite(box))
+        return TRIBOX_BAD_BOX;
+    const tribox_status status = prepare(c, index, soup, options);
+    c->query.oriented = box;
+    return status || tribox_oriented_has_axes(&c->plan) ? status : TRIBOX_BAD_OPTION;
+}
+
+/* In our environment. */
+static bool is_empty(const tribox_query *q)
+{
+    return q->oriented ? tribox_oriented_is_empty(q->oriented) : tribox_box_is_empty(q->pairs.box);
+}
+
+/* Answers about the box of a prepared call, in the form that is set. */
+static void answer(call *c, tribox_report *report)
+{
+    if (c->answers.form == TRIBOX_MASK)
+        tribox_pairs_write_none(c->query.pairs.count, c->answers.mask);
+    const tribox_environment callers = tribox_environment_enter();
+    if (!is_empty(&c->query))
+        tribox_query_run(&c->query);
+    tribox_environment_leave(callers);
+    tribox_plan_report(&c->plan, c->answers.counts, report);
+}
+
+tribox_status tribox_index_overlap(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                   const tribox_options *options, uint64_t *mask, tribox_report *report)
+{
+    call c;
+    c.answers = (tribox_answers){.form = mask ? TRIBOX_MASK : TRIBOX_COUNT, .mask = mask};
+    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
+    if (!status)
+        answer(&c, report);
+    return status;
+}
+
+tribox_status tribox_index_overlap_oriented(const tribox_index *index, const tribox_soup *soup, const tribox_oriented_box *box,
+                                            const tribox_options *options, uint64_t *mask, tribox_report *report)
+{
+    call c;
+    c.answers = (tribox_answers){.form = mask ? TRIBOX_MASK : TRIBOX_COUNT, .mask = mask};
+    const tribox_status status = prepare_at_oriented(&c, index, soup, box, options);
+    if (!status)
+        answer(&c, report);
+    return status;
+}
+
+tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                 const tribox_options *options, size_t room, uint32_t *number, uint64_t *bits, uint64_t *inside,
+                                 size_t *found, tribox_report *report)
+{
+    if (!found || (room && (!number || !bits)) || !soup || !has_numbers(tribox_words_of(soup->count)))
+        return TRIBOX_BAD_ARGUMENT;
+    call c;
+    c.answers = (tribox_answers){.form = TRIBOX_WORDS, .number = number, .bits = bits, .inside = inside, .room = room};
+    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
+    if (status)
+        return status;
+    answer(&c, report);
+    *found = c.answers.found;
+    return TRIBOX_OK;
+}
+
+/* A list of triangles of this soup can be written. */
+static bool can_list(const tribox_soup *soup, size_t room, const uint32_t *list)
+{
+    return (list || !room) && soup && has_numbers(soup->count);
+}
+
+tribox_status tribox_index_list(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                                const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list, size_t *found)
+{
+    if (!found || !can_list(soup, room, list))
+        return TRIBOX_BAD_ARGUMENT;
+    call c;
+    c.answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
+    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
+    if (status)
+        return status;
+    answer(&c, NULL);
+    *found = c.answers.found;
+    return TRIBOX_OK;
+}
+
+tribox_status tribox_index_list_oriented(const tribox_index *index, const tribox_soup *soup, const tribox_oriented_box *box,
+                                         const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list,
+                                         size_t *found)
+{
+    if (!found || !can_list(soup, room, list))
+        return TRIBOX_BAD_ARGUMENT;
+    call c;
+    c.answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
+    const tribox_status status = prepare_at_oriented(&c, index, soup, box, options);
+    if (status)
+        return status;
+    answer(&c, NULL);
+    *found = c.answers.found;
+    return TRIBOX_OK;
+}
+
+static tribox_box box_at(const tribox_boxes *boxes, size_t i)
+{
+    return (tribox_box){{boxes->lo[0][i], boxes->lo[1][i], boxes->lo[2][i]}, {boxes->hi[0][i], boxes->hi[1][i], boxes->hi[2][i]}};
+}
+
+tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *soup, const tribox_boxes *boxes,
+                                 const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list, size_t *start)
+{
+    if (!start || !can_list(soup, room, list) || !is_readable(index, soup) || !tribox_boxes_are_readable(boxes))
+        return TRIBOX_BAD_ARGUMENT;
+    call c;
+    c.answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
+    const tribox_status status = prepare(&c, index, soup, options);
+    if (status)
+        return status;
+    const tribox_environment callers = tribox_environment_enter();
+    for (size_t i = 0; i < boxes->count; i++) {
+        const tribox_box box = box_at(boxes, i);
+        start[i] = c.answers.found;
+        c.query.pairs.box = &box;
+        if (tribox_box_is_finite(&box) && !tribox_box_is_empty(&box))
+            tribox_query_run(&c.query);
+    }
+    tribox_environment_leave(callers);
+    start[boxes->count] = c.answers.found;
+    return TRIBOX_OK;
+}
+
+tribox_status tribox_index_any(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
+                               const tribox_options *options, size_t *triangle)
+{
+    if (!triangle)
+        return TRIBOX_BAD_ARGUMENT;
+    call c;
+    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
+    if (status)
+        return status;
+    const tribox_environment callers = tribox_environment_enter();
+    if (is_empty(&c.query) || !tribox_query_any(&c.query, triangle))
+        *triangle = soup->count;
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
