@@ -11,12 +11,16 @@
 #include "mesh_words.h"
 #include "node_bounds.h"
 #include "timing/measure.h"
+#include "turned_boxes.h"
 
 /* A linear pass has as many boxes as there is time for: it costs hardly more for one box than for another. */
 static const size_t linear_pairs = 100000000;
 
 /* As many boxes are verified as can be, by linear passes too. */
 static const size_t verified_pairs = 20000000;
+
+/* Oriented boxes take four times as long. */
+static const size_t turned_pairs = 25000000;
 
 static const double sample_seconds = 2e-3;
 
@@ -121,6 +125,25 @@ static double count_hits(const index_question *question, const char *kernel)
     return (double)report.overlapping / (double)question->count;
 }
 
+/* Boxes of the same size, turned: by cuts, and without an index. */
+static bool measure_turned(bench *b, int size, scene_result *r)
+{
+    turned_boxes question;
+    const size_t boxes = (size_t)b->how->boxes, fewer = index_scene_boxes_within(b->scene, turned_pairs, boxes);
+    if (!turned_boxes_make(&b->soup[ORDER_CUTS], b->boxes, boxes, b->room.list, b->room.mask, &question))
+        return false;
+    const bool is_right = turned_boxes_are_right(&question, fewer, b->how->kernel);
+    if (is_right) {
+        const contestant list[2] = {turned_boxes_by_index(&question, b->how->kernel),
+                                    turned_boxes_linear(&question, fewer, b->how->kernel)};
+        take_times(b, list, 2, sample_seconds);
+        r->turned[size] = 1e-3 * least_ns(b, 0);
+        r->turned_linear[size] = 1e-3 * least_ns(b, 1);
+    }
+    turned_boxes_free(&question);
+    return is_right;
+}
+
 static bool measure_size(bench *b, int size, scene_result *r)
 {
     index_question question[ORDERS][2];
@@ -137,7 +160,7 @@ static bool measure_size(bench *b, int size, scene_result *r)
     }
     measure_warm(b, question, size, r);
     measure_cold(b, question[ORDER_CUTS], size, r);
-    return true;
+    return measure_turned(b, size, r);
 }
 
 /* ---- many boxes at once ---------------------------------------------------------------------------------------------------- */

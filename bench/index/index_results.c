@@ -63,6 +63,13 @@ void index_print_scene(const scene_result *r)
         for (int p = 0; p < BOX_SIZES; p++)
             print_row(&r->order[o], p);
     print_cold(&r->order[ORDER_CUTS]);
+    printf("turned boxes, us: list");
+    for (int p = 0; p < BOX_SIZES; p++)
+        printf(" %.2f", r->turned[p]);
+    printf("; tribox_overlap_oriented");
+    for (int p = 0; p < BOX_SIZES; p++)
+        printf(" %.0f (%.1f x)", r->turned_linear[p], r->turned_linear[p] / r->turned[p]);
+    printf("\n");
     for (int k = 0; k < MANY_SIZES; k++)
         printf("lists of %zu boxes of %.1f %%, ns a box: as drawn %.0f, in order %.0f, ordering them %.0f\n", r->many[k].boxes,
                100 * box_part[k], r->many[k].as_drawn, r->many[k].in_order, r->many[k].ordering);
@@ -105,6 +112,15 @@ void index_print_json(json *to, const scene_result *r)
         for (int p = 0; p < BOX_SIZES; p++)
             json_size(to, &r->order[o].size[p], p);
         json_close(to);
+        json_close(to);
+    }
+    json_close(to);
+    json_open_rows(to, "turned");
+    for (int p = 0; p < BOX_SIZES; p++) {
+        json_open_object(to, NULL);
+        json_number(to, "part", 3, box_part[p]);
+        json_number(to, "list_us", 6, r->turned[p]);
+        json_number(to, "linear_us", 6, r->turned_linear[p]);
         json_close(to);
     }
     json_close(to);

@@ -35,6 +35,7 @@ typedef struct scene_result {
     double memory;  /* of the index, as a part of the streams */
     double reading; /* nanoseconds of a triangle */
     order_result order[ORDERS];
+    double turned[BOX_SIZES], turned_linear[BOX_SIZES]; /* microseconds of a list of cuts, and of tribox_overlap_oriented */
     many_result many[MANY_SIZES];
     double streams_word, mesh_word; /* nanoseconds of a word of 64 triangles, from streams and from a mesh */
 } scene_result;
