@@ -4,12 +4,12 @@ import sys
 
 import numpy as np
 
-from ._arguments import check, options_of, three
+from ._arguments import check, options_of, three, three_times_three
 from ._errors import InputError, error_of
 from ._ffi import ffi
 from ._library import VERSION, lib
 from ._masks import bools, check_out, new_words, packed_bits, pointer_to
-from ._overlap import ALL, BOX, bounds
+from ._overlap import ALL, BOX, ORIENTED, bounds
 from ._triangles import FLOAT, SOUP, Soup, check_indices, held
 
 NUMBER, SIZE = np.dtype(np.uint32), np.dtype(np.uintp)
@@ -48,6 +48,17 @@ def built(soup):
     if status:
         raise error_of(status, triangles=len(soup))
     return nodes
+
+
+def straight(lo, hi):
+    """A box, and what the caller says of it, for messages."""
+    return ffi.new(BOX, (three("lo", lo), three("hi", hi))), dict(lo=lo, hi=hi)
+
+
+def oriented(center, half, frame):
+    """The same for an oriented box."""
+    box = ffi.new(ORIENTED, (three("center", center), three("half", half), three_times_three("frame", frame)))
+    return box, dict(center=center, half=half, frame=frame)
 
 
 class Index:
@@ -104,33 +115,29 @@ class Index:
         count = len(self)
         if out is not None:
             packed = check_out(out, (count,), ((count + 63) >> 6,))
-        answer = self._mask(lo, hi, (accuracy, axes, order, kernel), packed)
+        answer = self._mask("", straight(lo, hi), (accuracy, axes, order, kernel), packed)
         if out is None:
             return answer
         out[:] = answer
         return out
 
-    def _mask(self, lo, hi, test, packed):
-        """All bits, in the caller's order."""
-        count = len(self)
-        if self.ids is None:
-            words = new_words(count)
-            self._ask(lib.tribox_index_overlap, lo, hi, test, pointer_to(words), ffi.NULL)
-            return words if packed else bools(words, count)
-        mask = np.zeros(count, bool)
-        mask[self._numbers(lo, hi, test)] = True
-        return packed_bits(mask) if packed else mask
+    def overlap_oriented(self, center, half, frame, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
+        """overlap() for the oriented box of the points p with abs(frame[k] @ (p - center)) <= half[k], k = 0, 1, 2.
+
+        frame: the three directions of the box, shape (3, 3).
+        """
+        return self._mask("_oriented", oriented(center, half, frame), (accuracy, axes, order, kernel), packed)
 
     def count(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
         """The number of triangles that overlap the closed box from lo to hi, three numbers each."""
         report = ffi.new("tribox_report *")
-        self._ask(lib.tribox_index_overlap, lo, hi, (accuracy, axes, order, kernel), ffi.NULL, report)
+        self._ask(lib.tribox_index_overlap, straight(lo, hi), (accuracy, axes, order, kernel), ffi.NULL, report)
         return report.overlapping
 
     def any(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
         """Whether any triangle overlaps the closed box from lo to hi, three numbers each."""
         found = ffi.new(FOUND)
-        self._ask(lib.tribox_index_any, lo, hi, (accuracy, axes, order, kernel), found)
+        self._ask(lib.tribox_index_any, straight(lo, hi), (accuracy, axes, order, kernel), found)
         return found[0] < len(self)
 
     def list(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
@@ -138,16 +145,11 @@ class Index:
 
         They come in the order of the index, which is ascending with keep_order=True alone.
         """
-        return self._numbers(lo, hi, (accuracy, axes, order, kernel))
+        return self._numbers("", straight(lo, hi), (accuracy, axes, order, kernel))
 
-    def _numbers(self, lo, hi, test):
-        found, room = ffi.new(FOUND), FIRST_ROOM
-        while True:
-            numbers = np.empty(room, NUMBER)
-            self._ask(lib.tribox_index_list, lo, hi, test, self._ids, room, ffi.from_buffer(NUMBERS, numbers), found)
-            if found[0] <= room:
-                return numbers if found[0] == room else numbers[:found[0]].copy()
-            room = found[0]
+    def list_oriented(self, center, half, frame, *, accuracy="exact", axes=ALL, order=0, kernel=None):
+        """list() for an oriented box, as for overlap_oriented()."""
+        return self._numbers("_oriented", oriented(center, half, frame), (accuracy, axes, order, kernel))
 
     def lists(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
         """list() for many boxes: (list, start), where list[start[i]:start[i + 1]] has the triangles of box i.
@@ -170,8 +172,27 @@ class Index:
                 return numbers if total == room else numbers[:total].copy(), start.view(np.intp)
             room = total
 
-    def _ask(self, call, lo, hi, test, *receivers):
-        """Calls with a box and options (accuracy, axes, order, kernel)."""
-        box = ffi.new(BOX, (three("lo", lo), three("hi", hi)))
-        status = call(self._struct, self.soup.struct, box, options_of(*test), *receivers)
-        check(status, axes=test[1], order=test[2], lo=lo, hi=hi)
+    def _mask(self, kind, box, test, packed):
+        """All bits, in the caller's order. kind: what the names of the calls end with."""
+        if self.ids is None:
+            words = new_words(len(self))
+            self._ask(getattr(lib, "tribox_index_overlap" + kind), box, test, pointer_to(words), ffi.NULL)
+            return words if packed else bools(words, len(self))
+        mask = np.zeros(len(self), bool)
+        mask[self._numbers(kind, box, test)] = True
+        return packed_bits(mask) if packed else mask
+
+    def _numbers(self, kind, box, test):
+        call, found, room = getattr(lib, "tribox_index_list" + kind), ffi.new(FOUND), FIRST_ROOM
+        while True:
+            numbers = np.empty(room, NUMBER)
+            self._ask(call, box, test, self._ids, room, ffi.from_buffer(NUMBERS, numbers), found)
+            if found[0] <= room:
+                return numbers if found[0] == room else numbers[:found[0]].copy()
+            room = found[0]
+
+    def _ask(self, call, box, test, *receivers):
+        """Calls with a box, as straight() returns it, and options: accuracy, axes, order, kernel."""
+        struct, given = box
+        status = call(self._struct, self.soup.struct, struct, options_of(*test), *receivers)
+        check(status, axes=test[1], order=test[2], **given)

@@ -68,6 +68,16 @@ class Answers(cases.TestCase):
             fast = index.overlap(LO, HI, accuracy="fast")
             self.assertFalse((tribox.overlap(triangles, LO, HI, accuracy="fast") & ~fast).any())
 
+    def test_oriented(self):
+        triangles = cases.scattered(5000)
+        turned = np.array([[0.8, 0.6, 0], [-0.6, 0.8, 0], [0, 0, 1]])
+        for index in forms(triangles):
+            for box in (((0, 0.25, 0), (0.5, 1, 2), turned), ((0, 0, 0), (3, 3, 3), np.eye(3)), ((0, 0, 0), (-1, 1, 1), turned)):
+                expected = tribox.overlap_oriented(triangles, *box)
+                self.assert_same(index.overlap_oriented(*box), expected)
+                self.assert_same(tribox.mask_indices(index.overlap_oriented(*box, packed=True)), np.sort(index.list_oriented(*box)))
+                self.assert_same(np.sort(index.list_oriented(*box)), np.flatnonzero(expected).astype(np.uint32))
+
     def test_out(self):
         triangles = cases.lattice(130)
         expected = tribox.overlap(triangles, LO, HI)
@@ -203,6 +213,12 @@ class Errors(cases.TestCase):
                 self.refuse(InputError, "BAD_OPTION", "order = 4", call, LO, HI, order=4)
                 self.refuse(InputError, None, "accuracy = 'exakt'", call, LO, HI, accuracy="exakt")
                 self.refuse(InputError, "NO_KERNEL", "kernel = 'sse9'", call, LO, HI, kernel="sse9")
+
+    def test_oriented(self):
+        for call in (self.index.overlap_oriented, self.index.list_oriented):
+            self.refuse(InputError, "BAD_BOX", r"half = \(1, inf, 1\)", call, LO, (1, np.inf, 1), np.eye(3))
+            self.refuse(InputError, None, "frame = .*; give three times three numbers", call, LO, HI, np.eye(4))
+            self.refuse(InputError, "BAD_OPTION", "axes = 6", call, LO, HI, np.eye(3), axes=6, accuracy="fast")
 
     def test_out(self):
         out = np.zeros(70, bool)
