@@ -13,7 +13,7 @@
 #include "console/option_reader.h"
 #include "peers_report.h"
 
-enum { MESHES_MAX = 16, RESULTS_MAX = MESHES_MAX + 1, SKIPPED = 77, BOXES_OF_TEST = 5, TRIANGLES_OF_TEST = 20000 };
+enum { MESHES_MAX = 16, RESULTS_MAX = MESHES_MAX + 1, SKIPPED = 77, BOXES = 50, BOXES_OF_TEST = 5, TRIANGLES_OF_TEST = 20000 };
 
 /* A linear pass has as many boxes as there is time for. */
 static const size_t linear_pairs = 100000000, verified_pairs = 5000000;
@@ -34,7 +34,7 @@ static const char usage[] =
     "                   and sponza (.ply) of that folder\n"
     "  --verify         answers alone, about few boxes\n"
     "  --terrain N      triangles of a terrain that is made here; without it 20000 to verify, else 0\n"
-    "  --boxes N        boxes of each size; without it 100, to verify 5\n"
+    "  --boxes N        boxes of each size; without it 50, to verify 5\n"
     "  --rounds N       rounds, 3 to 101; without it 9\n"
     "  --seed N         of the terrain, the boxes and the order within the rounds\n"
     "  --csv FILE       writes the times for the chart\n";
@@ -170,7 +170,7 @@ int main(int argc, char **argv)
         printf("skipped: built without CGAL, Embree and Bullet (Debian: libcgal-dev, libembree-dev, libbullet-dev)\n");
         return SKIPPED;
     }
-    s.boxes = s.boxes ? s.boxes : s.is_timed ? 100 : BOXES_OF_TEST;
+    s.boxes = s.boxes ? s.boxes : s.is_timed ? BOXES : BOXES_OF_TEST;
     s.terrain = options_has(&found, OPTION_TERRAIN) || s.is_timed ? s.terrain : TRIANGLES_OF_TEST;
     const char *const *usual;
     const size_t usual_count = s.meshes ? 0 : index_scene_usual(&usual);

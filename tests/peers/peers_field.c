@@ -129,7 +129,9 @@ static void compare(field *f, peer_field *with, peer_errors *errors)
     with->lists.count = with->lists.candidates = 0;
     if (with->peer->take_boxes)
         with->peer->take_boxes(with->tree, f->boxes, f->box_count);
+    const double begin = clock_seconds();
     with->peer->list(with->tree, f->boxes, f->box_count, &with->lists);
+    with->list_seconds = clock_seconds() - begin;
     for (size_t b = 0; b < f->box_count; b++) {
         const size_t first = with->lists.start[b];
         compare_box(f, b, with->lists.list + first, with->lists.start[b + 1] - first, errors);
@@ -197,14 +199,6 @@ size_t field_entrants(const field *f, entrant list[FIELD_MAX])
     return count;
 }
 
-/* Whether a pass takes so long that one has to do. */
-static bool is_slow(const contestant *one, uint64_t *mask)
-{
-    const double begin = clock_seconds();
-    one->run(one, mask, NULL);
-    return clock_seconds() - begin > once_seconds;
-}
-
 void field_time(field *f, size_t rounds, size_t linear_boxes, generator *order, double us[FIELD_MAX])
 {
     static samples taken;
@@ -225,7 +219,7 @@ void field_time(field *f, size_t rounds, size_t linear_boxes, generator *order, 
             peer_question *const q = &questions[entrants[e].peer - f->peers];
             *q = (peer_question){&f->peers[entrants[e].peer - f->peers], f->boxes, f->box_count};
             list[timed] = (contestant){.run = entrants[e].is_any ? run_any : run_list, .question = q, .pairs = (double)q->count};
-            list[timed].is_timed_once = is_slow(&list[timed], f->room.mask);
+            list[timed].is_timed_once = !entrants[e].is_any && q->with->list_seconds > once_seconds;
         }
         place[timed++] = e;
     }

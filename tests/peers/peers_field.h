@@ -11,8 +11,9 @@ enum { PEERS_MAX = 4, FIELD_MAX = 3 + 2 * PEERS_MAX };
 /* A peer over the soup. */
 typedef struct peer_field {
     const peer *peer;
-    void *tree;     /* NULL if the soup has too many triangles for it */
-    double seconds; /* to build it */
+    void *tree;          /* NULL if the soup has too many triangles for it */
+    double seconds;      /* to build it */
+    double list_seconds; /* for the lists of all boxes, when they were compared */
     peer_lists lists;
 } peer_field;
 
