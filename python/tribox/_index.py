@@ -14,13 +14,13 @@ from ._triangles import FLOAT, SOUP, Soup, check_indices, held
 
 NUMBER, SIZE = np.dtype(np.uint32), np.dtype(np.uintp)
 NUMBERS, SIZES, FOUND = ffi.typeof("uint32_t[]"), ffi.typeof("size_t[]"), ffi.typeof("size_t *")
-SCRATCH_BYTES = 16  # a triangle, for an order
+SCRATCH_FLOATS = 4  # a triangle, for an order
 FIRST_ROOM = 4096  # numbers; an answer that has more is asked for twice
 
 
 def order_of(struct, faces):
     """The order in which triangles are near in number where they are near in space."""
-    order, scratch = np.empty(struct.count, NUMBER), np.empty(struct.count * SCRATCH_BYTES, np.uint8)
+    order, scratch = np.empty(struct.count, NUMBER), np.empty(struct.count * SCRATCH_FLOATS, FLOAT)
     call = lib.tribox_soup_order if ffi.typeof(struct) is SOUP else lib.tribox_mesh_order
     status = call(struct, ffi.from_buffer(NUMBERS, order), ffi.from_buffer(scratch))
     if status:
