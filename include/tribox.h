@@ -410,12 +410,16 @@ TRIBOX_API tribox_status tribox_index_list_oriented(const tribox_index *index, c
                                                     const uint32_t *ids, size_t room, uint32_t *list, size_t *found);
 
 /**
- * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th; those with
- * a NaN or infinite coordinate come last. The same on every processor. The soup is cut in two across its longest side, and so are
- * the parts, down to the 64 triangles of a word: so that no node of an index straddles a cut.
+ * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th. It is the
+ * same on every processor.
+ *
+ * The triangles are cut in two across their longest side, and so are the parts, down to the 64 of a word; at multiples of the
+ * greatest power of 64 below the count, so that no node of an index straddles a cut. What counts is the middle of a triangle's
+ * bounding box, then its number; and where a coordinate is NaN or infinite, the triangle comes last. The time grows with count *
+ * log(count), whatever the triangles are.
  *
  * order: room for soup->count numbers.
- * scratch: 16 bytes for each triangle, at any alignment.
+ * scratch: 16 bytes for each triangle, aligned as floats are.
  *
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or scratch is NULL and the soup is
  * not empty; count is more than 2^32 or exceeds the address space).
@@ -425,8 +429,48 @@ TRIBOX_API tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *or
 /** The same for boxes. Those that have a NaN or infinite bound come last. */
 TRIBOX_API tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
-/** The same for the triangles of a mesh; TRIBOX_BAD_INDEX also if a triangle refers to a vertex that does not exist. */
+/**
+ * The same for the triangles of a mesh; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed returns it, TRIBOX_BAD_INDEX if a
+ * triangle refers to a vertex that does not exist.
+ */
 TRIBOX_API tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch);
+
+/**
+ * The first step of tribox_soup_order, for threads that share the work: writes to scratch where triangles first to
+ * first + count - 1 lie. When that is done for all of the soup, tribox_order_cut or tribox_order_finish follows.
+ *
+ * scratch: the whole of it, as for tribox_soup_order. Threads may start parts of the soup.
+ *
+ * Returns what tribox_soup_order does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
+ */
+TRIBOX_API tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch);
+
+/** The same for boxes. */
+TRIBOX_API tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch);
+
+/** The same for the triangles of a mesh, of which only the indices of these triangles are checked. */
+TRIBOX_API tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch);
+
+/**
+ * Cuts one part of an order in two: places first .. first + count - 1, all of them to begin with. Threads may take different parts.
+ *
+ * scratch: as the calls before have left it. total: the count of the soup, the boxes or the mesh.
+ *
+ * Returns how many places the first of the two parts has, which begins at `first`; 0 if there is nothing to cut: count is 64 or
+ * less, scratch is NULL, or first + count exceeds total.
+ */
+TRIBOX_API size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count);
+
+/**
+ * The last step: makes all further cuts of a part and writes order[first] .. order[first + count - 1]. So the order is the same as
+ * in one call, however many parts are cut before they are finished. Threads may take different parts.
+ *
+ * scratch, total: as for tribox_order_cut.
+ * order: the whole of it, as for tribox_soup_order.
+ *
+ * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (scratch or order is NULL where count > 0, or first + count exceeds total).
+ */
+TRIBOX_API tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order);
 
 /**
  * Writes triangles order[first] .. order[first + count - 1] of a soup as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of

@@ -1,42 +1,31 @@
-/*
- * places.h - where triangles or boxes lie: the middle of each bounding box and its number, as four streams in memory of the caller's.
- *
- * The streams x, y, z (float) and number (uint32_t) follow one another, at any alignment. Where a coordinate is not finite, all three
- * middles are NaN.
- */
+/* places.h - places in memory of the caller's, and the cuts that put them in order. */
 #ifndef TRIBOX_PLACES_H
 #define TRIBOX_PLACES_H
-
-#include <string.h>
 
 #include "kernel.h"
 
 enum { TRIBOX_PLACE_BYTES = 16 };
 
-typedef struct tribox_places {
-    unsigned char *memory;
-    size_t count;
-} tribox_places;
-
-/* Number i of stream k: 0 to 2 the middles, 3 the numbers. */
-static inline unsigned char *tribox_places_at(const tribox_places *places, int k, size_t i)
+/* Place `first` and those after it, of `total` whose streams follow one another. */
+static inline tribox_places tribox_places_in(void *memory, size_t total, size_t first)
 {
-    return places->memory + 4 * ((size_t)k * places->count + i);
+    float *const x = (float *)memory + first;
+    return (tribox_places){{x, x + total, x + 2 * total}, (uint32_t *)memory + 3 * total + first};
 }
 
-/* The places of triangles or boxes first .. first + count - 1. The caller has checked them. */
-void tribox_places_of_soup(const tribox_places *places, const tribox_soup *soup, size_t first, size_t count);
-void tribox_places_of_boxes(const tribox_places *places, const tribox_boxes *boxes, size_t first, size_t count);
-void tribox_places_of_mesh(const tribox_places *places, const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first,
-                           size_t count);
+/* How many of `count` places come before their cut: 0 for no cut, where they are one word. */
+static inline size_t tribox_places_before_cut(size_t count)
+{
+    size_t unit = 64;
+    while (unit < (count + 63) / 64)
+        unit *= 64;
+    return count <= 64 ? 0 : (count / unit + 1) / 2 * unit;
+}
 
-/* How many of `count` places come before the cut: 0 for no cut, where they are one word. */
-size_t tribox_places_before_cut(size_t count);
-
-/* Puts the places that come before the cut before the others. */
-void tribox_places_cut(const tribox_places *places, size_t first, size_t count);
-
-/* Puts the places of a word in order: by number, those that are not finite last. */
-void tribox_places_sort_word(const tribox_places *places, size_t first, size_t count);
+/*
+ * Cuts places first .. first + count - 1, one at least, down to words, and writes their numbers to the same places of the order. The
+ * second part of a cut is never much the greater, so calls nest little more than log2(count) deep.
+ */
+void tribox_places_finish(const tribox_kernel *kernel, void *scratch, size_t total, size_t first, size_t count, uint32_t *order);
 
 #endif

@@ -12,4 +12,7 @@
 #include "frame.h"
 #include "move.h"
 #include "survey.h"
+#include "middles.h"
+#include "rank.h"
+#include "cut.h"
 #include "batch.h"
