@@ -8,10 +8,13 @@
 static void list_word(tribox_answers *to, size_t word, uint64_t hit)
 {
     const size_t count = tribox_count_bits(hit), there = to->found < to->room ? to->room - to->found : 0;
-    uint32_t *const list = there ? to->list + to->found : NULL;
-    for (size_t n = 0; n < count && n < there; n++, hit &= hit - 1) {
+    const size_t listed = count < there ? count : there;
+    const uint32_t *const ids = to->ids;
+    uint32_t *const list = to->list;
+    const size_t end = to->found + listed;
+    for (size_t n = to->found; n < end; n++, hit &= hit - 1) {
         const size_t i = 64 * word + tribox_lowest_bit(hit);
-        list[n] = to->ids ? to->ids[i] : (uint32_t)i;
+        list[n] = ids ? ids[i] : (uint32_t)i;
     }
     to->found += count;
 }

@@ -29,10 +29,12 @@ static const tribox_node *node_at(const tribox_query *q, unsigned level, size_t 
  */
 static tribox_touch ask(const tribox_query *q, unsigned level, size_t j, const tribox_node *node)
 {
-    const size_t children = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count);
     const tribox_index_kernel *const kernel = q->plan->kernel->index;
-    tribox_touch found = q->oriented ? kernel->touch_oriented(node, q->oriented) : kernel->touch(node, q->pairs.box);
-    found.touching &= there(children, 64 * j);
+    const size_t of_level = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count), left = of_level - 64 * j;
+    const unsigned children = left < 64 ? (unsigned)left : 64;
+    tribox_touch found =
+        q->oriented ? kernel->touch_oriented(node, children, q->oriented) : kernel->touch(node, children, q->pairs.box);
+    found.touching &= first_bits(children);
     found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
     return found;
 }
@@ -89,10 +91,22 @@ static void push(tribox_query *q, size_t word, size_t full)
         tribox_answers_take_full(q, word, full);
         return;
     }
+    const unsigned last = q->pending - 1;
+    if (q->pending && full && q->full[last] && q->word[last] + q->full[last] == word) {
+        q->full[last] += full;
+        return;
+    }
     if (q->pending == TRIBOX_PENDING)
         answer_pending(q);
     q->word[q->pending] = word;
     q->full[q->pending++] = full;
+}
+
+/* How many bits of a word are set from bit c on, without a gap; one at least. */
+static unsigned ones_at(uint64_t bits, unsigned c)
+{
+    const uint64_t zeros = ~(bits >> c);
+    return zeros ? tribox_lowest_bit(zeros) : 64;
 }
 
 /* Levels are few: 9 at the most below the top. */
@@ -100,15 +114,19 @@ static void visit(tribox_query *q, unsigned level, size_t j)
 {
     tribox_node copy;
     const tribox_touch found = ask(q, level, j, node_at(q, level, j, &copy));
-    for (uint64_t left = found.touching; left; left &= left - 1) {
+    for (uint64_t left = found.touching; left;) {
         const unsigned c = tribox_lowest_bit(left);
         const size_t child = 64 * j + c;
-        if (found.inside >> c & 1)
-            push(q, child << 6 * level, (size_t)1 << 6 * level);
-        else if (level)
+        left &= left - 1;
+        if (found.inside >> c & 1) {
+            const unsigned n = ones_at(found.inside, c);
+            push(q, child << 6 * level, (size_t)n << 6 * level);
+            left &= ~(first_bits(n) << c);
+        } else if (level) {
             visit(q, level - 1, child);
-        else
+        } else {
             push(q, child, 0);
+        }
     }
 }
 
@@ -119,10 +137,12 @@ void tribox_query_run(tribox_query *q)
     answer_pending(q);
 }
 
+/* A triangle that lies wholly inside is found sooner than another. */
 static bool any_in_word(tribox_query *q, size_t word, size_t *triangle)
 {
-    uint64_t hit;
-    tribox_pairs_answer_block(&q->pairs, q->plan, word, 1, &hit);
+    uint64_t hit = q->plan->kernel->inside(q->pairs.soup, q->pairs.box, word, ~UINT64_C(0));
+    if (!hit)
+        tribox_pairs_answer_block(&q->pairs, q->plan, word, 1, &hit);
     if (hit)
         *triangle = 64 * word + tribox_lowest_bit(hit);
     return hit;

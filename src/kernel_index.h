@@ -21,15 +21,18 @@ typedef void tribox_bound_soup(const tribox_soup *soup, size_t first, tribox_nod
 /* Writes a node over `count` nodes, 0 to 64, that lie one after another at any alignment. */
 typedef void tribox_bound_nodes(const void *nodes, size_t count, tribox_node *node);
 
-/* The children of a node that touch a box, or that may if the node is damaged, and those of them that lie wholly inside it. */
+/*
+ * The first `count` children of a node, 64 at most, beside a box: those that touch it, and those of them that lie wholly inside. Bits
+ * past the first `count` mean nothing.
+ */
 typedef struct tribox_touch {
     uint64_t touching, inside;
 } tribox_touch;
 
-typedef tribox_touch tribox_touch_node(const tribox_node *node, const tribox_box *box);
+typedef tribox_touch tribox_touch_node(const tribox_node *node, unsigned count, const tribox_box *box);
 
 /* The same of an oriented box: some of the children may touch, for all that rounding may have done, and those inside are so. */
-typedef tribox_touch tribox_touch_oriented(const tribox_node *node, const tribox_oriented_box *box);
+typedef tribox_touch tribox_touch_oriented(const tribox_node *node, unsigned count, const tribox_oriented_box *box);
 
 /* The children the middle of whose bounds is in the box: which of their triangles are likely to overlap. */
 typedef uint64_t tribox_find_centred(const tribox_node *node, const tribox_box *box);

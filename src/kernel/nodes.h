@@ -44,11 +44,11 @@ TRIBOX_INLINE vmask is_beyond(const lane_bound *child, const lane_bound *box)
     return beyond;
 }
 
-static tribox_touch touch(const tribox_node *node, const tribox_box *box)
+static tribox_touch touch(const tribox_node *node, unsigned count, const tribox_box *box)
 {
     const lane_bound bound = bound_of_box(box);
     tribox_touch found = {0, 0};
-    for (int c = 0; c < 64; c += V_LANES) {
+    for (int c = 0; c < (int)count; c += V_LANES) {
         const lane_bound child = bound_of_children(node, c);
         const vmask apart = is_apart(&child, &bound);
         found.touching |= (m_bits(apart) ^ LANES_ALL) << c;

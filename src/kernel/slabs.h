@@ -38,12 +38,12 @@ TRIBOX_INLINE vmask within_slab(const lane_frame *frame, int k, const lane_span 
     return m_and(span->is_tame, m_and(is_below, is_above));
 }
 
-static tribox_touch touch_oriented(const tribox_node *node, const tribox_oriented_box *box)
+static tribox_touch touch_oriented(const tribox_node *node, unsigned count, const tribox_oriented_box *box)
 {
     lane_frame frame;
     tribox_touch found = {0, 0};
     splat_frame(&frame, box);
-    for (int c = 0; c < 64; c += V_LANES) {
+    for (int c = 0; c < (int)count; c += V_LANES) {
         const lane_bound child = bound_of_children(node, c);
         vmask apart = m_none(), within = m_all();
         for (int k = 0; k < 3; k++) {
