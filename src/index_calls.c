@@ -14,9 +14,6 @@ typedef struct call {
     tribox_query query;
 } call;
 
-/* Whether so many things have numbers of 32 bits. */
-static bool has_numbers(size_t count) { return (uint64_t)count <= UINT64_C(1) << 32; }
-
 static bool is_readable(const tribox_index *index, const tribox_soup *soup)
 {
     return index && index->nodes && tribox_soup_is_readable(soup) && index->count == soup->count;
@@ -110,7 +107,7 @@ tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *s
                                  const tribox_options *options, size_t room, uint32_t *number, uint64_t *bits, uint64_t *inside,
                                  size_t *found, tribox_report *report)
 {
-    if (!found || (room && (!number || !bits)) || !soup || !has_numbers(tribox_words_of(soup->count)))
+    if (!found || (room && (!number || !bits)) || !soup || !tribox_has_numbers(tribox_words_of(soup->count)))
         return TRIBOX_BAD_ARGUMENT;
     call c;
     c.answers = (tribox_answers){.form = TRIBOX_WORDS, .number = number, .bits = bits, .inside = inside, .room = room};
@@ -125,7 +122,7 @@ tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *s
 /* A list of triangles of this soup can be written. */
 static bool can_list(const tribox_soup *soup, size_t room, const uint32_t *list)
 {
-    return (list || !room) && soup && has_numbers(soup->count);
+    return (list || !room) && soup && tribox_has_numbers(soup->count);
 }
 
 tribox_status tribox_index_list(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,

@@ -20,8 +20,8 @@ enum { BLOCK = 256 };
 /* Whether these of `total` triangles can be ordered: their numbers have 32 bits, and scratch fits the address space. */
 static bool is_range(size_t total, size_t first, size_t count, const void *scratch)
 {
-    return total <= PTRDIFF_MAX / TRIBOX_PLACE_BYTES && (uint64_t)total <= UINT64_C(1) << 32 && first <= total &&
-           count <= total - first && (scratch || !count);
+    return total <= PTRDIFF_MAX / TRIBOX_PLACE_BYTES && tribox_has_numbers(total) && first <= total && count <= total - first &&
+           (scratch || !count);
 }
 
 tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch)

@@ -143,7 +143,7 @@ static void test_right_call(void **state)
     assert_int_equal(tribox_index_lists(&c->index, &c->soup, &c->boxes, NULL, NULL, 0, NULL, out.start), TRIBOX_OK);
     assert_int_equal(out.start[BOXES], BOXES * COUNT);
     assert_int_equal(tribox_index_any(&c->index, &c->soup, &c->box, NULL, &out.found), TRIBOX_OK);
-    assert_in_range(out.found, 0, COUNT - 1);
+    assert_true(out.found < COUNT);
 }
 
 static void test_null(void **state)
