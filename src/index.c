@@ -8,7 +8,8 @@
 
 size_t tribox_index_bytes(size_t count)
 {
-    const tribox_levels levels = tribox_levels_of(count);
+    tribox_levels levels;
+    tribox_levels_set(&levels, count);
     return (levels.start[levels.count - 1] + 1) * sizeof(tribox_node);
 }
 
@@ -57,7 +58,10 @@ static tribox_status check(const tribox_soup *soup, const tribox_options *option
     const tribox_kernel *const kernel = tribox_kernel_find(options ? options->kernel : NULL);
     if (!kernel)
         return TRIBOX_NO_KERNEL;
-    *s = (site){soup, kernel->index, memory, tribox_levels_of(soup->count)};
+    s->soup = soup;
+    s->kernel = kernel->index;
+    s->memory = memory;
+    tribox_levels_set(&s->levels, soup->count);
     return TRIBOX_OK;
 }
 

@@ -28,7 +28,7 @@ static tribox_status prepare(call *c, const tribox_index *index, const tribox_so
     if (!(c->plan.axes & TRIBOX_AXES_BOX))
         return TRIBOX_BAD_OPTION;
     c->query.nodes = index->nodes;
-    c->query.levels = tribox_levels_of(index->count);
+    tribox_levels_set(&c->query.levels, index->count);
     c->query.pairs = (tribox_pairs){.soup = tribox_few_triangles(soup, c->plan.kernel, &c->few), .count = soup->count};
     c->query.oriented = NULL;
     c->query.plan = &c->plan;

@@ -14,19 +14,21 @@ typedef struct tribox_levels {
     size_t start[TRIBOX_INDEX_LEVELS]; /* the number of its first node among all nodes */
 } tribox_levels;
 
-/* One level at least, and one node. There are as many nodes as words with a bit for each of their children. */
-static inline tribox_levels tribox_levels_of(size_t triangles)
+/*
+ * One level at least, and one node. There are as many nodes as words with a bit for each of their children. Written in place, as to
+ * return a struct that has just been written would wait for the stores.
+ */
+static inline void tribox_levels_set(tribox_levels *levels, size_t triangles)
 {
-    tribox_levels levels = {.count = 0};
     size_t children = tribox_words_of(triangles), start = 0;
+    levels->count = 0;
     do {
         const size_t nodes = children ? tribox_words_of(children) : 1;
-        levels.nodes[levels.count] = nodes;
-        levels.start[levels.count++] = start;
+        levels->nodes[levels->count] = nodes;
+        levels->start[levels->count++] = start;
         start += nodes;
         children = nodes;
     } while (children > 1);
-    return levels;
 }
 
 #endif
