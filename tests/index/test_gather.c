@@ -1,0 +1,162 @@
+/* test_gather.c - triangles in any order as streams: every range, none beside it, none at all on an error. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "order_kinds.h"
+
+enum { COUNT = 90, VERTICES = 40 };
+
+static arguments args;
+static uint32_t order[COUNT];
+static guarded fence[9];
+static float *to[9];
+
+/* Streams of so many floats, which end at a page, or begin after one and an odd number of floats. */
+static void lay_streams(size_t count, bool is_at_end)
+{
+    for (int k = 0; k < 9; k++) {
+        memset(fence[k].first, 0xa5, fence[k].size);
+        to[k] = is_at_end ? guarded_tail(fence[k], count * sizeof(float)) : (float *)(void *)(fence[k].first + 4);
+    }
+}
+
+static void demand_untouched(void)
+{
+    for (int k = 0; k < 9; k++)
+        for (size_t i = 0; i < fence[k].size; i++)
+            assert_int_equal(fence[k].first[i], 0xa5);
+}
+
+static int make_fences(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "order");
+    for (int k = 0; k < 9; k++)
+        fence[k] = guarded_make(COUNT * sizeof(float) + 64);
+    for (size_t i = 0; i < COUNT; i++) /* some come more than once, some never */
+        order[i] = (uint32_t)random_int(&r, COUNT);
+    return 0;
+}
+
+/* Bytes that are not those of these triangles have not changed. */
+static void demand_streams(const tribox_soup *soup, size_t first, size_t count)
+{
+    for (int k = 0; k < 9; k++) {
+        const float *const from = (k < 3 ? soup->x : k < 6 ? soup->y : soup->z)[k % 3];
+        for (size_t i = 0; i < count; i++) {
+            assert_memory_equal(to[k] + i, from + order[first + i], sizeof(float));
+            memset(to[k] + i, 0xa5, sizeof(float));
+        }
+    }
+    demand_untouched();
+}
+
+static void test_soups(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "soups");
+    order_room room = order_room_make(&r, KIND_HALF_WILD, COUNT);
+    for (size_t first = 0; first <= COUNT; first++)
+        for (size_t count = 0; count <= COUNT - first; count += 1 + (size_t)random_int(&r, 9)) {
+            lay_streams(count, random_int(&r, 2));
+            assert_int_equal(tribox_soup_gather(&room.soup, order, first, count, to, to + 3, to + 6), TRIBOX_OK);
+            demand_streams(&room.soup, first, count);
+        }
+    order_room_free(&room);
+}
+
+/* A mesh of few vertices, beside the streams that it stands for. Its last vertex ends at a page. */
+static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
+{
+    const size_t vertices = index_bytes ? VERTICES : 3 * COUNT, step = stride ? stride : 12, bytes = (vertices - 1) * step + 12;
+    const guarded positions = guarded_make(bytes);
+    unsigned char *const at = guarded_tail(positions, bytes);
+    uint16_t narrow[3 * COUNT];
+    uint32_t wide[3 * COUNT];
+    static float stream[9][COUNT];
+    tribox_soup soup = {.count = COUNT};
+    for (size_t i = 0; i < bytes; i++)
+        at[i] = (unsigned char)random_int(r, 256);
+    for (size_t corner = 0; corner < 3 * COUNT; corner++) {
+        const size_t vertex = index_bytes ? (size_t)random_int(r, VERTICES) : corner;
+        wide[corner] = narrow[corner] = (uint16_t)vertex;
+        for (size_t a = 0; a < 3; a++)
+            memcpy(&stream[3 * a + corner % 3][corner / 3], at + vertex * step + 4 * a, 4);
+    }
+    for (size_t v = 0; v < 3; v++) {
+        soup.x[v] = stream[v];
+        soup.y[v] = stream[3 + v];
+        soup.z[v] = stream[6 + v];
+    }
+    const tribox_mesh mesh = {at,          stride, vertices, index_bytes == 2 ? (void *)narrow : index_bytes ? (void *)wide : NULL,
+                              index_bytes, COUNT};
+    for (size_t first = 0; first <= COUNT; first += 1 + (size_t)random_int(r, 9)) {
+        const size_t count = (size_t)random_int_between(r, 0, (int)(COUNT - first));
+        lay_streams(count, random_int(r, 2));
+        assert_int_equal(tribox_mesh_gather(&mesh, order, first, count, to, to + 3, to + 6), TRIBOX_OK);
+        demand_streams(&soup, first, count);
+    }
+    guarded_free(positions);
+}
+
+static void test_meshes(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "meshes");
+    static const size_t strides[] = {0, 12, 13, 16, 40};
+    for (unsigned index_bytes = 0; index_bytes <= 4; index_bytes += 2)
+        for (size_t k = 0; k < sizeof strides / sizeof *strides; k++)
+            check_mesh(&r, index_bytes, strides[k]);
+}
+
+static void test_bad(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "bad");
+    order_room room = order_room_make(&r, KIND_RANDOM, COUNT);
+    float positions[VERTICES][3] = {{0}};
+    uint32_t indices[3 * COUNT] = {0};
+    float *missing[3] = {to[0], NULL, to[0]};
+    tribox_mesh mesh = {positions, 0, VERTICES, indices, 4, COUNT};
+    tribox_soup soup = room.soup;
+    uint32_t bad[COUNT];
+    lay_streams(COUNT, true);
+    for (size_t place = 0; place < COUNT; place += 89) { /* a triangle that is not there, at the first place or the last */
+        memcpy(bad, order, sizeof bad);
+        bad[place] = COUNT;
+        assert_int_equal(tribox_soup_gather(&soup, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_INDEX);
+        assert_int_equal(tribox_mesh_gather(&mesh, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_INDEX);
+    }
+    indices[3 * order[COUNT - 1] + 2] = VERTICES;
+    assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_INDEX);
+    mesh.index_bytes = 3;
+    assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_gather(NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_gather(NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_gather(&soup, NULL, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_gather(&soup, order, 0, COUNT, NULL, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_gather(&soup, order, 0, COUNT, to, missing, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_gather(&soup, order, SIZE_MAX, 2, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_gather(&soup, NULL, COUNT, 0, missing, missing, missing), TRIBOX_OK);
+    soup.y[2] = NULL;
+    assert_int_equal(tribox_soup_gather(&soup, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    demand_untouched();
+    /* Of an order only the places that are asked for are looked at. */
+    lay_streams(COUNT, true);
+    bad[COUNT - 1] = COUNT;
+    bad[0] = COUNT;
+    assert_int_equal(tribox_soup_gather(&room.soup, bad, 1, COUNT - 2, to, to + 3, to + 6), TRIBOX_OK);
+    order_room_free(&room);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_soups), cmocka_unit_test(test_meshes), cmocka_unit_test(test_bad)};
+    return cmocka_run_group_tests(tests, make_fences, NULL);
+}

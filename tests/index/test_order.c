@@ -1,0 +1,188 @@
+/*
+ * test_order.c - the order of a soup is what the header says, on every kernel; boxes and meshes have the order of the soup that
+ * they are; no input takes much longer than others.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/kernels_here.h"
+#include "dispatch.h"
+#include "environment.h"
+#include "order_kinds.h"
+#include "places.h"
+
+static arguments args;
+
+static void order_by(const char *name, const order_room *room)
+{
+    const tribox_kernel *const kernel = tribox_kernel_find(name);
+    const size_t count = room->soup.count;
+    const tribox_places places = tribox_places_in(room->scratch, count, 0);
+    const tribox_environment callers = tribox_environment_enter();
+    kernel->find_middles(&room->soup, NULL, 0, count, 0, &places);
+    tribox_places_finish(kernel, room->scratch, count, 0, count, room->order);
+    tribox_environment_leave(callers);
+}
+
+static void check_kind(random_source *r, order_kind kind, size_t count)
+{
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    order_room room = order_room_make(r, kind, count);
+    uint32_t *const expected = malloc(4 * count + 1), *const first = malloc(4 * count + 1);
+    snprintf(doing, sizeof doing, "%zu triangles, %s", count, order_kind_names[kind]);
+    assert_true(expected && first);
+    expect_order(&room.soup, expected);
+    assert_int_equal(tribox_soup_order(&room.soup, room.order, room.scratch), TRIBOX_OK);
+    memcpy(first, room.order, 4 * count);
+    for (int k = 0; count && k < kernels; k++) {
+        memset(room.order, 0xff, 4 * count);
+        order_by(names[k], &room);
+        if (memcmp(room.order, first, 4 * count))
+            fail_msg("%s: kernel %s has another order", doing, names[k]);
+    }
+    sort_words(&room.soup, room.order);
+    if (memcmp(room.order, expected, 4 * count))
+        fail_msg("%s: not the words that there have to be", doing);
+    free(expected);
+    free(first);
+    order_room_free(&room);
+}
+
+static void test_words(void **state)
+{
+    static const size_t counts[] = {0, 1, 2, 17, 63, 64, 65, 127, 128, 129, 200, 1023, 1100, 2047, 2049, 4095, 4096, 4097, 9000};
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "words");
+    for (order_kind kind = 0; kind < ORDER_KINDS; kind++)
+        for (size_t c = 0; c < sizeof counts / sizeof *counts; c++)
+            check_kind(&r, kind, counts[c]);
+}
+
+/* About the next power of 64, and where more samples are drawn. */
+static void test_large(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "large");
+    check_kind(&r, KIND_RANDOM, 262145);
+    check_kind(&r, KIND_HALF_WILD, 100001);
+    check_kind(&r, KIND_FEW_VALUES, 30000);
+    check_kind(&r, KIND_ALL_SCALES, 30000);
+}
+
+static void test_boxes_and_meshes(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "forms");
+    for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
+        const size_t count = (size_t)random_int_between(&r, 1, 1500);
+        order_room room = order_room_make(&r, kind, count);
+        float *const bounds = malloc(6 * 4 * count), *const positions = malloc(9 * 4 * count);
+        uint32_t *const other = malloc(4 * count);
+        assert_true(bounds && positions && other);
+        tribox_boxes boxes = {.count = count};
+        for (int a = 0; a < 3; a++) {
+            float *const lo = bounds + 2 * (size_t)a * count, *const hi = lo + count;
+            boxes.lo[a] = lo;
+            boxes.hi[a] = hi;
+            for (size_t i = 0; i < count; i++) {
+                const float u = room.stream[3 * a][i], v = room.stream[3 * a + 1][i], w = room.stream[3 * a + 2][i];
+                const bool is_finite = isfinite(u) && isfinite(v) && isfinite(w);
+                lo[i] = is_finite ? fminf(fminf(u, v), w) : i % 2 ? NAN : 0;
+                hi[i] = is_finite ? fmaxf(fmaxf(u, v), w) : i % 2 ? 0 : INFINITY;
+                for (size_t v3 = 0; v3 < 3; v3++)
+                    positions[9 * i + 3 * v3 + (size_t)a] = room.stream[3 * (size_t)a + v3][i];
+            }
+        }
+        tribox_soup_order(&room.soup, room.order, room.scratch);
+        assert_int_equal(tribox_boxes_order(&boxes, other, room.scratch), TRIBOX_OK);
+        assert_memory_equal(other, room.order, 4 * count);
+        const tribox_mesh mesh = {.positions = positions, .vertices = 3 * count, .count = count};
+        memset(other, 0xff, 4 * count);
+        assert_int_equal(tribox_mesh_order(&mesh, other, room.scratch), TRIBOX_OK);
+        assert_memory_equal(other, room.order, 4 * count);
+        free(bounds);
+        free(positions);
+        free(other);
+        order_room_free(&room);
+    }
+}
+
+static double seconds_of(const order_room *room)
+{
+    double least = INFINITY;
+    for (int turn = 0; turn < 3; turn++) {
+        const clock_t start = clock();
+        tribox_soup_order(&room->soup, room->order, room->scratch);
+        const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+        least = seconds < least ? seconds : least;
+    }
+    return least;
+}
+
+/* What is quadratic would take a thousand times as long. */
+static void test_time(void **state)
+{
+    enum { COUNT = 60000, TIMES = 10 };
+    (void)state;
+    random_source r = random_named(args.seed, "time");
+    double random = 0;
+    for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
+        order_room room = order_room_make(&r, kind, COUNT);
+        const double seconds = seconds_of(&room);
+        order_room_free(&room);
+        random = kind == KIND_RANDOM ? seconds : random;
+        if (seconds > TIMES * random + 0.05)
+            fail_msg("%s: %g s, but random ones %g s", order_kind_names[kind], seconds, random);
+    }
+}
+
+static void test_arguments(void **state)
+{
+    (void)state;
+    const float number[3] = {0, 1, 2};
+    float scratch[8];
+    uint32_t order[2] = {77, 78};
+    tribox_soup soup = {{number, number, number}, {number, number, number}, {number, number, number}, 2};
+    const tribox_boxes boxes = {{number, number, number}, {number, number, NULL}, 2};
+    const uint32_t indices[6] = {0, 0, 0, 0, 0, 1};
+    tribox_mesh mesh = {.positions = number, .vertices = 1, .indices = indices, .index_bytes = 4, .count = 2};
+    assert_int_equal(tribox_soup_order(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_order(&soup, NULL, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_order(&soup, order, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_boxes_order(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_boxes_order(&boxes, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_order(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_order(&mesh, order, scratch), TRIBOX_BAD_INDEX);
+    mesh.stride = 11;
+    assert_int_equal(tribox_mesh_order(&mesh, order, scratch), TRIBOX_BAD_ARGUMENT);
+    soup.count = SIZE_MAX / 16;
+    assert_int_equal(tribox_soup_order(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
+    soup.count = 2;
+    soup.z[1] = NULL;
+    assert_int_equal(tribox_soup_order(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(order[0], 77);
+    assert_int_equal(order[1], 78);
+    soup.count = 0;
+    assert_int_equal(tribox_soup_order(&soup, NULL, NULL), TRIBOX_OK);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_words),     cmocka_unit_test(test_large),
+        cmocka_unit_test(test_time),      cmocka_unit_test(test_boxes_and_meshes),
+        cmocka_unit_test(test_arguments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

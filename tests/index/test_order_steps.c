@@ -1,0 +1,144 @@
+/* test_order_steps.c - an order made step by step, by threads or one after the other, is the order of the single call. */
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "order_kinds.h"
+
+enum { COUNT = 20000, PARTS = 8, SHARE = (COUNT + PARTS - 1) / PARTS };
+
+static arguments args;
+
+/* What a thread does: a part of the start, or all of a part from its cut on, handing on the second half. */
+typedef struct task {
+    pthread_t thread;
+    const order_room *room;
+    size_t first, count;
+    int depth;
+} task;
+
+static void *start(void *argument)
+{
+    const task *const t = argument;
+    assert_int_equal(tribox_soup_order_start(&t->room->soup, t->first, t->count, t->room->scratch), TRIBOX_OK);
+    return NULL;
+}
+
+static void *finish(void *argument)
+{
+    const task *const t = argument;
+    const order_room *const room = t->room;
+    const size_t total = room->soup.count;
+    const size_t before = t->depth ? tribox_order_cut(room->scratch, total, t->first, t->count) : 0;
+    if (!before) {
+        assert_int_equal(tribox_order_finish(room->scratch, total, t->first, t->count, room->order), TRIBOX_OK);
+        return NULL;
+    }
+    task one = {.room = room, .first = t->first, .count = before, .depth = t->depth - 1};
+    task other = {.room = room, .first = t->first + before, .count = t->count - before, .depth = t->depth - 1};
+    assert_int_equal(pthread_create(&other.thread, NULL, finish, &other), 0);
+    finish(&one);
+    assert_int_equal(pthread_join(other.thread, NULL), 0);
+    return NULL;
+}
+
+static void test_threads(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "threads");
+    static uint32_t expected[COUNT];
+    for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
+        order_room room = order_room_make(&r, kind, COUNT);
+        tribox_soup_order(&room.soup, room.order, room.scratch);
+        memcpy(expected, room.order, sizeof expected);
+        memset(room.order, 0xff, sizeof expected);
+        memset(room.scratch, 0xff, 16 * COUNT);
+        task part[PARTS];
+        for (size_t k = 0; k < PARTS; k++) {
+            part[k] = (task){.room = &room, .first = k * SHARE, .count = k < PARTS - 1 ? SHARE : COUNT - k * SHARE};
+            assert_int_equal(pthread_create(&part[k].thread, NULL, start, &part[k]), 0);
+        }
+        for (size_t k = 0; k < PARTS; k++)
+            assert_int_equal(pthread_join(part[k].thread, NULL), 0);
+        finish(&(task){.room = &room, .count = COUNT, .depth = 3});
+        assert_memory_equal(room.order, expected, sizeof expected);
+        order_room_free(&room);
+    }
+}
+
+/* Cut to the end by hand: of parts that are not cut any more, numbers are only written. */
+static void cut_to_words(const order_room *room, size_t first, size_t count)
+{
+    const size_t before = tribox_order_cut(room->scratch, room->soup.count, first, count);
+    assert_int_equal(before == 0, count <= 64);
+    if (before) {
+        assert_true(before < count && before % 64 == 0);
+        cut_to_words(room, first + before, count - before);
+        cut_to_words(room, first, before);
+    } else
+        assert_int_equal(tribox_order_finish(room->scratch, room->soup.count, first, count, room->order), TRIBOX_OK);
+}
+
+static void test_by_hand(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "by hand");
+    uint32_t expected[4200];
+    for (size_t count = 1; count <= 4200; count += 1 + (size_t)random_int(&r, 600)) {
+        order_room room = order_room_make(&r, (order_kind)random_int(&r, ORDER_KINDS), count);
+        tribox_soup_order(&room.soup, room.order, room.scratch);
+        memcpy(expected, room.order, 4 * count);
+        memset(room.order, 0xff, 4 * count);
+        for (size_t first = 0, part; first < count; first += part) {
+            part = 1 + (size_t)random_int(&r, (int)(count - first));
+            assert_int_equal(tribox_soup_order_start(&room.soup, first, part, room.scratch), TRIBOX_OK);
+        }
+        cut_to_words(&room, 0, count);
+        assert_memory_equal(room.order, expected, 4 * count);
+        order_room_free(&room);
+    }
+}
+
+static void test_arguments(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "arguments");
+    enum { FEW = 100 };
+    order_room room = order_room_make(&r, KIND_RANDOM, FEW);
+    assert_int_equal(tribox_soup_order_start(&room.soup, FEW, 0, room.scratch), TRIBOX_OK);
+    assert_int_equal(tribox_soup_order_start(&room.soup, FEW, 1, room.scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_order_start(&room.soup, 2, SIZE_MAX, room.scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_order_start(&room.soup, 0, 1, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_order_start(&room.soup, 0, FEW, room.scratch), TRIBOX_OK);
+    assert_int_equal(tribox_order_cut(NULL, FEW, 0, FEW), 0);
+    assert_int_equal(tribox_order_cut(room.scratch, FEW, 1, FEW), 0);
+    assert_int_equal(tribox_order_cut(room.scratch, FEW, 0, 64), 0);
+    assert_int_equal(tribox_order_cut(room.scratch, SIZE_MAX, 0, FEW), 0);
+    assert_int_equal(tribox_order_finish(NULL, FEW, 0, FEW, room.order), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_order_finish(room.scratch, FEW, 0, FEW, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_order_finish(room.scratch, FEW, 1, FEW, room.order), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_order_finish(NULL, FEW, FEW, 0, NULL), TRIBOX_OK);
+    order_room_free(&room);
+    const float corner[3] = {1, 2, 3};
+    const uint16_t indices[6] = {0, 0, 1, 0, 0, 0};
+    const tribox_mesh mesh = {.positions = corner, .vertices = 1, .indices = indices, .index_bytes = 2, .count = 2};
+    float scratch[8];
+    assert_int_equal(tribox_mesh_order_start(&mesh, 0, 1, scratch), TRIBOX_BAD_INDEX);
+    assert_int_equal(tribox_mesh_order_start(&mesh, 1, 1, scratch), TRIBOX_OK);
+    const tribox_boxes boxes = {{corner, corner, corner}, {corner, corner, corner}, 2};
+    assert_int_equal(tribox_boxes_order_start(&boxes, 1, 1, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_boxes_order_start(&boxes, 1, 2, scratch), TRIBOX_BAD_ARGUMENT);
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads), cmocka_unit_test(test_by_hand),
+                                       cmocka_unit_test(test_arguments)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,56 @@
+/* test_rank.c - the key of a rank by counting bits, which no input is likely to need, is that by sorting, and that by samples. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "scalar/vec_scalar.h"
+#include "kernel/rank.h"
+
+#include "common/arguments.h"
+#include "order_kinds.h"
+
+enum { MOST = 3000 };
+
+static arguments args;
+static float middles[MOST];
+static uint32_t numbers[MOST];
+
+static int by_image(const void *one, const void *other)
+{
+    const uint64_t a = *(const uint64_t *)one, b = *(const uint64_t *)other;
+    return a < b ? -1 : a > b;
+}
+
+static void demand_key(place_key key, uint64_t expected) { assert_int_equal(image_of_key(key), expected); }
+
+static void test_ranks(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "ranks");
+    static uint64_t images[MOST];
+    for (int round = 0; round < 300; round++) {
+        const size_t count = 1 + (size_t)random_int(&r, round % 2 ? 100 : MOST);
+        for (size_t i = 0; i < count; i++) {
+            middles[i] = round % 3 ? (float)random_int_between(&r, -5, 5) : (float)random_double(&r, -1, 1);
+            middles[i] = random_int(&r, 20) ? middles[i] : INFINITY;
+            numbers[i] = (uint32_t)(count - i) * (round % 5 ? 1 : UINT32_MAX / MOST); /* from 2^31 on, too */
+            images[i] = image_of_key((place_key){middles[i], numbers[i]});
+        }
+        qsort(images, count, sizeof *images, by_image);
+        for (size_t k = 0; k < 5; k++) {
+            const size_t rank = k < 2 ? k * (count - 1) : (size_t)random_int(&r, (int)count);
+            demand_key(rank_by_bits(middles, numbers, count, rank), images[rank]);
+            demand_key(key_of_rank(middles, numbers, count, rank), images[rank]);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ranks)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
