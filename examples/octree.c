@@ -14,7 +14,7 @@
 #include <time.h>
 #include <tribox.h>
 
-enum { SIDE = 256, LEVELS = 7, LEVELS_MOST = 20, LEAF = 32 /* triangles, at most, of a node without children */ };
+enum { SIDE = 256, LEVELS = 6, LEVELS_MOST = 20, LEAF = 32 /* triangles, at most, of a node without children */ };
 
 typedef float triangle[3][3];
 
