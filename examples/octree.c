@@ -1,6 +1,6 @@
 /*
- * octree.c - builds an octree over a surface, in which a triangle belongs to every leaf that it overlaps: twice, by handing lists of
- * triangles down and by an index, and compares the two.
+ * octree.c - builds an octree over a surface, in which a triangle belongs to every leaf that it overlaps: by handing lists of
+ * triangles down, and by an index; and compares the two.
  *
  *     cc -std=c11 -O2 octree.c $(pkg-config --cflags --libs tribox) -o octree && ./octree
  *

@@ -1,7 +1,7 @@
 /*
- * box_after_box.h - asks one mesh about box after box, without knowing how many will come: tests every triangle, builds an index when
- * it has paid as much for tests, and puts the mesh in order for it when it has paid as much again. So a file of boxes takes at most
- * about twice what it would take if the number were known. Answers are the same each way.
+ * box_after_box.h - asks one mesh about box after box, without knowing how many will come: tests every triangle, builds an index
+ * when it has paid as much for tests, and puts the mesh in order for it when it has paid as much again. So a file of boxes takes at
+ * most about twice what it would take if the number were known. Answers are the same each way.
  */
 #ifndef BOX_AFTER_BOX_H
 #define BOX_AFTER_BOX_H
