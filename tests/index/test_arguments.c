@@ -25,6 +25,8 @@ typedef struct call {
     const tribox_index *index_or_null;
     tribox_box box;
     const tribox_box *box_or_null;
+    tribox_oriented_box oriented;
+    const tribox_oriented_box *oriented_or_null;
     tribox_boxes boxes;
     const tribox_boxes *boxes_or_null;
     tribox_options options;
@@ -39,6 +41,7 @@ static call *right_call(void)
     c = (call){.soup = {{zeros, zeros, zeros}, {zeros, zeros, zeros}, {zeros, zeros, zeros}, COUNT},
                .index = {nodes, COUNT},
                .box = {{-1, -1, -1}, {1, 1, 1}},
+               .oriented = {{0, 0, 0}, {1, 1, 1}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                .boxes = {{zeros, zeros, zeros}, {zeros, zeros, zeros}, BOXES},
                .count = COUNT,
                .room = COUNT,
@@ -50,6 +53,7 @@ static call *right_call(void)
     c.index_or_null = &c.index;
     c.box_or_null = &c.box;
     c.boxes_or_null = &c.boxes;
+    c.oriented_or_null = &c.oriented;
     return &c;
 }
 
@@ -104,12 +108,26 @@ static tribox_status any(const call *c, outputs *out)
     return tribox_index_any(c->index_or_null, c->soup_or_null, c->box_or_null, &c->options, c->has_found ? &out->found : NULL);
 }
 
-static ask *const of_all[] = {build, update, overlap, words, list, lists, any};
+static tribox_status overlap_oriented(const call *c, outputs *out)
+{
+    return tribox_index_overlap_oriented(c->index_or_null, c->soup_or_null, c->oriented_or_null, &c->options, out->mask,
+                                         &out->report);
+}
+
+static tribox_status list_oriented(const call *c, outputs *out)
+{
+    return tribox_index_list_oriented(c->index_or_null, c->soup_or_null, c->oriented_or_null, &c->options, NULL, c->room,
+                                      c->has_place ? out->place : NULL, c->has_found ? &out->found : NULL);
+}
+
+static ask *const of_all[] = {build, update, overlap, words, list, lists, any, overlap_oriented, list_oriented};
 static ask *const of_builds[] = {build, update};
-static ask *const of_questions[] = {overlap, words, list, lists, any};
+static ask *const of_questions[] = {overlap, words, list, lists, any, overlap_oriented, list_oriented};
 static ask *const of_one_box[] = {overlap, words, list, any};
-static ask *const of_found[] = {words, list, lists, any};
-static ask *const of_places[] = {words, list, lists};
+static ask *const of_oriented[] = {overlap_oriented, list_oriented};
+static ask *const of_found[] = {words, list, lists, any, list_oriented};
+static ask *const of_lists[] = {list, lists, list_oriented};
+static ask *const of_places[] = {words, list, lists, list_oriented};
 
 static void expect_one(ask *which, const call *c, tribox_status expected)
 {
@@ -164,6 +182,9 @@ static void test_null(void **state)
     c = right_call();
     c->box_or_null = NULL;
     EXPECT(of_one_box, c, TRIBOX_BAD_ARGUMENT);
+    c = right_call();
+    c->oriented_or_null = NULL;
+    EXPECT(of_oriented, c, TRIBOX_BAD_ARGUMENT);
     c = right_call();
     c->boxes_or_null = NULL;
     expect_one(lists, c, TRIBOX_BAD_ARGUMENT);
@@ -231,8 +252,7 @@ static void test_too_many_for_numbers(void **state)
     (void)state;
     call *const c = right_call();
     c->soup.count = c->index.count = ((size_t)1 << 32) + 1;
-    expect_one(list, c, TRIBOX_BAD_ARGUMENT);
-    expect_one(lists, c, TRIBOX_BAD_ARGUMENT);
+    EXPECT(of_lists, c, TRIBOX_BAD_ARGUMENT);
     c->soup.count = c->index.count = ((size_t)1 << 38) + 1;
     expect_one(words, c, TRIBOX_BAD_ARGUMENT);
 }
@@ -265,6 +285,25 @@ static void test_boxes(void **state)
         (k < 12 ? c->box.lo : c->box.hi)[k % 3] = bad[k / 3 % 4];
         EXPECT(of_one_box, c, TRIBOX_BAD_BOX);
     }
+    for (size_t k = 0; k < 15; k++) {
+        call *const c = right_call();
+        (k < 3 ? c->oriented.center : k < 6 ? c->oriented.half : c->oriented.axis[k / 3 - 2])[k % 3] = bad[k % 4];
+        EXPECT(of_oriented, c, TRIBOX_BAD_BOX);
+    }
+}
+
+/* EXACT answers about oriented boxes with all axes or with those of the box alone. */
+static void test_axes_of_oriented_boxes(void **state)
+{
+    (void)state;
+    for (unsigned axes = TRIBOX_AXES_BOX; axes <= TRIBOX_AXES_ALL; axes += 2)
+        for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            call *const c = right_call();
+            c->options = (tribox_options){.accuracy = accuracy, .axes = axes};
+            EXPECT(of_one_box, c, TRIBOX_OK);
+            const bool has = accuracy != TRIBOX_EXACT || axes == TRIBOX_AXES_BOX || axes == TRIBOX_AXES_ALL;
+            EXPECT(of_oriented, c, has ? TRIBOX_OK : TRIBOX_BAD_OPTION);
+        }
 }
 
 /* Only the kernel counts for those that build. */
@@ -339,6 +378,7 @@ int main(void)
         cmocka_unit_test(test_counts),
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_null_outputs),
+        cmocka_unit_test(test_axes_of_oriented_boxes),
         cmocka_unit_test(test_boxes),
         cmocka_unit_test(test_options),
         cmocka_unit_test(test_nothing),

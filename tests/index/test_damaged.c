@@ -19,6 +19,7 @@ enum { COUNT_MAX = 9000, WORDS = (COUNT_MAX + 63) / 64, BOXES = 4, PAIRS = 10000
 
 static arguments args;
 static stored_soup stored;
+static bool is_lattice; /* oriented boxes about others take long */
 static form_fences fences;
 
 static int make_all(void **state)
@@ -115,6 +116,26 @@ static void check_any(const tribox_box *box, const tribox_options *options)
     demand(triangle <= stored.soup.count, "a triangle that is none");
 }
 
+static void check_oriented(const tribox_box *box, tribox_options options)
+{
+    static uint32_t list[COUNT_MAX];
+    tribox_oriented_box oriented = {{0, 0, 0}, {0, 0, 0}, {{1, 0.25f, 0}, {-0.25f, 1, 0}, {0, 0, 1}}};
+    for (int a = 0; a < 3; a++) {
+        oriented.center[a] = box->lo[a] / 2 + box->hi[a] / 2;
+        oriented.half[a] = box->hi[a] / 2 - box->lo[a] / 2;
+    }
+    options.axes = 0;
+    options.accuracy = TRIBOX_FAST;
+    tribox_report report = {SIZE_MAX, SIZE_MAX};
+    size_t found = SIZE_MAX;
+    say("tribox_index_list_oriented", &options);
+    demand(!tribox_index_overlap_oriented(&stored.index, &stored.soup, &oriented, &options, NULL, &report), "refused");
+    demand(!tribox_index_list_oriented(&stored.index, &stored.soup, &oriented, &options, NULL, COUNT_MAX, list, &found), "refused");
+    demand(found <= stored.soup.count && found == report.overlapping, "more triangles than there are");
+    for (size_t k = 0; k < found; k++)
+        demand(list[k] < stored.soup.count && (!k || list[k] > list[k - 1]), "triangles that are none, or not in order");
+}
+
 static void check_all(random_source *r)
 {
     for (int b = 0; b < BOXES; b++) {
@@ -124,6 +145,8 @@ static void check_all(random_source *r)
         check_words(&box, &options, random_int(r, 2) ? WORDS : random_below(r, WORDS));
         check_list(&box, &options, random_int(r, 2) ? COUNT_MAX : random_below(r, COUNT_MAX));
         check_any(&box, &options);
+        if (is_lattice)
+            check_oriented(&box, options);
     }
 }
 
@@ -132,7 +155,9 @@ static void draw(random_source *r)
     static const int most[] = {1, 64, 300, 4096, 4200, COUNT_MAX};
     const size_t count = (size_t)random_int(r, 1 + most[random_int(r, sizeof most / sizeof most[0])]);
     stored_soup_lay(&stored, count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
-    soup_kind_at(random_below(r, soup_kind_count()))->draw(r, &stored);
+    const size_t kind = random_below(r, soup_kind_count());
+    is_lattice = kind == 0;
+    soup_kind_at(kind)->draw(r, &stored);
     spoil_soup(r, &stored, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
     stored_soup_build(&stored, any_index_options(r).kernel);
 }
@@ -182,6 +207,7 @@ static void test_all_inside(void **state)
         for (int k = 0; k < 9; k++)
             for (size_t i = 0; i < stored.soup.count; i++)
                 stored.stream[k][i] = (float)(i % 3) - 1;
+        is_lattice = true;
         check_all(&r);
     }
 }
@@ -193,7 +219,9 @@ static void test_another_soup(void **state)
     random_source r = random_named(args.seed, "another soup");
     for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
         draw(&r);
-        soup_kind_at(random_below(&r, soup_kind_count()))->draw(&r, &stored);
+        const size_t kind = random_below(&r, soup_kind_count());
+        is_lattice = kind == 0;
+        soup_kind_at(kind)->draw(&r, &stored);
         check_all(&r);
     }
 }

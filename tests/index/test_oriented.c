@@ -1,0 +1,270 @@
+/*
+ * test_oriented.c - oriented boxes asked of an index: EXACT is tribox_overlap_oriented bit for bit on every kernel, CONSERVATIVE
+ * never misses, and what is far outside or inside is not even read.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/contact.h"
+#include "common/kernels_here.h"
+#include "fences.h"
+#include "forms.h"
+#include "hostile.h"
+#include "oriented_scenes.h"
+
+enum { COUNT_MAX = 2 * TRIBOX_INDEX_BLOCK, WORDS = COUNT_MAX / 64, PAIRS = 100000, ROUNDS = 3, BOXES = 6 };
+
+static arguments args;
+static stored_soup stored;
+static form_fences fences;
+static const char *names[KERNELS_MAX];
+static int kernels;
+
+static int make_all(void **state)
+{
+    (void)state;
+    kernels = kernels_here(names);
+    stored = stored_soup_make(COUNT_MAX);
+    fences = form_fences_make(COUNT_MAX, 1);
+    return 0;
+}
+
+static int free_all(void **state)
+{
+    (void)state;
+    stored_soup_free(&stored);
+    form_fences_free(&fences);
+    return 0;
+}
+
+static void say(const char *form, const tribox_options *options, const char *name)
+{
+    snprintf(doing, sizeof doing, "%s: %s, %zu triangles, kernel %s, accuracy %d, axes %u", form, name, stored.soup.count,
+             options->kernel, (int)options->accuracy, options->axes);
+}
+
+static void demand(bool holds, const tribox_oriented_box *box, const char *what, size_t number)
+{
+    if (holds)
+        return;
+    for (int k = 0; k < 3; k++)
+        print_error("center %a, half %a, axis %a %a %a\n", (double)box->center[k], (double)box->half[k], (double)box->axis[k][0],
+                    (double)box->axis[k][1], (double)box->axis[k][2]);
+    fail_msg("%s: %s %zu", doing, what, number);
+}
+
+static size_t population(const uint64_t *mask)
+{
+    size_t bits = 0;
+    for (size_t w = 0; w < tribox_mask_words(stored.soup.count); w++)
+        bits += (size_t)__builtin_popcountll(mask[w]);
+    return bits;
+}
+
+static void check_list(const tribox_oriented_box *box, const tribox_options *options, const uint64_t *mask, const char *name)
+{
+    const size_t expected = population(mask);
+    for (size_t room = expected / 2; room <= expected; room += expected - expected / 2 + (expected == 0)) {
+        const fenced place = fenced_place(fences.list, room * sizeof(uint32_t), AT_END);
+        const uint32_t *const list = (const uint32_t *)(const void *)place.at;
+        size_t found = SIZE_MAX, k = 0;
+        say("tribox_index_list_oriented", options, name);
+        assert_int_equal(tribox_index_list_oriented(&stored.index, &stored.soup, box, options, stored.ids, room,
+                                                    (uint32_t *)(void *)place.at, &found),
+                         TRIBOX_OK);
+        demand(found == expected, box, "triangles found", found);
+        for (size_t i = 0; i < stored.soup.count && k < room; i++)
+            if (is_set(mask, i)) {
+                demand(list[k] == stored.ids[i], box, "another triangle at place", k);
+                k++;
+            }
+        assert_nothing_beside(&place);
+    }
+}
+
+/* All that may be asked about an oriented box, with these options. */
+static void check(const tribox_oriented_box *box, const tribox_options *options, const char *name)
+{
+    static uint64_t truth[WORDS];
+    const size_t words = tribox_mask_words(stored.soup.count);
+    const tribox_options exact = {.axes = options->axes, .kernel = "scalar"};
+    tribox_report report = {0, 0}, alone = {0, 0};
+    assert_int_equal(tribox_overlap_oriented(&stored.soup, box, &exact, truth, NULL), TRIBOX_OK);
+    const fenced place = fenced_place(fences.mask, words * sizeof(uint64_t), AT_END);
+    const uint64_t *const mask = (const uint64_t *)(const void *)place.at;
+    say("tribox_index_overlap_oriented", options, name);
+    assert_int_equal(
+        tribox_index_overlap_oriented(&stored.index, &stored.soup, box, options, (uint64_t *)(void *)place.at, &report), TRIBOX_OK);
+    for (size_t i = 0; i < stored.soup.count; i++) {
+        demand(options->accuracy != TRIBOX_EXACT || is_set(mask, i) == is_set(truth, i), box, "another bit", i);
+        demand(options->accuracy != TRIBOX_CONSERVATIVE || is_set(mask, i) >= is_set(truth, i), box, "misses triangle", i);
+    }
+    assert_nothing_beside(&place);
+    demand(report.overlapping == population(mask), box, "overlapping by the report", report.overlapping);
+    demand(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : stored.soup.count), box, "undecided", report.undecided);
+    assert_int_equal(tribox_index_overlap_oriented(&stored.index, &stored.soup, box, options, NULL, &alone), TRIBOX_OK);
+    demand(alone.overlapping == report.overlapping, box, "overlapping without a mask", alone.overlapping);
+    check_list(box, options, mask, name);
+}
+
+/* Axes of a turn about one axis of the world, quarter turns among them; then scaled, sheared, or one of them lost. */
+static void draw_axes(random_source *r, tribox_oriented_box *box)
+{
+    const int about = random_int(r, 3);
+    const double angle = random_int(r, 3) ? random_double(r, -4, 4) : 0, quarter = random_int(r, 4);
+    const double c = quarter > 1 && angle == 0 ? (quarter > 2 ? -1 : 0) : cos(angle), s = c == 0 ? 1 : sin(angle);
+    memset(box->axis, 0, sizeof box->axis);
+    box->axis[about][about] = 1;
+    box->axis[(about + 1) % 3][(about + 1) % 3] = box->axis[(about + 2) % 3][(about + 2) % 3] = (float)c;
+    box->axis[(about + 1) % 3][(about + 2) % 3] = (float)s;
+    box->axis[(about + 2) % 3][(about + 1) % 3] = (float)-s;
+    const int k = random_int(r, 3), a = random_int(r, 3), kind = random_int(r, 8);
+    if (kind == 0)
+        box->axis[k][a] += (float)random_double(r, -1, 1);
+    for (int b = 0; kind == 1 && b < 3; b++)
+        box->axis[k][b] *= 0.125f;
+    for (int b = 0; kind == 2 && b < 3; b++)
+        box->axis[k][b] = 0;
+}
+
+/* About the middle of a box of hostile.h, mostly with its half lengths. */
+static tribox_oriented_box draw_oriented(random_source *r)
+{
+    const tribox_box about = draw_box(r, &stored);
+    tribox_oriented_box box;
+    draw_axes(r, &box);
+    for (int a = 0; a < 3; a++) {
+        box.center[a] = about.lo[a] / 2 + about.hi[a] / 2;
+        box.half[a] = about.hi[a] / 2 - about.lo[a] / 2;
+        if (random_int(r, 12) == 0)
+            box.half[a] = random_int(r, 2) ? 0 : -box.half[a];
+    }
+    return box;
+}
+
+static void test_hostile_soups(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t kind = 0; kind < soup_kind_count(); kind++) {
+        random_source r = random_named(args.seed, soup_kind_at(kind)->name);
+        for (size_t round = 0; round < arguments_rounds(&args, PAIRS / ROUNDS); round++) {
+            const int most = round % 8 ? 400 : COUNT_MAX;
+            stored_soup_lay(&stored, (size_t)random_int(&r, most), round % 2 ? STORED_AT_END : (int)round % STORED_SHIFTS);
+            soup_kind_at(kind)->draw(&r, &stored);
+            spoil_soup(&r, &stored, random_int(&r, 2) ? DIRT_NONE : (dirt)random_int(&r, DIRTS));
+            stored_soup_build(&stored, NULL);
+            for (int b = 0; b < BOXES; b++) {
+                const tribox_oriented_box box = draw_oriented(&r);
+                const tribox_options options = {.accuracy = (tribox_accuracy)(random_int(&r, 6) % 4 % 3),
+                                                .axes = random_int(&r, 4) ? 0 : TRIBOX_AXES_BOX,
+                                                .kernel = names[random_int(&r, kernels)]};
+                check(&box, &options, soup_kind_at(kind)->name);
+            }
+        }
+    }
+}
+
+static void test_scenes(void **state)
+{
+    (void)state;
+    static oriented_batch batch;
+    catch_faults();
+    for (int s = 0; s < ORIENTED_SCENES; s++) {
+        random_source r = random_named(args.seed, oriented_scenes[s].name);
+        for (int round = 0; round < 4; round++) {
+            oriented_draw(&oriented_scenes[s], &r, &batch);
+            stored_soup_lay(&stored, (size_t)batch.count, STORED_AT_END);
+            for (int t = 0; t < batch.count; t++)
+                for (int k = 0; k < STORED_STREAMS; k++)
+                    memcpy(&stored.stream[k][t], &batch.u[t][k % 3][k / 3], sizeof(float));
+            stored_soup_build(&stored, NULL);
+            for (int k = 0; k < kernels; k++)
+                check(&batch.box, &(tribox_options){.accuracy = (tribox_accuracy)((round + k) % 2), .kernel = names[k]},
+                      oriented_scenes[s].name);
+        }
+    }
+}
+
+/* One point all over, through which a face of a turned box goes, but for the rounding. */
+static void test_rounding(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "rounding");
+    for (int round = 0; round < 100; round++) {
+        tribox_oriented_box box;
+        const int turned = random_int(&r, 3);
+        draw_axes(&r, &box);
+        stored_soup_lay(&stored, 64, STORED_AT_END);
+        double along = 0;
+        for (int a = 0; a < 3; a++) {
+            const float place = (float)random_double(&r, -1, 1);
+            for (size_t i = 0; i < 64; i++)
+                stored.stream[3 * a][i] = stored.stream[3 * a + 1][i] = stored.stream[3 * a + 2][i] = place;
+            box.center[a] = (float)random_double(&r, -4, 4);
+            box.half[a] = 20;
+            along += (double)box.axis[turned][a] * ((double)place - (double)box.center[a]);
+        }
+        box.half[turned] = nudged(&r, (float)fabs(along), 1);
+        stored_soup_build(&stored, NULL);
+        for (int k = 0; k < kernels; k++)
+            check(&box, &(tribox_options){.accuracy = (tribox_accuracy)(round % 2), .kernel = names[k]}, "a point in a face");
+    }
+}
+
+/* Boxes turned about a node, by its radius and by far more; and boxes that its words are beside, on each side of each axis. */
+static void test_unseen(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "unseen");
+    stored_soup_lay(&stored, TRIBOX_INDEX_BLOCK, STORED_AT_END);
+    for (int k = 0; k < STORED_STREAMS; k++)
+        for (size_t i = 0; i < stored.soup.count; i++)
+            stored.stream[k][i] = 30 + (float)random_double(&r, -1, 1);
+    stored_soup_build(&stored, NULL);
+    for (int turn = 0; turn < 60; turn++)
+        for (int k = 0; k < kernels; k++) {
+            const tribox_options options = {.accuracy = (tribox_accuracy)(turn % 3), .kernel = names[k]};
+            tribox_oriented_box around = {{30, 30, 30}, {1.75f, 1.75f, 1.75f}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+            const double c = cos(turn), s = sin(turn);
+            const int a = turn % 3, b = (turn + 1) % 3, side = turn / 3 % 2 ? 4 : -4;
+            around.axis[a][a] = around.axis[b][b] = (float)c;
+            around.axis[a][b] = (float)s;
+            around.axis[b][a] = (float)-s;
+            tribox_oriented_box beside = around;
+            for (int e = 0; e < 3; e++)
+                beside.center[e] += (float)side * around.axis[turn / 6 % 3][e];
+            tribox_report inside = {0, 1}, outside = {1, 1};
+            say("a question that needs no triangle", &options, "unseen");
+            stored_soup_hide(&stored, true);
+            const tribox_status one = tribox_index_overlap_oriented(&stored.index, &stored.soup, &around, &options, NULL, &inside);
+            const tribox_status other =
+                tribox_index_overlap_oriented(&stored.index, &stored.soup, &beside, &options, NULL, &outside);
+            stored_soup_hide(&stored, false);
+            assert_int_equal(one, TRIBOX_OK);
+            assert_int_equal(other, TRIBOX_OK);
+            demand(inside.overlapping == stored.soup.count, &around, "inside", inside.overlapping);
+            demand(outside.overlapping == 0, &beside, "of those beside", outside.overlapping);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hostile_soups),
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_rounding),
+        cmocka_unit_test(test_unseen),
+    };
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
