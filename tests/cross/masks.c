@@ -274,6 +274,10 @@ static void ask_index(const round_of_scene *round, const tribox_options *options
     put_numbers(to, number, found);
     put_status(to, tribox_index_any(&index, &round->soup, &round->box, options, &found));
     *take_words(to, 1) = found;
+    uint64_t *const oriented = take_words(to, words);
+    put_status(to, tribox_index_overlap_oriented(&index, &round->soup, &round->oriented, options, oriented, NULL));
+    put_status(to, tribox_index_list_oriented(&index, &round->soup, &round->oriented, options, NULL, WORDS_MAX, number, &found));
+    put_numbers(to, number, found);
     put_status(to, tribox_index_lists(&index, &round->soup, &round->boxes, options, NULL, 0, NULL, start));
     for (size_t b = 0; b <= round->boxes.count; b++)
         *take_words(to, 1) = start[b];
