@@ -106,11 +106,14 @@ RUN(words)
 RUN(mask)
 RUN(linear)
 
+void index_warm_up(const contestant *self, uint64_t *mask) { self->run(self, mask, NULL); }
+
 contestant index_contestant(const index_question *question, index_form form, const char *kernel)
 {
     static bool (*const run[FORMS])(const contestant *, uint64_t *, tribox_report *) = {run_list,  run_count, run_any,
                                                                                         run_words, run_mask,  run_linear};
     contestant made = {.run = run[form], .question = question, .options = {.kernel = kernel}, .pairs = (double)question->count};
+    made.prepare = form == FORM_LINEAR ? NULL : index_warm_up;
     snprintf(made.name, sizeof made.name, "%s", names[form]);
     return made;
 }

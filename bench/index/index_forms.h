@@ -34,7 +34,13 @@ typedef struct index_question {
     answer_room *room;
 } index_question;
 
-/* Asks about one box after the other. kernel: NULL for the widest. */
+/*
+ * Asks everything once, before each pass and outside its time, as others that read much come between two passes: what is timed is a
+ * pass with warm caches.
+ */
+void index_warm_up(const contestant *self, uint64_t *mask);
+
+/* Asks about one box after the other, with warm caches; linear as it finds them. kernel: NULL for the widest. */
 contestant index_contestant(const index_question *question, index_form form, const char *kernel);
 
 /* The same with caches that hold other things before each pass. */

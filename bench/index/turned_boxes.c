@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "console/message.h"
+#include "index_forms.h"
 
 /* Turned by 0.5 about x, then by 0.7 about z. */
 static tribox_oriented_box turn(const tribox_box *box)
@@ -87,8 +88,12 @@ static bool run_linear(const contestant *self, uint64_t *mask, tribox_report *re
 
 contestant turned_boxes_by_index(const turned_boxes *question, const char *kernel)
 {
-    return (contestant){
-        .name = "turned", .run = run_index, .question = question, .options = {.kernel = kernel}, .pairs = (double)question->count};
+    return (contestant){.name = "turned",
+                        .run = run_index,
+                        .prepare = index_warm_up,
+                        .question = question,
+                        .options = {.kernel = kernel},
+                        .pairs = (double)question->count};
 }
 
 contestant turned_boxes_linear(const turned_boxes *question, size_t boxes, const char *kernel)

@@ -9,7 +9,7 @@
 #include "console/clock.h"
 #include "console/message.h"
 
-static const double once_seconds = 1;
+static const double once_seconds = 1, warm_seconds = 0.1; /* a pass of more than so long fills the caches by itself */
 
 bool field_make(const index_scene *scene, size_t boxes_most, field *made)
 {
@@ -219,6 +219,7 @@ void field_time(field *f, size_t rounds, size_t linear_boxes, generator *order, 
             peer_question *const q = &questions[entrants[e].peer - f->peers];
             *q = (peer_question){&f->peers[entrants[e].peer - f->peers], f->boxes, f->box_count};
             list[timed] = (contestant){.run = entrants[e].is_any ? run_any : run_list, .question = q, .pairs = (double)q->count};
+            list[timed].prepare = q->with->list_seconds > warm_seconds ? NULL : index_warm_up;
             list[timed].is_timed_once = !entrants[e].is_any && q->with->list_seconds > once_seconds;
         }
         place[timed++] = e;
