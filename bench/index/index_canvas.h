@@ -19,8 +19,8 @@ typedef struct canvas {
 } canvas;
 
 /*
- * An empty picture of so many pixels that a soup and a box fit. from: where the eye is, so many degrees to the right of the front, and
- * above it. Returns false if memory fails.
+ * An empty picture of so many pixels that a soup and a box fit. from: where the eye is, so many degrees to the right of the front,
+ * and above it. Returns false if memory fails.
  */
 bool canvas_make(unsigned width, unsigned height, const tribox_soup *soup, const tribox_box *box, const double from[2],
                  canvas *made);
