@@ -7,6 +7,7 @@
 #ifndef TRIBOX_KERNEL_H
 #define TRIBOX_KERNEL_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include "indices.h"
@@ -187,21 +188,6 @@ typedef struct tribox_moved {
 typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t count,
                              tribox_moved *moved);
 
-/* Where triangles or boxes lie: the middle of each bounding box, infinite where one is not finite, and its number. */
-typedef struct tribox_places {
-    float *middle[3];
-    uint32_t *number;
-} tribox_places;
-
-/*
- * The places of `count` triangles of a soup, from triangle `first` on, or where it is NULL of boxes: numbered from `number` on.
- */
-typedef void tribox_find_middles(const tribox_soup *soup, const tribox_boxes *boxes, size_t first, size_t count, size_t number,
-                                 const tribox_places *places);
-
-/* Puts the `before` places that come before a cut before the others, of `count`, which are more than 64. */
-typedef void tribox_cut(const tribox_places *places, size_t count, size_t before);
-
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
@@ -215,8 +201,6 @@ typedef struct tribox_kernel {
     tribox_gather *gather;
     tribox_is_beside *is_beside;
     tribox_to_frame *to_frame;
-    tribox_find_middles *find_middles;
-    tribox_cut *cut;
     tribox_in_double *in_double;
     const tribox_cells_kernel *cells;
     const tribox_grid_kernel *grid;

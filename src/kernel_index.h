@@ -1,4 +1,4 @@
-/* kernel_index.h - how index.c and the kernels speak of the nodes of an index. */
+/* kernel_index.h - how index.c, order.c and the kernels speak of the nodes of an index, and of the order that makes it fast. */
 #ifndef TRIBOX_KERNEL_INDEX_H
 #define TRIBOX_KERNEL_INDEX_H
 
@@ -37,12 +37,29 @@ typedef tribox_touch tribox_touch_oriented(const tribox_node *node, unsigned cou
 /* The children the middle of whose bounds is in the box: which of their triangles are likely to overlap. */
 typedef uint64_t tribox_find_centred(const tribox_node *node, const tribox_box *box);
 
+/* Where triangles or boxes lie: the middle of each bounding box, infinite where one is not finite, and its number. */
+typedef struct tribox_places {
+    float *middle[3];
+    uint32_t *number;
+} tribox_places;
+
+/*
+ * The places of `count` triangles of a soup, from triangle `first` on, or where it is NULL of boxes: numbered from `number` on.
+ */
+typedef void tribox_find_middles(const tribox_soup *soup, const tribox_boxes *boxes, size_t first, size_t count, size_t number,
+                                 const tribox_places *places);
+
+/* Puts the `before` places that come before a cut before the others, of `count`, which are more than 64. */
+typedef void tribox_cut(const tribox_places *places, size_t count, size_t before);
+
 typedef struct tribox_index_kernel {
     tribox_bound_soup *bound_soup;
     tribox_bound_nodes *bound_nodes;
     tribox_touch_node *touch;
     tribox_touch_oriented *touch_oriented;
     tribox_find_centred *find_centred;
+    tribox_find_middles *find_middles;
+    tribox_cut *cut;
 } tribox_index_kernel;
 
 #endif

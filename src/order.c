@@ -9,6 +9,7 @@
 #include <float.h>
 #include <string.h>
 
+#include "box.h"
 #include "dispatch.h"
 #include "environment.h"
 #include "mesh_input.h"
@@ -32,28 +33,20 @@ tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, siz
         return TRIBOX_OK;
     const tribox_places places = tribox_places_in(scratch, soup->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->find_middles(soup, NULL, first, count, first, &places);
+    tribox_kernel_find(NULL)->index->find_middles(soup, NULL, first, count, first, &places);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
 
-static bool has_streams(const tribox_boxes *boxes)
-{
-    bool has = true;
-    for (int a = 0; a < 3; a++)
-        has &= boxes->lo[a] && boxes->hi[a];
-    return has;
-}
-
 tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
 {
-    if (!boxes || !is_range(boxes->count, first, count, scratch) || (boxes->count && !has_streams(boxes)))
+    if (!tribox_boxes_are_readable(boxes) || !is_range(boxes->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
     if (!count)
         return TRIBOX_OK;
     const tribox_places places = tribox_places_in(scratch, boxes->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->find_middles(NULL, boxes, first, count, first, &places);
+    tribox_kernel_find(NULL)->index->find_middles(NULL, boxes, first, count, first, &places);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -69,7 +62,7 @@ static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, s
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_places places = tribox_places_in(scratch, mesh->count, first);
         kernel->gather(mesh, first, count, to);
-        kernel->find_middles(&soup, NULL, 0, count, first, &places);
+        kernel->index->find_middles(&soup, NULL, 0, count, first, &places);
     }
 }
 
@@ -94,7 +87,7 @@ size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count)
         return 0;
     const tribox_places places = tribox_places_in(scratch, total, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->cut(&places, count, before);
+    tribox_kernel_find(NULL)->index->cut(&places, count, before);
     tribox_environment_leave(callers);
     return before;
 }
@@ -114,7 +107,7 @@ void tribox_places_finish(const tribox_kernel *kernel, void *scratch, size_t tot
 {
     for (size_t before; (before = tribox_places_before_cut(count)) != 0; first += before, count -= before) {
         const tribox_places places = tribox_places_in(scratch, total, first);
-        kernel->cut(&places, count, before);
+        kernel->index->cut(&places, count, before);
         tribox_places_finish(kernel, scratch, total, first, before, order);
     }
     const tribox_places word = tribox_places_in(scratch, total, first);

@@ -52,6 +52,9 @@ typedef struct lane_shape {
 TRIBOX_INLINE vnum lane_min3(vnum a, vnum b, vnum c) { return v_min(v_min(a, b), c); }
 TRIBOX_INLINE vnum lane_max3(vnum a, vnum b, vnum c) { return v_max(v_max(a, b), c); }
 
+/* Zero of finite numbers, NaN of others: a number minus itself. */
+TRIBOX_INLINE vnum lane_lost3(vnum a, vnum b, vnum c) { return v_add(v_add(v_sub(a, a), v_sub(b, b)), v_sub(c, c)); }
+
 TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
 {
     box->lo[a] = lo;

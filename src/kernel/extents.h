@@ -20,13 +20,10 @@ TRIBOX_INLINE lane_extent no_extent(void)
     return extent;
 }
 
-/* Zero of three finite numbers, NaN of others. */
-TRIBOX_INLINE vnum lost_of3(vnum a, vnum b, vnum c) { return v_add(v_add(v_sub(a, a), v_sub(b, b)), v_sub(c, c)); }
-
 /* Takes in the finite ones of a packet of triangles, u[k] being number k in the order of the streams. Returns which they are. */
 TRIBOX_INLINE vmask take_triangles(lane_extent *extent, const vnum u[9])
 {
-    const vnum lost = v_add(v_add(lost_of3(u[0], u[1], u[2]), lost_of3(u[3], u[4], u[5])), lost_of3(u[6], u[7], u[8]));
+    const vnum lost = v_add(v_add(lane_lost3(u[0], u[1], u[2]), lane_lost3(u[3], u[4], u[5])), lane_lost3(u[6], u[7], u[8]));
     const vmask is_finite = v_is_zero(lost);
     for (int a = 0; a < 3; a++) {
         const vnum least = lane_min3(u[3 * a], u[3 * a + 1], u[3 * a + 2]);

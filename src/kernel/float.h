@@ -12,7 +12,4 @@
 #include "frame.h"
 #include "move.h"
 #include "survey.h"
-#include "middles.h"
-#include "rank.h"
-#include "cut.h"
 #include "batch.h"

@@ -1,10 +1,14 @@
-/* index.h - the texts of a kernel about indices, in order, and its table. After: a vocabulary of float, and KERNEL, its name. */
+/* index.h - the texts of a kernel about indices and their order, and its table. After: a vocabulary of float, and KERNEL, its name. */
+#include "bits.h"
 #include "kernel_index.h"
 #include "axes.h"
 #include "extents.h"
 #include "nodes.h"
 #include "frame.h"
 #include "slabs.h"
+#include "middles.h"
+#include "rank.h"
+#include "cut.h"
 
 extern const tribox_index_kernel TRIBOX_SYMBOL(index);
 const tribox_index_kernel TRIBOX_SYMBOL(index) = {
@@ -12,5 +16,7 @@ const tribox_index_kernel TRIBOX_SYMBOL(index) = {
     .bound_nodes = bound_nodes,
     .touch = touch,
     .find_centred = find_centred,
+    .find_middles = find_middles,
+    .cut = cut,
     .touch_oriented = touch_oriented,
 };

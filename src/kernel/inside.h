@@ -3,15 +3,12 @@
  * After: tail.h, axes.h, packet.h.
  */
 
-/*
- * The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. A number minus itself is zero if it is finite,
- * and NaN, for which no comparison is true, if it is not.
- */
+/* The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. */
 TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
 {
     const float *const *const stream = tribox_soup_axis(soup, a);
     const vnum u0 = v_load(stream[0] + at), u1 = v_load(stream[1] + at), u2 = v_load(stream[2] + at);
-    const vmask is_finite = v_gt(v_splat(1), v_add(v_add(v_sub(u0, u0), v_sub(u1, u1)), v_sub(u2, u2)));
+    const vmask is_finite = v_is_zero(lane_lost3(u0, u1, u2));
     const vmask is_beyond = m_or(v_gt(box->lo[a], lane_min3(u0, u1, u2)), v_gt(lane_max3(u0, u1, u2), box->hi[a]));
     return left & m_bits(m_andnot(is_finite, is_beyond));
 }

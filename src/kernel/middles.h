@@ -1,9 +1,7 @@
 /*
  * middles.h - where triangles and boxes lie: the middles of their bounding boxes.
- * After: tail.h.
+ * After: axes.h. Needs: v_load_few.
  */
-
-#include <float.h>
 
 static const int32_t LANE_NUMBERS[TRIBOX_LANES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
@@ -21,15 +19,15 @@ TRIBOX_INLINE vnum load_up_to(const float *stream, size_t at, size_t count)
     return count < V_LANES ? v_load_few(stream + at, count) : v_load(stream + at);
 }
 
-/* The middles of a packet, and in which lanes all is finite: a number less itself is 0 or NaN. */
+/* The middles of a packet, and in which lanes all is finite. */
 TRIBOX_INLINE vmask middles_of_triangles(const tribox_soup *soup, size_t at, size_t count, vnum middle[3])
 {
     vnum sum = v_splat(0);
     for (int a = 0; a < 3; a++) {
         const float *const *const stream = tribox_soup_axis(soup, a);
         const vnum u = load_up_to(stream[0], at, count), v = load_up_to(stream[1], at, count), w = load_up_to(stream[2], at, count);
-        middle[a] = half_way(v_min(v_min(u, v), w), v_max(v_max(u, v), w));
-        sum = v_add(sum, v_add(v_add(v_sub(u, u), v_sub(v, v)), v_sub(w, w)));
+        middle[a] = half_way(lane_min3(u, v, w), lane_max3(u, v, w));
+        sum = v_add(sum, lane_lost3(u, v, w));
     }
     return v_is_zero(sum);
 }

@@ -1,13 +1,11 @@
 /*
  * rank.h - which of many keys has a given rank, in time that grows with their number whatever they are.
- * After: tail.h. Needs: v_pack, i_pack.
+ * After: a vocabulary. Needs: v_pack, i_pack.
  *
  * A key is a middle and a number, compared in this order; no two are the same. A large range of them is narrowed, by limits from a
  * sample, until it fits a list. Samples are drawn in the same way each time, and from everywhere, so that sorted, repeated and
  * periodic keys are not special. Should a range not narrow all the same, bits are counted.
  */
-
-#include "bits.h"
 
 enum { LISTED = 2048, FEW_KEYS = 16, ROUNDS_MOST = 8, SPLITS_MOST = 40 };
 

@@ -7,6 +7,7 @@
 #include <cmocka.h>
 
 #include "scalar/vec_scalar.h"
+#include "bits.h"
 #include "kernel/rank.h"
 
 #include "common/arguments.h"

@@ -10,7 +10,7 @@ include='#[[:space:]]*include'
 status=0
 for text in *.h; do
     case $text in
-    float.h | double.h | cells.h | grid.h) refused="$forbidden|$include[[:space:]]*[^\"[:space:]]|$include.*/" ;;
+    float.h | double.h | cells.h | grid.h | index.h) refused="$forbidden|$include[[:space:]]*[^\"[:space:]]|$include.*/" ;;
     *) refused="$forbidden|$include" ;;
     esac
     if grep -nE "$refused" "$text"; then
