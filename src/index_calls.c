@@ -69,38 +69,42 @@ static bool is_empty(const tribox_query *q)
     return q->oriented ? tribox_oriented_is_empty(q->oriented) : tribox_box_is_empty(q->pairs.box);
 }
 
-/* Answers about the box of a prepared call, in the form that is set. */
-static void answer(call *c, tribox_report *report)
+/* Answers about the box of a call in the form that is set, if it could be prepared. found: of words or a list; else NULL. */
+static tribox_status answer(call *c, tribox_status prepared, size_t *found, tribox_report *report)
 {
+    if (prepared)
+        return prepared;
     if (c->answers.form == TRIBOX_MASK)
         tribox_pairs_write_none(c->query.pairs.count, c->answers.mask);
     const tribox_environment callers = tribox_environment_enter();
     if (!is_empty(&c->query))
         tribox_query_run(&c->query);
     tribox_environment_leave(callers);
+    if (found)
+        *found = c->answers.found;
     tribox_plan_report(&c->plan, c->answers.counts, report);
+    return TRIBOX_OK;
+}
+
+static void set_mask(call *c, uint64_t *mask)
+{
+    c->answers = (tribox_answers){.form = mask ? TRIBOX_MASK : TRIBOX_COUNT, .mask = mask};
 }
 
 tribox_status tribox_index_overlap(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
                                    const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
     call c;
-    c.answers = (tribox_answers){.form = mask ? TRIBOX_MASK : TRIBOX_COUNT, .mask = mask};
-    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
-    if (!status)
-        answer(&c, report);
-    return status;
+    set_mask(&c, mask);
+    return answer(&c, prepare_at_box(&c, index, soup, box, options), NULL, report);
 }
 
 tribox_status tribox_index_overlap_oriented(const tribox_index *index, const tribox_soup *soup, const tribox_oriented_box *box,
                                             const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
     call c;
-    c.answers = (tribox_answers){.form = mask ? TRIBOX_MASK : TRIBOX_COUNT, .mask = mask};
-    const tribox_status status = prepare_at_oriented(&c, index, soup, box, options);
-    if (!status)
-        answer(&c, report);
-    return status;
+    set_mask(&c, mask);
+    return answer(&c, prepare_at_oriented(&c, index, soup, box, options), NULL, report);
 }
 
 tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
@@ -111,49 +115,33 @@ tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *s
         return TRIBOX_BAD_ARGUMENT;
     call c;
     c.answers = (tribox_answers){.form = TRIBOX_WORDS, .number = number, .bits = bits, .inside = inside, .room = room};
-    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
-    if (status)
-        return status;
-    answer(&c, report);
-    *found = c.answers.found;
-    return TRIBOX_OK;
+    return answer(&c, prepare_at_box(&c, index, soup, box, options), found, report);
 }
 
-/* A list of triangles of this soup can be written. */
-static bool can_list(const tribox_soup *soup, size_t room, const uint32_t *list)
+/* False if no list of triangles of this soup can be written there. */
+static bool set_list(call *c, const tribox_soup *soup, const uint32_t *ids, size_t room, uint32_t *list)
 {
+    c->answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
     return (list || !room) && soup && tribox_has_numbers(soup->count);
 }
 
 tribox_status tribox_index_list(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
                                 const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list, size_t *found)
 {
-    if (!found || !can_list(soup, room, list))
-        return TRIBOX_BAD_ARGUMENT;
     call c;
-    c.answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
-    const tribox_status status = prepare_at_box(&c, index, soup, box, options);
-    if (status)
-        return status;
-    answer(&c, NULL);
-    *found = c.answers.found;
-    return TRIBOX_OK;
+    if (!found || !set_list(&c, soup, ids, room, list))
+        return TRIBOX_BAD_ARGUMENT;
+    return answer(&c, prepare_at_box(&c, index, soup, box, options), found, NULL);
 }
 
 tribox_status tribox_index_list_oriented(const tribox_index *index, const tribox_soup *soup, const tribox_oriented_box *box,
                                          const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list,
                                          size_t *found)
 {
-    if (!found || !can_list(soup, room, list))
-        return TRIBOX_BAD_ARGUMENT;
     call c;
-    c.answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
-    const tribox_status status = prepare_at_oriented(&c, index, soup, box, options);
-    if (status)
-        return status;
-    answer(&c, NULL);
-    *found = c.answers.found;
-    return TRIBOX_OK;
+    if (!found || !set_list(&c, soup, ids, room, list))
+        return TRIBOX_BAD_ARGUMENT;
+    return answer(&c, prepare_at_oriented(&c, index, soup, box, options), found, NULL);
 }
 
 static tribox_box box_at(const tribox_boxes *boxes, size_t i)
@@ -164,10 +152,9 @@ static tribox_box box_at(const tribox_boxes *boxes, size_t i)
 tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *soup, const tribox_boxes *boxes,
                                  const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list, size_t *start)
 {
-    if (!start || !can_list(soup, room, list) || !is_readable(index, soup) || !tribox_boxes_are_readable(boxes))
-        return TRIBOX_BAD_ARGUMENT;
     call c;
-    c.answers = (tribox_answers){.form = TRIBOX_LIST, .ids = ids, .list = list, .room = room};
+    if (!start || !set_list(&c, soup, ids, room, list) || !is_readable(index, soup) || !tribox_boxes_are_readable(boxes))
+        return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = prepare(&c, index, soup, options);
     if (status)
         return status;
