@@ -170,6 +170,13 @@ static place_key rank_list(key_list *list, size_t rank)
     return key_of_image(rank_few(one, rank));
 }
 
+static void copy_list(key_list *list, const float *middle, const uint32_t *number, size_t count)
+{
+    memcpy(list->middle, middle, count * sizeof *middle);
+    memcpy(list->number, number, count * sizeof *number);
+    list->count = count;
+}
+
 /* Lists the keys of a range, as far as they fit. Returns how many come before them; list->count: how many they are. */
 static size_t list_keys(const float *middle, const uint32_t *number, size_t count, const key_range *range, key_list *list)
 {
@@ -214,20 +221,20 @@ static void draw_sample(const float *middle, const uint32_t *number, size_t coun
     list->count = listed;
 }
 
-/* Limits between which the key of rank `rank` among `inside` keys of the range most likely lies. */
-static key_range narrowed(const key_range *range, const key_list *sample, size_t rank, size_t inside)
+/* Limits between which the key of rank `rank` among `inside` keys of the range most likely lies. The sample is spoilt. */
+static key_range narrowed(const key_range *range, key_list *sample, size_t rank, size_t inside)
 {
     size_t slack = 1;
     while (slack * slack < sample->count)
         slack++;
     const size_t at = (size_t)((double)rank / (double)inside * (double)sample->count);
-    key_list copy = *sample;
+    key_list copy;
     key_range limits = *range;
+    copy_list(&copy, sample->middle, sample->number, sample->count);
     if (at > slack)
         limits.least = rank_list(&copy, at - slack);
-    copy = *sample;
     if (at + slack < sample->count)
-        limits.most = rank_list(&copy, at + slack);
+        limits.most = rank_list(sample, at + slack);
     return limits;
 }
 
@@ -239,9 +246,7 @@ static place_key key_of_rank(const float *middle, const uint32_t *number, size_t
     size_t before = 0, inside = count;
     uint64_t state = 1;
     if (count <= LISTED) {
-        memcpy(list.middle, middle, count * sizeof *middle);
-        memcpy(list.number, number, count * sizeof *number);
-        list.count = count;
+        copy_list(&list, middle, number, count);
         return rank_list(&list, rank);
     }
     for (int round = 0; round < ROUNDS_MOST; round++) {
