@@ -420,7 +420,7 @@ TRIBOX_API tribox_status tribox_index_list_oriented(const tribox_index *index, c
  * log(count), whatever the triangles are.
  *
  * order: room for soup->count numbers.
- * scratch: 16 bytes for each triangle, aligned as floats are.
+ * scratch: 16 bytes for each triangle, aligned as floats are. Besides, the call takes up to 64 KB of stack.
  *
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or scratch is NULL and the soup is
  * not empty; count is more than 2^32 or exceeds the address space).

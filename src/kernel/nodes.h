@@ -2,7 +2,8 @@
  * nodes.h - a node of an index beside a box, child by child.
  * After: axes.h.
  *
- * Bounds and box are numbers of the input: every comparison is exact. Box and children are closed, so touching is not apart.
+ * Bounds and box are numbers of the input: every comparison is exact. Box and children are closed, so touching is not apart
+ * (PROOFS.md 13.2, 13.3).
  */
 
 /* Bounds in lanes, in the order of a node. */
