@@ -199,7 +199,7 @@ static void test_rounding(void **state)
     (void)state;
     catch_faults();
     random_source r = random_named(args.seed, "rounding");
-    for (int round = 0; round < 100; round++) {
+    for (int round = 0; round < 500; round++) {
         tribox_oriented_box box;
         const int turned = random_int(&r, 3);
         draw_axes(&r, &box);
@@ -211,12 +211,13 @@ static void test_rounding(void **state)
                 stored.stream[3 * a][i] = stored.stream[3 * a + 1][i] = stored.stream[3 * a + 2][i] = place;
             box.center[a] = (float)random_double(&r, -4, 4);
             box.half[a] = 20;
+            if (round % 2) /* bounds from here to the center */
+                stored.stream[3 * a][0] = stored.stream[3 * a + 1][0] = stored.stream[3 * a + 2][0] = box.center[a];
             along += (double)box.axis[turned][a] * ((double)place - (double)box.center[a]);
         }
         box.half[turned] = nudged(&r, (float)fabs(along), 1);
         stored_soup_build(&stored, NULL);
-        for (int k = 0; k < kernels; k++)
-            check(&box, &(tribox_options){.accuracy = (tribox_accuracy)(round % 2), .kernel = names[k]}, "a point in a face");
+        check(&box, &(tribox_options){.kernel = names[round % kernels]}, "a point in a face");
     }
 }
 
