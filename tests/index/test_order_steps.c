@@ -1,4 +1,8 @@
-/* test_order_steps.c - an order made step by step, by threads or one after the other, is the order of the single call. */
+/*
+ * test_order_steps.c - an order made step by step, by threads or one after the other, is the order of the single call, which takes
+ * no more stack than the header says.
+ */
+#define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -7,6 +11,7 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
+#include "common/thread_stack.h"
 #include "order_kinds.h"
 
 enum { COUNT = 20000, PARTS = 8, SHARE = (COUNT + PARTS - 1) / PARTS };
@@ -135,10 +140,31 @@ static void test_arguments(void **state)
     assert_int_equal(tribox_boxes_order_start(&boxes, 1, 2, scratch), TRIBOX_BAD_ARGUMENT);
 }
 
+static void *order_all(void *argument)
+{
+    const order_room *const room = argument;
+    assert_int_equal(tribox_soup_order(&room->soup, room->order, room->scratch), TRIBOX_OK);
+    return NULL;
+}
+
+static void test_stack(void **state)
+{
+    enum { STATED = 64 * 1024 };
+    (void)state;
+    if (!is_ordinary_build())
+        skip();
+    random_source r = random_named(args.seed, "stack");
+    order_room room = order_room_make(&r, KIND_RANDOM, COUNT);
+    const size_t taken = stack_of(order_all, &room);
+    order_room_free(&room);
+    if (taken > STATED)
+        fail_msg("%zu bytes of stack, %d are stated", taken, STATED);
+}
+
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads), cmocka_unit_test(test_by_hand),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_stack),
                                        cmocka_unit_test(test_arguments)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,14 +1,11 @@
 /*
- * test_stack.c - a voxelization takes no more stack than the header says, on every kernel: the stack of a thread is painted before
- * the call, and what is still painted after it was not touched.
+ * test_stack.c - a voxelization takes no more stack than the header says, on every kernel.
  */
 #define _POSIX_C_SOURCE 200809L
-#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -16,9 +13,10 @@
 #include "common/arguments.h"
 #include "common/kernels_here.h"
 #include "common/random_draws.h"
+#include "common/thread_stack.h"
 #include "tribox.h"
 
-enum { TRIANGLES = 5000, CELLS = 130, STATED = 84 * 1024, STACK = 1 << 20, PAINT = 0x5a };
+enum { TRIANGLES = 5000, CELLS = 130, STATED = 84 * 1024 };
 
 static float streams[9][TRIANGLES];
 static uint64_t occupied[CELLS * CELLS * ((CELLS + 63) / 64)];
@@ -54,54 +52,19 @@ static void *voxelize(void *options)
     return NULL;
 }
 
-static void *nothing(void *data) { return data; }
-
-/* The bytes of stack that a thread touches. */
-static size_t stack_of(void *(*run)(void *), tribox_options *options)
-{
-    unsigned char *const stack = aligned_alloc(4096, STACK);
-    pthread_attr_t attributes;
-    pthread_t thread;
-    size_t untouched = 0;
-    assert_non_null(stack);
-    memset(stack, PAINT, STACK);
-    assert_int_equal(pthread_attr_init(&attributes), 0);
-    assert_int_equal(pthread_attr_setstack(&attributes, stack, STACK), 0);
-    assert_int_equal(pthread_create(&thread, &attributes, run, options), 0);
-    assert_int_equal(pthread_join(thread, NULL), 0);
-    pthread_attr_destroy(&attributes);
-    while (untouched < STACK && stack[untouched] == PAINT)
-        untouched++;
-    free(stack);
-    return STACK - untouched;
-}
-
-/* Instrumented code, and code that is not optimised, takes more. */
-static bool is_ordinary_build(void)
-{
-#if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__)
-    return false;
-#elif defined(__has_feature)
-    return !__has_feature(address_sanitizer) && !__has_feature(memory_sanitizer);
-#else
-    return true;
-#endif
-}
-
 static void test_stack(void **state)
 {
     const arguments *const args = *state;
     random_source r = random_named(args->seed, "stack");
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
-    const size_t empty = stack_of(nothing, NULL);
     if (!is_ordinary_build())
         skip();
     draw_soup(&r);
     for (int k = 0; k < kernel_count; k++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[k]};
-            const size_t taken = stack_of(voxelize, &options) - empty;
+            const size_t taken = stack_of(voxelize, &options);
             if (taken > STATED)
                 fail_msg("%s, accuracy %d: %zu bytes of stack, %d are stated", kernels[k], accuracy, taken, STATED);
         }
