@@ -20,38 +20,61 @@ TRIBOX_INLINE lane_extent no_extent(void)
     return extent;
 }
 
-/* Takes in the finite ones of a packet of triangles, u[k] being number k in the order of the streams. Returns which they are. */
-TRIBOX_INLINE vmask take_triangles(lane_extent *extent, const vnum u[9])
+/* In each lane zero of a finite triangle, NaN of others. */
+TRIBOX_INLINE vnum lost_of_triangles(const vnum u[9])
 {
-    const vnum lost = v_add(v_add(lane_lost3(u[0], u[1], u[2]), lane_lost3(u[3], u[4], u[5])), lane_lost3(u[6], u[7], u[8]));
-    const vmask is_finite = v_is_zero(lost);
+    return v_add(v_add(lane_lost3(u[0], u[1], u[2]), lane_lost3(u[3], u[4], u[5])), lane_lost3(u[6], u[7], u[8]));
+}
+
+/* Takes in a packet of triangles but those that are left out, u[k] being number k in the order of the streams. */
+TRIBOX_INLINE void take_triangles(lane_extent *extent, const vnum u[9], vmask left_out)
+{
     for (int a = 0; a < 3; a++) {
         const vnum least = lane_min3(u[3 * a], u[3 * a + 1], u[3 * a + 2]);
         const vnum most = lane_max3(u[3 * a], u[3 * a + 1], u[3 * a + 2]);
         /* Of NaN and a bound, the bound. */
-        extent->bound[a] = v_min(v_drop(m_not(is_finite), least), extent->bound[a]);
-        extent->bound[3 + a] = v_max(v_drop(m_not(is_finite), most), extent->bound[3 + a]);
+        extent->bound[a] = v_min(v_drop(left_out, least), extent->bound[a]);
+        extent->bound[3 + a] = v_max(v_drop(left_out, most), extent->bound[3 + a]);
     }
-    return is_finite;
 }
 
-/* `count` triangles of a soup, 64 at most. Returns whether they are 64, and all are finite. */
+/* A packet at triangle `at`; if it is not whole, lanes past its last triangle repeat another, which changes no bound. */
+TRIBOX_INLINE void load_triangles(vnum u[9], const tribox_soup *soup, size_t at, size_t count)
+{
+    for (int k = 0; k < 9; k++) {
+        const float *const from = tribox_soup_axis(soup, k / 3)[k % 3] + at;
+        u[k] = count < V_LANES ? v_load_few(from, count) : v_load(from);
+    }
+}
+
+/* The same of a word that is not whole. */
+static void take_finite(lane_extent *extent, const tribox_soup *soup, size_t first, size_t count)
+{
+    vnum u[9];
+    *extent = no_extent();
+    for (size_t done = 0; done < count; done += V_LANES) {
+        load_triangles(u, soup, first + done, count - done);
+        take_triangles(extent, u, m_not(v_is_zero(lost_of_triangles(u))));
+    }
+}
+
+/*
+ * `count` triangles of a soup, 64 at most. Returns whether they are 64, and all are finite. As in most words they are, that is asked
+ * once for all of them.
+ */
 TRIBOX_INLINE bool take_word(lane_extent *extent, const tribox_soup *soup, size_t first, size_t count)
 {
-    vmask are_finite = m_all();
-    vnum u[9];
+    vnum u[9], lost = v_splat(0);
     size_t done = 0;
     for (; done + V_LANES <= count; done += V_LANES) {
-        for (int k = 0; k < 9; k++)
-            u[k] = v_load(tribox_soup_axis(soup, k / 3)[k % 3] + first + done);
-        are_finite = m_and(are_finite, take_triangles(extent, u));
+        load_triangles(u, soup, first + done, V_LANES);
+        lost = v_add(lost, lost_of_triangles(u));
+        take_triangles(extent, u, m_none());
     }
-    if (done < count) { /* the lanes past the last triangle repeat another, which changes no bound */
-        for (int k = 0; k < 9; k++)
-            u[k] = v_load_few(tribox_soup_axis(soup, k / 3)[k % 3] + first + done, count - done);
-        take_triangles(extent, u);
-    }
-    return count == 64 && m_bits(are_finite) == LANES_ALL;
+    if (done == count && m_bits(v_is_zero(lost)) == LANES_ALL)
+        return count == 64;
+    take_finite(extent, soup, first, count);
+    return false;
 }
 
 /* All children of a node. */
