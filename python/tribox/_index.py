@@ -103,9 +103,11 @@ class Index:
 
     def __setstate__(self, state):
         """Nodes that another version of the library, or the other byte order, wrote are built again."""
-        soup, nodes = Soup(state["streams"]), state["nodes"]
+        soup, nodes, ids = Soup(state["streams"]), state["nodes"], state["ids"]
+        if ids is not None and (ids.dtype, ids.shape) != (NUMBER, (len(soup),)):
+            raise InputError(f"a pickled Index of {len(soup)} triangles has {ids.shape} numbers of type {ids.dtype}")
         fits = (state["version"], state["byteorder"], len(nodes)) == (VERSION, sys.byteorder, lib.tribox_index_bytes(len(soup)))
-        self._set(soup, state["ids"], nodes if fits else None)
+        self._set(soup, ids, nodes if fits else None)
 
     def overlap(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False, out=None):
         """Tells which triangles overlap the closed box from lo to hi: an array of n bool, as tribox.overlap returns it.

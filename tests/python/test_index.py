@@ -185,6 +185,13 @@ class Pickles(cases.TestCase):
             other.__setstate__(state)
             self.same(index, other)
 
+    def test_damaged(self):
+        """Numbers that are not one for each triangle would be read beyond their end."""
+        state = tribox.Index(self.triangles).__getstate__()
+        for odd in (state["ids"][1:], state["ids"].astype(np.uint16)):
+            other = tribox.Index.__new__(tribox.Index)
+            self.refuse(InputError, None, "5000 triangles", other.__setstate__, {**state, "ids": odd})
+
 
 class Errors(cases.TestCase):
     def setUp(self):
