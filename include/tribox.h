@@ -396,8 +396,8 @@ TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribo
                                           const tribox_options *options, size_t *triangle);
 
 /**
- * tribox_overlap_oriented by an index: the same mask at EXACT. At CONSERVATIVE and FAST it may differ within rounding of contact:
- * groups of triangles that certainly miss the box, or certainly lie wholly inside, are not tested.
+ * tribox_overlap_oriented by an index. At EXACT it is the same mask; at CONSERVATIVE and FAST it may differ within rounding of
+ * contact, as groups of triangles that certainly miss the box, or certainly lie wholly inside, are not tested.
  *
  * Other arguments and the returned status are as for tribox_index_overlap and tribox_overlap_oriented.
  */
