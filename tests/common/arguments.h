@@ -2,6 +2,7 @@
 #ifndef TRIBOX_TESTS_ARGUMENTS_H
 #define TRIBOX_TESTS_ARGUMENTS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -14,6 +15,9 @@ typedef struct arguments {
 
 /* Prints the seed. Ends the program with a message on an argument that it does not know. */
 arguments arguments_parse(int argc, char **argv);
+
+/* Whether --short asks for less than usual. */
+static inline bool arguments_are_short(const arguments *args) { return args->pairs < 100000; }
 
 /* How many rounds of that many pairs there are to run, at least one. */
 size_t arguments_rounds(const arguments *args, size_t pairs_a_round);

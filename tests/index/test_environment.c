@@ -166,7 +166,7 @@ static void test_hostile_soups(void **state)
 {
     (void)state;
     catch_faults();
-    for (size_t k = 0; k < soup_kind_count(); k++) {
+    for (size_t k = 0; k < soup_kind_count(); k += arguments_are_short(&args) ? 3 : 1) {
         random_source r = random_named(args.seed, soup_kind_at(k)->name);
         asked q;
         draw(&r, soup_kind_at(k), &q);

@@ -179,7 +179,7 @@ static void test_scenes(void **state)
     catch_faults();
     for (int s = 0; s < ORIENTED_SCENES; s++) {
         random_source r = random_named(args.seed, oriented_scenes[s].name);
-        for (int round = 0; round < 4; round++) {
+        for (int round = 0; round < (arguments_are_short(&args) ? 1 : 4); round++) {
             oriented_draw(&oriented_scenes[s], &r, &batch);
             stored_soup_lay(&stored, (size_t)batch.count, STORED_AT_END);
             for (int t = 0; t < batch.count; t++)
@@ -199,7 +199,7 @@ static void test_rounding(void **state)
     (void)state;
     catch_faults();
     random_source r = random_named(args.seed, "rounding");
-    for (int round = 0; round < 500; round++) {
+    for (int round = 0; round < (arguments_are_short(&args) ? 100 : 500); round++) {
         tribox_oriented_box box;
         const int turned = random_int(&r, 3);
         draw_axes(&r, &box);

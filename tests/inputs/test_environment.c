@@ -139,7 +139,7 @@ static void test_scenes(void **state)
 {
     (void)state;
     catch_faults();
-    for (size_t i = 0; i < scene_count(); i += 3) {
+    for (size_t i = 0; i < scene_count(); i += arguments_are_short(&args) ? 12 : 3) {
         random_source r = random_named(args.seed, scene_at(i)->name);
         const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
         const uint32_t signalling = 0x7fa00001u;
@@ -166,7 +166,7 @@ static void test_oriented(void **state)
 {
     (void)state;
     catch_faults();
-    for (int s = 0; s < ORIENTED_SCENES; s++) {
+    for (int s = 0; s < ORIENTED_SCENES; s += arguments_are_short(&args) ? 4 : 1) {
         random_source r = random_named(args.seed, oriented_scenes[s].name);
         oriented_draw(&oriented_scenes[s], &r, &batch);
         asked ask = {.soup = soup_of_batch(), .oriented = batch.box};
