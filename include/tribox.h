@@ -89,17 +89,28 @@ typedef struct tribox_soup {
 } tribox_soup;
 
 /**
- * Triangles as most programs hold them: an indexed mesh, or an array of structures with nine floats per triangle. Vertex v of
+ * Triangles as most programs hold them: an indexed mesh, or an array of structures with nine numbers per triangle. Vertex v of
  * triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices.
  */
 typedef struct tribox_mesh {
-    const void *positions; /* x, y, z of vertex 0 as floats; vertex n lies n * stride bytes after it, at any alignment */
-    size_t stride;         /* bytes from one vertex to the next: 12 or more; 0 stands for 12 */
+    const void *positions; /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
+    size_t stride;         /* bytes from one vertex to the next: 12 or more, 24 of doubles; 0 stands for the least */
     size_t vertices;       /* how many vertices there are; nothing after the z of the last is read */
     const void *indices;   /* 3 * count vertex numbers, at any alignment; NULL for 0, 1, 2, 3, ... */
     unsigned index_bytes;  /* 2 for uint16_t, 4 for uint32_t; ignored where indices is NULL */
     size_t count;          /* triangles */
+
+    unsigned position_bytes; /* 4 or 0 where positions are floats; 8 where they are doubles: the calls that end in _f64 and
+                                tribox_mesh_to_local_streams take both, the others floats alone */
+    size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z, for the same calls: column-major matrices;
+                                0 where the three follow each other. Strides may then be as small as position_bytes */
 } tribox_mesh;
+
+/** A closed axis-aligned box in double; everything else is as for tribox_box. */
+typedef struct tribox_box_f64 {
+    double lo[3]; /* the lower bound on each axis, part of the box */
+    double hi[3]; /* the upper bound on each axis, part of the box */
+} tribox_box_f64;
 
 /* ============================================================================================================================== */
 /*                                                   Status, options and report                                                   */
@@ -558,6 +569,92 @@ TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_g
  */
 TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                                                 const tribox_options *options, uint64_t *occupied, tribox_report *report);
+
+/* ============================================================================================================================== */
+/*                                                      Meshes of doubles                                                       */
+/* ============================================================================================================================== */
+
+/**
+ * tribox_overlap_indexed for positions of either size and a box of doubles: exact for every finite double, however far from the
+ * origin. Vertices are rounded once, relative to the box, while they are read; what that leaves open is settled in double and in
+ * integers. So nothing has to be moved towards the origin first, and nothing is gained by it.
+ *
+ * mesh: position_bytes of 0, 4 or 8.
+ * box: finite bounds, or TRIBOX_BAD_BOX; nothing overlaps the empty box (lo > hi on an axis).
+ * options: EXACT is the true answer about the doubles. CONSERVATIVE and FAST are one here: they never miss, and report too much only
+ *   within the bounds of tribox_accuracy, with 2^-48 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other sets take
+ *   the second stage for every triangle that the box normals leave. The order of the axes is ignored.
+ * mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
+ *
+ * Returns what tribox_overlap_indexed does; TRIBOX_BAD_ARGUMENT for a stride that is too small for position_bytes, and for
+ * position_bytes other than 0, 4 and 8.
+ */
+TRIBOX_API tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_box_f64 *box,
+                                                    const tribox_options *options, uint64_t *mask, tribox_report *report);
+
+/** tribox_overlap_any for such a mesh: the first triangle that overlaps the box, or mesh->count. */
+TRIBOX_API tribox_status tribox_overlap_any_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                                                size_t *first);
+
+/** tribox_overlap_all for such a mesh: the first triangle that does not overlap the box, or mesh->count. */
+TRIBOX_API tribox_status tribox_overlap_all_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                                                size_t *first);
+
+/** tribox_classify for such a mesh: those that miss the box, straddle its border, and lie wholly inside. */
+TRIBOX_API tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                                             uint64_t *mask, uint64_t *inside, tribox_report *report);
+
+/**
+ * Writes triangles first .. first + count - 1 of a mesh as nine streams relative to an origin: x[v][i] is the float nearest to
+ * u - origin[0], the difference taken in double, for the x u of vertex v of triangle first + i; y and z likewise. For meshes that
+ * are asked often, and for an index over them: answers about the streams are exact about these floats, which are off by 2^-24 of
+ * u - origin.
+ *
+ * mesh: position_bytes of 0, 4 or 8. Must not overlap the streams.
+ * origin: finite.
+ * options: only the kernel matters; NULL for the best.
+ * x, y, z: three streams each, of `count` floats, at any alignment. What is beyond the range of float becomes infinite.
+ *
+ * Returns what tribox_mesh_to_streams does; TRIBOX_BAD_ARGUMENT also if origin is NULL or not finite, and where
+ * tribox_overlap_indexed_f64 does.
+ */
+TRIBOX_API tribox_status tribox_mesh_to_local_streams(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
+                                                      const tribox_options *options, float *const x[3], float *const y[3],
+                                                      float *const z[3]);
+
+/**
+ * A grid in double: of size[0] x size[1] x size[2] closed cells. Plane p of axis a lies at the double nearest to
+ * origin[a] + p * cell[a], rounded once (C's fma).
+ *
+ * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same double. Any other grid
+ * is TRIBOX_BAD_GRID.
+ */
+typedef struct tribox_grid_f64 {
+    double origin[3]; /* the lower corner of cell (0, 0, 0), in the same unit of length as the triangles */
+    double cell[3];   /* the lengths of a cell, in the same unit */
+    uint32_t size[3]; /* the number of cells on each axis */
+} tribox_grid_f64;
+
+/** The box of cell (i, j, k), each less than the grid's size on its axis: the very box that tribox_voxelize_f64 tests. */
+TRIBOX_API tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k);
+
+/**
+ * tribox_voxelize for a mesh and a grid of doubles, and for a window of it: cells first[a] .. first[a] + size[a] - 1 of each axis.
+ * EXACT is by definition tribox_overlap_indexed_f64 of the mesh with every tribox_grid_cell_f64, so windows have the bits of the
+ * whole; at CONSERVATIVE and FAST they may differ within rounding of contact, as tribox_voxelize states it.
+ *
+ * mesh: position_bytes of 0, 4 or 8.
+ * first, size: the window; NULL for the whole grid. Cells outside it cost next to nothing.
+ * occupied: row words * size[1] * size[2] words of the window, of which there may be 2^31; row words is (size[0] + 63) / 64. Cell
+ *   (i, j, k) is bit (i - first[0]) % 64 of occupied[((k - first[2]) * size[1] + j - first[1]) * row_words + (i - first[0]) / 64].
+ *
+ * Other arguments are as for tribox_voxelize. Returns what it does; TRIBOX_BAD_ARGUMENT also where the window leaves the grid or one
+ * of first and size alone is NULL, and where tribox_overlap_indexed_f64 does; TRIBOX_BAD_GRID if the window has too many words;
+ * TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist.
+ */
+TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
+                                             const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
+                                             tribox_report *report);
 
 /* ============================================================================================================================== */
 /*                                                   Masks, meshes and kernels                                                    */
