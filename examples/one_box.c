@@ -36,7 +36,12 @@ static void print_mask(const char *title, const uint64_t *mask)
 
 int main(void)
 {
-    const tribox_mesh mesh = {vertices, sizeof vertices[0], 8, faces, sizeof faces[0][0], TRIANGLES};
+    const tribox_mesh mesh = {.positions = vertices,
+                              .stride = sizeof vertices[0],
+                              .vertices = 8,
+                              .indices = faces,
+                              .index_bytes = sizeof faces[0][0],
+                              .count = TRIANGLES};
     const tribox_box corner = {{0.5f, 0.5f, 0.5f}, {1.5f, 1.5f, 1.5f}}, edge = {{0.5f, 1, -2}, {2, 2, -1}};
     uint64_t mask[1]; /* tribox_mask_words(TRIANGLES) words */
     tribox_report report;

@@ -191,9 +191,14 @@ static void ask_meshes(const round_of_scene *round, const tribox_options *option
                 memcpy(positions[0] + (size_t)floats * number, at, sizeof at);
                 wide[corner] = narrow[corner] = (uint16_t)number;
             }
-            const tribox_mesh mesh = {positions,   (size_t)floats * sizeof(float),
-                                      corners,     index_bytes == 2 ? (void *)narrow : index_bytes ? (void *)wide : NULL,
-                                      index_bytes, count};
+            const tribox_mesh mesh = {.positions = positions,
+                                      .stride = (size_t)floats * sizeof(float),
+                                      .vertices = corners,
+                                      .indices = index_bytes == 2 ? (void *)narrow
+                                                 : index_bytes    ? (void *)wide
+                                                                  : NULL,
+                                      .index_bytes = index_bytes,
+                                      .count = count};
             uint64_t *const mask = take_words(to, tribox_mask_words(count));
             put_status(to, tribox_overlap_indexed(&mesh, &round->box, options, mask, NULL));
         }

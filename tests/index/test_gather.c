@@ -93,8 +93,14 @@ static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
         soup.y[v] = stream[3 + v];
         soup.z[v] = stream[6 + v];
     }
-    const tribox_mesh mesh = {at,          stride, vertices, index_bytes == 2 ? (void *)narrow : index_bytes ? (void *)wide : NULL,
-                              index_bytes, COUNT};
+    const tribox_mesh mesh = {.positions = at,
+                              .stride = stride,
+                              .vertices = vertices,
+                              .indices = index_bytes == 2 ? (void *)narrow
+                                         : index_bytes    ? (void *)wide
+                                                          : NULL,
+                              .index_bytes = index_bytes,
+                              .count = COUNT};
     for (size_t first = 0; first <= COUNT; first += 1 + (size_t)random_int(r, 9)) {
         const size_t count = (size_t)random_int_between(r, 0, (int)(COUNT - first));
         lay_streams(count, random_int(r, 2));
@@ -122,7 +128,7 @@ static void test_bad(void **state)
     float positions[VERTICES][3] = {{0}};
     uint32_t indices[3 * COUNT] = {0};
     float *missing[3] = {to[0], NULL, to[0]};
-    tribox_mesh mesh = {positions, 0, VERTICES, indices, 4, COUNT};
+    tribox_mesh mesh = {.positions = positions, .vertices = VERTICES, .indices = indices, .index_bytes = 4, .count = COUNT};
     tribox_soup soup = room.soup;
     uint32_t bad[COUNT];
     lay_streams(COUNT, true);

@@ -39,7 +39,7 @@ static call *right_call(void)
 {
     static call c;
     c = (call){.soup = {{zeros, zeros, zeros}, {zeros, zeros, zeros}, {zeros, zeros, zeros}, COUNT},
-               .mesh = {zeros, 0, 3 * COUNT, NULL, 0, COUNT},
+               .mesh = {.positions = zeros, .vertices = 3 * COUNT, .count = COUNT},
                .count = COUNT,
                .box = cube,
                .oriented = turned,

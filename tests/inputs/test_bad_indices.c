@@ -220,7 +220,8 @@ static void test_very_many(void **state)
     for (size_t corner = 0; corner < sizeof indices / sizeof indices[0]; corner++)
         indices[corner] = (uint16_t)random_int(&r, VERTICES);
     for (size_t count = MANY - 1; count <= MANY + 65; count += count == MANY + 1 ? 64 : 1) {
-        const tribox_mesh mesh = {positions, 0, VERTICES, indices, 2, count};
+        const tribox_mesh mesh = {
+            .positions = positions, .vertices = VERTICES, .indices = indices, .index_bytes = 2, .count = count};
         const size_t bytes = tribox_mask_words(count) * sizeof *mask, corner = 3 * count - 1 - (size_t)random_int(&r, 300);
         for (int k = 0; k < kernels; k++) {
             say("tribox_overlap_indexed", names[k], &mesh);
@@ -295,7 +296,8 @@ static void test_greatest_numbers(void **state)
         memcpy(all + at, position, sizeof position);
     }
     uint32_t indices[CORNERS];
-    const tribox_mesh mesh = {all, 12, vertices, indices, 4, CORNERS / 3};
+    const tribox_mesh mesh = {
+        .positions = all, .stride = 12, .vertices = vertices, .indices = indices, .index_bytes = 4, .count = CORNERS / 3};
     for (int round = 0; round < 20; round++) {
         for (int c = 0; c < CORNERS; c++)
             indices[c] = number[random_int(&r, NUMBERS - (round % 2))];
