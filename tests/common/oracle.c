@@ -3,33 +3,43 @@
 #include <limits.h>
 #include <math.h>
 
-/* A finite float as odd * 2^exponent; zero as 0. */
-static long odd_of(float number, int *exponent)
+/* A finite number as odd * 2^exponent; zero as 0. */
+static int64_t odd_of(double number, int *exponent)
 {
-    long odd = (long)ldexp(frexp(number, exponent), 24);
-    for (*exponent -= 24; odd && odd % 2 == 0; ++*exponent)
-        odd /= 2;
-    return odd;
+    const int64_t digits = (int64_t)ldexp(frexp(number, exponent), 53);
+    const int zeros = digits ? __builtin_ctzll((unsigned long long)digits) : 0;
+    *exponent += zeros - 53;
+    return digits / (INT64_C(1) << zeros);
 }
 
-oracle_integers oracle_integers_of(const tribox_pair *pair)
+oracle_integers oracle_integers_of_numbers(const double number[15])
 {
     oracle_integers in;
     int exponent[15], unit = INT_MAX, end = INT_MIN;
     for (int k = 0; k < 15; k++) {
-        const int a = k % 3;
-        const float number = k < 9 ? pair->u[k / 3][a] : k < 12 ? pair->box.lo[a] : pair->box.hi[a];
-        in.odd[k] = odd_of(number, &exponent[k]);
+        in.odd[k] = odd_of(number[k], &exponent[k]);
         if (!in.odd[k])
             continue;
         unit = exponent[k] < unit ? exponent[k] : unit;
-        const int top = ilogb(number) + 1;
+        const int top = ilogb(number[k]) + 1;
         end = top > end ? top : end;
     }
     for (int k = 0; k < 15; k++)
         in.shift[k] = in.odd[k] ? (unsigned long)(exponent[k] - unit) : 0;
     in.bits = end > unit ? end - unit : 0;
     return in;
+}
+
+oracle_integers oracle_integers_of(const tribox_pair *pair)
+{
+    double number[15];
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            number[3 * j + a] = (double)pair->u[j][a];
+        number[9 + a] = (double)pair->box.lo[a];
+        number[12 + a] = (double)pair->box.hi[a];
+    }
+    return oracle_integers_of_numbers(number);
 }
 
 bool oracle_overlaps(oracle_axes truth, unsigned groups)

@@ -10,6 +10,7 @@
 #define TRIBOX_TESTS_ORACLE_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "exact/exact.h"
@@ -39,12 +40,19 @@ void oracle_explain(FILE *out, const tribox_pair *pair);
 
 /* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units, below 2^bits. */
 typedef struct oracle_integers {
-    long odd[15];
+    int64_t odd[15];
     unsigned long shift[15];
     int bits;
 } oracle_integers;
 
 oracle_integers oracle_integers_of(const tribox_pair *pair);
+
+/* Of any fifteen finite doubles: nine of the triangle by vertex, three of lo, three of hi. */
+oracle_integers oracle_integers_of_numbers(const double number[15]);
+
+/* The answer about them, and the same always in GMP. */
+oracle_axes oracle_separating_integers(const oracle_integers *in);
+oracle_axes oracle_separating_integers_gmp(const oracle_integers *in);
 
 #if defined(__SIZEOF_INT128__)
 /* The longest sum is the plane's: three products of 3 * bits + 3 bits, and the sign. */

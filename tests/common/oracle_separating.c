@@ -6,6 +6,17 @@ typedef mpz_t num;
 #define NUM(name) mpz_##name
 #include "separating.h"
 
+oracle_axes oracle_separating_integers_gmp(const oracle_integers *in) { return separating(in); }
+
+oracle_axes oracle_separating_integers(const oracle_integers *in)
+{
+#if defined(__SIZEOF_INT128__)
+    if (in->bits <= ORACLE_INT128_BITS)
+        return oracle_separating_int128(in);
+#endif
+    return separating(in);
+}
+
 oracle_axes oracle_separating_gmp(const tribox_pair *pair)
 {
     const oracle_integers in = oracle_integers_of(pair);
@@ -15,9 +26,5 @@ oracle_axes oracle_separating_gmp(const tribox_pair *pair)
 oracle_axes oracle_separating(const tribox_pair *pair)
 {
     const oracle_integers in = oracle_integers_of(pair);
-#if defined(__SIZEOF_INT128__)
-    if (in.bits <= ORACLE_INT128_BITS)
-        return oracle_separating_int128(&in);
-#endif
-    return separating(&in);
+    return oracle_separating_integers(&in);
 }

@@ -42,7 +42,7 @@ static void prepare(void)
 
 static void load_number(num to, const oracle_integers *in, int k)
 {
-    NUM(set_si)(to, in->odd[k]);
+    NUM(set_d)(to, (double)in->odd[k]);
     NUM(mul_2exp)(to, to, in->shift[k]);
 }
 

@@ -1,0 +1,29 @@
+/* pair_f64.h - one triangle and one box, in double. */
+#ifndef TRIBOX_TESTS_PAIR_F64_H
+#define TRIBOX_TESTS_PAIR_F64_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "tribox.h"
+
+typedef struct pair_f64 {
+    double u[3][3]; /* u[j][a]: axis a of vertex j */
+    tribox_box_f64 box;
+} pair_f64;
+
+/* Number k of fifteen: nine of the triangle by vertex, three of lo, three of hi. */
+static inline double pair_f64_number(const pair_f64 *pair, int k)
+{
+    return k < 9 ? pair->u[k / 3][k % 3] : k < 12 ? pair->box.lo[k - 9] : pair->box.hi[k - 12];
+}
+
+static inline bool pair_f64_is_finite(const pair_f64 *pair)
+{
+    bool is_finite = true;
+    for (int k = 0; k < 15; k++)
+        is_finite = is_finite && isfinite(pair_f64_number(pair, k));
+    return is_finite;
+}
+
+#endif
