@@ -121,7 +121,7 @@ enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {
-    float number[15][TRIBOX_BATCH];
+    double number[15][TRIBOX_BATCH];
 } tribox_batch;
 
 /* Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are. */

@@ -9,9 +9,9 @@ static tribox_pair batch_pair_at(const tribox_batch *batch, unsigned i)
     tribox_pair pair;
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            pair.u[j][a] = batch->number[3 * a + j][i];
-        pair.box.lo[a] = batch->number[9 + a][i];
-        pair.box.hi[a] = batch->number[12 + a][i];
+            pair.u[j][a] = (float)batch->number[3 * a + j][i];
+        pair.box.lo[a] = (float)batch->number[9 + a][i];
+        pair.box.hi[a] = (float)batch->number[12 + a][i];
     }
     return pair;
 }

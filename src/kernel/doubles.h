@@ -99,8 +99,8 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     tribox_exactness_watch();
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            t.u[j][a] = v_load(&batch->number[3 * a + j][at]);
-        set_bounds(&box, a, v_load(&batch->number[9 + a][at]), v_load(&batch->number[12 + a][at]));
+            t.u[j][a] = v_read(&batch->number[3 * a + j][at]);
+        set_bounds(&box, a, v_read(&batch->number[9 + a][at]), v_read(&batch->number[12 + a][at]));
         shape_axis(&s, &t, &box, a);
     }
     shape_normal(&s);
