@@ -80,13 +80,13 @@ TRIBOX_INLINE vmask has_vertex_inside(const lane_triangle *t, const lane_box *bo
     return inside;
 }
 
-/* Zero times a number is zero, and NaN if it is not finite: never inexact. Each coordinate is part of f_0 or f_1. */
-TRIBOX_INLINE vmask is_finite_shape(const lane_shape *s)
+/* Zero times a number is zero, and NaN if it is not finite: never inexact. Edges of finite doubles may overflow, so vertices are asked. */
+TRIBOX_INLINE vmask is_finite_triangle(const lane_triangle *t)
 {
     vnum sum = v_splat(0);
-    for (int j = 0; j < 2; j++)
+    for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            sum = v_fma(v_splat(0), s->l[j][a], sum);
+            sum = v_fma(v_splat(0), t->u[j][a], sum);
     return v_gt(v_splat(1), sum);
 }
 
@@ -106,7 +106,7 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     shape_normal(&s);
     const lane_slacks slack = slacks_of(&s, axes);
     const uint64_t negative = m_bits(v_gt(v_splat(0), least_slack(&slack)));
-    const uint64_t finite = m_bits(is_finite_shape(&s));
+    const uint64_t finite = m_bits(is_finite_triangle(&t));
     if (tribox_exactness_kept(negative) && is_exact)
         return (tribox_verdict){finite & ~negative, 0, finite};
     const lane_range range = range_of(&slack, &t, &box, &s, axes & TRIBOX_AXES_BOX);
