@@ -13,6 +13,13 @@ static inline bool tribox_is_finite(float number)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
+static inline bool tribox_is_finite_f64(double number)
+{
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return (bits & UINT64_C(0x7ff0000000000000)) != UINT64_C(0x7ff0000000000000);
+}
+
 static inline bool tribox_are_finite(const float *number, int count)
 {
     bool are = true;

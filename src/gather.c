@@ -60,7 +60,7 @@ tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order,
 {
     if (!tribox_mesh_is_readable(mesh) || !is_writable(order, first, count, x, y, z))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_mesh strided = tribox_mesh_with_stride(mesh);
+    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     const unsigned bytes = tribox_vertex_bytes(mesh);
     if (count && (!is_order(order + first, count, mesh->count) || !are_vertices_there(mesh, order + first, count)))
         return TRIBOX_BAD_INDEX;

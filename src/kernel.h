@@ -13,6 +13,7 @@
 #include "indices.h"
 #include "kernel_grid.h"
 #include "kernel_index.h"
+#include "positions.h"
 #include "soup.h"
 
 #if defined(__FAST_MATH__)
@@ -72,14 +73,21 @@ TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)
 }
 
 /*
- * Where triangles of a mesh lie: vertex v of triangle i is offset[3 * i + v] bytes after base, and 16 bytes can be read there.
- * Without offsets a triangle is nine floats, and the next one follows it. Pairs have all corners.
+ * Where triangles of a mesh lie: vertex v of triangle i is offset[3 * i + v] bytes after base, and four numbers can be read there.
+ * Without offsets a triangle is nine numbers, and the next one follows it. Pairs have all corners.
  */
 typedef struct tribox_corners {
     const char *base;
     const uint32_t *offset;
-    bool has_all; /* else another vertex stands for the last of the mesh */
+    const double *near; /* NULL of floats; doubles are read less near[k], of axis k % 3, and rounded: TRIBOX_NEAR of them */
+    bool has_all;       /* else another vertex stands for the last of the mesh */
 } tribox_corners;
+
+/* The most lanes of float, and of double. The lanes of every kernel divide them. */
+enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
+
+/* What doubles are read relative to, axis by axis, as often as the widest load needs it. */
+enum { TRIBOX_NEAR = 3 * TRIBOX_LANES_MAX };
 
 /* What a call asks: a soup or corners against a box, or a triangle against boxes. The caller has checked them. */
 typedef struct tribox_pairs {
@@ -99,6 +107,12 @@ typedef struct tribox_pairs {
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
 /*
+ * Walks of corners of doubles, rounded about the lower corner of their box, which begins at 0 (PROOFS.md 14). What rounding leaves in
+ * doubt is open, so hits are overlaps of the doubles. TRIBOX_NEAR_BOX tests the box normals alone.
+ */
+typedef enum tribox_near_walk { TRIBOX_NEAR_BOX, TRIBOX_NEAR_ALL, TRIBOX_NEAR_WALKS } tribox_near_walk;
+
+/*
  * What a survey saw of the packets of a word, bit k for packet k. Each is in one of `beside` if the box normals reject all lanes:
  * where the x axis does, or x and y, or all three. Of the others, the sets of groups (TRIBOX_AXES_*) that reject all lanes; if box
  * normals and plane do together, nothing is said of the edges.
@@ -111,9 +125,6 @@ typedef struct tribox_seen {
 
 /* Answers a word whose pairs are all present, all axes asked, like a walk, and surveys it. Returns the hits. */
 typedef uint64_t tribox_survey(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open);
-
-/* The most lanes of float, and of double. The lanes of every kernel divide them. */
-enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /*
  * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
@@ -164,12 +175,16 @@ typedef tribox_vertices tribox_find_vertices(const tribox_mesh *mesh, size_t fir
  */
 typedef size_t tribox_find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners);
 
-/* These triangles, none of whose vertices is missing, as nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2. */
-typedef void tribox_gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9]);
+/*
+ * These triangles, none of whose vertices is missing, as nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2: of a mesh of doubles
+ * near what is given, else as they are.
+ */
+typedef void tribox_gather(const tribox_mesh *mesh, const double *near, size_t first, size_t count, float *const to[9]);
 
 /* A box beside positions x y z x y z ...: the bounds of axis k % 3 at place k. */
 typedef struct tribox_box_pattern {
     float lo[3 * TRIBOX_LANES_MAX], hi[3 * TRIBOX_LANES_MAX];
+    const double *near; /* of doubles, as of tribox_corners */
 } tribox_box_pattern;
 
 /* Whether the box normals separate all triangles of these vertices; false too where finding out costs as much as testing them. */
@@ -193,6 +208,7 @@ typedef struct tribox_kernel {
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
     tribox_survey *survey[TRIBOX_WALK_KINDS];
+    tribox_walk *walk_near[TRIBOX_NEAR_WALKS];
     tribox_spread_triangles *spread_triangles;
     tribox_spread_boxes *spread_boxes;
     tribox_inside *inside;

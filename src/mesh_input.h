@@ -6,11 +6,15 @@
 
 #include "kernel.h"
 
-/* Whether the mesh can be read, but for vertex numbers that are too great. */
+/* Whether the mesh can be read, but for vertex numbers that are too great: by the calls that take floats alone, and by the others. */
 bool tribox_mesh_is_readable(const tribox_mesh *mesh);
+bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh);
 
-/* The same mesh, its stride set. */
-tribox_mesh tribox_mesh_with_stride(const tribox_mesh *mesh);
+/* The same mesh, its strides set. */
+tribox_mesh tribox_mesh_with_strides(const tribox_mesh *mesh);
+
+/* Of a mesh with strides, whether positions are doubles that follow each other: kernels read them where they lie. */
+bool tribox_mesh_is_direct(const tribox_mesh *mesh);
 
 /* Whether triangles first .. first + count - 1 name vertices of the mesh only. */
 bool tribox_mesh_is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count);

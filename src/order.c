@@ -61,7 +61,7 @@ static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, s
         const size_t count = end - first < BLOCK ? end - first : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_places places = tribox_places_in(scratch, mesh->count, first);
-        kernel->gather(mesh, first, count, to);
+        kernel->gather(mesh, NULL, first, count, to);
         kernel->index->find_middles(&soup, NULL, 0, count, first, &places);
     }
 }
@@ -71,7 +71,7 @@ tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, siz
     if (!tribox_mesh_is_readable(mesh) || !is_range(mesh->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
-    const tribox_mesh strided = tribox_mesh_with_stride(mesh);
+    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
         return TRIBOX_BAD_INDEX;
     const tribox_environment callers = tribox_environment_enter();

@@ -42,6 +42,7 @@ TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f)
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vnum v_floor(vnum a) { return _mm256_floor_ps(a); }
+TRIBOX_INLINE vnum avx2_join(__m128 low, __m128 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
 TRIBOX_INLINE __m128 avx2_plane(__m128 p, double cell, double origin)
 {
     return _mm256_cvtpd_ps(_mm256_add_pd(_mm256_set1_pd(origin), _mm256_mul_pd(_mm256_cvtps_pd(p), _mm256_set1_pd(cell))));
@@ -49,7 +50,7 @@ TRIBOX_INLINE __m128 avx2_plane(__m128 p, double cell, double origin)
 TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
 {
     const __m128 low = avx2_plane(_mm256_castps256_ps128(p), cell, origin);
-    return _mm256_insertf128_ps(_mm256_castps128_ps256(low), avx2_plane(_mm256_extractf128_ps(p, 1), cell, origin), 1);
+    return avx2_join(low, avx2_plane(_mm256_extractf128_ps(p, 1), cell, origin));
 }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_EQ_OQ); }
@@ -62,18 +63,37 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
                             _mm256_castsi256_ps(_mm256_slli_epi32(lane, 28)));
 }
 /* Row i has lanes i and i + 4 in its halves: what follows stays within them. */
-TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+TRIBOX_INLINE __m128 avx2_near(const void *p, __m256d lo)
 {
-    vnum row[4];
-    for (int i = 0; i < 4; i++)
-        row[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps((const float *)from[i])),
-                                      _mm_loadu_ps((const float *)from[i + 4]), 1);
+    return _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd((const double *)p), lo));
+}
+TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+{
+    return avx2_join(avx2_near(p, _mm256_loadu_pd(lo)), avx2_near((const double *)p + 4, _mm256_loadu_pd(lo + 4)));
+}
+TRIBOX_INLINE void avx2_transpose4(const vnum row[4], vnum to[4])
+{
     const vnum low_01 = _mm256_unpacklo_ps(row[0], row[1]), low_23 = _mm256_unpacklo_ps(row[2], row[3]);
     const vnum high_01 = _mm256_unpackhi_ps(row[0], row[1]), high_23 = _mm256_unpackhi_ps(row[2], row[3]);
     to[0] = _mm256_shuffle_ps(low_01, low_23, 0x44);
     to[1] = _mm256_shuffle_ps(low_01, low_23, 0xee);
     to[2] = _mm256_shuffle_ps(high_01, high_23, 0x44);
     to[3] = _mm256_shuffle_ps(high_01, high_23, 0xee);
+}
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = avx2_join(_mm_loadu_ps((const float *)from[i]), _mm_loadu_ps((const float *)from[i + 4]));
+    avx2_transpose4(row, to);
+}
+TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+{
+    const __m256d corner = _mm256_loadu_pd(lo);
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = avx2_join(avx2_near(from[i], corner), avx2_near(from[i + 4], corner));
+    avx2_transpose4(row, to);
 }
 
 TRIBOX_INLINE vint i_load(const int32_t *p) { return _mm256_loadu_si256((const __m256i *)p); }

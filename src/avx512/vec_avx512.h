@@ -47,6 +47,10 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vnum v_floor(vnum a) { return _mm512_floor_ps(a); }
+TRIBOX_INLINE vnum avx512_join(__m256 low, __m256 high)
+{
+    return _mm512_castpd_ps(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_castps_pd(low)), _mm256_castps_pd(high), 1));
+}
 TRIBOX_INLINE __m256 avx512_plane(__m256 p, double cell, double origin)
 {
     return _mm512_cvtpd_ps(_mm512_add_pd(_mm512_set1_pd(origin), _mm512_mul_pd(_mm512_cvtps_pd(p), _mm512_set1_pd(cell))));
@@ -55,7 +59,7 @@ TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
 {
     const __m256 low = avx512_plane(_mm512_castps512_ps256(p), cell, origin);
     const __m256 high = avx512_plane(_mm256_castpd_ps(_mm512_extractf64x4_pd(_mm512_castps_pd(p), 1)), cell, origin);
-    return _mm512_castpd_ps(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_castps_pd(low)), _mm256_castps_pd(high), 1));
+    return avx512_join(low, high);
 }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_EQ_OQ); }
@@ -65,7 +69,22 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
     return _mm512_permutex2var_ps(a, _mm512_loadu_si512(from), b);
 }
-/* Row i has lanes i, i + 4, i + 8 and i + 12 in its quarters: what follows stays within them. */
+TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+{
+    const double *const from = p;
+    return avx512_join(_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(from), _mm512_loadu_pd(lo))),
+                       _mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(from + 8), _mm512_loadu_pd(lo + 8))));
+}
+/* Row i has lanes i, i + 4, i + 8 and i + 12 in its quarters: this stays within them. */
+TRIBOX_INLINE void avx512_transpose4(const vnum row[4], vnum to[4])
+{
+    const vnum low_01 = _mm512_unpacklo_ps(row[0], row[1]), low_23 = _mm512_unpacklo_ps(row[2], row[3]);
+    const vnum high_01 = _mm512_unpackhi_ps(row[0], row[1]), high_23 = _mm512_unpackhi_ps(row[2], row[3]);
+    to[0] = _mm512_shuffle_ps(low_01, low_23, 0x44);
+    to[1] = _mm512_shuffle_ps(low_01, low_23, 0xee);
+    to[2] = _mm512_shuffle_ps(high_01, high_23, 0x44);
+    to[3] = _mm512_shuffle_ps(high_01, high_23, 0xee);
+}
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {
     vnum row[4];
@@ -75,12 +94,21 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
         row[i] = _mm512_insertf32x4(row[i], _mm_loadu_ps((const float *)from[i + 8]), 2);
         row[i] = _mm512_insertf32x4(row[i], _mm_loadu_ps((const float *)from[i + 12]), 3);
     }
-    const vnum low_01 = _mm512_unpacklo_ps(row[0], row[1]), low_23 = _mm512_unpacklo_ps(row[2], row[3]);
-    const vnum high_01 = _mm512_unpackhi_ps(row[0], row[1]), high_23 = _mm512_unpackhi_ps(row[2], row[3]);
-    to[0] = _mm512_shuffle_ps(low_01, low_23, 0x44);
-    to[1] = _mm512_shuffle_ps(low_01, low_23, 0xee);
-    to[2] = _mm512_shuffle_ps(high_01, high_23, 0x44);
-    to[3] = _mm512_shuffle_ps(high_01, high_23, 0xee);
+    avx512_transpose4(row, to);
+}
+TRIBOX_INLINE __m256 avx512_near_two(const void *a, const void *b, __m512d lo)
+{
+    const __m512d both =
+        _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd((const double *)a)), _mm256_loadu_pd((const double *)b), 1);
+    return _mm512_cvtpd_ps(_mm512_sub_pd(both, lo));
+}
+TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+{
+    const __m512d twice = _mm512_broadcast_f64x4(_mm256_loadu_pd(lo));
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = avx512_join(avx512_near_two(from[i], from[i + 4], twice), avx512_near_two(from[i + 8], from[i + 12], twice));
+    avx512_transpose4(row, to);
 }
 
 TRIBOX_INLINE vint i_load(const int32_t *p) { return _mm512_loadu_si512(p); }

@@ -34,11 +34,12 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
 TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, walk_kind kind)
 {
     const bool has_second_look = kind.decides == TRIBOX_BY_MARGIN && sequence_has(kind.sequence, 1) && kind.sequence != 1;
-    const walk_kind looks_again = {kind.sequence, kind.decides, kind.is_soup, kind.is_mesh, true};
+    walk_kind looks_again = kind;
     const size_t start = 64 * word, end = start + count;
     size_t done = 0;
     packet_run run;
     lane_pairs p;
+    looks_again.looks_again = true;
     start_pairs(&p, from, kind);
     for (; done < count; done += run.pairs) {
         uint64_t run_open;
@@ -65,14 +66,25 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
     static void walk_##decides##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \
     { \
         if (pairs->soup) \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false, false, false}); \
         else if (sequence > 99 && pairs->corners) \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, true, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, true, false, false}); \
         else \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, false, false, false}); \
+            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, false, false, false, false}); \
     }
 #define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
+
+static void walk_near_box(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open)
+{
+    walk_words(pairs, word, count, hit, open, (walk_kind){1, TRIBOX_BY_MARGIN, true, true, true, false});
+}
+
+/* In one order: reading doubles takes as long as what another could save. */
+static void walk_near_all(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open)
+{
+    walk_words(pairs, word, count, hit, open, (walk_kind){132, TRIBOX_BY_MARGIN, true, true, true, false});
+}
 
 #define ENTRY(decides, sequence) [TRIBOX_##decides][TRIBOX_SEQUENCE_##sequence] = walk_##decides##_##sequence,
 #define ENTRIES(sequence) ENTRY(BY_MARGIN, sequence) ENTRY(BY_SIGN, sequence)
@@ -89,6 +101,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .lanes = V_LANES,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
     .survey = {[TRIBOX_BY_MARGIN] = survey_BY_MARGIN, [TRIBOX_BY_SIGN] = survey_BY_SIGN},
+    .walk_near = {[TRIBOX_NEAR_BOX] = walk_near_box, [TRIBOX_NEAR_ALL] = walk_near_all},
     .spread_triangles = spread_triangles,
     .spread_boxes = spread_boxes,
     .inside = inside,

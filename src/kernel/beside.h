@@ -19,12 +19,8 @@ TRIBOX_INLINE bool has_whole_axis(uint64_t bits)
            (bits & BESIDE_AXIS(2)) == BESIDE_AXIS(2);
 }
 
-static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named)
+TRIBOX_INLINE bool are_beside(const char *positions, const tribox_box_pattern *box, size_t vertices, lane_numbers numbers)
 {
-    const size_t vertices = named.greatest + 1 - named.least;
-    if (mesh->stride != 12 || (uintptr_t)mesh->positions % sizeof(float) || vertices < V_LANES || vertices > BESIDE_MAX)
-        return false;
-    const float *const position = (const float *)mesh->positions + 3 * named.least;
     vnum lo[3], hi[3];
     for (int t = 0; t < 3; t++) {
         lo[t] = v_load(box->lo + V_LANES * t);
@@ -35,7 +31,7 @@ static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tr
         const size_t at = done + V_LANES <= vertices ? done : vertices - V_LANES; /* the last packet overlaps the one before it */
         uint64_t is_below = 0, is_above = 0;
         for (int t = 0; t < 3; t++) {
-            const vnum u = v_load(position + 3 * at + (size_t)(V_LANES * t));
+            const vnum u = load_numbers(positions + 3 * at * (size_t)bytes_of(numbers), V_LANES * t, numbers);
             is_below |= m_bits(v_gt(lo[t], u)) << (V_LANES * t);
             is_above |= m_bits(v_gt(u, hi[t])) << (V_LANES * t);
         }
@@ -45,4 +41,14 @@ static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tr
             return false;
     }
     return true;
+}
+
+static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named)
+{
+    const size_t bytes = tribox_position_bytes(mesh), vertices = named.greatest + 1 - named.least;
+    if (mesh->stride != 3 * bytes || (uintptr_t)mesh->positions % bytes || vertices < V_LANES || vertices > BESIDE_MAX)
+        return false;
+    const char *const positions = (const char *)mesh->positions + mesh->stride * named.least;
+    return box->near ? are_beside(positions, box, vertices, (lane_numbers){true, box->near})
+                     : are_beside(positions, box, vertices, (lane_numbers){false, NULL});
 }

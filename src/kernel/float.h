@@ -5,6 +5,7 @@
 #include "corners.h"
 #include "margin.h"
 #include "ties.h"
+#include "near.h"
 #include "packet.h"
 #include "inside.h"
 #include "gather.h"

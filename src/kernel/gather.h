@@ -2,8 +2,8 @@
  * gather.h - where triangles of a mesh lie, and the same as nine streams.
  * After: corners.h, tail.h.
  *
- * Packets are read four floats at a vertex (corners.h). The last vertex is not, unless triangles are nine floats each, as its z may
- * be the last float in memory: the first vertex is read in its place, and streams get its numbers one by one.
+ * Packets are read four numbers at a vertex (corners.h). The last vertex is not, unless triangles are nine numbers each, as its z may
+ * be the last number in memory: the first vertex is read in its place, and streams get its numbers one by one.
  */
 
 /* The least and the greatest vertex number at corners first .. first + count - 1. */
@@ -46,11 +46,11 @@ TRIBOX_INLINE size_t find_offsets(const tribox_mesh *mesh, unsigned index_bytes,
 static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners)
 {
     const char *const positions = mesh->positions;
-    if (!mesh->indices && mesh->stride == 12) {
-        *corners = (tribox_corners){positions + 36 * first, NULL, true};
+    if (!mesh->indices && mesh->stride == 3 * tribox_position_bytes(mesh)) {
+        *corners = (tribox_corners){.base = positions + 3 * mesh->stride * first, .has_all = true};
         return 3 * (first + count) - 1;
     }
-    *corners = (tribox_corners){NULL, offset, false};
+    *corners = (tribox_corners){.offset = offset};
     if (mesh->vertices < 2 || mesh->vertices > UINT32_MAX / mesh->stride)
         return find_vertices(mesh, first, count).greatest;
     const size_t greatest = !mesh->indices           ? find_offsets(mesh, 0, 3 * first, 3 * count, offset)
@@ -61,45 +61,65 @@ static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, 
     return greatest;
 }
 
-/* Triangles to places `to_first` and on of the streams x_0 x_1 x_2 y_0 .. z_2, number by number: vertices from `least` on. */
-static void gather_vertices(const tribox_mesh *mesh, size_t first, size_t count, size_t least, float *const to[9], size_t to_first)
+/* Where gathered triangles go: the streams x_0 x_1 x_2 y_0 .. z_2, from place `start` on. */
+typedef struct gather_to {
+    float *const *streams;
+    size_t start;
+} gather_to;
+
+/* Triangles to streams, number by number: vertices from `least` on. */
+static void gather_vertices(const tribox_mesh *mesh, const double *near, size_t first, size_t count, size_t least, gather_to to)
 {
     for (size_t corner = 0; corner < 3 * count; corner++) {
         const size_t vertex = tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * first + corner);
-        for (size_t a = 0; vertex >= least && a < 3; a++)
-            memcpy(to[3 * a + corner % 3] + to_first + corner / 3,
-                   (const char *)mesh->positions + vertex * mesh->stride + a * sizeof(float), sizeof(float));
+        const char *const from = (const char *)mesh->positions + vertex * mesh->stride;
+        for (size_t a = 0; vertex >= least && a < 3; a++) {
+            float *const number = to.streams[3 * a + corner % 3] + to.start + corner / 3;
+            if (near)
+                *number = tribox_near_number(from + a * sizeof(double), near[a]);
+            else
+                memcpy(number, from + a * sizeof(float), sizeof(float));
+        }
     }
 }
 
-/* The packet at triangle `at` to the same place of the streams, `start` places on. */
-TRIBOX_INLINE void gather_packet(const tribox_corners *corners, size_t at, float *const to[9], size_t start)
+/* The packet at triangle `at` to the same place of the streams, after their start. */
+TRIBOX_INLINE void gather_packet(const tribox_corners *corners, size_t at, gather_to to, bool is_near)
 {
     lane_triangle t;
-    load_corners(&t, corners, at);
+    load_corners(&t, corners, at, is_near);
     for (int k = 0; k < 9; k++)
-        v_write(to[k] + start + at, t.u[k % 3][k / 3]);
+        v_write(to.streams[k] + to.start + at, t.u[k % 3][k / 3]);
 }
 
-static void gather_word(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9], size_t start)
+TRIBOX_INLINE void gather_packets(const tribox_corners *corners, size_t count, gather_to to, bool is_near)
+{
+    for (size_t at = 0; at + V_LANES <= count; at += V_LANES)
+        gather_packet(corners, at, to, is_near);
+    if (count % V_LANES) /* the last packet repeats triangles of the one before it */
+        gather_packet(corners, count - V_LANES, to, is_near);
+}
+
+static void gather_word(const tribox_mesh *mesh, const double *near, size_t first, size_t count, gather_to to)
 {
     uint32_t offset[3 * 64];
     tribox_corners corners;
     find_corners(mesh, first, count, offset, &corners);
+    corners.near = near;
     if (count < V_LANES || !corners.base) {
-        gather_vertices(mesh, first, count, 0, to, start);
+        gather_vertices(mesh, near, first, count, 0, to);
         return;
     }
-    for (size_t at = 0; at + V_LANES <= count; at += V_LANES)
-        gather_packet(&corners, at, to, start);
-    if (count % V_LANES) /* the last packet repeats triangles of the one before it */
-        gather_packet(&corners, count - V_LANES, to, start);
+    if (near)
+        gather_packets(&corners, count, to, true);
+    else
+        gather_packets(&corners, count, to, false);
     if (!corners.has_all)
-        gather_vertices(mesh, first, count, mesh->vertices - 1, to, start);
+        gather_vertices(mesh, near, first, count, mesh->vertices - 1, to);
 }
 
-static void gather(const tribox_mesh *mesh, size_t first, size_t count, float *const to[9])
+static void gather(const tribox_mesh *mesh, const double *near, size_t first, size_t count, float *const to[9])
 {
     for (size_t word = 0; word < count; word += 64)
-        gather_word(mesh, first + word, count - word < 64 ? count - word : 64, to, word);
+        gather_word(mesh, near, first + word, count - word < 64 ? count - word : 64, (gather_to){to, word});
 }

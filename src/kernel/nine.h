@@ -1,6 +1,6 @@
 /*
- * nine.h - nine floats a triangle into nine registers, V_LANES triangles at a time, from registers read as they lie in memory.
- * After: axes.h. Needs: v_permute.
+ * nine.h - nine numbers a triangle into nine registers, V_LANES triangles at a time, from registers read as they lie in memory.
+ * After: axes.h. Needs: v_permute, v_near.
  *
  * V_LANES and nine have no common factor, so at each place the nine registers hold nine different numbers of a triangle. Numbers
  * follow each other within a register: number k at place p is in the one that begins with number k - p, modulo nine. Ordered by
@@ -28,12 +28,27 @@ static const float nine_bits[3][TRIBOX_LANES_MAX] = {{1, -1, 1, -1, 1, -1, 1, -1
                                                      {1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1},
                                                      {1, 1, 1, 1, -1, -1, -1, -1, 1, 1, 1, 1, -1, -1, -1, -1}};
 
+/* What is read: floats as they are, or doubles less near[k], of axis k % 3, rounded (kernel.h). */
+typedef struct lane_numbers {
+    bool are_doubles; /* a constant of an instance */
+    const double *near;
+} lane_numbers;
+
+TRIBOX_INLINE int bytes_of(lane_numbers numbers) { return numbers.are_doubles ? (int)sizeof(double) : (int)sizeof(float); }
+
+/* Numbers k to k + V_LANES - 1 of those at `from`, which is on axis 0. */
+TRIBOX_INLINE vnum load_numbers(const char *from, int k, lane_numbers numbers)
+{
+    const void *const at = from + k * bytes_of(numbers);
+    return numbers.are_doubles ? v_near(at, numbers.near + k % 3) : v_load((const float *)at);
+}
+
 /* The V_LANES triangles at `from`. */
-TRIBOX_INLINE void load_nine(lane_triangle *t, const float *from)
+TRIBOX_INLINE void load_nine(lane_triangle *t, const char *from, lane_numbers numbers)
 {
     vnum begins_with[9];
     for (int r = 0; r < 9; r++)
-        begins_with[V_LANES * r % 9] = v_load(from + V_LANES * r);
+        begins_with[V_LANES * r % 9] = load_numbers(from, V_LANES * r, numbers);
     for (int b = 0; 2 << b < V_LANES; b++) {
         const vmask is_moved = m_signs(v_load(nine_bits[b]));
         vnum moved[9];

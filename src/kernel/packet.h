@@ -1,6 +1,6 @@
 /*
  * packet.h - one packet of V_LANES pairs, decided by sign or by margin, and in one sequence of groups: constants.
- * After: axes.h, corners.h, margin.h, ties.h.
+ * After: axes.h, corners.h, margin.h, ties.h, near.h.
  *
  * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
  * lane that has a slack within it to the next stage (doubles.h). What a hit then needs: `certain_overlaps`.
@@ -32,6 +32,7 @@ typedef struct walk_kind {
     tribox_walk_kind decides;
     bool is_soup;     /* triangles and one box; else one triangle and boxes */
     bool is_mesh;     /* these triangles are corners */
+    bool is_near;     /* of doubles, relative to the box (near.h) */
     bool looks_again; /* with the second look of ties.h, for which more numbers have to be kept */
 } walk_kind;
 
@@ -40,13 +41,16 @@ typedef struct lane_pairs {
     lane_triangle t;
     lane_box box;
     lane_box_margin margin;
+    vmask clear; /* near: the lanes that a box normal does not leave in doubt */
 } lane_pairs;
 
 TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_pairs *from, walk_kind kind)
 {
     if (kind.is_soup) {
         splat_box(&p->box, from->box);
-        p->margin = box_margin_of(&p->box);
+        if (kind.is_near)
+            near_box(&p->box);
+        p->margin = kind.is_near ? near_margin_of(&p->box) : box_margin_of(&p->box);
     } else {
         splat_triangle(&p->t, from->triangle);
     }
@@ -82,7 +86,7 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t
 {
     if (kind.is_mesh) {
         if (a == 0)
-            load_corners(&p->t, from->corners, at);
+            load_corners(&p->t, from->corners, at, kind.is_near);
     } else if (kind.is_soup) {
         const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
@@ -95,6 +99,8 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t
     shape_axis(s, &p->t, &p->box, a);
     if (kind.looks_again)
         drop_zero_lengths(s, a);
+    if (kind.is_near)
+        p->clear = a == 0 ? is_clear(&p->t, &p->box, a) : m_and(p->clear, is_clear(&p->t, &p->box, a));
     return is_box_first(kind.sequence) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
 }
 
@@ -239,6 +245,20 @@ TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_marg
     return hit & m_bits(are_extents_certifiable(s, box));
 }
 
+/* Doubles: not where a box normal is in doubt. */
+TRIBOX_INLINE vmask clear_of(const lane_pairs *p, vmask certain, walk_kind kind)
+{
+    return kind.is_near ? m_and(certain, p->clear) : certain;
+}
+
+/* Where slacks beyond their margins alone make a hit: extents do not matter or, near a box at zero, are large. */
+TRIBOX_INLINE vmask needs_no_more(const lane_pairs *p, const lane_shape *s, walk_kind kind)
+{
+    if (!kind.is_near)
+        return v_gt(v_splat(0), p->margin.least);
+    return m_and(p->clear, v_gt(lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2)), p->margin.least));
+}
+
 /* FAST: what the signs of the slacks leave; open where a coordinate is not finite. */
 TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
 {
@@ -271,7 +291,7 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
     left = left_by_margin(p, s, third, first < 2 && second < 2, kind, left, &margin, &certain);
     if (kind.sequence == 1)
         margin = margin_of(s, &p->margin, true);
-    const uint64_t hit = certain_overlaps(s, &p->margin, &margin, certain, kind, left);
+    const uint64_t hit = certain_overlaps(s, &p->margin, &margin, clear_of(p, certain, kind), kind, left);
     *open = left & ~hit;
     return hit;
 }
@@ -290,7 +310,7 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     const vmask apart = v_gt(zero, v_min(slack.edges, slack.plane));
     vmask decided = m_and(m_and(margin.is_valid, v_gt(v_abs(slack.edges), margin.edges)), v_gt(v_abs(slack.plane), margin.plane));
     if (is_box_asked)
-        decided = m_and(decided, m_or(apart, v_gt(zero, p->margin.least)));
+        decided = m_and(decided, m_or(apart, needs_no_more(p, s, kind)));
     if (is_box_asked && !is_box_first(kind.sequence))
         left &= ~m_bits(apart_on_box_normals(p));
     if (!kind.looks_again && !(left & ~m_bits(decided)))
@@ -298,7 +318,7 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     const vmask beyond = m_or(v_gt(zero, v_add(slack.edges, margin.edges)), v_gt(zero, v_add(slack.plane, margin.plane)));
     const vmask certain = m_and(v_gt(slack.edges, margin.edges), v_gt(slack.plane, margin.plane));
     left &= ~m_bits(m_and(margin.is_valid, beyond));
-    const uint64_t hit = certain_overlaps(s, &p->margin, &margin, certain, kind, left);
+    const uint64_t hit = certain_overlaps(s, &p->margin, &margin, clear_of(p, certain, kind), kind, left);
     *open = left & ~hit;
     return hit;
 }

@@ -82,10 +82,10 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_k
     { \
         const bool looks_again = TRIBOX_##decides == TRIBOX_BY_MARGIN; \
         if (pairs->soup) \
-            return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, false, looks_again}, seen, open); \
+            return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, false, false, looks_again}, seen, open); \
         if (pairs->corners) \
-            return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, true, looks_again}, seen, open); \
-        return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, false, false, looks_again}, seen, open); \
+            return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, true, false, looks_again}, seen, open); \
+        return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, false, false, false, looks_again}, seen, open); \
     }
 SURVEY(BY_MARGIN)
 SURVEY(BY_SIGN)

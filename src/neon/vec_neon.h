@@ -68,11 +68,17 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
     vst1q_f32(number + V_LANES, b);
     return (vnum){number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]};
 }
-TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+/* Of two doubles, at any alignment. */
+TRIBOX_INLINE float64x2_t neon_near(const void *p, const double *lo)
 {
-    vnum row[4];
-    for (int i = 0; i < 4; i++)
-        row[i] = vreinterpretq_f32_u8(vld1q_u8(from[i]));
+    return vsubq_f64(vreinterpretq_f64_u8(vld1q_u8(p)), vld1q_f64(lo));
+}
+TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+{
+    return vcvt_high_f32_f64(vcvt_f32_f64(neon_near(p, lo)), neon_near((const char *)p + 16, lo + 2));
+}
+TRIBOX_INLINE void neon_transpose4(const vnum row[4], vnum to[4])
+{
     const float64x2_t even_01 = vreinterpretq_f64_f32(vtrn1q_f32(row[0], row[1]));
     const float64x2_t even_23 = vreinterpretq_f64_f32(vtrn1q_f32(row[2], row[3]));
     const float64x2_t odd_01 = vreinterpretq_f64_f32(vtrn2q_f32(row[0], row[1]));
@@ -81,6 +87,20 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     to[1] = vreinterpretq_f32_f64(vtrn1q_f64(odd_01, odd_23));
     to[2] = vreinterpretq_f32_f64(vtrn2q_f64(even_01, even_23));
     to[3] = vreinterpretq_f32_f64(vtrn2q_f64(odd_01, odd_23));
+}
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = vreinterpretq_f32_u8(vld1q_u8(from[i]));
+    neon_transpose4(row, to);
+}
+TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = v_near(from[i], lo);
+    neon_transpose4(row, to);
 }
 
 TRIBOX_INLINE vint i_load(const int32_t *p) { return vld1q_s32(p); }

@@ -66,17 +66,37 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
     _mm_storeu_ps(number + V_LANES, b);
     return _mm_setr_ps(number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]);
 }
-TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+/* Of two doubles. */
+TRIBOX_INLINE vnum sse2_near(const double *p, const double *lo)
 {
-    vnum row[4];
-    for (int i = 0; i < 4; i++)
-        row[i] = _mm_loadu_ps((const float *)from[i]);
+    return _mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(p), _mm_loadu_pd(lo)));
+}
+TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+{
+    return _mm_movelh_ps(sse2_near(p, lo), sse2_near((const double *)p + 2, lo + 2));
+}
+TRIBOX_INLINE void sse2_transpose4(const vnum row[4], vnum to[4])
+{
     const vnum low_01 = _mm_unpacklo_ps(row[0], row[1]), low_23 = _mm_unpacklo_ps(row[2], row[3]);
     const vnum high_01 = _mm_unpackhi_ps(row[0], row[1]), high_23 = _mm_unpackhi_ps(row[2], row[3]);
     to[0] = _mm_movelh_ps(low_01, low_23);
     to[1] = _mm_movehl_ps(low_23, low_01);
     to[2] = _mm_movelh_ps(high_01, high_23);
     to[3] = _mm_movehl_ps(high_23, high_01);
+}
+TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = _mm_loadu_ps((const float *)from[i]);
+    sse2_transpose4(row, to);
+}
+TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+{
+    vnum row[4];
+    for (int i = 0; i < 4; i++)
+        row[i] = v_near(from[i], lo);
+    sse2_transpose4(row, to);
 }
 
 TRIBOX_INLINE vint i_load(const int32_t *p) { return _mm_loadu_si128((const __m128i *)p); }

@@ -1,0 +1,35 @@
+/*
+ * near.h - triangles of doubles, rounded relative to the lower corner of their box: what that leaves in doubt.
+ * After: axes.h, margin.h.
+ *
+ * A vertex is w = u - lo, taken in double and then rounded to float; the box is that from 0 to H, hi - lo rounded likewise. With
+ * these the bounds of margin.h hold for the doubles: they have room for moving the triangle by 2^-24 of its distance, if no side of
+ * the box is thinner than twice that (PROOFS.md 14.2, 14.3). Box normals compare numbers that are rounded, which keeps their order.
+ * Only lanes where rounding may have made a vertex touch are in doubt (14.1).
+ */
+
+/* Known to begin at zero, which saves a difference. */
+TRIBOX_INLINE void near_box(lane_box *box)
+{
+    for (int a = 0; a < 3; a++)
+        box->lo[a] = v_splat(0);
+}
+
+/* That of the box, for triangles that are not so far from it, or so large, that rounding may move them by half its thinnest side. */
+TRIBOX_INLINE lane_box_margin near_margin_of(const lane_box *box)
+{
+    const vnum thinnest = lane_min3(box->H[0], box->H[1], box->H[2]), longest = lane_max3(box->H[0], box->H[1], box->H[2]);
+    lane_box_margin margin = box_margin_of(box);
+    margin.most = v_min(margin.most, v_fms(v_splat(0x1p20f), thinnest, longest));
+    return margin;
+}
+
+/*
+ * Of the lanes that the normal of axis a does not separate, those where it is certain not to: some vertex is not below lo, which the
+ * sign of zero shows as well, and some is below hi.
+ */
+TRIBOX_INLINE vmask is_clear(const lane_triangle *t, const lane_box *box, int a)
+{
+    const vmask negative = m_and(m_and(m_signs(t->u[0][a]), m_signs(t->u[1][a])), m_signs(t->u[2][a]));
+    return m_andnot(v_gt(box->hi[a], lane_min3(t->u[0][a], t->u[1][a], t->u[2][a])), negative);
+}

@@ -1,0 +1,34 @@
+/* mesh_blocks.h - a mesh against a box, block by block: none where a word lies beside the box, and nothing written for bad indices. */
+#ifndef TRIBOX_MESH_BLOCKS_H
+#define TRIBOX_MESH_BLOCKS_H
+
+#include "plan.h"
+
+/* Triangles of a block at most, and those whose streams fit the first-level cache. */
+enum { TRIBOX_MESH_BLOCK = 1024, TRIBOX_MESH_STREAMED = 256 };
+
+typedef struct tribox_mesh_question tribox_mesh_question;
+
+/*
+ * Answers some of the triangles first .. first + count - 1, at most TRIBOX_MESH_BLOCK: the first of them, in whole words unless all.
+ * Adds to the counts; mask may be NULL. Returns how many, 0 if an index names no vertex.
+ */
+typedef size_t tribox_answer_block(const tribox_mesh_question *question, const tribox_mesh *mesh, size_t first, size_t count,
+                                   uint64_t *mask, tribox_report *counts);
+
+struct tribox_mesh_question {
+    tribox_answer_block *answer;
+    tribox_plan *plan;
+    const tribox_box_pattern *beside; /* NULL where vertices are not compared with the box, word by word */
+    bool is_empty;                    /* nothing overlaps this box */
+    bool in_double;                   /* of positions that are copied */
+    const void *about;                /* what `answer` knows of the box */
+};
+
+/*
+ * Answers all triangles of a mesh whose strides are set; mask may be NULL. False, and nothing is written, if an index names no
+ * vertex.
+ */
+bool tribox_mesh_answer(const tribox_mesh_question *question, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts);
+
+#endif

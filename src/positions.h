@@ -1,0 +1,37 @@
+/* positions.h - the numbers of a mesh's vertices, one by one. The strides of the mesh are set (mesh_input.h). */
+#ifndef TRIBOX_POSITIONS_H
+#define TRIBOX_POSITIONS_H
+
+#include <string.h>
+
+#include "tribox.h"
+
+static inline size_t tribox_position_bytes(const tribox_mesh *mesh)
+{
+    return mesh->position_bytes == sizeof(double) ? sizeof(double) : sizeof(float);
+}
+
+/* The double at any address, less `near`, rounded: the definition of v_near (kernel/README.md). */
+static inline float tribox_near_number(const void *from, double near)
+{
+    double number;
+    memcpy(&number, from, sizeof number);
+    return (float)(number - near);
+}
+
+/* The position of a vertex, of either size and with any strides. */
+static inline void tribox_position_read(const tribox_mesh *mesh, size_t vertex, double to[3])
+{
+    const char *from = (const char *)mesh->positions + vertex * mesh->stride;
+    for (int a = 0; a < 3; a++, from += mesh->axis_stride) {
+        float single;
+        if (mesh->position_bytes == sizeof *to) {
+            memcpy(&to[a], from, sizeof *to);
+        } else {
+            memcpy(&single, from, sizeof single);
+            to[a] = single;
+        }
+    }
+}
+
+#endif
