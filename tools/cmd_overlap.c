@@ -234,8 +234,10 @@ static int answer_mesh(const request *r)
     int code = mesh_read_as(r->mesh_path, r->format, &m);
     if (code)
         return code;
+    code = mesh_to_floats(r->mesh_path, (const double[3]){0, 0, 0}, &m);
     mesh_warn(r->mesh_path, &m);
-    code = r->boxes_path ? answer_boxes(&m, r) : answer_box(&m, r);
+    if (!code)
+        code = r->boxes_path ? answer_boxes(&m, r) : answer_box(&m, r);
     mesh_free(&m);
     return code;
 }
@@ -245,10 +247,10 @@ static int answer_request(const request *r)
 {
     triangle_file file = {.stream = NULL};
     const int code = r->boxes_path ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
-    if (!code)
-        return file.stream ? overlap_stream(r, &file) : answer_mesh(r);
+    if (!code && file.stream && file.format != TRIANGLES_F64)
+        return overlap_stream(r, &file);
     triangle_file_close(&file);
-    return code;
+    return code ? code : answer_mesh(r);
 }
 
 int cmd_overlap(int count, char **words)

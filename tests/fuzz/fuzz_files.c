@@ -34,15 +34,29 @@ static whole_file file_of(bytes b)
     return file;
 }
 
+/* Doubles become floats where float holds all of them, and stay where it does not. */
+static void check_numbers(indexed_mesh *m)
+{
+    const bool is_double = m->position_bytes == sizeof(double);
+    size_t fits = 0;
+    for (size_t i = 0; is_double && i < 3 * m->vertices; i++)
+        fits += float_fit_of(((const double *)m->positions)[i]) == FLOAT_FIT_EXACT;
+    ensure(!is_double || (fits == 3 * m->vertices) == (m->fit == FLOAT_FIT_EXACT), "%zu of %zu numbers are floats", fits,
+           3 * m->vertices);
+    indexed_mesh_narrow(m);
+    ensure(!m->vertices || (m->position_bytes == sizeof(double)) == (m->fit == FLOAT_FIT_NONE), "numbers of %u bytes",
+           m->position_bytes);
+}
+
 /* Every corner of a triangle is a vertex that was read, and memory is in proportion to the file. */
-static void check_mesh(const indexed_mesh *m, size_t size)
+static void check_mesh(indexed_mesh *m, size_t size)
 {
     for (size_t i = 0; i < 3 * m->triangles; i++)
         ensure(m->corners[i] < m->vertices, "triangle %zu has vertex %u of %zu", i / 3, m->corners[i], m->vertices);
-    ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 3, "room for %zu vertices of %zu bytes", m->vertices_max,
+    ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 1024, "room for %zu vertices of %zu bytes", m->vertices_max,
            size);
     ensure(m->triangles <= size && m->face_max <= 2 * size, "%zu triangles of %zu bytes", m->triangles, size);
-    ensure(m->rounded <= m->vertices && (m->moved > 0) == (m->rounded > 0), "%zu vertices moved by %g", m->rounded, m->moved);
+    check_numbers(m);
 }
 
 static void read_mesh(bytes b, const char *name, int (*read)(const char *, const whole_file *, indexed_mesh *))
@@ -59,6 +73,8 @@ static void read_mesh(bytes b, const char *name, int (*read)(const char *, const
 static void read_any_ply(bytes b) { read_mesh(b, "a.ply", read_ply); }
 
 static void read_any_off(bytes b) { read_mesh(b, "a.off", read_off); }
+
+static void read_any_obj(bytes b) { read_mesh(b, "a.obj", read_obj); }
 
 static void read_any_stl(bytes b) { read_mesh(b, "a.stl", read_stl_text); }
 
@@ -182,34 +198,51 @@ static void read_parts(bytes b)
         part_close(&parts[--opened]);
 }
 
-/* Of a block: the floats are those of the file. */
-static void check_block(bytes b, const triangle_file *file, float *const streams[9], size_t count)
+/* How triangles lie in a file of each format. */
+static const struct {
+    size_t head, record, numbers_at;
+} layouts[] = {[TRIANGLES_STL] = {84, 50, 12}, [TRIANGLES_F32] = {0, 36, 0}, [TRIANGLES_F64] = {0, 72, 0}};
+
+static uint64_t little(const uint8_t *from, size_t size)
 {
-    const bool is_stl = file->format == TRIANGLES_STL;
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < 9; k++) {
-            const uint8_t *const at =
-                b.first + (is_stl ? 84 + 12 + 50 * (file->taken - count + i) : 36 * (file->taken - count + i)) + 4 * k;
-            const uint32_t expected = at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
-            uint32_t bits;
-            memcpy(&bits, &streams[k % 3 * 3 + k / 3][i], sizeof bits);
-            ensure(bits == expected, "number %zu of triangle %zu of a block is another one", k, i);
-        }
+    uint64_t bits = 0;
+    for (size_t i = size; i > 0; i--)
+        bits = bits << 8 | from[i - 1];
+    return bits;
+}
+
+/* Of a block: the numbers are those of the file. */
+static void check_block(bytes b, const triangle_file *file, float room[9][TRIANGLE_BLOCK], const double *doubles, size_t count)
+{
+    const bool is_double = file->format == TRIANGLES_F64;
+    for (size_t n = 0; n < 9 * count; n++) {
+        const size_t i = n / 9, k = n % 9, size = is_double ? 8 : 4;
+        const uint8_t *const record =
+            b.first + layouts[file->format].head + layouts[file->format].record * (file->taken - count + i);
+        const uint64_t expected = little(record + layouts[file->format].numbers_at + size * k, size);
+        uint32_t single;
+        uint64_t bits;
+        memcpy(&single, &room[k % 3 * 3 + k / 3][i], sizeof single);
+        memcpy(&bits, &doubles[n], sizeof bits);
+        ensure(expected == (is_double ? bits : single), "number %zu of triangle %zu of a block is another one", k, i);
+    }
 }
 
 static int read_blocks(bytes b, triangle_file *file)
 {
     static float room[9][TRIANGLE_BLOCK];
+    static double doubles[9 * TRIANGLE_BLOCK];
     float *streams[9];
     size_t count = 1;
     int code = EXIT_CODE_OK;
     for (int k = 0; k < 9; k++)
         streams[k] = room[k];
     while (!code && count) {
-        code = triangle_file_next(file, streams, &count);
-        ensure(file->taken <= b.size / 36, "more triangles than the file has bytes for");
+        code = file->format == TRIANGLES_F64 ? triangle_file_next_doubles(file, doubles, &count)
+                                             : triangle_file_next(file, streams, &count);
+        ensure(file->taken <= b.size / layouts[file->format].record, "more triangles than the file has bytes for");
         if (!code)
-            check_block(b, file, streams, count);
+            check_block(b, file, room, doubles, count);
     }
     return code;
 }
@@ -218,7 +251,7 @@ static int read_blocks(bytes b, triangle_file *file)
 static void read_triangles(bytes b)
 {
     const unsigned choice = b.size ? b.first[0] : 0;
-    const triangle_format format = (triangle_format)(choice % 3);
+    const triangle_format format = (triangle_format)(choice % 4);
     const bytes rest = {b.first + (b.size > 0), b.size - (b.size > 0)};
     const char *path = write_file(0, rest);
     triangle_file file;
@@ -229,7 +262,7 @@ static void read_triangles(bytes b)
     int code = triangle_file_open(path, format, &file);
     if (!code && file.stream) {
         code = read_blocks(rest, &file);
-        ensure(code || file.taken * (file.format == TRIANGLES_STL ? 50 : 36) + (file.format == TRIANGLES_STL ? 84 : 0) == rest.size,
+        ensure(code || layouts[file.format].head + layouts[file.format].record * file.taken == rest.size,
                "%llu triangles are read of %zu bytes", (unsigned long long)file.taken, rest.size);
     }
     lines_fit("triangle_file", code);
@@ -238,7 +271,8 @@ static void read_triangles(bytes b)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static void (*const readers[])(bytes) = {read_any_ply, read_any_off, read_any_stl, read_boxes, read_parts, read_triangles};
+    static void (*const readers[])(bytes) = {read_any_ply, read_any_off,   read_any_stl, read_boxes,
+                                             read_parts,   read_triangles, read_any_obj};
     if (!size)
         return 0;
     lines_forget();

@@ -11,6 +11,12 @@ int mesh_read_as(const char *path, triangle_format format, mesh *m)
     return message_failure("%s: no mesh of format %d", path, (int)format);
 }
 
+int mesh_to_floats(const char *path, const double origin[3], mesh *m)
+{
+    (void)m;
+    return message_failure("%s: no mesh to be rounded about %g", path, origin[0]);
+}
+
 void mesh_warn(const char *path, const mesh *m) { message_say("%s: %zu triangles", path, m->soup.count); }
 
 void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)

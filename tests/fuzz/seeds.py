@@ -317,19 +317,33 @@ def part_files():
 
 
 def triangles_files():
-    """The first byte modulo 3 is the format: 0 by name, 1 STL, 2 raw floats; from 128 on, through standard input."""
-    by_name, stl, raw, stl_by_stdin, raw_by_stdin = (bytes([choice]) for choice in (0, 1, 2, 130, 131))
-    numbers = struct.pack("<18f", *range(18))
+    """The first byte modulo 4 is the format: 0 by name, 1 STL, 2 floats, 3 doubles; from 128 on, through standard input."""
+    by_name, stl, raw, doubles = (bytes([choice]) for choice in range(4))
+    stl_by_stdin, raw_by_stdin, doubles_by_stdin = (bytes([choice]) for choice in (129, 130, 131))
+    numbers, wide = struct.pack("<18f", *range(18)), struct.pack("<18d", *(number / 10 for number in range(18)))
     return {"binary": stl + BINARY_STL, "binary_cut": stl + BINARY_STL[:-1], "header_cut": stl + BINARY_STL[:70],
             "long": stl + BINARY_STL + b"x", "text_asked": stl + TEXT_STL, "by_name": by_name + BINARY_STL,
             "text": by_name + TEXT_STL, "raw": raw + numbers, "raw_cut": raw + numbers[:-1], "stdin": stl_by_stdin + BINARY_STL,
             "stdin_cut": stl_by_stdin + BINARY_STL[:-1], "stdin_raw": raw_by_stdin + numbers,
-            "stdin_raw_cut": raw_by_stdin + numbers[:-1]}
+            "stdin_raw_cut": raw_by_stdin + numbers[:-1], "doubles": doubles + wide, "doubles_cut": doubles + wide[:-1],
+            "stdin_doubles": doubles_by_stdin + wide, "stdin_doubles_cut": doubles_by_stdin + wide[:-1]}
+
+
+def obj_files():
+    plain = b"# a triangle\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    return {"triangle": plain, "cut": plain[:-3], "no_line_end": plain[:-1], "slashes": plain.replace(b"1 2 3", b"1/1 2//5 3/4/5"),
+            "negative": plain.replace(b"1 2 3", b"-3 -2 -1"), "far_index": plain.replace(b"1 2 3", b"1 2 4"),
+            "index_0": plain.replace(b"1 2 3", b"0 1 2"), "too_negative": plain.replace(b"1 2 3", b"-4 1 2"),
+            "faces_first": b"f 1 2 3\nf 1 2 3 4\nf -1 1 2\n" + plain[:-8] + b"v 1.1 2.2 3.3\nf -1 -2 -3\n",
+            "continued": plain.replace(b" 2 ", b" \\\n2\\\r\n").replace(b"v 0 1", b"v\\\n 0 1"), "comment": plain.replace(b"\n", b"#\\\n\n"),
+            "more": plain.replace(b" 0\n", b" 0 1 255 0 0\n") + b"vn 0 0 1\ng a\nusemtl b\np 1\nl 1 2\nf 1 2\n",
+            "doubles": plain.replace(b"1 0", b"557820.123456789 0x1p-200"), "word": plain.replace(b"1 0", b"one 0"),
+            "polygon": b"v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 1 4 3 2 1\n"}
 
 
 # In the order of the readers of fuzz_files.c.
 READERS = {"ply": ply_files, "off": off_files, "stl": stl_files, "boxes": boxes_files, "part": part_files,
-           "triangles": triangles_files}
+           "triangles": triangles_files, "obj": obj_files}
 
 
 def files():

@@ -36,9 +36,10 @@ class BadMeshes(support.TestCase):
             self.refuse(path, "cannot open the mesh file: Permission denied")
 
     def test_no_mesh(self):
-        for name in ("notes.txt", "notes.obj", "notes.gltf", "no_ending"):
+        for name in ("notes.txt", "notes.gltf", "no_ending"):
             self.refuse(self.write(name, "hello\n"),
-                        "not a (mesh that libassimp can read, or a damaged one|PLY, OFF, STL or .f32 file)")
+                        "not a (mesh that libassimp can read, or a damaged one|PLY, OFF, OBJ, STL, .f32 or .f64 file)")
+        self.refuse(self.write("notes.obj", "hello\n"), "not an OBJ file, or an empty one: it has no line with a vertex, 'v X Y Z'")
         self.refuse(self.write("notes.ply", "hello\n"), "not a PLY file: it does not begin with 'ply'")
         self.refuse(self.write("notes.stl", "hello\n"), "truncated, or not an STL file")
         self.refuse(self.write("notes.off", "hello\n"), "not an OFF file: it does not begin with 'OFF'")
@@ -59,7 +60,10 @@ class BadMeshes(support.TestCase):
         self.refuse(self.write("negative.ply", meshes.ply_header("ascii", 3, 1) + vertices + b"3 0 1 -1\n"), "damaged: face 0 .*-1")
         self.refuse(self.write("far.off", b"OFF\n3 1 0\n" + vertices + b"3 0 1 3\n"), "damaged: face 0 refers to vertex 3")
         self.refuse(self.write("negative.off", b"OFF\n3 1 0\n" + vertices + b"3 0 -1 2\n"), "damaged: face 0 refers to vertex -1")
-        self.refuse(self.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "not a mesh that libassimp can read, or a damaged")
+        for vertex in ("4", "-4", "0", "-0", "4/1/1"):
+            self.refuse(self.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 %s\nv 1 1 1\n" % vertex if vertex[0] == "-" else
+                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 %s\n" % vertex),
+                        "damaged: line 4 refers to vertex %s, the file has 3, counted from 1" % vertex)
 
     def test_header_of_ply(self):
         whole = meshes.ply_ascii(TRIANGLES)
@@ -88,6 +92,16 @@ class BadMeshes(support.TestCase):
                                   (b"60 20 0\n", b"60 20 0\n1 2\n", "line 4 ends where a coordinate of a vertex should follow"),
                                   (b"3 0 1 2\n", b"3 0 1 2.5\n", "line 64 has '2.5' where the number of a vertex should be")):
             self.refuse(self.write("words.off", content.replace(old, new, 1)), "damaged: " + pattern)
+
+    def test_words_of_obj(self):
+        vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        for line, pattern in (("v 1 2 x\n", "line 4 has 'x' where a coordinate of a vertex should be"), ("v 1,2 3\n", "line 4 has '1,2' where"),
+                              ("v 1 2\n\n", "line 4 ends where a coordinate of a vertex should follow"),
+                              ("v 1 2 # 3\n", "line 4 ends where a coordinate of a vertex should follow"),
+                              ("f 1 2 3.5\n", "line 4 has '3.5' where the number of a vertex should be"), ("f 1 2 --3\n", "line 4 has '--3' where"),
+                              ("f 1 2 3/x\n", "line 4 has '3/x' where"), ("f 1 2 /3\n", "line 4 has '/3' where"),
+                              ("f\n", "line 4 ends where the number of a vertex should follow")):
+            self.refuse(self.write("words.obj", vertices + line + "f 1 2 3\n"), "damaged: " + pattern)
 
     def test_grammar_of_stl(self):
         whole = meshes.stl_ascii(TRIANGLES)
@@ -141,7 +155,7 @@ class TruncatedMeshes(support.TestCase):
         """A cut among the vertices leaves no faces, or faces of vertices that are not there."""
         whole = meshes.obj(TRIANGLES)
         for size in range(1, whole.index(b"f "), 41):
-            self.fail_with(1, r"^tribox overlap: [^\n]*cut.obj: (not a mesh|no triangles)", "overlap",
+            self.fail_with(1, r"^tribox overlap: [^\n]*cut.obj: (truncated|not an OBJ file|no triangles)", "overlap",
                            self.write("cut.obj", whole[:size]), "--box", support.UNIT_BOX)
 
     def test_off(self):

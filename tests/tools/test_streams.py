@@ -228,7 +228,7 @@ class Voxels(support.TestCase):
 
     def test_wrong_command_line(self):
         mesh = self.write("mesh.f32", meshes.pack_floats(TRIANGLES[:9]))
-        for pattern, arguments in (("standard input needs its format: --format stl or", ("-", "-o", "x.npy")),
+        for pattern, arguments in (("standard input needs its format: --format stl, f32 or", ("-", "-o", "x.npy")),
                                    ("standard output needs its format: --out-format npy, ", (mesh, "-o", "-")),
                                    ("--out-format: 'png' is none of npy, bin", (mesh, "-o", "-", "--out-format", "png")),
                                    ("--json and -o - exclude", (mesh, "-o", "-", "--out-format", "raw", "--json")),

@@ -96,7 +96,7 @@ class WrongCommandLine(support.TestCase):
         self.fail_with(2, "--list with --boxes needs --json", "overlap", "a.obj", "--boxes", "-", "--list")
 
     def test_standard_input(self):
-        self.fail_with(2, "standard input needs its format: --format stl or --format f32;",
+        self.fail_with(2, "standard input needs its format: --format stl, f32 or f64;",
                        "overlap", "-", "--box", support.UNIT_BOX)
         self.fail_with(2, "--boxes needs the mesh as a file", "overlap", "-", "--format", "stl", "--boxes", "b.txt")
         self.fail_with(2, "'a.obj' is one file too many", "overlap", "-", "a.obj", "--format", "stl", "--box", support.UNIT_BOX)
@@ -128,7 +128,7 @@ class WrongCommandLine(support.TestCase):
         wrong("--axes", "", "box,", ",box", "box,planes", "box plane", "all")
         wrong("--order", "", "0", "12", "1234", "322", "3 1 2")
         wrong("--kernel", "", "AVX2", "avx", "best")
-        wrong("--format", "", "STL", "ply", "f64", ".stl")
+        wrong("--format", "", "STL", "ply", "f16", ".stl")
 
     def test_kernel_of_another_processor(self):
         here = json.loads(self.succeed("info", "--json"))["kernels"]

@@ -2,7 +2,6 @@
 #include "indexed_mesh.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,21 +10,43 @@
 /* Corners of a polygon that are tried: with all of them a file could ask for years. */
 enum { APEXES_MAX = 64, TRIANGLES_AT_FIRST = 1024 };
 
-int indexed_mesh_reserve(const char *path, uint64_t vertices, indexed_mesh *m)
+int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_bytes, indexed_mesh *m)
 {
     if (vertices > UINT32_MAX)
         return message_failure("%s: %" PRIu64 " vertices, more than 4294967295; split the mesh", path, vertices);
-    m->positions = vertices < SIZE_MAX / sizeof(float[3]) ? malloc((size_t)(vertices + 1) * sizeof(float[3])) : NULL;
+    const size_t bytes = 3 * position_bytes;
+    void *const positions = vertices < SIZE_MAX / bytes ? realloc(m->positions, (size_t)(vertices + 1) * bytes) : NULL;
+    if (!positions)
+        return message_failure("%s: out of memory for %" PRIu64 " vertices", path, vertices);
+    m->positions = positions;
+    m->position_bytes = position_bytes;
     m->vertices_max = (size_t)vertices;
-    return m->positions ? EXIT_CODE_OK : message_failure("%s: out of memory for %" PRIu64 " vertices", path, vertices);
+    return EXIT_CODE_OK;
 }
 
-void indexed_mesh_add_vertex(const float position[3], const double moved[3], indexed_mesh *m)
+void indexed_mesh_add_vertex(const double position[3], indexed_mesh *m)
 {
-    memcpy(m->positions + 3 * m->vertices++, position, sizeof(float[3]));
-    const double most = fmax(fmax(moved[0], moved[1]), moved[2]);
-    m->rounded += most > 0;
-    m->moved = fmax(m->moved, most);
+    memcpy((double *)m->positions + 3 * m->vertices++, position, sizeof(double[3]));
+}
+
+void indexed_mesh_add_floats(const float position[3], indexed_mesh *m)
+{
+    memcpy((float *)m->positions + 3 * m->vertices++, position, sizeof(float[3]));
+}
+
+/* In place: number i ends before number i + 1 begins. */
+void indexed_mesh_narrow(indexed_mesh *m)
+{
+    unsigned char *const bytes = m->positions;
+    if (m->position_bytes == sizeof(float) || m->fit == FLOAT_FIT_NONE)
+        return;
+    for (size_t i = 0; i < 3 * m->vertices; i++) {
+        double number;
+        memcpy(&number, bytes + i * sizeof number, sizeof number);
+        const float nearest = (float)number;
+        memcpy(bytes + i * sizeof nearest, &nearest, sizeof nearest);
+    }
+    m->position_bytes = sizeof(float);
 }
 
 int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *m)
@@ -63,10 +84,20 @@ typedef struct vector {
     double x, y, z;
 } vector;
 
+static vector position(const indexed_mesh *m, uint32_t vertex)
+{
+    if (m->position_bytes == sizeof(float)) {
+        const float *p = (const float *)m->positions + 3 * (size_t)vertex;
+        return (vector){(double)p[0], (double)p[1], (double)p[2]};
+    }
+    const double *p = (const double *)m->positions + 3 * (size_t)vertex;
+    return (vector){p[0], p[1], p[2]};
+}
+
 static vector difference(const indexed_mesh *m, uint32_t to, uint32_t from)
 {
-    const float *p = m->positions + 3 * (size_t)to, *q = m->positions + 3 * (size_t)from;
-    return (vector){(double)p[0] - (double)q[0], (double)p[1] - (double)q[1], (double)p[2] - (double)q[2]};
+    const vector p = position(m, to), q = position(m, from);
+    return (vector){p.x - q.x, p.y - q.y, p.z - q.z};
 }
 
 static double dot(vector a, vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

@@ -6,8 +6,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "console/written_number.h"
+
 typedef struct indexed_mesh {
-    float *positions; /* x, y, z of each vertex */
+    void *positions;         /* x, y, z of each vertex */
+    unsigned position_bytes; /* 4: floats, 8: doubles, of which each is a float if `fit` says so */
+    float_fit fit;           /* the worst of all coordinates */
     size_t vertices, vertices_max;
     uint32_t *corners; /* three vertices of each triangle */
     size_t triangles, triangles_max;
@@ -15,15 +19,17 @@ typedef struct indexed_mesh {
     size_t face_max;
     size_t left_out; /* points and lines */
     size_t miscut;   /* polygons whose triangles cover more than they do */
-    size_t rounded;  /* vertices with a coordinate that rounding to float has moved */
-    double moved;    /* the most that one of their coordinates has moved */
 } indexed_mesh;
 
-/* Makes room for vertices, before the first of them. Returns an exit_code; path is for the message. */
-int indexed_mesh_reserve(const char *path, uint64_t vertices, indexed_mesh *m);
+/* Makes room for as many vertices at least, of floats or doubles. Returns an exit_code; path is for the message. */
+int indexed_mesh_reserve(const char *path, uint64_t vertices, unsigned position_bytes, indexed_mesh *m);
 
-/* moved: how far rounding has moved the three coordinates. There has to be room for the vertex. */
-void indexed_mesh_add_vertex(const float position[3], const double moved[3], indexed_mesh *m);
+/* Each adds a vertex of a mesh of doubles, or of floats, for which there is room. */
+void indexed_mesh_add_vertex(const double position[3], indexed_mesh *m);
+void indexed_mesh_add_floats(const float position[3], indexed_mesh *m);
+
+/* Doubles that are floats, or decimals that floats give back, become floats. Others stay. */
+void indexed_mesh_narrow(indexed_mesh *m);
 
 /* Makes room for the corners of a face, in m->face. Returns an exit_code. */
 int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *m);

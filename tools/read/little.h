@@ -21,4 +21,9 @@ static inline uint32_t little_get32(const unsigned char *from)
     return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 | (uint32_t)from[3] << 24;
 }
 
+static inline uint64_t little_get64(const unsigned char *from)
+{
+    return little_get32(from) | (uint64_t)little_get32(from + 4) << 32;
+}
+
 #endif

@@ -3,13 +3,13 @@
 #include "mesh.h"
 
 #include <inttypes.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-#include "console/memory.h"
 #include "console/message.h"
+#include "double_triangles.h"
+#include "mesh_doubles.h"
 #include "readers.h"
 #include "words.h"
 
@@ -18,7 +18,7 @@ typedef int reader(const char *path, const whole_file *file, indexed_mesh *m);
 static const struct {
     const char *word, *ending;
     reader *read;
-} formats[] = {{"ply", ".ply", read_ply}, {"off", ".off", read_off}, {"solid", ".stl", read_stl_text}};
+} formats[] = {{"ply", ".ply", read_ply}, {"off", ".off", read_off}, {"solid", ".stl", read_stl_text}, {"", ".obj", read_obj}};
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
 static bool has_ending(const char *path, const char *ending)
@@ -33,7 +33,7 @@ static reader *find_reader(const char *path, const whole_file *file)
     words first = words_of(path, file, '#');
     words_next(&first);
     for (int i = 0; i < FORMATS; i++)
-        if (words_is(&first, formats[i].word))
+        if (first.length && words_is(&first, formats[i].word))
             return formats[i].read;
     for (int i = 0; i < FORMATS; i++)
         if (has_ending(path, formats[i].ending))
@@ -50,10 +50,15 @@ static void point_streams(mesh *m)
     }
 }
 
+static int refuse_none(const char *path)
+{
+    return message_failure("%s: no triangles in it, points or lines at most; give a mesh with faces", path);
+}
+
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
 {
     if (!count)
-        return message_failure("%s: no triangles in it, points or lines at most; give a mesh with faces", path);
+        return refuse_none(path);
     m->coordinates = count <= SIZE_MAX / (9 * sizeof(float)) ? malloc(9 * (size_t)count * sizeof(float)) : NULL;
     if (!m->coordinates)
         return message_failure("%s: out of memory for %" PRIu64 " triangles", path, count);
@@ -69,27 +74,61 @@ static void find_streams(const mesh *m, float *to[9])
         to[k] = m->coordinates + k * m->capacity + m->soup.count;
 }
 
-static int take_indexed(const char *path, const indexed_mesh *from, mesh *m)
+static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
 {
     float *to[9];
-    const int code = mesh_make_room(path, from->triangles, m);
+    const int code = mesh_make_room(path, all->count, m);
     if (code)
         return code;
     find_streams(m, to);
+    const tribox_status status = tribox_mesh_to_streams(all, 0, all->count, NULL, to, to + 3, to + 6);
+    m->soup.count = all->count;
+    return status ? message_failure("%s: %s", path, tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+static int take_doubles(const char *path, indexed_mesh *from, const tribox_mesh *all, mesh *m)
+{
+    if (!all->count)
+        return refuse_none(path);
+    m->is_double = true;
+    m->doubles = *all;
+    m->positions = from->positions;
+    m->corners = from->corners;
+    from->positions = NULL;
+    from->corners = NULL;
+    return EXIT_CODE_OK;
+}
+
+static int take_indexed(const char *path, indexed_mesh *from, mesh *m)
+{
+    indexed_mesh_narrow(from);
     const tribox_mesh all = {.positions = from->positions,
                              .vertices = from->vertices,
                              .indices = from->corners,
                              .index_bytes = sizeof *from->corners,
-                             .count = from->triangles};
-    const tribox_status status = tribox_mesh_to_streams(&all, 0, all.count, NULL, to, to + 3, to + 6);
-    if (status)
-        return message_failure("%s: %s", path, tribox_status_text(status));
-    m->soup.count = from->triangles;
+                             .count = from->triangles,
+                             .position_bytes = from->position_bytes};
     m->left_out = from->left_out;
     m->miscut = from->miscut;
-    m->rounded = from->rounded;
-    m->moved = from->moved;
-    return EXIT_CODE_OK;
+    m->is_decimal = from->fit == FLOAT_FIT_DECIMAL;
+    return from->position_bytes == sizeof(float) ? take_floats(path, &all, m) : take_doubles(path, from, &all, m);
+}
+
+int mesh_to_floats(const char *path, const double origin[3], mesh *m)
+{
+    if (!m->is_double)
+        return EXIT_CODE_OK;
+    tribox_mesh all = m->doubles;
+    mesh_round(origin, m);
+    all.position_bytes = sizeof(float);
+    all.stride = 0;
+    const int code = take_floats(path, &all, m);
+    free(m->positions);
+    free(m->corners);
+    m->positions = m->corners = NULL;
+    m->is_double = false;
+    m->not_finite = tribox_soup_not_finite(&m->soup, &m->first_not_finite);
+    return code;
 }
 
 static int read_whole(const char *path, mesh *m)
@@ -110,15 +149,12 @@ static int read_whole(const char *path, mesh *m)
 /* Doubles the room for a stream of unknown length. What its header promises is not believed. */
 static int make_more_room(const char *name, mesh *m)
 {
-    enum { TRIANGLE_BYTES = 9 * sizeof(float), FIRST = 16 * TRIANGLE_BLOCK };
-    char needed[16], there[16];
-    const uint64_t capacity = m->capacity ? 2 * (uint64_t)m->capacity : FIRST, bytes = capacity * TRIANGLE_BYTES;
-    const uint64_t available = memory_available();
-    if (bytes > available || bytes > SIZE_MAX)
-        return message_failure("%s: after %zu triangles the next take %s of memory and %s are available; save the mesh as a file, "
-                               "which takes less",
-                               name, m->soup.count, memory_text(bytes, needed), memory_text(available, there));
-    float *const grown = realloc(m->coordinates, (size_t)bytes);
+    enum { TRIANGLE_BYTES = 9 * sizeof(float) };
+    uint64_t capacity;
+    const int code = triangles_more_room(name, m->soup.count, m->capacity, TRIANGLE_BYTES, &capacity);
+    if (code)
+        return code;
+    float *const grown = realloc(m->coordinates, (size_t)capacity * TRIANGLE_BYTES);
     if (!grown)
         return message_failure("%s: out of memory after %zu triangles", name, m->soup.count);
     for (size_t k = 8; k > 0; k--)
@@ -129,7 +165,7 @@ static int make_more_room(const char *name, mesh *m)
     return EXIT_CODE_OK;
 }
 
-static int read_triangles(triangle_file *file, mesh *m)
+static int read_float_triangles(triangle_file *file, mesh *m)
 {
     int code = file->is_sized ? mesh_make_room(file->name, file->promised, m) : EXIT_CODE_OK;
     size_t count = 1;
@@ -146,6 +182,22 @@ static int read_triangles(triangle_file *file, mesh *m)
     return code || m->soup.count ? code : message_failure("%s: no triangles in it", file->name);
 }
 
+static int read_triangles(triangle_file *file, mesh *m)
+{
+    double_triangles found;
+    if (file->format != TRIANGLES_F64)
+        return read_float_triangles(file, m);
+    int code = double_triangles_read(file, &found);
+    if (!code) {
+        m->is_double = true;
+        m->positions = found.positions;
+        m->doubles = (tribox_mesh){
+            .positions = found.positions, .vertices = 3 * found.count, .count = found.count, .position_bytes = sizeof(double)};
+        code = found.fit == FLOAT_FIT_NONE ? EXIT_CODE_OK : mesh_to_floats(file->name, (const double[3]){0, 0, 0}, m);
+    }
+    return code;
+}
+
 int mesh_read_as(const char *path, triangle_format format, mesh *m)
 {
     triangle_file file;
@@ -154,14 +206,26 @@ int mesh_read_as(const char *path, triangle_format format, mesh *m)
     if (!code)
         code = file.stream ? read_triangles(&file, m) : read_whole(path, m);
     triangle_file_close(&file);
-    if (code)
+    if (code) {
         mesh_free(m);
-    else
-        m->not_finite = tribox_soup_not_finite(&m->soup, &m->first_not_finite);
-    return code;
+        return code;
+    }
+    m->triangles = m->is_double ? m->doubles.count : m->soup.count;
+    m->not_finite =
+        m->is_double ? mesh_doubles_not_finite(m, &m->first_not_finite) : tribox_soup_not_finite(&m->soup, &m->first_not_finite);
+    return EXIT_CODE_OK;
 }
 
-int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, m); }
+int mesh_read(const char *path, mesh *m)
+{
+    int code = mesh_read_as(path, TRIANGLES_OTHER, m);
+    if (code)
+        return code;
+    code = mesh_to_floats(path, (const double[3]){0, 0, 0}, m);
+    if (code)
+        mesh_free(m);
+    return code;
+}
 
 void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)
 {
@@ -173,7 +237,7 @@ void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count,
 
 void mesh_warn(const char *path, const mesh *m)
 {
-    mesh_warn_not_finite(path, m->not_finite, m->soup.count, m->first_not_finite);
+    mesh_warn_not_finite(path, m->not_finite, m->triangles, m->first_not_finite);
     if (m->rounded)
         message_say(
             "warning: %s: rounding to float moved coordinates of %zu vert%s by up to %.2g; subtract an origin first where that "
@@ -192,5 +256,7 @@ void mesh_warn(const char *path, const mesh *m)
 void mesh_free(mesh *m)
 {
     free(m->coordinates);
+    free(m->positions);
+    free(m->corners);
     *m = (mesh){.coordinates = NULL};
 }

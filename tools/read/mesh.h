@@ -1,37 +1,50 @@
-/* mesh.h - a mesh file as a triangle soup. */
+/* mesh.h - a mesh file as a triangle soup of floats or, where float does not hold its numbers, as a mesh of doubles. */
 #ifndef MESH_H
 #define MESH_H
 
+#include <stdbool.h>
+
+#include "indexed_mesh.h"
 #include "triangle_file.h"
 #include "tribox.h"
 
 typedef struct mesh {
-    tribox_soup soup;        /* all triangles in the order of the file; polygons are cut, degenerate triangles stay */
+    size_t triangles;        /* all of them, in the order of the file; polygons are cut, degenerate triangles stay */
+    tribox_soup soup;        /* as floats; empty if is_double */
+    tribox_mesh doubles;     /* as doubles if is_double */
+    bool is_double;          /* a coordinate is no float, nor a decimal that the nearest float gives back, as it does 0.1 */
+    bool is_decimal;         /* all are, and some are such decimals: the nearest floats stand for them */
     size_t left_out;         /* points and lines of the file */
     size_t uncut;            /* triangles missing, since libassimp could not cut a polygon that crosses itself */
-    size_t miscut;           /* polygons of PLY and OFF files whose triangles cover more than they do */
-    size_t rounded;          /* vertices of which rounding to float has moved a coordinate; 0 where libassimp reads */
+    size_t miscut;           /* polygons whose triangles cover more than they do */
+    size_t rounded;          /* vertices of which mesh_to_floats has moved a coordinate */
     double moved;            /* the most that it has moved one */
     size_t not_finite;       /* triangles with a NaN or infinite coordinate */
     size_t first_not_finite; /* the first of them */
     size_t capacity;         /* triangles that the streams have room for */
     float *coordinates;      /* what the streams point into */
+    void *positions;         /* and what `doubles` does */
+    uint32_t *corners;
 } mesh;
 
 /*
- * Reads a mesh file: PLY, OFF, STL and raw triangles here, others by libassimp. Coordinates are those of the file, bit for bit
- * where it holds floats, otherwise rounded to the nearest. libassimp may be an ulp off, and applies the transforms of scenes.
+ * Reads a mesh file: PLY, OFF, OBJ, STL and raw triangles here, others by libassimp. Coordinates are those of the file, bit for bit
+ * where it holds floats or doubles, otherwise the nearest. libassimp may be an ulp of float off, and applies the transforms of
+ * scenes. format: in place of the name, also of a stream, for which the memory grows; "-" is stdin.
  * Returns an exit_code; a file without a triangle is a failure. On success mesh_free gives the memory back.
  */
-int mesh_read(const char *path, mesh *m);
-
-/* The same where the format may be given, in place of the name: also of a stream, for which the memory grows; "-" is stdin. */
 int mesh_read_as(const char *path, triangle_format format, mesh *m);
 
-/* Makes room for triangles, for which the readers ask. No triangles at all are a failure. Returns an exit_code. */
+/* The same, by its name, as floats in any case. */
+int mesh_read(const char *path, mesh *m);
+
+/* Makes a mesh of doubles one of floats, rounded once after the origin is subtracted. Returns an exit_code. */
+int mesh_to_floats(const char *path, const double origin[3], mesh *m);
+
+/* Makes room for triangles as floats, for which the readers ask. No triangles at all are a failure. Returns an exit_code. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
 
-/* Says on standard error which triangles are not finite, rounded, missing or cut badly. */
+/* Says on standard error which triangles are not finite, missing or cut badly, and which vertices are rounded. */
 void mesh_warn(const char *path, const mesh *m);
 
 /* Says the first of these, for triangles that are in no mesh; silent if there are none. */

@@ -2,7 +2,6 @@
 #include "ply_values.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <string.h>
 
 #include "console/message.h"
@@ -96,24 +95,35 @@ static double number_of(uint64_t bits, ply_type type)
 int ply_values_take(ply_values *v, ply_type type, double *number)
 {
     if (v->format == PLY_ASCII)
-        return words_next(&v->words) && words_number(&v->words, number) ? EXIT_CODE_OK : refuse_word(v);
+        return words_next(&v->words) && words_number(&v->words, number, &(float_fit){FLOAT_FIT_EXACT}) ? EXIT_CODE_OK
+                                                                                                       : refuse_word(v);
     if (!values_left(v, type))
         return refuse_end(v);
     *number = number_of(take_bits(v, ply_type_size(type)), type);
     return EXIT_CODE_OK;
 }
 
-/* A binary float arrives bit for bit, whatever it is; other numbers are rounded to the nearest. */
-int ply_values_take_coordinate(ply_values *v, ply_type type, float *number, double *moved)
+/* As text, too, a double is a double. */
+int ply_values_take_coordinate(ply_values *v, ply_type type, double *number, float_fit *fit)
 {
-    if (v->format == PLY_ASCII)
-        return words_next(&v->words) && words_coordinate(&v->words, number, moved) ? EXIT_CODE_OK : refuse_word(v);
-    if (!values_left(v, type))
+    float_fit own = FLOAT_FIT_EXACT;
+    const bool is_text = v->format == PLY_ASCII;
+    if (is_text && (!words_next(&v->words) || !words_number(&v->words, number, &own)))
+        return refuse_word(v);
+    const int code = is_text ? EXIT_CODE_OK : ply_values_take(v, type, number);
+    if (code)
+        return code;
+    if (!is_text || type == PLY_DOUBLE)
+        own = float_fit_of(*number);
+    *fit = own > *fit ? own : *fit;
+    return EXIT_CODE_OK;
+}
+
+int ply_values_take_float(ply_values *v, float *number)
+{
+    if (!values_left(v, PLY_FLOAT))
         return refuse_end(v);
-    const uint64_t bits = take_bits(v, ply_type_size(type));
-    const double exact = number_of(bits, type);
-    *number = type == PLY_FLOAT ? float_of(bits) : (float)exact;
-    *moved = isfinite(*number) ? fabs(exact - (double)*number) : 0;
+    *number = float_of(take_bits(v, sizeof *number));
     return EXIT_CODE_OK;
 }
 

@@ -21,7 +21,8 @@ int ply_values_begin(ply_values *v, const ply_element *element);
 
 /* Each takes what comes next, and returns an exit_code: failure where the file ends, or a word is not a number. */
 int ply_values_take(ply_values *v, ply_type type, double *number);
-int ply_values_take_coordinate(ply_values *v, ply_type type, float *number, double *moved);
+int ply_values_take_coordinate(ply_values *v, ply_type type, double *number, float_fit *fit); /* fit: as for words_number */
+int ply_values_take_float(ply_values *v, float *number);                                      /* of a binary file, bit for bit */
 int ply_values_skip(ply_values *v, const ply_property *property);
 
 /* Takes the number of values in a list; the bytes that are left can hold as many. */

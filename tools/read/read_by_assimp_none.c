@@ -5,7 +5,8 @@
 int read_by_assimp(const char *path, mesh *m)
 {
     (void)m;
-    return message_failure("%s: not a PLY, OFF, STL or .f32 file, and this program was built without libassimp, which reads other "
-                           "formats; install libassimp-dev and build it again, or save the mesh as PLY",
-                           path);
+    return message_failure(
+        "%s: not a PLY, OFF, OBJ, STL, .f32 or .f64 file, and this program was built without libassimp, which reads other "
+        "formats; install libassimp-dev and build it again, or save the mesh as PLY",
+        path);
 }

@@ -40,13 +40,12 @@ static int read_counts(words *w, uint64_t *vertices, uint64_t *faces)
 
 static int read_vertex(words *w, indexed_mesh *m)
 {
-    float position[3];
-    double moved[3];
+    double position[3];
     for (int a = 0; a < 3; a++)
-        if (!(a ? words_next_on_line(w) : words_next(w)) || !words_coordinate(w, &position[a], &moved[a]))
+        if (!(a ? words_next_on_line(w) : words_next(w)) || !words_number(w, &position[a], &m->fit))
             return words_refuse(w, "a coordinate of a vertex");
     words_skip_line(w);
-    indexed_mesh_add_vertex(position, moved, m);
+    indexed_mesh_add_vertex(position, m);
     return EXIT_CODE_OK;
 }
 
@@ -78,7 +77,7 @@ int read_off(const char *path, const whole_file *file, indexed_mesh *m)
     if (!code)
         code = read_counts(&w, &vertices, &faces);
     if (!code)
-        code = indexed_mesh_reserve(path, vertices, m);
+        code = indexed_mesh_reserve(path, vertices, sizeof(double), m);
     for (uint64_t i = 0; !code && i < vertices; i++)
         code = read_vertex(&w, m);
     for (uint64_t i = 0; !code && i < faces; i++)

@@ -12,16 +12,27 @@ typedef int read_instance(ply_values *v, indexed_mesh *m);
 
 static int read_vertex(ply_values *v, indexed_mesh *m)
 {
-    float position[3] = {0, 0, 0};
-    double moved[3] = {0, 0, 0};
+    double position[3] = {0, 0, 0};
     int code = EXIT_CODE_OK;
     for (int i = 0; !code && i < v->element->property_count; i++) {
         const ply_property *p = &v->element->properties[i];
-        code =
-            p->role <= PLY_Z ? ply_values_take_coordinate(v, p->type, &position[p->role], &moved[p->role]) : ply_values_skip(v, p);
+        code = p->role <= PLY_Z ? ply_values_take_coordinate(v, p->type, &position[p->role], &m->fit) : ply_values_skip(v, p);
     }
     if (!code)
-        indexed_mesh_add_vertex(position, moved, m);
+        indexed_mesh_add_vertex(position, m);
+    return code;
+}
+
+static int read_floats(ply_values *v, indexed_mesh *m)
+{
+    float position[3] = {0, 0, 0};
+    int code = EXIT_CODE_OK;
+    for (int i = 0; !code && i < v->element->property_count; i++) {
+        const ply_property *p = &v->element->properties[i];
+        code = p->role <= PLY_Z ? ply_values_take_float(v, &position[p->role]) : ply_values_skip(v, p);
+    }
+    if (!code)
+        indexed_mesh_add_floats(position, m);
     return code;
 }
 
@@ -88,11 +99,20 @@ static int skip_instance(ply_values *v, indexed_mesh *m)
 static int read_element(ply_values *v, const ply_element *e, read_instance *read, indexed_mesh *m)
 {
     int code = ply_values_begin(v, e);
-    if (!code && read == read_vertex)
-        code = indexed_mesh_reserve(v->path, e->count, m);
+    if (!code && (read == read_vertex || read == read_floats))
+        code = indexed_mesh_reserve(v->path, e->count, read == read_floats ? sizeof(float) : sizeof(double), m);
     for (; !code && v->number < e->count; v->number++)
         code = read(v, m);
     return code;
+}
+
+/* Floats of binary files are not worth the memory of doubles. */
+static read_instance *vertex_reader(const ply_values *v, const ply_element *e)
+{
+    bool is_float = v->format != PLY_ASCII;
+    for (int i = 0; i < e->property_count; i++)
+        is_float &= e->properties[i].role > PLY_Z || e->properties[i].type == PLY_FLOAT;
+    return is_float ? read_floats : read_vertex;
 }
 
 static bool has_faces(const ply_element *e) { return e->kind == PLY_FACES || e->kind == PLY_STRIPS; }
@@ -107,7 +127,7 @@ static int read_elements(const char *path, const whole_file *file, const ply_hea
     while (vertices < end && vertices->kind != PLY_VERTICES)
         is_face_first |= has_faces(vertices++);
     for (e = h->elements; !code && e < end && e <= vertices; e++)
-        code = read_element(&v, e, e == vertices ? read_vertex : skip_instance, m);
+        code = read_element(&v, e, e == vertices ? vertex_reader(&v, e) : skip_instance, m);
     if (is_face_first) {
         v = ply_values_of(path, file, h);
         e = h->elements;

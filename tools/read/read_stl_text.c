@@ -20,15 +20,14 @@ static int expect(words *w, const char *due)
 
 static int read_vertex(words *w, indexed_mesh *m)
 {
-    float position[3];
-    double moved[3];
+    double position[3];
     const int code = expect(w, "vertex");
     if (code)
         return code;
     for (int a = 0; a < 3; a++)
-        if (!words_next(w) || !words_coordinate(w, &position[a], &moved[a]))
+        if (!words_next(w) || !words_number(w, &position[a], &m->fit))
             return words_refuse(w, "a coordinate of a vertex");
-    indexed_mesh_add_vertex(position, moved, m);
+    indexed_mesh_add_vertex(position, m);
     return EXIT_CODE_OK;
 }
 
@@ -74,7 +73,7 @@ int read_stl_text(const char *path, const whole_file *file, indexed_mesh *m)
             "%s: truncated, or not an STL file: its size is not the one that its header promises, nor is it text "
             "from 'solid' to 'endsolid'; write it again",
             path);
-    int code = indexed_mesh_reserve(path, 3 * ((uint64_t)file->size / FACET_BYTES_MIN + 1), m);
+    int code = indexed_mesh_reserve(path, 3 * ((uint64_t)file->size / FACET_BYTES_MIN + 1), sizeof(double), m);
     while (!code) {
         code = read_solid(&w, m);
         if (code || !words_next(&w))

@@ -12,6 +12,7 @@
  */
 int read_ply(const char *path, const whole_file *file, indexed_mesh *m);
 int read_off(const char *path, const whole_file *file, indexed_mesh *m);
+int read_obj(const char *path, const whole_file *file, indexed_mesh *m);
 
 /* STL as text; triangle_file.h reads the binary kind. */
 int read_stl_text(const char *path, const whole_file *file, indexed_mesh *m);

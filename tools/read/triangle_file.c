@@ -14,29 +14,30 @@
 #include "console/message.h"
 #include "tribox.h"
 
-enum { FLOATS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, RECORD_MAX = 50 };
+enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50, RECORD_MAX = 8 * NUMBERS };
 
-/* The bytes of a triangle, and where in them its floats begin. */
+/* The bytes of a triangle, and where in them its numbers begin. */
 static const struct {
     const char *word, *ending;
-    size_t record, floats_at;
-} formats[] = {[TRIANGLES_STL] = {"stl", ".stl", RECORD_MAX, 12}, [TRIANGLES_F32] = {"f32", ".f32", 4 * FLOATS, 0}};
+    size_t record, numbers_at;
+} formats[] = {[TRIANGLES_STL] = {"stl", ".stl", STL_RECORD, 12},
+               [TRIANGLES_F32] = {"f32", ".f32", 4 * NUMBERS, 0},
+               [TRIANGLES_F64] = {"f64", ".f64", 8 * NUMBERS, 0}};
 
 int triangle_format_read(const char *text, triangle_format *format)
 {
-    for (*format = TRIANGLES_STL; *format <= TRIANGLES_F32; ++*format)
+    for (*format = TRIANGLES_STL; *format <= TRIANGLES_F64; ++*format)
         if (!strcmp(text, formats[*format].word))
             return EXIT_CODE_OK;
-    return message_usage("--format: '%s' is neither stl nor f32", text);
+    return message_usage("--format: '%s' is none of stl, f32, f64", text);
 }
 
 static bool is_stdin(const char *path) { return !strcmp(path, "-"); }
 
 int triangle_format_check(const char *path, triangle_format format)
 {
-    return is_stdin(path) && format == TRIANGLES_OTHER
-               ? message_usage("standard input needs its format: --format stl or --format f32")
-               : EXIT_CODE_OK;
+    return is_stdin(path) && format == TRIANGLES_OTHER ? message_usage("standard input needs its format: --format stl, f32 or f64")
+                                                       : EXIT_CODE_OK;
 }
 
 const char *triangle_file_name(const char *path) { return is_stdin(path) ? "stdin" : path; }
@@ -44,7 +45,7 @@ const char *triangle_file_name(const char *path) { return is_stdin(path) ? "stdi
 static triangle_format format_of_name(const char *path)
 {
     const char *ending = strrchr(path, '.');
-    for (triangle_format f = TRIANGLES_STL; ending && f <= TRIANGLES_F32; f++)
+    for (triangle_format f = TRIANGLES_STL; ending && f <= TRIANGLES_F64; f++)
         if (!strcasecmp(ending, formats[f].ending))
             return f;
     return TRIANGLES_OTHER;
@@ -106,7 +107,7 @@ static int open_stl(triangle_file *file, bool is_given)
     if (!got)
         return message_failure("%s: the file is empty", file->name);
     file->promised = got < sizeof header ? 0 : little_get32(header + STL_COUNT_AT);
-    const uint64_t due = STL_HEADER + RECORD_MAX * file->promised; /* 38 bits at most */
+    const uint64_t due = STL_HEADER + STL_RECORD * file->promised; /* 38 bits at most */
     if (is_text(header, got) && file->size != due)
         return leave_text(file, is_given);
     if (got < sizeof header)
@@ -115,15 +116,16 @@ static int open_stl(triangle_file *file, bool is_given)
     return file->is_sized && file->size != due ? refuse_stl_size(file, due) : EXIT_CODE_OK;
 }
 
-static int open_f32(triangle_file *file)
+static int open_raw(triangle_file *file)
 {
-    const uint64_t whole = file->size / formats[TRIANGLES_F32].record, rest = file->size % formats[TRIANGLES_F32].record;
+    const size_t record = formats[file->format].record;
+    const uint64_t whole = file->size / record, rest = file->size % record;
     file->promised = file->is_sized ? whole : UINT64_MAX;
     if (!file->is_sized || !rest)
         return EXIT_CODE_OK;
-    return message_failure("%s: truncated, or not raw triangles: after %" PRIu64 " triangles of 36 bytes it has %" PRIu64
+    return message_failure("%s: truncated, or not raw triangles: after %" PRIu64 " triangles of %zu bytes it has %" PRIu64
                            " bytes more; write it again",
-                           file->name, whole, rest);
+                           file->name, whole, record, rest);
 }
 
 int triangle_file_open(const char *path, triangle_format format, triangle_file *file)
@@ -135,7 +137,7 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
         return EXIT_CODE_OK;
     int code = open_stream(path, file);
     if (!code)
-        code = file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_f32(file);
+        code = file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_raw(file);
     if (code || !file->stream)
         return code;
     file->bytes = malloc(TRIANGLE_BLOCK * RECORD_MAX);
@@ -157,15 +159,19 @@ static int refuse_end(const triangle_file *file, size_t got, int error)
                            file->name, whole, promise, got % record, record);
 }
 
-/* Turns records into the floats of this machine, in place. */
+/* Turns records into the floats or doubles of this machine, in place. */
 static void unpack(triangle_file *file, size_t count)
 {
-    const size_t record = formats[file->format].record, at = formats[file->format].floats_at;
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < FLOATS; k++) {
+    const size_t record = formats[file->format].record, at = formats[file->format].numbers_at;
+    for (size_t i = 0; file->format != TRIANGLES_F64 && i < count; i++)
+        for (size_t k = 0; k < NUMBERS; k++) {
             const uint32_t bits = little_get32(file->bytes + i * record + at + 4 * k);
-            memcpy(file->bytes + 4 * (i * FLOATS + k), &bits, sizeof bits);
+            memcpy(file->bytes + 4 * (i * NUMBERS + k), &bits, sizeof bits);
         }
+    for (size_t k = 0; file->format == TRIANGLES_F64 && k < NUMBERS * count; k++) {
+        const uint64_t bits = little_get64(file->bytes + 8 * k);
+        memcpy(file->bytes + 8 * k, &bits, sizeof bits);
+    }
 }
 
 static int check_end(const triangle_file *file)
@@ -176,7 +182,8 @@ static int check_end(const triangle_file *file)
                            file->promised);
 }
 
-int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count)
+/* Reads the next block into file->bytes. */
+static int read_block(triangle_file *file, size_t *count)
 {
     const size_t record = formats[file->format].record;
     const uint64_t left = file->promised - file->taken;
@@ -192,9 +199,25 @@ int triangle_file_next(triangle_file *file, float *const streams[9], size_t *cou
     *count = got / record;
     file->taken += *count;
     unpack(file, *count);
+    return EXIT_CODE_OK;
+}
+
+int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count)
+{
+    const int code = read_block(file, count);
+    if (code)
+        return code;
     const tribox_mesh block = {.positions = file->bytes, .vertices = 3 * *count, .count = *count};
     const tribox_status status = tribox_mesh_to_streams(&block, 0, *count, NULL, streams, streams + 3, streams + 6);
     return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count)
+{
+    const int code = read_block(file, count);
+    if (!code)
+        memcpy(positions, file->bytes, *count * NUMBERS * sizeof *positions);
+    return code;
 }
 
 void triangle_file_close(triangle_file *file)

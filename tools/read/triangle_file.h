@@ -1,4 +1,4 @@
-/* triangle_file.h - files that list one triangle after another and are read in blocks: binary STL and raw floats. */
+/* triangle_file.h - files that list one triangle after another and are read in blocks: binary STL, raw floats and raw doubles. */
 #ifndef TRIANGLE_FILE_H
 #define TRIANGLE_FILE_H
 
@@ -6,11 +6,12 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* How triangles lie in a file. Its name decides where nothing else does: .stl, .f32, or OTHER. */
+/* How triangles lie in a file. Its name decides where nothing else does: .stl, .f32, .f64, or OTHER. */
 typedef enum triangle_format {
     TRIANGLES_OTHER, /* in neither of these ways */
     TRIANGLES_STL,   /* binary STL: a header of 84 bytes that ends in their number, then 50 bytes each */
-    TRIANGLES_F32    /* nine little-endian float32 each and nothing else */
+    TRIANGLES_F32,   /* nine little-endian float32 each and nothing else */
+    TRIANGLES_F64    /* nine little-endian float64 each and nothing else */
 } triangle_format;
 
 /* Triangles of a block: whole words of a mask, in streams that fit the cache. */
@@ -27,7 +28,7 @@ typedef struct triangle_file {
     unsigned char *bytes; /* of a block, as they are in the file */
 } triangle_file;
 
-/* Reads a format by its name, "stl" or "f32". Returns an exit_code. */
+/* Reads a format by its name, "stl", "f32" or "f64". Returns an exit_code. */
 int triangle_format_read(const char *text, triangle_format *format);
 
 /* Refuses standard input of no given format. Returns an exit_code. */
@@ -48,6 +49,9 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
  * streams: x of the three vertices, then y, then z. Returns an exit_code.
  */
 int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count);
+
+/* The same for a file of doubles: x, y, z of the three vertices of each triangle. */
+int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count);
 
 void triangle_file_close(triangle_file *file);
 

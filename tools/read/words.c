@@ -23,16 +23,24 @@ words words_of(const char *path, const whole_file *file, char comment)
 
 static bool is_comment(const words *w) { return *w->at == w->comment; }
 
+/* The bytes of a backslash and the line end after it, where they join two lines; else 0. The file ends with a NUL byte. */
+static size_t joint(const words *w)
+{
+    if (!w->is_continued || *w->at != '\\' || !is_line_end(w->at[1]))
+        return 0;
+    return w->at[1] == '\r' && w->at[2] == '\n' ? 3 : 2;
+}
+
 static void skip_to_line_end(words *w)
 {
     while (w->at < w->end && !is_line_end(*w->at))
-        w->at++;
+        w->at += joint(w) ? joint(w) : 1;
 }
 
 static bool take_word(words *w)
 {
     w->word = w->at;
-    while (w->at < w->end && !is_blank(*w->at) && !is_comment(w))
+    while (w->at < w->end && !is_blank(*w->at) && !is_comment(w) && !joint(w))
         w->at++;
     w->length = (size_t)(w->at - w->word);
     return w->length;
@@ -51,8 +59,8 @@ bool words_next(words *w)
 
 bool words_next_on_line(words *w)
 {
-    while (w->at < w->end && is_blank(*w->at) && !is_line_end(*w->at))
-        w->at++;
+    while (w->at < w->end && ((is_blank(*w->at) && !is_line_end(*w->at)) || joint(w)))
+        w->at += joint(w) ? joint(w) : 1;
     if (w->at < w->end && (is_line_end(*w->at) || is_comment(w))) {
         w->length = 0;
         return false;
@@ -80,6 +88,15 @@ bool words_whole(const words *w, uint64_t *number)
     if (is_negative && *number)
         *number = UINT64_MAX;
     return w->length > is_negative;
+}
+
+bool words_number(const words *w, double *number, float_fit *fit)
+{
+    float_fit own;
+    if (!written_number_read(w->word, w->length, number, &own))
+        return false;
+    *fit = own > *fit ? own : *fit;
+    return true;
 }
 
 bool words_is_cut(const words *w) { return w->at == w->end; }

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "console/written_number.h"
 #include "whole_file.h"
 
 typedef struct words {
@@ -14,7 +15,8 @@ typedef struct words {
     const char *at;   /* what follows the last word */
     const char *word; /* the last word, `length` bytes; none at the end of the text */
     size_t length;
-    char comment; /* starts a comment that ends with its line; ' ': there are no comments */
+    char comment;      /* starts a comment that ends with its line; ' ': there are no comments */
+    bool is_continued; /* a backslash at the end of a line joins it with the next */
 } words;
 
 words words_of(const char *path, const whole_file *file, char comment);
@@ -33,13 +35,8 @@ bool words_is(const words *w, const char *expected);
 /* Reads a whole number; negative ones, and those beyond 64 bits, become UINT64_MAX. Returns false where the word is not one. */
 bool words_whole(const words *w, uint64_t *number);
 
-bool words_number(const words *w, double *number);
-
-/*
- * Reads the float nearest to a number. moved: receives how far that is from the number, or 0 where the float, written with as many
- * digits, gives the number back: 0.1 has not moved, 557820.15 has.
- */
-bool words_coordinate(const words *w, float *number, double *moved);
+/* Reads the double nearest to a number. fit: raised to how well float holds that, if it holds it worse. */
+bool words_number(const words *w, double *number, float_fit *fit);
 
 /* Says that the text ends too soon, or has another word, where `due` should be. Returns EXIT_CODE_FAILURE. */
 int words_refuse(const words *w, const char *due);

@@ -110,6 +110,8 @@ int voxelize_work(const voxelize_request *r)
                          .shard = r->is_part ? r->shard : 0,
                          .shards = r->shards};
     int code = mesh_read_as(r->mesh_path, r->format, &m);
+    if (!code)
+        code = mesh_to_floats(triangle_file_name(r->mesh_path), (const double[3]){0, 0, 0}, &m);
     if (code)
         return code;
     mesh_warn(triangle_file_name(r->mesh_path), &m);

@@ -1,0 +1,27 @@
+/* written_number.h - numbers as texts spell them, independent of the locale: the nearest double, and whether a float does. */
+#ifndef WRITTEN_NUMBER_H
+#define WRITTEN_NUMBER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* How well float holds a number. A greater value asks for more. */
+typedef enum float_fit {
+    FLOAT_FIT_EXACT,   /* it is a float, or NaN */
+    FLOAT_FIT_DECIMAL, /* no float, but the nearest one, written with as many digits, gives it back: 0.1 */
+    FLOAT_FIT_NONE     /* it takes a double: 557820.15 */
+} float_fit;
+
+/* Whether a double is a float. */
+static inline float_fit float_fit_of(double number)
+{
+    return (double)(float)number == number || number != number ? FLOAT_FIT_EXACT : FLOAT_FIT_NONE;
+}
+
+/*
+ * Reads the double nearest to the number that the whole of text[0 .. length) spells; what follows must not continue it. Returns
+ * false where it spells none. (float)*number is the float nearest to the text unless *fit is FLOAT_FIT_NONE.
+ */
+bool written_number_read(const char *text, size_t length, double *number, float_fit *fit);
+
+#endif
