@@ -28,6 +28,14 @@ static inline bool tribox_are_finite(const float *number, int count)
     return are;
 }
 
+static inline bool tribox_are_finite_f64(const double *number, int count)
+{
+    bool are = true;
+    for (int n = 0; n < count; n++)
+        are &= tribox_is_finite_f64(number[n]);
+    return are;
+}
+
 /* Whether all nine coordinates of a triangle are finite. */
 static inline bool tribox_triangle_is_finite(const float u[3][3]) { return tribox_are_finite(&u[0][0], 9); }
 

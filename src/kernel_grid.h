@@ -27,7 +27,8 @@ typedef enum tribox_shape { TRIBOX_SOLID, TRIBOX_FLAT_X, TRIBOX_FLAT_Y, TRIBOX_F
 /* Triangles of one shape. */
 typedef struct tribox_strip {
     unsigned count;
-    float u[9][TRIBOX_STRIP];                      /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of triangle t at [t] */
+    double u[9][TRIBOX_STRIP];                     /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of triangle t at [t] */
+    int32_t number[TRIBOX_STRIP];                  /* that of tribox_triangle */
     double base[3][TRIBOX_STRIP];                  /* the first cell of its range, within the grid */
     double cells[3][TRIBOX_STRIP];                 /* how many there are on each axis, within the grid */
     int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, in words from the first layer's start */

@@ -1,6 +1,7 @@
 /* voxel_waiting.c - open cells: they wait, and are settled by their own boxes. */
 #include "voxels.h"
 
+#include "finite.h"
 #include "grid_cells.h"
 #include "settle.h"
 
@@ -9,25 +10,36 @@ typedef struct cell_bit {
     uint64_t *word, bit;
 } cell_bit;
 
-void tribox_voxels_wait(tribox_voxels *v, const float u[9], int64_t first, int64_t last, int64_t j, int64_t k)
+void tribox_voxels_wait(tribox_voxels *v, const tribox_triangle *triangle, int64_t first, int64_t last, int64_t j, int64_t k)
 {
     tribox_waiting *const w = &v->waiting;
     for (; first <= last; first += 32) {
         if (w->count == TRIBOX_WAITING)
             tribox_voxels_settle(v);
-        for (int n = 0; n < 9; n++)
-            w->u[n][w->count] = u[n];
-        w->at[0][w->count] = (int32_t)first;
-        w->at[1][w->count] = (int32_t)j;
-        w->at[2][w->count] = (int32_t)k;
+        for (int n = 0; n < 9 && !v->mesh; n++)
+            w->u[n][w->count] = (float)triangle->u[n];
+        w->number[w->count] = triangle->number;
+        w->at[0][w->count] = (int32_t)(uint32_t)first;
+        w->at[1][w->count] = (int32_t)(uint32_t)j;
+        w->at[2][w->count] = (int32_t)(uint32_t)k;
         w->bits[w->count++] = (int32_t)(~UINT32_C(0) >> (last - first < 31 ? 31 - (last - first) : 0));
     }
+}
+
+void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle)
+{
+    if (!tribox_are_finite_f64(triangle->u, 9))
+        return;
+    for (int64_t k = v->first_layer; k < v->end_layer; k++)
+        for (int64_t j = 0; j < v->size[1]; j++)
+            tribox_voxels_wait(v, triangle, 0, (int64_t)v->size[0] - 1, j, k);
 }
 
 static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)
 {
     v->counts.undecided += count;
-    for (uint64_t left = tribox_settle_batch(batch, count, &v->plan).overlapping; left; left &= left - 1) {
+    const tribox_verdict verdict = (v->mesh ? tribox_settle_batch_f64 : tribox_settle_batch)(batch, count, &v->plan);
+    for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const unsigned i = tribox_lowest_bit(left);
         v->counts.overlapping += tribox_set_bits(cell[i].word, cell[i].bit);
     }
@@ -36,23 +48,28 @@ static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, 
 /* The words of row n of those that wait. */
 static uint64_t *row_of(const tribox_voxels *v, unsigned n)
 {
-    const int64_t layer = v->waiting.at[2][n] - v->first_layer;
-    return v->occupied + (layer * (int64_t)v->grid->size[1] + v->waiting.at[1][n]) * (int64_t)v->row_words;
+    const int64_t layer = (uint32_t)v->waiting.at[2][n] - v->first_layer;
+    return v->occupied + (layer * (int64_t)v->size[1] + (uint32_t)v->waiting.at[1][n]) * (int64_t)v->row_words;
 }
 
 /* Those of its cells that are not set by now: most rows have none. Cells may go on in the next word. */
 static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
 {
-    const int32_t i = v->waiting.at[0][n], from = i % 64;
+    const uint32_t i = (uint32_t)v->waiting.at[0][n], from = i % 64;
     const uint64_t *const word = row_of(v, n) + i / 64;
     const uint64_t next = word[(size_t)i / 64 + 1 < v->row_words];
     return (uint32_t)v->waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
 }
 
 /* One of these cells joins the batch. */
-static void add_cell(const tribox_voxels *v, unsigned n, int32_t i, tribox_batch *batch, unsigned to)
+static void add_cell(const tribox_voxels *v, unsigned n, uint32_t i, tribox_batch *batch, unsigned to)
 {
-    const int32_t at[3] = {i, v->waiting.at[1][n], v->waiting.at[2][n]};
+    const uint32_t at[3] = {i, (uint32_t)v->waiting.at[1][n], (uint32_t)v->waiting.at[2][n]};
+    if (v->mesh) {
+        const tribox_triangle triangle = tribox_voxels_numbered(v, v->waiting.number[n]);
+        tribox_batch_put(batch, to, &triangle, &v->planes, (int64_t[3]){at[0], at[1], at[2]}, (int64_t[3]){1, 1, 1});
+        return;
+    }
     for (int m = 0; m < 9; m++)
         batch->number[m][to] = v->waiting.u[m][n];
     for (int a = 0; a < 3; a++) {
@@ -75,7 +92,7 @@ void tribox_voxels_settle(tribox_voxels *v)
     }
     for (unsigned r = 0; r < rows; r++) {
         for (; left[r]; left[r] &= left[r] - 1) {
-            const int32_t i = v->waiting.at[0][row[r]] + (int32_t)tribox_lowest_bit(left[r]);
+            const uint32_t i = (uint32_t)v->waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
             cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};
             add_cell(v, row[r], i, &batch, count);
             if (++count == TRIBOX_BATCH) {

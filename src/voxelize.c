@@ -3,7 +3,6 @@
 
 #include "environment.h"
 #include "few.h"
-#include "finite.h"
 #include "grid_cells.h"
 
 static tribox_lattice lattice_of(const tribox_grid *grid)
@@ -21,10 +20,12 @@ static tribox_lattice lattice_of(const tribox_grid *grid)
     return lattice;
 }
 
-static void take_triangle(const tribox_soup *soup, size_t i, float u[9])
+static tribox_triangle triangle_at(const tribox_soup *soup, size_t i)
 {
+    tribox_triangle triangle = {.number = 0};
     for (int n = 0; n < 9; n++)
-        u[n] = tribox_soup_axis(soup, n / 3)[n % 3][i];
+        triangle.u[n] = tribox_soup_axis(soup, n / 3)[n % 3][i];
+    return triangle;
 }
 
 /* Float is a filter where it tells places in the grid apart by less than half a cell, and nothing overflows (PROOFS.md 7.9). */
@@ -35,10 +36,10 @@ static bool is_for_float(tribox_voxels *v)
     for (int a = 0; a < 3; a++) {
         f->origin[a] = v->grid->origin[a];
         f->per_cell[a] = (float)v->lattice.per_cell[a];
-        f->size[a] = (float)v->grid->size[a];
+        f->size[a] = (float)v->size[a];
         f->error[a] = (float)v->lattice.error[a] * 1.001f;
         f->doubt[a] = f->error[a] + (f->size[a] + 1) * 0x1p-22f;
-        is &= v->grid->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;
+        is &= v->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;
     }
     return is;
 }
@@ -50,9 +51,8 @@ static void set_soup(tribox_voxels *v, const tribox_soup *soup)
         v->plan.kernel->cells->set_soup(v, tribox_few_triangles(soup, v->plan.kernel, &few));
     } else {
         for (size_t i = 0; i < soup->count; i++) {
-            float u[9];
-            take_triangle(soup, i, u);
-            tribox_voxels_add(v, u);
+            const tribox_triangle triangle = triangle_at(soup, i);
+            tribox_voxels_add(v, &triangle);
         }
     }
     tribox_voxels_set_strips(v);
@@ -62,12 +62,8 @@ static void set_soup(tribox_voxels *v, const tribox_soup *soup)
 static void set_soup_by_cells(tribox_voxels *v, const tribox_soup *soup)
 {
     for (size_t i = 0; i < soup->count; i++) {
-        float u[9];
-        take_triangle(soup, i, u);
-        if (tribox_are_finite(u, 9))
-            for (int64_t k = v->first_layer; k < v->end_layer; k++)
-                for (int64_t j = 0; j < v->grid->size[1]; j++)
-                    tribox_voxels_wait(v, u, 0, (int64_t)v->grid->size[0] - 1, j, k);
+        const tribox_triangle triangle = triangle_at(soup, i);
+        tribox_voxels_wait_everywhere(v, &triangle);
     }
 }
 
@@ -86,20 +82,12 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
                has_layers = is_sound && first <= grid->size[2] && layers <= grid->size[2] - first;
     if (has_layers) {
         v->grid = grid;
+        v->mesh = NULL;
+        memcpy(v->size, grid->size, sizeof v->size);
         v->first_layer = first;
         v->end_layer = (int64_t)first + layers;
-        v->row_words = tribox_grid_row_words(grid);
-        v->row_halves = (int32_t)(2 * v->row_words);
-        v->layer_halves = (int32_t)(uint32_t)(2 * v->row_words * grid->size[1]);
-        v->occupied = occupied;
-        v->is_far = v->row_words * grid->size[1] * layers > 1 << 17;
-        v->counts = (tribox_report){0, 0};
-        v->waiting.count = v->writes.count = 0;
         v->lattice = lattice_of(grid);
-        for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
-            v->strip[shape].count = 0;
-        for (tribox_class kind = TRIBOX_FLATS; kind < TRIBOX_CLASSES; kind++)
-            v->queue[kind].count = 0;
+        tribox_voxels_start(v, occupied);
         if (layers)
             (v->plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(v, soup);
         tribox_voxels_settle(v);

@@ -11,6 +11,7 @@
 
 #include "cell_bits.h"
 #include "plan.h"
+#include "planes.h"
 
 /* Bits to be set, in halves of words (kernel/writes.h): written when more than TRIBOX_WRITES are listed. */
 enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 320, TRIBOX_WRITES_AHEAD = 48 };
@@ -37,6 +38,15 @@ typedef struct tribox_queue {
     float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
 } tribox_queue;
 
+/*
+ * One triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below, floats of a soup or doubles of a mesh; and for a mesh its
+ * number.
+ */
+typedef struct tribox_triangle {
+    double u[9];
+    int32_t number;
+} tribox_triangle;
+
 /* The grid in float. */
 typedef struct tribox_float_lattice {
     float origin[3], per_cell[3], size[3];
@@ -50,17 +60,24 @@ typedef struct tribox_cell_range {
     bool spans[3];
 } tribox_cell_range;
 
-/* Open cells of up to TRIBOX_WAITING rows: of row at[1], at[2] those of these bits, counted along x from at[0] on. */
+/* Open cells of up to TRIBOX_WAITING rows: of row at[1], at[2] those of these bits, counted along x from at[0] on, all unsigned. */
 enum { TRIBOX_WAITING = 128 };
 typedef struct tribox_waiting {
     unsigned count;
-    float u[9][TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* the triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below */
+    float u[9][TRIBOX_WAITING + TRIBOX_LANES_MAX];     /* the triangle of a soup, */
+    int32_t number[TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* or the number of one of a mesh */
     int32_t at[3][TRIBOX_WAITING + TRIBOX_LANES_MAX], bits[TRIBOX_WAITING + TRIBOX_LANES_MAX];
 } tribox_waiting;
 
-/* One call: the layers that it writes. */
+/* One call: the layers that it writes of a grid in float, or a window of one in double as a grid of its own. */
 struct tribox_voxels {
-    const tribox_grid *grid;
+    const tribox_grid *grid; /* NULL for a grid in double, and then: */
+    const tribox_mesh *mesh; /* its strides set */
+    size_t first_triangle;   /* the one with the number 0 */
+    tribox_planes planes;
+    bool has_limits; /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
+
+    uint32_t size[3]; /* of the grid or window */
     tribox_plan plan;
     tribox_lattice lattice;
     tribox_float_lattice in_float;
@@ -89,19 +106,35 @@ static inline void tribox_will_write(const void *at)
 static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b; }
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
 
-/* Cells first to last of row (j, k) wait with triangle u. */
-void tribox_voxels_wait(tribox_voxels *v, const float u[9], int64_t first, int64_t last, int64_t j, int64_t k);
+/* Before the first triangle, once sizes and layers are known. */
+void tribox_voxels_start(tribox_voxels *v, uint64_t *occupied);
+
+/* Cells first to last of row (j, k) wait with their triangle. */
+void tribox_voxels_wait(tribox_voxels *v, const tribox_triangle *triangle, int64_t first, int64_t last, int64_t j, int64_t k);
+
+/* The same of all cells, where the triangle is finite. */
+void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle);
 
 /* Settles the cells that wait, but those that are set by now: once more after the last triangle. */
 void tribox_voxels_settle(tribox_voxels *v);
 
-/* Triangle u, which touches these cells of the grid: a line is set, another joins the strip of its shape. */
-void tribox_voxels_take(tribox_voxels *v, const float u[9], const tribox_cell_range *range);
+/* A triangle that touches these cells of the grid: a line is set, another joins the strip of its shape. */
+void tribox_voxels_take(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range);
 
 /* The rows of all strips that hold triangles. */
 void tribox_voxels_set_strips(tribox_voxels *v);
 
 /* One triangle, whatever its numbers: the planes of the grid decide which cells its box touches. */
-void tribox_voxels_add(tribox_voxels *v, const float u[9]);
+void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle);
+
+/* Triangle `number` of the mesh. */
+tribox_triangle tribox_voxels_numbered(const tribox_voxels *v, int32_t number);
+
+/* The triangle of a mesh whose cells are found by no limits, but by asking blocks of them, and blocks of these (PROOFS.md 7.10). */
+void tribox_voxels_ask(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range);
+
+/* Pair `to` of a batch: the triangle, and a block of cells. */
+void tribox_batch_put(tribox_batch *batch, unsigned to, const tribox_triangle *triangle, const tribox_planes *planes,
+                      const int64_t base[3], const int64_t cells[3]);
 
 #endif

@@ -26,10 +26,10 @@ static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned
 {
     for (; lanes; lanes &= lanes - 1) {
         const unsigned t = at + tribox_lowest_bit(lanes);
-        float u[9];
+        tribox_triangle triangle = {.number = 0};
         for (int n = 0; n < 9; n++)
-            u[n] = queue->number[n][t];
-        tribox_voxels_add(v, u);
+            triangle.u[n] = queue->number[n][t];
+        tribox_voxels_add(v, &triangle);
     }
 }
 

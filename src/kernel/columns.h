@@ -40,10 +40,10 @@ static void wait_for_cells(const strip_place *p, int64_t first, int64_t end, int
 {
     const tribox_strip *const strip = p->strip;
     const int64_t base[3] = {(int64_t)strip->base[0][p->t], (int64_t)strip->base[1][p->t], (int64_t)strip->base[2][p->t]};
-    float u[9];
+    tribox_triangle triangle = {.number = strip->number[p->t]};
     for (int n = 0; n < 9; n++)
-        u[n] = strip->u[n][p->t];
-    tribox_voxels_wait(p->v, u, base[0] + first, base[0] + end - 1, base[1] + j, base[2] + k);
+        triangle.u[n] = strip->u[n][p->t];
+    tribox_voxels_wait(p->v, &triangle, base[0] + first, base[0] + end - 1, base[1] + j, base[2] + k);
 }
 
 static void wait_for_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
@@ -55,7 +55,7 @@ static void wait_for_column(const strip_place *p, int64_t first, int64_t end, in
 /* Returns how many cells of the column were not set before. */
 TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
 {
-    const int64_t row = (int64_t)p->v->row_words, layer = row * p->v->grid->size[1];
+    const int64_t row = (int64_t)p->v->row_words, layer = row * p->v->size[1];
     if (first >= end)
         return 0;
     uint64_t *const word = p->v->occupied + (p->strip->word[p->t] + k * layer + first * row);

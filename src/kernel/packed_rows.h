@@ -95,7 +95,7 @@ TRIBOX_INLINE row_cursor first_rows(const strip_place *p, tribox_shape shape)
 TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at, tribox_shape shape, bool has_certain)
 {
     const unsigned t = p->t;
-    const double row_words = (double)p->v->row_words, layer_words = row_words * p->v->grid->size[1];
+    const double row_words = (double)p->v->row_words, layer_words = row_words * p->v->size[1];
     const vnum j = v_read(&rows->j[at]), k = v_read(&rows->k[at]), cells = v_splat(p->strip->cells[0][t]);
     lane_run run = whole_run(cells);
     if (shape != TRIBOX_FLAT_Z)

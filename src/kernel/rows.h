@@ -24,7 +24,7 @@ TRIBOX_INLINE bool is_limited(tribox_shape shape, int i) { return shape == TRIBO
 
 TRIBOX_INLINE lane_places strip_places(const tribox_strip *strip, unsigned at, const tribox_lattice *lattice, int a)
 {
-    const vnum u[3] = {v_load(&strip->u[3 * a][at]), v_load(&strip->u[3 * a + 1][at]), v_load(&strip->u[3 * a + 2][at])};
+    const vnum u[3] = {v_read(&strip->u[3 * a][at]), v_read(&strip->u[3 * a + 1][at]), v_read(&strip->u[3 * a + 2][at])};
     return places_of(u, v_read(&strip->base[a][at]), v_read(&strip->cells[a][at]), v_splat(lattice->origin[a]),
                      v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
 }

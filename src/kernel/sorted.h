@@ -20,16 +20,16 @@ static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
-        float triangle[9];
+        tribox_triangle triangle = {.number = 0};
         tribox_cell_range range;
         for (int n = 0; n < 9; n++)
-            triangle[n] = u[n][lane];
+            triangle.u[n] = u[n][lane];
         for (int a = 0; a < 3; a++) {
             range.base[a] = (int64_t)base[a][lane];
             range.cells[a] = (int64_t)cells[a][lane];
             range.spans[a] = spans[a] >> lane & 1;
         }
-        tribox_voxels_take(v, triangle, &range);
+        tribox_voxels_take(v, &triangle, &range);
     }
 }
 
@@ -40,10 +40,10 @@ static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
     for (int n = 0; n < 9; n++)
         v_write(u[n], r.u[n]);
     for (; lanes; lanes &= lanes - 1) {
-        float triangle[9];
+        tribox_triangle triangle = {.number = 0};
         for (int n = 0; n < 9; n++)
-            triangle[n] = u[n][tribox_lowest_bit(lanes)];
-        tribox_voxels_add(v, triangle);
+            triangle.u[n] = u[n][tribox_lowest_bit(lanes)];
+        tribox_voxels_add(v, &triangle);
     }
 }
 

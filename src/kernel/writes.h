@@ -76,6 +76,6 @@ typedef struct lane_bits {
 TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3])
 {
     const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->first_layer)), i = i_cut(base[0]);
-    const vint row = i_add(i_mul(layer, i_splat((int32_t)v->grid->size[1])), i_cut(base[1]));
+    const vint row = i_add(i_mul(layer, i_splat((int32_t)v->size[1])), i_cut(base[1]));
     return (lane_bits){i_add(i_mul(row, i_splat(v->row_halves)), i_shr(i, i_splat(5))), i_and(i, i_splat(31))};
 }
