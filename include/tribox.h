@@ -102,8 +102,9 @@ typedef struct tribox_mesh {
 
     unsigned position_bytes; /* 4 or 0 where positions are floats; 8 where they are doubles: the calls that end in _f64 and
                                 tribox_mesh_to_local_streams take both, the others floats alone */
-    size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z, for the same calls: column-major matrices;
-                                0 where the three follow each other. Strides may then be as small as position_bytes */
+    size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z, for the same calls: those of a column of a
+                                matrix whose columns are x, y and z, with a stride of position_bytes, which 0 then stands for;
+                                0 where the three follow each other */
 } tribox_mesh;
 
 /** A closed axis-aligned box in double; everything else is as for tribox_box. */
@@ -581,8 +582,8 @@ TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const t
  *
  * mesh: position_bytes of 0, 4 or 8.
  * box: finite bounds, or TRIBOX_BAD_BOX; nothing overlaps the empty box (lo > hi on an axis).
- * options: EXACT is the true answer about the doubles. CONSERVATIVE and FAST are one here: they never miss, and report too much only
- *   within the bounds of tribox_accuracy, with 2^-48 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other sets take
+ * options: EXACT is the true answer about the doubles. CONSERVATIVE and FAST are one here: they never miss, and report too much
+ *   only within the bounds of tribox_accuracy, with 2^-48 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other sets take
  *   the second stage for every triangle that the box normals leave. The order of the axes is ignored.
  * mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
  *
@@ -592,11 +593,14 @@ TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const t
 TRIBOX_API tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_box_f64 *box,
                                                     const tribox_options *options, uint64_t *mask, tribox_report *report);
 
-/** tribox_overlap_any for such a mesh: the first triangle that overlaps the box, or mesh->count. */
+/**
+ * tribox_overlap_any for such a mesh: the first triangle that overlaps the box, or mesh->count. Of the indices only those of
+ * triangles that are tested are checked.
+ */
 TRIBOX_API tribox_status tribox_overlap_any_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
                                                 size_t *first);
 
-/** tribox_overlap_all for such a mesh: the first triangle that does not overlap the box, or mesh->count. */
+/** The same for tribox_overlap_all: the first triangle that does not overlap the box, or mesh->count. */
 TRIBOX_API tribox_status tribox_overlap_all_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
                                                 size_t *first);
 
@@ -648,8 +652,8 @@ TRIBOX_API tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint
  * occupied: row words * size[1] * size[2] words of the window, of which there may be 2^31; row words is (size[0] + 63) / 64. Cell
  *   (i, j, k) is bit (i - first[0]) % 64 of occupied[((k - first[2]) * size[1] + j - first[1]) * row_words + (i - first[0]) / 64].
  *
- * Other arguments are as for tribox_voxelize. Returns what it does; TRIBOX_BAD_ARGUMENT also where the window leaves the grid or one
- * of first and size alone is NULL, and where tribox_overlap_indexed_f64 does; TRIBOX_BAD_GRID if the window has too many words;
+ * Other arguments are as for tribox_voxelize. Returns what it does; TRIBOX_BAD_ARGUMENT also where the window leaves the grid or
+ * one of first and size alone is NULL, and where tribox_overlap_indexed_f64 does; TRIBOX_BAD_GRID if the window has too many words;
  * TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],

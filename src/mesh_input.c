@@ -14,12 +14,19 @@ static size_t least_stride(const tribox_mesh *mesh)
     return mesh->axis_stride ? bytes : 3 * bytes;
 }
 
+/* What 0 stands for: in a matrix of one vertex nothing tells columns from rows. */
+static size_t usual_stride(const tribox_mesh *mesh)
+{
+    const size_t bytes = tribox_position_bytes(mesh);
+    return mesh->axis_stride > bytes ? bytes : 3 * bytes;
+}
+
 bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh)
 {
     if (!mesh || (mesh->position_bytes && mesh->position_bytes != 4 && mesh->position_bytes != 8))
         return false;
     const size_t least = least_stride(mesh), axis = mesh->axis_stride;
-    if ((mesh->stride && mesh->stride < least) || !fits(mesh->vertices, mesh->stride ? mesh->stride : least))
+    if ((mesh->stride && mesh->stride < least) || !fits(mesh->vertices, mesh->stride ? mesh->stride : usual_stride(mesh)))
         return false;
     if (axis && (axis < tribox_position_bytes(mesh) || !fits(3, axis)))
         return false;
@@ -36,7 +43,7 @@ bool tribox_mesh_is_readable(const tribox_mesh *mesh)
 tribox_mesh tribox_mesh_with_strides(const tribox_mesh *mesh)
 {
     tribox_mesh strided = *mesh;
-    strided.stride = mesh->stride ? mesh->stride : least_stride(mesh);
+    strided.stride = mesh->stride ? mesh->stride : usual_stride(mesh);
     strided.axis_stride = mesh->axis_stride ? mesh->axis_stride : tribox_position_bytes(mesh);
     return strided;
 }

@@ -15,7 +15,7 @@ TRIBOX_INLINE void near_box(lane_box *box)
         box->lo[a] = v_splat(0);
 }
 
-/* That of the box, for triangles that are not so far from it, or so large, that rounding may move them by half its thinnest side. */
+/* That of the box, for triangles that are not so large that rounding may move them by half its thinnest side. */
 TRIBOX_INLINE lane_box_margin near_margin_of(const lane_box *box)
 {
     const vnum thinnest = lane_min3(box->H[0], box->H[1], box->H[2]), longest = lane_max3(box->H[0], box->H[1], box->H[2]);
@@ -24,12 +24,9 @@ TRIBOX_INLINE lane_box_margin near_margin_of(const lane_box *box)
     return margin;
 }
 
-/*
- * Of the lanes that the normal of axis a does not separate, those where it is certain not to: some vertex is not below lo, which the
- * sign of zero shows as well, and some is below hi.
- */
+/* Of the lanes that the normal of axis a does not separate, those where it certainly does not: points above lo, and below hi. */
 TRIBOX_INLINE vmask is_clear(const lane_triangle *t, const lane_box *box, int a)
 {
-    const vmask negative = m_and(m_and(m_signs(t->u[0][a]), m_signs(t->u[1][a])), m_signs(t->u[2][a]));
-    return m_andnot(v_gt(box->hi[a], lane_min3(t->u[0][a], t->u[1][a], t->u[2][a])), negative);
+    return m_and(v_gt(lane_max3(t->u[0][a], t->u[1][a], t->u[2][a]), v_splat(0)),
+                 v_gt(box->hi[a], lane_min3(t->u[0][a], t->u[1][a], t->u[2][a])));
 }

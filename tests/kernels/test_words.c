@@ -370,6 +370,60 @@ static void test_transposes(void **state)
     }
 }
 
+/* A double whose difference to lo may cancel, be halfway between two floats, underflow or overflow; or one of any bits. */
+static double double_near(random_source *r, double lo)
+{
+    const int kind = random_int(r, 4);
+    if (kind == 0) {
+        const uint64_t bits = random_bits(r);
+        double any;
+        memcpy(&any, &bits, sizeof any);
+        return any;
+    }
+    const double step = ldexp(random_double(r, -1, 1), random_int_between(r, -160, 130));
+    return kind == 1 ? lo + step : kind == 2 ? lo + (double)(float)step + (double)(float)step * 0x1p-25 : step;
+}
+
+static void expect_near(const char *word, unsigned lane, const void *from, double lo, float found)
+{
+    double number;
+    memcpy(&number, from, sizeof number);
+    const volatile double difference = number - lo;
+    const float expected = (float)difference;
+    if (bits_of(found) != bits_of(expected) && !(isnan(found) && isnan(expected)))
+        fail_msg("%s(%a, %a) in lane %u gives %a and should give %a", word, number, lo, lane, (double)found, (double)expected);
+}
+
+/* Doubles at any alignment of bytes, less what is given for each. */
+static void test_near(void **state)
+{
+    (void)state;
+    enum { PLACES = 4 * LANES_MAX };
+    random_source r = random_named(args.seed, "near");
+    unsigned char memory[PLACES * sizeof(double) + 8];
+    lane_number out[LANES_MAX], four[4][LANES_MAX];
+    for (int round = 0; round < 20000; round++) {
+        unsigned char *const at = memory + random_int(&r, 9);
+        const void *from[LANES_MAX];
+        double lo[LANES_MAX];
+        for (unsigned k = 0; k < LANES_MAX; k++)
+            lo[k] = random_int(&r, 3) ? ldexp(random_double(&r, -1, 1), random_int_between(&r, -140, 140)) : 0;
+        for (unsigned k = 0; k < PLACES; k++) {
+            const double number = double_near(&r, lo[random_int(&r, 2) ? k % 4 : k % lanes_count]);
+            memcpy(at + k * sizeof number, &number, sizeof number);
+        }
+        lanes_near(at, lo, out);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            expect_near("v_near", lane, at + lane * sizeof(double), lo[lane], out[lane]);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            from[lane] = at + sizeof(double) * (size_t)random_int(&r, PLACES - 3);
+        lanes_near_transpose(from, lo, four);
+        for (unsigned lane = 0; lane < lanes_count; lane++)
+            for (unsigned k = 0; k < 4; k++)
+                expect_near("v_near_transpose4", lane, (const char *)from[lane] + k * sizeof(double), lo[k], four[k][lane]);
+    }
+}
+
 /* Whole numbers, halves, and what lies next to them. */
 static float near_whole(random_source *r)
 {
@@ -636,6 +690,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_loads_of_few),
         cmocka_unit_test(test_permutes),
         cmocka_unit_test(test_transposes),
+        cmocka_unit_test(test_near),
         cmocka_unit_test(test_floors),
         cmocka_unit_test(test_planes),
         cmocka_unit_test(test_ints),

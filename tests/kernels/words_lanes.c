@@ -96,6 +96,16 @@ void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX])
         put(to[k], out[k]);
 }
 
+void lanes_near(const void *from, const double *lo, lane_number *out) { put(v_near(from, lo), out); }
+
+void lanes_near_transpose(const void *const *from, const double *lo, lane_number out[4][LANES_MAX])
+{
+    vnum to[4];
+    v_near_transpose4(from, lo, to);
+    for (int k = 0; k < 4; k++)
+        put(to[k], out[k]);
+}
+
 void lanes_floor(const float *a, float *out) { put(v_floor(lanes_of(a)), out); }
 
 void lanes_plane(const float *p, double cell, double origin, float *out) { put(v_plane(lanes_of(p), cell, origin), out); }

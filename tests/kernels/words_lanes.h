@@ -84,6 +84,8 @@ void lanes_cut(const lane_number *a, int32_t *out); /* fractions cut off */
 void lanes_load_few(const float *from, unsigned count, lane_number *out); /* the first `count`, then the first again */
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out);
 void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX]);
+void lanes_near(const void *from, const double *lo, lane_number *out);
+void lanes_near_transpose(const void *const *from, const double *lo, lane_number out[4][LANES_MAX]);
 void lanes_floor(const float *a, float *out);
 void lanes_plane(const float *p, double cell, double origin, float *out);
 void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out);
