@@ -5,15 +5,16 @@
 
 #include "bits.h"
 #include "exact/exact.h"
+#include "exact/tame.h"
 
 static tribox_pair batch_pair_at(const tribox_batch *batch, unsigned i)
 {
     tribox_pair pair;
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
-            pair.u[j][a] = (float)batch->number[3 * a + j][i];
-        pair.box.lo[a] = (float)batch->number[9 + a][i];
-        pair.box.hi[a] = (float)batch->number[12 + a][i];
+            pair.u[j][a] = batch->number[3 * a + j][i];
+        pair.lo[a] = batch->number[9 + a][i];
+        pair.hi[a] = batch->number[12 + a][i];
     }
     return pair;
 }
@@ -26,7 +27,7 @@ static void fill_up_batch(tribox_batch *batch, unsigned count)
             batch->number[k][i] = batch->number[k][count - 1];
 }
 
-/* The pairs with numbers that the double stage cannot bound: neither 0 nor from 2^-200 to 2^200 in size (PROOFS.md 6.1). */
+/* The pairs with numbers that the double stage cannot bound: PROOFS.md 6.1. */
 static uint64_t wild_pairs(const tribox_batch *batch, unsigned count)
 {
     double least[TRIBOX_BATCH], most[TRIBOX_BATCH];
@@ -40,7 +41,7 @@ static uint64_t wild_pairs(const tribox_batch *batch, unsigned count)
             most[i] = size > most[i] ? size : most[i];
         }
     for (unsigned i = 0; i < count; i++)
-        wild |= (uint64_t)(least[i] < 0x1p-200 || most[i] > 0x1p200) << i;
+        wild |= (uint64_t)(least[i] < TRIBOX_TAME_LEAST || most[i] > TRIBOX_TAME_MOST) << i;
     return wild;
 }
 

@@ -1,61 +1,57 @@
 /* exact.c - one pair in integers that are wide enough for its numbers: the last stage, which decides everything. */
 #include "exact.h"
 
+#include <math.h>
 #include <string.h>
 
-#include "bits.h"
-
-tribox_integer tribox_integer_of(float number)
+/* A power of two, from the exponent's field of a double. */
+static double power_of(int field)
 {
-    uint32_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    const int field = (int)(bits >> 23 & 0xff);
-    int32_t odd = (int32_t)(bits & 0x7fffff) | (field ? 0x800000 : 0);
-    if (!odd)
-        return (tribox_integer){0, 0};
-    const int zeros = (int)tribox_lowest_bit((uint64_t)odd);
-    odd >>= zeros;
-    return (tribox_integer){bits >> 31 ? -odd : odd, (field ? field : 1) - 150 + zeros};
+    const uint64_t bits = (uint64_t)field << 52;
+    double power;
+    memcpy(&power, &bits, sizeof power);
+    return power;
 }
 
-tribox_span tribox_span_of(const tribox_integer *numbers, int count)
+static double largest_of(const double number[TRIBOX_POINTS])
 {
-    tribox_span span = {128, -149};
-    for (int k = 0; k < count; k++) {
-        const int32_t odd = numbers[k].odd;
-        const int end = numbers[k].shift + (int)tribox_bit_length((uint64_t)(odd < 0 ? -odd : odd));
-        if (odd && numbers[k].shift < span.least)
-            span.least = numbers[k].shift;
-        if (odd && end > span.greatest)
-            span.greatest = end;
+    double largest = 0;
+    for (int k = 0; k < TRIBOX_POINTS; k++)
+        largest = fabs(number[k]) > largest ? fabs(number[k]) : largest;
+    return largest;
+}
+
+/* In units of 2^-59 of the power of two below the largest number. False where one is not a multiple of that (PROOFS.md 9.2). */
+static bool count_units(const double number[TRIBOX_POINTS], int64_t to[TRIBOX_POINTS])
+{
+    const double largest = largest_of(number);
+    uint64_t bits;
+    memcpy(&bits, &largest, sizeof bits);
+    const int field = (int)(bits >> 52), one = 1023;
+    memset(to, 0, TRIBOX_POINTS * sizeof *to);
+    if (field <= 59)
+        return largest == 0;
+    const double unit = power_of(field - 59), units = power_of(2 * one + 59 - field);
+    bool is_counted = true;
+    for (int k = 0; k < TRIBOX_POINTS; k++) {
+        to[k] = (int64_t)(number[k] * units);
+        is_counted = is_counted && (double)to[k] * unit == number[k];
     }
-    return span;
+    return is_counted;
 }
 
-tribox_integers tribox_integers_of(const tribox_pair *pair)
+bool tribox_short_pair_of(const tribox_pair *pair, tribox_short_pair *to)
 {
-    tribox_integers in;
     for (int a = 0; a < 3; a++) {
-        for (int j = 0; j < 3; j++)
-            in.number[3 * a + j] = tribox_integer_of(pair->u[j][a]);
-        in.number[9 + a] = tribox_integer_of(pair->box.lo[a]);
-        in.number[12 + a] = tribox_integer_of(pair->box.hi[a]);
+        const double number[TRIBOX_POINTS] = {pair->u[0][a], pair->u[1][a], pair->u[2][a], pair->lo[a], pair->hi[a]};
+        if (!count_units(number, to->at[a]))
+            return false;
     }
-    const tribox_span span = tribox_span_of(in.number, 15);
-    for (int k = 0; k < 15; k++)
-        in.number[k].shift = in.number[k].odd ? in.number[k].shift - span.least : 0;
-    in.bits = span.greatest > span.least ? span.greatest - span.least : 0;
-    return in;
+    return true;
 }
 
 bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes)
 {
-    const tribox_integers in = tribox_integers_of(pair);
-    if (in.bits <= TRIBOX_INT64_BITS)
-        return tribox_exact_int64(&in, axes);
-#if defined(__SIZEOF_INT128__)
-    if (in.bits <= TRIBOX_INT128_BITS)
-        return tribox_exact_int128(&in, axes);
-#endif
-    return tribox_exact_limbs(&in, axes);
+    tribox_short_pair counted;
+    return tribox_short_pair_of(pair, &counted) ? tribox_exact_short(&counted, axes) : tribox_exact_long(pair, axes);
 }

@@ -1,5 +1,5 @@
 /* num_integer.h - one lane of a built-in signed integer type, `vnum`, that the including file defines. Nothing rounds or overflows:
- * tribox_exact_overlap chooses the width. */
+ * tribox_oriented_overlap chooses the width. */
 #include <stdbool.h>
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
 /*
  * num_limbs.h - one lane of sign and magnitude in 32-bit limbs, the lowest first, at most LIMBS of them, which the including file
- * defines: at least one more than the longest value takes, for the carry of a sum before it is trimmed (PROOFS.md 9).
+ * defines: at least one more than the longest value takes, for the carry of a sum before it is trimmed (PROOFS.md 9.4).
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -9,7 +9,7 @@
 
 typedef struct vnum {
     int used;         /* limbs in use; the highest of them is not zero */
-    bool is_negative; /* never set for zero, though a zero of either sign would serve (PROOFS.md 9) */
+    bool is_negative; /* never set for zero, though a zero of either sign would serve (PROOFS.md 9.4) */
     uint32_t limb[LIMBS];
 } vnum;
 typedef bool vmask;

@@ -3,12 +3,49 @@
 
 #include <string.h>
 
+#include "bits.h"
+
+/*
+ * The least and the greatest power of two among numbers: all are multiples of 2^least and below 2^greatest. least > greatest: all
+ * zero.
+ */
+typedef struct power_span {
+    int least, greatest;
+} power_span;
+
+static tribox_integer integer_of(float number)
+{
+    uint32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    const int field = (int)(bits >> 23 & 0xff);
+    int32_t odd = (int32_t)(bits & 0x7fffff) | (field ? 0x800000 : 0);
+    if (!odd)
+        return (tribox_integer){0, 0};
+    const int zeros = (int)tribox_lowest_bit((uint64_t)odd);
+    odd >>= zeros;
+    return (tribox_integer){bits >> 31 ? -odd : odd, (field ? field : 1) - 150 + zeros};
+}
+
+static power_span span_of(const tribox_integer *numbers, int count)
+{
+    power_span span = {128, -149};
+    for (int k = 0; k < count; k++) {
+        const int32_t odd = numbers[k].odd;
+        const int end = numbers[k].shift + (int)tribox_bit_length((uint64_t)(odd < 0 ? -odd : odd));
+        if (odd && numbers[k].shift < span.least)
+            span.least = numbers[k].shift;
+        if (odd && end > span.greatest)
+            span.greatest = end;
+    }
+    return span;
+}
+
 /* Integers of floats, and their span; then shifts from the least of it. */
-static tribox_span read_integers(const float *from, int count, tribox_integer *to)
+static power_span read_integers(const float *from, int count, tribox_integer *to)
 {
     for (int k = 0; k < count; k++)
-        to[k] = tribox_integer_of(from[k]);
-    return tribox_span_of(to, count);
+        to[k] = integer_of(from[k]);
+    return span_of(to, count);
 }
 
 static void count_from(int unit, tribox_integer *numbers, int count)
@@ -25,8 +62,8 @@ static tribox_oriented_integers integers_of(const tribox_oriented_pair *pair)
         position[k] = pair->u[k % 3][k / 3];
     memcpy(position + 9, pair->box.center, 3 * sizeof *position);
     memcpy(axis, pair->box.axis, sizeof axis);
-    const tribox_span positions = read_integers(position, 12, in.position);
-    const tribox_span axes = read_integers(axis, 9, in.axis), halves = read_integers(pair->box.half, 3, in.half);
+    const power_span positions = read_integers(position, 12, in.position);
+    const power_span axes = read_integers(axis, 9, in.axis), halves = read_integers(pair->box.half, 3, in.half);
 
     /* A difference of positions takes a bit more, the sum of three products two. */
     const bool is_somewhere = positions.least <= positions.greatest && axes.least <= axes.greatest;

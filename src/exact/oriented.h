@@ -2,7 +2,10 @@
 #ifndef TRIBOX_EXACT_ORIENTED_H
 #define TRIBOX_EXACT_ORIENTED_H
 
-#include "exact.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "tribox.h"
 
 /* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? */
 typedef struct tribox_oriented_pair {
@@ -12,6 +15,12 @@ typedef struct tribox_oriented_pair {
 
 /* Whether no axis of the chosen groups separates in the frame of the box: for a finite triangle and a finite box. */
 bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes);
+
+/* A finite float as odd * 2^shift; zero as 0 * 2^0. */
+typedef struct tribox_integer {
+    int32_t odd;
+    int shift;
+} tribox_integer;
 
 /*
  * The numbers of such a pair as integers. Positions have one unit and axes another; a coordinate in the frame, axis times position,
@@ -25,11 +34,13 @@ typedef struct tribox_oriented_integers {
     int bits; /* every coordinate in the frame, and every half length, is below 2^bits units */
 } tribox_oriented_integers;
 
+/* What each width of integer can carry: 3 * bits + 8 for the plane's slack, with one to spare, and the sign (PROOFS.md 9.4). */
+enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39, TRIBOX_SHORT_BITS = 145 };
+
 bool tribox_oriented_int64(const tribox_oriented_integers *in, unsigned axes);
 #if defined(__SIZEOF_INT128__)
 bool tribox_oriented_int128(const tribox_oriented_integers *in, unsigned axes);
 #endif
-enum { TRIBOX_SHORT_BITS = 145 };
 bool tribox_oriented_short(const tribox_oriented_integers *in, unsigned axes);
 bool tribox_oriented_limbs(const tribox_oriented_integers *in, unsigned axes);
 

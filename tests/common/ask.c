@@ -15,7 +15,7 @@ static const char *accuracy_name(tribox_accuracy accuracy)
     return accuracy == TRIBOX_EXACT ? "EXACT" : accuracy == TRIBOX_CONSERVATIVE ? "CONSERVATIVE" : "FAST";
 }
 
-void fail_pair(const origin *where, const tribox_pair *pair, bool answer)
+void fail_pair(const origin *where, const pair_f32 *pair, bool answer)
 {
     const tribox_options *const o = &where->options;
     fprintf(stderr, "%s answers '%s' and is wrong\n", where->function, answer ? "overlaps" : "does not overlap");

@@ -22,7 +22,7 @@ static inline bool bit_of(const uint64_t *mask, size_t i) { return mask[i / 64] 
 
 /* The triangle of a pair as the library takes it: C has no conversion from float[3][3] to const float[3][3]. */
 typedef const float (*const_triangle)[3];
-static inline const_triangle triangle_of(const tribox_pair *pair) { return pair->u; }
+static inline const_triangle triangle_of(const pair_f32 *pair) { return pair->u; }
 
 /* Where a wrong answer was given. */
 typedef struct origin {
@@ -33,7 +33,7 @@ typedef struct origin {
 } origin;
 
 /* Fails the test at hand: prints where, the pair and its thirteen axes. */
-void fail_pair(const origin *where, const tribox_pair *pair, bool answer);
+void fail_pair(const origin *where, const pair_f32 *pair, bool answer);
 
 /*
  * The library's answers for `count` triangles and one box, and for one triangle and `count` boxes. What holds for every call is

@@ -30,7 +30,7 @@ oracle_integers oracle_integers_of_numbers(const double number[15])
     return in;
 }
 
-oracle_integers oracle_integers_of(const tribox_pair *pair)
+oracle_integers oracle_integers_of(const pair_f32 *pair)
 {
     double number[15];
     for (int a = 0; a < 3; a++) {
@@ -50,7 +50,7 @@ bool oracle_overlaps(oracle_axes truth, unsigned groups)
     return !(truth.apart & chosen);
 }
 
-void oracle_explain(FILE *out, const tribox_pair *pair)
+void oracle_explain(FILE *out, const pair_f32 *pair)
 {
     static const char *const name[ORACLE_AXES] = {"x",          "y",          "z",          "plane",      "x cross f0",
                                                   "x cross f1", "x cross f2", "y cross f0", "y cross f1", "y cross f2",

@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "exact/exact.h"
+#include "pair_f32.h"
 
 /* The number of an axis: 0 to 2 the box normals, 3 the triangle's plane, 4 + 3 * i + j the cross product of e_i and edge j. */
 enum { ORACLE_AXES = 13, ORACLE_PLANE = 3, ORACLE_EDGES = 4 };
@@ -24,19 +24,19 @@ typedef struct oracle_axes {
     unsigned touching; /* they have one end in common, and nothing else */
 } oracle_axes;
 
-oracle_axes oracle_separating(const tribox_pair *pair);
+oracle_axes oracle_separating(const pair_f32 *pair);
 
 /* The same, always in GMP: oracle_separating takes a shorter way for short numbers. */
-oracle_axes oracle_separating_gmp(const tribox_pair *pair);
+oracle_axes oracle_separating_gmp(const pair_f32 *pair);
 
 /* Whether no axis of the chosen groups, a union of TRIBOX_AXES_*, separates. */
 bool oracle_overlaps(oracle_axes truth, unsigned groups);
 
 /* Whether some point of the triangle lies in the box. */
-bool oracle_clip(const tribox_pair *pair);
+bool oracle_clip(const pair_f32 *pair);
 
 /* The pair in hexadecimal floats, and what each of the thirteen axes says. */
-void oracle_explain(FILE *out, const tribox_pair *pair);
+void oracle_explain(FILE *out, const pair_f32 *pair);
 
 /* The fifteen numbers of a pair as integers of one unit: number k is odd[k] * 2^shift[k] units, below 2^bits. */
 typedef struct oracle_integers {
@@ -45,7 +45,7 @@ typedef struct oracle_integers {
     int bits;
 } oracle_integers;
 
-oracle_integers oracle_integers_of(const tribox_pair *pair);
+oracle_integers oracle_integers_of(const pair_f32 *pair);
 
 /* Of any fifteen finite doubles: nine of the triangle by vertex, three of lo, three of hi. */
 oracle_integers oracle_integers_of_numbers(const double number[15]);

@@ -17,13 +17,13 @@ oracle_axes oracle_separating_integers(const oracle_integers *in)
     return separating(in);
 }
 
-oracle_axes oracle_separating_gmp(const tribox_pair *pair)
+oracle_axes oracle_separating_gmp(const pair_f32 *pair)
 {
     const oracle_integers in = oracle_integers_of(pair);
     return separating(&in);
 }
 
-oracle_axes oracle_separating(const tribox_pair *pair)
+oracle_axes oracle_separating(const pair_f32 *pair)
 {
     const oracle_integers in = oracle_integers_of(pair);
     return oracle_separating_integers(&in);

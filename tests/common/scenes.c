@@ -53,9 +53,9 @@ void scene_draw_batch(const scene *s, random_source *r, scene_batch *batch)
     }
 }
 
-tribox_pair scene_pair(const scene_batch *batch, int k)
+pair_f32 scene_pair(const scene_batch *batch, int k)
 {
-    tribox_pair pair = {.box = batch->box};
+    pair_f32 pair = {.box = batch->box};
     memcpy(pair.u, batch->u[k], sizeof pair.u);
     return pair;
 }

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "exact/exact.h"
+#include "pair_f32.h"
 #include "random_draws.h"
 #include "tribox.h"
 
@@ -34,7 +34,7 @@ const scene *scene_at(size_t i);
 void scene_draw_batch(const scene *s, random_source *r, scene_batch *batch);
 
 /* Triangle k of a batch and its box. */
-tribox_pair scene_pair(const scene_batch *batch, int k);
+pair_f32 scene_pair(const scene_batch *batch, int k);
 
 /* Whether a scene answers to a name: its own, its family's, or NULL. */
 bool scene_is_called(const scene *s, const char *name);

@@ -53,7 +53,7 @@ static void ask_about(candidate_boxes *q, const grid_planes *p, const block *can
 
 static void breach(const witness *w, answerer *who, size_t t, const int cell[3], bool answer)
 {
-    tribox_pair pair = {.box = grid_planes_cell(w->planes, cell[0], cell[1], cell[2])};
+    pair_f32 pair = {.box = grid_planes_cell(w->planes, cell[0], cell[1], cell[2])};
     memcpy(pair.u, w->model->triangles[t].u, sizeof pair.u);
     *(answer ? &who->unfounded : &who->missed) += 1;
     if (who->breach)

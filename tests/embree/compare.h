@@ -2,7 +2,7 @@
 #ifndef TRIBOX_TESTS_COMPARE_H
 #define TRIBOX_TESTS_COMPARE_H
 
-#include "exact/exact.h"
+#include "common/pair_f32.h"
 #include "witness.h"
 
 /* Who answers: the first member of what an answerer knows besides. */
@@ -11,7 +11,7 @@ struct answerer {
     /* One bit for each box, as tribox_overlap_boxes. */
     void (*answer)(answerer *self, size_t t, const triangle *u, const tribox_boxes *boxes, uint64_t *mask);
     /* Told of every pair that has a certain witness but is answered 'no', or has not even a possible one but is answered 'yes'. */
-    void (*breach)(answerer *self, const tribox_pair *pair, bool answer);
+    void (*breach)(answerer *self, const pair_f32 *pair, bool answer);
     size_t missed, unfounded; /* how many of either */
     size_t overlapping;       /* pairs answered 'yes' */
 };

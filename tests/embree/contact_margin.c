@@ -9,7 +9,7 @@ typedef struct doubled {
     double v[3][3], h[3];
 } doubled;
 
-static doubled doubled_of(const tribox_pair *pair)
+static doubled doubled_of(const pair_f32 *pair)
 {
     doubled d;
     for (int a = 0; a < 3; a++) {
@@ -21,7 +21,7 @@ static doubled doubled_of(const tribox_pair *pair)
     return d;
 }
 
-static void edge_of(const tribox_pair *pair, int j, double f[3])
+static void edge_of(const pair_f32 *pair, int j, double f[3])
 {
     for (int a = 0; a < 3; a++)
         f[a] = (double)pair->u[(j + 1) % 3][a] - (double)pair->u[j][a];
@@ -49,7 +49,7 @@ static double apart_by(const doubled *d, const double axis[3])
 
 static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-static void axis_of(const tribox_pair *pair, int number, double axis[3])
+static void axis_of(const pair_f32 *pair, int number, double axis[3])
 {
     double f[2][3], unit[3] = {0};
     if (number < ORACLE_PLANE) {
@@ -66,7 +66,7 @@ static void axis_of(const tribox_pair *pair, int number, double axis[3])
     }
 }
 
-double margin_gap(const tribox_pair *pair)
+double margin_gap(const pair_f32 *pair)
 {
     const doubled d = doubled_of(pair);
     double gap = -INFINITY;
@@ -80,7 +80,7 @@ double margin_gap(const tribox_pair *pair)
     return gap;
 }
 
-double margin_largest(const tribox_pair *pair)
+double margin_largest(const pair_f32 *pair)
 {
     double most = 0;
     for (int a = 0; a < 3; a++) {
@@ -92,7 +92,7 @@ double margin_largest(const tribox_pair *pair)
 }
 
 /* The extents F of the triangle and m, which bounds its distance from the far faces of the box. */
-static void extents_of(const tribox_pair *pair, double extent[3], double m[3])
+static void extents_of(const pair_f32 *pair, double extent[3], double m[3])
 {
     for (int a = 0; a < 3; a++) {
         const double least = fmin(fmin((double)pair->u[0][a], (double)pair->u[1][a]), (double)pair->u[2][a]);
@@ -116,7 +116,7 @@ static double float_bound(int number, const double extent[3], const double m[3])
     return 2 * 24 * u * sum;
 }
 
-bool margin_is_conservative(const tribox_pair *pair)
+bool margin_is_conservative(const pair_f32 *pair)
 {
     const doubled d = doubled_of(pair);
     double extent[3], m[3];

@@ -60,7 +60,7 @@ static void library_answer(answerer *self, size_t t, const triangle *u, const tr
 /* What FAST may get wrong where coordinates round, as a part of the largest of them. */
 static const double fast_gap = 0x1p-22;
 
-static bool is_forgiven(const library *l, const tribox_pair *pair, bool answer)
+static bool is_forgiven(const library *l, const pair_f32 *pair, bool answer)
 {
     switch (l->where.options.accuracy) {
     case TRIBOX_CONSERVATIVE:
@@ -72,7 +72,7 @@ static bool is_forgiven(const library *l, const tribox_pair *pair, bool answer)
     }
 }
 
-static void library_breach(answerer *self, const tribox_pair *pair, bool answer)
+static void library_breach(answerer *self, const pair_f32 *pair, bool answer)
 {
     library *const l = library_of(self);
     const bool is_right = answer == oracle_overlaps(oracle_separating(pair), TRIBOX_AXES_ALL);

@@ -128,22 +128,22 @@ static void test_faults(void **state)
 }
 
 /* A pair that only one edge axis separates, by a given part of the box. */
-static tribox_pair apart_on_edge(float part)
+static pair_f32 apart_on_edge(float part)
 {
     const float far = 2 + part;
-    return (tribox_pair){{{far, 0, 0}, {0, far, 0}, {far, far, 0.5f}}, {{-1, -1, -1}, {1, 1, 1}}};
+    return (pair_f32){{{far, 0, 0}, {0, far, 0}, {far, far, 0.5f}}, {{-1, -1, -1}, {1, 1, 1}}};
 }
 
 /* What CONSERVATIVE and FAST are forgiven is near contact, and a box normal is never forgiven. */
 static void test_margins(void **state)
 {
     (void)state;
-    const tribox_pair touching = apart_on_edge(0), near = apart_on_edge(0x1p-21f), far = apart_on_edge(0x1p-10f);
+    const pair_f32 touching = apart_on_edge(0), near = apart_on_edge(0x1p-21f), far = apart_on_edge(0x1p-10f);
     assert_true(margin_gap(&touching) == 0 && margin_gap(&near) > 0 && margin_gap(&near) < 0x1p-20);
     assert_true(margin_is_conservative(&touching));
     assert_true(margin_is_conservative(&near));
     assert_false(margin_is_conservative(&far));
-    tribox_pair beside = touching;
+    pair_f32 beside = touching;
     beside.box.lo[2] = 0.75f;
     assert_false(margin_is_conservative(&beside));
 }

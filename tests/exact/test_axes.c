@@ -20,9 +20,9 @@ typedef struct boxes_and_triangles {
     float lower[3][EACH_MAX], upper[3][EACH_MAX];
 } boxes_and_triangles;
 
-static tribox_pair pair_of(const boxes_and_triangles *c, size_t box, size_t triangle)
+static pair_f32 pair_of(const boxes_and_triangles *c, size_t box, size_t triangle)
 {
-    tribox_pair pair = {.box = c->box[box]};
+    pair_f32 pair = {.box = c->box[box]};
     memcpy(pair.u, c->u[triangle], sizeof pair.u);
     return pair;
 }
@@ -31,7 +31,7 @@ static void complete(boxes_and_triangles *c)
 {
     for (size_t b = 0; b < c->boxes; b++)
         for (size_t k = 0; k < c->triangles; k++) {
-            const tribox_pair pair = pair_of(c, b, k);
+            const pair_f32 pair = pair_of(c, b, k);
             c->truth[b][k] = oracle_separating(&pair);
         }
     for (int a = 0; a < 3; a++) {
@@ -52,7 +52,7 @@ static void check_answer(const boxes_and_triangles *c, const origin *where, size
     const bool must_be_right = accuracy == TRIBOX_EXACT || c->is_on_lattice[box];
     if (answer == overlaps || !(must_be_right || (accuracy == TRIBOX_CONSERVATIVE && overlaps)))
         return;
-    const tribox_pair pair = pair_of(c, box, triangle);
+    const pair_f32 pair = pair_of(c, box, triangle);
     fail_pair(where, &pair, answer);
 }
 
@@ -76,7 +76,7 @@ static void ask_all_pairs(const boxes_and_triangles *c, origin where)
     }
     where.function = "tribox_overlap_boxes";
     for (size_t k = 0; k < c->triangles; k++) {
-        const tribox_pair pair = pair_of(c, 0, k);
+        const pair_f32 pair = pair_of(c, 0, k);
         ask_boxes(triangle_of(&pair), &boxes, &where.options, mask);
         for (size_t b = 0; b < c->boxes; b++)
             check_answer(c, &where, b, k, bit_of(mask, b));

@@ -32,7 +32,7 @@ static void draw_batch(test_run *t)
 {
     scene_draw_batch(t->scene, &t->r, &t->batch);
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        const tribox_pair pair = scene_pair(&t->batch, k);
+        const pair_f32 pair = scene_pair(&t->batch, k);
         t->truth[k] = oracle_separating(&pair);
         const bool overlaps = oracle_overlaps(t->truth[k], TRIBOX_AXES_ALL);
         t->tally.pairs++;
@@ -51,7 +51,7 @@ static void check_answer(test_run *t, int k, bool answer)
     const bool is_missed = overlaps && !answer, is_false = answer && !overlaps;
     const bool must_be_right = accuracy == TRIBOX_EXACT || (accuracy == TRIBOX_FAST && t->scene->is_exact_in_float);
     if ((must_be_right && (is_missed || is_false)) || (accuracy == TRIBOX_CONSERVATIVE && is_missed)) {
-        const tribox_pair pair = scene_pair(&t->batch, k);
+        const pair_f32 pair = scene_pair(&t->batch, k);
         fail_pair(&t->where, &pair, answer);
     }
     t->tally.conservative_asked += accuracy == TRIBOX_CONSERVATIVE;
@@ -100,7 +100,7 @@ static void ask_batch_as_boxes(test_run *t)
     t->where.function = "tribox_overlap_boxes";
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
         const size_t lane = (size_t)random_int(&t->r, BOXES);
-        tribox_pair pair = scene_pair(&t->batch, k);
+        pair_f32 pair = scene_pair(&t->batch, k);
         uint64_t mask[(BOXES + 63) / 64];
         put_box(t, lane, &t->batch.box);
         ask_boxes(triangle_of(&pair), &boxes, &t->where.options, mask);

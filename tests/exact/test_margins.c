@@ -18,7 +18,7 @@
 /* So many bits has the distance of a triangle far away, in units of the last one. */
 enum { UNIT_BITS = 23 };
 
-typedef void pair_draw(random_source *r, tribox_pair *pair);
+typedef void pair_draw(random_source *r, pair_f32 *pair);
 
 /* Any of about `size`, of either sign. */
 static double any_of(random_source *r, double size) { return size * random_double(r, -1, 1); }
@@ -47,7 +47,7 @@ static void cross(const double f[3], const double g[3], double n[3])
 
 static double dot(const double f[3], const double g[3]) { return f[0] * g[0] + f[1] * g[1] + f[2] * g[2]; }
 
-static void vertex_of(const tribox_pair *pair, int j, double p[3])
+static void vertex_of(const pair_f32 *pair, int j, double p[3])
 {
     for (int a = 0; a < 3; a++)
         p[a] = pair->u[j][a];
@@ -93,7 +93,7 @@ static int longest_component(const int w[3])
  * A segment, or a needle, that points at the box from afar, and one of its edge axes in contact. Its vertices are multiples of the
  * last bit that such far numbers have, the bounds of the box are not.
  */
-static void draw_edge_far_away(random_source *r, tribox_pair *pair)
+static void draw_edge_far_away(random_source *r, pair_f32 *pair)
 {
     int w[3];
     draw_whole(r, 1 << random_int_between(r, 0, 12), w);
@@ -120,7 +120,7 @@ static void draw_edge_far_away(random_source *r, tribox_pair *pair)
 }
 
 /* A triangle of edges up to `most` units, far away in a plane that all but touches the box; vertices as above. */
-static void draw_plane_at(random_source *r, int most, double unit, double size, tribox_pair *pair)
+static void draw_plane_at(random_source *r, int most, double unit, double size, pair_f32 *pair)
 {
     int w[2][3];
     double f[2][3], n[3], place[3], p[3];
@@ -147,14 +147,14 @@ static void draw_plane_at(random_source *r, int most, double unit, double size, 
     put_box(r, n, p, place, size, random_int(r, 2) * unit, &pair->box);
 }
 
-static void draw_plane_far_away(random_source *r, tribox_pair *pair)
+static void draw_plane_far_away(random_source *r, pair_f32 *pair)
 {
     const double unit = ldexp(1, random_int_between(r, -40, 12));
     draw_plane_at(r, 1 << random_int_between(r, 0, 11), unit, unit * ldexp(1, random_int_between(r, -2, 12)), pair);
 }
 
 /* So far away that the distance from the plane overflows on the way, from a triangle and a box that are in range. */
-static void draw_plane_past_range(random_source *r, tribox_pair *pair)
+static void draw_plane_past_range(random_source *r, pair_f32 *pair)
 {
     const double unit = ldexp(1, random_int_between(r, 32, 35));
     draw_plane_at(r, 2, unit, unit / 16, pair);
@@ -172,7 +172,7 @@ static void draw_vanishing(random_source *r, float u[3][3])
  * A vanishing triangle at the origin, and a box far away that is a point of its plane, but for the rounding, or a few ulps about
  * it.
  */
-static void draw_vanishing_far_away(random_source *r, tribox_pair *pair)
+static void draw_vanishing_far_away(random_source *r, pair_f32 *pair)
 {
     double f[2][3], n[3], place[3], p[3];
     do {
@@ -199,7 +199,7 @@ static void draw_vanishing_far_away(random_source *r, tribox_pair *pair)
  * lower and farther right. Then the wrong sign of the normal leaves all slacks positive. The corner is at zero, or at numbers as
  * fine as the triangle.
  */
-static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
+static void draw_vanishing_at_corner(random_source *r, pair_f32 *pair)
 {
     const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3, turn = random_int(r, 3), is_beside = random_int(r, 2);
     const double unit = ldexp(1, random_int_between(r, -80, -71));
@@ -231,7 +231,7 @@ static void draw_vanishing_at_corner(random_source *r, tribox_pair *pair)
  * normal is zero. But the edges round, and where the two products of it lie on either side of half the least float, they leave one
  * of it. The plane passes an edge of a large box at a distance that is less still.
  */
-static void draw_vanishing_edge_on(random_source *r, tribox_pair *pair)
+static void draw_vanishing_edge_on(random_source *r, pair_f32 *pair)
 {
     const int i = random_int(r, 3), b = (i + 1) % 3, c = (i + 2) % 3;
     double at[3];
@@ -257,7 +257,7 @@ static void draw_vanishing_edge_on(random_source *r, tribox_pair *pair)
  * the slack has the wrong sign and is more than a 64th of the margin. The first where products round, the second where they are
  * fused.
  */
-static const tribox_pair worst_planes[] = {
+static const pair_f32 worst_planes[] = {
     {.u = {{-0x1.0930a8p-1f, -0x1.522aacp-1f, 0x1.d59e24p-1f},
            {0x1.b1c812p-1f, 0x1.177f32p-1f, 0x1.b66c34p-1f},
            {0x1.a89ccep-1f, 0x1.62d046p-1f, -0x1.40ff5p-1f}},
@@ -269,9 +269,9 @@ static const tribox_pair worst_planes[] = {
 };
 
 /* One of them, mirrored and scaled, which changes no rounding. */
-static void draw_worst_plane(random_source *r, tribox_pair *pair)
+static void draw_worst_plane(random_source *r, pair_f32 *pair)
 {
-    const tribox_pair *const from = &worst_planes[random_int(r, 2)];
+    const pair_f32 *const from = &worst_planes[random_int(r, 2)];
     const int exponent = random_int_between(r, -20, 10);
     for (int a = 0; a < 3; a++) {
         const bool is_mirrored = random_int(r, 2);
@@ -303,7 +303,7 @@ static const kind kinds[] = {
 /* One triangle in each order of its vertices, and one box. */
 typedef struct test_run {
     origin where;
-    tribox_pair pair;
+    pair_f32 pair;
     oracle_axes truth;
     float coordinate[3][3][ORDERS];
 } test_run;

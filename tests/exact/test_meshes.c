@@ -28,9 +28,9 @@ static tribox_soup soup_of(const mesh *m, const int vertex[3])
     return soup;
 }
 
-static tribox_pair pair_of(const mesh *m, size_t i, const tribox_box *box)
+static pair_f32 pair_of(const mesh *m, size_t i, const tribox_box *box)
 {
-    tribox_pair pair = {.box = *box};
+    pair_f32 pair = {.box = *box};
     mesh_triangle(m, i, pair.u);
     return pair;
 }
@@ -49,7 +49,7 @@ static tribox_box draw_node(random_source *r, const mesh *m, const tribox_box *b
     return node;
 }
 
-static bool reaches(const tribox_pair *pair)
+static bool reaches(const pair_f32 *pair)
 {
     for (int a = 0; a < 3; a++) {
         const float least = fminf(fminf(pair->u[0][a], pair->u[1][a]), pair->u[2][a]);
@@ -65,12 +65,12 @@ static size_t check_mask(const origin *where, const mesh *m, const tribox_box *n
 {
     size_t reaching = 0, asked = 0;
     for (size_t i = 0; i < m->count; i++) {
-        const tribox_pair pair = pair_of(m, i, node);
+        const pair_f32 pair = pair_of(m, i, node);
         reaching += reaches(&pair);
     }
     const size_t step = reaching / ORACLE_MAX + 1;
     for (size_t i = 0, k = 0; i < m->count; i++) {
-        const tribox_pair pair = pair_of(m, i, node);
+        const pair_f32 pair = pair_of(m, i, node);
         const bool answer = bit_of(mask, i);
         if (!reaches(&pair)) {
             if (answer)
@@ -91,7 +91,7 @@ static void check_that_masks_agree(const origin *where, const mesh *m, const tri
 {
     for (size_t i = 0; i < m->count; i++)
         if (bit_of(mask, i) != bit_of(first, i)) {
-            const tribox_pair pair = pair_of(m, i, node);
+            const pair_f32 pair = pair_of(m, i, node);
             fprintf(stderr, "two kernels disagree about triangle %zu\n", i);
             fail_pair(where, &pair, bit_of(mask, i));
         }

@@ -2,15 +2,16 @@
 #include "common/ask.h"
 
 #include "common/arguments.h"
+#include "exact/exact.h"
 #include "dispatch.h"
 #include "common/scenes.h"
 
 /* How often each stage was asked: a stage that was never asked was not tested. */
 typedef struct reached {
-    size_t double_certain, double_undecided, int64, int128, limbs;
+    size_t double_certain, double_undecided, short_pairs, long_pairs;
 } reached;
 
-static void check(const origin *where, const char *function, const tribox_pair *pair, unsigned axes, bool answer, bool truth)
+static void check(const origin *where, const char *function, const pair_f32 *pair, unsigned axes, bool answer, bool truth)
 {
     if (answer == truth)
         return;
@@ -20,7 +21,7 @@ static void check(const origin *where, const char *function, const tribox_pair *
     fail_pair(&here, pair, answer);
 }
 
-static void check_oracles(const origin *where, const tribox_pair *pair, oracle_axes truth, bool is_gmp_due)
+static void check_oracles(const origin *where, const pair_f32 *pair, oracle_axes truth, bool is_gmp_due)
 {
     check(where, "oracle_clip", pair, TRIBOX_AXES_ALL, oracle_clip(pair), oracle_overlaps(truth, TRIBOX_AXES_ALL));
     if (!is_gmp_due)
@@ -43,7 +44,7 @@ typedef struct gathered_pairs {
     unsigned count;
 } gathered_pairs;
 
-static void gather(gathered_pairs *g, const tribox_pair *pair, int triangle)
+static void gather(gathered_pairs *g, const pair_f32 *pair, int triangle)
 {
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < 3; j++)
@@ -71,7 +72,7 @@ static void check_settled(const origin *where, const judged_batch *judged, const
         count->double_certain += !is_open;
         if (is_open || answer == oracle_overlaps(judged->truth[g->triangle[i]], axes))
             continue;
-        const tribox_pair pair = scene_pair(&judged->batch, g->triangle[i]);
+        const pair_f32 pair = scene_pair(&judged->batch, g->triangle[i]);
         fail_pair(&here, &pair, answer);
     }
 }
@@ -82,7 +83,7 @@ static void check_settling(const origin *where, const judged_batch *judged, unsi
     static gathered_pairs g;
     g.count = 0;
     for (int k = 0; k < SCENE_TRIANGLES; k++) {
-        const tribox_pair pair = scene_pair(&judged->batch, k);
+        const pair_f32 pair = scene_pair(&judged->batch, k);
         if (!(axes & TRIBOX_AXES_BOX) || oracle_overlaps(judged->truth[k], TRIBOX_AXES_BOX))
             gather(&g, &pair, k);
         if (!g.count || (g.count < TRIBOX_BATCH && k + 1 < SCENE_TRIANGLES))
@@ -94,30 +95,28 @@ static void check_settling(const origin *where, const judged_batch *judged, unsi
     }
 }
 
-/* The widths of integers, each where it is wide enough; limbs are so slow that each pair has one axis set in turn. */
-static void check_integers(const origin *where, const tribox_pair *pair, oracle_axes truth, unsigned axes_in_turn, reached *count)
+/* Integers, in both forms where the pair is short. */
+static void check_integers(const origin *where, const pair_f32 *pair, oracle_axes truth, reached *count)
 {
-    const tribox_integers in = tribox_integers_of(pair);
+    tribox_pair asked;
+    tribox_short_pair counted;
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            asked.u[j][a] = (double)pair->u[j][a];
+        asked.lo[a] = (double)pair->box.lo[a];
+        asked.hi[a] = (double)pair->box.hi[a];
+    }
+    const bool is_short = tribox_short_pair_of(&asked, &counted);
+    count->short_pairs += is_short;
+    count->long_pairs += !is_short;
     for (unsigned axes = 1; axes <= AXIS_SETS; axes++) {
         const bool overlaps = oracle_overlaps(truth, axes);
         /* With the box normals in the set, the integers rely on these not separating. */
         if ((axes & TRIBOX_AXES_BOX) && !oracle_overlaps(truth, TRIBOX_AXES_BOX))
             continue;
-        if (in.bits <= TRIBOX_INT64_BITS) {
-            check(where, "tribox_exact_int64", pair, axes, tribox_exact_int64(&in, axes), overlaps);
-            count->int64++;
-        }
-#if defined(__SIZEOF_INT128__)
-        if (in.bits <= TRIBOX_INT128_BITS) {
-            check(where, "tribox_exact_int128", pair, axes, tribox_exact_int128(&in, axes), overlaps);
-            count->int128++;
-        }
-#endif
-        if (axes == axes_in_turn) {
-            check(where, "tribox_exact_overlap", pair, axes, tribox_exact_overlap(pair, axes), overlaps);
-            check(where, "tribox_exact_limbs", pair, axes, tribox_exact_limbs(&in, axes), overlaps);
-            count->limbs++;
-        }
+        check(where, "tribox_exact_overlap", pair, axes, tribox_exact_overlap(&asked, axes), overlaps);
+        if (is_short)
+            check(where, "tribox_exact_long", pair, axes, tribox_exact_long(&asked, axes), overlaps);
     }
 }
 
@@ -129,10 +128,10 @@ static void try_scene(const scene *s, const arguments *args, reached *count)
     for (size_t pairs = 0; pairs < args->pairs; pairs += SCENE_TRIANGLES) {
         scene_draw_batch(s, &r, &judged.batch);
         for (int k = 0; k < SCENE_TRIANGLES; k++) {
-            const tribox_pair pair = scene_pair(&judged.batch, k);
+            const pair_f32 pair = scene_pair(&judged.batch, k);
             judged.truth[k] = oracle_separating(&pair);
             check_oracles(&where, &pair, judged.truth[k], k % 16 == 0);
-            check_integers(&where, &pair, judged.truth[k], 1 + (unsigned)k % AXIS_SETS, count);
+            check_integers(&where, &pair, judged.truth[k], count);
         }
         for (unsigned axes = 1; axes <= AXIS_SETS; axes++)
             check_settling(&where, &judged, axes, count);
@@ -149,15 +148,12 @@ static void test_scenes(void **state)
             try_scene(scene_at(i), args, &count);
             scenes++;
         }
-    printf("asked: double %zu certain, %zu undecided; int64 %zu; int128 %zu; limbs %zu\n", count.double_certain,
-           count.double_undecided, count.int64, count.int128, count.limbs);
+    printf("asked: double %zu certain, %zu undecided; integers %zu short, %zu long\n", count.double_certain, count.double_undecided,
+           count.short_pairs, count.long_pairs);
     /* One scene need not reach them all; a family does. */
     if (scenes == 1)
         return;
-    assert_true(count.double_certain && count.double_undecided && count.int64 && count.limbs);
-#if defined(__SIZEOF_INT128__)
-    assert_true(count.int128);
-#endif
+    assert_true(count.double_certain && count.double_undecided && count.short_pairs);
 }
 
 int main(int argc, char **argv)

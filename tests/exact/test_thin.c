@@ -80,7 +80,7 @@ static void check_found(const thin *t, const char *test, const tribox_options *o
     ask_soup(&soup, &box, options, mask);
     for (size_t i = 0; i < COUNT; i++)
         if (bit_of(must, i) && !bit_of(mask, i)) {
-            tribox_pair pair = {.box = box};
+            pair_f32 pair = {.box = box};
             memcpy(pair.u, t->u[i], sizeof pair.u);
             fail_pair(&where, &pair, false);
         }
@@ -113,7 +113,7 @@ static void test_exact_and_conservative_find_all(void **state)
             draw_segment(&r, random_int(&r, 3), drawn.u[i]);
         else
             draw_sliver(&r, random_int_between(&r, 10, 30), drawn.u[i]);
-        tribox_pair pair = {.box = box};
+        pair_f32 pair = {.box = box};
         memcpy(pair.u, drawn.u[i], sizeof pair.u);
         truth[i / 64] |= (uint64_t)oracle_clip(&pair) << i % 64;
     }

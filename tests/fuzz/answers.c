@@ -85,7 +85,7 @@ typedef struct truth {
     uint64_t overlapping[WORDS_MAX], impossible[WORDS_MAX];
 } truth;
 
-static bool can_overlap(const tribox_pair *pair)
+static bool can_overlap(const pair_f32 *pair)
 {
     const const_triangle u = triangle_of(pair);
     return triangle_is_finite(u) && box_is_finite(&pair->box) && !box_is_empty(&pair->box);
@@ -109,7 +109,7 @@ static truth truth_of(const asked *a)
 
 static void fail_pair(const asked *a, const tribox_options *o, size_t i, bool bit)
 {
-    const tribox_pair *const pair = &a->pair[i % a->drawn];
+    const pair_f32 *const pair = &a->pair[i % a->drawn];
     if (can_overlap(pair))
         oracle_explain(stderr, pair);
     ensure(false, "%s, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is %d", a->call, (int)o->accuracy, o->axes,

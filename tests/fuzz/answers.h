@@ -21,13 +21,13 @@ drawn_options input_options(input *in);
 
 /* C has no conversion from float[3][3] to const float[3][3]. */
 typedef const float (*const_triangle)[3];
-static inline const_triangle triangle_of(const tribox_pair *pair) { return pair->u; }
+static inline const_triangle triangle_of(const pair_f32 *pair) { return pair->u; }
 
 /* What is asked: pair i is pair[i % drawn]. */
 typedef struct asked {
     const char *call; /* its name */
     drawn_options how;
-    tribox_pair pair[PAIRS_DRAWN];
+    pair_f32 pair[PAIRS_DRAWN];
     unsigned drawn;
     size_t count;
     unsigned wrong;  /* with the input; as bits of 1 << status */

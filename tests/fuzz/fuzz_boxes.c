@@ -39,7 +39,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     fuzz_case q;
     input_triangle(&in, q.triangle);
     do {
-        tribox_pair *const pair = &a.pair[a.drawn++];
+        pair_f32 *const pair = &a.pair[a.drawn++];
         memcpy(pair->u, q.triangle, sizeof pair->u);
         pair->box = input_box(&in);
     } while (!input_is_over(&in) && a.drawn < PAIRS_DRAWN && a.drawn < a.count);

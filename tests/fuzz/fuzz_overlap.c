@@ -23,7 +23,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     fuzz_case q = {.box = input_box(&in)};
     a.wrong = box_is_finite(&q.box) ? 0 : 1u << TRIBOX_BAD_BOX;
     do {
-        tribox_pair *const pair = &a.pair[a.drawn++];
+        pair_f32 *const pair = &a.pair[a.drawn++];
         pair->box = q.box;
         input_triangle(&in, pair->u);
     } while (!input_is_over(&in) && a.drawn < PAIRS_DRAWN && a.drawn < a.count);

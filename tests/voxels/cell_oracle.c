@@ -91,7 +91,7 @@ bool cell_oracle_overlaps(const cell_oracle *t, const tribox_box *box, unsigned 
     }
     if (!is_open)
         return true;
-    tribox_pair pair = {.box = *box};
+    pair_f32 pair = {.box = *box};
     memcpy(pair.u, t->u, sizeof pair.u);
     return oracle_overlaps(oracle_separating(&pair), groups);
 }

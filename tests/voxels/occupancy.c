@@ -110,7 +110,7 @@ static void fail_cell(const request *q, size_t first, size_t count, const int ce
 {
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     const size_t t = culprit(q, first, count, cell[0], cell[1], cell[2]);
-    tribox_pair pair = {.box = grid_planes_cell(q->at, cell[0], cell[1], cell[2])};
+    pair_f32 pair = {.box = grid_planes_cell(q->at, cell[0], cell[1], cell[2])};
     triangle_list_get(q->triangles, t, pair.u);
     fprintf(stderr, "tribox_voxelize %s cell %d %d %d: %s\n", answer ? "sets" : "does not set", cell[0], cell[1], cell[2], why);
     fprintf(stderr, "  scene %s, seed %" PRIu64 ", triangle %zu of %zu, %s, axes %u, kernel %s\n", q->scene, q->seed, t, count,

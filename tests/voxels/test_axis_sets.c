@@ -74,7 +74,7 @@ static void test_judge(void **state)
     for (size_t k = 0; k < args->pairs / 10; k++) {
         if (k % 20 == 0)
             draw_grid_of_kind(&r, grid_kind_at(k / 20 % grid_kind_count()), CELLS_MAX, &at);
-        tribox_pair pair;
+        pair_f32 pair;
         draw_triangle(&r, triangle_kind_at(k % triangle_kind_count()), &at, pair.u);
         pair.box = grid_planes_cell(&at, random_int(&r, (int)at.grid.size[0]), random_int(&r, (int)at.grid.size[1]),
                                     random_int(&r, (int)at.grid.size[2]));

@@ -89,7 +89,7 @@ static size_t check_cells(const origin *where, const tribox_grid *grid, const ne
                 set += answer;
                 if (answer == cell_oracle_overlaps(&t, &box, TRIBOX_AXES_ALL))
                     continue;
-                tribox_pair pair = {.box = box};
+                pair_f32 pair = {.box = box};
                 memcpy(pair.u, u, sizeof pair.u);
                 grid_planes_print(stderr, grid);
                 fail_pair(where, &pair, answer);

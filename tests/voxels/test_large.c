@@ -67,7 +67,7 @@ static void check_cell(const origin *where, const tribox_grid *grid, const cell_
     const bool answer = is_set(grid, occupied, cell);
     if (answer == cell_oracle_overlaps(t, &box, TRIBOX_AXES_ALL))
         return;
-    tribox_pair pair = {.box = box};
+    pair_f32 pair = {.box = box};
     memcpy(pair.u, t->u, sizeof pair.u);
     grid_planes_print(stderr, grid);
     fail_pair(where, &pair, answer);

@@ -1,13 +1,10 @@
-/* exact_int128.c - pairs and oriented pairs in 128-bit integers, where the compiler has them. */
-#include "exact.h"
+/* oriented_int128.c - oriented pairs in 128-bit integers, where the compiler has them. */
 #include "oriented.h"
 #if defined(__SIZEOF_INT128__)
 __extension__ typedef __int128 vnum;
 #include "num_integer.h"
 #include "kernel/axes.h"
 #include "integers.h"
-#define EXACT_IN_INTEGERS tribox_exact_int128
-#include "pair.h"
 #define ORIENTED_IN_INTEGERS tribox_oriented_int128
 #include "oriented_pair.h"
 #else
