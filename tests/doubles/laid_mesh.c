@@ -1,0 +1,177 @@
+#include "laid_mesh.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+const mesh_form nine_doubles = {.position_bytes = 8};
+
+static const unsigned index_sizes[] = {0, 2, 4};
+
+mesh_form mesh_form_draw(random_source *r, bool may_be_floats)
+{
+    static const unsigned narrow[] = {0, 4};
+    const bool is_plain = random_int(r, 3) == 0;
+    mesh_form form = {.position_bytes = may_be_floats && random_int(r, 2) ? narrow[random_int(r, 2)] : 8,
+                      .index_bytes = index_sizes[random_int(r, 3)],
+                      .is_at_end = random_int(r, 2),
+                      .is_shared = random_int(r, 2)};
+    if (is_plain)
+        return form;
+    form.order = (vertex_order)random_int(r, VERTEX_ORDERS);
+    form.gap = random_int(r, 2) ? (size_t)random_int_between(r, 1, 40) : 8 * (size_t)random_int(r, 3);
+    form.shift = random_int(r, 2) ? 0 : random_int_between(r, 1, 7);
+    return form;
+}
+
+static guarded fence_of_noise(random_source *r, size_t bytes)
+{
+    const guarded g = guarded_make(bytes);
+    for (size_t k = 0; k < g.size; k += sizeof(uint64_t)) {
+        const uint64_t noise = random_bits(r);
+        memcpy(g.first + k, &noise, sizeof noise);
+    }
+    return g;
+}
+
+laid_fences laid_fences_make(uint64_t seed)
+{
+    random_source r = random_named(seed, "laid fences");
+    laid_fences f = {.positions = fence_of_noise(&r, LAID_F64_BYTES)};
+    f.indices = fence_of_noise(&r, 3 * LAID_MOST * sizeof(uint32_t) + 8);
+    return f;
+}
+
+void laid_fences_free(laid_fences f)
+{
+    guarded_free(f.positions);
+    guarded_free(f.indices);
+}
+
+static unsigned number_bytes(const tribox_mesh *mesh) { return mesh->position_bytes == 8 ? 8 : 4; }
+
+static size_t axis_stride_of(const tribox_mesh *mesh) { return mesh->axis_stride ? mesh->axis_stride : number_bytes(mesh); }
+
+static size_t stride_of(const tribox_mesh *mesh)
+{
+    return mesh->stride ? mesh->stride : (mesh->axis_stride ? 1 : 3) * number_bytes(mesh);
+}
+
+static size_t vertex_number(const tribox_mesh *mesh, size_t corner)
+{
+    uint16_t narrow;
+    uint32_t wide;
+    if (!mesh->indices)
+        return corner;
+    const unsigned char *const at = (const unsigned char *)mesh->indices + mesh->index_bytes * corner;
+    memcpy(mesh->index_bytes == 2 ? (void *)&narrow : &wide, at, mesh->index_bytes);
+    return mesh->index_bytes == 2 ? narrow : wide;
+}
+
+unsigned char *laid_mesh_at(const tribox_mesh *mesh, size_t corner, int a)
+{
+    unsigned char *const positions = (unsigned char *)(uintptr_t)mesh->positions;
+    return positions + vertex_number(mesh, corner) * stride_of(mesh) + (size_t)a * axis_stride_of(mesh);
+}
+
+double laid_mesh_number(const tribox_mesh *mesh, size_t corner, int a)
+{
+    float narrow;
+    double wide;
+    const unsigned char *const at = laid_mesh_at(mesh, corner, a);
+    if (number_bytes(mesh) == 8)
+        return memcpy(&wide, at, sizeof wide), wide;
+    memcpy(&narrow, at, sizeof narrow);
+    return (double)narrow;
+}
+
+static void put_number(const tribox_mesh *mesh, size_t corner, int a, double x)
+{
+    const float narrow = (float)x;
+    memcpy(laid_mesh_at(mesh, corner, a), number_bytes(mesh) == 8 ? (const void *)&x : &narrow, number_bytes(mesh));
+}
+
+/* Strides by the order; the greatest fits LAID_MOST triangles into the fence only where there are no gaps. */
+static void put_strides(random_source *r, const mesh_form *form, tribox_mesh *mesh)
+{
+    const size_t bytes = number_bytes(mesh);
+    if (form->order == ROWS) {
+        mesh->axis_stride = random_int(r, 2) ? 0 : bytes;
+        mesh->stride = form->gap || mesh->axis_stride || random_int(r, 2) ? 3 * bytes + form->gap : 0;
+    } else if (form->order == SPREAD_ROWS) {
+        mesh->axis_stride = bytes + form->gap;
+        mesh->stride = 2 * mesh->axis_stride + bytes + (random_int(r, 2) ? 0 : form->gap);
+    } else {
+        const size_t stride = bytes + (random_int(r, 2) ? 0 : form->gap);
+        mesh->stride = stride == bytes && random_int(r, 2) ? 0 : stride;
+        mesh->axis_stride = (mesh->vertices ? mesh->vertices : 1) * stride + form->gap;
+    }
+}
+
+static unsigned char *place(guarded g, size_t bytes, const mesh_form *form)
+{
+    return form->is_at_end ? (unsigned char *)guarded_tail(g, bytes) - form->shift : g.first + form->shift;
+}
+
+/* A number for each corner, every one once, but for those that are left out. */
+static void lay_indices(random_source *r, const mesh_form *form, tribox_mesh *mesh, laid_fences f)
+{
+    static uint32_t number[3 * LAID_MOST];
+    const size_t corners = 3 * mesh->count;
+    unsigned char *const indices = place(f.indices, corners * form->index_bytes, form);
+    for (size_t k = 0; k < corners; k++)
+        number[k] = (uint32_t)k;
+    for (size_t k = 0; k + 1 < corners; k++) {
+        const size_t other = k + random_below(r, corners - k);
+        const uint32_t swapped = number[k];
+        number[k] = number[other];
+        number[other] = swapped;
+    }
+    for (size_t k = 0; k < corners; k++) {
+        const uint16_t narrow = (uint16_t)number[k];
+        memcpy(indices + form->index_bytes * k, form->index_bytes == 2 ? (const void *)&narrow : &number[k], form->index_bytes);
+    }
+    mesh->indices = indices;
+    mesh->index_bytes = form->index_bytes;
+}
+
+/* Corners whose vertices are the same, bit for bit, get one number: that of the first. Looks at near ones alone. */
+static void share_vertices(const tribox_mesh *mesh)
+{
+    for (size_t k = 1; k < 3 * mesh->count; k++)
+        for (size_t back = 1; back <= 8 && back <= k; back++) {
+            bool is_same = true;
+            for (int a = 0; a < 3; a++)
+                is_same = is_same && !memcmp(laid_mesh_at(mesh, k, a), laid_mesh_at(mesh, k - back, a), number_bytes(mesh));
+            if (is_same) {
+                unsigned char *const indices = (unsigned char *)(uintptr_t)mesh->indices;
+                memcpy(indices + mesh->index_bytes * k, indices + mesh->index_bytes * (k - back), mesh->index_bytes);
+                break;
+            }
+        }
+}
+
+tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
+                         laid_fences f)
+{
+    tribox_mesh mesh = {.vertices = 3 * count, .count = count, .position_bytes = form->position_bytes};
+    put_strides(r, form, &mesh);
+    if (form->index_bytes)
+        lay_indices(r, form, &mesh, f);
+    const size_t last = mesh.vertices ? mesh.vertices - 1 : 0;
+    const size_t bytes = count ? last * stride_of(&mesh) + 2 * axis_stride_of(&mesh) + number_bytes(&mesh) : 0;
+    mesh.positions = place(f.positions, bytes, form);
+    for (size_t k = 0; k < 3 * count; k++)
+        for (int a = 0; a < 3; a++)
+            put_number(&mesh, k, a, u[k / 3][turn[k % 3]][a]);
+    if (form->index_bytes && form->is_shared)
+        share_vertices(&mesh);
+    return mesh;
+}
+
+const char *laid_mesh_text(const tribox_mesh *mesh, char text[LAID_TEXT])
+{
+    snprintf(text, LAID_TEXT, "%zu triangles of %u-byte numbers, stride %zu, axis stride %zu, indices of %u bytes", mesh->count,
+             mesh->position_bytes, mesh->stride, mesh->axis_stride, mesh->indices ? mesh->index_bytes : 0);
+    return text;
+}
