@@ -122,7 +122,7 @@ typedef enum tribox_status {
     TRIBOX_OK = 0,       /* the call did what it was to do */
     TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size makes no sense */
     TRIBOX_BAD_BOX,      /* a bound of the box, or a number of the oriented box, is NaN or infinite */
-    TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or too fine for float */
+    TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or finer than its numbers can tell */
     TRIBOX_BAD_OPTION,   /* the accuracy, axis set or order is unknown, or not available in this call */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
     TRIBOX_NO_MEMORY,    /* reserved: no call of the library returns it, as none allocates; programs may use it for themselves */

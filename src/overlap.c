@@ -161,7 +161,7 @@ const char *tribox_status_text(tribox_status status)
     case TRIBOX_BAD_BOX:
         return "a bound of the box is NaN or infinite";
     case TRIBOX_BAD_GRID:
-        return "the grid is not finite, not positive, too large, or too fine for float";
+        return "the grid is not finite, not positive, too large, or finer than its numbers can tell";
     case TRIBOX_BAD_OPTION:
         return "unknown accuracy, axis set or order of the axes";
     case TRIBOX_NO_KERNEL:
