@@ -41,16 +41,20 @@ typedef struct tribox_strip {
 typedef void tribox_set_strip(tribox_voxels *v);
 
 /*
- * Sets the cells of a soup of one triangle at least; larger triangles join the strips. Whole packets are read: where the triangles
- * are fewer than the lanes of the kernel, numbers have to follow them (tribox_few).
+ * Sorts the triangles of a soup, one at least, by their cells: those of lines are listed, larger ones join the strips, others wait in
+ * queues. Whole packets are read: where the triangles are fewer than the lanes of the kernel, numbers have to follow them (tribox_few).
  */
-typedef void tribox_set_soup(tribox_voxels *v, const tribox_soup *soup);
+typedef void tribox_sort_soup(tribox_voxels *v, const tribox_soup *soup);
+
+/* The cells of what waits in queues; after the last soup. Writes the listed bits. */
+typedef void tribox_finish(tribox_voxels *v);
 
 /* Writes the listed bits. */
 typedef void tribox_write(tribox_voxels *v);
 
 typedef struct tribox_cells_kernel {
-    tribox_set_soup *set_soup;
+    tribox_sort_soup *sort;
+    tribox_finish *finish;
     tribox_write *write;
 } tribox_cells_kernel;
 

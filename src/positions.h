@@ -19,19 +19,25 @@ static inline float tribox_near_number(const void *from, double near)
     return (float)(number - near);
 }
 
+/* A number of either size. */
+static inline double tribox_number_read(const tribox_mesh *mesh, const void *from)
+{
+    double number;
+    float single;
+    if (mesh->position_bytes == sizeof number) {
+        memcpy(&number, from, sizeof number);
+        return number;
+    }
+    memcpy(&single, from, sizeof single);
+    return single;
+}
+
 /* The position of a vertex, of either size and with any strides. */
 static inline void tribox_position_read(const tribox_mesh *mesh, size_t vertex, double to[3])
 {
     const char *from = (const char *)mesh->positions + vertex * mesh->stride;
-    for (int a = 0; a < 3; a++, from += mesh->axis_stride) {
-        float single;
-        if (mesh->position_bytes == sizeof *to) {
-            memcpy(&to[a], from, sizeof *to);
-        } else {
-            memcpy(&single, from, sizeof single);
-            to[a] = single;
-        }
-    }
+    for (int a = 0; a < 3; a++, from += mesh->axis_stride)
+        to[a] = tribox_number_read(mesh, from);
 }
 
 #endif

@@ -28,13 +28,12 @@ static tribox_triangle triangle_at(const tribox_soup *soup, size_t i)
     return triangle;
 }
 
-/* Float is a filter where it tells places in the grid apart by less than half a cell, and nothing overflows (PROOFS.md 7.9). */
-static bool is_for_float(tribox_voxels *v)
+bool tribox_voxels_make_float(tribox_voxels *v, const float origin[3])
 {
     tribox_float_lattice *const f = &v->in_float;
     bool is = true;
     for (int a = 0; a < 3; a++) {
-        f->origin[a] = v->grid->origin[a];
+        f->origin[a] = origin[a];
         f->per_cell[a] = (float)v->lattice.per_cell[a];
         f->size[a] = (float)v->size[a];
         f->error[a] = (float)v->lattice.error[a] * 1.001f;
@@ -46,9 +45,11 @@ static bool is_for_float(tribox_voxels *v)
 
 static void set_soup(tribox_voxels *v, const tribox_soup *soup)
 {
-    if (is_for_float(v) && soup->count) {
+    if (tribox_voxels_make_float(v, v->grid->origin) && soup->count) {
+        const tribox_cells_kernel *const cells = v->plan.kernel->cells;
         tribox_few few;
-        v->plan.kernel->cells->set_soup(v, tribox_few_triangles(soup, v->plan.kernel, &few));
+        cells->sort(v, tribox_few_triangles(soup, v->plan.kernel, &few));
+        cells->finish(v);
     } else {
         for (size_t i = 0; i < soup->count; i++) {
             const tribox_triangle triangle = triangle_at(soup, i);
@@ -83,6 +84,7 @@ tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid 
     if (has_layers) {
         v->grid = grid;
         v->mesh = NULL;
+        v->first_number = 0;
         memcpy(v->size, grid->size, sizeof v->size);
         v->first_layer = first;
         v->end_layer = (int64_t)first + layers;

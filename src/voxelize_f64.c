@@ -5,12 +5,23 @@
 #include "finite.h"
 #include "grid_f64.h"
 #include "mesh_input.h"
+#include "mesh_streams.h"
 #include "positions.h"
 
 #define WORDS_MAX (UINT64_C(1) << 31)
 
 /* Triangles have numbers of 32 bits in a part of the mesh. */
-enum { PART = 1 << 30 };
+enum { PART = 1 << 30, BLOCK = 256 /* whose floats fit the nearest cache */ };
+
+void tribox_voxels_read(const tribox_voxels *v, int32_t number, int a, double u[3])
+{
+    const tribox_mesh *const mesh = v->mesh;
+    const size_t corner = 3 * (v->first_triangle + (size_t)number);
+    for (size_t j = 0; j < 3; j++) {
+        const size_t vertex = tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), corner + j);
+        u[j] = tribox_number_read(mesh, (const char *)mesh->positions + vertex * mesh->stride + (size_t)a * mesh->axis_stride);
+    }
+}
 
 tribox_triangle tribox_voxels_numbered(const tribox_voxels *v, int32_t number)
 {
@@ -52,13 +63,46 @@ static bool is_for_limits(const tribox_voxels *v)
     return is;
 }
 
-static void set_part(tribox_voxels *v, size_t count)
+/*
+ * By floats relative to the window's corner. Where the plane alone is asked beside the box normals, they cannot stand for the doubles:
+ * it turns with the smallest of moves.
+ */
+static bool is_for_float(tribox_voxels *v)
+{
+    const bool has_moves = v->plan.axes == TRIBOX_AXES_BOX || v->plan.axes & TRIBOX_AXES_EDGES;
+    return v->plan.axes & TRIBOX_AXES_BOX && has_moves && v->has_limits && tribox_voxels_make_float(v, (float[3]){0, 0, 0});
+}
+
+static void set_by_float(tribox_voxels *v, size_t count)
+{
+    const tribox_kernel *const kernel = v->plan.kernel;
+    _Alignas(64) float streams[9][BLOCK] = {{0}};
+    float *to[9];
+    for (int k = 0; k < 9; k++)
+        to[k] = streams[k];
+    for (size_t at = 0; at < count; at += BLOCK) {
+        const size_t some = count - at < BLOCK ? count - at : BLOCK;
+        const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, some);
+        v->first_number = (int32_t)at;
+        tribox_mesh_write_local(v->mesh, kernel, v->lattice.origin, v->first_triangle + at, some, to);
+        kernel->cells->sort(v, &soup);
+    }
+    kernel->cells->finish(v);
+}
+
+/* One by one: cell by cell without the box normals, as a triangle may then overlap cells anywhere. */
+static void set_by_double(tribox_voxels *v, size_t count)
 {
     const bool has_box = v->plan.axes & TRIBOX_AXES_BOX;
     for (size_t i = 0; i < count; i++) {
         const tribox_triangle triangle = tribox_voxels_numbered(v, (int32_t)i);
         (has_box ? tribox_voxels_add : tribox_voxels_wait_everywhere)(v, &triangle);
     }
+}
+
+static void set_part(tribox_voxels *v, size_t count)
+{
+    (is_for_float(v) ? set_by_float : set_by_double)(v, count);
     tribox_voxels_set_strips(v);
     tribox_voxels_settle(v);
 }

@@ -36,6 +36,7 @@ typedef struct tribox_queue {
     unsigned count;
     /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of each, its first cell on each axis, and how many: of flats 0 across the layer */
     float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
+    int32_t triangle[TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of a mesh its number */
 } tribox_queue;
 
 /*
@@ -74,6 +75,7 @@ struct tribox_voxels {
     const tribox_grid *grid; /* NULL for a grid in double, and then: */
     const tribox_mesh *mesh; /* its strides set */
     size_t first_triangle;   /* the one with the number 0 */
+    int32_t first_number;    /* that of the soup's first */
     tribox_planes planes;
     bool has_limits; /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
 
@@ -106,6 +108,12 @@ static inline void tribox_will_write(const void *at)
 static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b; }
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
 
+/*
+ * The lattice in float, about this origin. Float is a filter where it tells places in the grid apart by less than half a cell, and
+ * nothing overflows (PROOFS.md 7.9): whether it does.
+ */
+bool tribox_voxels_make_float(tribox_voxels *v, const float origin[3]);
+
 /* Before the first triangle, once sizes and layers are known. */
 void tribox_voxels_start(tribox_voxels *v, uint64_t *occupied);
 
@@ -126,6 +134,9 @@ void tribox_voxels_set_strips(tribox_voxels *v);
 
 /* One triangle, whatever its numbers: the planes of the grid decide which cells its box touches. */
 void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle);
+
+/* The three numbers of axis a of triangle `number` of the mesh. */
+void tribox_voxels_read(const tribox_voxels *v, int32_t number, int a, double u[3]);
 
 /* Triangle `number` of the mesh. */
 tribox_triangle tribox_voxels_numbered(const tribox_voxels *v, int32_t number);

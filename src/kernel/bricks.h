@@ -5,6 +5,17 @@
  * The shadow along x takes or leaves whole rows; the two others limit each row and each layer, and the plane limits the rows.
  */
 
+/* A triangle of a soup, its numbers a stride apart; of a mesh its doubles. */
+static tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *number, size_t stride, int32_t of_mesh)
+{
+    tribox_triangle triangle = {.number = 0};
+    if (v->mesh)
+        return tribox_voxels_numbered(v, of_mesh);
+    for (size_t n = 0; n < 9; n++)
+        triangle.u[n] = number[n * stride];
+    return triangle;
+}
+
 /* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
 static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint open, const vint cell[3])
 {
@@ -13,7 +24,9 @@ static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned
     const unsigned more = tribox_count_bits(m_bits(m));
     if (w->count + more > TRIBOX_WAITING)
         tribox_voxels_settle(v);
-    for (int n = 0; n < 9; n++)
+    if (v->mesh)
+        i_pack(&w->number[w->count], m, i_load(&queue->triangle[at]));
+    for (int n = 0; n < 9 && !v->mesh; n++)
         v_pack(&w->u[n][w->count], m, v_load(&queue->number[n][at]));
     for (int a = 0; a < 3; a++)
         i_pack(&w->at[a][w->count], m, cell[a]);
@@ -26,9 +39,8 @@ static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned
 {
     for (; lanes; lanes &= lanes - 1) {
         const unsigned t = at + tribox_lowest_bit(lanes);
-        tribox_triangle triangle = {.number = 0};
-        for (int n = 0; n < 9; n++)
-            triangle.u[n] = queue->number[n][t];
+        const tribox_triangle triangle =
+            triangle_of_lane(v, &queue->number[0][t], TRIBOX_QUEUE + TRIBOX_LANES_MAX, queue->triangle[t]);
         tribox_voxels_add(v, &triangle);
     }
 }

@@ -3,14 +3,18 @@
  * After: axes.h, voxels.h. Needs: v_floor, v_plane.
  *
  * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the planes of the grid
- * decide, which are one cell away at most (PROOFS.md 7.3).
+ * decide, which are one cell away at most (PROOFS.md 7.3). Of a mesh the doubles are asked beside them.
  */
 typedef struct lane_reach {
     vnum u[9];              /* the triangles: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
+    int32_t number;         /* of the first, in a mesh */
+    vmask blurred;          /* those of a mesh that floats cannot stand for (PROOFS.md 7.10) */
     vnum base[3], cells[3]; /* the first cell, and how many, within the grid */
     vmask spans[3];         /* those with more than one, even if some lie outside the grid */
     vmask inside;           /* those that touch the grid */
 } lane_reach;
+
+static const int32_t LANES_IN_ORDER[TRIBOX_LANES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /* Lanes `from` to before `end`. */
 TRIBOX_INLINE vmask lanes_between(unsigned from, unsigned end)
@@ -50,6 +54,45 @@ static lane_cells ask_planes(lane_cells guess, vnum least, vnum most, double cel
                         plus_where(guess.last, m_not(v_gt(above_last, most)), v_gt(last, most))};
 }
 
+/* The whole number that is nearest to a place, which is -1/2 or more. */
+TRIBOX_INLINE int64_t nearest_whole(float place) { return (int64_t)(place + 0.5f); }
+
+/*
+ * The same from the doubles of a mesh, lane by lane: a plane that is in doubt is the one next to the place. Blurred are triangles
+ * where that plane parts vertices which became one float, its least or greatest.
+ */
+static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint64_t lanes, lane_cells guess, vnum from, vnum to)
+{
+    float first[V_LANES], last[V_LANES], at_least[V_LANES], at_most[V_LANES], w[3][V_LANES], blurred[V_LANES] = {0};
+    v_write(first, guess.first);
+    v_write(last, guess.last);
+    v_write(at_least, from);
+    v_write(at_most, to);
+    for (int j = 0; j < 3; j++)
+        v_write(w[j], r->u[3 * a + j]);
+    for (; lanes; lanes &= lanes - 1) {
+        const unsigned n = tribox_lowest_bit(lanes);
+        const int64_t low = nearest_whole(at_least[n]), high = nearest_whole(at_most[n]);
+        const double low_plane = tribox_plane_at(&v->planes, a, low), high_plane = tribox_plane_at(&v->planes, a, high);
+        bool is_above = true, is_below = true, is_at_low = false, is_at_high = false;
+        double u[3];
+        tribox_voxels_read(v, r->number + (int32_t)n, a, u);
+        for (int j = 0; j < 3; j++) {
+            is_above &= u[j] > low_plane;
+            is_below &= u[j] < high_plane;
+        }
+        for (int j = 0; j < 3; j++) {
+            is_at_low |= !is_above && u[j] > low_plane && !(w[j][n] > w[(j + 1) % 3][n]) && !(w[j][n] > w[(j + 2) % 3][n]);
+            is_at_high |= !is_below && u[j] < high_plane && !(w[j][n] < w[(j + 1) % 3][n]) && !(w[j][n] < w[(j + 2) % 3][n]);
+        }
+        first[n] = (float)(is_above ? low : low - 1);
+        last[n] = (float)(is_below ? high - 1 : high);
+        blurred[n] = is_at_low || is_at_high;
+    }
+    r->blurred = m_or(r->blurred, v_gt(v_load(blurred), v_splat(0)));
+    return (lane_cells){v_load(first), v_load(last)};
+}
+
 TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
 {
     const vnum place = v_mul(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]));
@@ -67,8 +110,10 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a, cons
     const vnum from = place_of(least, lattice, a), to = place_of(most, lattice, a);
     lane_cells c = {v_floor(from), v_floor(to)};
     const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
-    if (m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a]))))
-        c = ask_planes(c, least, most, v->grid->cell[a], v->grid->origin[a]);
+    const uint64_t in_doubt = m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a])));
+    if (in_doubt)
+        c = v->mesh ? ask_doubles(v, r, a, in_doubt & m_bits(r->inside), c, from, to)
+                    : ask_planes(c, least, most, v->grid->cell[a], v->grid->origin[a]);
     r->spans[a] = v_gt(c.last, c.first);
     r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
     r->base[a] = v_max(c.first, zero);

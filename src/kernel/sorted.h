@@ -1,5 +1,6 @@
 /*
- * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch.
+ * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch. Of a mesh of doubles
+ * it holds the floats that stand for some of its triangles.
  * After: bricks.h, flats.h. Needs: KERNEL.
  *
  * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and bricks of
@@ -20,10 +21,8 @@ static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
-        tribox_triangle triangle = {.number = 0};
+        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, r.number + (int32_t)lane);
         tribox_cell_range range;
-        for (int n = 0; n < 9; n++)
-            triangle.u[n] = u[n][lane];
         for (int a = 0; a < 3; a++) {
             range.base[a] = (int64_t)base[a][lane];
             range.cells[a] = (int64_t)cells[a][lane];
@@ -33,16 +32,15 @@ static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
 }
 
-/* Triangles that are not known to be finite. */
+/* Triangles that are not known to be finite, or blurred. */
 static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
 {
     float u[9][V_LANES];
     for (int n = 0; n < 9; n++)
         v_write(u[n], r.u[n]);
     for (; lanes; lanes &= lanes - 1) {
-        tribox_triangle triangle = {.number = 0};
-        for (int n = 0; n < 9; n++)
-            triangle.u[n] = u[n][tribox_lowest_bit(lanes)];
+        const unsigned lane = tribox_lowest_bit(lanes);
+        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, r.number + (int32_t)lane);
         tribox_voxels_add(v, &triangle);
     }
 }
@@ -71,6 +69,8 @@ static void set_packets(tribox_voxels *v, tribox_class kind)
     queue->count -= at;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         v_write(queue->number[n], v_load(&queue->number[n][at]));
+    if (v->mesh)
+        i_write(queue->triangle, i_load(&queue->triangle[at]));
 }
 
 /* The last packet of a queue may have fewer triangles than lanes: the others repeat the first, and are left out. */
@@ -83,6 +83,8 @@ static void finish_queue(tribox_voxels *v, tribox_class kind)
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         for (unsigned t = queue->count; t < V_LANES; t++)
             queue->number[n][t] = queue->number[n][0];
+    for (unsigned t = queue->count; v->mesh && t < V_LANES; t++)
+        queue->triangle[t] = queue->triangle[0];
     set_queued(v, kind, 0, queue->count);
 }
 
@@ -92,9 +94,11 @@ TRIBOX_INLINE vnum queued_cells(tribox_class kind, const lane_reach *r, int a)
     return kind == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a];
 }
 
-TRIBOX_INLINE void pack_lanes(tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
+TRIBOX_INLINE void pack_lanes(const tribox_voxels *v, tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     const unsigned to = queue->count;
+    if (v->mesh)
+        i_pack(&queue->triangle[to], m, i_add(i_splat(r->number), i_load(LANES_IN_ORDER)));
     for (int n = 0; n < 9; n++)
         v_pack(&queue->number[n][to], m, r->u[n]);
     for (int a = 0; a < 3; a++) {
@@ -104,7 +108,7 @@ TRIBOX_INLINE void pack_lanes(tribox_queue *queue, tribox_class kind, vmask m, c
 }
 
 /* Lane by lane: one costs less than what it takes to close up a few others. */
-TRIBOX_INLINE void copy_lanes(tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
+TRIBOX_INLINE void copy_lanes(const tribox_voxels *v, tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     float lane[TRIBOX_QUEUED][V_LANES];
     unsigned to = queue->count;
@@ -114,9 +118,12 @@ TRIBOX_INLINE void copy_lanes(tribox_queue *queue, tribox_class kind, vmask m, c
         v_write(lane[9 + a], r->base[a]);
         v_write(lane[12 + a], queued_cells(kind, r, a));
     }
-    for (uint64_t left = m_bits(m); left; left &= left - 1, to++)
+    for (uint64_t left = m_bits(m); left; left &= left - 1, to++) {
         for (int n = 0; n < TRIBOX_QUEUED; n++)
             queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
+        if (v->mesh)
+            queue->triangle[to] = r->number + (int32_t)tribox_lowest_bit(left);
+    }
 }
 
 TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const lane_reach *r)
@@ -125,9 +132,9 @@ TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const l
     if (!m_bits(m))
         return;
     if (V_LANES <= 4)
-        copy_lanes(queue, kind, m, r);
+        copy_lanes(v, queue, kind, m, r);
     else
-        pack_lanes(queue, kind, m, r);
+        pack_lanes(v, queue, kind, m, r);
     queue->count += tribox_count_bits(m_bits(m));
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
         set_packets(v, kind);
@@ -157,6 +164,8 @@ TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(m
 static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
     lane_reach r;
+    r.number = v->first_number + (int32_t)at;
+    r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
     /* z first: whoever asks for some layers alone looks at most triangles in vain. */
     reach_axis(&r, v, 2, soup->z, at);
@@ -166,7 +175,7 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
         return;
     reach_axis(&r, v, 1, soup->y, at);
     reach_axis(&r, v, 0, soup->x, at);
-    const vmask inside = m_and(r.inside, is_finite(r.u)), unknown = m_andnot(r.inside, inside);
+    const vmask inside = m_andnot(m_and(r.inside, is_finite(r.u)), r.blurred), unknown = m_andnot(r.inside, inside);
     if (m_bits(unknown))
         add_each(v, r, m_bits(unknown));
     if (!m_bits(inside))
@@ -218,6 +227,10 @@ static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
         sort_packet(v, soup, 0, 0, rest);
     else if (rest)
         sort_packet(v, soup, soup->count - V_LANES, V_LANES - rest, V_LANES);
+}
+
+static void finish(tribox_voxels *v)
+{
     for (tribox_class kind = TRIBOX_FLATS; V_LANES > 1 && kind < TRIBOX_CLASSES; kind++)
         finish_queue(v, kind);
     write_listed(v);
@@ -225,6 +238,7 @@ static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
 
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
-    .set_soup = sort_soup,
+    .sort = sort_soup,
+    .finish = finish,
     .write = write_listed,
 };
