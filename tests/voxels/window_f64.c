@@ -1,0 +1,122 @@
+#include "window_f64.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "common/oracle_f64.h"
+
+void window_f64_open(window_f64 *w)
+{
+    memset(w->first, 0, sizeof w->first);
+    memcpy(w->size, w->grid.size, sizeof w->size);
+}
+
+void window_f64_draw(window_f64 *w, random_source *r)
+{
+    for (int a = 0; a < 3; a++) {
+        const int size = (int)w->grid.size[a];
+        w->first[a] = (uint32_t)random_int(r, size);
+        w->size[a] = (uint32_t)random_int_between(r, 1, size - (int)w->first[a]);
+    }
+}
+
+static size_t row_words(const window_f64 *w) { return (w->size[0] + 63) / 64; }
+
+size_t window_f64_words(const window_f64 *w) { return row_words(w) * w->size[1] * w->size[2]; }
+
+double window_f64_plane(const tribox_grid_f64 *grid, int a, double p) { return fma(p, grid->cell[a], grid->origin[a]); }
+
+static size_t word_of(const window_f64 *w, const uint32_t at[3])
+{
+    return ((size_t)at[2] * w->size[1] + at[1]) * row_words(w) + at[0] / 64;
+}
+
+static pair_f64 pair_at(const window_f64 *w, size_t triangle, const uint32_t at[3])
+{
+    pair_f64 pair;
+    memcpy(pair.u, w->triangle[triangle], sizeof pair.u);
+    for (int a = 0; a < 3; a++) {
+        pair.box.lo[a] = window_f64_plane(&w->grid, a, (double)w->first[a] + at[a]);
+        pair.box.hi[a] = window_f64_plane(&w->grid, a, (double)w->first[a] + at[a] + 1);
+    }
+    return pair;
+}
+
+/* Whether the triangle's bounding box touches the cell. */
+static bool is_beside(const pair_f64 *pair)
+{
+    for (int a = 0; a < 3; a++)
+        if (fmax(fmax(pair->u[0][a], pair->u[1][a]), pair->u[2][a]) < pair->box.lo[a] ||
+            fmin(fmin(pair->u[0][a], pair->u[1][a]), pair->u[2][a]) > pair->box.hi[a])
+            return true;
+    return false;
+}
+
+size_t window_f64_expect(const window_f64 *w, size_t first, size_t count, unsigned axes, uint64_t *occupied)
+{
+    size_t asked = 0;
+    uint32_t at[3];
+    memset(occupied, 0, window_f64_words(w) * sizeof *occupied);
+    for (size_t t = first; t < first + count; t++)
+        for (at[2] = 0; at[2] < w->size[2]; at[2]++)
+            for (at[1] = 0; at[1] < w->size[1]; at[1]++)
+                for (at[0] = 0; at[0] < w->size[0]; at[0]++) {
+                    uint64_t *const word = occupied + word_of(w, at);
+                    const pair_f64 pair = pair_at(w, t, at);
+                    if (*word >> at[0] % 64 & 1 || (axes & TRIBOX_AXES_BOX && is_beside(&pair)))
+                        continue;
+                    asked++;
+                    *word |= (uint64_t)oracle_answer_f64(&pair, axes) << at[0] % 64;
+                }
+    return asked;
+}
+
+void window_f64_ask(const window_f64 *w, size_t first, size_t count, uint64_t *occupied)
+{
+    const size_t words = window_f64_words(w);
+    const tribox_mesh mesh = {.positions = w->triangle + first, .vertices = 3 * count, .count = count, .position_bytes = 8};
+    tribox_report report;
+    size_t set = 0;
+    memset(occupied, 0, words * sizeof *occupied);
+    occupied[words] = UINT64_C(0x5555555555555555);
+    assert_int_equal(tribox_voxelize_f64(&mesh, &w->grid, w->first, w->size, &w->options, occupied, &report), TRIBOX_OK);
+    assert_true(occupied[words] == UINT64_C(0x5555555555555555));
+    for (size_t k = 0; k < words; k++) {
+        const uint64_t outside = w->size[0] % 64 && (k + 1) % row_words(w) == 0 ? ~UINT64_C(0) << w->size[0] % 64 : 0;
+        assert_true((occupied[k] & outside) == 0);
+        for (uint64_t left = occupied[k]; left; left &= left - 1)
+            set++;
+    }
+    assert_int_equal(report.overlapping, set);
+}
+
+static void fail_cell(const window_f64 *w, size_t first, size_t count, const uint32_t at[3], bool answer)
+{
+    fprintf(stderr, "%s, seed %llu, kernel %s, accuracy %d, axes %u, triangles %zu to %zu: cell %u %u %u is %s\n", w->scene,
+            (unsigned long long)w->seed, w->options.kernel, (int)w->options.accuracy, w->options.axes, first, first + count - 1,
+            (unsigned)at[0], (unsigned)at[1], (unsigned)at[2], answer ? "set" : "not set");
+    for (int a = 0; a < 3; a++)
+        fprintf(stderr, "  %c   origin %a, cell %a, size %u, window %u + %u\n", "xyz"[a], w -> grid.origin[a], w->grid.cell[a],
+                (unsigned)w->grid.size[a], (unsigned)w->first[a], (unsigned)w->size[a]);
+    for (size_t t = first; t < first + count; t++) {
+        const pair_f64 pair = pair_at(w, t, at);
+        const unsigned axes = w->options.axes ? w->options.axes : TRIBOX_AXES_ALL;
+        if (oracle_answer_f64(&pair, axes) || count == 1)
+            oracle_explain_f64(stderr, &pair);
+    }
+    fail();
+}
+
+void window_f64_check(const window_f64 *w, size_t first, size_t count, const uint64_t *expected, const uint64_t *occupied,
+                      bool is_exact)
+{
+    uint32_t at[3];
+    for (at[2] = 0; at[2] < w->size[2]; at[2]++)
+        for (at[1] = 0; at[1] < w->size[1]; at[1]++)
+            for (at[0] = 0; at[0] < w->size[0]; at[0]++) {
+                const bool is_set = occupied[word_of(w, at)] >> at[0] % 64 & 1, is_in = expected[word_of(w, at)] >> at[0] % 64 & 1;
+                if (is_exact ? is_set != is_in : is_in && !is_set)
+                    fail_cell(w, first, count, at, is_set);
+            }
+}
