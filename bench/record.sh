@@ -10,13 +10,14 @@ processor=${processor%-}
 results=bench/results/${NAME:-${processor:-unknown}}
 build=${BUILD:-build-bench}
 test -d "$build" || meson setup "$build" -Dpeers=enabled
-meson compile -C "$build" accuracy ratios cgal inputs voxels:executable index:executable peers
+meson compile -C "$build" accuracy ratios cgal inputs doubles:executable voxels:executable index:executable peers
 mkdir -p "$results"
 bench/accuracy/chart.sh "$build/bench/accuracy" bench/accuracy/accuracy.gp "$results" "$@"
 rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # the repository keeps the table and the short chart
 "$build/bench/ratios" >"$results/ratios.txt"
 "$build/bench/cgal" >"$results/cgal.txt"
 { "$build/bench/inputs" && "$build/bench/inputs" --kernel avx2; } >"$results/inputs.txt"
+{ "$build/bench/doubles" && "$build/bench/doubles" --kernel avx2; } >"$results/doubles.txt"
 "$build/bench/voxels" --limit 1 "$@" >"$results/voxels.txt"
 "$build/bench/index" "$@" >"$results/index.txt"
 "$build/tests/peers/peers" --csv "$results/peers.csv" "$@" >"$results/peers.txt"
