@@ -247,7 +247,8 @@ static void test_scenes(void **state)
         }
         print_message("%-14s %zu pairs, %zu overlap; per kernel CONSERVATIVE adds %zu, FAST errs in %zu\n", scene_name, asked, hits,
                       too_many / (size_t)kernels, wrong / (size_t)kernels);
-        assert_in_range(hits, asked / 200, asked - asked / 200);
+        if (!arguments_are_short(&args)) /* which is too few to say how many there are */
+            assert_in_range(hits, asked / 200, asked - asked / 200);
     }
 }
 

@@ -213,7 +213,7 @@ static void test_surveys(void **state)
                  {draw_eighths, "eighths", 0.25f}, {draw_big_triangles, "big", 0.001f},     {draw_cad, "cad", 1}};
     random_source r = random_named(args.seed, "surveys");
     for (size_t i = 0; i < sizeof drawn / sizeof drawn[0]; i++)
-        for (int round = 0; round < 200; round++) {
+        for (int round = 0; round < (arguments_are_short(&args) ? 20 : 200); round++) {
             const pair_list q = draw_pairs(&r, &(scene){.name = drawn[i].name, .draw = drawn[i].draw}, true, &numbers);
             const tribox_soup soup = pair_list_soup(&q);
             tribox_box box = *q.box;
@@ -249,7 +249,8 @@ static void test_answers(void **state)
                                     1024, 1025, 1088, 4095, 4096, 4097, 4159, 4160, 8255, 10240};
     const char *names[KERNELS_MAX];
     const int kernels = kernels_here(names);
-    for (size_t i = 0; i < scene_count(); i++) {
+    const size_t step = arguments_are_short(&args) ? 5 : 1;
+    for (size_t i = args.seed % step; i < scene_count(); i += step) {
         const scene *const s = scene_at(i);
         random_source r = random_named(args.seed, s->name);
         draw_changing(&r, s, i % 3 ? DRAWN_MAX / 2 : 0);
