@@ -1,7 +1,7 @@
 #!/bin/sh
-# A meson project finds its subproject tribox by dependency('tribox'), and builds the library alone:
+# A meson project finds its subproject tribox by dependency('tribox'), and would build the library alone:
 # subproject.sh tree|wrap-git|wrap-file ROOT
-#   tree       the source tree lies under subprojects/
+#   tree       the source tree lies under subprojects/; this one is built, the others have the same files
 #   wrap-git   a wrap file names a git repository
 #   wrap-file  a wrap file names the tarball of a release, and its hash
 set -eu
@@ -55,4 +55,11 @@ if "$MESON" introspect --targets "$work/build" | grep -qE '/subprojects/tribox[^
     echo 'a project that uses tribox builds more of it than the library' >&2
     exit 1
 fi
-"$MESON" test -C "$work/build" consumer
+if test "$how" = tree; then
+    "$MESON" test -C "$work/build" consumer
+else
+    fetched=$(dirname "$(ls "$subprojects"/*/meson_options.txt)")
+    (cd "$root" && git ls-files --cached --others --exclude-standard) | while read -r file; do
+        test ! -f "$root/$file" || cmp "$root/$file" "$fetched/$file" || exit 1
+    done
+fi
