@@ -1,0 +1,213 @@
+/*
+ * test_mesh_f64.c - meshes of every layout in grids in double: the bits of the soup in float where both say the same, however far the
+ * mesh and its grid are moved; rows of more cells than 2^31; and the Stanford bunny in UTM coordinates.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "occupancy.h"
+
+#include "common/arguments.h"
+#include "common/real_meshes.h"
+#include "triangle_kinds.h"
+
+enum { CELLS_MAX = 20000, ROUNDS = 60, PAIRS_A_ROUND = 100000 };
+
+static grid_planes at;
+static triangle_list triangles;
+static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
+
+/* Numbers on a lattice, so that they can be moved without rounding: cells of 1/8, and of vertices those beside them. */
+static void draw_lattice_mesh(random_source *r)
+{
+    const tribox_grid grid = {{-2, 3, 1}, {0.125f, 0.125f, 0.125f}, {40, 25, 20}};
+    assert_true(grid_planes_make(&at, &grid));
+    triangles.count = 0;
+    const int count = random_int_between(r, 1, 400);
+    while (triangles.count < (size_t)count) {
+        const double length = random_int(r, 3) ? 0.4 : random_int(r, 2) ? 1.5 : 9;
+        float u[3][3];
+        for (int a = 0; a < 3; a++) {
+            const double from = grid.origin[a] + random_double(r, -0.5, 5.5);
+            for (int j = 0; j < 3; j++) {
+                const double x = from + random_double(r, 0, length), step = random_int(r, 2) ? 0.125 : 0x1p-10;
+                u[j][a] = (float)(floor(x / step) * step);
+            }
+        }
+        triangle_list_put(&triangles, (const_vertices)u);
+    }
+    memset(expected, 0, at.words * sizeof *expected);
+    const tribox_soup soup = triangle_list_soup(&triangles);
+    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, expected, NULL), TRIBOX_OK);
+}
+
+/* How vertices lie in memory. */
+typedef struct layout {
+    unsigned position_bytes, index_bytes;
+    bool is_column_major, has_gaps;
+} layout;
+
+static const layout layouts[] = {
+    {8, 0, false, false}, {8, 4, false, false}, {8, 2, false, true},  {8, 4, true, false}, {8, 0, true, true},
+    {4, 0, false, false}, {4, 4, false, true},  {0, 2, false, false}, {4, 4, true, false},
+};
+
+static double room[3 * 3 * TRIANGLE_LIST_MAX * 2];
+static uint32_t wide[3 * TRIANGLE_LIST_MAX];
+static uint16_t narrow[3 * TRIANGLE_LIST_MAX];
+
+/* The triangles, moved; with indices the last vertex comes first. */
+static tribox_mesh lay_out(const layout *l, const double offset[3])
+{
+    const size_t corners = 3 * triangles.count, bytes = l->position_bytes == 8 ? 8 : 4, gap = l->has_gaps ? 2 : 1;
+    tribox_mesh laid = {.positions = room, .vertices = corners, .count = triangles.count, .position_bytes = l->position_bytes};
+    laid.stride = bytes * gap * (l->is_column_major ? 1 : 3);
+    laid.axis_stride = l->is_column_major ? bytes * gap * corners : 0;
+    laid.index_bytes = l->index_bytes;
+    laid.indices = l->index_bytes == 4 ? (const void *)wide : l->index_bytes == 2 ? (const void *)narrow : NULL;
+    memset(room, 0xff, sizeof room);
+    for (size_t corner = 0; corner < corners; corner++) {
+        const size_t vertex = l->index_bytes ? corners - 1 - corner : corner;
+        float u[3][3];
+        triangle_list_get(&triangles, corner / 3, u);
+        wide[corner] = (uint32_t)vertex;
+        narrow[corner] = (uint16_t)vertex;
+        for (size_t a = 0; a < 3; a++) {
+            const double place = (double)u[corner % 3][a] + offset[a];
+            const float single = (float)place;
+            char *const to = (char *)room + vertex * laid.stride + a * (laid.axis_stride ? laid.axis_stride : bytes);
+            memcpy(to, bytes == 8 ? (const void *)&place : &single, bytes);
+        }
+    }
+    if (!l->has_gaps)
+        laid.stride = 0; /* the least */
+    return laid;
+}
+
+static tribox_grid_f64 moved_grid(const double offset[3])
+{
+    tribox_grid_f64 grid;
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = (double)at.grid.origin[a] + offset[a];
+        grid.cell[a] = (double)at.grid.cell[a];
+        grid.size[a] = at.grid.size[a];
+    }
+    return grid;
+}
+
+static void check_mesh(const tribox_mesh *laid, const tribox_grid_f64 *grid, const char *kernel)
+{
+    const tribox_options options = {.kernel = kernel};
+    memset(occupied, 0, sizeof occupied);
+    assert_int_equal(tribox_voxelize_f64(laid, grid, NULL, NULL, &options, occupied, NULL), TRIBOX_OK);
+    assert_memory_equal(occupied, expected, at.words * sizeof *occupied);
+}
+
+static void test_layouts(void **state)
+{
+    const arguments *const args = *state;
+    static const double far[][3] = {
+        {0, 0, 0}, {557820, 5108010, 700}, {-0x1p40, 0x1p41 + 1, 0x1p39 - 0.125}, {4.1e6, -1.13e6, 4.74e6}};
+    const char *kernels[KERNELS_MAX];
+    const int kernel_count = kernels_here(kernels);
+    random_source r = random_named(args->seed, "layouts");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS_A_ROUND); round++) {
+        draw_lattice_mesh(&r);
+        for (size_t k = 0; k < sizeof layouts / sizeof layouts[0]; k++) {
+            const double *const offset = far[layouts[k].position_bytes == 8 ? random_int(&r, 4) : 0];
+            const tribox_mesh laid = lay_out(&layouts[k], offset);
+            const tribox_grid_f64 grid = moved_grid(offset);
+            check_mesh(&laid, &grid, kernels[random_int(&r, kernel_count)]);
+        }
+    }
+}
+
+/* Cells of these by the call about one box. */
+static void check_cells(const tribox_mesh *long_one, const tribox_grid_f64 *grid, uint32_t first, uint32_t count,
+                        const tribox_options *options, const uint64_t *row)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const tribox_box_f64 box = tribox_grid_cell_f64(grid, first + i, 0, 0);
+        uint64_t mask;
+        assert_int_equal(tribox_overlap_indexed_f64(long_one, &box, options, &mask, NULL), TRIBOX_OK);
+        assert_int_equal(mask, row[i / 64] >> i % 64 & 1);
+    }
+}
+
+/* A row whose cells have numbers beyond 2^31, and a triangle that leaves it; a plane alone, at the end of the row. */
+static void test_long_rows(void **state)
+{
+    (void)state;
+    static const double triangle[3][3] = {{-7.5, 0.5, 0.5}, {9.25, 0.75, -0.5}, {3, -0.5, 0.75}};
+    const uint32_t size = (UINT32_C(1) << 31) + 200, zero[3] = {0, 0, 0}, whole[3] = {size, 1, 1};
+    const uint32_t first[3] = {0x7fffffc0, 0, 0}, end[3] = {UINT32_MAX - 140, 0, 0}, part[3] = {140, 1, 1};
+    const tribox_grid_f64 grid = {{-(double)(UINT32_C(1) << 31), 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
+    const tribox_mesh long_one = {.positions = triangle, .vertices = 3, .count = 1, .position_bytes = 8};
+    const tribox_options plane = {.axes = TRIBOX_AXES_PLANE};
+    uint64_t *const row = calloc(size / 64 + 1, sizeof *row), window[3] = {0}, far[3] = {0};
+    tribox_report report, report_of_window;
+    assert_non_null(row);
+    assert_int_equal(tribox_voxelize_f64(&long_one, &grid, zero, whole, NULL, row, &report), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize_f64(&long_one, &grid, first, part, NULL, window, &report_of_window), TRIBOX_OK);
+    assert_in_range(report.overlapping, 10, 20);
+    assert_int_equal(report_of_window.overlapping, report.overlapping);
+    assert_memory_equal(row + first[0] / 64, window, sizeof window);
+    check_cells(&long_one, &grid, first[0], part[0], NULL, window);
+    assert_int_equal(tribox_voxelize_f64(&long_one, &grid, end, part, &plane, far, NULL), TRIBOX_OK);
+    check_cells(&long_one, &grid, end[0], part[0], &plane, far);
+    free(row);
+}
+
+/* The longest side made 20 m, moved to a place in UTM, in cells of half a metre from its lowest corner. */
+static void test_bunny(void **state)
+{
+    const arguments *const args = *state;
+    static const double offset[3] = {557820, 5108010, 700};
+    char path[4096];
+    mesh m;
+    if (!args->meshes)
+        skip();
+    assert_in_range(snprintf(path, sizeof path, "%s/stanford-bunny.ply", args->meshes), 1, sizeof path - 1);
+    assert_true(mesh_read(path, &m));
+    const tribox_box bounds = mesh_bounds(&m);
+    double longest = 0, (*u)[3][3] = calloc(m.count, sizeof *u);
+    assert_non_null(u);
+    tribox_grid_f64 grid = {.cell = {0.5, 0.5, 0.5}};
+    for (int a = 0; a < 3; a++)
+        longest = fmax(longest, (double)bounds.hi[a] - (double)bounds.lo[a]);
+    for (int a = 0; a < 3; a++) {
+        const double scale = 20 / longest, low = (double)bounds.lo[a];
+        double highest = offset[a];
+        for (size_t i = 0; i < m.count; i++)
+            for (int j = 0; j < 3; j++) {
+                u[i][j][a] = ((double)m.coordinate[j][a][i] - low) * scale + offset[a];
+                highest = fmax(highest, u[i][j][a]);
+            }
+        grid.origin[a] = offset[a];
+        grid.size[a] = (uint32_t)ceil((highest - grid.origin[a]) / grid.cell[a]);
+    }
+    const tribox_mesh moved = {.positions = u, .vertices = 3 * m.count, .count = m.count, .position_bytes = 8};
+    const size_t words = (size_t)((grid.size[0] + 63) / 64) * grid.size[1] * grid.size[2];
+    uint64_t *const cells = occupancy_make(words);
+    tribox_report report;
+    assert_int_equal(tribox_voxelize_f64(&moved, &grid, NULL, NULL, NULL, cells, &report), TRIBOX_OK);
+    printf("%u x %u x %u cells, %zu set\n", (unsigned)grid.size[0], (unsigned)grid.size[1], (unsigned)grid.size[2],
+           report.overlapping);
+    assert_int_equal(report.overlapping, 5379);
+    free(cells);
+    free(u);
+    mesh_free(&m);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_layouts, &args),
+        cmocka_unit_test_prestate(test_long_rows, &args),
+        cmocka_unit_test_prestate(test_bunny, &args),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
