@@ -19,6 +19,7 @@
 #include "common/arguments.h"
 #include "drawn_pairs.h"
 #include "kernel_index.h"
+#include "masks_f64.h"
 #include "common/kernels_here.h"
 
 enum { PAIRS_A_ROUND = 10000, SELDOM = 5 /* rounds to those that ask what takes long */, WORDS_MAX = 1024 };
@@ -28,18 +29,6 @@ enum { ORDERS = sizeof orders / sizeof orders[0] };
 
 static const char *names[KERNELS_MAX]; /* the scalar kernel first */
 static int kernels;
-
-/* FNV-1a, of words as eight bytes each, the lowest first. */
-typedef uint64_t digest;
-
-static const digest digest_start = UINT64_C(0xcbf29ce484222325);
-
-static void digest_add(digest *d, const uint64_t *words, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        for (int shift = 0; shift < 64; shift += 8)
-            *d = (*d ^ (words[i] >> shift & 0xff)) * UINT64_C(0x100000001b3);
-}
 
 /* What is digested of a scene. The last four are the same only among kernels of one rounding. */
 typedef enum part {
@@ -448,6 +437,22 @@ static void ask_scene(const scene *s, const arguments *args)
     tell_scene(s->name, digests);
 }
 
+/* Scenes of doubles have names of their own in the file. */
+static void ask_doubles(const scene_f64 *s, const arguments *args)
+{
+    char name[64];
+    digest digests[PARTS];
+    for (part p = 0; p < PARTS; p++)
+        digests[p] = digest_start;
+    const digests_f64 of = digests_f64_of(s, args->seed, args->pairs / PAIRS_A_ROUND);
+    digests[DRAWN] = of.drawn;
+    digests[EXACT] = of.exact;
+    digests[AXES] = of.axes;
+    digests[MESHES] = of.meshes;
+    snprintf(name, sizeof name, "f64-%s", s->name);
+    tell_scene(name, digests);
+}
+
 enum { TEXT_MAX = 1 << 20 };
 
 /* The text of a file, with a line's end before the first line. */
@@ -488,6 +493,8 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < scene_count(); i++)
         if (scene_is_called(scene_at(i), args.scenes))
             ask_scene(scene_at(i), &args);
+    for (size_t i = 0; !args.scenes && i < scene_f64_count(); i++)
+        ask_doubles(scene_f64_at(i), &args);
     if (has_file)
         printf("%zu scenes compared, %zu drawn otherwise; %zu digests differ\n", scenes_compared, drawn_otherwise, differing);
     return differing || scenes_compared < drawn_otherwise;

@@ -85,8 +85,9 @@ static void plane_contact(random_source *r, const tribox_box_f64 *box, double si
     any_vector(r, size, v);
     cross(m, v, p);
     cross(m, p, q);
-    const double s[5] = {random_double(r, 0, 1), random_double(r, 0, 1), random_double(r, 0, 1), random_double(r, 0, 1),
-                         random_double(r, 0, 1)};
+    double s[5];
+    for (int k = 0; k < 5; k++)
+        s[k] = random_double(r, 0, 1);
     for (int a = 0; a < 3; a++) {
         u[0][a] = X[a] + s[0] * p[a];
         u[1][a] = X[a] - s[1] * p[a] + s[2] * q[a];
@@ -137,18 +138,26 @@ double stepped_f64(double x, int n)
     return x;
 }
 
+static double *any_number(random_source *r, double u[3][3])
+{
+    const int k = random_int(r, 9);
+    return &u[k / 3][k % 3];
+}
+
 void nudge_f64(random_source *r, double u[3][3], int most)
 {
     for (int times = random_int(r, 4); times > 0; times--) {
-        double *const x = &u[random_int(r, 3)][random_int(r, 3)];
+        double *const x = any_number(r, u);
         *x = stepped_f64(*x, random_int_between(r, -most, most));
     }
 }
 
 void shift_f64(random_source *r, double u[3][3], int most, double by)
 {
-    for (int times = random_int(r, 4); times > 0; times--)
-        u[random_int(r, 3)][random_int(r, 3)] += by * random_int_between(r, -most, most);
+    for (int times = random_int(r, 4); times > 0; times--) {
+        double *const x = any_number(r, u);
+        *x += by * random_int_between(r, -most, most);
+    }
 }
 
 tribox_box_f64 box_f64_about_zero(random_source *r, double least, double most)

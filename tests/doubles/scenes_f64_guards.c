@@ -66,8 +66,10 @@ void draw_f64_thin_faces(random_source *r, batch_f64 *batch)
         through_corner_f64(r, &batch->box, 1, u);
         for (int a = 0; a < 3; a++)
             if (batch->box.hi[a] - batch->box.lo[a] < 1e-3)
-                for (int j = 0; j < 3; j++)
-                    u[j][a] = (random_int(r, 2) ? batch->box.lo[a] : batch->box.hi[a]) + by * random_int_between(r, -3, 3);
+                for (int j = 0; j < 3; j++) {
+                    const double face = random_int(r, 2) ? batch->box.lo[a] : batch->box.hi[a];
+                    u[j][a] = face + by * random_int_between(r, -3, 3);
+                }
     }
     move_away(r, batch);
 }
@@ -80,7 +82,8 @@ void draw_f64_sides(random_source *r, batch_f64 *batch)
     int exponent[3];
     batch->box = box_f64_about_zero(r, 0.4, 0.6);
     for (int a = 0; a < 3; a++) {
-        exponent[a] = (random_int(r, 3) ? usual : ends[random_int(r, 5)]) + random_int_between(r, -1, 1);
+        exponent[a] = random_int(r, 3) ? usual : ends[random_int(r, 5)];
+        exponent[a] += random_int_between(r, -1, 1);
         if (random_int(r, 2)) {
             batch->box.lo[a] = -random_int(r, 2);
             batch->box.hi[a] = stepped_f64(batch->box.lo[a] + 1, random_int_between(r, -2, 2));
@@ -94,6 +97,8 @@ void draw_f64_sides(random_source *r, batch_f64 *batch)
     place_f64(batch, exponent, (const double[]){0, 0, 0});
 }
 
+static double any_sign(random_source *r, double x) { return random_int(r, 2) ? x : -x; }
+
 static double beside(random_source *r, double face)
 {
     switch (random_int(r, 4)) {
@@ -102,7 +107,7 @@ static double beside(random_source *r, double face)
     case 1:
         return stepped_f64(face, random_int_between(r, -3, 3));
     case 2:
-        return face + (random_int(r, 2) ? 1 : -1) * ldexp(1, -random_int_between(r, 18, 54));
+        return face + any_sign(r, ldexp(1, -random_int_between(r, 18, 54)));
     default:
         return face * (1 + random_int_between(r, -3, 3) * 0x1p-25);
     }
@@ -114,7 +119,8 @@ void draw_f64_faces(random_source *r, batch_f64 *batch)
     static const double more[] = {0, 0x1p-30, -0x1p-30, 0x1p-52, 0x1p-24, -0x1p-25, 0x1.8p-24};
     for (int a = 0; a < 3; a++) {
         batch->box.lo[a] = random_int(r, 3) ? random_int_between(r, -2, 2) : random_double(r, -2, 2);
-        batch->box.hi[a] = batch->box.lo[a] + random_int_between(r, 1, 3) + more[random_int(r, 7)];
+        batch->box.hi[a] = batch->box.lo[a] + random_int_between(r, 1, 3);
+        batch->box.hi[a] += more[random_int(r, 7)];
     }
     for (int k = 0; k < BATCH_F64; k++)
         for (int a = 0; a < 3; a++) {
@@ -152,8 +158,10 @@ void draw_f64_beside_faces(random_source *r, batch_f64 *batch)
     batch->box = (tribox_box_f64){{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
     for (int k = 0; k < BATCH_F64; k++)
         for (int j = 0; j < 3; j++)
-            for (int a = 0; a < 3; a++)
-                batch->u[k][j][a] = (random_int(r, 2) ? 0.5 : -0.5) + random_double(r, -1, 1) * ldexp(1, -40 - random_int(r, 30));
+            for (int a = 0; a < 3; a++) {
+                const double size = ldexp(1, -40 - random_int(r, 30)), face = any_sign(r, 0.5);
+                batch->u[k][j][a] = face + size * random_double(r, -1, 1);
+            }
 }
 
 /* Vertices so far out that their cubes, or they themselves, are no floats. */

@@ -76,7 +76,8 @@ void draw_f64_far_lattice(random_source *r, batch_f64 *batch)
         batch->box.lo[a] = random_int_between(r, -4, 0);
         batch->box.hi[a] = random_int_between(r, 1, 4);
         exponent[a] = random_int_between(r, -40, 40);
-        offset[a] = random_int(r, 4) ? ldexp(random_int(r, 2) ? 1.5 : -1.5, random_int_between(r, 3, 52)) : 0;
+        offset[a] = random_int(r, 4) ? ldexp(1.5, random_int_between(r, 3, 52)) : 0;
+        offset[a] = random_int(r, 2) ? offset[a] : -offset[a];
     }
     draw_on_lattice(r, batch, 0, 1, -9, 9);
     place_f64(batch, exponent, offset);
@@ -116,8 +117,10 @@ void draw_f64_northings(random_source *r, batch_f64 *batch)
         batch->box.lo[a] = origin[a] + 0.5 * cell;
         batch->box.hi[a] = origin[a] + 0.5 * (cell + 1);
         for (int k = 0; k < BATCH_F64; k++)
-            for (int j = 0; j < 3; j++)
-                batch->u[k][j][a] = (origin[a] * 1000 + 500 * cell + 50 * random_int_between(r, -6, 16) + random_int(r, 2)) / 1000;
+            for (int j = 0; j < 3; j++) {
+                const int millimetres = 50 * random_int_between(r, -6, 16);
+                batch->u[k][j][a] = (origin[a] * 1000 + 500 * cell + millimetres + random_int(r, 2)) / 1000;
+            }
     }
 }
 

@@ -24,7 +24,11 @@ static void draw_bounds(random_source *r, batch_f64 *batch, number_draw *draw)
     }
 }
 
-static double any_exponent(random_source *r) { return ldexp(random_double(r, -2, 2), random_int_between(r, -1000, 1000)); }
+static double any_exponent(random_source *r)
+{
+    const double x = random_double(r, -2, 2);
+    return ldexp(x, random_int_between(r, -1000, 1000));
+}
 
 void draw_f64_range(random_source *r, batch_f64 *batch)
 {
@@ -70,11 +74,11 @@ void draw_f64_overflow(random_source *r, batch_f64 *batch)
 /* Contact in units of their own. */
 static void draw_units(random_source *r, batch_f64 *batch, int least, int most)
 {
+    int exponent[3];
+    for (int a = 0; a < 3; a++)
+        exponent[a] = random_int_between(r, least, most);
     draw_f64_touching_ulp(r, batch);
-    place_f64(
-        batch,
-        (const int[]){random_int_between(r, least, most), random_int_between(r, least, most), random_int_between(r, least, most)},
-        (const double[]){0, 0, 0});
+    place_f64(batch, exponent, (const double[]){0, 0, 0});
 }
 
 void draw_f64_units(random_source *r, batch_f64 *batch)
@@ -96,7 +100,8 @@ static double nasty_number(random_source *r)
                                      0x1p200,  0x1p127,  0x1p128,   0x1p-126, 0x1p-149, 0x1p-150, 0x1p-151, 0x1p1022,
                                      0x1p-540, 0x1p-380, 0x1p24,    0x1p53,   3,        1.5};
     const double number = numbers[random_int(r, sizeof numbers / sizeof numbers[0])];
-    return stepped_f64(random_int(r, 2) ? number : -number, number < DBL_MAX ? random_int_between(r, -1, 1) : 0);
+    const int steps = number < DBL_MAX ? random_int_between(r, -1, 1) : 0;
+    return stepped_f64(random_int(r, 2) ? number : -number, steps);
 }
 
 void draw_f64_nasty(random_source *r, batch_f64 *batch)
