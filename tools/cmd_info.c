@@ -55,6 +55,10 @@ static int print_json(const char *processor)
         json_string(&j, NULL, tribox_kernel_list(i));
     json_close(&j);
     json_string(&j, "default_kernel", tribox_kernel_name(NULL));
+    json_open_array(&j, "positions");
+    json_string(&j, NULL, "float32");
+    json_string(&j, NULL, "float64");
+    json_close(&j);
     json_close(&j);
     return output_flush();
 }
@@ -67,6 +71,7 @@ static int print_text(const char *processor)
     for (size_t i = 0; tribox_kernel_list(i); i++)
         printf(" %s", tribox_kernel_list(i));
     printf("\ndefault kernel  %s\n", tribox_kernel_name(NULL));
+    printf("positions       float32, float64\n");
     return output_flush();
 }
 

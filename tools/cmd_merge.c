@@ -55,7 +55,7 @@ static int check_request(request *r, const options_found *found)
     return result_check(&r->result, found, false);
 }
 
-static int report(const request *r, const tribox_grid *grid, size_t parts, uint64_t occupied)
+static int report(const request *r, const voxels *v, size_t parts, uint64_t occupied)
 {
     if (!r->result.has_summary)
         return EXIT_CODE_OK;
@@ -63,7 +63,7 @@ static int report(const request *r, const tribox_grid *grid, size_t parts, uint6
         json j = json_to(stdout);
         json_open_object(&j, NULL);
         json_whole(&j, "parts", parts);
-        voxelize_json_grid(&j, grid);
+        voxelize_json_grid(&j, v, voxels_are_shifted(v));
         json_whole(&j, "occupied", occupied);
         json_string(&j, "output", r->result.out_path);
         if (r->result.preview_path)
@@ -71,7 +71,7 @@ static int report(const request *r, const tribox_grid *grid, size_t parts, uint6
         json_close(&j);
     } else {
         printf("parts        %zu\n", parts);
-        voxelize_print_grid(grid);
+        voxelize_print_grid(v, voxels_are_shifted(v));
         printf("occupied     %" PRIu64 " cells\nwritten      %s\n", occupied, r->result.out_path);
         if (r->result.preview_path)
             printf("preview      %s\n", r->result.preview_path);
@@ -85,6 +85,8 @@ static int write_files(const request *r, const voxels *v)
     int code = EXIT_CODE_OK;
     if (r->result.format->check_grid)
         code = r->result.format->check_grid(r->result.out_path, &v->grid);
+    if (!code)
+        volume_note_shift(r->result.format, r->result.out_path, v);
     if (!code)
         code = file_out_open(&out, r->result.out_path);
     if (code)
@@ -118,11 +120,13 @@ static int merge(const request *r, part *parts, size_t count)
         slab->bits = part_bits(&parts[i]);
         filled += slab->layers > 0;
     }
-    const voxels v = {.grid = parts[0].header.whole.grid, .slab = slabs, .slabs = filled};
+    voxels v = part_voxels(&parts[0].header.whole);
+    v.slab = slabs;
+    v.slabs = filled;
     const uint64_t occupied = voxels_occupied(&v);
     code = write_files(r, &v);
     free(slabs);
-    return code ? code : report(r, &v.grid, count, occupied);
+    return code ? code : report(r, &v, count, occupied);
 }
 
 static int merge_files(const request *r)

@@ -21,14 +21,15 @@ static const char help[] =
     "       tribox overlap MESH --boxes FILE [OPTION...]\n"
     "       tribox overlap MESH --oriented CX,CY,CZ,HX,HY,HZ,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ [OPTION...]\n"
     "\n"
-    "MESH is a mesh file (PLY, STL, OBJ, OFF, glTF, ...), raw triangles (NAME.f32: nine little-endian\n"
-    "float32 each), or - for standard input. Triangles and boxes are closed: touching is overlap.\n"
+    "MESH is a mesh file (PLY, STL, OBJ, OFF, glTF, ...), raw triangles (NAME.f32, NAME.f64: nine numbers\n"
+    "each), or - for standard input. Triangles and boxes are closed: touching is overlap.\n"
     "\n"
     "  -b, --box LX,...,HZ     lower and upper bounds, separated by commas or blanks\n"
     "      --boxes FILE        a box per line, answered line by line; - is standard input; very many\n"
     "                          are answered by an index, which is built along the way\n"
     "      --oriented CX,...   center C, half lengths H, and the directions U, V, W of the axes\n"
-    "      --format WORD       stl or f32, whatever the name of the file; standard input needs it\n"
+    "      --format WORD       stl, f32 or f64, whatever the name of the file; standard input needs it\n"
+    "      --shift X,Y,Z|auto  subtract this from the mesh first, in double; auto: near its corner\n"
     "      --inside            also count the triangles inside the box, on its border and outside\n"
     "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
     "                          else; with --boxes it needs --json\n"
@@ -49,6 +50,7 @@ enum {
     OPTION_BOXES,
     OPTION_ORIENTED,
     OPTION_FORMAT,
+    OPTION_SHIFT,
     OPTION_ACCURACY,
     OPTION_KERNEL,
     OPTION_ORDER,
@@ -58,17 +60,28 @@ enum {
     OPTION_JSON
 };
 
-static const option_entry options[] = {
-    [OPTION_BOX] = {"box", 'b', true},     [OPTION_BOXES] = {"boxes", 0, true},       [OPTION_ORIENTED] = {"oriented", 0, true},
-    [OPTION_FORMAT] = {"format", 0, true}, [OPTION_ACCURACY] = {"accuracy", 0, true}, [OPTION_KERNEL] = {"kernel", 0, true},
-    [OPTION_ORDER] = {"order", 0, true},   [OPTION_AXES] = {"axes", 0, true},         [OPTION_INSIDE] = {"inside", 0, false},
-    [OPTION_LIST] = {"list", 'l', false},  [OPTION_JSON] = {"json", 'j', false},      {NULL, 0, false}};
+static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
+                                       [OPTION_BOXES] = {"boxes", 0, true},
+                                       [OPTION_ORIENTED] = {"oriented", 0, true},
+                                       [OPTION_SHIFT] = {"shift", 0, true},
+                                       [OPTION_FORMAT] = {"format", 0, true},
+                                       [OPTION_ACCURACY] = {"accuracy", 0, true},
+                                       [OPTION_KERNEL] = {"kernel", 0, true},
+                                       [OPTION_ORDER] = {"order", 0, true},
+                                       [OPTION_AXES] = {"axes", 0, true},
+                                       [OPTION_INSIDE] = {"inside", 0, false},
+                                       [OPTION_LIST] = {"list", 'l', false},
+                                       [OPTION_JSON] = {"json", 'j', false},
+                                       {NULL, 0, false}};
 
-static int read_oriented(const char *text, tribox_oriented_box *box)
+static int read_oriented(const char *text, tribox_oriented_box *box, double center[3])
 {
+    static const char form[] = "CX,CY,CZ,HX,HY,HZ and three axes of three numbers";
     float n[15];
-    if (!numbers_read(text, "--oriented", "CX,CY,CZ,HX,HY,HZ and three axes of three numbers", 15, n))
+    double exact[15];
+    if (!numbers_read_floats(text, "--oriented", form, 15, n) || !numbers_read(text, "--oriented", form, 15, exact, NULL))
         return EXIT_CODE_USAGE;
+    memcpy(center, exact, sizeof(double[3]));
     memcpy(box->center, n, sizeof box->center);
     memcpy(box->half, n + 3, sizeof box->half);
     memcpy(box->axis, n + 6, sizeof box->axis);
@@ -93,9 +106,11 @@ static int take(void *context, int which, const char *value)
         return EXIT_CODE_OK;
     case OPTION_ORIENTED:
         r->has_oriented = true;
-        return read_oriented(value, &r->oriented);
+        return read_oriented(value, &r->oriented, r->center);
     case OPTION_FORMAT:
         return triangle_format_read(value, &r->format);
+    case OPTION_SHIFT:
+        return mesh_shift_read(value, &r->shift);
     case OPTION_INSIDE:
         r->wants_inside = true;
         return EXIT_CODE_OK;
@@ -144,12 +159,13 @@ static int check_request(const request *r)
 /* Tests a mesh up to `runs` times, fewer when it is slow; the best time counts. */
 static int run_test(const mesh *m, const request *r, const masks *bits, int runs, answer *a)
 {
+    const asked_triangles all = triangles_of_mesh(m);
     const double slow = 0.1;
     const answer none = *a;
     double total = 0;
     for (int run = 1; run <= runs && total < slow; run++) {
         answer once = none;
-        const int code = overlap_ask(r, &m->soup, bits, &once);
+        const int code = overlap_ask(r, &all, bits, &once);
         if (code)
             return code;
         total += once.seconds;
@@ -163,7 +179,8 @@ static int run_test(const mesh *m, const request *r, const masks *bits, int runs
 
 static void tell_mesh(const mesh *m, answer *a)
 {
-    a->triangles = m->soup.count;
+    a->triangles = m->triangles;
+    a->is_double = m->is_double;
     a->left_out = m->left_out;
     a->not_finite = m->not_finite;
     a->rounded = m->rounded;
@@ -173,13 +190,13 @@ static void tell_mesh(const mesh *m, answer *a)
 static int answer_box(const mesh *m, const request *r)
 {
     masks bits;
-    answer a = {.box = r->box};
+    answer a = {.box = box_for_mesh(&r->box, m->is_double)};
     tell_mesh(m, &a);
-    int code = masks_make(m->soup.count, r->wants_inside, &bits);
+    int code = masks_make(m->triangles, r->wants_inside, &bits);
     if (!code)
         code = run_test(m, r, &bits, 5, &a);
     if (!code && r->wants_list)
-        code = report_list(r, &a, 0, bits.overlap, m->soup.count);
+        code = report_list(r, &a, 0, bits.overlap, m->triangles);
     masks_free(&bits);
     return code ? code : report_end(r, &a);
 }
@@ -200,9 +217,11 @@ static int answer_lines(box_after_box *b, box_file *boxes)
     size_t answered = 0;
     for (;; answered++) {
         answer a = {.runs = 1};
-        code = box_file_next(boxes, &a.box, &end);
+        written_box box;
+        code = box_file_next(boxes, &box, &end);
         if (code || end)
             break;
+        a.box = box_for_mesh(&box, b->m->is_double);
         a.line = boxes->line;
         code = answer_next(b, &a);
         if (code)
@@ -228,16 +247,31 @@ static int answer_boxes(mesh *m, const request *r)
     return code;
 }
 
-static int answer_mesh(const request *r)
+static void set_center(const double center[3], const float middle[3], request *own)
+{
+    memcpy(own->center, center, sizeof own->center);
+    memcpy(own->oriented.center, middle, sizeof own->oriented.center);
+}
+
+/* Oriented boxes are tested in float, about their centre where the mesh is one of doubles. */
+static int take_oriented(const request *r, mesh *m, request *own)
+{
+    if (m->is_double)
+        set_center(r->center, (const float[3]){0, 0, 0}, own);
+    return mesh_to_floats(r->mesh_path, own->center, m);
+}
+
+static int answer_mesh(const request *r, request *own)
 {
     mesh m;
-    int code = mesh_read_as(r->mesh_path, r->format, &m);
+    int code = mesh_read_shifted(r->mesh_path, r->format, &own->shift, &m);
     if (code)
         return code;
-    code = mesh_to_floats(r->mesh_path, (const double[3]){0, 0, 0}, &m);
+    if (r->has_oriented)
+        code = take_oriented(r, &m, own);
     mesh_warn(r->mesh_path, &m);
     if (!code)
-        code = r->boxes_path ? answer_boxes(&m, r) : answer_box(&m, r);
+        code = r->boxes_path ? answer_boxes(&m, own) : answer_box(&m, own);
     mesh_free(&m);
     return code;
 }
@@ -246,11 +280,15 @@ static int answer_mesh(const request *r)
 static int answer_request(const request *r)
 {
     triangle_file file = {.stream = NULL};
-    const int code = r->boxes_path ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
-    if (!code && file.stream && file.format != TRIANGLES_F64)
-        return overlap_stream(r, &file);
+    const int code = r->boxes_path || r->shift.is_wanted ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
+    const bool is_whole = r->has_oriented && file.format == TRIANGLES_F64;
+    const float *const middle = r->oriented.center;
+    request own = *r;
+    set_center((const double[3]){(double)middle[0], (double)middle[1], (double)middle[2]}, middle, &own);
+    if (!code && file.stream && !is_whole)
+        return overlap_stream(&own, &file);
     triangle_file_close(&file);
-    return code ? code : answer_mesh(r);
+    return code ? code : answer_mesh(r, &own);
 }
 
 int cmd_overlap(int count, char **words)

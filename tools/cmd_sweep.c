@@ -74,7 +74,7 @@ typedef struct request {
 
 static int read_box(const char *text, tribox_box *box)
 {
-    if (!box_read(text, "--box", box))
+    if (!box_read_floats(text, "--box", box))
         return EXIT_CODE_USAGE;
     for (int a = 0; a < 3; a++)
         if (box->lo[a] > box->hi[a])

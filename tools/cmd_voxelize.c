@@ -18,12 +18,12 @@ static const char help[] = "tribox voxelize - which cells of a grid does a mesh 
                            "\n"
                            "Usage: tribox voxelize MESH --resolution N -o FILE [OPTION...]\n"
                            "       tribox voxelize MESH --cell S[,S,S] -o FILE [OPTION...]\n"
-                           "       tribox voxelize MESH ... --shard I/N -o FILE.part [OPTION...]\n"
                            "\n"
                            "Marks the cells of the surface, not those that it encloses. Cells are closed: a face on a plane of\n"
                            "the grid is in the cells of both sides. MESH is as for 'tribox overlap'.\n"
                            "\n"
-                           "      --format WORD       stl or f32, whatever the name of MESH; standard input needs it\n"
+                           "      --format WORD       stl, f32 or f64, whatever the name of MESH; standard input needs it\n"
+                           "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: near its corner\n"
                            "  -r, --resolution N      N cubic cells along the longest side of the mesh\n"
                            "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n"
                            "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n"
@@ -42,6 +42,7 @@ static const char help[] = "tribox voxelize - which cells of a grid does a mesh 
 
 enum {
     OPTION_FORMAT = RESULT_END,
+    OPTION_SHIFT,
     OPTION_RESOLUTION,
     OPTION_CELL,
     OPTION_ORIGIN,
@@ -55,6 +56,7 @@ enum {
 
 static const option_entry options[] = {RESULT_ENTRIES,
                                        [OPTION_FORMAT] = {"format", 0, true},
+                                       [OPTION_SHIFT] = {"shift", 0, true},
                                        [OPTION_RESOLUTION] = {"resolution", 'r', true},
                                        [OPTION_CELL] = {"cell", 'c', true},
                                        [OPTION_ORIGIN] = {"origin", 0, true},
@@ -68,16 +70,18 @@ static const option_entry options[] = {RESULT_ENTRIES,
 
 enum { CELLS_MAX = INT32_MAX };
 
-static int read_cell(const char *text, float cell[3])
+static int read_cell(const char *text, double cell[3], unsigned *decimals)
 {
     const bool is_one = !strpbrk(text, NUMBERS_BLANKS ",");
-    if (!numbers_read(text, "--cell", is_one ? "S" : "SX,SY,SZ", is_one ? 1 : 3, cell))
+    if (!numbers_read(text, "--cell", is_one ? "S" : "SX,SY,SZ", is_one ? 1 : 3, cell, decimals))
         return EXIT_CODE_USAGE;
-    if (is_one)
+    if (is_one) {
         cell[1] = cell[2] = cell[0];
+        *decimals *= 7;
+    }
     for (int a = 0; a < 3; a++)
         if (!(cell[a] > 0))
-            return message_usage("--cell: %.9g is not greater than 0", (double)cell[a]);
+            return message_usage("--cell: %.9g is not greater than 0", cell[a]);
     return EXIT_CODE_OK;
 }
 
@@ -102,13 +106,16 @@ static int take(void *request, int which, const char *value)
         return options_take_mesh(value, &r->mesh_path);
     case OPTION_FORMAT:
         return triangle_format_read(value, &r->format);
+    case OPTION_SHIFT:
+        return mesh_shift_read(value, &r->shift);
     case OPTION_RESOLUTION:
         return numbers_read_whole(value, "--resolution", CELLS_MAX, &r->grid.resolution);
     case OPTION_CELL:
-        return read_cell(value, r->grid.cell);
+        return read_cell(value, r->grid.cell, &r->grid.cell_decimals);
     case OPTION_ORIGIN:
         r->grid.has_origin = true;
-        return numbers_read(value, "--origin", "X,Y,Z", 3, r->grid.origin) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+        return numbers_read(value, "--origin", "X,Y,Z", 3, r->grid.origin, &r->grid.origin_decimals) ? EXIT_CODE_OK
+                                                                                                     : EXIT_CODE_USAGE;
     case OPTION_SIZE:
         r->grid.has_size = true;
         return numbers_read_sizes(value, "--size", CELLS_MAX, r->grid.size);

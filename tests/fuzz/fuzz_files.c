@@ -78,28 +78,28 @@ static void read_any_obj(bytes b) { read_mesh(b, "a.obj", read_obj); }
 
 static void read_any_stl(bytes b) { read_mesh(b, "a.stl", read_stl_text); }
 
-static bool is_same_box(const tribox_box *one, const tribox_box *other)
+static bool is_same_box(const tribox_box_f64 *one, const tribox_box_f64 *other)
 {
     return !memcmp(one->lo, other->lo, sizeof one->lo) && !memcmp(one->hi, other->hi, sizeof one->hi);
 }
 
-/* Nine digits tell every float. */
-static void check_box_again(const tribox_box *box)
+/* Seventeen digits tell every double. */
+static void check_box_again(const tribox_box_f64 *box)
 {
     char text[200];
-    tribox_box again;
+    written_box again;
     for (int a = 0; a < 3; a++)
         ensure(isfinite(box->lo[a]) && isfinite(box->hi[a]), "a box that is not finite was read");
-    snprintf(text, sizeof text, "%.9g,%.9g %.9g , %.9g\t%.9g,%.9g", (double)box->lo[0], (double)box->lo[1], (double)box->lo[2],
-             (double)box->hi[0], (double)box->hi[1], (double)box->hi[2]);
-    ensure(box_read(text, "box", &again) && is_same_box(box, &again), "the box %s is not read as it was written", text);
+    snprintf(text, sizeof text, "%.17g,%.17g %.17g , %.17g\t%.17g,%.17g", box->lo[0], box->lo[1], box->lo[2], box->hi[0],
+             box->hi[1], box->hi[2]);
+    ensure(box_read(text, "box", &again) && is_same_box(box, &again.bounds), "the box %s is not read as it was written", text);
 }
 
 static void read_boxes(bytes b)
 {
     FILE *const stream = b.size ? fmemopen((void *)(uintptr_t)b.first, b.size, "r") : NULL;
     box_file boxes = {.file = stream, .name = "boxes"};
-    tribox_box box;
+    written_box box;
     bool end = !stream;
     int code = EXIT_CODE_OK;
     while (!end && !code) {
@@ -107,7 +107,7 @@ static void read_boxes(bytes b)
         code = box_file_next(&boxes, &box, &end);
         lines_fit("box_file_next", code);
         if (!end && !code)
-            check_box_again(&box);
+            check_box_again(&box.bounds);
     }
     if (stream)
         box_file_close(&boxes);
@@ -149,11 +149,12 @@ static void check_part(const part *p)
 {
     uint32_t first, layers;
     part_layers(&p->header.whole, p->header.shard, &first, &layers);
-    const size_t words = layers * voxels_layer_words(&p->header.whole.grid);
+    const voxels v = part_voxels(&p->header.whole);
+    const size_t words = layers * voxels_layer_words(&v.grid);
     ensure(p->size == sizeof p->header + words * sizeof(uint64_t), "a part of %zu bytes is taken for one of %zu words", p->size,
            words);
     ensure(voxels_count(part_bits(p), words) <= 64 * words, "more cells are set than there are");
-    ensure(first + layers <= p->header.whole.grid.size[2], "a part has layers that its grid has not");
+    ensure(first + layers <= v.grid.size[2], "a part has layers that its grid has not");
 }
 
 /* With the checksum that its bytes ask for, or nothing after the checksum would ever be read. */

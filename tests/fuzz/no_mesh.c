@@ -11,6 +11,19 @@ int mesh_read_as(const char *path, triangle_format format, mesh *m)
     return message_failure("%s: no mesh of format %d", path, (int)format);
 }
 
+int mesh_read_wide(const char *path, triangle_format format, mesh *m) { return mesh_read_as(path, format, m); }
+
+void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m)
+{
+    *m = (mesh){.positions = positions, .corners = corners, .triangles = triangles, .doubles.vertices = vertices};
+}
+
+tribox_mesh mesh_of_streams(const mesh *m, uint32_t **indices)
+{
+    *indices = NULL;
+    return (tribox_mesh){.count = m->triangles};
+}
+
 int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 {
     (void)m;

@@ -230,9 +230,10 @@ def grid():
     for name, way in list(WAYS.items())[::3]:
         triangles = b"".join(shape(way, drawn(source, way, 9)) for _ in range(3))
         files["resolution_" + name] = bytes([UNIT_ONE, 0, 0, 1, 99, 0]) + bytes([4, 4, 4]) + triangles
-        files["cell_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([4, 4, 4]) + triangles
-        files["origin_and_size_" + name] = (bytes([UNIT_ONE, 1, 1, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([LATTICE]) +
-                                            lattice(-9, -9, -9) + bytes([40, 40, 40]) + triangles)
+        files["cell_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([0, 4, 4, 4]) + triangles
+        files["cell_of_doubles_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([21, 4, 4, 4]) + triangles
+        files["origin_and_size_" + name] = (bytes([UNIT_ONE, 1, 1, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([0, LATTICE]) +
+                                            lattice(-9, -9, -9) + bytes([0, 40, 40, 40]) + triangles)
     return files
 
 
@@ -246,12 +247,12 @@ def ply(form, line_end=b"\n", vertices=3, faces=1):
     return header + struct.pack(order + "9fB3i", 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2)
 
 
-def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 2\n"):
+def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 3\n", numbers=(4, 4)):
     row_words = (size[0] + 63) // 64
     first, end = size[2] * (shard - 1) // shards, size[2] * shard // shards
     count = row_words * size[1] * (end - first) if words is None else words
     return (magic.ljust(16, b"\0") +
-            struct.pack("<2I6f3I3I3Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, *size, shards, 0, 7, 12, 34, 0) + bytes(8 * count))
+            struct.pack("<2I9d8I3Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, 12, 34, 0) + bytes(8 * count))
 
 
 def ply_files():
@@ -309,8 +310,9 @@ def part_files():
     """The first byte is the offset of the second part in units of 8 bytes; 255 means that there is only one."""
     whole, half = part(), part(1, 2)
     single = {"whole": whole, "one_of_two": half, "more_shards_than_layers": part(2, 9), "cut": whole[:-1], "long": whole + b"\0",
-              "header_cut": whole[:90], "shard_0": part(0, 1), "shards_0": whole[:60] + bytes(4) + whole[64:],
-              "huge": part(size=(2**31, 64, 1), words=0), "magic": part(magic=b"tribox part 1\n")}
+              "header_cut": whole[:140], "shard_0": part(0, 1), "shards_0": whole[:108] + bytes(4) + whole[112:],
+              "huge": part(size=(2**31, 64, 1), words=0), "magic": part(magic=b"tribox part 2\n"),
+              "doubles": part(numbers=(8, 8)), "three_bytes": part(numbers=(3, 4))}
     second = {"two": part(2, 2), "twice": half, "misfit": part(2, 2, size=(71, 2, 3))}
     return {**{name: b"\xff" + content for name, content in single.items()},
             **{name: bytes([len(half) // 8]) + half + content for name, content in second.items()}}

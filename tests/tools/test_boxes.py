@@ -73,8 +73,8 @@ class Boxes(support.TestCase):
         wrong(b"0 0 0,,1 1 1", "number 4 of 6 is missing")
         wrong(b"0 0 0 1 1 one", r"'one' \(number 6 of 6\) is not a number")
         wrong(b"0 0 0 1 1 inf", r"'inf' \(number 6 of 6\) is not finite")
-        wrong(b"0 0 0 1 1 9e99", r"'9e99' \(number 6 of 6\) is too large for float")
-        wrong(b"0 0 0 1 1 1e-99", r"'1e-99' \(number 6 of 6\) is too small for float")
+        wrong(b"0 0 0 1 1 9e999", r"'9e999' \(number 6 of 6\) is too large for double")
+        wrong(b"0 0 0 1 1 1e-999", r"'1e-999' \(number 6 of 6\) is too small for double")
         wrong(b"0 0 0 1 1 1\0", "a NUL byte, so this is not a text file")
         wrong(b"0 " * 5000, "the line is too long")
 

@@ -107,43 +107,49 @@ class Formats(support.TestCase):
                         "solid\n" + " ".join(text.split("\n")[1:-2]) + "\nendsolid"):
             self.assertEqual(self.overlap(self.write("layout.stl", content), "0.5,0.5,0,0.5,0.5,0")["indices"], [0], content)
 
-    def test_text_is_rounded_to_the_nearest(self):
-        """Numbers between two floats, and halfway but for their last digit."""
-        for text, bits in (("16777217", 0x4B800000), ("16777219", 0x4B800002), ("0.1", 0x3DCCCCCD),
-                           ("1e-45", 1), ("7e-46", 0), ("3.4028235677e38", 0x7F7FFFFF), ("+.5e0", 0x3F000000), ("-0.25E+1", 0xC0200000),
-                           ("0x1.8p1", 0x40400000), ("1.00000005960464", 0x3F800000), ("1.000000059604645", 0x3F800001), ("123456789e-4", 0x4640E6B7),
-                           ("0000000000000000000001.5", 0x3FC00000), ("5.0000000000000000000000000", 0x40A00000)):
-            point, triangle = "%s 0 0\n" % text, "3 0 1 2\n"
-            for name, content in (("near.ply", meshes.ply_header("ascii", 3, 1).decode() + 3 * point + triangle),
-                                  ("near.off", "OFF 3 1 0\n" + 3 * point + triangle)):
-                result = support.run("overlap", self.write(name, content), "--box", "%.9g,0,0,%.9g,0,0" % (2 * (float_of(bits),)), "--list")
-                self.assertEqual((result.code, result.stdout), (0, "0\n"), text)
+    def positions(self, mesh):
+        return json.loads(self.succeed("overlap", mesh, "--box", support.UNIT_BOX, "--json"))["positions"]
 
-    def test_what_rounding_moves(self):
-        """Doubles, and numbers with more digits than a float has, are rounded with a warning; those that a float gives back are not."""
-        header = meshes.ply_header("ascii", 3, 1).decode()
-        cases = [(name, numbers) for name in ("moved.ply", "moved.off") for numbers in
-                 (("0.1", None), ("557820.25", None), ("557820.15", "0.025"), ("100.099998", None), ("0.333333333333", "9.9e-09"),
-                  ("1234567890", "46"), ("1e99", None))]
-        for name, (number, moved) in cases:
-            body = "%s 0 0\n1 0 0\n0 1 %s\n3 0 1 2\n" % (number, number)
-            path = self.write(name, (header if name == "moved.ply" else "OFF 3 1 0\n") + body)
-            result = support.run("overlap", path, "--box", support.UNIT_BOX)
-            if moved:
-                self.assertRegex(result.stderr, "rounding to float moved coordinates of 2 vertices by up to %s; subtract an origin first" % moved)
-            else:
-                self.assertNotIn("rounding", result.stderr, number)
-        for values, moved in ((struct.pack("<9d", 5108010.25, *[0] * 8), "0.25"), (struct.pack("<9d", *range(9)), None)):
-            content = meshes.ply_header("binary_little_endian", 3, 1).replace(b"float", b"double") + values + struct.pack("<B3i", 3, 0, 1, 2)
-            path, grid = self.write("doubles.ply", content), os.path.join(self.folder, "grid.raw")
-            for arguments in (("overlap", path, "--box", support.UNIT_BOX), ("voxelize", path, "--resolution", "4", "-o", grid)):
-                result = support.run(*arguments, "--json")
-                answer = json.loads(result.stdout)
-                self.assertEqual((answer["rounded"], answer["moved"]), (1, 0.25) if moved else (0, 0))
-            if moved:
-                self.assert_one_line(result.stderr, "coordinates of 1 vertex by up to 0.25")
-            else:
-                self.assertEqual(result.stderr, "")
+    def test_text_is_rounded_to_the_nearest(self):
+        """A point and a box that is a point: floats and decimals that floats give back, doubles otherwise, rounded but once."""
+        cases = [("0.1", "float32"), ("+.5e0", "float32"), ("-0.25E+1", "float32"), ("0x1.8p1", "float32"), ("1234567e-3", "float32"),
+                 ("557820.13", "float32"), ("0000000000000000000001.5", "float32"), ("5.0000000000000000000000000", "float32"), ("1e-45", "float32"),
+                 ("557820.15", "float64"), ("1.00000005960464", "float64"), ("1.000000059604645", "float64"), ("16777217", "float64"),
+                 ("9007199254740995", "float64"), ("7e-46", "float64"), ("3.4028235677e38", "float64"), ("1e99", "float64"), ("0x1p-200", "float64"),
+                 ("2.2250738585072012e-308", "float64"), ("123456789012345678e-17", "float64"), ("0.333333333333", "float64"), ("123456789e-4", "float64")]
+        for text, positions in cases:
+            point, triangle = "%s 0 0\n" % text, "3 0 1 2\n"
+            exact = struct.unpack("<d", struct.pack("<d", float.fromhex(text) if "x" in text else float(text)))[0]
+            box = "%s,0,0,%s,0,0" % (2 * (text,)) if positions == "float32" else "%.17g,0,0,%.17g,0,0" % (exact, exact)
+            for name, content in (("near.ply", meshes.ply_header("ascii", 3, 1).decode() + 3 * point + triangle),
+                                  ("near.off", "OFF 3 1 0\n" + 3 * point + triangle), ("near.obj", 3 * ("v " + point) + "f 1 2 3\n")):
+                mesh = self.write(name, content)
+                self.assertEqual((self.overlap(mesh, box)["indices"], self.positions(mesh)), ([0], positions), text)
+
+    def test_doubles_of_ply(self):
+        """Bit for bit in every form; doubles that are floats are taken for floats."""
+        pick = random.Random(11)
+        wild = (struct.unpack("<d", struct.pack("<Q", pick.getrandbits(64)))[0] for _ in iter(int, 1))
+        finite = (x for x in wild if math.isfinite(x))
+        points = [tuple(next(finite) for _ in range(3)) for _ in range(20)]
+        boxes = "".join("%.17g %.17g %.17g %.17g %.17g %.17g\n" % (p + p) for p in points)
+        for form, order in (("ascii", ""), ("binary_little_endian", "<"), ("binary_big_endian", ">")):
+            header = meshes.ply_header(form, 60, 20).replace(b"float", b"double")
+            numbers = [x for p in points for _ in range(3) for x in p]
+            body = struct.pack(order + "180d", *numbers) if order else (" ".join(map(repr, numbers)) + "\n").encode()
+            faces = [(3, 3 * i, 3 * i + 1, 3 * i + 2) for i in range(20)]
+            body += b"".join(struct.pack(order + "B3i", *f) if order else b"%d %d %d %d\n" % f for f in faces)
+            mesh = self.write("doubles.ply", header + body)
+            text = self.succeed("overlap", mesh, "--boxes", "-", "--json", "--list", stdin=boxes.encode())
+            self.assertEqual([json.loads(line)["indices"] for line in text.splitlines()], [[i] for i in range(20)], form)
+            self.assertEqual(self.positions(mesh), "float64")
+            whole = struct.pack(order + "9d", *range(9)) if order else b"0 1 2 3 4 5 6 7 8 "
+            face = struct.pack(order + "B3i", 3, 0, 1, 2) if order else b"3 0 1 2\n"
+            mesh = self.write("whole.ply", meshes.ply_header(form, 3, 1).replace(b"float", b"double") + whole + face)
+            self.assertEqual(self.positions(mesh), "float32")
+        tenth = meshes.ply_header("ascii", 3, 1) + b"0.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+        self.assertEqual(self.positions(self.write("tenth.ply", tenth)), "float32")
+        self.assertEqual(self.positions(self.write("tenth.ply", tenth.replace(b"float", b"double"))), "float64")
 
     def test_polygons_of_ply_and_off(self):
         """A fan around a corner that sees all of the polygon; one that has no such corner earns a warning."""

@@ -84,7 +84,8 @@ class Numbers(support.TestCase):
                       "1e+09", "3.4028235e+38", "9.9999e-06", "1e-45", "1.5"):
             self.assertEqual(self.printed(bound), bound)
         self.assertEqual(self.printed("0.30000001"), "0.3")
-        self.assertEqual(self.printed("16777217"), "16777216")
+        for bound in ("16777217", "0.123456789012", "5108010.123456789", "3.5e+38", "1.7976931348623157e+308"):
+            self.assertEqual(self.printed(bound), bound)
 
     def test_read_back(self):
         random_numbers = random.Random(1)

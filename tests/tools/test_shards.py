@@ -88,9 +88,9 @@ class Shards(support.TestCase):
         self.refuse("mesh.ply: not a part file", first, self.mesh)
         self.refuse("not a regular file", self.folder)
         data = volumes.read(second)
-        for bytes_left in (0, 10, 95):
+        for bytes_left in (0, 10, 151):
             self.refuse("short.part: not a part file, or only the beginning", first, self.write("short.part", data[:bytes_left]))
-        for damaged in (data[:-1], data[:96], data + b"\0"):
+        for damaged in (data[:-1], data[:152], data + b"\0"):
             self.refuse(r"long.part: damaged: it has %d bytes, shard 2 of 2 has %d; run that shard again" % (len(damaged), len(data)),
                         first, self.write("long.part", damaged))
         self.refuse("damaged: its header makes no sense; run that shard again", first,
@@ -100,7 +100,7 @@ class Shards(support.TestCase):
     def checksum(self, data):
         """As the manual says: FNV-1a with words in place of bytes, of all but the checksum itself."""
         total = 0xcbf29ce484222325
-        for word, in struct.iter_unpack("=Q", data[:88] + data[96:]):
+        for word, in struct.iter_unpack("=Q", data[:144] + data[152:]):
             total = (total ^ word) * 0x100000001b3 % 2**64
             total ^= total >> 32
         return struct.pack("=Q", total)
@@ -108,9 +108,9 @@ class Shards(support.TestCase):
     def test_flipped_bits(self):
         """A bit of every byte of the header, and of bytes all over the words: no change goes unnoticed."""
         data = volumes.read(self.part(2, 6)[0])
-        self.assertEqual(data[88:96], self.checksum(data))
-        self.assertGreater(len(data), 96 + 2 * 10 * 16 - 1)
-        for at in list(range(96)) + list(range(96, len(data), 7)):
+        self.assertEqual(data[144:152], self.checksum(data))
+        self.assertGreater(len(data), 152 + 2 * 10 * 16 - 1)
+        for at in list(range(152)) + list(range(152, len(data), 7)):
             flipped = bytearray(data)
             flipped[at] ^= 1 << at % 8
             self.refuse("flipped.part: (damaged|not a part file|written on a machine of another byte order)",
@@ -119,17 +119,17 @@ class Shards(support.TestCase):
     def test_cells_outside_the_grid(self):
         """With a checksum that fits. The grid has 70 cells along x, so that 58 bits of a row are not used."""
         data = volumes.read(self.part(1, 1)[0])
-        for at in (96 + 8, 96 + 15, len(data) - 1):
+        for at in (152 + 8, 152 + 15, len(data) - 1):
             stray = bytearray(data)
             stray[at] |= 0x80
-            stray[88:96] = self.checksum(bytes(stray))
+            stray[144:152] = self.checksum(bytes(stray))
             self.refuse("stray.part: damaged: it has cells outside the grid; run shard 1 of 1 again",
                         self.write("stray.part", bytes(stray)))
 
     def test_another_version(self):
         data = bytearray(volumes.read(self.part(1, 1)[0]))
         data[12:13] = b"1"
-        data[88:96] = self.checksum(bytes(data))
+        data[144:152] = self.checksum(bytes(data))
         self.refuse("old.part: damaged, or written by another version of tribox; run that shard again",
                     self.write("old.part", bytes(data)))
 

@@ -7,8 +7,8 @@ import support
 
 COMMANDS = ("overlap", "voxelize", "merge", "info", "demo")
 OPTIONS = {
-    "overlap": ["--format", "--box", "--boxes", "--oriented", "--inside", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
-    "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--out", "--out-format", "--preview", "--up", "--view",
+    "overlap": ["--format", "--shift", "--box", "--boxes", "--oriented", "--inside", "--list", "--json", "--accuracy", "--axes", "--order", "--kernel", "--help"],
+    "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--shift", "--out", "--out-format", "--preview", "--up", "--view",
                  "--picture-size", "--json", "--quiet", "--threads",
                  "--shard", "--accuracy", "--axes", "--kernel", "--help"],
     "merge": ["--out", "--out-format", "--preview", "--up", "--view", "--picture-size", "--json", "--quiet", "--help"],
@@ -75,7 +75,7 @@ class WrongCommandLine(support.TestCase):
         self.fail_with(2, "option --box is given twice", "overlap", "m.obj", "--box", "0,0,0,1,1,1", "--box=0,0,0,1,1,1")
 
     def test_values(self):
-        for option in ("--box", "--boxes", "--oriented", "--format", "--accuracy", "--axes", "--order", "--kernel"):
+        for option in ("--box", "--boxes", "--oriented", "--format", "--shift", "--accuracy", "--axes", "--order", "--kernel"):
             self.fail_with(2, "option %s needs a value" % option, "overlap", "m.obj", option)
         self.fail_with(2, "option -b needs a value", "overlap", "m.obj", "-jb")
         for command, option in (("overlap", "--list"), ("overlap", "--json"), ("info", "--json"), ("demo", "--quick"),
@@ -117,6 +117,8 @@ class WrongCommandLine(support.TestCase):
             self.fail_with(2, r"^tribox overlap: --oriented: " + pattern, "overlap", "a.obj", "--oriented", box)
         wrong(support.UNIT_BOX, "6 numbers where 15 are needed; give CX,CY,CZ,HX,HY,HZ and three axes of three numbers")
         wrong(support.UNIT_ORIENTED + ",1", "more than 15 numbers")
+        wrong("1e39" + support.UNIT_ORIENTED[1:], r"'1e39' \(number 1 of 15\) is too large for float, which ends at 3\.40282347e\+38")
+        wrong("1e-46" + support.UNIT_ORIENTED[1:], r"'1e-46' \(number 1 of 15\) is too small for float; give 0 or at least 1\.4e-45")
         wrong(support.UNIT_ORIENTED[:-1] + "nan", r"'nan' \(number 15 of 15\) is not finite")
 
     def test_words(self):
@@ -152,9 +154,9 @@ class WrongCommandLine(support.TestCase):
         wrong("1;2;3;4;5;6", r"'1;2;3;4;5;6' \(number 1 of 6\) is not a number")
         wrong("1,2,nan,4,5,6", r"'nan' \(number 3 of 6\) is not finite")
         wrong("-inf,2,3,4,5,6", r"'-inf' \(number 1 of 6\) is not finite")
-        wrong("1,2,3,4,5,1e39", r"'1e39' \(number 6 of 6\) is too large for float, which ends at 3\.40282347e\+38")
-        wrong("1,2,3,4,-3.5e38,5", r"'-3\.5e38' \(number 5 of 6\) is too large for float")
-        wrong("1,1e-46,3,4,5,6", r"'1e-46' \(number 2 of 6\) is too small for float; give 0 or at least 1\.4e-45")
+        wrong("1,2,3,4,5,1e309", r"'1e309' \(number 6 of 6\) is too large for double, which ends at 1\.79769313e\+308")
+        wrong("1,2,3,4,-1.8e308,5", r"'-1\.8e308' \(number 5 of 6\) is too large for double")
+        wrong("1,1e-324,3,4,5,6", r"'1e-324' \(number 2 of 6\) is too small for double; give 0 or at least 4\.9e-324")
         wrong("--list", r"'--list' \(number 1 of 6\) is not a number")
 
 

@@ -145,16 +145,16 @@ class Grids(Voxelize):
         self.refuse("a grid of .* cells takes .*, a bit per cell; the most is 16.0 GiB: choose fewer cells",
                     "--resolution", "2000000000")
         self.refuse("the most is 16.0 GiB", "--cell", "1e-30")
-        finer = "finer than float on the %s axis: near %s it cannot tell cells of %s apart; choose cells of %s or more, or move"
+        finer = "finer than double on the %s axis: near %s it cannot tell cells of %s apart; choose cells of %s or more, or move"
         for axis, origin, cell, size, words in (
-                ("x", "1e9,0,0", "1", "2,2,2", ("1e\\+09", "1", "64")), ("y", "0,-1e9,0", "1", "2,2,2", ("-1e\\+09", "1", "64")),
-                ("z", "0,0,5108010", "1,1,0.0625", "2,2,9", ("5108010.5", "0.0625", "0.5")),
-                ("y", "0,16777216,0", "1", "9,9,9", ("16777224", "1", "2"))):
+                ("x", "1e18,0,0", "1", "2,2,2", ("1e\\+18", "1", "128")), ("y", "0,-1e18,0", "1", "2,2,2", ("-1e\\+18", "1", "128")),
+                ("z", "0,0,5108010", "1,1,1e-10", "2,2,9", ("5108010.000000001", "1e-10", "9.313225746154785e-10")),
+                ("y", "0,9007199254740992,0", "1", "9,9,9", (r"9.007199254741e\+15", "1", "2"))):
             grid = ("--origin=" + origin, "--size", size)
             self.refuse(finer % (axis, *words), "--cell", cell, *grid)
             self.succeed("voxelize", self.mesh, "--cell", words[2], "--quiet", "-o", self.path("served.raw"), *grid)
             os.remove(self.path("served.raw"))
-        self.refuse("reaches beyond what float holds on the y axis", "--cell", "1,1e38,1", "--origin", "0,0,0", "--size", "2,9,2")
+        self.refuse("reaches beyond what double holds on the y axis", "--cell", "1,1e308,1", "--origin", "0,0,0", "--size", "2,9,2")
         self.refuse("the mesh ends at x = [0-9.]+, before the grid starts at 100; move --origin, or give --size",
                     "--cell", "1", "--origin", "100,0,0")
 

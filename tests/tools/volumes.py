@@ -9,6 +9,7 @@ import struct
 import subprocess
 import sys
 import zlib
+from fractions import Fraction
 
 import meshes
 
@@ -88,6 +89,10 @@ def float_of(number):
 
 
 def planes(grid, axis):
+    """Rounded once, to the nearest double, or to it and then to the nearest float."""
+    if grid.get("planes") == "float64":
+        origin, cell = Fraction(grid["origin"][axis]), Fraction(grid["cell"][axis])
+        return [float(origin + p * cell) for p in range(grid["size"][axis] + 1)]
     return [float_of(grid["origin"][axis] + p * grid["cell"][axis]) for p in range(grid["size"][axis] + 1)]
 
 

@@ -1,4 +1,4 @@
-/* decimal.h - floats as decimals, for people and for programs that read them back. */
+/* decimal.h - floats and doubles as decimals, for people and for programs that read them back. */
 #ifndef DECIMAL_H
 #define DECIMAL_H
 
@@ -9,5 +9,8 @@ enum { DECIMAL_MAX = 32 }; /* the longest text, with its end */
  * "1e+10". Returns text.
  */
 const char *decimal_of(float number, char text[DECIMAL_MAX]);
+
+/* The same for a double. */
+const char *decimal_of_double(double number, char text[DECIMAL_MAX]);
 
 #endif

@@ -135,6 +135,15 @@ void json_floats(json *j, const char *key, const float *values, size_t count)
     json_close(j);
 }
 
+void json_doubles(json *j, const char *key, const double *values, size_t count, bool is_float)
+{
+    char text[DECIMAL_MAX];
+    json_open_array(j, key);
+    for (size_t i = 0; i < count; i++)
+        put_literal(j, NULL, is_float ? decimal_of((float)values[i], text) : decimal_of_double(values[i], text));
+    json_close(j);
+}
+
 void json_wholes(json *j, const char *key, const size_t *values, size_t count)
 {
     json_open_array(j, key);

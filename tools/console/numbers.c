@@ -8,32 +8,60 @@
 #include <string.h>
 
 #include "message.h"
+#include "written_number.h"
 
-/* Reads the number that the whole of text[0 .. length) spells. */
-static bool read_number(const char *text, size_t length, const char *where, int position, int count, float *number)
+/* What a list of numbers is read into: one of the two. */
+typedef struct numbers_to {
+    double *doubles;
+    unsigned decimals;
+    float *floats;
+} numbers_to;
+
+/* Where the text is no number, *number stays as it was. Returns whether the number is beyond what its type holds. */
+static bool convert(const char *text, size_t length, bool is_float, double *number, bool *is_number, float_fit *fit)
 {
-    const int shown = length < 40 ? (int)length : 40;
     char *end;
     errno = 0;
-    *number = strtof(text, &end);
-    const bool is_out_of_range = errno == ERANGE;
-    if (end != text + length)
-        message_say("%s: '%.*s' (number %d of %d) is not a number; write it like -0.5 or 1e-3", where, shown, text, position,
-                    count);
-    else if (is_out_of_range && isinf(*number))
-        message_say("%s: '%.*s' (number %d of %d) is too large for float, which ends at %.9g", where, shown, text, position, count,
-                    (double)FLT_MAX);
-    else if (!isfinite(*number))
-        message_say("%s: '%.*s' (number %d of %d) is not finite; bounds are finite numbers", where, shown, text, position, count);
-    else if (is_out_of_range && *number == 0)
-        message_say("%s: '%.*s' (number %d of %d) is too small for float; give 0 or at least 1.4e-45", where, shown, text, position,
-                    count);
-    else
+    if (is_float) {
+        *number = (double)strtof(text, &end);
+        *is_number = end == text + length;
+    } else {
+        *is_number = written_number_read(text, length, number, fit);
+    }
+    return errno == ERANGE;
+}
+
+/* Reads number `position`, counted from 0, that the whole of text[0 .. length) spells. */
+static bool read_number(const char *text, size_t length, const char *where, int position, int count, numbers_to *to)
+{
+    const int shown = length < 40 ? (int)length : 40, n = position + 1;
+    const char *const type = to->floats ? "float" : "double";
+    double number = 0;
+    bool is_number;
+    float_fit fit = FLOAT_FIT_NONE;
+    const bool is_out_of_range = convert(text, length, to->floats, &number, &is_number, &fit);
+    if (!is_number)
+        message_say("%s: '%.*s' (number %d of %d) is not a number; write it like -0.5 or 1e-3", where, shown, text, n, count);
+    else if (is_out_of_range && isinf(number))
+        message_say("%s: '%.*s' (number %d of %d) is too large for %s, which ends at %.9g", where, shown, text, n, count, type,
+                    to->floats ? (double)FLT_MAX : DBL_MAX);
+    else if (!isfinite(number))
+        message_say("%s: '%.*s' (number %d of %d) is not finite; bounds are finite numbers", where, shown, text, n, count);
+    else if (is_out_of_range && number == 0)
+        message_say("%s: '%.*s' (number %d of %d) is too small for %s; give 0 or at least %s", where, shown, text, n, count, type,
+                    to->floats ? "1.4e-45" : "4.9e-324");
+    else {
+        if (to->floats)
+            to->floats[position] = (float)number;
+        else
+            to->doubles[position] = number;
+        to->decimals |= (unsigned)(fit == FLOAT_FIT_DECIMAL) << position;
         return true;
+    }
     return false;
 }
 
-bool numbers_read(const char *text, const char *where, const char *form, int count, float *numbers)
+static bool read_numbers(const char *text, const char *where, const char *form, int count, numbers_to *to)
 {
     bool is_due = true; /* a number must follow, as at the start and after a comma */
     int found = 0;
@@ -47,7 +75,7 @@ bool numbers_read(const char *text, const char *where, const char *form, int cou
             message_say("%s: number %d of %d is missing; give %s", where, found + 1, count, form);
             return false;
         }
-        if (!read_number(text, length, where, found + 1, count, &numbers[found]))
+        if (!read_number(text, length, where, found, count, to))
             return false;
         found++;
         text += length;
@@ -60,6 +88,35 @@ bool numbers_read(const char *text, const char *where, const char *form, int cou
         return false;
     }
     return true;
+}
+
+bool numbers_read(const char *text, const char *where, const char *form, int count, double *numbers, unsigned *decimals)
+{
+    numbers_to to = {.doubles = numbers};
+    const bool is_read = read_numbers(text, where, form, count, &to);
+    if (decimals)
+        *decimals = to.decimals;
+    return is_read;
+}
+
+bool numbers_read_floats(const char *text, const char *where, const char *form, int count, float *numbers)
+{
+    return read_numbers(text, where, form, count, &(numbers_to){.floats = numbers});
+}
+
+void numbers_round(double *numbers, int count, unsigned decimals)
+{
+    for (int i = 0; i < count; i++)
+        if (decimals >> i & 1)
+            numbers[i] = (double)(float)numbers[i];
+}
+
+bool numbers_are_floats(const double *numbers, int count)
+{
+    bool are_floats = true;
+    for (int i = 0; i < count; i++)
+        are_floats &= float_fit_of(numbers[i]) == FLOAT_FIT_EXACT;
+    return are_floats;
 }
 
 /* Reads digits; *end is where they end. Returns 0, which every caller refuses, where there are none or the number is too large. */

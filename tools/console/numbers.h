@@ -9,10 +9,20 @@
 #define NUMBERS_BLANKS " \t\r"
 
 /*
- * Reads `count` finite numbers, separated by commas or blanks. Returns false after a line on standard error.
+ * Reads `count` finite numbers, separated by commas or blanks, as the nearest doubles. Returns false after a line on standard error.
  * where: what to call the text in messages, such as "--box" or "boxes.txt:7". form: how to write it, such as "X,Y,Z".
+ * decimals: NULL, or receives in bit i whether number i is no float but a decimal that the nearest float gives back, as it does 0.1.
  */
-bool numbers_read(const char *text, const char *where, const char *form, int count, float *numbers);
+bool numbers_read(const char *text, const char *where, const char *form, int count, double *numbers, unsigned *decimals);
+
+/* The same for the nearest floats. */
+bool numbers_read_floats(const char *text, const char *where, const char *form, int count, float *numbers);
+
+/* Replaces these decimals by the nearest floats. */
+void numbers_round(double *numbers, int count, unsigned decimals);
+
+/* Whether all of them are floats. */
+bool numbers_are_floats(const double *numbers, int count);
 
 /* Reads a text that is one whole number from 1 to most. option: its name, for messages. Returns an exit_code. */
 int numbers_read_whole(const char *text, const char *option, uint32_t most, uint32_t *number);

@@ -9,19 +9,20 @@
 #include "message.h"
 #include "options.h"
 
-void output_point(const float point[3], const char *separator)
+void output_point(const double point[3], bool is_float, const char *separator)
 {
     for (int a = 0; a < 3; a++) {
         char text[DECIMAL_MAX];
-        printf("%s%s", a ? separator : "", decimal_of(point[a], text));
+        const char *const number = is_float ? decimal_of((float)point[a], text) : decimal_of_double(point[a], text);
+        printf("%s%s", a ? separator : "", number);
     }
 }
 
-void output_box(const tribox_box *box)
+void output_box(const tribox_box_f64 *box, bool is_float)
 {
-    output_point(box->lo, ",");
+    output_point(box->lo, is_float, ",");
     putchar(',');
-    output_point(box->hi, ",");
+    output_point(box->hi, is_float, ",");
 }
 
 /* The word of group i where `axes` has it; 0 for axes stands for all groups. */

@@ -5,11 +5,11 @@
 #include "json.h"
 #include "tribox.h"
 
-/* Prints three numbers. */
-void output_point(const float point[3], const char *separator);
+/* Prints three numbers, so that they read back as the same doubles or, if is_float, the same floats, which they then are. */
+void output_point(const double point[3], bool is_float, const char *separator);
 
 /* Prints a box as --box takes it: LX,LY,LZ,HX,HY,HZ. */
-void output_box(const tribox_box *box);
+void output_box(const tribox_box_f64 *box, bool is_float);
 
 /* Prints the words of groups of axes, as --axes takes them; axes: as in tribox_options. */
 void output_axes(unsigned axes);

@@ -69,7 +69,7 @@ static int time_voxels(result *r, uint64_t *bits)
 static int draw(const uint64_t *bits, const result *r, file_out *picture)
 {
     const voxels_slab slab = {0, r->grid.size[2], bits};
-    const voxels v = {.grid = r->grid, .slab = &slab, .slabs = 1};
+    const voxels v = {.grid = voxels_widen(&r->grid), .is_float = true, .slab = &slab, .slabs = 1};
     return preview_draw(picture, &v, &PREVIEW_LOOK_DEFAULT, r->threads, true);
 }
 
@@ -98,10 +98,14 @@ static void print_json(json *to, const result *r, const char *path)
 
 int demo_voxels(const tribox_soup *soup, file_out *picture, json *to)
 {
+    const mesh m = {.soup = *soup, .triangles = soup->count};
     result r = {.soup = soup, .threads = processors_here()};
-    int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", soup, &r.grid);
+    tribox_grid_f64 grid;
+    bool is_float;
+    int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", &m, &grid, &is_float);
     if (code)
         return code;
+    r.grid = voxels_narrow(&grid);
     uint64_t *bits = malloc(tribox_grid_words(&r.grid) * sizeof *bits);
     if (!bits)
         return message_failure("out of memory for the voxels of the mesh");

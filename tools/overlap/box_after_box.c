@@ -6,6 +6,7 @@
 
 #include "console/clock.h"
 #include "console/message.h"
+#include "between_boxes.h"
 #include "ordered_mesh.h"
 #include "report.h"
 
@@ -16,13 +17,13 @@ static const double seconds_per_triangle[] = {[INDEX_NONE] = 0, [INDEX_IN_FILE_O
 static bool is_for_index(const request *r, const mesh *m)
 {
     const bool has_box_axes = !r->test.axes || r->test.axes & TRIBOX_AXES_BOX;
-    return has_box_axes && !r->wants_inside && r->test.accuracy != TRIBOX_FAST && m->soup.count <= UINT32_MAX;
+    return has_box_axes && !r->wants_inside && r->test.accuracy != TRIBOX_FAST && !m->is_double && m->triangles <= UINT32_MAX;
 }
 
 int box_after_box_start(const request *r, mesh *m, box_after_box *b)
 {
     *b = (box_after_box){.r = r, .m = m, .last = is_for_index(r, m) ? INDEX_ORDERED : INDEX_NONE};
-    return masks_make(m->soup.count, r->wants_inside, &b->bits);
+    return masks_make(m->triangles, r->wants_inside, &b->bits);
 }
 
 /* Whether there is memory for a stage. Where there is not, nothing has changed. */
@@ -37,7 +38,7 @@ static bool prepare(box_after_box *b, index_stage stage)
 
 static int step_where_it_pays(box_after_box *b)
 {
-    if (b->stage == b->last || b->seconds < seconds_per_triangle[b->stage + 1] * (double)b->m->soup.count)
+    if (b->stage == b->last || b->seconds < seconds_per_triangle[b->stage + 1] * (double)b->m->triangles)
         return EXIT_CODE_OK;
     if (!prepare(b, b->stage + 1)) {
         b->last = b->stage;
@@ -47,6 +48,18 @@ static int step_where_it_pays(box_after_box *b)
     b->seconds = 0;
     const tribox_status status = tribox_index_build(&b->m->soup, &b->r->test, b->nodes, &b->index);
     return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+/* One box of doubles and all later ones need room for more words. */
+static tribox_status ask_between(box_after_box *b, const tribox_box_f64 *box, tribox_report *report)
+{
+    const size_t count = b->m->soup.count;
+    if ((!b->words.bits && !found_words_make(&b->words, count)) || (!b->inner.bits && !found_words_make(&b->inner, count)))
+        return TRIBOX_NO_MEMORY;
+    const tribox_status status = between_boxes_index(&b->index, &b->m->soup, box, &b->r->test, &b->words, &b->inner, report);
+    if (!status && b->order)
+        found_words_renumber(&b->words, b->order);
+    return status;
 }
 
 static tribox_status ask_index(box_after_box *b, const tribox_box *box, tribox_report *report)
@@ -65,11 +78,13 @@ static tribox_status ask_index(box_after_box *b, const tribox_box *box, tribox_r
 
 static int ask(box_after_box *b, answer *a)
 {
+    const asked_triangles all = triangles_of_mesh(b->m);
     if (b->stage == INDEX_NONE)
-        return overlap_ask(b->r, &b->m->soup, &b->bits, a);
+        return overlap_ask(b->r, &all, &b->bits, a);
+    tribox_box narrow;
     tribox_report report;
     const double start = clock_seconds();
-    const tribox_status status = ask_index(b, &a->box, &report);
+    const tribox_status status = box_is_float(&a->box, &narrow) ? ask_index(b, &narrow, &report) : ask_between(b, &a->box, &report);
     a->seconds = clock_seconds() - start;
     if (status)
         return message_failure("%s", tribox_status_text(status));
@@ -90,13 +105,14 @@ int box_after_box_ask(box_after_box *b, answer *a)
 
 int box_after_box_list(const box_after_box *b, answer *a)
 {
-    return b->stage == INDEX_NONE ? report_list(b->r, a, 0, b->bits.overlap, b->m->soup.count) : report_words(b->r, a, &b->words);
+    return b->stage == INDEX_NONE ? report_list(b->r, a, 0, b->bits.overlap, b->m->triangles) : report_words(b->r, a, &b->words);
 }
 
 void box_after_box_end(box_after_box *b)
 {
     masks_free(&b->bits);
     found_words_free(&b->words);
+    found_words_free(&b->inner);
     free(b->nodes);
     free(b->order);
 }

@@ -4,30 +4,51 @@
 
 #include <stdlib.h>
 
+#include "between_boxes.h"
 #include "console/clock.h"
 #include "console/message.h"
 
 int masks_make(size_t count, bool wants_inside, masks *bits)
 {
     const size_t words = tribox_mask_words(count);
-    bits->overlap = malloc(words * (wants_inside ? 2 : 1) * sizeof *bits->overlap);
-    bits->inside = bits->overlap && wants_inside ? bits->overlap + words : NULL;
+    bits->overlap = malloc((words * (wants_inside ? 3 : 2) + 1) * sizeof *bits->overlap);
+    bits->outer = bits->overlap ? bits->overlap + words : NULL;
+    bits->inside = bits->overlap && wants_inside ? bits->outer + words : NULL;
     return bits->overlap ? EXIT_CODE_OK : message_failure("out of memory for the answers of %zu triangles", count);
 }
 
 void masks_free(masks *bits)
 {
     free(bits->overlap);
-    *bits = (masks){NULL, NULL};
+    *bits = (masks){.overlap = NULL};
 }
 
-static tribox_status ask(const request *r, const tribox_soup *soup, const masks *bits, const tribox_box *box, tribox_report *report)
+asked_triangles triangles_of_mesh(const mesh *m)
 {
-    if (r->has_oriented)
-        return tribox_overlap_oriented(soup, &r->oriented, &r->test, bits->overlap, report);
+    return (asked_triangles){.count = m->triangles, .is_double = m->is_double, .soup = m->soup, .doubles = m->doubles};
+}
+
+static tribox_status ask_doubles(const request *r, const tribox_mesh *doubles, const masks *bits, const tribox_box_f64 *box,
+                                 tribox_report *report)
+{
     if (r->wants_inside)
-        return tribox_classify(soup, box, &r->test, bits->overlap, bits->inside, report);
-    return tribox_overlap(soup, box, &r->test, bits->overlap, report);
+        return tribox_classify_f64(doubles, box, &r->test, bits->overlap, bits->inside, report);
+    return tribox_overlap_indexed_f64(doubles, box, &r->test, bits->overlap, report);
+}
+
+static tribox_status ask(const request *r, const asked_triangles *t, const masks *bits, const tribox_box_f64 *box,
+                         tribox_report *report)
+{
+    tribox_box narrow;
+    if (r->has_oriented)
+        return tribox_overlap_oriented(&t->soup, &r->oriented, &r->test, bits->overlap, report);
+    if (t->is_double)
+        return ask_doubles(r, &t->doubles, bits, box, report);
+    if (!box_is_float(box, &narrow))
+        return between_boxes_ask(&t->soup, box, &r->test, bits->overlap, bits->inside, bits->outer, report);
+    if (r->wants_inside)
+        return tribox_classify(&t->soup, &narrow, &r->test, bits->overlap, bits->inside, report);
+    return tribox_overlap(&t->soup, &narrow, &r->test, bits->overlap, report);
 }
 
 /* In parts, since the library counts up to 2^32 bits at once. */
@@ -40,16 +61,16 @@ static uint64_t count_bits(const uint64_t *mask, size_t count)
     return set;
 }
 
-int overlap_ask(const request *r, const tribox_soup *soup, const masks *bits, answer *a)
+int overlap_ask(const request *r, const asked_triangles *t, const masks *bits, answer *a)
 {
     tribox_report report;
     const double start = clock_seconds();
-    const tribox_status status = ask(r, soup, bits, &a->box, &report);
+    const tribox_status status = ask(r, t, bits, &a->box, &report);
     a->seconds += clock_seconds() - start;
     if (status)
         return message_failure("%s", tribox_status_text(status));
     a->overlapping += report.overlapping;
     a->undecided += report.undecided;
-    a->inside += bits->inside ? count_bits(bits->inside, soup->count) : 0;
+    a->inside += bits->inside ? count_bits(bits->inside, t->count) : 0;
     return EXIT_CODE_OK;
 }

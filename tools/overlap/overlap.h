@@ -5,16 +5,19 @@
 #include <stdbool.h>
 
 #include "console/json.h"
-#include "read/triangle_file.h"
+#include "read/boxes.h"
+#include "read/mesh_shift.h"
 #include "tribox.h"
 
 typedef struct request {
     const char *mesh_path;
     triangle_format format; /* OTHER: by the name of the mesh */
-    tribox_box box;         /* with --box */
+    mesh_shift shift;       /* with --shift */
+    written_box box;        /* with --box */
     bool has_box;
     const char *boxes_path;       /* with --boxes, else NULL */
-    tribox_oriented_box oriented; /* with --oriented */
+    tribox_oriented_box oriented; /* with --oriented; about its centre where the mesh is one of doubles */
+    double center[3];             /* its centre */
     bool has_oriented;
     tribox_options test;
     bool wants_inside, wants_list, wants_json;
@@ -23,15 +26,25 @@ typedef struct request {
 /* A bit per triangle: which overlap and, with --inside, which of these lie inside; else `inside` is NULL. */
 typedef struct masks {
     uint64_t *overlap, *inside;
+    uint64_t *outer; /* of the box around one of doubles */
 } masks;
+
+/* Triangles to ask about: all of a mesh, or a block. */
+typedef struct asked_triangles {
+    size_t count;
+    bool is_double;
+    tribox_soup soup;    /* as floats */
+    tribox_mesh doubles; /* as doubles if is_double */
+} asked_triangles;
 
 /* Of an index over the mesh: none, one over its triangles as they come in the file, one over triangles in order. */
 typedef enum index_stage { INDEX_NONE, INDEX_IN_FILE_ORDER, INDEX_ORDERED } index_stage;
 
 /* One box and what was found. */
 typedef struct answer {
-    tribox_box box; /* not with --oriented */
-    size_t line;    /* of the boxes file; 0 without one */
+    tribox_box_f64 box; /* not with --oriented */
+    bool is_double;     /* the mesh has coordinates that float does not hold */
+    size_t line;        /* of the boxes file; 0 without one */
     uint64_t triangles, left_out, not_finite;
     uint64_t rounded; /* vertices that rounding to float has moved */
     double moved;     /* the most that it has moved a coordinate */
@@ -49,7 +62,9 @@ int masks_make(size_t count, bool wants_inside, masks *bits);
 void masks_free(masks *bits);
 
 /* Tests triangles once and adds counts and time to the answer. Returns an exit_code. */
-int overlap_ask(const request *r, const tribox_soup *soup, const masks *bits, answer *a);
+int overlap_ask(const request *r, const asked_triangles *t, const masks *bits, answer *a);
+
+asked_triangles triangles_of_mesh(const mesh *m);
 
 /* Tests one box while the mesh is read, in constant memory. Closes the file. Returns an exit_code. */
 int overlap_stream(const request *r, triangle_file *file);

@@ -1,5 +1,6 @@
 /* overlap_stream.c - reads a block of triangles, tests it, lists it and forgets it. */
 #define _POSIX_C_SOURCE 200809L
+#include <math.h>
 #include <unistd.h>
 
 #include "console/clock.h"
@@ -9,30 +10,70 @@
 #include "console/progress.h"
 #include "report.h"
 
-/* A block of the file as nine streams. */
+/* A block of the file: as nine streams of floats, or as doubles. */
 typedef struct block {
     float coordinates[9][TRIANGLE_BLOCK];
     float *streams[9]; /* x of the three vertices, y, z */
-    tribox_soup soup;
+    double positions[9 * TRIANGLE_BLOCK];
+    asked_triangles triangles;
     uint64_t first_not_finite; /* among all triangles of the file */
     masks bits;
 } block;
 
 static void point_into(block *b)
 {
+    tribox_soup *const soup = &b->triangles.soup;
+    b->triangles.doubles = (tribox_mesh){.positions = b->positions, .position_bytes = sizeof *b->positions};
     for (int k = 0; k < 9; k++)
         b->streams[k] = b->coordinates[k];
     for (int v = 0; v < 3; v++) {
-        b->soup.x[v] = b->streams[v];
-        b->soup.y[v] = b->streams[3 + v];
-        b->soup.z[v] = b->streams[6 + v];
+        soup->x[v] = b->streams[v];
+        soup->y[v] = b->streams[3 + v];
+        soup->z[v] = b->streams[6 + v];
     }
+}
+
+static int read_block(triangle_file *file, block *b, size_t *count)
+{
+    asked_triangles *const t = &b->triangles;
+    t->is_double = file->format == TRIANGLES_F64;
+    const int code =
+        t->is_double ? triangle_file_next_doubles(file, b->positions, count) : triangle_file_next(file, b->streams, count);
+    t->count = *count;
+    if (t->is_double) {
+        t->doubles.count = *count;
+        t->doubles.vertices = 3 * *count;
+    } else {
+        t->soup.count = *count;
+    }
+    return code;
+}
+
+static bool is_finite_triangle(const double *numbers)
+{
+    bool is_finite = true;
+    for (int k = 0; k < 9; k++)
+        is_finite &= isfinite(numbers[k]) != 0;
+    return is_finite;
+}
+
+static size_t find_not_finite(const block *b, size_t *first)
+{
+    size_t count = 0;
+    if (!b->triangles.is_double)
+        return tribox_soup_not_finite(&b->triangles.soup, first);
+    for (size_t t = b->triangles.count; t > 0; t--)
+        if (!is_finite_triangle(b->positions + 9 * (t - 1))) {
+            count++;
+            *first = t - 1;
+        }
+    return count;
 }
 
 static void count_not_finite(block *b, answer *a)
 {
     size_t first;
-    const size_t count = tribox_soup_not_finite(&b->soup, &first);
+    const size_t count = find_not_finite(b, &first);
     if (count && !a->not_finite)
         b->first_not_finite = a->triangles + first;
     a->not_finite += count;
@@ -41,11 +82,11 @@ static void count_not_finite(block *b, answer *a)
 /* Fails early where the list cannot be written any more. */
 static int answer_block(const request *r, block *b, answer *a)
 {
-    int code = overlap_ask(r, &b->soup, &b->bits, a);
+    int code = overlap_ask(r, &b->triangles, &b->bits, a);
     count_not_finite(b, a);
     if (!code && r->wants_list)
-        code = report_list(r, a, a->triangles, b->bits.overlap, b->soup.count);
-    a->triangles += b->soup.count;
+        code = report_list(r, a, a->triangles, b->bits.overlap, b->triangles.count);
+    a->triangles += b->triangles.count;
     return code;
 }
 
@@ -54,9 +95,9 @@ static int answer_blocks(const request *r, triangle_file *file, block *b, answer
     /* Over a list on the same terminal a bar would only be in the way. */
     progress bar = progress_start("testing", file->promised != UINT64_MAX && !(r->wants_list && isatty(STDOUT_FILENO)));
     int code;
-    for (;;) {
-        code = triangle_file_next(file, b->streams, &b->soup.count);
-        if (code || !b->soup.count)
+    for (size_t count;;) {
+        code = read_block(file, b, &count);
+        if (code || !count)
             break;
         code = answer_block(r, b, a);
         if (code)
@@ -70,7 +111,8 @@ static int answer_blocks(const request *r, triangle_file *file, block *b, answer
 static int answer_file(const request *r, triangle_file *file, block *b)
 {
     const double start = clock_seconds();
-    answer a = {.box = r->box, .runs = 1};
+    const bool is_double = file->format == TRIANGLES_F64;
+    answer a = {.box = box_for_mesh(&r->box, is_double), .is_double = is_double, .runs = 1};
     int code = answer_blocks(r, file, b, &a);
     if (code)
         return code;

@@ -6,6 +6,7 @@
 
 #include "console/accuracy.h"
 #include "console/message.h"
+#include "console/numbers.h"
 #include "console/output.h"
 
 static const char *const index_words[] = {
@@ -15,19 +16,34 @@ static double percent(const answer *a, uint64_t count) { return 100.0 * (double)
 
 static double ns_per_triangle(const answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
 
+/* Whether the numbers of the box are printed as floats. */
+static bool is_float_box(const answer *a)
+{
+    tribox_box narrow;
+    return !a->is_double && box_is_float(&a->box, &narrow);
+}
+
+static const char *positions_word(const answer *a) { return a->is_double ? "float64" : "float32"; }
+
+static void print_oriented(const request *r)
+{
+    const float *const parts[4] = {r->oriented.half, r->oriented.axis[0], r->oriented.axis[1], r->oriented.axis[2]};
+    fputs("oriented ", stdout);
+    output_point(r->center, numbers_are_floats(r->center, 3), ",");
+    for (int i = 0; i < 4; i++) {
+        const double part[3] = {(double)parts[i][0], (double)parts[i][1], (double)parts[i][2]};
+        putchar(',');
+        output_point(part, true, ",");
+    }
+}
+
 /* As the command line takes it. */
 static void print_box(const request *r, const answer *a)
 {
-    if (!r->has_oriented) {
-        output_box(&a->box);
-        return;
-    }
-    const float *const parts[5] = {r->oriented.center, r->oriented.half, r->oriented.axis[0], r->oriented.axis[1],
-                                   r->oriented.axis[2]};
-    for (int i = 0; i < 5; i++) {
-        fputs(i ? "," : "oriented ", stdout);
-        output_point(parts[i], ",");
-    }
+    if (r->has_oriented)
+        print_oriented(r);
+    else
+        output_box(&a->box, is_float_box(a));
 }
 
 static void print_share(const char *name, const answer *a, uint64_t count)
@@ -40,10 +56,14 @@ static void print_summary(const request *r, const answer *a)
     printf("mesh         %s\n", r->mesh_path);
     printf("box          ");
     print_box(r, a);
+    if (r->shift.is_wanted) {
+        printf("\nshift        ");
+        output_point(r->shift.by, false, ",");
+    }
     printf("\ntriangles    %" PRIu64, a->triangles);
     if (a->left_out)
         printf(" (and %" PRIu64 " points or lines, left out)", a->left_out);
-    putchar('\n');
+    printf("\npositions    %s\n", positions_word(a));
     print_share("overlapping", a, a->overlapping);
     if (r->wants_inside) {
         print_share("inside", a, a->inside);
@@ -63,7 +83,7 @@ static void print_summary(const request *r, const answer *a)
 
 static void print_line(const request *r, const answer *a)
 {
-    output_box(&a->box);
+    output_box(&a->box, is_float_box(a));
     printf(": %" PRIu64 " of %" PRIu64 " triangles overlap (%.2f %%), ", a->overlapping, a->triangles, percent(a, a->overlapping));
     if (r->wants_inside)
         printf("%" PRIu64 " inside, ", a->inside);
@@ -74,18 +94,20 @@ static void print_line(const request *r, const answer *a)
         printf("%.2f us by an index\n", 1e6 * a->seconds);
 }
 
-static void print_json_box(json *j, const tribox_box *box)
+static void print_json_box(json *j, const answer *a)
 {
+    const bool is_float = is_float_box(a);
     json_open_object(j, "box");
-    json_floats(j, "lo", box->lo, 3);
-    json_floats(j, "hi", box->hi, 3);
+    json_doubles(j, "lo", a->box.lo, 3, is_float);
+    json_doubles(j, "hi", a->box.hi, 3, is_float);
     json_close(j);
 }
 
-static void print_json_oriented(json *j, const tribox_oriented_box *box)
+static void print_json_oriented(json *j, const request *r)
 {
+    const tribox_oriented_box *const box = &r->oriented;
     json_open_object(j, "oriented");
-    json_floats(j, "center", box->center, 3);
+    json_doubles(j, "center", r->center, 3, numbers_are_floats(r->center, 3));
     json_floats(j, "half", box->half, 3);
     json_open_array(j, "axes");
     for (int k = 0; k < 3; k++)
@@ -103,9 +125,9 @@ static void print_json_head(const request *r, answer *a)
     if (a->line)
         json_whole(&a->json, "line", a->line);
     if (r->has_oriented)
-        print_json_oriented(&a->json, &r->oriented);
+        print_json_oriented(&a->json, r);
     else
-        print_json_box(&a->json, &a->box);
+        print_json_box(&a->json, a);
     if (r->wants_list)
         json_open_array(&a->json, "indices");
 }
@@ -116,6 +138,9 @@ static void print_json_tail(const request *r, answer *a)
     if (r->wants_list)
         json_close(j);
     json_whole(j, "triangles", a->triangles);
+    json_string(j, "positions", positions_word(a));
+    if (r->shift.is_wanted)
+        json_doubles(j, "shift", r->shift.by, 3, false);
     json_whole(j, "not_finite", a->not_finite);
     json_whole(j, "rounded", a->rounded);
     json_number(j, "moved", 6, a->moved);

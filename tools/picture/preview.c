@@ -36,7 +36,7 @@ int preview_read_up(const char *text, picture_up *up)
 int preview_read_view(const char *text, picture_look *look)
 {
     float angles[2];
-    if (!numbers_read(text, "--view", "AZIMUTH,ELEVATION", 2, angles))
+    if (!numbers_read_floats(text, "--view", "AZIMUTH,ELEVATION", 2, angles))
         return EXIT_CODE_USAGE;
     if (fabsf(angles[0]) > 360 || fabsf(angles[1]) > 90)
         return message_usage("--view: '%s' is not AZIMUTH,ELEVATION from -360 to 360 and from -90 to 90 degrees", text);
@@ -59,7 +59,7 @@ int preview_read_size(const char *text, picture_look *look)
 
 static size_t pixel_bytes(const picture_look *look) { return (size_t)3 * look->size[0] * look->size[1]; }
 
-uint64_t preview_memory(const tribox_grid *grid, const picture_look *look)
+uint64_t preview_memory(const tribox_grid_f64 *grid, const picture_look *look)
 {
     return pixel_bytes(look) + picture_memory(grid, look);
 }

@@ -4,32 +4,64 @@
 #include <errno.h>
 #include <string.h>
 
+#include "console/decimal.h"
 #include "console/message.h"
 #include "console/numbers.h"
 
 /* Most bytes of a line without its comment, and of a file's name in messages. */
 enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };
 
-static void note_if_empty(const tribox_box *box, const char *where)
+static const char form[] = "LX,LY,LZ,HX,HY,HZ";
+
+static void note_if_empty(const tribox_box_f64 *box, const char *where)
 {
+    char lo[DECIMAL_MAX], hi[DECIMAL_MAX];
     for (int a = 0; a < 3; a++)
         if (box->lo[a] > box->hi[a]) {
-            message_say(
-                "note: %s: the lower bound %.9g exceeds the upper bound %.9g on the %c axis: an empty box, nothing overlaps it",
-                where, (double)box->lo[a], (double)box->hi[a], "xyz"[a]);
+            message_say("note: %s: the lower bound %s exceeds the upper bound %s on the %c axis: an empty box, nothing overlaps it",
+                        where, decimal_of_double(box->lo[a], lo), decimal_of_double(box->hi[a], hi), "xyz"[a]);
             return;
         }
 }
 
-bool box_read(const char *text, const char *where, tribox_box *box)
+bool box_read(const char *text, const char *where, written_box *box)
+{
+    double bounds[6];
+    if (!numbers_read(text, where, form, 6, bounds, &box->decimals))
+        return false;
+    memcpy(box->bounds.lo, bounds, sizeof box->bounds.lo);
+    memcpy(box->bounds.hi, bounds + 3, sizeof box->bounds.hi);
+    note_if_empty(&box->bounds, where);
+    return true;
+}
+
+bool box_read_floats(const char *text, const char *where, tribox_box *box)
 {
     float bounds[6];
-    if (!numbers_read(text, where, "LX,LY,LZ,HX,HY,HZ", 6, bounds))
+    if (!numbers_read_floats(text, where, form, 6, bounds))
         return false;
     memcpy(box->lo, bounds, sizeof box->lo);
     memcpy(box->hi, bounds + 3, sizeof box->hi);
-    note_if_empty(box, where);
     return true;
+}
+
+tribox_box_f64 box_for_mesh(const written_box *box, bool is_double)
+{
+    tribox_box_f64 bounds = box->bounds;
+    if (!is_double) {
+        numbers_round(bounds.lo, 3, box->decimals);
+        numbers_round(bounds.hi, 3, box->decimals >> 3);
+    }
+    return bounds;
+}
+
+bool box_is_float(const tribox_box_f64 *box, tribox_box *narrow)
+{
+    for (int a = 0; a < 3; a++) {
+        narrow->lo[a] = (float)box->lo[a];
+        narrow->hi[a] = (float)box->hi[a];
+    }
+    return numbers_are_floats(box->lo, 3) && numbers_are_floats(box->hi, 3);
 }
 
 int box_file_open(box_file *boxes, const char *path)
@@ -67,7 +99,7 @@ static bool read_line(box_file *boxes, char *text, size_t size, int *code)
     return true;
 }
 
-int box_file_next(box_file *boxes, tribox_box *box, bool *end)
+int box_file_next(box_file *boxes, written_box *box, bool *end)
 {
     char text[LINE_MAX_BYTES], where[NAME_SHOWN + 32];
     int code = EXIT_CODE_OK;

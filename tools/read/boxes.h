@@ -7,11 +7,29 @@
 
 #include "tribox.h"
 
+/* A box as it is written. */
+typedef struct written_box {
+    tribox_box_f64 bounds; /* the nearest doubles */
+    unsigned decimals;     /* those that are decimals, as numbers_read says it: bits 0 to 2 of lo, 3 to 5 of hi */
+} written_box;
+
 /*
  * Reads a box from text. Returns false after a message on standard error that says where it is, what is wrong and what to do.
  * where: what to call the text in messages, as "--box" or "boxes.txt:12". A box with lo > hi is empty, which only earns a note.
  */
-bool box_read(const char *text, const char *where, tribox_box *box);
+bool box_read(const char *text, const char *where, written_box *box);
+
+/* The same for bounds that are rounded to the nearest floats. */
+bool box_read_floats(const char *text, const char *where, tribox_box *box);
+
+/*
+ * The box for a mesh: as it is for one of doubles. For one of floats a decimal that a float gives back is that float, so that a
+ * float which another program has written is the same here.
+ */
+tribox_box_f64 box_for_mesh(const written_box *box, bool is_double);
+
+/* Whether all bounds are floats, which *narrow then receives. */
+bool box_is_float(const tribox_box_f64 *box, tribox_box *narrow);
 
 /* A file with a box on each line; '#' starts a comment, empty lines are skipped. Memory does not grow with the file. */
 typedef struct box_file {
@@ -24,7 +42,7 @@ typedef struct box_file {
 int box_file_open(box_file *boxes, const char *path);
 
 /* Reads the next box; *end receives whether there is none. Returns an exit_code. */
-int box_file_next(box_file *boxes, tribox_box *box, bool *end);
+int box_file_next(box_file *boxes, written_box *box, bool *end);
 
 void box_file_close(box_file *boxes);
 

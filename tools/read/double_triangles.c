@@ -38,25 +38,17 @@ static int make_room(const triangle_file *file, double_triangles *d)
     return EXIT_CODE_OK;
 }
 
-static void find_fit(double_triangles *d, const double *numbers, size_t count)
-{
-    for (size_t i = 0; d->fit == FLOAT_FIT_EXACT && i < count; i++)
-        d->fit = float_fit_of(numbers[i]);
-}
-
 int double_triangles_read(triangle_file *file, double_triangles *d)
 {
     size_t count = 1;
-    *d = (double_triangles){.fit = FLOAT_FIT_EXACT};
+    *d = (double_triangles){.positions = NULL};
     int code = file->is_sized ? make_room(file, d) : EXIT_CODE_OK;
     while (!code && count) {
         if (!file->is_sized && d->capacity - d->count < TRIANGLE_BLOCK)
             code = make_room(file, d);
         if (code)
             break;
-        double *const next = d->positions + 9 * d->count;
-        code = triangle_file_next_doubles(file, next, &count);
-        find_fit(d, next, 9 * count);
+        code = triangle_file_next_doubles(file, d->positions + 9 * d->count, &count);
         d->count += count;
     }
     if (!code && !d->count)

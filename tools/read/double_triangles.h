@@ -2,13 +2,11 @@
 #ifndef DOUBLE_TRIANGLES_H
 #define DOUBLE_TRIANGLES_H
 
-#include "console/written_number.h"
 #include "triangle_file.h"
 
 typedef struct double_triangles {
     double *positions; /* x, y, z of the three vertices of each triangle */
     size_t count, capacity;
-    float_fit fit; /* whether all are floats */
 } double_triangles;
 
 /* Reads all triangles. Returns an exit_code: on success with at least one, in memory for free(). */

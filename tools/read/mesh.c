@@ -67,6 +67,25 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m)
     return EXIT_CODE_OK;
 }
 
+/* Streams one after the other are a matrix: all x, all y, all z, of the first vertices, the second and the third. */
+tribox_mesh mesh_of_streams(const mesh *m, uint32_t **indices)
+{
+    const size_t room = m->capacity, count = m->soup.count;
+    *indices = 3 * (uint64_t)room <= UINT32_MAX ? malloc(3 * count * sizeof **indices) : NULL;
+    if (!*indices)
+        return (tribox_mesh){.positions = NULL};
+    for (size_t t = 0; t < count; t++)
+        for (size_t v = 0; v < 3; v++)
+            (*indices)[3 * t + v] = (uint32_t)(v * room + t);
+    return (tribox_mesh){.positions = m->coordinates,
+                         .stride = sizeof(float),
+                         .axis_stride = 3 * room * sizeof(float),
+                         .vertices = 2 * room + count,
+                         .indices = *indices,
+                         .index_bytes = sizeof **indices,
+                         .count = count};
+}
+
 /* Where the next triangles go: x of the three vertices, then y, then z. */
 static void find_streams(const mesh *m, float *to[9])
 {
@@ -86,32 +105,48 @@ static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
     return status ? message_failure("%s: %s", path, tribox_status_text(status)) : EXIT_CODE_OK;
 }
 
-static int take_doubles(const char *path, indexed_mesh *from, const tribox_mesh *all, mesh *m)
+void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m)
 {
-    if (!all->count)
-        return refuse_none(path);
+    free(m->coordinates);
+    m->coordinates = NULL;
+    m->capacity = 0;
+    m->soup = (tribox_soup){.count = 0};
+    m->positions = positions;
+    m->corners = corners;
     m->is_double = true;
-    m->doubles = *all;
-    m->positions = from->positions;
-    m->corners = from->corners;
+    m->triangles = triangles;
+    m->doubles = (tribox_mesh){.positions = positions,
+                               .vertices = vertices,
+                               .indices = corners,
+                               .index_bytes = sizeof *corners,
+                               .count = triangles,
+                               .position_bytes = sizeof *positions};
+}
+
+static int take_doubles(const char *path, indexed_mesh *from, mesh *m)
+{
+    if (!from->triangles)
+        return refuse_none(path);
+    mesh_set_doubles(from->positions, from->vertices, from->corners, from->triangles, m);
     from->positions = NULL;
     from->corners = NULL;
     return EXIT_CODE_OK;
 }
 
-static int take_indexed(const char *path, indexed_mesh *from, mesh *m)
+static int take_indexed(const char *path, bool is_wide, indexed_mesh *from, mesh *m)
 {
-    indexed_mesh_narrow(from);
+    if (!is_wide)
+        indexed_mesh_narrow(from);
+    m->left_out = from->left_out;
+    m->miscut = from->miscut;
+    if (from->position_bytes == sizeof(double))
+        return take_doubles(path, from, m);
     const tribox_mesh all = {.positions = from->positions,
                              .vertices = from->vertices,
                              .indices = from->corners,
                              .index_bytes = sizeof *from->corners,
-                             .count = from->triangles,
-                             .position_bytes = from->position_bytes};
-    m->left_out = from->left_out;
-    m->miscut = from->miscut;
-    m->is_decimal = from->fit == FLOAT_FIT_DECIMAL;
-    return from->position_bytes == sizeof(float) ? take_floats(path, &all, m) : take_doubles(path, from, &all, m);
+                             .count = from->triangles};
+    return take_floats(path, &all, m);
 }
 
 int mesh_to_floats(const char *path, const double origin[3], mesh *m)
@@ -131,7 +166,7 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     return code;
 }
 
-static int read_whole(const char *path, mesh *m)
+static int read_whole(const char *path, bool is_wide, mesh *m)
 {
     whole_file file;
     indexed_mesh indexed = {.positions = NULL};
@@ -141,7 +176,7 @@ static int read_whole(const char *path, mesh *m)
         code = read(path, &file, &indexed);
     whole_file_free(&file);
     if (!code)
-        code = read ? take_indexed(path, &indexed, m) : read_by_assimp(path, m);
+        code = read ? take_indexed(path, is_wide, &indexed, m) : read_by_assimp(path, m);
     indexed_mesh_free(&indexed);
     return code;
 }
@@ -187,24 +222,19 @@ static int read_triangles(triangle_file *file, mesh *m)
     double_triangles found;
     if (file->format != TRIANGLES_F64)
         return read_float_triangles(file, m);
-    int code = double_triangles_read(file, &found);
-    if (!code) {
-        m->is_double = true;
-        m->positions = found.positions;
-        m->doubles = (tribox_mesh){
-            .positions = found.positions, .vertices = 3 * found.count, .count = found.count, .position_bytes = sizeof(double)};
-        code = found.fit == FLOAT_FIT_NONE ? EXIT_CODE_OK : mesh_to_floats(file->name, (const double[3]){0, 0, 0}, m);
-    }
+    const int code = double_triangles_read(file, &found);
+    if (!code)
+        mesh_set_doubles(found.positions, 3 * found.count, NULL, found.count, m);
     return code;
 }
 
-int mesh_read_as(const char *path, triangle_format format, mesh *m)
+static int read_mesh(const char *path, triangle_format format, bool is_wide, mesh *m)
 {
     triangle_file file;
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
     if (!code)
-        code = file.stream ? read_triangles(&file, m) : read_whole(path, m);
+        code = file.stream ? read_triangles(&file, m) : read_whole(path, is_wide, m);
     triangle_file_close(&file);
     if (code) {
         mesh_free(m);
@@ -215,6 +245,10 @@ int mesh_read_as(const char *path, triangle_format format, mesh *m)
         m->is_double ? mesh_doubles_not_finite(m, &m->first_not_finite) : tribox_soup_not_finite(&m->soup, &m->first_not_finite);
     return EXIT_CODE_OK;
 }
+
+int mesh_read_as(const char *path, triangle_format format, mesh *m) { return read_mesh(path, format, false, m); }
+
+int mesh_read_wide(const char *path, triangle_format format, mesh *m) { return read_mesh(path, format, true, m); }
 
 int mesh_read(const char *path, mesh *m)
 {
@@ -239,10 +273,8 @@ void mesh_warn(const char *path, const mesh *m)
 {
     mesh_warn_not_finite(path, m->not_finite, m->triangles, m->first_not_finite);
     if (m->rounded)
-        message_say(
-            "warning: %s: rounding to float moved coordinates of %zu vert%s by up to %.2g; subtract an origin first where that "
-            "matters",
-            path, m->rounded, m->rounded == 1 ? "ex" : "ices", m->moved);
+        message_say("warning: %s: rounding to float moved coordinates of %zu vert%s by up to %.2g", path, m->rounded,
+                    m->rounded == 1 ? "ex" : "ices", m->moved);
     if (m->uncut)
         message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
                     m->uncut, m->soup.count + m->uncut);

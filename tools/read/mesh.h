@@ -9,17 +9,16 @@
 #include "tribox.h"
 
 typedef struct mesh {
-    size_t triangles;        /* all of them, in the order of the file; polygons are cut, degenerate triangles stay */
-    tribox_soup soup;        /* as floats; empty if is_double */
-    tribox_mesh doubles;     /* as doubles if is_double */
-    bool is_double;          /* a coordinate is no float, nor a decimal that the nearest float gives back, as it does 0.1 */
-    bool is_decimal;         /* all are, and some are such decimals: the nearest floats stand for them */
-    size_t left_out;         /* points and lines of the file */
-    size_t uncut;            /* triangles missing, since libassimp could not cut a polygon that crosses itself */
-    size_t miscut;           /* polygons whose triangles cover more than they do */
-    size_t rounded;          /* vertices of which mesh_to_floats has moved a coordinate */
-    double moved;            /* the most that it has moved one */
-    size_t not_finite;       /* triangles with a NaN or infinite coordinate */
+    size_t triangles;    /* all of them, in the order of the file; polygons are cut, degenerate triangles stay */
+    tribox_soup soup;    /* as floats; empty if is_double */
+    tribox_mesh doubles; /* as doubles if is_double */
+    bool is_double;      /* a coordinate is no float, nor a decimal that the nearest float gives back, as it does 0.1; or .f64 */
+    size_t left_out;     /* points and lines of the file */
+    size_t uncut;        /* triangles missing, since libassimp could not cut a polygon that crosses itself */
+    size_t miscut;       /* polygons whose triangles cover more than they do */
+    size_t rounded;      /* vertices of which mesh_to_floats has moved a coordinate */
+    double moved;        /* the most that it has moved one */
+    size_t not_finite;   /* triangles with a NaN or infinite coordinate */
     size_t first_not_finite; /* the first of them */
     size_t capacity;         /* triangles that the streams have room for */
     float *coordinates;      /* what the streams point into */
@@ -35,20 +34,45 @@ typedef struct mesh {
  */
 int mesh_read_as(const char *path, triangle_format format, mesh *m);
 
+/* The same, but numbers of a text stay doubles even where floats would do. */
+int mesh_read_wide(const char *path, triangle_format format, mesh *m);
+
 /* The same, by its name, as floats in any case. */
 int mesh_read(const char *path, mesh *m);
 
 /* Makes a mesh of doubles one of floats, rounded once after the origin is subtracted. Returns an exit_code. */
 int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 
+/*
+ * The floats of a mesh as tribox_mesh, for the calls that take floats and doubles; *indices receives memory for free(). Where there
+ * is none, the mesh has no positions.
+ */
+tribox_mesh mesh_of_streams(const mesh *m, uint32_t **indices);
+
 /* Makes room for triangles as floats, for which the readers ask. No triangles at all are a failure. Returns an exit_code. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
+
+/* Makes it a mesh of doubles. Memory for free() goes over to it; corners: NULL for 0, 1, 2, ... */
+void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
+
+/* The bounds of its finite triangles; false where there are none. */
+bool mesh_bounds(const mesh *m, tribox_box_f64 *bounds);
 
 /* Says on standard error which triangles are not finite, missing or cut badly, and which vertices are rounded. */
 void mesh_warn(const char *path, const mesh *m);
 
 /* Says the first of these, for triangles that are in no mesh; silent if there are none. */
 void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first);
+
+/* The coordinates of triangle t: x, y, z of each vertex. */
+static inline void mesh_triangle(const mesh *m, size_t t, double u[9])
+{
+    const double *const positions = m->positions;
+    const float *const *const streams[3] = {m->soup.x, m->soup.y, m->soup.z};
+    for (size_t k = 0; k < 9; k++)
+        u[k] = m->is_double ? positions[3 * (m->corners ? m->corners[3 * t + k / 3] : 3 * t + k / 3) + k % 3]
+                            : (double)streams[k % 3][k / 3][t];
+}
 
 void mesh_free(mesh *m);
 

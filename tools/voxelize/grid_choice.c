@@ -1,4 +1,4 @@
-/* grid_choice.c - lays a grid around a mesh. */
+/* grid_choice.c - lays a grid around a mesh: in floats where they do, else in doubles. */
 #include "grid_choice.h"
 
 #include <math.h>
@@ -8,159 +8,199 @@
 #include "console/decimal.h"
 #include "console/memory.h"
 #include "console/message.h"
+#include "console/numbers.h"
+#include "write/voxels.h"
 
 /* The library serves up to 2^31 words. */
 static const double words_max = 0x1p31;
 
-static int bounds_of(const char *path, const tribox_soup *soup, tribox_box *bounds)
+/* A grid that is being chosen. Its numbers and planes are floats if is_float. */
+typedef struct draft {
+    tribox_grid_f64 grid;
+    bool is_float;
+} draft;
+
+static int bounds_of(const char *path, const mesh *m, tribox_box_f64 *bounds)
 {
-    *bounds = (tribox_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    const float *const *const streams[3] = {soup->x, soup->y, soup->z};
-    for (size_t t = 0; t < soup->count; t++) {
-        bool is_finite = true;
-        for (int c = 0; c < 9; c++)
-            is_finite &= isfinite(streams[c / 3][c % 3][t]) != 0;
-        for (int c = 0; is_finite && c < 9; c++) {
-            const float x = streams[c / 3][c % 3][t];
-            bounds->lo[c / 3] = fminf(bounds->lo[c / 3], x);
-            bounds->hi[c / 3] = fmaxf(bounds->hi[c / 3], x);
-        }
-    }
-    return bounds->lo[0] <= bounds->hi[0] ? EXIT_CODE_OK
-                                          : message_failure("%s: none of its triangles has finite coordinates", path);
+    return mesh_bounds(m, bounds) ? EXIT_CODE_OK : message_failure("%s: none of its triangles has finite coordinates", path);
 }
 
-/* As tribox_grid states it. */
-static float plane(const tribox_grid *grid, int a, double p)
+/* As tribox_grid and tribox_grid_f64 state it. */
+static double plane(const draft *d, int a, double p)
 {
-    return (float)((double)grid->origin[a] + p * (double)grid->cell[a]);
+    const double origin = d->grid.origin[a], cell = d->grid.cell[a];
+    return d->is_float ? (double)(float)(origin + p * cell) : fma(p, cell, origin);
 }
 
-/* The least float with which `cells` of them reach from the origin to hi. */
-static float cell_reaching(const tribox_grid *grid, int a, double cells, float hi)
+static double next(const draft *d, double number)
 {
-    tribox_grid tried = *grid;
-    tried.cell[a] = (float)(((double)hi - (double)grid->origin[a]) / cells);
+    return d->is_float ? (double)nextafterf((float)number, INFINITY) : nextafter(number, INFINITY);
+}
+
+/* (to - from) / step, where the difference alone may overflow. */
+static double steps(double from, double to, double step)
+{
+    return isfinite(to - from) ? (to - from) / step : to / step - from / step;
+}
+
+/* The least cell with which `cells` of them reach from the origin to hi. */
+static double cell_reaching(const draft *d, int a, double cells, double hi)
+{
+    draft tried = *d;
+    double *const cell = &tried.grid.cell[a];
+    *cell = steps(tried.grid.origin[a], hi, cells);
+    *cell = d->is_float ? (double)(float)*cell : *cell;
     while (plane(&tried, a, cells) < hi)
-        tried.cell[a] = nextafterf(tried.cell[a], INFINITY);
-    return tried.cell[a];
+        *cell = next(&tried, *cell);
+    return *cell;
 }
 
-static int choose_cubes(const char *path, const tribox_box *bounds, uint32_t resolution, tribox_grid *grid)
+static int choose_cubes(const char *path, const tribox_box_f64 *bounds, uint32_t resolution, draft *d)
 {
     int longest = 0;
     double sides[3];
     for (int a = 0; a < 3; a++) {
-        sides[a] = (double)bounds->hi[a] - (double)bounds->lo[a];
+        sides[a] = bounds->hi[a] - bounds->lo[a];
         longest = sides[a] > sides[longest] ? a : longest;
     }
     if (!(sides[longest] > 0))
         return message_failure("%s: the whole mesh lies in one point and has no longest side; give --cell in place of --resolution",
                                path);
-    tribox_grid around = *grid;
-    memcpy(around.origin, bounds->lo, sizeof around.origin);
-    const float cell = cell_reaching(&around, longest, resolution, bounds->hi[longest]);
+    draft around = *d;
+    memcpy(around.grid.origin, bounds->lo, sizeof around.grid.origin);
+    const double cell = cell_reaching(&around, longest, resolution, bounds->hi[longest]);
     for (int a = 0; a < 3; a++)
-        grid->cell[a] = cell;
+        d->grid.cell[a] = cell;
     return EXIT_CODE_OK;
 }
 
 /* The least number of cells that reach hi, at least one; where that is too many, more than any grid has. */
-static double cells_reaching(const tribox_grid *grid, int a, float hi)
+static double cells_reaching(const draft *d, int a, double hi)
 {
-    double cells = fmax(1, floor(((double)hi - (double)grid->origin[a]) / (double)grid->cell[a]) - 1);
-    while (cells < words_max && plane(grid, a, cells) < hi)
+    double cells = fmax(1, floor(steps(d->grid.origin[a], hi, d->grid.cell[a])) - 1);
+    while (cells < words_max && plane(d, a, cells) < hi)
         cells++;
     return cells;
 }
 
-static int choose_size(const char *path, const tribox_box *bounds, tribox_grid *grid)
+static int choose_size(const char *path, const tribox_box_f64 *bounds, draft *d)
 {
+    char end[DECIMAL_MAX], start[DECIMAL_MAX];
     for (int a = 0; a < 3; a++) {
-        if (grid->origin[a] > bounds->hi[a])
-            return message_failure("%s: the mesh ends at %c = %.9g, before the grid starts at %.9g; move --origin, or give --size",
-                                   path, "xyz"[a], (double)bounds -> hi[a], (double)grid -> origin[a]);
-        const double cells = cells_reaching(grid, a, bounds->hi[a]);
-        grid->size[a] = cells < UINT32_MAX ? (uint32_t)cells : UINT32_MAX;
+        if (d->grid.origin[a] > bounds->hi[a])
+            return message_failure("%s: the mesh ends at %c = %s, before the grid starts at %s; move --origin, or give --size",
+                                   path, "xyz"[a], decimal_of_double(bounds->hi[a], end),
+                                   decimal_of_double(d->grid.origin[a], start));
+        const double cells = cells_reaching(d, a, bounds->hi[a]);
+        d->grid.size[a] = cells < UINT32_MAX ? (uint32_t)cells : UINT32_MAX;
     }
     return EXIT_CODE_OK;
 }
 
-static bool is_served(const tribox_grid *grid)
-{
-    const tribox_soup nothing = {.count = 0};
-    uint64_t none;
-    return !tribox_voxelize_layers(&nothing, grid, 0, 0, NULL, &none, NULL);
-}
+static bool is_served(const draft *d) { return voxels_are_served(&d->grid, d->is_float, NULL); }
 
 /* A grid whose x axis is axis a of another, as long as there but with cells of the length `cell`; its other axes are plain. */
-static tribox_grid one_axis(const tribox_grid *grid, int a, float cell)
+static draft one_axis(const draft *d, int a, double cell)
 {
-    const double length = (double)plane(grid, a, grid->size[a]) - (double)grid->origin[a];
-    return (tribox_grid){{grid->origin[a], 0, 0}, {cell, 1, 1}, {(uint32_t)fmax(1, ceil(length / (double)cell)), 1, 1}};
+    const double length = plane(d, a, d->grid.size[a]) - d->grid.origin[a], cells = fmax(1, ceil(length / cell));
+    return (draft){{{d->grid.origin[a], 0, 0}, {cell, 1, 1}, {cells < UINT32_MAX ? (uint32_t)cells : UINT32_MAX, 1, 1}},
+                   d->is_float};
 }
 
-/* The smallest cell that float can tell apart all along the axis, to a power of two; infinite where none ends below FLT_MAX. */
-static float smallest_cell(const tribox_grid *grid, int a)
+/* The smallest cell that double can tell apart all along the axis, to a power of two; infinite where none ends in its range. */
+static double smallest_cell(const draft *d, int a)
 {
-    const float farthest = fmaxf(fabsf(grid->origin[a]), fabsf(plane(grid, a, grid->size[a])));
-    float cell = nextafterf(farthest, INFINITY) - farthest;
+    const double farthest = fmax(fabs(d->grid.origin[a]), fabs(plane(d, a, d->grid.size[a])));
+    double cell = nextafter(farthest, INFINITY) - farthest;
     for (; isfinite(cell); cell *= 2) {
-        const tribox_grid tried = one_axis(grid, a, cell);
+        const draft tried = one_axis(d, a, cell);
         if (is_served(&tried))
             break;
     }
     return cell;
 }
 
-static int refuse_axis(const tribox_grid *grid, int a)
+static int refuse_axis(const draft *d, int a)
 {
     char advice[64] = "", number[3][DECIMAL_MAX];
-    const float start = grid->origin[a], end = plane(grid, a, grid->size[a]);
+    const double start = d->grid.origin[a], end = plane(d, a, d->grid.size[a]);
     if (!isfinite(end))
-        return message_failure("the grid reaches beyond what float holds on the %c axis; choose smaller or fewer cells", "xyz"[a]);
-    const float smallest = smallest_cell(grid, a);
+        return message_failure("the grid reaches beyond what double holds on the %c axis; choose smaller or fewer cells", "xyz"[a]);
+    const double smallest = smallest_cell(d, a);
     if (isfinite(smallest))
-        snprintf(advice, sizeof advice, "choose cells of %s or more, or ", decimal_of(smallest, number[0]));
-    return message_failure("the grid is finer than float on the %c axis: near %s it cannot tell cells of %s apart; %smove the mesh "
-                           "towards 0",
-                           "xyz"[a], decimal_of(fabsf(start) > fabsf(end) ? start : end, number[1]),
-                           decimal_of(grid->cell[a], number[2]), advice);
+        snprintf(advice, sizeof advice, "choose cells of %s or more, or ", decimal_of_double(smallest, number[0]));
+    return message_failure(
+        "the grid is finer than double on the %c axis: near %s it cannot tell cells of %s apart; %smove the mesh "
+        "towards 0",
+        "xyz"[a], decimal_of_double(fabs(start) > fabs(end) ? start : end, number[1]),
+        decimal_of_double(d->grid.cell[a], number[2]), advice);
 }
 
 /* Finds out why the library refuses the grid. */
-static int refuse_floats(const tribox_grid *grid)
+static int refuse_grid(const draft *d)
 {
     int a = 0;
     for (; a < 2; a++) {
-        const tribox_grid axis = {{grid->origin[a], 0, 0}, {grid->cell[a], 1, 1}, {grid->size[a], 1, 1}};
+        const draft axis = {{{d->grid.origin[a], 0, 0}, {d->grid.cell[a], 1, 1}, {d->grid.size[a], 1, 1}}, d->is_float};
         if (!is_served(&axis))
             break;
     }
-    return refuse_axis(grid, a);
+    return refuse_axis(d, a);
 }
 
-static int check_grid(const tribox_grid *grid)
+static int check_words(const tribox_grid_f64 *grid)
 {
     char bytes[16];
     const double words = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2];
-    if (words > words_max)
-        return message_failure("a grid of %u x %u x %u cells takes %s, a bit per cell; the most is 16.0 GiB: choose fewer cells",
-                               grid->size[0], grid->size[1], grid->size[2],
-                               memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes));
-    return is_served(grid) ? EXIT_CODE_OK : refuse_floats(grid);
+    if (words <= words_max)
+        return EXIT_CODE_OK;
+    return message_failure("a grid of %u x %u x %u cells takes %s, a bit per cell; the most is 16.0 GiB: choose fewer cells",
+                           grid->size[0], grid->size[1], grid->size[2],
+                           memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes));
 }
 
-int grid_choose(const grid_choice *choice, const char *path, const tribox_soup *soup, tribox_grid *grid)
+/* Leaves open whether the library serves the grid. */
+static int choose(const grid_choice *choice, const char *path, const tribox_box_f64 *bounds, draft *d)
 {
-    tribox_box bounds;
-    int code = bounds_of(path, soup, &bounds);
-    memcpy(grid->origin, choice->has_origin ? choice->origin : bounds.lo, sizeof grid->origin);
-    memcpy(grid->cell, choice->cell, sizeof grid->cell);
-    memcpy(grid->size, choice->size, sizeof grid->size);
-    if (!code && choice->resolution)
-        code = choose_cubes(path, &bounds, choice->resolution, grid);
+    int code = EXIT_CODE_OK;
+    memcpy(d->grid.origin, choice->has_origin ? choice->origin : bounds->lo, sizeof d->grid.origin);
+    memcpy(d->grid.cell, choice->cell, sizeof d->grid.cell);
+    memcpy(d->grid.size, choice->size, sizeof d->grid.size);
+    if (choice->resolution)
+        code = choose_cubes(path, bounds, choice->resolution, d);
     if (!code && !choice->has_size)
-        code = choose_size(path, &bounds, grid);
-    return code ? code : check_grid(grid);
+        code = choose_size(path, bounds, d);
+    return code ? code : check_words(&d->grid);
+}
+
+/* Decimals that floats give back are these floats. */
+static grid_choice in_floats(const grid_choice *choice)
+{
+    grid_choice own = *choice;
+    numbers_round(own.cell, 3, own.cell_decimals);
+    numbers_round(own.origin, 3, own.origin_decimals);
+    return own;
+}
+
+/* What is not given is 0. */
+static bool are_floats(const grid_choice *choice)
+{
+    return numbers_are_floats(choice->cell, 3) && numbers_are_floats(choice->origin, 3);
+}
+
+int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid_f64 *grid, bool *is_float)
+{
+    const grid_choice narrow = in_floats(choice);
+    draft d = {.is_float = !m->is_double && are_floats(&narrow)};
+    tribox_box_f64 bounds;
+    int code = bounds_of(path, m, &bounds);
+    if (!code)
+        code = choose(d.is_float ? &narrow : choice, path, &bounds, &d);
+    if (!code && d.is_float && !is_served(&d)) {
+        d.is_float = false;
+        code = choose(choice, path, &bounds, &d);
+    }
+    *grid = d.grid;
+    *is_float = d.is_float;
+    return code || is_served(&d) ? code : refuse_grid(&d);
 }

@@ -16,9 +16,7 @@ enum { EACH_MOST = 3, SLABS_MAX = EACH_MOST * THREADS_MAX, WINDOW = 1 << 17 };
 static const double skip_cost = 0.7, skip_share = 0.07; /* nanoseconds, as in layers_work.c */
 
 typedef struct crew {
-    const tribox_soup *soup;
-    const tribox_grid *grid;
-    const tribox_options *options;
+    const voxel_task *task;
     uint64_t *occupied;
     uint32_t first;
     int slabs;
@@ -70,28 +68,16 @@ static void account(crew *c, tribox_status status, const tribox_report *report, 
     pthread_mutex_unlock(&c->lock);
 }
 
-static tribox_soup window_of(const tribox_soup *soup, size_t start, size_t count)
-{
-    tribox_soup window = {.count = count};
-    for (int v = 0; v < 3; v++) {
-        window.x[v] = soup->x[v] + start;
-        window.y[v] = soup->y[v] + start;
-        window.z[v] = soup->z[v] + start;
-    }
-    return window;
-}
-
 static void run_slab(crew *c, int slab)
 {
+    const voxel_task *const task = c->task;
     const uint32_t layers = c->border[slab + 1] - c->border[slab];
-    uint64_t *own = c->occupied + tribox_grid_row_words(c->grid) * c->grid->size[1] * c->border[slab];
-    const size_t count = c->soup->count;
-    for (size_t start = 0; layers && start < count; start += WINDOW) {
-        const tribox_soup window = window_of(c->soup, start, count - start < WINDOW ? count - start : WINDOW);
+    uint64_t *own = c->occupied + tribox_mask_words(task->size[0]) * task->size[1] * c->border[slab];
+    for (size_t start = 0; layers && start < task->count; start += WINDOW) {
+        const size_t count = task->count - start < WINDOW ? task->count - start : WINDOW;
         tribox_report report = {0, 0};
-        const tribox_status status =
-            tribox_voxelize_layers(&window, c->grid, c->first + c->border[slab], layers, c->options, own, &report);
-        account(c, status, &report, (double)window.count / (double)count);
+        const tribox_status status = voxel_task_run(task, start, count, c->first + c->border[slab], layers, own, &report);
+        account(c, status, &report, (double)count / (double)task->count);
         if (status)
             return;
     }
@@ -118,6 +104,24 @@ static void run_crew(crew *c, unsigned threads)
     pthread_mutex_destroy(&c->lock);
 }
 
+/* For arguments that the library takes. */
+static tribox_status run_task(const voxel_task *task, uint32_t first, uint32_t layers, unsigned threads, uint64_t *occupied,
+                              tribox_report *report, void (*progress)(void *data, double done), void *data)
+{
+    threads = !threads ? 1 : threads < THREADS_MAX ? threads : THREADS_MAX;
+    crew c = {.task = task, .occupied = occupied, .first = first, .progress = progress, .data = data};
+    if (layers) {
+        layers_work work;
+        layers_work_estimate(task, first, layers, &work);
+        c.slabs = threads == 1 && !progress ? 1 : slabs_for(&work, task->count, threads);
+        set_borders(&c, &work, layers);
+        run_crew(&c, threads);
+    }
+    if (!c.status && report)
+        *report = c.report;
+    return c.status;
+}
+
 /* What tribox_voxelize_layers returns for these arguments, before any thread starts. */
 static tribox_status check(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                            const tribox_options *options, uint64_t *occupied)
@@ -135,17 +139,21 @@ tribox_status voxelize_in_threads(const tribox_soup *soup, const tribox_grid *gr
     const tribox_status status = check(soup, grid, first, layers, options, occupied);
     if (status)
         return status;
-    threads = !threads ? 1 : threads < THREADS_MAX ? threads : THREADS_MAX;
-    crew c = {
-        .soup = soup, .grid = grid, .options = options, .occupied = occupied, .first = first, .progress = progress, .data = data};
-    if (layers) {
-        layers_work work;
-        layers_work_estimate(soup, grid, first, layers, options, &work);
-        c.slabs = threads == 1 && !progress ? 1 : slabs_for(&work, soup->count, threads);
-        set_borders(&c, &work, layers);
-        run_crew(&c, threads);
-    }
-    if (!c.status && report)
-        *report = c.report;
-    return c.status;
+    const voxel_task task = voxel_task_of_soup(soup, grid, options);
+    return run_task(&task, first, layers, threads, occupied, report, progress, data);
+}
+
+/* The grid is checked with nothing to put into it. */
+tribox_status voxelize_mesh_in_threads(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t first, uint32_t layers,
+                                       const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,
+                                       void (*progress)(void *data, double done), void *data)
+{
+    const tribox_mesh nothing = {.count = 0};
+    const tribox_status status = tribox_voxelize_f64(mesh ? &nothing : NULL, grid, NULL, NULL, options, occupied, NULL);
+    if (status)
+        return status;
+    if (first > grid->size[2] || layers > grid->size[2] - first)
+        return TRIBOX_BAD_ARGUMENT;
+    const voxel_task task = voxel_task_of_mesh(mesh, grid, options);
+    return run_task(&task, first, layers, threads, occupied, report, progress, data);
 }

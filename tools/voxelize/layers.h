@@ -1,8 +1,8 @@
 /*
- * layers.h - a soup into layers of a grid by several threads.
+ * layers.h - a soup, or a mesh of doubles, into layers of a grid by several threads.
  *
  * The layers are divided into slabs whose estimated work is about equal, by a histogram of the triangles over the layers. A thread
- * takes one slab after another and voxelizes it with tribox_voxelize_layers. A slab owns its words, so that the bits are the same
+ * takes one slab after another and voxelizes it with tribox_voxelize_layers, or as a window of a grid of doubles. A slab owns its words, so that the bits are the same
  * for every number of threads. No memory is allocated; the threads' stacks apart, some 40 KiB of stack are used.
  */
 #ifndef LAYERS_H
@@ -21,5 +21,10 @@
 tribox_status voxelize_in_threads(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                                   const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,
                                   void (*progress)(void *data, double done), void *data);
+
+/* The same for a mesh, of floats or doubles, and a grid of doubles, as tribox_voxelize_f64 does it. Indices are 32 bits. */
+tribox_status voxelize_mesh_in_threads(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t first, uint32_t layers,
+                                       const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,
+                                       void (*progress)(void *data, double done), void *data);
 
 #endif

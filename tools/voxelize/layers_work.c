@@ -18,9 +18,10 @@ typedef struct interval {
     double lo, hi;
 } interval;
 
-static double place(const tribox_grid *grid, int a, float x)
+/* Of a coordinate, in cells. */
+static double place(const voxel_task *task, size_t t, size_t v, size_t a)
 {
-    return ((double)x - (double)grid->origin[a]) / (double)grid->cell[a];
+    return (voxel_task_coordinate(task, t, v, a) - task->origin[a]) / task->cell[a];
 }
 
 static interval interval_of(const double x[3])
@@ -36,22 +37,21 @@ static double twice_area(const double y[3], const double z[3])
 
 static bool meets(interval i, double size) { return i.hi >= 0 && i.lo <= size; }
 
-static void add_triangle(const tribox_soup *soup, const tribox_grid *grid, size_t t, uint32_t first, uint32_t layers, int bins,
-                         double *rise)
+static void add_triangle(const voxel_task *task, size_t t, uint32_t first, uint32_t layers, int bins, double *rise)
 {
     double x[3], y[3], z[3], sum = 0;
-    for (int v = 0; v < 3; v++) {
-        x[v] = place(grid, 0, soup->x[v][t]);
-        y[v] = place(grid, 1, soup->y[v][t]);
-        z[v] = place(grid, 2, soup->z[v][t]) - first;
+    for (size_t v = 0; v < 3; v++) {
+        x[v] = place(task, t, v, 0);
+        y[v] = place(task, t, v, 1);
+        z[v] = place(task, t, v, 2) - first;
         sum += x[v] + y[v] + z[v];
     }
     const interval ix = interval_of(x), iy = interval_of(y), iz = interval_of(z);
-    if (!isfinite(sum) || !meets(ix, grid->size[0]) || !meets(iy, grid->size[1]) || !meets(iz, layers))
+    if (!isfinite(sum) || !meets(ix, task->size[0]) || !meets(iy, task->size[1]) || !meets(iz, layers))
         return;
     const double height = floor(iz.hi) - floor(iz.lo) + 1;
     const double rows = 0.5 * twice_area(y, z) + (iy.hi - iy.lo) + height;
-    const double per_layer = triangle_cost / height + row_cost * lesser(rows / height, grid->size[1]);
+    const double per_layer = triangle_cost / height + row_cost * lesser(rows / height, task->size[1]);
     const double bin_of_layer = (double)bins / layers;
     const int from = (int)(greater(iz.lo, 0) * bin_of_layer), to = (int)(lesser(iz.hi, layers) * bin_of_layer);
     const double in_bin = per_layer * lesser(height, 1 / bin_of_layer);
@@ -63,19 +63,18 @@ static void add_triangle(const tribox_soup *soup, const tribox_grid *grid, size_
 /* Without the box axes every cell of every layer is tested against every triangle. */
 static bool is_everywhere(const tribox_options *options) { return options && options->axes && !(options->axes & TRIBOX_AXES_BOX); }
 
-void layers_work_estimate(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
-                          const tribox_options *options, layers_work *work)
+void layers_work_estimate(const voxel_task *task, uint32_t first, uint32_t layers, layers_work *work)
 {
     work->bins = layers < LAYERS_BINS_MAX ? (int)layers : LAYERS_BINS_MAX;
     for (int b = 0; b < work->bins; b++)
         work->up_to[b] = 0;
     double scale = 1, least = empty_layer_cost * layers / work->bins;
-    if (is_everywhere(options)) {
-        least += (double)soup->count * row_cost * grid->size[1] * layers / work->bins;
+    if (is_everywhere(task->options)) {
+        least += (double)task->count * row_cost * task->size[1] * layers / work->bins;
     } else {
-        const size_t stride = soup->count / SAMPLE | 1; /* odd: quads are often two triangles each */
-        for (size_t t = 0; t < soup->count; t += stride)
-            add_triangle(soup, grid, t, first, layers, work->bins, work->up_to);
+        const size_t stride = task->count / SAMPLE | 1; /* odd: quads are often two triangles each */
+        for (size_t t = 0; t < task->count; t += stride)
+            add_triangle(task, t, first, layers, work->bins, work->up_to);
         scale = (double)stride;
     }
     double in_bin = 0, sum = 0;

@@ -2,7 +2,7 @@
 #ifndef LAYERS_WORK_H
 #define LAYERS_WORK_H
 
-#include "tribox.h"
+#include "voxel_task.h"
 
 enum { LAYERS_BINS_MAX = 4096 };
 
@@ -11,9 +11,8 @@ typedef struct layers_work {
     double up_to[LAYERS_BINS_MAX]; /* the work of all bins up to this one, in nanoseconds, roughly */
 } layers_work;
 
-/* Looks at a sample of the triangles. The arguments are valid ones of tribox_voxelize_layers, with layers > 0. */
-void layers_work_estimate(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
-                          const tribox_options *options, layers_work *work);
+/* Looks at a sample of the triangles. The task is sound, and layers > 0. */
+void layers_work_estimate(const voxel_task *task, uint32_t first, uint32_t layers, layers_work *work);
 
 double layers_work_total(const layers_work *work);
 

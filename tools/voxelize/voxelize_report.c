@@ -6,7 +6,7 @@
 #include "console/accuracy.h"
 #include "console/output.h"
 
-static double cells_of(const voxelize_answer *a) { return (double)a->grid.size[0] * a->grid.size[1] * a->layers; }
+static double cells_of(const voxelize_answer *a) { return (double)a->cells.grid.size[0] * a->cells.grid.size[1] * a->layers; }
 
 static double share_percent(const voxelize_answer *a) { return a->layers ? 100 * (double)a->report.overlapping / cells_of(a) : 0; }
 
@@ -22,29 +22,40 @@ static void print_time(const voxelize_answer *a)
     printf(" (the voxelization alone)\n");
 }
 
-void voxelize_print_grid(const tribox_grid *grid)
+void voxelize_print_grid(const voxels *v, bool is_shifted)
 {
+    const tribox_grid_f64 *const grid = &v->grid;
     printf("grid         %u x %u x %u cells of ", grid->size[0], grid->size[1], grid->size[2]);
-    output_point(grid->cell, " x ");
+    output_point(grid->cell, v->is_float, " x ");
     printf(", from ");
-    output_point(grid->origin, ",");
+    output_point(grid->origin, v->is_float, ",");
+    putchar('\n');
+    if (!is_shifted)
+        return;
+    printf("shift        ");
+    output_point(v->shift, false, ",");
     putchar('\n');
 }
 
-void voxelize_json_grid(json *j, const tribox_grid *grid)
+void voxelize_json_grid(json *j, const voxels *v, bool is_shifted)
 {
+    const tribox_grid_f64 *const grid = &v->grid;
     json_open_object(j, "grid");
-    json_floats(j, "origin", grid->origin, 3);
-    json_floats(j, "cell", grid->cell, 3);
+    json_doubles(j, "origin", grid->origin, 3, v->is_float);
+    json_doubles(j, "cell", grid->cell, 3, v->is_float);
     json_wholes(j, "size", (const size_t[3]){grid->size[0], grid->size[1], grid->size[2]}, 3);
+    json_string(j, "planes", v->is_float ? "float32" : "float64");
     json_close(j);
+    if (is_shifted)
+        json_doubles(j, "shift", v->shift, 3, false);
 }
 
 static void print_summary(const voxelize_answer *a)
 {
     printf("mesh         %s\n", a->mesh_path);
     printf("triangles    %zu\n", a->triangles);
-    voxelize_print_grid(&a->grid);
+    printf("positions    %s\n", a->is_double ? "float64" : "float32");
+    voxelize_print_grid(&a->cells, a->is_shifted);
     if (a->shard)
         printf("shard        %u of %u: %u layers from %u\n", a->shard, a->shards, a->layers, a->first);
     printf("occupied     %zu cells (%.4g %%)\n", a->report.overlapping, share_percent(a));
@@ -64,10 +75,11 @@ static void print_json(const voxelize_answer *a)
     json_open_object(&j, NULL);
     json_string(&j, "mesh", a->mesh_path);
     json_whole(&j, "triangles", a->triangles);
+    json_string(&j, "positions", a->is_double ? "float64" : "float32");
     json_whole(&j, "not_finite", a->not_finite);
-    json_whole(&j, "rounded", a->rounded);
-    json_number(&j, "moved", 6, a->moved);
-    voxelize_json_grid(&j, &a->grid);
+    json_whole(&j, "rounded", 0);
+    json_whole(&j, "moved", 0);
+    voxelize_json_grid(&j, &a->cells, a->is_shifted);
     if (a->shard) {
         json_whole(&j, "shard", a->shard);
         json_whole(&j, "shards", a->shards);

@@ -6,13 +6,14 @@
 
 #include "console/json.h"
 #include "tribox.h"
+#include "write/voxels.h"
 
 typedef struct voxelize_answer {
     const char *mesh_path, *out_path, *preview_path; /* preview_path: NULL for none */
     size_t triangles, not_finite;
-    size_t rounded; /* vertices that rounding to float has moved */
-    double moved;   /* the most that it has moved a coordinate */
-    tribox_grid grid;
+    bool is_double; /* the mesh has coordinates that float does not hold */
+    bool is_shifted;
+    voxels cells; /* the grid and the shift alone */
     uint32_t first, layers;
     uint32_t shard, shards; /* shard 0: the whole */
     tribox_options test;
@@ -24,8 +25,8 @@ typedef struct voxelize_answer {
 /* Prints the answer and flushes the output. Returns an exit_code. */
 int voxelize_report(const voxelize_answer *a, bool wants_json);
 
-/* The grid as lines of a summary, and as a member of a JSON object. */
-void voxelize_print_grid(const tribox_grid *grid);
-void voxelize_json_grid(json *j, const tribox_grid *grid);
+/* Grid and, where there is one, shift: as lines of a summary, and as members of a JSON object. */
+void voxelize_print_grid(const voxels *v, bool is_shifted);
+void voxelize_json_grid(json *j, const voxels *v, bool is_shifted);
 
 #endif

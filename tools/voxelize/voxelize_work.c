@@ -3,6 +3,7 @@
 #include "voxelize_work.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/clock.h"
 #include "layers.h"
@@ -13,7 +14,7 @@
 #include "voxelize_report.h"
 
 /* Refuses what does not fit before any of it is taken. */
-static int check_memory(const tribox_grid *grid, uint64_t bytes, uint64_t preview_bytes)
+static int check_memory(const tribox_grid_f64 *grid, uint64_t bytes, uint64_t preview_bytes)
 {
     char needed[16], there[16];
     const uint64_t available = memory_available();
@@ -27,7 +28,7 @@ static int check_memory(const tribox_grid *grid, uint64_t bytes, uint64_t previe
         (unsigned)(shards < grid->size[2] ? shards : grid->size[2]));
 }
 
-static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxels_slab *slab, uint64_t **bits)
+static int take_memory(const voxelize_request *r, const tribox_grid_f64 *grid, voxels_slab *slab, uint64_t **bits)
 {
     const size_t words = voxels_layer_words(grid) * slab->layers;
     const int code =
@@ -39,32 +40,58 @@ static int take_memory(const voxelize_request *r, const tribox_grid *grid, voxel
     return *bits ? EXIT_CODE_OK : message_failure("out of memory for %zu words of cells", words);
 }
 
+static void write_part(const voxelize_request *r, const mesh *m, const voxels *v, FILE *to, progress *bar)
+{
+    part_header header = {.magic = PART_MAGIC,
+                          .byte_order = PART_BYTE_ORDER,
+                          .shard = r->shard,
+                          .whole = {.shards = r->shards,
+                                    .accuracy = r->test.accuracy,
+                                    .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
+                                    .position_bytes = m->is_double ? sizeof(double) : sizeof(float),
+                                    .triangles = m->triangles,
+                                    .mesh_checksum = part_mesh_checksum(m)}};
+    part_set_grid(&header.whole, v);
+    part_write(to, &header, v->slab[0].bits, bar);
+}
+
 static void write_answer(const voxelize_request *r, const mesh *m, const voxels *v, file_out *out)
 {
     progress bar = progress_start("writing", !r->result.is_quiet);
     if (r->result.format)
         r->result.format->write(out->stream, v, &bar);
     else
-        part_write(out->stream,
-                   &(part_header){.magic = PART_MAGIC,
-                                  .byte_order = PART_BYTE_ORDER,
-                                  .shard = r->shard,
-                                  .whole = {.grid = v->grid,
-                                            .shards = r->shards,
-                                            .accuracy = r->test.accuracy,
-                                            .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
-                                            .triangles = m->soup.count,
-                                            .mesh_checksum = part_mesh_checksum(&m->soup)}},
-                   v->slab[0].bits, &bar);
+        write_part(r, m, v, out->stream, &bar);
     progress_end(&bar);
+}
+
+/* Into a grid of doubles, from doubles or from floats. */
+static tribox_status voxelize_doubles(const voxelize_request *r, const mesh *m, const voxels *v, uint64_t *bits, progress *bar,
+                                      tribox_report *report)
+{
+    uint32_t *indices = NULL;
+    const tribox_mesh all = m->is_double ? m->doubles : mesh_of_streams(m, &indices);
+    const tribox_status status =
+        all.positions ? voxelize_mesh_in_threads(&all, &v->grid, v->slab[0].first, v->slab[0].layers, &r->test, r->threads, bits,
+                                                 report, bar->is_wanted ? progress_tell : NULL, bar)
+                      : TRIBOX_NO_MEMORY;
+    free(indices);
+    return status;
+}
+
+static tribox_status voxelize_floats(const voxelize_request *r, const mesh *m, const voxels *v, uint64_t *bits, progress *bar,
+                                     tribox_report *report)
+{
+    const tribox_grid narrow = voxels_narrow(&v->grid);
+    return voxelize_in_threads(&m->soup, &narrow, v->slab[0].first, v->slab[0].layers, &r->test, r->threads, bits, report,
+                               bar->is_wanted ? progress_tell : NULL, bar);
 }
 
 static int voxelize(const voxelize_request *r, const mesh *m, const voxels *v, uint64_t *bits, voxelize_answer *a)
 {
     progress bar = progress_start("voxelizing", !r->result.is_quiet);
     const double start = clock_seconds();
-    const tribox_status status = voxelize_in_threads(&m->soup, &v->grid, v->slab[0].first, v->slab[0].layers, &r->test, r->threads,
-                                                     bits, &a->report, bar.is_wanted ? progress_tell : NULL, &bar);
+    const tribox_status status = (v->is_float ? voxelize_floats : voxelize_doubles)(r, m, v, bits, &bar, &a->report);
     a->seconds = clock_seconds() - start;
     progress_end(&bar);
     return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
@@ -75,14 +102,19 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
 {
     uint64_t *bits = NULL;
     voxels_slab slab;
-    voxels v = {.slab = &slab, .slabs = 1};
-    int code = grid_choose(&r->grid, triangle_file_name(r->mesh_path), &m->soup, &v.grid);
+    voxels v = a->cells;
+    v.slab = &slab;
+    v.slabs = 1;
+    int code = grid_choose(&r->grid, triangle_file_name(r->mesh_path), m, &v.grid, &v.is_float);
     if (!code && r->result.format && r->result.format->check_grid)
         code = r->result.format->check_grid(r->result.out_path, &v.grid);
     if (code)
         return code;
-    part_layers(&(part_whole){.grid = v.grid, .shards = r->shards}, r->shard, &slab.first, &slab.layers);
-    a->grid = v.grid;
+    volume_note_shift(r->result.format, r->result.out_path, &v);
+    part_whole whole = {.shards = r->shards};
+    part_set_grid(&whole, &v);
+    part_layers(&whole, r->shard, &slab.first, &slab.layers);
+    a->cells = v;
     a->first = slab.first;
     a->layers = slab.layers;
     code = take_memory(r, &v.grid, &slab, &bits);
@@ -102,6 +134,7 @@ int voxelize_work(const voxelize_request *r)
 {
     mesh m;
     file_out out, picture;
+    mesh_shift shift = r->shift;
     voxelize_answer a = {.mesh_path = r->mesh_path,
                          .out_path = r->result.out_path,
                          .preview_path = r->result.preview_path,
@@ -109,16 +142,15 @@ int voxelize_work(const voxelize_request *r)
                          .threads = r->threads,
                          .shard = r->is_part ? r->shard : 0,
                          .shards = r->shards};
-    int code = mesh_read_as(r->mesh_path, r->format, &m);
-    if (!code)
-        code = mesh_to_floats(triangle_file_name(r->mesh_path), (const double[3]){0, 0, 0}, &m);
+    int code = mesh_read_shifted(r->mesh_path, r->format, &shift, &m);
     if (code)
         return code;
     mesh_warn(triangle_file_name(r->mesh_path), &m);
-    a.triangles = m.soup.count;
+    a.triangles = m.triangles;
     a.not_finite = m.not_finite;
-    a.rounded = m.rounded;
-    a.moved = m.moved;
+    a.is_double = m.is_double;
+    a.is_shifted = shift.is_wanted;
+    memcpy(a.cells.shift, shift.by, sizeof shift.by);
     code = file_out_open(&out, r->result.out_path);
     if (!code) {
         code = file_out_open(&picture, r->result.preview_path);

@@ -3,12 +3,13 @@
 #define VOXELIZE_WORK_H
 
 #include "grid_choice.h"
-#include "read/triangle_file.h"
+#include "read/mesh_shift.h"
 #include "result_options.h"
 
 typedef struct voxelize_request {
     const char *mesh_path;
     triangle_format format; /* of the mesh; OTHER to go by its name */
+    mesh_shift shift;
     grid_choice grid;
     uint32_t threads;
     bool is_part;

@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,12 +13,38 @@
 #include <unistd.h>
 
 #include "console/message.h"
+#include "console/numbers.h"
 
-_Static_assert(sizeof(part_header) == 96, "part_header is a file format: it has no padding and does not change");
+_Static_assert(sizeof(part_header) == 152, "part_header is a file format: it has no padding and does not change");
+
+void part_set_grid(part_whole *whole, const voxels *v)
+{
+    memcpy(whole->origin, v->grid.origin, sizeof whole->origin);
+    memcpy(whole->cell, v->grid.cell, sizeof whole->cell);
+    memcpy(whole->size, v->grid.size, sizeof whole->size);
+    memcpy(whole->shift, v->shift, sizeof whole->shift);
+    whole->plane_bytes = v->is_float ? sizeof(float) : sizeof(double);
+}
+
+voxels part_voxels(const part_whole *whole)
+{
+    voxels v = {.is_float = whole->plane_bytes == sizeof(float)};
+    memcpy(v.grid.origin, whole->origin, sizeof whole->origin);
+    memcpy(v.grid.cell, whole->cell, sizeof whole->cell);
+    memcpy(v.grid.size, whole->size, sizeof whole->size);
+    memcpy(v.shift, whole->shift, sizeof whole->shift);
+    return v;
+}
+
+static size_t layer_words(const part_whole *whole)
+{
+    const voxels v = part_voxels(whole);
+    return voxels_layer_words(&v.grid);
+}
 
 void part_layers(const part_whole *whole, uint32_t shard, uint32_t *first, uint32_t *layers)
 {
-    const uint64_t all = whole->grid.size[2];
+    const uint64_t all = whole->size[2];
     *first = (uint32_t)(all * (shard - 1) / whole->shards);
     *layers = (uint32_t)(all * shard / whole->shards) - *first;
 }
@@ -31,10 +58,26 @@ static uint64_t add_word(uint64_t sum, uint64_t word)
 
 static const uint64_t empty_sum = UINT64_C(0xcbf29ce484222325);
 
-uint64_t part_mesh_checksum(const tribox_soup *soup)
+static uint64_t doubles_checksum(const mesh *m)
 {
+    uint64_t sum = empty_sum, bits[9];
+    double u[9];
+    for (size_t t = 0; t < m->triangles; t++) {
+        mesh_triangle(m, t, u);
+        memcpy(bits, u, sizeof bits);
+        for (int k = 0; k < 9; k++)
+            sum = add_word(sum, bits[k]);
+    }
+    return sum;
+}
+
+uint64_t part_mesh_checksum(const mesh *m)
+{
+    const tribox_soup *const soup = &m->soup;
     const float *const *const streams[3] = {soup->x, soup->y, soup->z};
     uint64_t sum = empty_sum;
+    if (m->is_double)
+        return doubles_checksum(m);
     for (int c = 0; c < 9; c++)
         for (size_t t = 0; t < soup->count; t++) {
             uint32_t bits;
@@ -64,7 +107,7 @@ bool part_is_name(const char *path)
 void part_write(FILE *to, const part_header *header, const uint64_t *bits, progress *bar)
 {
     uint32_t first, layers;
-    const size_t words = voxels_layer_words(&header->whole.grid);
+    const size_t words = layer_words(&header->whole);
     part_layers(&header->whole, header->shard, &first, &layers);
     part_header complete = *header;
     complete.checksum = part_checksum(header, bits, layers * words);
@@ -75,14 +118,17 @@ void part_write(FILE *to, const part_header *header, const uint64_t *bits, progr
     }
 }
 
+static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
+
 static bool is_sound(const part_header *header)
 {
     const part_whole *whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
-    const tribox_soup nothing = {.count = 0};
-    uint64_t none;
-    return header->shard && header->shard <= whole->shards && whole->axes &&
-           !tribox_voxelize_layers(&nothing, &whole->grid, 0, 0, &options, &none, NULL);
+    const voxels v = part_voxels(whole);
+    const bool are_floats = numbers_are_floats(whole->origin, 3) && numbers_are_floats(whole->cell, 3);
+    return header->shard && header->shard <= whole->shards && whole->axes && is_size(whole->plane_bytes) &&
+           is_size(whole->position_bytes) && (are_floats || !v.is_float) && isfinite(v.shift[0] + v.shift[1] + v.shift[2]) &&
+           voxels_are_served(&v.grid, v.is_float, &options);
 }
 
 static int check_header(const char *path, const part_header *header)
@@ -100,8 +146,8 @@ static int check_header(const char *path, const part_header *header)
 /* Whether a row has a bit set beyond its last cell. */
 static bool has_strays(const part *p, size_t words)
 {
-    const size_t row_words = tribox_grid_row_words(&p->header.whole.grid);
-    const uint32_t used = p->header.whole.grid.size[0] % 64;
+    const size_t row_words = tribox_mask_words(p->header.whole.size[0]);
+    const uint32_t used = p->header.whole.size[0] % 64;
     const uint64_t *bits = part_bits(p);
     bool is_stray = false;
     for (size_t end = row_words; used && end <= words; end += row_words)
@@ -134,7 +180,7 @@ static int map(part *p, int file)
     if (code)
         return code;
     part_layers(&p->header.whole, p->header.shard, &first, &layers);
-    const size_t words = layers * voxels_layer_words(&p->header.whole.grid), needed = sizeof p->header + words * sizeof(uint64_t);
+    const size_t words = layers * layer_words(&p->header.whole), needed = sizeof p->header + words * sizeof(uint64_t);
     p->size = (size_t)about.st_size;
     if (p->size != needed)
         return message_failure("%s: damaged: it has %zu bytes, shard %u of %u has %zu; run that shard again", p->path, p->size,
@@ -169,15 +215,24 @@ static int by_shard(const void *a, const void *b)
     return (one > other) - (one < other);
 }
 
+static bool has_other_grid(const part_whole *one, const part_whole *other)
+{
+    return memcmp(one->origin, other->origin, sizeof one->origin) || memcmp(one->cell, other->cell, sizeof one->cell) ||
+           memcmp(one->size, other->size, sizeof one->size) || one->plane_bytes != other->plane_bytes;
+}
+
 static int check_alike(const part *a, const part *b)
 {
     const part_whole *one = &a->header.whole, *other = &b->header.whole;
-    const char *differing = memcmp(&one->grid, &other->grid, sizeof one->grid)                                 ? "grid"
-                            : one->shards != other->shards                                                     ? "number of shards"
-                            : one->triangles != other->triangles || one->mesh_checksum != other->mesh_checksum ? "mesh"
-                            : one->accuracy != other->accuracy                                                 ? "accuracy"
-                            : one->axes != other->axes                                                         ? "choice of axes"
-                                                                                                               : NULL;
+    const char *differing = has_other_grid(one, other)                            ? "grid"
+                            : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
+                            : one->shards != other->shards                        ? "number of shards"
+                            : one->position_bytes != other->position_bytes || one->triangles != other->triangles ||
+                                    one->mesh_checksum != other->mesh_checksum
+                                ? "mesh"
+                            : one->accuracy != other->accuracy ? "accuracy"
+                            : one->axes != other->axes         ? "choice of axes"
+                                                               : NULL;
     return differing ? message_failure("%s and %s do not fit together: they differ in the %s", a->path, b->path, differing)
                      : EXIT_CODE_OK;
 }

@@ -6,13 +6,18 @@
 #include <stdio.h>
 
 #include "console/progress.h"
+#include "read/mesh.h"
 #include "voxels.h"
 
 /* What all parts of a whole have in common. */
 typedef struct part_whole {
-    tribox_grid grid;
+    double origin[3], cell[3]; /* of the grid */
+    double shift[3];           /* what was subtracted from the mesh */
+    uint32_t size[3];
     uint32_t shards;
     uint32_t accuracy, axes; /* as in tribox_options */
+    uint32_t plane_bytes;    /* 4: the grid is a tribox_grid, 8: a tribox_grid_f64 */
+    uint32_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
     uint64_t triangles;
     uint64_t mesh_checksum; /* of their coordinates */
 } part_whole;
@@ -26,14 +31,18 @@ typedef struct part_header {
     uint64_t checksum; /* of all that stands before it and of the words after it */
 } part_header;
 
-#define PART_MAGIC "tribox part 2\n"
+#define PART_MAGIC "tribox part 3\n"
 enum { PART_BYTE_ORDER = 0x01020304 };
+
+/* Takes grid and shift from the voxels, and gives them back. */
+void part_set_grid(part_whole *whole, const voxels *v);
+voxels part_voxels(const part_whole *whole);
 
 /* The layers of shard 1 .. shards: whole ones, as equal in number as can be, none where there are more shards than layers. */
 void part_layers(const part_whole *whole, uint32_t shard, uint32_t *first, uint32_t *layers);
 
-/* A 64-bit hash of the coordinates. */
-uint64_t part_mesh_checksum(const tribox_soup *soup);
+/* A 64-bit hash of the coordinates, as floats or as doubles. */
+uint64_t part_mesh_checksum(const mesh *m);
 
 /* The checksum that a header should have with these words after it. A single changed word always changes it. */
 uint64_t part_checksum(const part_header *header, const uint64_t *words, size_t count);

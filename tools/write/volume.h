@@ -11,15 +11,20 @@ typedef struct volume_format {
     const char *ending; /* ".npy" */
 
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
-    int (*check_grid)(const char *path, const tribox_grid *grid);
+    int (*check_grid)(const char *path, const tribox_grid_f64 *grid);
 
     /* Writes layer by layer, in memory for a layer or two. Stops where the stream fails, which ferror then reports. */
     void (*write)(FILE *to, const voxels *v, progress *bar);
+
+    bool has_place; /* it says where the grid is, which is where the mesh was before it was shifted */
 } volume_format;
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
 const volume_format *volume_format_named(const char *word);
+
+/* Says where the cells are, if they are shifted and the format does not. NULL for a part, which does. */
+void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
 
 /* NumPy 1.0: one bool per cell, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */
 void volume_write_npy(FILE *to, const voxels *v, progress *bar);
@@ -28,11 +33,11 @@ void volume_write_npy(FILE *to, const voxels *v, progress *bar);
 void volume_write_raw(FILE *to, const voxels *v, progress *bar);
 
 /* binvox 1: runs of equal cells, y fastest, then z, then x. Empty cells fill the grid up to a cube; cells must be cubes. */
-int volume_check_binvox(const char *path, const tribox_grid *grid);
+int volume_check_binvox(const char *path, const tribox_grid_f64 *grid);
 void volume_write_binvox(FILE *to, const voxels *v, progress *bar);
 
 /* MagicaVoxel 150: one model, a list of cells; at most 256 cells on each axis. */
-int volume_check_vox(const char *path, const tribox_grid *grid);
+int volume_check_vox(const char *path, const tribox_grid_f64 *grid);
 void volume_write_vox(FILE *to, const voxels *v, progress *bar);
 
 #endif

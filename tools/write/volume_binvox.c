@@ -4,13 +4,13 @@
 #include "console/message.h"
 #include "volume.h"
 
-int volume_check_binvox(const char *path, const tribox_grid *grid)
+int volume_check_binvox(const char *path, const tribox_grid_f64 *grid)
 {
     if (grid->cell[0] == grid->cell[1] && grid->cell[1] == grid->cell[2])
         return EXIT_CODE_OK;
     return message_failure("%s: binvox takes cubic cells only, these are %.9g x %.9g x %.9g; give --cell one length, or "
                            "choose .npy or .raw",
-                           path, (double)grid->cell[0], (double)grid->cell[1], (double)grid->cell[2]);
+                           path, grid->cell[0], grid->cell[1], grid->cell[2]);
 }
 
 /* A run that grows cell by cell and is written when its value changes. */
@@ -36,7 +36,7 @@ static void add_cells(run *r, int value, uint64_t count)
     r->length += count;
 }
 
-static uint32_t longest(const tribox_grid *grid)
+static uint32_t longest(const tribox_grid_f64 *grid)
 {
     uint32_t side = grid->size[0];
     for (int a = 1; a < 3; a++)
@@ -44,17 +44,20 @@ static uint32_t longest(const tribox_grid *grid)
     return side;
 }
 
-static void write_header(FILE *to, const tribox_grid *grid, uint32_t side)
+/* The grid is placed where the mesh was before it was shifted. */
+static void write_header(FILE *to, const voxels *v, uint32_t side)
 {
-    const float *origin = grid->origin;
-    fprintf(to, "#binvox 1\ndim %u %u %u\ntranslate %.9g %.9g %.9g\nscale %.9g\ndata\n", side, side, side, (double)origin[0],
-            (double)origin[1], (double)origin[2], (double)grid->cell[0] * side);
+    const int digits = v->is_float && !voxels_are_shifted(v) ? 9 : 17;
+    fprintf(to, "#binvox 1\ndim %u %u %u\ntranslate", side, side, side);
+    for (int a = 0; a < 3; a++)
+        fprintf(to, " %.*g", digits, v->grid.origin[a] + v->shift[a]);
+    fprintf(to, "\nscale %.*g\ndata\n", digits, v->grid.cell[0] * side);
 }
 
 /* One line along y, filled up with empty cells. */
-static void add_line(run *r, const uint64_t *layer, const tribox_grid *grid, uint32_t i, uint32_t side)
+static void add_line(run *r, const uint64_t *layer, const tribox_grid_f64 *grid, uint32_t i, uint32_t side)
 {
-    const size_t row_words = tribox_grid_row_words(grid);
+    const size_t row_words = voxels_row_words(grid);
     const uint64_t *word = layer + i / 64;
     for (uint32_t j = 0; j < grid->size[1]; j++, word += row_words)
         add_cells(r, *word >> i % 64 & 1, 1);
@@ -65,7 +68,7 @@ void volume_write_binvox(FILE *to, const voxels *v, progress *bar)
 {
     const uint32_t side = longest(&v->grid);
     run r = {.to = to};
-    write_header(to, &v->grid, side);
+    write_header(to, v, side);
     for (uint32_t i = 0; i < v->grid.size[0] && !ferror(to); i++) {
         for (uint32_t k = 0; k < v->grid.size[2]; k++)
             add_line(&r, voxels_layer(v, k), &v->grid, i, side);

@@ -7,7 +7,7 @@
 /* The length of magic, version, length and text together; a multiple of 64, as the format demands. */
 enum { HEADER = 128, BEFORE_TEXT = 10, CHUNK = 4096 };
 
-static void write_header(FILE *to, const tribox_grid *grid)
+static void write_header(FILE *to, const tribox_grid_f64 *grid)
 {
     char header[HEADER];
     memset(header, ' ', sizeof header);
@@ -35,7 +35,7 @@ static void write_row(FILE *to, const uint64_t *row, uint32_t cells)
 
 void volume_write_npy(FILE *to, const voxels *v, progress *bar)
 {
-    const size_t row_words = tribox_grid_row_words(&v->grid);
+    const size_t row_words = voxels_row_words(&v->grid);
     write_header(to, &v->grid);
     for (uint32_t k = 0; k < v->grid.size[2]; k++) {
         const uint64_t *layer = voxels_layer(v, k);

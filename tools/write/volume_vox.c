@@ -8,7 +8,7 @@
 /* A colour is an index of the palette, where 1 is white by default. A chunk's header is its name and two lengths. */
 enum { VERSION = 150, SIDE_MAX = 256, COLOUR = 1, CHUNK_HEADER = 12 };
 
-int volume_check_vox(const char *path, const tribox_grid *grid)
+int volume_check_vox(const char *path, const tribox_grid_f64 *grid)
 {
     const uint32_t *n = grid->size;
     if (n[0] <= SIDE_MAX && n[1] <= SIDE_MAX && n[2] <= SIDE_MAX)
@@ -55,7 +55,7 @@ void volume_write_vox(FILE *to, const voxels *v, progress *bar)
     put(to, cells);
     for (uint32_t k = 0; k < n[2] && !ferror(to); k++) {
         for (uint32_t j = 0; j < n[1]; j++)
-            write_row(to, voxels_layer(v, k) + j * tribox_grid_row_words(&v->grid), n[0], j, k);
+            write_row(to, voxels_layer(v, k) + j * voxels_row_words(&v->grid), n[0], j, k);
         progress_tell(bar, (k + 1.0) / n[2]);
     }
 }

@@ -6,19 +6,21 @@
 
 #include "tribox.h"
 
-/* Layers as tribox_voxelize_layers writes them. */
+/* Layers as tribox_voxelize_layers and tribox_voxelize_f64 write them. */
 typedef struct voxels_slab {
     uint32_t first, layers;
     const uint64_t *bits;
 } voxels_slab;
 
 typedef struct voxels {
-    tribox_grid grid;
+    tribox_grid_f64 grid;
+    bool is_float;           /* the grid is a tribox_grid: its numbers are floats, and so are its planes */
+    double shift[3];         /* what was subtracted from the mesh */
     const voxels_slab *slab; /* one after the other, without gaps */
     size_t slabs;
 } voxels;
 
-/* The words of layer k: rows of tribox_grid_row_words, one for each y. */
+/* The words of layer k: rows of voxels_row_words, one for each y. */
 const uint64_t *voxels_layer(const voxels *v, uint32_t k);
 
 static inline bool voxels_bit(const uint64_t *row, uint32_t i) { return row[i / 64] >> i % 64 & 1; }
@@ -29,7 +31,17 @@ uint64_t voxels_count(const uint64_t *words, size_t count);
 /* How many cells are set in all layers. */
 uint64_t voxels_occupied(const voxels *v);
 
-/* The words of a layer of the grid. */
-size_t voxels_layer_words(const tribox_grid *grid);
+/* The words of a row, and of a layer, of the grid. */
+size_t voxels_row_words(const tribox_grid_f64 *grid);
+size_t voxels_layer_words(const tribox_grid_f64 *grid);
+
+/* A grid of floats, in double and back. */
+tribox_grid_f64 voxels_widen(const tribox_grid *grid);
+tribox_grid voxels_narrow(const tribox_grid_f64 *grid);
+
+bool voxels_are_shifted(const voxels *v);
+
+/* Whether the library voxelizes into a grid in this way; is_float: as in voxels. */
+bool voxels_are_served(const tribox_grid_f64 *grid, bool is_float, const tribox_options *options);
 
 #endif

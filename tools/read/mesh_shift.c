@@ -1,0 +1,90 @@
+/* mesh_shift.c - chooses a shift, and subtracts it from floats or doubles. */
+#include "mesh_shift.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/message.h"
+#include "console/numbers.h"
+#include "mesh_doubles.h"
+
+int mesh_shift_read(const char *text, mesh_shift *shift)
+{
+    shift->is_wanted = true;
+    shift->is_auto = !strcmp(text, "auto");
+    if (shift->is_auto)
+        return EXIT_CODE_OK;
+    return numbers_read(text, "--shift", "X,Y,Z or auto", 3, shift->by, NULL) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+}
+
+/* The multiple of 10^exponent next to a number, on the side of 0. */
+static double round_to(double number, double exponent)
+{
+    const double unit = pow(10, fabs(exponent));
+    const double rounded = exponent < 0 ? trunc(number * unit) / unit : trunc(number / unit) * unit;
+    return rounded != 0 && isfinite(rounded) ? rounded : 0;
+}
+
+static void choose(const mesh *m, double by[3])
+{
+    tribox_box_f64 bounds;
+    double longest = 0;
+    if (!mesh_bounds(m, &bounds))
+        return;
+    for (int a = 0; a < 3; a++)
+        longest = fmax(longest, bounds.hi[a] - bounds.lo[a]);
+    const double exponent = longest > 0 && isfinite(longest) ? ceil(log10(longest)) : 0;
+    for (int a = 0; a < 3; a++)
+        by[a] = round_to(bounds.lo[a], exponent);
+}
+
+static bool fits_float(const double *numbers, size_t count)
+{
+    size_t i = 0;
+    while (i < count && float_fit_of(numbers[i]) == FLOAT_FIT_EXACT)
+        i++;
+    return i == count;
+}
+
+/* Floats become nine doubles a triangle. */
+static int widen(const char *path, mesh *m)
+{
+    enum { TRIANGLE_BYTES = 9 * sizeof(double) };
+    const size_t count = m->triangles;
+    double *const positions = count <= SIZE_MAX / TRIANGLE_BYTES ? malloc(count * TRIANGLE_BYTES) : NULL;
+    if (!positions)
+        return message_failure("%s: out of memory for %zu triangles in double", path, count);
+    for (size_t t = 0; t < count; t++)
+        mesh_triangle(m, t, positions + 9 * t);
+    mesh_set_doubles(positions, 3 * count, NULL, count, m);
+    return EXIT_CODE_OK;
+}
+
+static int subtract(const char *path, const double by[3], mesh *m)
+{
+    const int code = m->is_double ? EXIT_CODE_OK : widen(path, m);
+    if (code)
+        return code;
+    double *const positions = m->positions;
+    for (size_t i = 0; i < 3 * m->doubles.vertices; i++)
+        positions[i] -= by[i % 3];
+    return fits_float(positions, 3 * m->doubles.vertices) ? mesh_to_floats(path, (const double[3]){0, 0, 0}, m) : EXIT_CODE_OK;
+}
+
+int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, mesh *m)
+{
+    if (!shift->is_wanted)
+        return mesh_read_as(path, format, m);
+    int code = mesh_read_wide(path, format, m);
+    if (code)
+        return code;
+    if (shift->is_auto)
+        choose(m, shift->by);
+    code = subtract(path, shift->by, m);
+    if (code)
+        mesh_free(m);
+    else if (m->is_double)
+        m->not_finite = mesh_doubles_not_finite(m, &m->first_not_finite);
+    return code;
+}

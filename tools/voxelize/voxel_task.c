@@ -1,0 +1,83 @@
+/* voxel_task.c - cuts triangles and layers out of what is given, and calls the library. */
+#include "voxel_task.h"
+
+#include <string.h>
+
+voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options)
+{
+    voxel_task task = {.soup = soup, .grid = grid, .options = options, .count = soup->count};
+    for (int a = 0; a < 3; a++) {
+        task.origin[a] = (double)grid->origin[a];
+        task.cell[a] = (double)grid->cell[a];
+        task.size[a] = grid->size[a];
+    }
+    return task;
+}
+
+voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const tribox_options *options)
+{
+    voxel_task task = {.mesh = mesh, .wide_grid = grid, .options = options, .count = mesh->count};
+    memcpy(task.origin, grid->origin, sizeof task.origin);
+    memcpy(task.cell, grid->cell, sizeof task.cell);
+    memcpy(task.size, grid->size, sizeof task.size);
+    return task;
+}
+
+static tribox_soup part_of_soup(const tribox_soup *soup, size_t start, size_t count)
+{
+    tribox_soup part = {.count = count};
+    for (int v = 0; v < 3; v++) {
+        part.x[v] = soup->x[v] + start;
+        part.y[v] = soup->y[v] + start;
+        part.z[v] = soup->z[v] + start;
+    }
+    return part;
+}
+
+static size_t number_bytes(const tribox_mesh *mesh) { return mesh->position_bytes ? mesh->position_bytes : sizeof(float); }
+
+static size_t stride_of(const tribox_mesh *mesh) { return mesh->stride ? mesh->stride : 3 * number_bytes(mesh); }
+
+static tribox_mesh part_of_mesh(const tribox_mesh *mesh, size_t start, size_t count)
+{
+    tribox_mesh part = *mesh;
+    part.count = count;
+    if (mesh->indices) {
+        part.indices = (const uint32_t *)mesh->indices + 3 * start;
+    } else {
+        part.positions = (const unsigned char *)mesh->positions + 3 * start * stride_of(mesh);
+        part.vertices = 3 * count;
+    }
+    return part;
+}
+
+tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,
+                             uint64_t *occupied, tribox_report *report)
+{
+    if (task->soup) {
+        const tribox_soup part = part_of_soup(task->soup, start, count);
+        return tribox_voxelize_layers(&part, task->grid, first, layers, task->options, occupied, report);
+    }
+    const tribox_mesh part = part_of_mesh(task->mesh, start, count);
+    const uint32_t from[3] = {0, 0, first}, size[3] = {task->size[0], task->size[1], layers};
+    return tribox_voxelize_f64(&part, task->wide_grid, from, size, task->options, occupied, report);
+}
+
+double voxel_task_coordinate(const voxel_task *task, size_t t, size_t v, size_t a)
+{
+    if (task->soup) {
+        const float *const *const streams[3] = {task->soup->x, task->soup->y, task->soup->z};
+        return (double)streams[a][v][t];
+    }
+    const tribox_mesh *const mesh = task->mesh;
+    const size_t vertex = mesh->indices ? ((const uint32_t *)mesh->indices)[3 * t + v] : 3 * t + v, bytes = number_bytes(mesh);
+    const size_t axis = mesh->axis_stride ? mesh->axis_stride : bytes;
+    const unsigned char *const at = (const unsigned char *)mesh->positions + vertex * stride_of(mesh) + a * axis;
+    float narrow;
+    double wide;
+    memcpy(&narrow, at, sizeof narrow);
+    if (bytes == sizeof narrow)
+        return (double)narrow;
+    memcpy(&wide, at, sizeof wide);
+    return wide;
+}
