@@ -95,16 +95,6 @@ struct tribox_voxels {
     tribox_strip strip[TRIBOX_SHAPES]; /* triangles that wait for their rows */
 };
 
-/* This address is written soon: it may come into the cache. */
-static inline void tribox_will_write(const void *at)
-{
-#if defined(__GNUC__)
-    __builtin_prefetch(at, 1);
-#else
-    (void)at;
-#endif
-}
-
 static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b; }
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
 
