@@ -134,7 +134,7 @@ typedef uint64_t tribox_survey(const tribox_pairs *pairs, size_t word, tribox_se
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {
-    double number[15][TRIBOX_BATCH];
+    _Alignas(64) double number[15][TRIBOX_BATCH];
 } tribox_batch;
 
 /* Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are. */
