@@ -10,6 +10,9 @@
 /* More vertices than this are not compared: gathering would cost less. */
 enum { BESIDE_MAX = 768 };
 
+/* Numbers to the vertices of the next word, if no two triangles share one: where positions are far, these are read ahead. */
+enum { WORD_AHEAD = 9 * 64 };
+
 /* Position k of 3 * V_LANES floats is axis k % 3 of a vertex. */
 #define BESIDE_AXIS(a) ((UINT64_C(0x249249249249) << (a)) & (~UINT64_C(0) >> (64 - 3 * V_LANES)))
 
@@ -19,7 +22,8 @@ TRIBOX_INLINE bool has_whole_axis(uint64_t bits)
            (bits & BESIDE_AXIS(2)) == BESIDE_AXIS(2);
 }
 
-TRIBOX_INLINE bool are_beside(const char *positions, const tribox_box_pattern *box, size_t vertices, lane_numbers numbers)
+TRIBOX_INLINE bool are_beside(const char *positions, const tribox_box_pattern *box, size_t vertices, bool is_far,
+                              lane_numbers numbers)
 {
     vnum lo[3], hi[3];
     for (int t = 0; t < 3; t++) {
@@ -31,7 +35,10 @@ TRIBOX_INLINE bool are_beside(const char *positions, const tribox_box_pattern *b
         const size_t at = done + V_LANES <= vertices ? done : vertices - V_LANES; /* the last packet overlaps the one before it */
         uint64_t is_below = 0, is_above = 0;
         for (int t = 0; t < 3; t++) {
-            const vnum u = load_numbers(positions + 3 * at * (size_t)bytes_of(numbers), V_LANES * t, numbers);
+            const char *const from = positions + (3 * at + (size_t)(V_LANES * t)) * (size_t)bytes_of(numbers);
+            for (int line = 0; is_far && line < V_LANES * bytes_of(numbers); line += 64)
+                tribox_will_read(from + WORD_AHEAD * bytes_of(numbers) + line);
+            const vnum u = load_numbers(from, V_LANES * t, numbers);
             is_below |= m_bits(v_gt(lo[t], u)) << (V_LANES * t);
             is_above |= m_bits(v_gt(u, hi[t])) << (V_LANES * t);
         }
@@ -48,7 +55,8 @@ static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tr
     const size_t bytes = tribox_position_bytes(mesh), vertices = named.greatest + 1 - named.least;
     if (mesh->stride != 3 * bytes || (uintptr_t)mesh->positions % bytes || vertices < V_LANES || vertices > BESIDE_MAX)
         return false;
+    const bool is_far = has_far_positions(mesh);
     const char *const positions = (const char *)mesh->positions + mesh->stride * named.least;
-    return box->near ? are_beside(positions, box, vertices, (lane_numbers){true, box->near})
-                     : are_beside(positions, box, vertices, (lane_numbers){false, NULL});
+    return box->near ? are_beside(positions, box, vertices, is_far, (lane_numbers){true, box->near})
+                     : are_beside(positions, box, vertices, is_far, (lane_numbers){false, NULL});
 }

@@ -43,10 +43,13 @@ TRIBOX_INLINE size_t find_offsets(const tribox_mesh *mesh, unsigned index_bytes,
     return greatest;
 }
 
+/* More than the nearer caches hold: 1 MiB. */
+static bool has_far_positions(const tribox_mesh *mesh) { return mesh->vertices > ((size_t)1 << 20) / mesh->stride; }
+
 static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners)
 {
     const char *const positions = mesh->positions;
-    const bool is_far = mesh->vertices > ((size_t)1 << 20) / mesh->stride;
+    const bool is_far = has_far_positions(mesh);
     if (!mesh->indices && mesh->stride == 3 * tribox_position_bytes(mesh)) {
         *corners = (tribox_corners){
             .base = positions + 3 * mesh->stride * first, .has_all = true, .ahead = is_far ? mesh->count - first : 0};

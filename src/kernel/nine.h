@@ -36,11 +36,10 @@ typedef struct lane_numbers {
 
 TRIBOX_INLINE int bytes_of(lane_numbers numbers) { return numbers.are_doubles ? (int)sizeof(double) : (int)sizeof(float); }
 
-/* Numbers k to k + V_LANES - 1 of those at `from`, which is on axis 0. */
+/* Numbers k to k + V_LANES - 1, which lie at `from`; number 0 is on axis 0. */
 TRIBOX_INLINE vnum load_numbers(const char *from, int k, lane_numbers numbers)
 {
-    const void *const at = from + k * bytes_of(numbers);
-    return numbers.are_doubles ? v_near(at, numbers.near + k % 3) : v_load((const float *)at);
+    return numbers.are_doubles ? v_near(from, numbers.near + k % 3) : v_load((const float *)(const void *)from);
 }
 
 /* The V_LANES triangles at `from`. */
@@ -48,7 +47,7 @@ TRIBOX_INLINE void load_nine(lane_triangle *t, const char *from, lane_numbers nu
 {
     vnum begins_with[9];
     for (int r = 0; r < 9; r++)
-        begins_with[V_LANES * r % 9] = load_numbers(from, V_LANES * r, numbers);
+        begins_with[V_LANES * r % 9] = load_numbers(from + V_LANES * r * bytes_of(numbers), V_LANES * r, numbers);
     for (int b = 0; 2 << b < V_LANES; b++) {
         const vmask is_moved = m_signs(v_load(nine_bits[b]));
         vnum moved[9];
