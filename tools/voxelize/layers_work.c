@@ -18,11 +18,8 @@ typedef struct interval {
     double lo, hi;
 } interval;
 
-/* Of a coordinate, in cells. */
-static double place(const voxel_task *task, size_t t, size_t v, size_t a)
-{
-    return (voxel_task_coordinate(task, t, v, a) - task->origin[a]) / task->cell[a];
-}
+/* In cells. */
+static double place(const voxel_task *task, int a, double x) { return (x - task->origin[a]) / task->cell[a]; }
 
 static interval interval_of(const double x[3])
 {
@@ -39,11 +36,12 @@ static bool meets(interval i, double size) { return i.hi >= 0 && i.lo <= size; }
 
 static void add_triangle(const voxel_task *task, size_t t, uint32_t first, uint32_t layers, int bins, double *rise)
 {
-    double x[3], y[3], z[3], sum = 0;
-    for (size_t v = 0; v < 3; v++) {
-        x[v] = place(task, t, v, 0);
-        y[v] = place(task, t, v, 1);
-        z[v] = place(task, t, v, 2) - first;
+    double u[3][3], x[3], y[3], z[3], sum = 0;
+    voxel_task_triangle(task, t, u);
+    for (int v = 0; v < 3; v++) {
+        x[v] = place(task, 0, u[0][v]);
+        y[v] = place(task, 1, u[1][v]);
+        z[v] = place(task, 2, u[2][v]) - first;
         sum += x[v] + y[v] + z[v];
     }
     const interval ix = interval_of(x), iy = interval_of(y), iz = interval_of(z);

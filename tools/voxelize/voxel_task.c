@@ -63,16 +63,8 @@ tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count,
     return tribox_voxelize_f64(&part, task->wide_grid, from, size, task->options, occupied, report);
 }
 
-double voxel_task_coordinate(const voxel_task *task, size_t t, size_t v, size_t a)
+static double number_at(const unsigned char *at, size_t bytes)
 {
-    if (task->soup) {
-        const float *const *const streams[3] = {task->soup->x, task->soup->y, task->soup->z};
-        return (double)streams[a][v][t];
-    }
-    const tribox_mesh *const mesh = task->mesh;
-    const size_t vertex = mesh->indices ? ((const uint32_t *)mesh->indices)[3 * t + v] : 3 * t + v, bytes = number_bytes(mesh);
-    const size_t axis = mesh->axis_stride ? mesh->axis_stride : bytes;
-    const unsigned char *const at = (const unsigned char *)mesh->positions + vertex * stride_of(mesh) + a * axis;
     float narrow;
     double wide;
     memcpy(&narrow, at, sizeof narrow);
@@ -80,4 +72,28 @@ double voxel_task_coordinate(const voxel_task *task, size_t t, size_t v, size_t 
         return (double)narrow;
     memcpy(&wide, at, sizeof wide);
     return wide;
+}
+
+static void mesh_triangle_of(const tribox_mesh *mesh, size_t t, double u[3][3])
+{
+    const size_t bytes = number_bytes(mesh), axis = mesh->axis_stride ? mesh->axis_stride : bytes;
+    const uint32_t *const indices = mesh->indices;
+    for (size_t v = 0; v < 3; v++) {
+        const size_t vertex = indices ? indices[3 * t + v] : 3 * t + v;
+        for (size_t a = 0; a < 3; a++)
+            u[a][v] = number_at((const unsigned char *)mesh->positions + vertex * stride_of(mesh) + a * axis, bytes);
+    }
+}
+
+void voxel_task_triangle(const voxel_task *task, size_t t, double u[3][3])
+{
+    if (!task->soup) {
+        mesh_triangle_of(task->mesh, t, u);
+        return;
+    }
+    for (size_t v = 0; v < 3; v++) {
+        u[0][v] = (double)task->soup->x[v][t];
+        u[1][v] = (double)task->soup->y[v][t];
+        u[2][v] = (double)task->soup->z[v][t];
+    }
 }

@@ -23,7 +23,7 @@ voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid_f64 *gr
 tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,
                              uint64_t *occupied, tribox_report *report);
 
-/* Coordinate a of vertex v of triangle t. */
-double voxel_task_coordinate(const voxel_task *task, size_t t, size_t v, size_t a);
+/* The coordinates of triangle t: u[a][v] of vertex v on axis a. */
+void voxel_task_triangle(const voxel_task *task, size_t t, double u[3][3]);
 
 #endif
