@@ -55,7 +55,7 @@ static void check_mesh(indexed_mesh *m, size_t size)
         ensure(m->corners[i] < m->vertices, "triangle %zu has vertex %u of %zu", i / 3, m->corners[i], m->vertices);
     ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 1024, "room for %zu vertices of %zu bytes", m->vertices_max,
            size);
-    ensure(m->triangles <= size && m->face_max <= 2 * size, "%zu triangles of %zu bytes", m->triangles, size);
+    ensure(m->triangles <= size && m->face_max <= 4 * size, "%zu triangles of %zu bytes", m->triangles, size);
     check_numbers(m);
 }
 

@@ -340,6 +340,7 @@ def obj_files():
             "continued": plain.replace(b" 2 ", b" \\\n2\\\r\n").replace(b"v 0 1", b"v\\\n 0 1"), "comment": plain.replace(b"\n", b"#\\\n\n"),
             "more": plain.replace(b" 0\n", b" 0 1 255 0 0\n") + b"vn 0 0 1\ng a\nusemtl b\np 1\nl 1 2\nf 1 2\n",
             "doubles": plain.replace(b"1 0", b"557820.123456789 0x1p-200"), "word": plain.replace(b"1 0", b"one 0"),
+            "comb": b"v 0 0 0\nv 6 0 0\nv 6 4 0\nv 5 4 0\nv 5 1 0\nv 1 1 0\nv 1 4 0\nv 0 4 0\nf 1 2 3 4 5 6 7 8\nf 8 7 6 5 4 3 2 1\nf 1 3 2 4 6 5 8 7\n",
             "polygon": b"v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 1 4 3 2 1\n"}
 
 

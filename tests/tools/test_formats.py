@@ -152,7 +152,7 @@ class Formats(support.TestCase):
         self.assertEqual(self.positions(self.write("tenth.ply", tenth.replace(b"float", b"double"))), "float64")
 
     def test_polygons_of_ply_and_off(self):
-        """A fan around a corner that sees all of the polygon; one that has no such corner earns a warning."""
+        """A fan around a corner that sees all of the polygon, and ears where there is no such corner."""
         arrow = ("0 0 0", "0 4 0", "1 1 0", "4 0 0")
         for first in range(4):
             turned = arrow[first:] + arrow[:first]
@@ -160,8 +160,16 @@ class Formats(support.TestCase):
                 mesh = self.write(name, start + "".join(p + "\n" for p in turned) + "4 0 1 2 3\n")
                 self.assertEqual(self.overlap(mesh, "2,2,0,2,2,0")["overlapping"], 0)
                 self.assertEqual(self.overlap(mesh, "0.5,0.5,0,0.5,0.5,0")["overlapping"] > 0, True)
-        comb = "OFF 8 1 0\n0 0 0\n6 0 0\n6 4 0\n5 4 0\n5 1 0\n1 1 0\n1 4 0\n0 4 0\n8 0 1 2 3 4 5 6 7\n"
-        self.succeed_with_note("warning: .*comb.off: 1 concave polygon cannot be cut into a fan", "overlap", self.write("comb.off", comb), "--box", "0,0,0,1,1,1")
+        # Two teeth, which no corner sees at once: neither the gap between them nor what is outside is covered.
+        corners = ("0 0 0", "6 0 0", "6 4 0", "5 4 0", "5 1 0", "1 1 0", "1 4 0", "0 4 0")
+        for first in range(8):
+            for turned in (corners[first:] + corners[:first], (corners[first:] + corners[:first])[::-1]):
+                for name, content in (("comb.off", "OFF 8 1 0\n" + "".join(p + "\n" for p in turned) + "8 0 1 2 3 4 5 6 7\n"),
+                                      ("comb.obj", "".join("v " + p + "\n" for p in turned) + "f 1 2 3 4 5 6 7 8\n")):
+                    mesh = self.write(name, content)
+                    self.assertEqual(self.overlap(mesh, "-9,-9,-9,9,9,9")["triangles"], 6)
+                    for point, is_inside in (("3,2,0", 0), ("3,3,0", 0), ("0.5,3,0", 1), ("5.5,3,0", 1), ("3,0.5,0", 1), ("6.5,2,0", 0)):
+                        self.assertEqual(self.overlap(mesh, point + "," + point)["overlapping"] > 0, bool(is_inside), (turned, point))
         mixed = "OFF 4 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0\n2 0 1\n0\n3 0 0 1\n4 0 1 2 3\n"
         self.assertRegex(self.succeed("overlap", self.write("mixed.off", mixed), "--box", support.UNIT_BOX),
                          r"(?m)^triangles +3 \(and 2 points or lines, left out\)$")
@@ -177,7 +185,7 @@ class Formats(support.TestCase):
 
     def test_polygons_that_cannot_be_cut(self):
         mesh = self.write("crossed.obj", "v 0 3 0\nv 1 3 0\nv 1 0 0\nv 2 2 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4 5 6\nf 1 2 3\n")
-        text = self.succeed_with_note("warning: .*crossed.obj: 1 concave polygon cannot be cut into a fan", "overlap", mesh, "--box",
+        text = self.succeed_with_note("warning: .*crossed.obj: 1 polygon cannot be cut well, so the triangles cover too much", "overlap", mesh, "--box",
                                       "-9,-9,-9,9,9,9", "--json")
         self.assertEqual(json.loads(text)["triangles"], 5)
 

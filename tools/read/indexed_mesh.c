@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "console/message.h"
+#include "polygon_ears.h"
 
 /* Corners of a polygon that are tried: with all of them a file could ask for years. */
 enum { APEXES_MAX = 64, TRIANGLES_AT_FIRST = 1024 };
@@ -84,20 +85,20 @@ typedef struct vector {
     double x, y, z;
 } vector;
 
-static vector position(const indexed_mesh *m, uint32_t vertex)
+void indexed_mesh_position(const indexed_mesh *m, uint32_t vertex, double position[3])
 {
-    if (m->position_bytes == sizeof(float)) {
-        const float *p = (const float *)m->positions + 3 * (size_t)vertex;
-        return (vector){(double)p[0], (double)p[1], (double)p[2]};
-    }
-    const double *p = (const double *)m->positions + 3 * (size_t)vertex;
-    return (vector){p[0], p[1], p[2]};
+    const size_t first = 3 * (size_t)vertex;
+    const bool is_float = m->position_bytes == sizeof(float);
+    for (size_t a = 0; a < 3; a++)
+        position[a] = is_float ? (double)((const float *)m->positions)[first + a] : ((const double *)m->positions)[first + a];
 }
 
 static vector difference(const indexed_mesh *m, uint32_t to, uint32_t from)
 {
-    const vector p = position(m, to), q = position(m, from);
-    return (vector){p.x - q.x, p.y - q.y, p.z - q.z};
+    double p[3], q[3];
+    indexed_mesh_position(m, to, p);
+    indexed_mesh_position(m, from, q);
+    return (vector){p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }
 
 static double dot(vector a, vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -119,13 +120,19 @@ static bool sees_all(const indexed_mesh *m, size_t corners, size_t first, vector
     return true;
 }
 
-static bool find_apex(const indexed_mesh *m, size_t corners, size_t *apex)
+/* The sum of a fan's normals, whichever its corner. */
+static vector face_normal(const indexed_mesh *m, size_t corners)
 {
     vector normal = {0, 0, 0};
     for (size_t k = 0; k + 2 < corners; k++) {
         const vector part = fan_normal(m, corners, 0, k);
         normal = (vector){normal.x + part.x, normal.y + part.y, normal.z + part.z};
     }
+    return normal;
+}
+
+static bool find_apex(const indexed_mesh *m, size_t corners, vector normal, size_t *apex)
+{
     for (*apex = 0; *apex < corners && *apex < APEXES_MAX; ++*apex)
         if (sees_all(m, corners, *apex, normal))
             return true;
@@ -133,17 +140,33 @@ static bool find_apex(const indexed_mesh *m, size_t corners, size_t *apex)
     return false;
 }
 
+static int add_fan(const char *path, size_t corners, size_t apex, indexed_mesh *m)
+{
+    const uint32_t *const face = m->face;
+    int code = EXIT_CODE_OK;
+    for (size_t k = 0; !code && k + 2 < corners; k++)
+        code = indexed_mesh_add_triangle(path, face[apex], face[(apex + k + 1) % corners], face[(apex + k + 2) % corners], m);
+    return code;
+}
+
+static int add_polygon(const char *path, size_t corners, indexed_mesh *m)
+{
+    const vector n = face_normal(m, corners);
+    size_t apex = 0;
+    bool is_cut = find_apex(m, corners, n, &apex);
+    if (is_cut)
+        return add_fan(path, corners, apex, m);
+    const int code = polygon_ears_cut(path, corners, (const double[3]){n.x, n.y, n.z}, m, &is_cut);
+    if (code || is_cut)
+        return code;
+    m->miscut++;
+    return add_fan(path, corners, 0, m);
+}
+
 int indexed_mesh_add_face(const char *path, size_t corners, indexed_mesh *m)
 {
-    int code = EXIT_CODE_OK;
-    size_t apex = 0;
     m->left_out += corners == 1 || corners == 2;
-    if (corners > 3 && !find_apex(m, corners, &apex))
-        m->miscut++;
-    for (size_t k = 0; !code && k + 2 < corners; k++)
-        code =
-            indexed_mesh_add_triangle(path, m->face[apex], m->face[(apex + k + 1) % corners], m->face[(apex + k + 2) % corners], m);
-    return code;
+    return corners > 3 ? add_polygon(path, corners, m) : add_fan(path, corners, 0, m);
 }
 
 void indexed_mesh_free(indexed_mesh *m)

@@ -34,9 +34,11 @@ void indexed_mesh_narrow(indexed_mesh *m);
 /* Makes room for the corners of a face, in m->face. Returns an exit_code. */
 int indexed_mesh_reserve_face(const char *path, uint64_t corners, indexed_mesh *m);
 
+void indexed_mesh_position(const indexed_mesh *m, uint32_t vertex, double position[3]);
+
 /*
  * Adds m->face, whose corners are vertices that there are: cut into a fan around its first corner that sees all of it, where there
- * is one. Returns an exit_code.
+ * is one, else by cutting off its ears. Returns an exit_code.
  */
 int indexed_mesh_add_face(const char *path, size_t corners, indexed_mesh *m);
 

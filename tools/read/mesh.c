@@ -279,10 +279,10 @@ void mesh_warn(const char *path, const mesh *m)
         message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
                     m->uncut, m->soup.count + m->uncut);
     if (m->miscut)
-        message_say(
-            "warning: %s: %zu concave polygon%s cannot be cut into a fan, so the triangles cover too much; triangulate the mesh "
-            "first",
-            path, m->miscut, m->miscut == 1 ? "" : "s");
+        message_say("warning: %s: %zu polygon%s cannot be cut well, so the triangles cover too much; triangulate "
+                    "the mesh "
+                    "first",
+                    path, m->miscut, m->miscut == 1 ? "" : "s");
 }
 
 void mesh_free(mesh *m)
