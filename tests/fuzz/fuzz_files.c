@@ -56,7 +56,6 @@ static void check_mesh(indexed_mesh *m, size_t size)
     ensure(m->vertices <= m->vertices_max && m->vertices_max <= size + 1024, "room for %zu vertices of %zu bytes", m->vertices_max,
            size);
     ensure(m->triangles <= size && m->face_max <= 4 * size, "%zu triangles of %zu bytes", m->triangles, size);
-    check_numbers(m);
 }
 
 static void read_mesh(bytes b, const char *name, int (*read)(const char *, const whole_file *, indexed_mesh *))
@@ -66,6 +65,8 @@ static void read_mesh(bytes b, const char *name, int (*read)(const char *, const
     const int code = read(name, &file, &m);
     lines_fit(name, code);
     check_mesh(&m, b.size);
+    if (!code)
+        check_numbers(&m);
     indexed_mesh_free(&m);
     whole_file_free(&file);
 }

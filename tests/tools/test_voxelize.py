@@ -144,7 +144,7 @@ class Grids(Voxelize):
     def test_refused_grids(self):
         self.refuse("a grid of .* cells takes .*, a bit per cell; the most is 16.0 GiB: choose fewer cells",
                     "--resolution", "2000000000")
-        self.refuse("the most is 16.0 GiB", "--cell", "1e-30")
+        self.refuse("the grid has more than 2147483648 cells along the x axis; choose larger cells", "--cell", "1e-30")
         finer = "finer than double on the %s axis: near %s it cannot tell cells of %s apart; choose cells of %s or more, or move"
         for axis, origin, cell, size, words in (
                 ("x", "1e18,0,0", "1", "2,2,2", ("1e\\+18", "1", "128")), ("y", "0,-1e18,0", "1", "2,2,2", ("-1e\\+18", "1", "128")),

@@ -92,7 +92,9 @@ static int choose_size(const char *path, const tribox_box_f64 *bounds, draft *d)
                                    path, "xyz"[a], decimal_of_double(bounds->hi[a], end),
                                    decimal_of_double(d->grid.origin[a], start));
         const double cells = cells_reaching(d, a, bounds->hi[a]);
-        d->grid.size[a] = cells < UINT32_MAX ? (uint32_t)cells : UINT32_MAX;
+        if (!(cells < words_max))
+            return message_failure("the grid has more than %.0f cells along the %c axis; choose larger cells", words_max, "xyz"[a]);
+        d->grid.size[a] = (uint32_t)cells;
     }
     return EXIT_CODE_OK;
 }
