@@ -113,6 +113,19 @@ static void draw_long_numbers(random_source *r, pair_f64 *p)
     }
 }
 
+/* Small integers about a corner of a box that is as large as short numbers can be: what is near a tie is near it by a few units. */
+static void draw_vast_box(random_source *r, pair_f64 *p)
+{
+    for (int a = 0; a < 3; a++) {
+        const int at = random_int_between(r, -4, 4);
+        const bool is_above = random_int(r, 2);
+        p->box.lo[a] = is_above ? at : -0x1p59;
+        p->box.hi[a] = is_above ? 0x1p59 : at;
+        for (int j = 0; j < 3; j++)
+            p->u[j][a] = at + random_int_between(r, -5, 5);
+    }
+}
+
 /* Ordinary numbers beside what rounding leaves where zero is meant. */
 static void draw_noise(random_source *r, pair_f64 *p)
 {
@@ -150,6 +163,7 @@ static const scene_f64 scenes[] = {
     {"near_tie", draw_near_tie, -150, 150},
     {"near_tie_far_apart", draw_near_tie, -1000, 1000},
     {"long_numbers", draw_long_numbers, -100, 100},
+    {"vast_box", draw_vast_box, -100, 100},
     {"noise", draw_noise, -10, 10},
     {"any_exponents", draw_any_exponents, 0, 0},
 };
