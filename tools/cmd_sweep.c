@@ -17,6 +17,7 @@
 #include "sweep/octree.h"
 #include "sweep/order_report.h"
 #include "console/output.h"
+#include "read/mesh_shift.h"
 #include "sweep/sweep_advice.h"
 #include "sweep/sweep_chart.h"
 #include "sweep/sweep_work.h"
@@ -37,6 +38,8 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
                            "  --grid N                  the whole mesh against cells that hold a part of it, of a grid\n"
                            "                            with N cells along the longest side, 1 to 4096: at most 64 cells\n"
                            "  -b, --box LX,LY,LZ,HX,HY,HZ  the whole mesh against one box\n"
+                           "      --shift X,Y,Z|auto    subtract this from the mesh first, in double, as it is rounded to\n"
+                           "                            float32 then; auto: near its corner\n"
                            "\n"
                            "The answer:\n"
                            "  -v, --verbose             also the tables: the times of all, and which axis rejects what\n"
@@ -55,18 +58,16 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
                            "  tribox sweep bunny.ply\n"
                            "  tribox sweep bunny.ply --grid 64 --verbose --chart bunny.svg\n";
 
-enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_VERBOSE, OPTION_JSON, OPTION_CHART };
+enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_SHIFT, OPTION_VERBOSE, OPTION_JSON, OPTION_CHART };
 
-static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
-                                       [OPTION_OCTREE] = {"octree", 0, true},
-                                       [OPTION_GRID] = {"grid", 0, true},
-                                       [OPTION_VERBOSE] = {"verbose", 'v', false},
-                                       [OPTION_JSON] = {"json", 'j', false},
-                                       [OPTION_CHART] = {"chart", 0, true},
-                                       {NULL, 0, false}};
+static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},          [OPTION_OCTREE] = {"octree", 0, true},
+                                       [OPTION_GRID] = {"grid", 0, true},          [OPTION_SHIFT] = {"shift", 0, true},
+                                       [OPTION_VERBOSE] = {"verbose", 'v', false}, [OPTION_JSON] = {"json", 'j', false},
+                                       [OPTION_CHART] = {"chart", 0, true},        {NULL, 0, false}};
 
 typedef struct request {
     const char *mesh_path, *chart_path;
+    mesh_shift shift;
     sweep_wish wish;
     int wishes; /* options that say what to test against */
     bool wants_json, wants_tables;
@@ -104,6 +105,8 @@ static int take(void *context, int which, const char *value)
         return take_wish(r, SWEEP_OCTREE, value);
     case OPTION_GRID:
         return take_wish(r, SWEEP_GRID, value);
+    case OPTION_SHIFT:
+        return mesh_shift_read(value, &r->shift);
     case OPTION_VERBOSE:
         r->wants_tables = true;
         return EXIT_CODE_OK;
@@ -142,6 +145,11 @@ static void print_text(const findings *f)
 {
     printf("%s\n\n", f->advice_text);
     printf("mesh         %s\n", f->r->mesh_path);
+    if (f->r->shift.is_wanted) {
+        printf("shift        ");
+        output_point(f->r->shift.by, false, ",");
+        putchar('\n');
+    }
     printf("triangles    %zu", f->m->soup.count);
     if (f->m->not_finite)
         printf(" (%zu have NaN or infinite coordinates and overlap nothing)", f->m->not_finite);
@@ -160,6 +168,8 @@ static void print_json(const findings *f)
     json_open_object(&to, NULL);
     json_string(&to, "mesh", f->r->mesh_path);
     json_whole(&to, "triangles", f->m->soup.count);
+    if (f->r->shift.is_wanted)
+        json_doubles(&to, "shift", f->r->shift.by, 3, false);
     json_string(&to, "tested", f->work_text);
     json_whole(&to, "soups", f->work->count);
     report_json_why(&to, &f->w);
@@ -236,15 +246,18 @@ static int sweep_mesh(const request *r, const mesh *m, const timing_work *work, 
     return output_flush();
 }
 
-static int answer_request(const request *r)
+static int answer_request(request *r)
 {
     mesh m;
     timing_work work;
     sweep_wish wish = r->wish;
-    int code = mesh_read(r->mesh_path, &m);
+    int code = mesh_read_shifted(r->mesh_path, TRIANGLES_OTHER, &r->shift, &m);
     if (code)
         return code;
-    code = sweep_work_make(r->mesh_path, &m, &wish, &work);
+    code = mesh_to_floats(r->mesh_path, (const double[3]){0, 0, 0}, &m);
+    mesh_warn_rounded(r->mesh_path, &m);
+    if (!code)
+        code = sweep_work_make(r->mesh_path, &m, &wish, &work);
     if (!code) {
         code = sweep_mesh(r, &m, &work, &wish);
         timing_work_free(&work);

@@ -32,6 +32,8 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 
 void mesh_warn(const char *path, const mesh *m) { message_say("%s: %zu triangles", path, m->soup.count); }
 
+void mesh_warn_rounded(const char *path, const mesh *m) { message_say("%s: %zu vertices", path, m->rounded); }
+
 void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)
 {
     message_say("%s: %llu of %llu, first %llu", path, (unsigned long long)not_finite, (unsigned long long)count,

@@ -214,6 +214,14 @@ class Shift(support.TestCase):
             self.assertRegex(self.succeed("overlap", mesh, "--box", "0,0,0,1,1,1", "--shift", "auto"), r"(?m)^shift +%s\n" % ",".join("%.15g" % x for x in shift))
         self.assertEqual(self.overlap(self.write("point.obj", "v 5 5 5\nf 1 1 1\n"), "0,0,0,1,1,1", "--shift", "auto")["shift"], [5, 5, 5])
 
+    def test_sweep(self):
+        """Which rounds to float: next to nothing of a mesh that is near the origin by then."""
+        mesh = self.write("far.ply", ply(far_triangles(30, seed=17)))
+        for options, moved in (((), r"0\.2[45]"), (("--shift", "auto"), r"[1-9](\.\d)?e-0[678]")):
+            text = self.succeed_with_note("rounding to float moved coordinates of [0-9]+ vertices by up to %s$" % moved, "sweep", mesh, "--grid", "2",
+                                          "--json", *options)
+            self.assertEqual(json.loads(text).get("shift"), [557810, 5108000, 810] if options else None)
+
     def test_wrong(self):
         self.fail_with(2, "--shift: 2 numbers where 3 are needed; give X,Y,Z or auto", "overlap", "a.ply", "--box", "0,0,0,1,1,1", "--shift", "1,2")
         self.fail_with(2, "--shift: 'automatic' .* is not a number", "voxelize", "a.ply", "--cell", "1", "-o", "a.npy", "--shift", "automatic")

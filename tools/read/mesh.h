@@ -61,6 +61,9 @@ bool mesh_bounds(const mesh *m, tribox_box_f64 *bounds);
 /* Says on standard error which triangles are not finite, missing or cut badly, and which vertices are rounded. */
 void mesh_warn(const char *path, const mesh *m);
 
+/* Says the last of these alone. */
+void mesh_warn_rounded(const char *path, const mesh *m);
+
 /* Says the first of these, for triangles that are in no mesh; silent if there are none. */
 void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first);
 
