@@ -15,8 +15,9 @@ typedef struct block {
     uint64_t left; /* parts that overlap, and are still to be looked at */
 } block;
 
-void tribox_batch_put(tribox_batch *batch, unsigned to, const tribox_triangle *triangle, const tribox_planes *planes,
-                      const int64_t base[3], const int64_t cells[3])
+/* Pair `to` of a batch: the triangle, and a block of cells. */
+static void put_pair(tribox_batch *batch, unsigned to, const tribox_triangle *triangle, const tribox_planes *planes,
+                     const int64_t base[3], const int64_t cells[3])
 {
     for (int n = 0; n < 9; n++)
         batch->number[n][to] = triangle->u[n];
@@ -50,7 +51,7 @@ static void ask_parts(tribox_voxels *v, const tribox_triangle *triangle, const i
     for (unsigned n = 0; n < count; n++) {
         int64_t part_base[3], part_cells[3];
         part_at(b, n, part_base, part_cells);
-        tribox_batch_put(batch, n, triangle, &v->planes, part_base, part_cells);
+        put_pair(batch, n, triangle, &v->planes, part_base, part_cells);
     }
     v->counts.undecided += count;
     b->left = tribox_settle_batch_f64(batch, count, &v->plan).overlapping;

@@ -61,20 +61,20 @@ static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
     return (uint32_t)v->waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
 }
 
-/* One of these cells joins the batch. */
-static void add_cell(const tribox_voxels *v, unsigned n, uint32_t i, tribox_batch *batch, unsigned to)
+static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above)
 {
-    const uint32_t at[3] = {i, (uint32_t)v->waiting.at[1][n], (uint32_t)v->waiting.at[2][n]};
-    if (v->mesh) {
-        const tribox_triangle triangle = tribox_voxels_numbered(v, v->waiting.number[n]);
-        tribox_batch_put(batch, to, &triangle, &v->planes, (int64_t[3]){at[0], at[1], at[2]}, (int64_t[3]){1, 1, 1});
-        return;
-    }
+    return v->mesh ? tribox_plane_at(&v->planes, a, (int64_t)p + above) : tribox_grid_plane(v->grid, a, (uint64_t)p + above);
+}
+
+/* The numbers of a batch that all cells of row n have: those of the triangle, and the bounds across the row. */
+static void take_row(const tribox_voxels *v, unsigned n, double number[15])
+{
+    const tribox_triangle triangle = v->mesh ? tribox_voxels_numbered(v, v->waiting.number[n]) : (tribox_triangle){.number = 0};
     for (int m = 0; m < 9; m++)
-        batch->number[m][to] = v->waiting.u[m][n];
-    for (int a = 0; a < 3; a++) {
-        batch->number[9 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a]);
-        batch->number[12 + a][to] = tribox_grid_plane(v->grid, a, (uint64_t)at[a] + 1);
+        number[m] = v->mesh ? triangle.u[m] : v->waiting.u[m][n];
+    for (int a = 1; a < 3; a++) {
+        number[9 + a] = plane_at(v, a, (uint32_t)v->waiting.at[a][n], 0);
+        number[12 + a] = plane_at(v, a, (uint32_t)v->waiting.at[a][n], 1);
     }
 }
 
@@ -91,10 +91,15 @@ void tribox_voxels_settle(tribox_voxels *v)
         rows += left[rows] != 0;
     }
     for (unsigned r = 0; r < rows; r++) {
+        double number[15];
+        take_row(v, row[r], number);
         for (; left[r]; left[r] &= left[r] - 1) {
             const uint32_t i = (uint32_t)v->waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
             cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};
-            add_cell(v, row[r], i, &batch, count);
+            number[9] = plane_at(v, 0, i, 0);
+            number[12] = plane_at(v, 0, i, 1);
+            for (int m = 0; m < 15; m++)
+                batch.number[m][count] = number[m];
             if (++count == TRIBOX_BATCH) {
                 settle_batch(v, &batch, count, cell);
                 count = 0;

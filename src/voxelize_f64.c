@@ -13,16 +13,6 @@
 /* Triangles have numbers of 32 bits in a part of the mesh. */
 enum { PART = 1 << 30, BLOCK = 256 /* whose floats fit the nearest cache */ };
 
-void tribox_voxels_read(const tribox_voxels *v, int32_t number, int a, double u[3])
-{
-    const tribox_mesh *const mesh = v->mesh;
-    const size_t corner = 3 * (v->first_triangle + (size_t)number);
-    for (size_t j = 0; j < 3; j++) {
-        const size_t vertex = tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), corner + j);
-        u[j] = tribox_number_read(mesh, (const char *)mesh->positions + vertex * mesh->stride + (size_t)a * mesh->axis_stride);
-    }
-}
-
 tribox_triangle tribox_voxels_numbered(const tribox_voxels *v, int32_t number)
 {
     tribox_triangle triangle = {.number = number};

@@ -12,6 +12,7 @@
 #include "cell_bits.h"
 #include "plan.h"
 #include "planes.h"
+#include "positions.h"
 
 /* Bits to be set, in halves of words (kernel/writes.h): written when more than TRIBOX_WRITES are listed. */
 enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 320, TRIBOX_WRITES_AHEAD = 48 };
@@ -126,16 +127,19 @@ void tribox_voxels_set_strips(tribox_voxels *v);
 void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle);
 
 /* The three numbers of axis a of triangle `number` of the mesh. */
-void tribox_voxels_read(const tribox_voxels *v, int32_t number, int a, double u[3]);
+static inline void tribox_voxels_read(const tribox_voxels *v, int32_t number, int a, double u[3])
+{
+    const tribox_mesh *const mesh = v->mesh;
+    const char *const from = (const char *)mesh->positions + (size_t)a * mesh->axis_stride;
+    const size_t corner = 3 * (v->first_triangle + (size_t)number);
+    for (size_t j = 0; j < 3; j++)
+        u[j] = tribox_number_read(mesh, from + tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), corner + j) * mesh->stride);
+}
 
 /* Triangle `number` of the mesh. */
 tribox_triangle tribox_voxels_numbered(const tribox_voxels *v, int32_t number);
 
 /* The triangle of a mesh whose cells are found by no limits, but by asking blocks of them, and blocks of these (PROOFS.md 7.10). */
 void tribox_voxels_ask(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range);
-
-/* Pair `to` of a batch: the triangle, and a block of cells. */
-void tribox_batch_put(tribox_batch *batch, unsigned to, const tribox_triangle *triangle, const tribox_planes *planes,
-                      const int64_t base[3], const int64_t cells[3]);
 
 #endif

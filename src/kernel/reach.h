@@ -57,37 +57,44 @@ static lane_cells ask_planes(lane_cells guess, vnum least, vnum most, double cel
 /* The whole number that is nearest to a place, which is -1/2 or more. */
 TRIBOX_INLINE int64_t nearest_whole(float place) { return (int64_t)(place + 0.5f); }
 
+/* On one axis the least and the greatest number of triangles in float, and their places. */
+typedef struct lane_ends {
+    vnum least, most, from, to;
+} lane_ends;
+
 /*
  * The same from the doubles of a mesh, lane by lane: a plane that is in doubt is the one next to the place. Blurred are triangles
- * where that plane parts vertices which became one float, its least or greatest.
+ * where that plane parts vertices that became one float, their least or greatest.
  */
-static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint64_t lanes, lane_cells guess, vnum from, vnum to)
+static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint64_t lanes, lane_cells guess, lane_ends ends)
 {
-    float first[V_LANES], last[V_LANES], at_least[V_LANES], at_most[V_LANES], w[3][V_LANES], blurred[V_LANES] = {0};
+    float first[V_LANES], last[V_LANES], from[V_LANES], to[V_LANES], least[V_LANES], most[V_LANES], w[3][V_LANES];
+    float blurred[V_LANES] = {0};
     v_write(first, guess.first);
     v_write(last, guess.last);
-    v_write(at_least, from);
-    v_write(at_most, to);
+    v_write(from, ends.from);
+    v_write(to, ends.to);
+    v_write(least, ends.least);
+    v_write(most, ends.most);
     for (int j = 0; j < 3; j++)
         v_write(w[j], r->u[3 * a + j]);
     for (; lanes; lanes &= lanes - 1) {
         const unsigned n = tribox_lowest_bit(lanes);
-        const int64_t low = nearest_whole(at_least[n]), high = nearest_whole(at_most[n]);
+        const int64_t low = nearest_whole(from[n]), high = nearest_whole(to[n]);
         const double low_plane = tribox_plane_at(&v->planes, a, low), high_plane = tribox_plane_at(&v->planes, a, high);
-        bool is_above = true, is_below = true, is_at_low = false, is_at_high = false;
+        bool is_above = true, is_below = true, is_one_above = false, is_one_below = false;
         double u[3];
         tribox_voxels_read(v, r->number + (int32_t)n, a, u);
         for (int j = 0; j < 3; j++) {
-            is_above &= u[j] > low_plane;
-            is_below &= u[j] < high_plane;
-        }
-        for (int j = 0; j < 3; j++) {
-            is_at_low |= !is_above && u[j] > low_plane && !(w[j][n] > w[(j + 1) % 3][n]) && !(w[j][n] > w[(j + 2) % 3][n]);
-            is_at_high |= !is_below && u[j] < high_plane && !(w[j][n] < w[(j + 1) % 3][n]) && !(w[j][n] < w[(j + 2) % 3][n]);
+            const bool above = u[j] > low_plane, below = u[j] < high_plane;
+            is_above &= above;
+            is_below &= below;
+            is_one_above |= above & (w[j][n] <= least[n]);
+            is_one_below |= below & (w[j][n] >= most[n]);
         }
         first[n] = (float)(is_above ? low : low - 1);
         last[n] = (float)(is_below ? high - 1 : high);
-        blurred[n] = is_at_low || is_at_high;
+        blurred[n] = (is_one_above & !is_above) | (is_one_below & !is_below);
     }
     r->blurred = m_or(r->blurred, v_gt(v_load(blurred), v_splat(0)));
     return (lane_cells){v_load(first), v_load(last)};
@@ -112,7 +119,7 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a, cons
     const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
     const uint64_t in_doubt = m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a])));
     if (in_doubt)
-        c = v->mesh ? ask_doubles(v, r, a, in_doubt & m_bits(r->inside), c, from, to)
+        c = v->mesh ? ask_doubles(v, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to})
                     : ask_planes(c, least, most, v->grid->cell[a], v->grid->origin[a]);
     r->spans[a] = v_gt(c.last, c.first);
     r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
