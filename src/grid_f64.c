@@ -59,7 +59,7 @@ static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int
 {
     if (planes->cell[a] > spacing)
         return true;
-    for (int64_t p = first; p < last && p < first + 3; p++)
+    for (int64_t p = first; p < last && p < first + 2; p++)
         if (!(tribox_plane_at(planes, a, p + 1) > tribox_plane_at(planes, a, p)))
             return false;
     return (tribox_plane_at(planes, a, last) - tribox_plane_at(planes, a, first)) / spacing >= (double)(last - first);
@@ -83,8 +83,7 @@ static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
         *(is_top == is_falling ? &in : &out) = middle;
     }
     const double below = is_falling ? top.spacing : top.spacing / 2, above = is_falling ? top.spacing / 2 : top.spacing;
-    return (in < 0 || is_run_rising(planes, a, 0, in, below)) && (out > size || is_run_rising(planes, a, out, size, above)) &&
-           (in < 0 || out > size || tribox_plane_at(planes, a, out) > tribox_plane_at(planes, a, in));
+    return (in < 0 || is_run_rising(planes, a, 0, in, below)) && (out > size || is_run_rising(planes, a, out, size, above));
 }
 
 bool tribox_grid_f64_is_sound(const tribox_grid_f64 *grid)

@@ -83,8 +83,6 @@ static void finish_queue(tribox_voxels *v, tribox_class kind)
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         for (unsigned t = queue->count; t < V_LANES; t++)
             queue->number[n][t] = queue->number[n][0];
-    for (unsigned t = queue->count; v->mesh && t < V_LANES; t++)
-        queue->triangle[t] = queue->triangle[0];
     set_queued(v, kind, 0, queue->count);
 }
 

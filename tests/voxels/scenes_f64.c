@@ -116,8 +116,24 @@ static bool has_rising_planes(const tribox_grid_f64 *grid)
     return true;
 }
 
+/* Places far along x count most for what float rounds. */
+static bool draw_long_grid(random_source *r, const scene_f64 *scene, tribox_grid_f64 *grid)
+{
+    for (int trial = 0; trial < 5; trial++) {
+        scene->draw(r, grid);
+        grid->size[0] = (uint32_t)random_int_between(r, 20000, 60000);
+        grid->size[1] = (uint32_t)random_int_between(r, 1, 2);
+        grid->size[2] = (uint32_t)random_int_between(r, 1, 2);
+        if (has_rising_planes(grid))
+            return true;
+    }
+    return false;
+}
+
 void draw_grid_f64(random_source *r, const scene_f64 *scene, int cells, tribox_grid_f64 *grid)
 {
+    if (cells > 1000 && !random_int(r, 6) && draw_long_grid(r, scene, grid))
+        return;
     do {
         scene->draw(r, grid);
         int left = cells;
@@ -160,9 +176,28 @@ static double draw_coordinate(random_source *r, const tribox_grid_f64 *grid, int
     return isfinite(x) ? x : window_f64_plane(grid, a, 0);
 }
 
-static void draw_far(random_source *r, triangle_f64 u)
+/* The last vertex next to the edge of the others, by what float can tell or not. */
+static void draw_sliver(random_source *r, const tribox_grid_f64 *grid, triangle_f64 u)
+{
+    const double at = random_int(r, 2) ? random_double(r, 0, 1) : random_int(r, 9) / 8.0;
+    const int exponent = random_int_between(r, -45, -18);
+    for (int a = 0; a < 3; a++) {
+        const double x = u[0][a] + at * (u[1][a] - u[0][a]) + grid->cell[a] * ldexp(draw_number(r), exponent);
+        u[2][a] = isfinite(x) ? x : u[0][a];
+    }
+}
+
+/* Numbers near the ends of the range, or a whole axis of tiny ones. */
+static void draw_extreme(random_source *r, triangle_f64 u)
 {
     static const double far[] = {1e30, -1e30, 1e300, -1e300, DBL_MAX, -DBL_MAX, 0x1p-1074, -0x1p-1040, 1e-300};
+    static const double tiny[] = {0, 0x1p-1074, -0x1p-1040, 1e-300, -1e-200, 1e-100};
+    const int a = random_int(r, 3);
+    if (random_int(r, 2)) {
+        for (int j = 0; j < 3; j++)
+            u[j][a] = tiny[random_int(r, 6)];
+        return;
+    }
     for (int n = random_int_between(r, 1, 3); n > 0; n--)
         u[random_int(r, 3)][random_int(r, 3)] = far[random_int(r, 9)];
 }
@@ -178,8 +213,10 @@ void draw_triangle_f64(random_source *r, const tribox_grid_f64 *grid, triangle_f
     }
     if (!random_int(r, 20))
         memcpy(u[2], u[random_int(r, 2)], sizeof u[2]);
-    if (!random_int(r, 20))
-        draw_far(r, u);
+    if (!random_int(r, 6))
+        draw_sliver(r, grid, u);
+    if (!random_int(r, 10))
+        draw_extreme(r, u);
     if (!random_int(r, 100))
         u[random_int(r, 3)][random_int(r, 3)] = random_int(r, 2) ? NAN : INFINITY;
 }

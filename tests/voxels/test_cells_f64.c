@@ -8,7 +8,7 @@
 #include "common/arguments.h"
 #include "scenes_f64.h"
 
-enum { PAIRS_A_ROUND = 10000, CELLS_FOR_ALL = 300 };
+enum { PAIRS_A_ROUND = 7000, CELLS_FOR_ALL = 300, LONG = 1000 };
 
 typedef struct trial {
     random_source r;
@@ -54,7 +54,8 @@ static size_t check_alone(trial *t, unsigned axes)
 /* Until the oracle has enough to do. */
 static void draw_triangles(trial *t)
 {
-    const int count = random_int(&t->r, 2) ? random_int_between(&t->r, 1, 6) : random_int_between(&t->r, 20, 60);
+    const bool is_few = t->w.grid.size[0] > LONG || random_int(&t->r, 2);
+    const int count = is_few ? random_int_between(&t->r, 1, 6) : random_int_between(&t->r, 20, 60);
     for (t->w.count = 0; t->w.count < (size_t)count; t->w.count++)
         draw_triangle_f64(&t->r, &t->w.grid, t->w.triangle[t->w.count]);
 }

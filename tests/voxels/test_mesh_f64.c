@@ -136,27 +136,35 @@ static void check_cells(const tribox_mesh *long_one, const tribox_grid_f64 *grid
     }
 }
 
-/* A row whose cells have numbers beyond 2^31, and a triangle that leaves it; a plane alone, at the end of the row. */
+/*
+ * A row whose cells have numbers beyond 2^31, and triangles that leave it: a small one, and one as long as the row. A plane alone, at
+ * the end of the row.
+ */
 static void test_long_rows(void **state)
 {
     (void)state;
-    static const double triangle[3][3] = {{-7.5, 0.5, 0.5}, {9.25, 0.75, -0.5}, {3, -0.5, 0.75}};
-    const uint32_t size = (UINT32_C(1) << 31) + 200, zero[3] = {0, 0, 0}, whole[3] = {size, 1, 1};
+    static const double triangles_of[2][3][3] = {{{-7.5, 0.5, 0.5}, {9.25, 0.75, -0.5}, {3, -0.5, 0.75}},
+                                                 {{-0x1p31, -0x1p29, 0.25}, {0x1p31, 0x1p29, 0.5}, {0x1p31, 0x1p29, -7}}};
+    const uint32_t size = UINT32_MAX - 50, zero[3] = {0, 0, 0}, whole[3] = {size, 1, 1};
     const uint32_t first[3] = {0x7fffffc0, 0, 0}, end[3] = {UINT32_MAX - 140, 0, 0}, part[3] = {140, 1, 1};
-    const tribox_grid_f64 grid = {{-(double)(UINT32_C(1) << 31), 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
-    const tribox_mesh long_one = {.positions = triangle, .vertices = 3, .count = 1, .position_bytes = 8};
+    const tribox_grid_f64 grid = {{-0x1p31, 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
     const tribox_options plane = {.axes = TRIBOX_AXES_PLANE};
-    uint64_t *const row = calloc(size / 64 + 1, sizeof *row), window[3] = {0}, far[3] = {0};
-    tribox_report report, report_of_window;
+    uint64_t *const row = calloc(size / 64 + 1, sizeof *row);
     assert_non_null(row);
-    assert_int_equal(tribox_voxelize_f64(&long_one, &grid, zero, whole, NULL, row, &report), TRIBOX_OK);
-    assert_int_equal(tribox_voxelize_f64(&long_one, &grid, first, part, NULL, window, &report_of_window), TRIBOX_OK);
-    assert_in_range(report.overlapping, 10, 20);
-    assert_int_equal(report_of_window.overlapping, report.overlapping);
-    assert_memory_equal(row + first[0] / 64, window, sizeof window);
-    check_cells(&long_one, &grid, first[0], part[0], NULL, window);
-    assert_int_equal(tribox_voxelize_f64(&long_one, &grid, end, part, &plane, far, NULL), TRIBOX_OK);
-    check_cells(&long_one, &grid, end[0], part[0], &plane, far);
+    for (int t = 0; t < 2; t++) {
+        const tribox_mesh long_one = {.positions = triangles_of[t], .vertices = 3, .count = 1, .position_bytes = 8};
+        uint64_t window[3] = {0}, far[3] = {0};
+        tribox_report report, report_of_window;
+        assert_int_equal(tribox_voxelize_f64(&long_one, &grid, zero, whole, NULL, row, &report), TRIBOX_OK);
+        assert_int_equal(tribox_voxelize_f64(&long_one, &grid, first, part, NULL, window, &report_of_window), TRIBOX_OK);
+        assert_in_range(report.overlapping, 4, 20);
+        assert_int_equal(report_of_window.overlapping, report.overlapping);
+        assert_memory_equal(row + first[0] / 64, window, sizeof window);
+        check_cells(&long_one, &grid, first[0], part[0], NULL, window);
+        assert_int_equal(tribox_voxelize_f64(&long_one, &grid, end, part, &plane, far, NULL), TRIBOX_OK);
+        check_cells(&long_one, &grid, end[0], part[0], &plane, far);
+        memset(row + first[0] / 64, 0, sizeof window);
+    }
     free(row);
 }
 

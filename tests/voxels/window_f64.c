@@ -43,14 +43,26 @@ static pair_f64 pair_at(const window_f64 *w, size_t triangle, const uint32_t at[
     return pair;
 }
 
-/* Whether the triangle's bounding box touches the cell. */
-static bool is_beside(const pair_f64 *pair)
+/* The cells of an axis that the triangle's bounding box touches, each looked at: from first to before end. */
+typedef struct cells_touched {
+    uint32_t first, end;
+} cells_touched;
+
+static cells_touched touched_by(const window_f64 *w, size_t triangle, int a)
 {
-    for (int a = 0; a < 3; a++)
-        if (fmax(fmax(pair->u[0][a], pair->u[1][a]), pair->u[2][a]) < pair->box.lo[a] ||
-            fmin(fmin(pair->u[0][a], pair->u[1][a]), pair->u[2][a]) > pair->box.hi[a])
-            return true;
-    return false;
+    const double(*const u)[3] = (const double(*)[3])w->triangle[triangle];
+    const double least = fmin(fmin(u[0][a], u[1][a]), u[2][a]), most = fmax(fmax(u[0][a], u[1][a]), u[2][a]);
+    cells_touched touched = {w->size[a], 0};
+    double above = window_f64_plane(&w->grid, a, w->first[a]);
+    for (uint32_t i = 0; i < w->size[a]; i++) {
+        const double below = above;
+        above = window_f64_plane(&w->grid, a, (double)w->first[a] + i + 1);
+        if (below > most || above < least)
+            continue;
+        touched.first = i < touched.first ? i : touched.first;
+        touched.end = i + 1;
+    }
+    return touched;
 }
 
 size_t window_f64_expect(const window_f64 *w, size_t first, size_t count, unsigned axes, uint64_t *occupied)
@@ -58,17 +70,21 @@ size_t window_f64_expect(const window_f64 *w, size_t first, size_t count, unsign
     size_t asked = 0;
     uint32_t at[3];
     memset(occupied, 0, window_f64_words(w) * sizeof *occupied);
-    for (size_t t = first; t < first + count; t++)
-        for (at[2] = 0; at[2] < w->size[2]; at[2]++)
-            for (at[1] = 0; at[1] < w->size[1]; at[1]++)
-                for (at[0] = 0; at[0] < w->size[0]; at[0]++) {
+    for (size_t t = first; t < first + count; t++) {
+        cells_touched in[3];
+        for (int a = 0; a < 3; a++)
+            in[a] = axes & TRIBOX_AXES_BOX ? touched_by(w, t, a) : (cells_touched){0, w->size[a]};
+        for (at[2] = in[2].first; at[2] < in[2].end; at[2]++)
+            for (at[1] = in[1].first; at[1] < in[1].end; at[1]++)
+                for (at[0] = in[0].first; at[0] < in[0].end; at[0]++) {
                     uint64_t *const word = occupied + word_of(w, at);
                     const pair_f64 pair = pair_at(w, t, at);
-                    if (*word >> at[0] % 64 & 1 || (axes & TRIBOX_AXES_BOX && is_beside(&pair)))
+                    if (*word >> at[0] % 64 & 1)
                         continue;
                     asked++;
                     *word |= (uint64_t)oracle_answer_f64(&pair, axes) << at[0] % 64;
                 }
+    }
     return asked;
 }
 
