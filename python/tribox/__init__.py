@@ -9,9 +9,13 @@
             [1, 1, 0],
             [1, 0, 0]]])
 
-Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, or a Soup of nine streams. They are float32 and are read
-in place; an array that would have to be copied is an error, which says how to convert it. Converting float64 to float32 rounds:
-where coordinates are large, subtract an origin first.
+Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, whatever else has `vertices` and `faces`, as the meshes of
+trimesh do, or a Soup of nine streams. float32 and float64 are read in place, rows and columns alike; lists, whole numbers and other
+layouts are copied. Nothing is rounded: numbers that cannot be taken as they are, are an error that says which and what to do.
+
+    >>> utm = triangles + np.array([557820.1, 5108010.2, 700.3])
+    >>> tribox.overlap(utm, (557820, 5108010, 700), (557821, 5108011, 701))
+    array([ True, False])
 
 Triangles that are asked about many boxes belong in an Index, whose answers are the same and come hundreds of times as fast:
 
@@ -19,9 +23,11 @@ Triangles that are asked about many boxes belong in an Index, whose answers are 
     >>> index.list((-1, -1, -1), (1, 1, 1))
     array([0], dtype=uint32)
 
-Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite float32 input. A
-triangle with a NaN or an infinity overlaps nothing. Lone numbers (bounds of a box, a grid) are rounded to float32. Whatever is
-wrong with an argument is a tribox.Error. Calls release the interpreter's lock, so threads run at once.
+Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
+float64; bounds of boxes and grids are taken as they are, too: 0.1 is the double, np.float32(0.1) the float, which is faster where
+triangles are float32. Only oriented boxes are float32 throughout. Indices and Soups hold float32; of larger numbers they are made
+about an origin. A triangle with a NaN or an infinity overlaps nothing. Whatever is wrong with an argument is a tribox.Error. Calls
+release the interpreter's lock, so threads run at once.
 
 The library is the installed libtribox.so.0, or the file that the environment variable TRIBOX_LIBRARY names.
 """

@@ -1,7 +1,8 @@
 """What callers write, numbers and words, as the library takes it. Whatever cannot be taken is an InputError."""
 
 from functools import lru_cache
-from math import inf
+from math import inf, isfinite
+from struct import Struct
 
 from numpy import ndarray
 
@@ -9,6 +10,7 @@ from ._errors import InputError, error_of, named, shown
 from ._ffi import ffi
 from ._library import KERNELS, lib
 
+FLOATS = {count: Struct(f"{count}f") for count in (6, 9)}
 ACCURACIES = {"exact": lib.TRIBOX_EXACT, "conservative": lib.TRIBOX_CONSERVATIVE, "fast": lib.TRIBOX_FAST}
 
 
@@ -26,6 +28,23 @@ def three(name, numbers):
     except (TypeError, ValueError):
         raise InputError(f"{name} = {shown(numbers)}; give three numbers: x, y, z") from None
     return x, y, z
+
+
+def finite_three(name, numbers):
+    x, y, z = three(name, numbers)
+    if not (isfinite(x) and isfinite(y) and isfinite(z)):
+        raise InputError(f"{name} = {shown(numbers)}; give three finite numbers")
+    return x, y, z
+
+
+def are_floats(*numbers):
+    """Whether float32 holds these numbers; NaN and infinity are what they are in either."""
+    form = FLOATS[len(numbers)]
+    try:
+        rounded = form.unpack(form.pack(*numbers))
+    except OverflowError:
+        return False
+    return rounded == numbers or all(a == b or a != a for a, b in zip(numbers, rounded))
 
 
 def three_times_three(name, rows):

@@ -1,42 +1,109 @@
 """Which triangles overlap a box?"""
 
-from ._arguments import check, options_of, three, three_times_three
+import numpy as np
+
+from ._arguments import are_floats, check, options_of, three, three_times_three
 from ._errors import InputError
 from ._ffi import ffi
 from ._library import lib
-from ._masks import bools, check_out, new_words, pointer_to
-from ._triangles import SOUP, check_floats, check_indices, held, soups
+from ._masks import bools, check_out, new_words, packed_bits, pointer_to
+from ._numbers import DOUBLE, FLOAT, numbers
+from ._triangles import check_indices, gathered, held, meshes, soups
 
-BOX, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_oriented_box *")
+BOX, BOX_F64, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_box_f64 *"), ffi.typeof("tribox_oriented_box *")
 ALL = lib.TRIBOX_AXES_ALL
+MOST = np.finfo(FLOAT).max
+NOT_FINITE, EMPTY = (np.nan,) * 3, ((1, 1, 1), (0, 0, 0))
+
+
+def box_of(lo, hi):
+    """A box of floats where they hold its numbers, else of doubles."""
+    lo, hi = three("lo", lo), three("hi", hi)
+    return ffi.new(BOX if are_floats(*lo, *hi) else BOX_F64, (lo, hi))
+
+
+def floats_about(box, outside):
+    """The least box of floats that contains a box of doubles, or else the greatest within; empty or not finite where that is."""
+    lo, hi = np.array(tuple(box.lo)), np.array(tuple(box.hi))
+    if not np.isfinite([lo, hi]).all():
+        return ffi.new(BOX, (NOT_FINITE, NOT_FINITE))
+    with np.errstate(over="ignore", under="ignore"):
+        low, high = lo.astype(FLOAT), hi.astype(FLOAT)
+    if outside:
+        low, high = np.where(low > lo, below(low), low), np.where(high < hi, above(high), high)
+    else:
+        low, high = np.where(low < lo, above(low), low), np.where(high > hi, below(high), high)
+    if (lo > hi).any() or (low > MOST).any() or (high < -MOST).any():
+        return ffi.new(BOX, EMPTY)
+    return ffi.new(BOX, (np.maximum(low, -MOST).tolist(), np.minimum(high, MOST).tolist()))
+
+
+def below(numbers):
+    return np.nextafter(numbers, FLOAT.type(-np.inf))
+
+
+def above(numbers):
+    return np.nextafter(numbers, FLOAT.type(np.inf))
+
+
+def check_answer(held_, status, **arguments):
+    """Raises what the status of a call about a mesh stands for."""
+    if status == lib.TRIBOX_BAD_INDEX:
+        check_indices(held_)
+    check(status, **arguments)
+
+
+def fill_words(held_, box, options, words):
+    """The bits of triangles that overlap a box; returns the status."""
+    if held_.is_double:
+        return lib.tribox_overlap_indexed_f64(held_.struct, double_box(box), options, pointer_to(words), ffi.NULL)
+    if ffi.typeof(box) is BOX_F64:
+        return fill_words_about(held_, box, options, words)
+    call = lib.tribox_overlap if held_.is_soup else lib.tribox_overlap_indexed
+    return call(held_.struct, box, options, pointer_to(words), ffi.NULL)
+
+
+def fill_words_about(held_, box, options, words):
+    """The same of floats and a box of doubles: boxes of floats around and in it tell all but what overlaps the larger alone."""
+    status = fill_words(held_, floats_about(box, True), options, words)
+    if status or options.accuracy != lib.TRIBOX_EXACT:
+        return status
+    sure = np.empty_like(words)
+    fill_words(held_, floats_about(box, False), options, sure)
+    places = np.flatnonzero(bools(words & ~sure, held_.struct.count)).astype(np.uint32)
+    for first, mesh in meshes(gathered(held_.struct, places)):
+        found = new_words(mesh.count)
+        lib.tribox_overlap_indexed_f64(mesh, box, options, pointer_to(found), ffi.NULL)
+        wrong = places[first:first + mesh.count][~bools(found, mesh.count)]
+        np.bitwise_and.at(words, wrong >> 6, ~(np.uint64(1) << (wrong & 63).astype(np.uint64)))
+    return status
+
+
+def double_box(box):
+    return box if ffi.typeof(box) is BOX_F64 else ffi.new(BOX_F64, (tuple(box.lo), tuple(box.hi)))
 
 
 def overlap(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False, out=None):
     """Tests every triangle against the closed box from lo to hi. Returns an array of n bool.
 
-    triangles: an array of shape (n, 3, 3) of float32, a Mesh or a Soup; read in place.
-    lo, hi: three numbers each; like all lone numbers they are rounded to float32. lo > hi on an axis makes the empty box.
+    triangles: an array of shape (n, 3, 3), a Mesh or a Soup; float32 and float64 are read in place.
+    lo, hi: three numbers each, taken as they are. lo > hi on an axis makes the empty box.
     accuracy: "exact", "conservative" or "fast". axes: a union of AXES_BOX, AXES_PLANE and AXES_EDGES.
     order: the order of the groups of axes, such as 132; 0: found as it goes. It changes no answer. kernel: a name, such as "avx2".
     packed: returns uint64 words instead; bit i % 64 of word i // 64 is triangle i.
     out: an array to write to and return: n bool, or uint64 words for packed bits.
     """
-    struct, faces = held(triangles)
-    box = ffi.new(BOX, (three("lo", lo), three("hi", hi)))
-    options = options_of(accuracy, axes, order, kernel)
-    call = lib.tribox_overlap if ffi.typeof(struct) is SOUP else lib.tribox_overlap_indexed
-    count = struct.count
+    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
+    count = held_.struct.count
     words = None
     if out is not None:
         packed = check_out(out, (count,), ((count + 63) >> 6,))
         words = out if packed else None
     if words is None:
         words = new_words(count)
-    status = call(struct, box, options, pointer_to(words), ffi.NULL)
+    status = fill_words(held_, box, options, words)
     if status:
-        if status == lib.TRIBOX_BAD_INDEX:
-            check_indices(struct, faces)
-        check(status, axes=axes, order=order, lo=lo, hi=hi)
+        check_answer(held_, status, axes=axes, order=order, lo=lo, hi=hi)
     if packed:
         return words
     if out is None:
@@ -45,37 +112,39 @@ def overlap(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=No
     return out
 
 
-def first_triangle(call, triangles, lo, hi, accuracy, axes, order, kernel):
-    """Whether the call finds a triangle among them."""
-    box = ffi.new(BOX, (three("lo", lo), three("hi", hi)))
-    options = options_of(accuracy, axes, order, kernel)
+def is_any(held_, box, options, name, **arguments):
+    """Whether the call of that name, tribox_overlap_any or _all, finds a triangle among them."""
     found = ffi.new("size_t *")
-    for _, soup in soups(triangles):
-        check(call(soup, box, options, found), axes=axes, order=order, lo=lo, hi=hi)
-        if found[0] < soup.count:
+    is_double = held_.is_double or ffi.typeof(box) is BOX_F64
+    call, box = getattr(lib, name + "_f64" if is_double else name), double_box(box) if is_double else box
+    for _, part in meshes(held_) if is_double else soups(held_):
+        check_answer(held_, call(part, box, options, found), **arguments)
+        if found[0] < part.count:
             return True
     return False
 
 
 def overlap_any(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
     """Whether any triangle overlaps the box. Most of what follows the first that does is not tested."""
-    return first_triangle(lib.tribox_overlap_any, triangles, lo, hi, accuracy, axes, order, kernel)
+    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
+    return is_any(held_, box, options, "tribox_overlap_any", axes=axes, order=order, lo=lo, hi=hi)
 
 
 def overlap_all(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
     """Whether all triangles overlap the box."""
-    return not first_triangle(lib.tribox_overlap_all, triangles, lo, hi, accuracy, axes, order, kernel)
+    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
+    return not is_any(held_, box, options, "tribox_overlap_all", axes=axes, order=order, lo=lo, hi=hi)
 
 
 def classify(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
     """Tells which triangles overlap the box, and which of them lie wholly inside: two arrays of bool, or of packed bits."""
-    box = ffi.new(BOX, (three("lo", lo), three("hi", hi)))
-    options = options_of(accuracy, axes, order, kernel)
-    count = held(triangles)[0].count
+    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
+    is_double, count = held_.is_double or ffi.typeof(box) is BOX_F64, held_.struct.count
+    call, box = lib.tribox_classify_f64 if is_double else lib.tribox_classify, double_box(box) if is_double else box
     mask, inside = new_words(count), new_words(count)
-    for first, soup in soups(triangles):
-        status = lib.tribox_classify(soup, box, options, pointer_to(mask[first // 64:]), pointer_to(inside[first // 64:]), ffi.NULL)
-        check(status, axes=axes, order=order, lo=lo, hi=hi)
+    for first, part in meshes(held_) if is_double else soups(held_):
+        status = call(part, box, options, pointer_to(mask[first >> 6:]), pointer_to(inside[first >> 6:]), ffi.NULL)
+        check_answer(held_, status, axes=axes, order=order, lo=lo, hi=hi)
     return (mask, inside) if packed else (bools(mask, count), bools(inside, count))
 
 
@@ -83,12 +152,15 @@ def overlap_oriented(triangles, center, half, frame, *, accuracy="exact", axes=A
     """overlap for the oriented box of the points p with abs(frame[k] @ (p - center)) <= half[k], k = 0, 1, 2.
 
     frame: the three directions of the box, shape (3, 3).
+
+    Here all is float32: the numbers of the box are rounded to it, and triangles of float64 that it cannot hold are an error.
     """
     box = ffi.new(ORIENTED, (three("center", center), three("half", half), three_times_three("frame", frame)))
     options = options_of(accuracy, axes, order, kernel)
-    count = held(triangles)[0].count
+    held_ = held(triangles)
+    count = held_.struct.count
     mask = new_words(count)
-    for first, soup in soups(triangles):
+    for first, soup in soups(held_):
         status = lib.tribox_overlap_oriented(soup, box, options, pointer_to(mask[first // 64:]), ffi.NULL)
         check(status, axes=axes, order=order, center=center, half=half, frame=frame)
     return mask if packed else bools(mask, count)
@@ -97,23 +169,52 @@ def overlap_oriented(triangles, center, half, frame, *, accuracy="exact", axes=A
 def overlap_boxes(triangle, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
     """Tests one triangle against many boxes. Returns an array of n bool.
 
-    triangle: three vertices of three numbers. lo, hi: arrays of shape (3, n) of float32: axis, box; each row is contiguous.
+    triangle: three vertices of three numbers. lo, hi: arrays of shape (3, n): axis, box. A box that is not finite overlaps nothing.
+
+    Numbers that float32 cannot hold take a call for each box, of a microsecond; else thousands of boxes take as long.
     """
-    corners = ffi.new("float[3][3]", three_times_three("triangle", triangle))
-    options = options_of(accuracy, axes, order, kernel)
-    boxes = ffi.new("tribox_boxes *", (bounds("lo", lo), bounds("hi", hi), lo.shape[1]))
+    rows, options = three_times_three("triangle", triangle), options_of(accuracy, axes, order, kernel)
+    los, his = bounds(lo, hi)
+    count = los.shape[1]
+    if los.dtype == FLOAT and are_floats(*(x for row in rows for x in row)):
+        mask, boxes = new_words(count), boxes_of(los, his)
+        status = lib.tribox_overlap_boxes(ffi.new("float[3][3]", rows), boxes, options, pointer_to(mask), ffi.NULL)
+        check(status, axes=axes, order=order)
+        return mask if packed else bools(mask, count)
+    mask = each_box(held(np.array([rows])), los, his, options, axes=axes, order=order)
+    return packed_bits(mask) if packed else mask
+
+
+def each_box(held_, los, his, options, **arguments):
+    """One triangle against boxes of doubles, one by one."""
+    mask, word, box = np.zeros(los.shape[1], bool), new_words(1), ffi.new(BOX_F64)
+    check(fill_words(held_, box, options, word), **arguments)  # of the options, where there is no box
+    for i in np.flatnonzero(np.isfinite(los).all(0) & np.isfinite(his).all(0)):
+        box.lo, box.hi = los[:, i].tolist(), his[:, i].tolist()
+        check(fill_words(held_, box, options, word), **arguments)
+        mask[i] = bool(word[0])
+    return mask
+
+
+def bounds(lo, hi):
+    """The bounds of boxes, of shape (3, n), both of float32 or of float64."""
+    lo, hi = numbers("lo", lo), numbers("hi", hi)
+    for name, array in (("lo", lo), ("hi", hi)):
+        if array.ndim != 2 or len(array) != 3:
+            raise InputError(f"{name} has shape {array.shape}; give (3, n), as {name}.T of an array (n, 3)")
     if lo.shape != hi.shape:
         raise InputError(f"lo has shape {lo.shape} and hi {hi.shape}")
-    mask = new_words(boxes.count)
-    check(lib.tribox_overlap_boxes(corners, boxes, options, pointer_to(mask), ffi.NULL), axes=axes, order=order)
-    return mask if packed else bools(mask, boxes.count)
+    if lo.dtype != FLOAT or hi.dtype != FLOAT:
+        with np.errstate(over="ignore", under="ignore"):
+            singles = lo.astype(FLOAT), hi.astype(FLOAT)
+        if not all(np.array_equal(single, array, equal_nan=True) for single, array in zip(singles, (lo, hi))):
+            return lo.astype(DOUBLE), hi.astype(DOUBLE)
+        lo, hi = singles
+    return [array if array.shape[1] <= 1 or array.strides[1] == 4 else np.ascontiguousarray(array) for array in (lo, hi)]
 
 
-def bounds(name, array):
-    """Pointers to the rows of bounds of boxes."""
-    check_floats(name, array)
-    if array.ndim != 2 or len(array) != 3 or array.shape[1] > 1 and array.strides[1] != 4:
-        raise InputError(f"{name} has shape {array.shape} and strides {array.strides}; give (3, n) with contiguous rows: "
-                         f"np.ascontiguousarray({name}.T) of an array (n, 3)")
-    start = array.__array_interface__["data"][0]
-    return [ffi.cast("float *", start + axis * array.strides[0]) for axis in range(3)]
+def boxes_of(los, his):
+    """Bounds of float32 as tribox_boxes, which points into them."""
+    starts = [(array.__array_interface__["data"][0], array.strides[0]) for array in (los, his)]
+    pointers = [[ffi.cast("float *", start + axis * stride) for axis in range(3)] for start, stride in starts]
+    return ffi.new("tribox_boxes *", (*pointers, los.shape[1]))

@@ -1,25 +1,30 @@
-"""Triangles in NumPy arrays as the structs of the library: pointers into the arrays, no copies."""
+"""Triangles in NumPy arrays as the structs of the library: pointers into the arrays, without copies where it can read them."""
 
 import numpy as np
 
-from ._errors import InputError, InputTypeError, bad_index, error_of
+from ._arguments import finite_three
+from ._errors import BadIndexError, InputError, InputTypeError, bad_index, error_of
 from ._ffi import ffi
 from ._library import lib
+from ._numbers import DOUBLE, FLOAT, array_of, first_of, floats, numbers, place_of
 
-FLOAT = np.dtype(np.float32)
-INDEX_BYTES = {np.dtype(np.uint16): 2, np.dtype(np.uint32): 4, np.dtype(np.int32): 4}
-MESH, SOUP = ffi.typeof("tribox_mesh *"), ffi.typeof("tribox_soup *")
+INDEX = np.dtype(np.uint32)
+INDEX_BYTES = {np.dtype(np.uint16): 2, INDEX: 4, np.dtype(np.int32): 4}
+MESH, SOUP, INDICES = ffi.typeof("tribox_mesh *"), ffi.typeof("tribox_soup *"), ffi.typeof("uint32_t[]")
 BLOCK = 1 << 16  # triangles: as streams they are 2.3 MB, and blocks start at whole words of a mask
+WIDE_BLOCK = 1 << 12  # the same, as doubles: 295 KB, which fit a cache
+LOCAL = ("this call is about float32: give an origin near the triangles, which tribox.Soup.of and tribox.Index subtract before "
+         "they round, or ask tribox.overlap, classify or voxelize, which take float64 as it is")
+
+NOWHERE = 0.0, 0.0, 0.0  # an origin that moves nothing
 
 new, from_buffer, NULL = ffi.new, ffi.from_buffer, ffi.NULL
 
 
 def check_floats(name, array):
-    if not isinstance(array, np.ndarray):
-        raise InputTypeError(f"{name} is of type {type(array).__name__}; give a NumPy array, np.asarray(..., np.float32)")
-    if array.dtype != FLOAT:
-        raise InputTypeError(f"{name} has dtype {array.dtype}, the library reads float32; convert it once: "
-                             f"{name}.astype(np.float32)")
+    if not isinstance(array, np.ndarray) or array.dtype != FLOAT:
+        raise InputTypeError(f"{name} is {getattr(array, 'dtype', type(array).__name__)}; streams are NumPy arrays of "
+                             "float32: tribox.Soup.of(triangles, origin=...) makes them of other numbers")
 
 
 def address_of(array):
@@ -27,55 +32,99 @@ def address_of(array):
     return ffi.cast("void *", array.__array_interface__["data"][0])
 
 
-def mesh_without_faces(triangles):
-    """An array of shape (n, 3, 3) as a tribox_mesh, or, where it is stored as nine streams, as a tribox_soup."""
-    if triangles.dtype != FLOAT:
-        check_floats("triangles", triangles)
+def strides_of(count, stride, axis_stride, item):
+    """(stride, axis_stride) of a tribox_mesh for vertices so far apart; None if no mesh can be. 0, as there, is the usual."""
+    if count <= 1:
+        stride = 0
+    if axis_stride == item and (count <= 1 or stride >= 3 * item):
+        return stride, 0
+    return (stride, axis_stride) if axis_stride >= item and (count <= 1 or stride >= item) else None
+
+
+class Array:
+    """An array of shape (n, 3, 3) as a tribox_mesh."""
+
+    __slots__ = "vertices", "faces", "struct", "is_double"
+    is_soup = False
+
+    def __init__(self, triangles, stride, axis_stride):
+        count = len(triangles)
+        self.vertices, self.faces = triangles, None
+        start = address_of(triangles) if stride else from_buffer(triangles)
+        self.struct = new(MESH, (start, stride, 3 * count, NULL, 0, count, triangles.itemsize, axis_stride))
+        self.is_double = triangles.dtype == DOUBLE or axis_stride != 0
+
+
+def array_held(triangles):
+    """An array of shape (n, 3, 3) as an Array or, where it is stored as nine streams of float32, as a Soup."""
     shape = triangles.shape
     if shape[1:] != (3, 3):
         raise InputError(f"triangles has shape {shape}; give (n, 3, 3): triangle, vertex, axis")
-    count = shape[0]
     if triangles.flags.c_contiguous:
-        return new(MESH, (from_buffer(triangles), 12, 3 * count, NULL, 0, count))
+        return Array(triangles, 0, 0)
     per_triangle, per_vertex, per_axis = triangles.strides
-    if per_axis == 4 and per_vertex >= 12 and (count == 1 or per_triangle == 3 * per_vertex):
-        return new(MESH, (address_of(triangles), per_vertex, 3 * count, NULL, 0, count))
-    if per_triangle == 4:
-        return Soup(triangles.T).struct
-    raise InputError(f"triangles has the strides {triangles.strides}, which cannot be read in place; copy it once: "
-                     "np.ascontiguousarray(triangles)")
+    if shape[0] <= 1 or per_triangle == 3 * per_vertex:
+        strides = strides_of(3 * shape[0], per_vertex, per_axis, triangles.itemsize)
+        if strides:
+            return Array(triangles, *strides)
+    if triangles.dtype == FLOAT and per_triangle == 4:
+        return Soup(triangles.T)
+    return Array(np.ascontiguousarray(triangles), 0, 0)
+
+
+def faces_of(faces, vertices):
+    """Faces as the library reads them: the caller's array, or a copy whose indices are then known to be right."""
+    array = array_of("faces", faces)
+    if array.dtype.kind not in "iu":
+        raise InputTypeError(f"faces is {type(faces).__name__} of {array.dtype}; give whole numbers, the numbers of three vertices "
+                             "for each triangle")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise InputError(f"faces has shape {array.shape}; give (n, 3): triangle, vertex")
+    if array.dtype in INDEX_BYTES:
+        return np.ascontiguousarray(array)
+    wrong = array >= vertices if array.dtype.kind == "u" else (array < 0) | (array >= vertices)
+    if wrong.any():
+        raise BadIndexError(f"faces[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {vertices} vertices; "
+                            f"wrong indices in all: {np.count_nonzero(wrong)}", "BAD_INDEX")
+    if vertices > 1 << 32 and array.size and array.max() > np.iinfo(INDEX).max:
+        raise InputError("faces refers to vertices beyond 2^32, and an index has 32 bits; give fewer vertices at a time")
+    return np.ascontiguousarray(array, INDEX)
 
 
 class Mesh:
-    """Vertices, an array of shape (m, 3) of float32, and faces, of shape (n, 3) of uint16, uint32 or int32. Nothing is copied.
+    """Vertices of shape (m, 3) and faces of shape (n, 3), the numbers of their vertices.
 
-    Vertices may be 12 bytes or more apart; faces are contiguous.
+    vertices: arrays of float32 and float64 are read in place, with any distance between vertices and between axes: rows, columns
+        (order="F"), fields of a structured dtype. Other real numbers and lists are copied, without rounding.
+    faces: arrays of uint16, uint32 and int32 are read in place if contiguous; other whole numbers and lists are copied.
+
+    Whatever has attributes `vertices` and `faces`, as the meshes of trimesh do, can be given to every call in place of a Mesh; a
+    Mesh made of it once saves copying the faces in each.
     """
 
+    is_soup = False
+
     def __init__(self, vertices, faces):
-        check_floats("vertices", vertices)
+        vertices = numbers("vertices", vertices)
         if vertices.ndim != 2 or vertices.shape[1] != 3:
             raise InputError(f"vertices has shape {vertices.shape}; give (m, 3): vertex, axis")
-        if len(vertices) and (vertices.strides[1] != 4 or len(vertices) > 1 and vertices.strides[0] < 12):
-            raise InputError(f"vertices has the strides {vertices.strides}, which cannot be read in place; copy it once: "
-                             "np.ascontiguousarray(vertices)")
-        if not isinstance(faces, np.ndarray) or faces.dtype not in INDEX_BYTES:
-            raise InputTypeError(f"faces is {getattr(faces, 'dtype', type(faces).__name__)}; the library reads arrays of uint16, "
-                                 "uint32 or int32; convert it once: np.asarray(faces, np.uint32)")
-        if faces.ndim != 2 or faces.shape[1] != 3 or not faces.flags.c_contiguous:
-            raise InputError(f"faces has shape {faces.shape} and strides {faces.strides}; give (n, 3), contiguous")
         count = len(vertices)
+        strides = strides_of(count, *vertices.strides, vertices.itemsize)
+        if not strides:
+            vertices, strides = np.ascontiguousarray(vertices), (0, 0)
+        faces = faces_of(faces, count)
+        self.vertices, self.faces = vertices, faces
         if faces.dtype.kind == "i":
             count = min(count, 1 << 31)  # negative numbers, read as unsigned, refer to no vertex
-        stride = vertices.strides[0] if len(vertices) > 1 else 12
-        self.vertices, self.faces = vertices, faces
-        self.struct = new(MESH, (address_of(vertices), stride, count, address_of(faces), faces.itemsize, len(faces)))
+        self.struct = new(MESH, (address_of(vertices), strides[0], count, address_of(faces), faces.itemsize, len(faces),
+                                 vertices.itemsize, strides[1]))
+        self.is_double = vertices.dtype == DOUBLE or strides[1] != 0
 
     def __len__(self):
         return len(self.faces)
 
     def __repr__(self):
-        return f"<tribox.Mesh: {len(self.vertices)} vertices, {len(self)} faces of {self.faces.dtype}>"
+        return f"<tribox.Mesh: {len(self.vertices)} vertices of {self.vertices.dtype}, {len(self)} faces of {self.faces.dtype}>"
 
 
 class Soup:
@@ -83,6 +132,8 @@ class Soup:
 
     streams: an array of shape (3, 3, n), or sequences of nine arrays.
     """
+
+    faces, is_soup, is_double = None, True, False
 
     def __init__(self, streams):
         try:
@@ -107,50 +158,98 @@ class Soup:
         return f"<tribox.Soup: {len(self)} triangles>"
 
     @classmethod
-    def of(cls, triangles):
-        """A copy of a mesh, or of an array of shape (n, 3, 3), as streams: for triangles that are tested many times."""
-        struct, faces = held(triangles)
-        if ffi.typeof(struct) is SOUP:
-            return cls(np.array(triangles.T if isinstance(triangles, np.ndarray) else triangles.streams, order="C"))
-        check_indices(struct, faces)
-        soup = cls(np.empty((3, 3, struct.count), FLOAT))
-        fill(soup.struct, struct, 0, struct.count)
+    def of(cls, triangles, origin=None):
+        """A copy of triangles in any form as streams: for triangles that are tested many times.
+
+        origin: three numbers, which are subtracted in float64 before the coordinates are rounded to float32. Answers about the Soup
+            are then about boxes with the origin subtracted as well, and exact about coordinates that are off by 2^-24 of their
+            distance from it. Without an origin nothing is rounded: float64 that float32 cannot hold is an error.
+        """
+        held_ = held(triangles)
+        if origin is None and held_.is_soup:
+            return cls(np.array(held_.streams, order="C"))
+        if origin is None:
+            check_single(held_)
+        origin = NOWHERE if origin is None else finite_three("origin", origin)
+        check_indices(held_)
+        soup = cls(np.empty((3, 3, held_.struct.count), FLOAT))
+        for first, mesh in [(0, held_.struct)] if not held_.is_soup else meshes(held_):
+            fill(soup.struct, first, mesh, 0, mesh.count, origin)
         return soup
 
 
 def held(triangles):
-    """The struct of triangles in any form, and their faces, if any, for messages. The struct points into the caller's arrays."""
-    if isinstance(triangles, np.ndarray):
-        return mesh_without_faces(triangles), None
-    if isinstance(triangles, Mesh):
-        return triangles.struct, triangles.faces
-    if isinstance(triangles, Soup):
-        return triangles.struct, None
-    raise InputTypeError(f"triangles is of type {type(triangles).__name__}; give a NumPy array, a tribox.Mesh or a tribox.Soup")
+    """Triangles in any form as a Mesh, a Soup or an Array: what has a struct, and keeps alive what that points to."""
+    if isinstance(triangles, (Mesh, Soup, Array)):
+        return triangles
+    if not isinstance(triangles, np.ndarray) and hasattr(triangles, "vertices") and hasattr(triangles, "faces"):
+        return Mesh(triangles.vertices, triangles.faces)
+    return array_held(numbers("triangles", triangles))
 
 
-def check_indices(mesh, faces):
-    error = faces is not None and bad_index(mesh, faces)
+def check_single(held_):
+    """Raises what float32 cannot hold of the coordinates."""
+    if not held_.is_soup:
+        floats("triangles" if held_.faces is None else "vertices", held_.vertices, LOCAL)
+
+
+def check_indices(held_):
+    error = held_.faces is not None and bad_index(held_.struct, held_.faces)
     if error:
         raise error
 
 
-def fill(soup, mesh, first, count):
-    """Copies triangles of a mesh with good indices to the streams of a soup that has room for them."""
-    soup.count = count
-    status = lib.tribox_mesh_to_streams(mesh, first, count, NULL, soup.x, soup.y, soup.z)
+def fill(soup, at, mesh, first, count, origin=None):
+    """Copies triangles of a mesh with good indices to place `at` of the streams of a soup; with an origin, relative to it."""
+    streams = [[stream + at for stream in axis] for axis in (soup.x, soup.y, soup.z)]
+    streams = [new("float *[3]", axis) for axis in streams]
+    if origin is None:
+        status = lib.tribox_mesh_to_streams(mesh, first, count, NULL, *streams)
+    else:
+        status = lib.tribox_mesh_to_local_streams(mesh, origin, first, count, NULL, *streams)
     if status:
         raise error_of(status, first=first, count=count)
 
 
 def soups(triangles):
     """Triangles in any form as tribox_soups, each with the number of its first triangle. The next soup overwrites the last."""
-    struct, faces = held(triangles)
-    if ffi.typeof(struct) is SOUP:
+    held_ = held(triangles)
+    struct = held_.struct
+    if held_.is_soup:
         yield 0, struct
         return
-    check_indices(struct, faces)
+    check_single(held_)
+    check_indices(held_)
+    origin = NOWHERE if held_.is_double else None
     block = Soup(np.empty((3, 3, min(struct.count, BLOCK)), FLOAT))
     for first in range(0, max(struct.count, 1), BLOCK):
-        fill(block.struct, struct, first, min(struct.count - first, BLOCK))
+        block.struct.count = min(struct.count - first, BLOCK)
+        fill(block.struct, 0, struct, first, block.struct.count, origin)
         yield first, block.struct
+
+
+def gathered(struct, order):
+    """Triangles, by their numbers, as a Soup of their own."""
+    soup = Soup(np.empty((3, 3, len(order)), FLOAT))
+    call = lib.tribox_soup_gather if ffi.typeof(struct) is SOUP else lib.tribox_mesh_gather
+    to = soup.struct
+    status = call(struct, ffi.from_buffer(INDICES, order), 0, len(order), to.x, to.y, to.z)
+    if status:
+        raise error_of(status, triangles=len(order))
+    return soup
+
+
+def meshes(held_):
+    """Triangles as tribox_meshes of doubles: those that are, whole; others, block by block, widened."""
+    if held_.is_double:
+        yield 0, held_.struct
+        return
+    block = Array(np.empty((max(1, min(held_.struct.count, WIDE_BLOCK)), 3, 3)), 0, 0)
+    for start, soup in soups(held_):
+        for first in range(0, max(soup.count, 1), WIDE_BLOCK):
+            block.struct.count = min(soup.count - first, WIDE_BLOCK)
+            for axis, streams in enumerate((soup.x, soup.y, soup.z)):
+                for vertex in range(3):
+                    part = ffi.buffer(streams[vertex] + first, 4 * block.struct.count)
+                    block.vertices[:block.struct.count, vertex, axis] = np.frombuffer(part, FLOAT)
+            yield start + first, block.struct

@@ -31,7 +31,7 @@ def scattered(count):
 
 
 def truth(triangles, lo, hi):
-    box = (*np.float32(lo).tolist(), *np.float32(hi).tolist())
+    box = (*map(float, lo), *map(float, hi))
     return np.array([meshes.overlaps(triangle, box) for triangle in triangles.tolist()], bool)
 
 

@@ -35,7 +35,7 @@ class Layouts(cases.TestCase):
     def read_in_place(self, triangles):
         """The answers are right, and the struct points to the array."""
         self.assert_same(tribox.overlap(triangles, LO, HI), self.expected)
-        struct = tribox._triangles.held(triangles)[0]
+        struct = tribox._triangles.held(triangles).struct
         self.assertIn(start_of(triangles), [address(struct.x[0])] if hasattr(struct, "x") else [address(struct.positions)])
 
     def padded(self, dtype_bytes):

@@ -199,10 +199,14 @@ class Errors(cases.TestCase):
         self.index = tribox.Index(self.triangles)
 
     def test_triangles(self):
-        for odd in (None, [[0, 0, 0]], 1):
-            self.refuse(InputTypeError, None, "triangles is of type", tribox.Index, odd)
-        self.refuse(InputTypeError, None, "dtype float64", tribox.Index, self.triangles.astype(float))
-        self.refuse(InputError, None, "strides", tribox.Index, self.triangles[::2])
+        for odd in (None, "triangles", self.triangles.astype(complex)):
+            self.refuse(InputTypeError, None, "triangles is .*; give real numbers", tribox.Index, odd)
+        for odd in ([[0, 0, 0]], 1):
+            self.refuse(InputError, None, "triangles has shape", tribox.Index, odd)
+        self.refuse(InputError, None, r"triangles\[17, 1, 2\] is 0.1, which float32 cannot hold; .* give an origin", tribox.Index,
+                    np.where(np.arange(self.triangles.size).reshape(-1, 3, 3) == 17 * 9 + 5, 0.1, self.triangles.astype(float)))
+        for origin in (3, (0, 0, np.inf), (0, 0, "x")):
+            self.refuse(InputError, None, "^origin = ", tribox.Index, self.triangles, origin=origin)
         vertices, faces = cases.shared_vertices(self.triangles, np.uint32)
         faces[17, 2] = len(vertices)
         for keep_order in (False, True):
@@ -237,9 +241,8 @@ class Errors(cases.TestCase):
 
     def test_boxes(self):
         bounds = np.zeros((3, 9), np.float32)
-        for odd in (bounds.T, bounds[:, ::2]):
-            self.refuse(InputError, None, r"lo has shape .*; give \(3, n\)", self.index.lists, odd, bounds)
-        self.refuse(InputTypeError, None, "hi has dtype float64", self.index.lists, bounds, bounds.astype(float))
+        self.refuse(InputError, None, r"lo has shape .*; give \(3, n\)", self.index.lists, bounds.T, bounds)
+        self.refuse(InputTypeError, None, "hi is ndarray of complex128", self.index.lists, bounds, bounds.astype(complex))
         self.refuse(InputError, None, r"lo has shape \(3, 9\) and hi \(3, 8\)", self.index.lists, bounds, bounds[:, :8])
         self.refuse(InputError, "BAD_OPTION", "axes = 6", self.index.lists, bounds, bounds, axes=6)
 

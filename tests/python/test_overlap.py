@@ -94,11 +94,12 @@ class Overlap(cases.TestCase):
             self.assert_same(words, tribox.overlap(form, LO, HI, packed=True))
 
     def test_numbers(self):
-        """Bounds may be any three numbers; they are rounded to float32."""
+        """Bounds may be any three numbers, and are taken as they are."""
         for lo, hi in ((list(LO), np.array(HI)), (np.float32(LO), map(np.float32, HI)), (LO, np.array(HI, np.float16))):
             self.assert_same(tribox.overlap(self.triangles, lo, hi), self.expected)
-        point = np.full((1, 3, 3), 0.1, np.float32)
-        self.assertTrue(tribox.overlap(point, (0.1, 0.1, 0.1), (0.1, 0.1, 0.1))[0])
+        point, tenth = np.full((1, 3, 3), 0.1, np.float32), np.float32(0.1)
+        self.assertTrue(tribox.overlap(point, (tenth, tenth, tenth), (tenth, tenth, tenth))[0])
+        self.assertFalse(tribox.overlap(point, (0, 0, 0), (0.1, 0.1, 0.1))[0])
 
     def test_no_overlap(self):
         for lo, hi in (((1, 0, 0), (0, 1, 1)), ((1e38, 0, 0), (3e38, 1, 1))):
@@ -204,7 +205,7 @@ class Documents(unittest.TestCase):
     def test_repr(self):
         triangles = np.zeros((4, 3, 3), np.float32)
         mesh = tribox.Mesh(triangles[0], np.array([[0, 1, 2]], np.uint16))
-        self.assertEqual(repr(mesh), "<tribox.Mesh: 3 vertices, 1 faces of uint16>")
+        self.assertEqual(repr(mesh), "<tribox.Mesh: 3 vertices of float32, 1 faces of uint16>")
         self.assertEqual(repr(tribox.Soup.of(triangles)), "<tribox.Soup: 4 triangles>")
 
 
