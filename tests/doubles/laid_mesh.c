@@ -54,7 +54,8 @@ static size_t axis_stride_of(const tribox_mesh *mesh) { return mesh->axis_stride
 
 static size_t stride_of(const tribox_mesh *mesh)
 {
-    return mesh->stride ? mesh->stride : (mesh->axis_stride ? 1 : 3) * number_bytes(mesh);
+    const unsigned bytes = number_bytes(mesh);
+    return mesh->stride ? mesh->stride : mesh->axis_stride > bytes ? bytes : 3 * bytes;
 }
 
 static size_t vertex_number(const tribox_mesh *mesh, size_t corner)
@@ -97,7 +98,7 @@ static void put_strides(random_source *r, const mesh_form *form, tribox_mesh *me
     const size_t bytes = number_bytes(mesh);
     if (form->order == ROWS) {
         mesh->axis_stride = random_int(r, 2) ? 0 : bytes;
-        mesh->stride = form->gap || mesh->axis_stride || random_int(r, 2) ? 3 * bytes + form->gap : 0;
+        mesh->stride = form->gap || random_int(r, 2) ? 3 * bytes + form->gap : 0;
     } else if (form->order == SPREAD_ROWS) {
         mesh->axis_stride = bytes + form->gap;
         mesh->stride = 2 * mesh->axis_stride + bytes + (random_int(r, 2) ? 0 : form->gap);
