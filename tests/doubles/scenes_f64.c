@@ -30,6 +30,7 @@ static const scene_f64 scenes[] = {
     {"faces", draw_f64_faces, 1},
     {"zero-faces", draw_f64_zero_faces, 10},
     {"beside-faces", draw_f64_beside_faces, 1},
+    {"standing", draw_f64_standing, 1},
     {"wild", draw_f64_wild, 2},
     {"range", draw_f64_range, 10},
     {"subnormal", draw_f64_subnormal, 1},

@@ -45,7 +45,7 @@ scene_f64_draw draw_f64_touching, draw_f64_touching_ulp, draw_f64_float_ulp, dra
 
 /* What floats are not for: boxes flat, thin, tiny and huge, and numbers on faces and next to them: scenes_f64_guards.c. */
 scene_f64_draw draw_f64_flat, draw_f64_thin, draw_f64_thin_faces, draw_f64_sides, draw_f64_faces, draw_f64_zero_faces,
-    draw_f64_beside_faces, draw_f64_wild;
+    draw_f64_beside_faces, draw_f64_standing, draw_f64_wild;
 
 /* The ends of the range of doubles: scenes_f64_range.c. */
 scene_f64_draw draw_f64_range, draw_f64_subnormal, draw_f64_near_max, draw_f64_overflow, draw_f64_units, draw_f64_stage_ends,

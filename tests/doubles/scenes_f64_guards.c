@@ -164,6 +164,23 @@ void draw_f64_beside_faces(random_source *r, batch_f64 *batch)
             }
 }
 
+/* Steep triangles that stand on a face with one vertex, or hang just off it: no axis but the normal of the face can tell. */
+void draw_f64_standing(random_source *r, batch_f64 *batch)
+{
+    batch->box = box_f64_about_zero(r, 0.5, 1);
+    for (int k = 0; k < BATCH_F64; k++) {
+        const int a = random_int(r, 3), is_hi = random_int(r, 4), steps = random_int_between(r, -1, 2);
+        const double face = is_hi ? batch->box.hi[a] : batch->box.lo[a], off = ldexp(steps, -random_int_between(r, 22, 53));
+        for (int j = 0; j < 3; j++) {
+            const double height = j ? j + random_double(r, 0, 0.5) : off;
+            batch->u[k][j][a] = is_hi ? face + height : face - height;
+            batch->u[k][j][(a + 1) % 3] = random_double(r, -0.2, 0.2);
+            batch->u[k][j][(a + 2) % 3] = random_double(r, -0.2, 0.2);
+        }
+    }
+    move_away(r, batch);
+}
+
 /* Vertices so far out that their cubes, or they themselves, are no floats. */
 void draw_f64_wild(random_source *r, batch_f64 *batch)
 {

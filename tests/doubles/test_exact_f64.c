@@ -41,6 +41,11 @@ static void draw_batch(test_run *t)
 {
     t->scene->draw(&t->r, &t->batch);
     t->are_floats = true;
+    /* Now and then floats, against a box of any doubles. */
+    for (int k = 0, is_rounded = !random_int(&t->r, 8); is_rounded && k < 9 * BATCH_F64; k++) {
+        double *const x = &t->batch.u[k / 9][k / 3 % 3][k % 3];
+        *x = fabs(*x) < 0x1p127 ? (double)(float)*x : *x;
+    }
     /* Now and then a number that is none. */
     for (int times = random_int(&t->r, 8) ? 0 : 5; times > 0; times--) {
         static const double none[] = {NAN, -NAN, INFINITY, -INFINITY};
