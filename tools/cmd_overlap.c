@@ -4,15 +4,12 @@
 
 #include <string.h>
 
-#include "read/boxes.h"
-#include "read/mesh.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "overlap/box_after_box.h"
-#include "overlap/report.h"
+#include "overlap/overlap.h"
 
 static const char help[] =
     "tribox overlap - which triangles of a mesh overlap a box?\n"
@@ -156,141 +153,6 @@ static int check_request(const request *r)
     return r->has_oriented ? check_oriented(r) : EXIT_CODE_OK;
 }
 
-/* Tests a mesh up to `runs` times, fewer when it is slow; the best time counts. */
-static int run_test(const mesh *m, const request *r, const masks *bits, int runs, answer *a)
-{
-    const asked_triangles all = triangles_of_mesh(m);
-    const double slow = 0.1;
-    const answer none = *a;
-    double total = 0;
-    for (int run = 1; run <= runs && total < slow; run++) {
-        answer once = none;
-        const int code = overlap_ask(r, &all, bits, &once);
-        if (code)
-            return code;
-        total += once.seconds;
-        if (run > 1 && a->seconds < once.seconds)
-            once.seconds = a->seconds;
-        *a = once;
-        a->runs = run;
-    }
-    return EXIT_CODE_OK;
-}
-
-static void tell_mesh(const mesh *m, answer *a)
-{
-    a->triangles = m->triangles;
-    a->is_double = m->is_double;
-    a->left_out = m->left_out;
-    a->not_finite = m->not_finite;
-    a->rounded = m->rounded;
-    a->moved = m->moved;
-}
-
-static int answer_box(const mesh *m, const request *r)
-{
-    masks bits;
-    answer a = {.box = box_for_mesh(&r->box, m->is_double)};
-    tell_mesh(m, &a);
-    int code = masks_make(m->triangles, r->wants_inside, &bits);
-    if (!code)
-        code = run_test(m, r, &bits, 5, &a);
-    if (!code && r->wants_list)
-        code = report_list(r, &a, 0, bits.overlap, m->triangles);
-    masks_free(&bits);
-    return code ? code : report_end(r, &a);
-}
-
-static int answer_next(box_after_box *b, answer *a)
-{
-    tell_mesh(b->m, a);
-    int code = box_after_box_ask(b, a);
-    if (!code && b->r->wants_list)
-        code = box_after_box_list(b, a);
-    return code ? code : report_end(b->r, a);
-}
-
-static int answer_lines(box_after_box *b, box_file *boxes)
-{
-    bool end = false;
-    int code = EXIT_CODE_OK;
-    size_t answered = 0;
-    for (;; answered++) {
-        answer a = {.runs = 1};
-        written_box box;
-        code = box_file_next(boxes, &box, &end);
-        if (code || end)
-            break;
-        a.box = box_for_mesh(&box, b->m->is_double);
-        a.line = boxes->line;
-        code = answer_next(b, &a);
-        if (code)
-            break;
-    }
-    if (!code && !answered)
-        message_say("note: %s: there is no box in it", boxes->name);
-    return code;
-}
-
-static int answer_boxes(mesh *m, const request *r)
-{
-    box_file boxes;
-    box_after_box b;
-    int code = box_file_open(&boxes, r->boxes_path);
-    if (code)
-        return code;
-    code = box_after_box_start(r, m, &b);
-    if (!code)
-        code = answer_lines(&b, &boxes);
-    box_after_box_end(&b);
-    box_file_close(&boxes);
-    return code;
-}
-
-static void set_center(const double center[3], const float middle[3], request *own)
-{
-    memcpy(own->center, center, sizeof own->center);
-    memcpy(own->oriented.center, middle, sizeof own->oriented.center);
-}
-
-/* Oriented boxes are tested in float, about their centre where the mesh is one of doubles. */
-static int take_oriented(const request *r, mesh *m, request *own)
-{
-    if (m->is_double)
-        set_center(r->center, (const float[3]){0, 0, 0}, own);
-    return mesh_to_floats(r->mesh_path, own->center, m);
-}
-
-static int answer_mesh(const request *r, request *own)
-{
-    mesh m;
-    int code = mesh_read_shifted(r->mesh_path, r->format, &own->shift, &m);
-    if (code)
-        return code;
-    if (r->has_oriented)
-        code = take_oriented(r, &m, own);
-    mesh_warn(r->mesh_path, &m);
-    if (!code)
-        code = r->boxes_path ? answer_boxes(&m, own) : answer_box(&m, own);
-    mesh_free(&m);
-    return code;
-}
-
-/* A single box takes one pass over the triangles, for which a file of triangles need not be held in memory. */
-static int answer_request(const request *r)
-{
-    triangle_file file = {.stream = NULL};
-    const int code = r->boxes_path || r->shift.is_wanted ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
-    const bool is_whole = r->has_oriented && file.format == TRIANGLES_F64;
-    const float *const middle = r->oriented.center;
-    request own = *r;
-    set_center((const double[3]){(double)middle[0], (double)middle[1], (double)middle[2]}, middle, &own);
-    if (!code && file.stream && !is_whole)
-        return overlap_stream(&own, &file);
-    triangle_file_close(&file);
-    return code ? code : answer_mesh(r, &own);
-}
-
 int cmd_overlap(int count, char **words)
 {
     request r = {.mesh_path = NULL};
@@ -300,5 +162,5 @@ int cmd_overlap(int count, char **words)
         return output_text(help);
     if (!code)
         code = check_request(&r);
-    return code ? code : answer_request(&r);
+    return code ? code : overlap_work(&r);
 }

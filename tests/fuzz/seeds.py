@@ -231,7 +231,8 @@ def grid():
         triangles = b"".join(shape(way, drawn(source, way, 9)) for _ in range(3))
         files["resolution_" + name] = bytes([UNIT_ONE, 0, 0, 1, 99, 0]) + bytes([4, 4, 4]) + triangles
         files["cell_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([0, 4, 4, 4]) + triangles
-        files["cell_of_doubles_" + name] = bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([21, 4, 4, 4]) + triangles
+        files["cell_of_doubles_" + name] = (bytes([UNIT_ONE, 0, 0, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([21, 4, 4, 4]) +
+                                            triangles)
         files["origin_and_size_" + name] = (bytes([UNIT_ONE, 1, 1, 0, BITS]) + floats(0.1, 0.2, 0.3) + bytes([0, LATTICE]) +
                                             lattice(-9, -9, -9) + bytes([0, 40, 40, 40]) + triangles)
     return files
@@ -252,7 +253,8 @@ def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 3\n
     first, end = size[2] * (shard - 1) // shards, size[2] * shard // shards
     count = row_words * size[1] * (end - first) if words is None else words
     return (magic.ljust(16, b"\0") +
-            struct.pack("<2I9d8I3Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, 12, 34, 0) + bytes(8 * count))
+            struct.pack("<2I9d8I3Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, 12, 34, 0) +
+            bytes(8 * count))
 
 
 def ply_files():
@@ -337,10 +339,12 @@ def obj_files():
             "negative": plain.replace(b"1 2 3", b"-3 -2 -1"), "far_index": plain.replace(b"1 2 3", b"1 2 4"),
             "index_0": plain.replace(b"1 2 3", b"0 1 2"), "too_negative": plain.replace(b"1 2 3", b"-4 1 2"),
             "faces_first": b"f 1 2 3\nf 1 2 3 4\nf -1 1 2\n" + plain[:-8] + b"v 1.1 2.2 3.3\nf -1 -2 -3\n",
-            "continued": plain.replace(b" 2 ", b" \\\n2\\\r\n").replace(b"v 0 1", b"v\\\n 0 1"), "comment": plain.replace(b"\n", b"#\\\n\n"),
+            "continued": plain.replace(b" 2 ", b" \\\n2\\\r\n").replace(b"v 0 1", b"v\\\n 0 1"),
+            "comment": plain.replace(b"\n", b"#\\\n\n"),
             "more": plain.replace(b" 0\n", b" 0 1 255 0 0\n") + b"vn 0 0 1\ng a\nusemtl b\np 1\nl 1 2\nf 1 2\n",
             "doubles": plain.replace(b"1 0", b"557820.123456789 0x1p-200"), "word": plain.replace(b"1 0", b"one 0"),
-            "comb": b"v 0 0 0\nv 6 0 0\nv 6 4 0\nv 5 4 0\nv 5 1 0\nv 1 1 0\nv 1 4 0\nv 0 4 0\nf 1 2 3 4 5 6 7 8\nf 8 7 6 5 4 3 2 1\nf 1 3 2 4 6 5 8 7\n",
+            "comb": b"v 0 0 0\nv 6 0 0\nv 6 4 0\nv 5 4 0\nv 5 1 0\nv 1 1 0\nv 1 4 0\nv 0 4 0\n"
+                    b"f 1 2 3 4 5 6 7 8\nf 8 7 6 5 4 3 2 1\nf 1 3 2 4 6 5 8 7\n",
             "polygon": b"v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 1 4 3 2 1\n"}
 
 

@@ -24,7 +24,8 @@ class Info(support.TestCase):
         info = json.loads(self.succeed("info", "--json"))
         fields = dict(re.split(r"  +", line, maxsplit=1) for line in self.succeed("info").splitlines())
         self.assertEqual(fields, {"version": info["version"], "processor": info["processor"],
-                                  "kernels": " ".join(info["kernels"]), "default kernel": info["default_kernel"], "positions": ", ".join(info["positions"])})
+                                  "kernels": " ".join(info["kernels"]), "default kernel": info["default_kernel"],
+                                  "positions": ", ".join(info["positions"])})
         self.assertEqual(info["positions"], ["float32", "float64"])
 
 

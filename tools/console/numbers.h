@@ -9,9 +9,9 @@
 #define NUMBERS_BLANKS " \t\r"
 
 /*
- * Reads `count` finite numbers, separated by commas or blanks, as the nearest doubles. Returns false after a line on standard error.
- * where: what to call the text in messages, such as "--box" or "boxes.txt:7". form: how to write it, such as "X,Y,Z".
- * decimals: NULL, or receives in bit i whether number i is no float but a decimal that the nearest float gives back, as it does 0.1.
+ * Reads `count` finite numbers, separated by commas or blanks, as the nearest doubles. Returns false after a line on standard
+ * error. where: what to call the text in messages, such as "--box" or "boxes.txt:7". form: how to write it, such as "X,Y,Z".
+ * decimals: NULL, or receives in bit i whether number i is no float but a decimal that the nearest float gives back, as 0.1 is.
  */
 bool numbers_read(const char *text, const char *where, const char *form, int count, double *numbers, unsigned *decimals);
 

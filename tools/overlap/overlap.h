@@ -66,6 +66,9 @@ int overlap_ask(const request *r, const asked_triangles *t, const masks *bits, a
 
 asked_triangles triangles_of_mesh(const mesh *m);
 
+/* From the mesh to the report. Returns an exit_code. */
+int overlap_work(const request *r);
+
 /* Tests one box while the mesh is read, in constant memory. Closes the file. Returns an exit_code. */
 int overlap_stream(const request *r, triangle_file *file);
 

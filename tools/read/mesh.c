@@ -67,25 +67,6 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m)
     return EXIT_CODE_OK;
 }
 
-/* Streams one after the other are a matrix: all x, all y, all z, of the first vertices, the second and the third. */
-tribox_mesh mesh_of_streams(const mesh *m, uint32_t **indices)
-{
-    const size_t room = m->capacity, count = m->soup.count;
-    *indices = 3 * (uint64_t)room <= UINT32_MAX ? malloc(3 * count * sizeof **indices) : NULL;
-    if (!*indices)
-        return (tribox_mesh){.positions = NULL};
-    for (size_t t = 0; t < count; t++)
-        for (size_t v = 0; v < 3; v++)
-            (*indices)[3 * t + v] = (uint32_t)(v * room + t);
-    return (tribox_mesh){.positions = m->coordinates,
-                         .stride = sizeof(float),
-                         .axis_stride = 3 * room * sizeof(float),
-                         .vertices = 2 * room + count,
-                         .indices = *indices,
-                         .index_bytes = sizeof **indices,
-                         .count = count};
-}
-
 /* Where the next triangles go: x of the three vertices, then y, then z. */
 static void find_streams(const mesh *m, float *to[9])
 {
@@ -103,24 +84,6 @@ static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
     const tribox_status status = tribox_mesh_to_streams(all, 0, all->count, NULL, to, to + 3, to + 6);
     m->soup.count = all->count;
     return status ? message_failure("%s: %s", path, tribox_status_text(status)) : EXIT_CODE_OK;
-}
-
-void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m)
-{
-    free(m->coordinates);
-    m->coordinates = NULL;
-    m->capacity = 0;
-    m->soup = (tribox_soup){.count = 0};
-    m->positions = positions;
-    m->corners = corners;
-    m->is_double = true;
-    m->triangles = triangles;
-    m->doubles = (tribox_mesh){.positions = positions,
-                               .vertices = vertices,
-                               .indices = corners,
-                               .index_bytes = sizeof *corners,
-                               .count = triangles,
-                               .position_bytes = sizeof *positions};
 }
 
 static int take_doubles(const char *path, indexed_mesh *from, mesh *m)
@@ -259,33 +222,6 @@ int mesh_read(const char *path, mesh *m)
     if (code)
         mesh_free(m);
     return code;
-}
-
-void mesh_warn_not_finite(const char *path, uint64_t not_finite, uint64_t count, uint64_t first)
-{
-    if (not_finite)
-        message_say("warning: %s: %" PRIu64 " of %" PRIu64
-                    " triangles have NaN or infinite coordinates and overlap nothing; the first is number %" PRIu64,
-                    path, not_finite, count, first);
-}
-
-void mesh_warn_rounded(const char *path, const mesh *m)
-{
-    if (m->rounded)
-        message_say("warning: %s: rounding to float moved coordinates of %zu vert%s by up to %.2g", path, m->rounded,
-                    m->rounded == 1 ? "ex" : "ices", m->moved);
-}
-
-void mesh_warn(const char *path, const mesh *m)
-{
-    mesh_warn_not_finite(path, m->not_finite, m->triangles, m->first_not_finite);
-    mesh_warn_rounded(path, m);
-    if (m->uncut)
-        message_say("warning: %s: %zu of %zu triangles are missing: libassimp cannot cut polygons that cross themselves", path,
-                    m->uncut, m->soup.count + m->uncut);
-    if (m->miscut)
-        message_say("warning: %s: %zu polygon%s cannot be cut well, so the triangles cover too much; triangulate the mesh first",
-                    path, m->miscut, m->miscut == 1 ? "" : "s");
 }
 
 void mesh_free(mesh *m)

@@ -77,8 +77,6 @@ static void print_json(const voxelize_answer *a)
     json_whole(&j, "triangles", a->triangles);
     json_string(&j, "positions", a->is_double ? "float64" : "float32");
     json_whole(&j, "not_finite", a->not_finite);
-    json_whole(&j, "rounded", 0);
-    json_whole(&j, "moved", 0);
     voxelize_json_grid(&j, &a->cells, a->is_shifted);
     if (a->shard) {
         json_whole(&j, "shard", a->shard);
