@@ -50,7 +50,7 @@ TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_pairs *from, walk_kin
         splat_box(&p->box, from->box);
         if (kind.is_near)
             near_box(&p->box);
-        p->margin = kind.is_near ? near_margin_of(&p->box) : box_margin_of(&p->box);
+        p->margin = kind.is_near && sequence_has(kind.sequence, 3) ? near_margin_of(&p->box) : box_margin_of(&p->box);
     } else {
         splat_triangle(&p->t, from->triangle);
     }
