@@ -144,6 +144,31 @@ def indexed():
     return files
 
 
+def overlap_f64():
+    """fuzz_overlap_f64.c writes numbers in ways of its own."""
+    source = random.Random(11)
+    bytes_of = {"eight_bytes": 8, "units": 1, "far_units": 2, "stepped": 1, "between": 2, "special": 1, "exponent": 2, "rounded": 1}
+    unit_box = bytes([1]) + b"".join(bytes([0, n]) for n in (15, 15, 15, 17, 17, 17)) + b"\0"
+
+    def many(way, count):
+        return b"".join(bytes([way]) + source.randbytes(9 * (1 + size)) for size in [list(bytes_of.values())[way]] * count)
+
+    files = {}
+    for way, name in enumerate(bytes_of):
+        for unit in range(0, 8, 3 if name == "units" else 8):
+            own_box = bytes([way]) + source.randbytes(6 * (1 + bytes_of[name])) + b"\0"
+            for box_name, box in (("unit_box", unit_box), ("own_box", own_box)):
+                files["%s_%d_%s" % (name, unit, box_name)] = (bytes([0, unit]) + options() + box + bytes([15]) + many(way, 16) +
+                                                              source.randbytes(6))
+    for name, axes in (("plane", 2), ("edges", 4), ("box_and_edges", 5)):
+        files["axes_" + name] = bytes([0, 0]) + options(axes) + unit_box + bytes([15]) + many(1, 16) + source.randbytes(6)
+    files["columns"] = bytes([0, 0]) + options() + unit_box + bytes([15]) + many(3, 16) + bytes([0, 0, 3])
+    files["floats"] = bytes([0, 0]) + options() + unit_box + bytes([15]) + many(2, 16) + bytes([4, 0, 1])
+    files["bad_index"] = bytes([0, 0]) + options() + unit_box + bytes([3]) + many(1, 4) + bytes([0, 1, 30, 0, 251])
+    files["bad_size"] = bytes([0, 0]) + options() + unit_box + bytes([3]) + many(1, 4) + bytes([255, 0, 0])
+    return files
+
+
 def soup():
     """As for tribox_overlap, followed by a count and the words of a mask."""
     files = pairs(True)
@@ -388,7 +413,7 @@ def command():
 
 
 TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "indexed": indexed, "soup": soup,
-           "index": index, "oriented": oriented, "grid": grid, "files": files, "command": command}
+           "overlap_f64": overlap_f64, "index": index, "oriented": oriented, "grid": grid, "files": files, "command": command}
 
 
 def main():
