@@ -10,32 +10,19 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "common/kernels_here.h"
 #include "fences.h"
-#include "forms.h"
 #include "hostile.h"
+#include "index_fixture.h"
 
 enum { COUNT_MAX = 9000, WORDS = (COUNT_MAX + 63) / 64, BOXES = 4, PAIRS = 100000, ROUNDS = 300 };
 
 static arguments args;
-static stored_soup stored;
 static bool is_lattice; /* oriented boxes about others take long */
-static form_fences fences;
 
 static int make_all(void **state)
 {
     (void)state;
-    stored = stored_soup_make(COUNT_MAX);
-    fences = form_fences_make(COUNT_MAX, BOXES);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    form_fences_free(&fences);
-    return 0;
+    return index_fixture_make(COUNT_MAX, BOXES);
 }
 
 static void say(const char *form, const tribox_options *options)
@@ -256,5 +243,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_random_bytes), cmocka_unit_test(test_flipped_bits), cmocka_unit_test(test_all_inside),
         cmocka_unit_test(test_another_soup), cmocka_unit_test(test_copies),
     };
-    return cmocka_run_group_tests(tests, make_all, free_all);
+    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
 }

@@ -9,30 +9,17 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "common/kernels_here.h"
-#include "forms.h"
 #include "hostile.h"
+#include "index_fixture.h"
 
 enum { TRIANGLES = 2000, BOXES = 20, PAIRS_A_QUESTION = 10 };
 
 static arguments args;
-static stored_soup stored;
-static form_fences fences;
 
 static int make_all(void **state)
 {
     (void)state;
-    stored = stored_soup_make(TRIANGLES);
-    fences = form_fences_make(TRIANGLES, BOXES);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    form_fences_free(&fences);
-    return 0;
+    return index_fixture_make(TRIANGLES, BOXES);
 }
 
 /* Mostly some words: a question about them has all there is, but for a second level of nodes. */
@@ -84,8 +71,6 @@ static void test_hostile_soups(void **state)
 static void test_scenes(void **state)
 {
     (void)state;
-    const char *names[KERNELS_MAX];
-    const int kernels = kernels_here(names);
     catch_faults();
     for (size_t i = 0; i < scene_count(); i++) {
         scene_batch batch;
@@ -109,5 +94,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_hostile_soups),
         cmocka_unit_test(test_scenes),
     };
-    return cmocka_run_group_tests(tests, make_all, free_all);
+    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
 }

@@ -9,35 +9,19 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "common/kernels_here.h"
-#include "forms.h"
 #include "hostile.h"
+#include "index_fixture.h"
 
 static const size_t counts[] = {0,    1,    2,    63,   64,    65,    127,        128,    129,       4031,
                                 4095, 4096, 4097, 8191, 12345, 65535, 262144 - 1, 262144, 262144 + 1};
 enum { COUNTS = sizeof counts / sizeof counts[0], COUNT_MAX = 262144 + 1, BOXES = 12, BOXES_OF_MANY = 5 };
 
 static arguments args;
-static stored_soup stored;
-static form_fences fences;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static int make_all(void **state)
 {
     (void)state;
-    kernels = kernels_here(names);
-    stored = stored_soup_make(COUNT_MAX);
-    fences = form_fences_make(COUNT_MAX, 1);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    form_fences_free(&fences);
-    return 0;
+    return index_fixture_make(COUNT_MAX, 1);
 }
 
 static void draw(random_source *r, size_t count, dirt kind, int shift)
@@ -158,5 +142,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_counts),    cmocka_unit_test(test_dirt),  cmocka_unit_test(test_dirt_in_a_word),
         cmocka_unit_test(test_alignment), cmocka_unit_test(test_bytes),
     };
-    return cmocka_run_group_tests(tests, make_all, free_all);
+    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
 }

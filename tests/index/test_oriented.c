@@ -13,35 +13,19 @@
 
 #include "common/arguments.h"
 #include "common/contact.h"
-#include "common/kernels_here.h"
 #include "fences.h"
-#include "forms.h"
 #include "hostile.h"
+#include "index_fixture.h"
 #include "oriented_scenes.h"
 
 enum { COUNT_MAX = 2 * TRIBOX_INDEX_BLOCK, WORDS = COUNT_MAX / 64, PAIRS = 100000, ROUNDS = 3, BOXES = 6 };
 
 static arguments args;
-static stored_soup stored;
-static form_fences fences;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static int make_all(void **state)
 {
     (void)state;
-    kernels = kernels_here(names);
-    stored = stored_soup_make(COUNT_MAX);
-    fences = form_fences_make(COUNT_MAX, 1);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    form_fences_free(&fences);
-    return 0;
+    return index_fixture_make(COUNT_MAX, 1);
 }
 
 static void say(const char *form, const tribox_options *options, const char *name)
@@ -273,5 +257,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_rounding),
         cmocka_unit_test(test_unseen),
     };
-    return cmocka_run_group_tests(tests, make_all, free_all);
+    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
 }

@@ -8,34 +8,18 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "common/kernels_here.h"
 #include "fences.h"
-#include "forms.h"
 #include "hostile.h"
+#include "index_fixture.h"
 
 enum { TRIANGLES = 5000, WORDS = (TRIANGLES + 63) / 64, BOXES = 7, LISTED = BOXES * TRIANGLES };
 
 static arguments args;
-static stored_soup stored;
-static form_fences fences;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static int make_all(void **state)
 {
     (void)state;
-    kernels = kernels_here(names);
-    stored = stored_soup_make(TRIANGLES);
-    fences = form_fences_make(TRIANGLES, BOXES);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    form_fences_free(&fences);
-    return 0;
+    return index_fixture_make(TRIANGLES, BOXES);
 }
 
 static uint32_t *numbers_of(fenced place) { return (uint32_t *)(void *)place.at; }
@@ -250,5 +234,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_thin_boxes),
         cmocka_unit_test(test_boxes_without_lists),
     };
-    return cmocka_run_group_tests(tests, make_all, free_all);
+    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
 }

@@ -13,33 +13,17 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
-#include "common/kernels_here.h"
-#include "forms.h"
 #include "hostile.h"
+#include "index_fixture.h"
 
 enum { COUNT = 64 * TRIBOX_INDEX_BLOCK + 64, FACES = 6 };
 
 static arguments args;
-static stored_soup stored;
-static form_fences fences;
-static const char *names[KERNELS_MAX];
-static int kernels;
 
 static int make_all(void **state)
 {
     (void)state;
-    kernels = kernels_here(names);
-    stored = stored_soup_make(COUNT);
-    fences = form_fences_make(COUNT, 1);
-    return 0;
-}
-
-static int free_all(void **state)
-{
-    (void)state;
-    stored_soup_free(&stored);
-    form_fences_free(&fences);
-    return 0;
+    return index_fixture_make(COUNT, 1);
 }
 
 /* A part of the soup that is one word or one whole node of some level. */
@@ -234,5 +218,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_each_word), cmocka_unit_test(test_ends_of_range), cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_zeros),     cmocka_unit_test(test_dirt),
     };
-    return cmocka_run_group_tests(tests, make_all, free_all);
+    return cmocka_run_group_tests(tests, make_all, index_fixture_free);
 }
