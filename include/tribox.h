@@ -397,8 +397,8 @@ TRIBOX_API tribox_status tribox_index_lists(const tribox_index *index, const tri
                                             size_t *start);
 
 /**
- * Finds some triangle that overlaps the box: not the first, but at EXACT the same on every processor. At FAST it may be one that FAST
- * misses and that lies wholly inside.
+ * Finds some triangle that overlaps the box: not the first, but at EXACT the same on every processor. At FAST it may be one that
+ * FAST misses and that lies wholly inside.
  *
  * triangle: receives its index, or soup->count if no triangle overlaps.
  *

@@ -22,8 +22,8 @@ typedef void tribox_bound_soup(const tribox_soup *soup, size_t first, tribox_nod
 typedef void tribox_bound_nodes(const void *nodes, size_t count, tribox_node *node);
 
 /*
- * The first `count` children of a node, 64 at most, beside a box: those that touch it, and those of them that lie wholly inside. Bits
- * past the first `count` mean nothing.
+ * The first `count` children of a node, 64 at most, beside a box: those that touch it, and those of them that lie wholly inside.
+ * Bits past the first `count` mean nothing.
  */
 typedef struct tribox_touch {
     uint64_t touching, inside;

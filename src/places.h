@@ -23,8 +23,8 @@ static inline size_t tribox_places_before_cut(size_t count)
 }
 
 /*
- * Cuts places first .. first + count - 1, one at least, down to words, and writes their numbers to the same places of the order. The
- * second part of a cut is never much the greater, so calls nest little more than log2(count) deep.
+ * Cuts places first .. first + count - 1, one at least, down to words, and writes their numbers to the same places of the order.
+ * The second part of a cut is never much the greater, so calls nest little more than log2(count) deep.
  */
 void tribox_places_finish(const tribox_kernel *kernel, void *scratch, size_t total, size_t first, size_t count, uint32_t *order);
 
