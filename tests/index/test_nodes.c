@@ -43,13 +43,14 @@ static void check(const tribox_box *box, size_t turn)
 static void test_counts(void **state)
 {
     (void)state;
+    const size_t boxes_of_many = arguments_are_short(&args) ? 2 : BOXES_OF_MANY;
     catch_faults();
     for (size_t c = 0; c < COUNTS; c++) {
         random_source r = random_named(args.seed, "counts");
         const bool is_long = counts[c] > 2 * TRIBOX_INDEX_BLOCK;
         for (int kind = is_long ? (int)c % DIRTS : 0; kind < (is_long ? (int)c % DIRTS + 1 : DIRTS); kind++) {
             draw(&r, counts[c], (dirt)kind, kind % 2 ? STORED_AT_END : kind);
-            for (size_t b = 0; b < (is_long ? BOXES_OF_MANY : BOXES); b++) {
+            for (size_t b = 0; b < (is_long ? boxes_of_many : BOXES); b++) {
                 const tribox_box box = draw_box(&r, &stored);
                 check(&box, b);
             }
