@@ -137,9 +137,12 @@ typedef struct tribox_batch {
     _Alignas(64) double number[15][TRIBOX_BATCH];
 } tribox_batch;
 
-/* Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are. */
+/*
+ * Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are. Wild
+ * are those not decided whose lengths are so small or so large that nothing is known of them; no pair of floats is.
+ */
 typedef struct tribox_verdict {
-    uint64_t overlapping, open, finite;
+    uint64_t overlapping, open, finite, wild;
 } tribox_verdict;
 
 /*

@@ -74,7 +74,7 @@ static void gather(gathering *g, double u[3][3], const tribox_box_f64 *box, size
 /* Adds those that overlap to the hits. Returns how many have finite numbers. */
 static size_t settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
 {
-    const tribox_verdict verdict = tribox_settle_batch_f64(&g->batch, g->count, plan);
+    const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const size_t lane = g->lane[tribox_lowest_bit(left)];
         hit[lane / 64] |= UINT64_C(1) << lane % 64;

@@ -6,17 +6,9 @@
 
 /*
  * What the first `count` pairs of a batch, at least one, come to at the accuracy and by the axes of the plan: none stays open. The
- * numbers of the triangles are finite or not, and those that are not overlap nothing; the batch is as kernel.h has it. Numbers after
- * the last pair are written over.
+ * numbers are any doubles, those of the triangles finite or not; what is not finite overlaps nothing. Those after the last pair are
+ * written over.
  */
-
-/* All numbers are floats. */
 tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan);
-
-/*
- * Any doubles. Pairs with numbers so large or so small that the double stage cannot bound its errors are found here, and settled in
- * integers at every accuracy.
- */
-tribox_verdict tribox_settle_batch_f64(tribox_batch *batch, unsigned count, const tribox_plan *plan);
 
 #endif

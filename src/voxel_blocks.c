@@ -54,7 +54,7 @@ static void ask_parts(tribox_voxels *v, const tribox_triangle *triangle, const i
         put_pair(batch, n, triangle, &v->planes, part_base, part_cells);
     }
     v->counts.undecided += count;
-    b->left = tribox_settle_batch_f64(batch, count, &v->plan).overlapping;
+    b->left = tribox_settle_batch(batch, count, &v->plan).overlapping;
 }
 
 static void set_cell(tribox_voxels *v, const int64_t at[3])

@@ -38,7 +38,7 @@ void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *tria
 static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)
 {
     v->counts.undecided += count;
-    const tribox_verdict verdict = (v->mesh ? tribox_settle_batch_f64 : tribox_settle_batch)(batch, count, &v->plan);
+    const tribox_verdict verdict = tribox_settle_batch(batch, count, &v->plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const unsigned i = tribox_lowest_bit(left);
         v->counts.overlapping += tribox_set_bits(cell[i].word, cell[i].bit);

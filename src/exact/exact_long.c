@@ -3,7 +3,6 @@
 
 #include "accumulator.h"
 #include "kernel.h"
-#include "tame.h"
 
 /* A product of differences: those of the first two numbers, the next two and so on. */
 enum { TERMS_MAX = 6 };
@@ -14,8 +13,15 @@ typedef struct exact_term {
 typedef struct exact_points {
     double at[3][TRIBOX_POINTS];
     int sign_of_n[3];
-    bool is_tame; /* no number is so large or so small that a product of three overflows or underflows */
+    bool is_tame; /* every number is */
 } exact_points;
+
+/* Neither so small nor so large that products of three differences underflow or overflow. */
+static bool is_tame_number(double number)
+{
+    const double size = fabs(number);
+    return size == 0 || (size >= 0x1p-200 && size <= 0x1p200);
+}
 
 /*
  * Whether the sum of the terms has the sign that double finds: a term is rounded five times at most, and there are five sums
@@ -133,7 +139,7 @@ bool tribox_exact_long(const tribox_pair *pair, unsigned axes)
         const double number[TRIBOX_POINTS] = {pair->u[0][a], pair->u[1][a], pair->u[2][a], pair->lo[a], pair->hi[a]};
         memcpy(p.at[a], number, sizeof number);
         for (int k = 0; k < TRIBOX_POINTS; k++)
-            p.is_tame = p.is_tame && tribox_is_tame(number[k]);
+            p.is_tame = p.is_tame && is_tame_number(number[k]);
     }
     for (int i = 0; i < 3; i++) {
         exact_term term[2];

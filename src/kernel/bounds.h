@@ -18,6 +18,7 @@
 /* The bounds where nothing underflows. */
 typedef struct lane_bounds {
     vnum F[3];     /* extents of the triangle */
+    vnum m[3];     /* the largest distances */
     vnum edges[3]; /* bound on the one-sided slacks of projection i */
     vnum plane;    /* bound on the slack of the plane */
 } lane_bounds;
@@ -25,17 +26,17 @@ typedef struct lane_bounds {
 TRIBOX_INLINE lane_bounds bounds_of(const lane_triangle *t, const lane_box *box)
 {
     lane_bounds bound;
-    vnum m[3], S = v_splat(0);
+    vnum S = v_splat(0);
     for (int a = 0; a < 3; a++) {
         const vnum least = lane_min3(t->u[0][a], t->u[1][a], t->u[2][a]);
         const vnum most = lane_max3(t->u[0][a], t->u[1][a], t->u[2][a]);
         bound.F[a] = v_sub(most, least);
-        m[a] = v_max(v_sub(most, box->lo[a]), v_sub(box->hi[a], least));
+        bound.m[a] = v_max(v_sub(most, box->lo[a]), v_sub(box->hi[a], least));
     }
     for (int i = 0; i < 3; i++) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
-        const vnum B = v_fma(bound.F[a], m[b], v_mul(bound.F[b], m[a]));
-        S = v_fma(v_mul(bound.F[a], bound.F[b]), m[i], S);
+        const vnum B = v_fma(bound.F[a], bound.m[b], v_mul(bound.F[b], bound.m[a]));
+        S = v_fma(v_mul(bound.F[a], bound.F[b]), bound.m[i], S);
         bound.edges[i] = v_mul(v_splat(2 * 16 * V_UNIT), B);
     }
     bound.plane = v_mul(v_splat(2 * 24 * V_UNIT), S);

@@ -28,10 +28,19 @@ TRIBOX_INLINE lane_slacks slacks_of(const lane_shape *s, unsigned axes)
     return slack;
 }
 
-/* The least of a slack plus or minus its bound, over all axes that are not redundant: negative in `most` separates for certain,
- * positive in `least` is a certain overlap. */
+TRIBOX_INLINE vmask is_zero(vnum a) { return m_not(v_gt(v_abs(a), v_splat(0))); }
+
+/* Neither so small nor so large that products of three of them underflow or overflow: PROOFS.md 6.1. */
+TRIBOX_INLINE vmask is_tame(vnum length)
+{
+    return m_or(is_zero(length), m_and(v_gt(length, v_splat(0x1p-200)), v_gt(v_splat(0x1p200), length)));
+}
+
+/* The least of a slack plus or minus its bound, over all axes that are not redundant: where the bounds hold, negative in `most` separates,
+ * and positive in `least` is an overlap. */
 typedef struct lane_range {
     vnum least, most;
+    vmask is_certain; /* the bounds hold */
 } lane_range;
 
 TRIBOX_INLINE void widen(lane_range *range, vnum slack, vnum error, vmask redundant)
@@ -40,13 +49,11 @@ TRIBOX_INLINE void widen(lane_range *range, vnum slack, vnum error, vmask redund
     range->most = v_min(range->most, v_select(redundant, v_splat(INFINITY), v_add(slack, error)));
 }
 
-TRIBOX_INLINE vmask is_zero(vnum a) { return m_not(v_gt(v_abs(a), v_splat(0))); }
-
 TRIBOX_INLINE lane_range range_of(const lane_slacks *slack, const lane_triangle *t, const lane_box *box, const lane_shape *s,
                                   bool is_box_asked)
 {
     const lane_bounds bound = bounds_of(t, box);
-    lane_range range = {v_splat(INFINITY), v_splat(INFINITY)};
+    lane_range range = {v_splat(INFINITY), v_splat(INFINITY), m_all()};
     vmask is_flat = m_none();
     for (int i = 0; i < 3; i++) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
@@ -54,6 +61,7 @@ TRIBOX_INLINE lane_range range_of(const lane_slacks *slack, const lane_triangle 
         for (int j = 0; j < 3; j++)
             widen(&range, slack->edge[i][j], error, is_box_asked ? m_or(is_zero(s->f[j][a]), is_zero(s->f[j][b])) : m_none());
         is_flat = m_or(is_flat, is_zero(bound.F[i]));
+        range.is_certain = m_and(range.is_certain, m_and(is_tame(bound.F[i]), is_tame(bound.m[i])));
     }
     widen(&range, slack->plane, bound.plane, is_box_asked ? is_flat : m_none());
     return range;
@@ -108,23 +116,26 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     const uint64_t negative = m_bits(v_gt(v_splat(0), least_slack(&slack)));
     const uint64_t finite = m_bits(is_finite_triangle(&t));
     if (tribox_exactness_kept(negative) && is_exact)
-        return (tribox_verdict){finite & ~negative, 0, finite};
+        return (tribox_verdict){finite & ~negative, 0, finite, 0};
     const lane_range range = range_of(&slack, &t, &box, &s, axes & TRIBOX_AXES_BOX);
-    const uint64_t apart = m_bits(v_gt(v_splat(0), range.most));
-    const uint64_t overlapping = m_bits(m_or(v_gt(range.least, v_splat(0)), has_vertex_inside(&t, &box)));
-    return (tribox_verdict){finite & overlapping, finite & ~(apart | overlapping), finite};
+    const vmask inside = has_vertex_inside(&t, &box), above = v_gt(range.least, v_splat(0)), below = v_gt(v_splat(0), range.most);
+    const uint64_t apart = m_bits(m_and(range.is_certain, below));
+    const uint64_t overlapping = m_bits(m_or(m_and(range.is_certain, above), inside));
+    const uint64_t open = finite & ~(apart | overlapping);
+    return (tribox_verdict){finite & overlapping, open, finite, open & ~m_bits(range.is_certain)};
 }
 
 tribox_in_double TRIBOX_SYMBOL(double);
 tribox_verdict TRIBOX_SYMBOL(double)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact)
 {
-    tribox_verdict all = {0, 0, 0};
+    tribox_verdict all = {0, 0, 0, 0};
     for (unsigned at = 0; at < count; at += V_LANES) {
         const tribox_verdict packet = packet_in_double(batch, at, axes, is_exact);
         all.overlapping |= packet.overlapping << at;
         all.open |= packet.open << at;
         all.finite |= packet.finite << at;
+        all.wild |= packet.wild << at;
     }
     const uint64_t present = ~UINT64_C(0) >> (TRIBOX_BATCH - count);
-    return (tribox_verdict){all.overlapping & present, all.open & present, all.finite & present};
+    return (tribox_verdict){all.overlapping & present, all.open & present, all.finite & present, all.wild & present};
 }

@@ -271,14 +271,14 @@ static void check_batch(origin *where, gathered *g, unsigned axes)
     where->options.axes = axes;
     tribox_plan plan;
     assert_int_equal(tribox_plan_make(&where->options, &plan), TRIBOX_OK);
-    const tribox_verdict verdict = tribox_settle_batch_f64(&g->batch, g->count, &plan);
+    const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, &plan);
     assert_true(!verdict.open);
     for (unsigned i = 0; i < g->count; i++) {
         const bool answer = verdict.overlapping >> i & 1, is_finite = pair_f64_is_finite(&g->pair[i]);
         const bool overlaps = is_finite && oracle_overlaps(g->truth[i], axes);
         const bool may_be_wrong = where->options.accuracy == TRIBOX_CONSERVATIVE && !overlaps && is_finite;
         if ((answer != overlaps && !may_be_wrong) || (verdict.finite >> i & 1) != is_finite)
-            fail_pair_f64(where, "tribox_settle_batch_f64", &g->pair[i], axes, answer);
+            fail_pair_f64(where, "tribox_settle_batch", &g->pair[i], axes, answer);
     }
 }
 
