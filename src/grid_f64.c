@@ -51,8 +51,8 @@ static binade binade_of(double size)
 }
 
 /*
- * Planes first to last, of one binade, whose cells are not longer than its spacing: from one to the next it is one spacing or none, so
- * that it is enough to count. Where cell and spacing are one number it may also be two, after none, among the first three
+ * Planes first to last, of one binade, whose cells are not longer than its spacing: from one to the next it is one spacing or
+ * none, so that it is enough to count. Where cell and spacing are one number it may also be two, after none, among the first three
  * (PROOFS.md 7.10).
  */
 static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int64_t last, double spacing)
@@ -66,8 +66,8 @@ static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int
 }
 
 /*
- * No two planes are the same double: if cells are longer than the spacing of doubles at the farthest plane. Otherwise the planes lie
- * in two binades at most, and the first of the binade further up parts them.
+ * No two planes are the same double: if cells are longer than the spacing of doubles at the farthest plane. Otherwise the planes
+ * lie in two binades at most, and the first of the binade further up parts them.
  */
 static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
 {

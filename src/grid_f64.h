@@ -14,8 +14,8 @@ bool tribox_grid_f64_is_sound(const tribox_grid_f64 *grid);
 tribox_planes tribox_planes_of(const tribox_grid_f64 *grid, const uint32_t first[3]);
 
 /*
- * The closed cells of axis a, of `size` cells of the window, that the interval [least, most] of finite numbers touches. All below the
- * window are -1, all above it `size`.
+ * The closed cells of axis a, of `size` cells of the window, that the interval [least, most] of finite numbers touches. All below
+ * the window are -1, all above it `size`.
  */
 tribox_cells tribox_planes_cells(const tribox_planes *planes, int a, int64_t size, double least, double most);
 

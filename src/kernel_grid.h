@@ -1,6 +1,7 @@
 /*
- * kernel_grid.h - how voxelize.c and the kernels speak of grids. Cells are counted on each axis from the grid's origin; a place on
- * an axis is in cells too. No two planes are the same float, so an axis has fewer than 2^26 cells (PROOFS.md 7.2).
+ * kernel_grid.h - how voxelize.c, voxelize_f64.c and the kernels speak of grids. Cells are counted on each axis from the origin of
+ * the grid, or in double of a window of it; a place on an axis is in cells too. No two planes are the same float, so an axis has
+ * fewer than 2^26 cells (PROOFS.md 7.2); in double kernels are asked about 2^30 at most (7.10).
  */
 #ifndef TRIBOX_KERNEL_GRID_H
 #define TRIBOX_KERNEL_GRID_H
@@ -41,8 +42,9 @@ typedef struct tribox_strip {
 typedef void tribox_set_strip(tribox_voxels *v);
 
 /*
- * Sorts the triangles of a soup, one at least, by their cells: those of lines are listed, larger ones join the strips, others wait in
- * queues. Whole packets are read: where the triangles are fewer than the lanes of the kernel, numbers have to follow them (tribox_few).
+ * Sorts the triangles of a soup, one at least, by their cells: those of lines are listed, larger ones join the strips, others wait
+ * in queues. Whole packets are read: where the triangles are fewer than the lanes of the kernel, numbers have to follow them
+ * (tribox_few).
  */
 typedef void tribox_sort_soup(tribox_voxels *v, const tribox_soup *soup);
 

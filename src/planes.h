@@ -65,7 +65,10 @@ static inline double tribox_plane_within(double origin, double cell, double p)
     return high.sum + tribox_add_to_odd(high.rest, low.rest);
 }
 
-/* p is -1 or more. Where p cell can overflow, all is scaled down. An origin that is much smaller only says to which side a tie is rounded. */
+/*
+ * p is -1 or more. Where p cell can overflow, all is scaled down. An origin that is much smaller only says to which side a tie is
+ * rounded.
+ */
 static inline double tribox_plane_rounded(double origin, double cell, double p)
 {
     if (cell < 0x1p900 || !(p > 0))

@@ -90,8 +90,8 @@ static tribox_shape shape_of(const bool spans[3], unsigned axes)
 }
 
 /*
- * Whether limits in double are right about a triangle of doubles: edges are zero or of a size, in cells, whose products neither overflow
- * nor vanish (PROOFS.md 7.10).
+ * Whether limits in double are right about a triangle of doubles: edges are zero or of a size, in cells, whose products neither
+ * overflow nor vanish (PROOFS.md 7.10).
  */
 static bool has_limits(const tribox_voxels *v, const double u[9])
 {

@@ -42,8 +42,8 @@ static tribox_lattice lattice_of(const tribox_voxels *v)
 }
 
 /*
- * Whether limits hold in double: planes are much farther apart than doubles, and cells of a size whose products neither overflow nor
- * vanish (PROOFS.md 7.10).
+ * Whether limits hold in double: planes are much farther apart than doubles, and cells of a size whose products neither overflow
+ * nor vanish (PROOFS.md 7.10).
  */
 static bool is_for_limits(const tribox_voxels *v)
 {
@@ -54,8 +54,8 @@ static bool is_for_limits(const tribox_voxels *v)
 }
 
 /*
- * By floats relative to the window's corner. Where the plane alone is asked beside the box normals, they cannot stand for the doubles:
- * it turns with the smallest of moves.
+ * By floats relative to the window's corner. Where the plane alone is asked beside the box normals, they cannot stand for the
+ * doubles: it turns with the smallest of moves.
  */
 static bool is_for_float(tribox_voxels *v)
 {

@@ -180,7 +180,7 @@ static double draw_coordinate(random_source *r, const tribox_grid_f64 *grid, int
 static void draw_sliver(random_source *r, const tribox_grid_f64 *grid, triangle_f64 u)
 {
     const double at = random_int(r, 2) ? random_double(r, 0, 1) : random_int(r, 9) / 8.0;
-    const int exponent = random_int_between(r, -45, -18);
+    const int exponent = random_int_between(r, -45, -4);
     for (int a = 0; a < 3; a++) {
         const double x = u[0][a] + at * (u[1][a] - u[0][a]) + grid->cell[a] * ldexp(draw_number(r), exponent);
         u[2][a] = isfinite(x) ? x : u[0][a];

@@ -1,6 +1,6 @@
 /*
- * test_mesh_f64.c - meshes of every layout in grids in double: the bits of the soup in float where both say the same, however far the
- * mesh and its grid are moved; rows of more cells than 2^31; and the Stanford bunny in UTM coordinates.
+ * test_mesh_f64.c - meshes of every layout in grids in double: the bits of the soup in float where both say the same, however far
+ * the mesh and its grid are moved; rows of more cells than 2^31; and the Stanford bunny in UTM coordinates.
  */
 #include <math.h>
 #include <stdio.h>
@@ -137,8 +137,8 @@ static void check_cells(const tribox_mesh *long_one, const tribox_grid_f64 *grid
 }
 
 /*
- * A row whose cells have numbers beyond 2^31, and triangles that leave it: a small one, and one as long as the row. A plane alone, at
- * the end of the row.
+ * A row whose cells have numbers beyond 2^31, and triangles that leave it: a small one, and one as long as the row. A plane alone,
+ * at the end of the row.
  */
 static void test_long_rows(void **state)
 {

@@ -1,4 +1,7 @@
-/* window_f64.h - a mesh of doubles and a window of a grid in double: what the oracle says of every cell, and what the library sets. */
+/*
+ * window_f64.h - a mesh of doubles and a window of a grid in double: what the oracle says of every cell, and what the library
+ * sets.
+ */
 #ifndef TRIBOX_TESTS_WINDOW_F64_H
 #define TRIBOX_TESTS_WINDOW_F64_H
 
@@ -31,7 +34,10 @@ size_t window_f64_words(const window_f64 *w);
 /* Plane p of axis a, as C's fma says. */
 double window_f64_plane(const tribox_grid_f64 *grid, int a, double p);
 
-/* The cells that triangles first .. first + count - 1 overlap by these axes, by the oracle. Returns how many pairs it was asked about. */
+/*
+ * The cells that triangles first .. first + count - 1 overlap by these axes, by the oracle. Returns how many pairs it was asked
+ * about.
+ */
 size_t window_f64_expect(const window_f64 *w, size_t first, size_t count, unsigned axes, uint64_t *occupied);
 
 /* What the library sets, with what holds for every call checked on the way. */
