@@ -583,7 +583,7 @@ TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const t
  * mesh: position_bytes of 0, 4 or 8.
  * box: finite bounds, or TRIBOX_BAD_BOX; nothing overlaps the empty box (lo > hi on an axis).
  * options: EXACT is the true answer about the doubles. CONSERVATIVE and FAST are one here: they never miss, and report too much
- *   only within the bounds of tribox_accuracy, with 2^-48 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other sets take
+ *   only within the bounds of tribox_accuracy, with 2^-47 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other sets take
  *   the second stage for every triangle that the box normals leave. The order of the axes is ignored.
  * mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
  *

@@ -144,7 +144,7 @@ static bool is_axis_near(room *r, int number)
     mpz_sub(r->gap, r->least[0], r->most[1]);
     mpz_sub(r->term, r->least[1], r->most[0]);
     raise_to(r->gap, r->term);
-    mpz_mul_2exp(r->gap, r->gap, 48);
+    mpz_mul_2exp(r->gap, r->gap, 47);
     return mpz_cmp(r->gap, r->allowed) < 0;
 }
 
