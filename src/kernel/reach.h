@@ -7,7 +7,7 @@
  */
 typedef struct lane_reach {
     vnum u[9];              /* the triangles: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
-    int32_t number;         /* of the first, in a mesh */
+    uint32_t number;        /* of the first, in a mesh */
     vmask blurred;          /* those of a mesh that floats cannot stand for (PROOFS.md 7.10) */
     vnum base[3], cells[3]; /* the first cell, and how many, within the grid */
     vmask spans[3];         /* those with more than one, even if some lie outside the grid */
@@ -84,7 +84,7 @@ static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint
         const double low_plane = tribox_plane_at(&v->planes, a, low), high_plane = tribox_plane_at(&v->planes, a, high);
         bool is_above = true, is_below = true, is_one_above = false, is_one_below = false;
         double u[3];
-        tribox_voxels_read(v, r->number + (int32_t)n, a, u);
+        tribox_voxels_read(v, (int32_t)(r->number + n), a, u);
         for (int j = 0; j < 3; j++) {
             const bool above = u[j] > low_plane, below = u[j] < high_plane;
             is_above &= above;

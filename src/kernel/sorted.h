@@ -20,7 +20,7 @@ static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
-        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, r.number + (int32_t)lane);
+        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, (int32_t)(r.number + lane));
         tribox_cell_range range;
         for (int a = 0; a < 3; a++) {
             range.base[a] = (int64_t)base[a][lane];
@@ -39,7 +39,7 @@ static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
         v_write(u[n], r.u[n]);
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
-        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, r.number + (int32_t)lane);
+        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, (int32_t)(r.number + lane));
         tribox_voxels_add(v, &triangle);
     }
 }
@@ -95,7 +95,7 @@ TRIBOX_INLINE void pack_lanes(const tribox_voxels *v, tribox_queue *queue, tribo
 {
     const unsigned to = queue->count;
     if (v->mesh)
-        i_pack(&queue->triangle[to], m, i_add(i_splat(r->number), i_load(LANES_IN_ORDER)));
+        i_pack(&queue->triangle[to], m, i_add(i_splat((int32_t)r->number), i_load(LANES_IN_ORDER)));
     for (int n = 0; n < 9; n++)
         v_pack(&queue->number[n][to], m, r->u[n]);
     for (int a = 0; a < 3; a++) {
@@ -119,7 +119,7 @@ TRIBOX_INLINE void copy_lanes(const tribox_voxels *v, tribox_queue *queue, tribo
         for (int n = 0; n < TRIBOX_QUEUED; n++)
             queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
         if (v->mesh)
-            queue->triangle[to] = r->number + (int32_t)tribox_lowest_bit(left);
+            queue->triangle[to] = (int32_t)(r->number + tribox_lowest_bit(left));
     }
 }
 
@@ -161,7 +161,7 @@ TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(m
 static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
     lane_reach r;
-    r.number = v->first_number + (int32_t)at;
+    r.number = (uint32_t)v->first_number + (uint32_t)at;
     r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
     /* z first: whoever asks for some layers alone looks at most triangles in vain. */

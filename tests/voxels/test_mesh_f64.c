@@ -150,7 +150,8 @@ static void test_long_rows(void **state)
     const tribox_grid_f64 grid = {{-0x1p31, 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
     const tribox_options plane = {.axes = TRIBOX_AXES_PLANE};
     uint64_t *const row = calloc(size / 64 + 1, sizeof *row);
-    assert_non_null(row);
+    if (!row)
+        skip();
     for (int t = 0; t < 2; t++) {
         const tribox_mesh long_one = {.positions = triangles_of[t], .vertices = 3, .count = 1, .position_bytes = 8};
         uint64_t window[3] = {0}, far[3] = {0};
