@@ -3,6 +3,7 @@
 
 #include "common/arguments.h"
 #include "exact/exact.h"
+#include "exact/oriented.h"
 #include "dispatch.h"
 #include "common/scenes.h"
 
@@ -120,6 +121,40 @@ static void check_integers(const origin *where, const pair_f32 *pair, oracle_axe
     }
 }
 
+/* a + b, if that is a double. */
+static bool is_sum_exact(double a, double b, double *sum)
+{
+    *sum = a + b;
+    const double part = *sum - a;
+    return a - (*sum - part) == 0 && b - part == 0;
+}
+
+/* Integers of oriented boxes, about a box of the same axes as the others': it has a centre in float, and bounds in double. */
+static void check_oriented(const origin *where, const pair_f32 *pair, unsigned axes)
+{
+    tribox_oriented_pair oriented = {.box.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    tribox_pair straight;
+    bool is_apart = false;
+    for (int a = 0; a < 3; a++) {
+        const float center = pair->box.lo[a] / 2 + pair->box.hi[a] / 2, half = pair->box.hi[a] / 2 - pair->box.lo[a] / 2;
+        oriented.box.center[a] = center;
+        oriented.box.half[a] = half;
+        if (!is_sum_exact((double)center, -(double)half, &straight.lo[a]) ||
+            !is_sum_exact((double)center, (double)half, &straight.hi[a]))
+            return;
+        int below = 0, above = 0;
+        for (int j = 0; j < 3; j++) {
+            oriented.u[j][a] = pair->u[j][a];
+            straight.u[j][a] = (double)pair->u[j][a];
+            below += straight.u[j][a] < straight.lo[a];
+            above += straight.u[j][a] > straight.hi[a];
+        }
+        is_apart = is_apart || below == 3 || above == 3;
+    }
+    const bool overlaps = !((axes & TRIBOX_AXES_BOX) && is_apart) && tribox_exact_overlap(&straight, axes);
+    check(where, "tribox_oriented_overlap", pair, axes, tribox_oriented_overlap(&oriented, axes), overlaps);
+}
+
 static void try_scene(const scene *s, const arguments *args, reached *count)
 {
     const origin where = {.scene = s->name, .seed = args->seed, .function = "oracle_separating"};
@@ -132,6 +167,7 @@ static void try_scene(const scene *s, const arguments *args, reached *count)
             judged.truth[k] = oracle_separating(&pair);
             check_oracles(&where, &pair, judged.truth[k], k % 16 == 0);
             check_integers(&where, &pair, judged.truth[k], count);
+            check_oriented(&where, &pair, 1 + (unsigned)k % AXIS_SETS);
         }
         for (unsigned axes = 1; axes <= AXIS_SETS; axes++)
             check_settling(&where, &judged, axes, count);
