@@ -106,8 +106,9 @@ static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_n
 /* Triangles of any positions as nine doubles each. Fewer than a kernel has lanes are followed by the first, as packets are whole. */
 static void copy_nines(const tribox_mesh *mesh, size_t first, size_t count, unsigned lanes, double (*nine)[3][3])
 {
-    for (size_t i = 0; i < count || i < lanes; i++)
-        read_triangle(mesh, first + (i < count ? i : 0), nine[i]);
+    tribox_mesh_read_corners(mesh, 3 * first, 3 * count, nine[0]);
+    for (size_t i = count; i < lanes; i++)
+        memcpy(nine[i], nine[0], sizeof nine[i]);
 }
 
 /* The walk's answers, bit by bit; of triangles that it is not asked about, nothing is known. */

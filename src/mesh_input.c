@@ -2,6 +2,7 @@
 #include "mesh_input.h"
 
 #include "dispatch.h"
+#include "positions.h"
 #include "soup.h"
 
 /* Whether `count` items of `bytes` bytes each fit the address space. */
@@ -51,6 +52,27 @@ tribox_mesh tribox_mesh_with_strides(const tribox_mesh *mesh)
 bool tribox_mesh_is_direct(const tribox_mesh *mesh)
 {
     return mesh->position_bytes == sizeof(double) && mesh->axis_stride == sizeof(double) && mesh->stride >= 3 * sizeof(double);
+}
+
+/* The sizes, as arguments of their own, may be constants: then neither is asked of each corner. */
+static inline void read_corners(const tribox_mesh *mesh, unsigned index_bytes, unsigned position_bytes, size_t first, size_t count,
+                                double (*to)[3])
+{
+    tribox_mesh from = *mesh; /* known not to change while corners are written */
+    from.position_bytes = position_bytes;
+    for (size_t corner = 0; corner < count; corner++)
+        tribox_position_read(&from, tribox_vertex_number(&from, index_bytes, first + corner), to[corner]);
+}
+
+void tribox_mesh_read_corners(const tribox_mesh *mesh, size_t first, size_t count, double (*to)[3])
+{
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    if (mesh->position_bytes == sizeof(double))
+        read_corners(mesh, bytes, sizeof(double), first, count, to);
+    else if (bytes == 4)
+        read_corners(mesh, 4, sizeof(float), first, count, to);
+    else
+        read_corners(mesh, bytes, sizeof(float), first, count, to);
 }
 
 bool tribox_mesh_is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)

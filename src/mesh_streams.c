@@ -44,11 +44,14 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
 /* Of floats, or of doubles that do not follow each other: number by number. */
 static void write_each(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count, float *const to[9])
 {
-    for (size_t corner = 0; corner < 3 * count; corner++) {
-        double u[3];
-        tribox_position_read(mesh, tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * first + corner), u);
-        for (size_t a = 0; a < 3; a++)
-            to[3 * a + corner % 3][corner / 3] = (float)(u[a] - origin[a]);
+    enum { SOME = 64 };
+    double u[3 * SOME][3];
+    for (size_t at = 0; at < count; at += SOME) {
+        const size_t some = count - at < SOME ? count - at : SOME;
+        tribox_mesh_read_corners(mesh, 3 * (first + at), 3 * some, u);
+        for (size_t k = 0; k < 9; k++)
+            for (size_t i = 0; i < some; i++)
+                to[k][at + i] = (float)(u[3 * i + k % 3][k / 3] - origin[k / 3]);
     }
 }
 
