@@ -126,6 +126,19 @@ static void draw_vast_box(random_source *r, pair_f64 *p)
     }
 }
 
+/* A triangle so small, beside a corner, that the products of its normal underflow. */
+static void draw_vanishing(random_source *r, pair_f64 *p)
+{
+    const int power = random_int_between(r, 530, 560);
+    for (int a = 0; a < 3; a++) {
+        const bool is_above = random_int(r, 2);
+        p->box.lo[a] = is_above ? 0 : -1;
+        p->box.hi[a] = is_above ? 1 : 0;
+        for (int j = 0; j < 3; j++)
+            p->u[j][a] = ldexp(random_double(r, -1, 0.4) * (is_above ? 1 : -1), -power);
+    }
+}
+
 /* Ordinary numbers beside what rounding leaves where zero is meant. */
 static void draw_noise(random_source *r, pair_f64 *p)
 {
@@ -164,6 +177,7 @@ static const scene_f64 scenes[] = {
     {"near_tie_far_apart", draw_near_tie, -1000, 1000},
     {"long_numbers", draw_long_numbers, -100, 100},
     {"vast_box", draw_vast_box, -100, 100},
+    {"vanishing", draw_vanishing, 0, 0},
     {"noise", draw_noise, -10, 10},
     {"any_exponents", draw_any_exponents, 0, 0},
 };
@@ -309,7 +323,7 @@ static void try_scene(const scene_f64 *s, const arguments *args)
             gather(&with_box, &r, &p, truth);
         gather(&without_box, &r, &p, truth);
         if (with_box.count == TRIBOX_BATCH || (k == 1 && with_box.count))
-            settle(&where, &with_box, TRIBOX_AXES_BOX | (unsigned)random_int(&r, 8));
+            settle(&where, &with_box, TRIBOX_AXES_BOX | (random_int(&r, 2) ? TRIBOX_AXES_EDGES : (unsigned)random_int(&r, 8)));
         if (without_box.count == TRIBOX_BATCH || k == 1)
             settle(&where, &without_box, random_int(&r, 2) ? TRIBOX_AXES_PLANE : TRIBOX_AXES_EDGES);
     }
