@@ -91,6 +91,10 @@ typedef struct tribox_soup {
 /**
  * Triangles as most programs hold them: an indexed mesh, or an array of structures with nine numbers per triangle. Vertex v of
  * triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices.
+ *
+ * The calls that end in _f64 and tribox_mesh_to_local_streams take positions of float and of double, and any axis_stride; the
+ * others take floats that follow each other. In a matrix whose columns are x, y and z, axis_stride is the bytes of a column, and the
+ * stride position_bytes, which 0 then stands for.
  */
 typedef struct tribox_mesh {
     const void *positions; /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
@@ -100,11 +104,8 @@ typedef struct tribox_mesh {
     unsigned index_bytes;  /* 2 for uint16_t, 4 for uint32_t; ignored where indices is NULL */
     size_t count;          /* triangles */
 
-    unsigned position_bytes; /* 4 or 0 where positions are floats; 8 where they are doubles: the calls that end in _f64 and
-                                tribox_mesh_to_local_streams take both, the others floats alone */
-    size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z, for the same calls: those of a column of a
-                                matrix whose columns are x, y and z, with a stride of position_bytes, which 0 then stands for;
-                                0 where the three follow each other */
+    unsigned position_bytes; /* 4, or 0, for positions of float; 8 for double, which only calls that say so take */
+    size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z; 0 where the three follow each other */
 } tribox_mesh;
 
 /** A closed axis-aligned box in double; everything else is as for tribox_box. */
@@ -583,8 +584,8 @@ TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const t
  * mesh: position_bytes of 0, 4 or 8.
  * box: finite bounds, or TRIBOX_BAD_BOX; nothing overlaps the empty box (lo > hi on an axis).
  * options: EXACT is the true answer about the doubles. CONSERVATIVE and FAST are one here: they never miss, and report too much
- *   only within the bounds of tribox_accuracy, with 2^-47 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other sets take
- *   the second stage for every triangle that the box normals leave. The order of the axes is ignored.
+ *   only within the bounds of tribox_accuracy, with 2^-47 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other
+ *   sets take the second stage for every triangle that the box normals leave. The order of the axes is ignored.
  * mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
  *
  * Returns what tribox_overlap_indexed does; TRIBOX_BAD_ARGUMENT for a stride that is too small for position_bytes, and for

@@ -18,7 +18,7 @@ if ! "$nm" -D --defined-only "$library" | awk '{ print $NF }' | LC_ALL=C sort | 
     exit 1
 fi
 list=packaging/debian/libtribox0.symbols
-if ! sed -n 's/^ \(tribox_[a-z_]*\)@.*/\1/p' "$root/$list" | diff -u "$work/header" -; then
+if ! sed -n 's/^ \(tribox_[a-z0-9_]*\)@.*/\1/p' "$root/$list" | diff -u "$work/header" -; then
     echo "$list (+) does not list the functions of include/tribox.h (-)" >&2
     exit 1
 fi
