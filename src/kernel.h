@@ -82,7 +82,7 @@ typedef struct tribox_corners {
     const uint32_t *offset;
     const double *near; /* NULL of floats; doubles are read less near[k], of axis k % 3, and rounded: TRIBOX_NEAR of them */
     bool has_all;       /* else another vertex stands for the last of the mesh */
-    size_t ahead;       /* triangles that may come into the cache early: none of less than 1 MiB of positions */
+    size_t ahead;       /* triangles of nine numbers that may come into the cache early: none where less than 2 MiB do */
 } tribox_corners;
 
 /* The most lanes of float, and of double. The lanes of every kernel divide them. */

@@ -43,14 +43,16 @@ static void read_triangle(const tribox_mesh *mesh, size_t triangle, double u[3][
         tribox_position_read(mesh, tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * triangle + v), u[v]);
 }
 
-/* Bullet 1 of the paper, on the doubles. NaN is not apart: the next stage finds it. */
+/* Bullet 1 of the paper, on the doubles. NaN is not apart: the next stage finds it. Without branches, which could not be foreseen. */
 static bool is_apart(double u[3][3], const tribox_box_f64 *box)
 {
-    for (int a = 0; a < 3; a++)
-        if ((u[0][a] < box->lo[a] && u[1][a] < box->lo[a] && u[2][a] < box->lo[a]) ||
-            (u[0][a] > box->hi[a] && u[1][a] > box->hi[a] && u[2][a] > box->hi[a]))
-            return true;
-    return false;
+    bool is = false;
+    for (int a = 0; a < 3; a++) {
+        const double lo = box->lo[a], hi = box->hi[a];
+        is |= (bool)((u[0][a] < lo) & (u[1][a] < lo) & (u[2][a] < lo));
+        is |= (bool)((u[0][a] > hi) & (u[1][a] > hi) & (u[2][a] > hi));
+    }
+    return is;
 }
 
 /* Open pairs, until they fill a batch. */

@@ -52,21 +52,16 @@ TRIBOX_INLINE void load_offsets(lane_triangle *t, const char *base, const uint32
 }
 
 /*
- * A packet some way ahead comes into the cache while this one is tested: tests keep the processor so busy that it does not look that
- * far by itself.
+ * Nine numbers each: a packet some way ahead comes into the cache while this one is tested, as tests keep the processor so busy that it
+ * does not look that far by itself. Corners by offset are so many lines that to fetch them takes longer than to wait.
  */
 enum { LANES_AHEAD = 4 * V_LANES };
 TRIBOX_INLINE void fetch_ahead(const tribox_corners *corners, size_t at, int bytes)
 {
-    if (at + LANES_AHEAD + V_LANES > corners->ahead)
-        return;
-    if (corners->offset) {
-        for (int corner = 0; corner < 3 * V_LANES; corner++)
-            tribox_will_read(corners->base + corners->offset[3 * (at + LANES_AHEAD) + (size_t)corner]);
-    } else {
+    const char *const ahead = corners->base + (at + LANES_AHEAD) * (size_t)(9 * bytes);
+    if (at + LANES_AHEAD + V_LANES <= corners->ahead)
         for (int line = 0; line < 9 * bytes * V_LANES; line += 64)
-            tribox_will_read(corners->base + (at + LANES_AHEAD) * (size_t)(9 * bytes) + line);
-    }
+            tribox_will_read(ahead + line);
 }
 
 /* The packet at triangle `at`. */

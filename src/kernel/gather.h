@@ -43,19 +43,19 @@ TRIBOX_INLINE size_t find_offsets(const tribox_mesh *mesh, unsigned index_bytes,
     return greatest;
 }
 
-/* More than the nearer caches hold: 1 MiB. */
-static bool has_far_positions(const tribox_mesh *mesh) { return mesh->vertices > ((size_t)1 << 20) / mesh->stride; }
+/* More than the nearer caches hold: 2 MiB. */
+static bool has_far_positions(const tribox_mesh *mesh) { return mesh->vertices > ((size_t)1 << 21) / mesh->stride; }
 
 static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners)
 {
     const char *const positions = mesh->positions;
-    const bool is_far = has_far_positions(mesh);
     if (!mesh->indices && mesh->stride == 3 * tribox_position_bytes(mesh)) {
-        *corners = (tribox_corners){
-            .base = positions + 3 * mesh->stride * first, .has_all = true, .ahead = is_far ? mesh->count - first : 0};
+        *corners = (tribox_corners){.base = positions + 3 * mesh->stride * first,
+                                    .has_all = true,
+                                    .ahead = has_far_positions(mesh) ? mesh->count - first : 0};
         return 3 * (first + count) - 1;
     }
-    *corners = (tribox_corners){.offset = offset, .ahead = is_far ? count : 0};
+    *corners = (tribox_corners){.offset = offset};
     if (mesh->vertices < 2 || mesh->vertices > UINT32_MAX / mesh->stride)
         return find_vertices(mesh, first, count).greatest;
     const size_t greatest = !mesh->indices           ? find_offsets(mesh, 0, 3 * first, 3 * count, offset)
