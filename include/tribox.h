@@ -93,8 +93,8 @@ typedef struct tribox_soup {
  * triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices.
  *
  * The calls that end in _f64 and tribox_mesh_to_local_streams take positions of float and of double, and any axis_stride; the
- * others take floats that follow each other. In a matrix whose columns are x, y and z, axis_stride is the bytes of a column, and the
- * stride position_bytes, which 0 then stands for.
+ * others take floats that follow each other. In a matrix whose columns are x, y and z, axis_stride is the bytes of a column, and
+ * the stride position_bytes, which 0 then stands for.
  */
 typedef struct tribox_mesh {
     const void *positions; /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */

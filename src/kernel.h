@@ -109,8 +109,8 @@ typedef struct tribox_pairs {
 typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
 
 /*
- * Walks of corners of doubles, rounded about the lower corner of their box, which begins at 0 (PROOFS.md 14). What rounding leaves in
- * doubt is open, so hits are overlaps of the doubles. TRIBOX_NEAR_BOX tests the box normals alone.
+ * Walks of corners of doubles, rounded about the lower corner of their box, which begins at 0 (PROOFS.md 14). What rounding leaves
+ * in doubt is open, so hits are overlaps of the doubles. TRIBOX_NEAR_BOX tests the box normals alone.
  */
 typedef enum tribox_near_walk { TRIBOX_NEAR_BOX, TRIBOX_NEAR_ALL, TRIBOX_NEAR_WALKS } tribox_near_walk;
 
@@ -138,8 +138,8 @@ typedef struct tribox_batch {
 } tribox_batch;
 
 /*
- * Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are. Wild
- * are those not decided whose lengths are so small or so large that nothing is known of them; no pair of floats is.
+ * Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are.
+ * Wild are those not decided whose lengths are so small or so large that nothing is known of them; no pair of floats is.
  */
 typedef struct tribox_verdict {
     uint64_t overlapping, open, finite, wild;

@@ -63,8 +63,8 @@ static tribox_mesh copied(const tribox_mesh *mesh, bool in_double, small_copy *c
 }
 
 /*
- * To check all indices first would read them twice, so the answers of a mesh that is not too large are kept until all are there; the
- * few vertices of a small one are copied.
+ * To check all indices first would read them twice, so the answers of a mesh that is not too large are kept until all are there;
+ * the few vertices of a small one are copied.
  */
 bool tribox_mesh_answer(const tribox_mesh_question *question, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
 {

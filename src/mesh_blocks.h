@@ -1,4 +1,4 @@
-/* mesh_blocks.h - a mesh against a box, block by block: none where a word lies beside the box, and nothing written for bad indices. */
+/* mesh_blocks.h - a mesh against a box, block by block: words beside the box are left out, bad indices leave nothing written. */
 #ifndef TRIBOX_MESH_BLOCKS_H
 #define TRIBOX_MESH_BLOCKS_H
 
@@ -10,8 +10,8 @@ enum { TRIBOX_MESH_BLOCK = 1024, TRIBOX_MESH_STREAMED = 256 };
 typedef struct tribox_mesh_question tribox_mesh_question;
 
 /*
- * Answers some of the triangles first .. first + count - 1, at most TRIBOX_MESH_BLOCK: the first of them, in whole words unless all.
- * Adds to the counts; mask may be NULL. Returns how many, 0 if an index names no vertex.
+ * Answers some of the triangles first .. first + count - 1, at most TRIBOX_MESH_BLOCK: the first of them, in whole words unless
+ * all. Adds to the counts; mask may be NULL. Returns how many, 0 if an index names no vertex.
  */
 typedef size_t tribox_answer_block(const tribox_mesh_question *question, const tribox_mesh *mesh, size_t first, size_t count,
                                    uint64_t *mask, tribox_report *counts);

@@ -8,6 +8,7 @@
 
 /* One call. */
 typedef struct call_f64 {
+    tribox_accuracy asked;
     tribox_mesh mesh;
     tribox_plan plan;
     tribox_near_box near;
@@ -22,10 +23,13 @@ static tribox_status check(const tribox_mesh *mesh, const tribox_box_f64 *box, c
     if (!tribox_box_is_finite_f64(box))
         return TRIBOX_BAD_BOX;
     const tribox_status status = tribox_plan_make(options, &call->plan);
-    if (call->plan.accuracy == TRIBOX_FAST)
+    if (status)
+        return status;
+    call->asked = call->plan.accuracy;
+    if (call->asked == TRIBOX_FAST)
         call->plan.accuracy = TRIBOX_CONSERVATIVE;
     call->mesh = tribox_mesh_with_strides(mesh);
-    return status;
+    return TRIBOX_OK;
 }
 
 /* In our environment. */
@@ -39,6 +43,12 @@ static void start(call_f64 *call, const tribox_box_f64 *box)
                                             .is_empty = tribox_box_is_empty_f64(box),
                                             .in_double = true,
                                             .about = &call->near};
+}
+
+static void write_report(call_f64 *call, tribox_report counts, tribox_report *report)
+{
+    call->plan.accuracy = call->asked;
+    tribox_plan_report(&call->plan, counts, report);
 }
 
 /* Whether floats are the same box: then meshes of floats are those of the other call. */
@@ -67,14 +77,17 @@ tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_b
         tribox_environment_leave(callers);
         tribox_options in_float = options ? *options : (tribox_options){0};
         in_float.accuracy = call.plan.accuracy;
-        return tribox_overlap_indexed(mesh, &same, &in_float, mask, report);
+        const tribox_status answered = tribox_overlap_indexed(mesh, &same, &in_float, mask, &counts);
+        if (answered == TRIBOX_OK)
+            write_report(&call, counts, report);
+        return answered;
     }
     start(&call, box);
     const bool is_answered = tribox_mesh_answer(&call.question, &call.mesh, mask, &counts);
     tribox_environment_leave(callers);
     if (!is_answered)
         return TRIBOX_BAD_INDEX;
-    tribox_plan_report(&call.plan, counts, report);
+    write_report(&call, counts, report);
     return TRIBOX_OK;
 }
 
@@ -165,6 +178,6 @@ tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 
         counts = classify(&call, mask, inside);
     }
     tribox_environment_leave(callers);
-    tribox_plan_report(&call.plan, counts, report);
+    write_report(&call, counts, report);
     return TRIBOX_OK;
 }
