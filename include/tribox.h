@@ -118,7 +118,7 @@ typedef struct tribox_box_f64 {
 /*                                                   Status, options and report                                                   */
 /* ============================================================================================================================== */
 
-/** The result of a call. Anything but TRIBOX_OK means that nothing was written. */
+/** The result of a call. Anything but TRIBOX_OK means that nothing was written, but for bricks that a sink was handed. */
 typedef enum tribox_status {
     TRIBOX_OK = 0,       /* the call did what it was to do */
     TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size makes no sense */
@@ -127,7 +127,8 @@ typedef enum tribox_status {
     TRIBOX_BAD_OPTION,   /* the accuracy, axis set or order is unknown, or not available in this call */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
     TRIBOX_NO_MEMORY,    /* reserved: no call of the library returns it, as none allocates; programs may use it for themselves */
-    TRIBOX_BAD_INDEX     /* a mesh refers to a vertex that it does not have (tribox_mesh_bad_indices), or an order to a triangle */
+    TRIBOX_BAD_INDEX,    /* a mesh refers to a vertex that it does not have (tribox_mesh_bad_indices), or a list to a triangle */
+    TRIBOX_STOPPED       /* a sink ended the call: what it was handed is right, the rest is missing */
 } tribox_status;
 
 /** Says in English what a status means, without a full stop. Static storage; never NULL. */
@@ -519,8 +520,8 @@ TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint3
  * Plane p of axis a lies at the float nearest to origin[a] + p * cell[a], evaluated in double. The cells on both sides share that
  * very number, so no surface can slip between them.
  *
- * Origin and planes must be finite, cells and sizes greater than zero, no two planes of an axis the same float, and
- * tribox_grid_words at most 2^31. Any other grid is TRIBOX_BAD_GRID.
+ * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same float. Any other grid
+ * is TRIBOX_BAD_GRID. A grid may have any number of cells; what one call writes is at most 2^31 words.
  */
 typedef struct tribox_grid {
     float origin[3];  /* the lower corner of cell (0, 0, 0), in the same unit of length as the triangles */
@@ -554,8 +555,8 @@ TRIBOX_API size_t tribox_grid_words(const tribox_grid *grid);
  * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the grid. Many triangles in one call are
  * faster than one in each: small ones are taken a packet at once. Nothing is allocated; the call takes up to 84 KB of stack.
  *
- * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, or count floats exceed the address space), TRIBOX_BAD_GRID,
- * TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, or count floats exceed the address space), TRIBOX_BAD_GRID (also if there
+ * are more than 2^31 words to write: tribox_voxelize_window), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
  */
 TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options,
                                          uint64_t *occupied, tribox_report *report);
@@ -571,6 +572,139 @@ TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_g
  */
 TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                                                 const tribox_options *options, uint64_t *occupied, tribox_report *report);
+
+/**
+ * tribox_voxelize for a window alone: cells first[a] .. first[a] + size[a] - 1 of each axis. EXACT has the bits of the whole grid.
+ * CONSERVATIVE and FAST have them where the window is of whole layers, as tribox_voxelize_layers; others may differ from the whole
+ * within rounding of contact, as tribox_voxelize states it. What lies outside the window costs next to nothing.
+ *
+ * occupied: row words * size[1] * size[2] words of the window, of which there may be 2^31; row words is (size[0] + 63) / 64. Cell
+ *   (i, j, k) is bit (i - first[0]) % 64 of occupied[((k - first[2]) * size[1] + j - first[1]) * row_words + (i - first[0]) / 64].
+ *
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if first or size is NULL or the window leaves the grid.
+ */
+TRIBOX_API tribox_status tribox_voxelize_window(const tribox_soup *soup, const tribox_grid *grid, const uint32_t first[3],
+                                                const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
+                                                tribox_report *report);
+
+/* ============================================================================================================================== */
+/*                                                        Tiles and bricks                                                        */
+/* ============================================================================================================================== */
+
+/**
+ * A grid beyond memory is voxelized tile by tile. Tiles are cubes of `tile` cells a side, but for those at the upper borders, which
+ * the grid cuts. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the numbers of tiles along x and y, size
+ * divided by tile and rounded up. 128 cells a side suit the caches.
+ */
+
+/** The number of tiles of a grid of this size; 0 if tile or a size is 0, SIZE_MAX if they are too many to number. */
+TRIBOX_API size_t tribox_tiles(const uint32_t size[3], uint32_t tile);
+
+/**
+ * Counts which triangles are in which tile, and where the list of each tile begins: the first of two passes. With tiles of one
+ * cell, the lists of triangles by cell that builders of grids and trees ask for.
+ *
+ * A triangle is in a tile if it overlaps the tile's box, from the lowest plane of its cells to the highest: EXACT by definition
+ * tribox_overlap, CONSERVATIVE more, and FAST as that.
+ *
+ * soup: at most 2^32 triangles.
+ * grid: as for tribox_voxelize.
+ * from, to: the tiles from .. to - 1 alone: the share of a thread, or of a machine that has no memory for all.
+ * options: NULL for the defaults; the order of the axes is ignored. Without TRIBOX_AXES_BOX all triangles are tested against all
+ *   tiles.
+ * starts: to - from + 1 numbers; written. The list of tile t is what lies from starts[t - from] to before starts[t - from + 1];
+ *   the last number is the length of all lists.
+ *
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if tile is 0, if from > to, and if there are fewer tiles than `to`.
+ */
+TRIBOX_API tribox_status tribox_tiles_count(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
+                                            const tribox_options *options, size_t *starts);
+
+/**
+ * Writes the lists that tribox_tiles_count counted, for the same arguments: the numbers of the triangles, in rising order in each.
+ *
+ * starts: as tribox_tiles_count wrote them, and so again on return; they change meanwhile.
+ * list: starts[to - from] numbers; written.
+ *
+ * Returns what tribox_tiles_count does; TRIBOX_BAD_ARGUMENT also if list is NULL.
+ */
+TRIBOX_API tribox_status tribox_tiles_fill(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
+                                           const tribox_options *options, size_t *starts, uint32_t *list);
+
+/**
+ * Takes a brick, 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
+ * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. data is what the caller handed on. Returns whether to go on: 0 ends
+ * the call. It may call the library, and must return.
+ */
+typedef int tribox_sink(void *data, const uint32_t at[3], const uint64_t bits[8]);
+
+/** The bytes of scratch that tribox_voxelize_bricks needs for tiles of this size, whatever the grid; SIZE_MAX if it overflows. */
+TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
+
+/**
+ * tribox_voxelize for grids whose cells need not fit into memory: hands each brick that is not empty to a sink, once. EXACT has the
+ * cells of tribox_voxelize; the others may differ from it within rounding of contact.
+ *
+ * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. A share of the tiles has the bricks of
+ * the whole, so shares may be of any threads, tasks and machines. Tiles without triangles cost next to nothing.
+ *
+ * soup, grid: as for tribox_voxelize.
+ * tile: a multiple of 8, at most 1024.
+ * from, to: the tiles from .. to - 1 alone.
+ * starts, list: by tile, which triangles to look at: starts[0] is of tile `from`. Those of tribox_tiles_fill, at any accuracy that
+ *   misses none, or any others: triangles that are not listed for a tile are not in its bricks.
+ * scratch: tribox_bricks_bytes(tile) bytes, at any alignment; one for each thread.
+ * sink, data: the sink, and what it is handed.
+ * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.
+ *
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, or fewer tiles than `to`; TRIBOX_BAD_INDEX
+ * if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then; TRIBOX_STOPPED if the
+ * sink ended the call: the report is then of what it was handed.
+ */
+TRIBOX_API tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from,
+                                                size_t to, const size_t *starts, const uint32_t *list,
+                                                const tribox_options *options, void *scratch, tribox_sink *sink, void *data,
+                                                tribox_report *report);
+
+/* ============================================================================================================================== */
+/*                                                      Insides of surfaces                                                       */
+/* ============================================================================================================================== */
+
+/** The bytes of scratch that filling needs for a grid of this size, two bits or so a row of cells; SIZE_MAX if it overflows. */
+TRIBOX_API size_t tribox_fill_bytes(const uint32_t size[3]);
+
+/**
+ * Fills what a surface encloses: sets every cell that cannot be reached from outside the grid through faces of cells that are not
+ * occupied. Exact by construction, as nothing but the cells of the surface is asked. Surfaces may be doubled, self-intersecting or
+ * in pieces; a hole of a cell or more lets the outside in.
+ *
+ * size: of the grid, of floats or doubles alike: at most 2^31 words.
+ * occupied: the cells of the surface, as tribox_voxelize writes them; bits past a row's last cell are ignored.
+ * solid: as many words, apart from occupied; written: the surface and its inside, with zeros past each row's last cell.
+ * scratch: tribox_fill_bytes(size) bytes, at any alignment.
+ * inside: how many cells were filled, without those occupied; NULL if not wanted.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or too many words).
+ */
+TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint64_t *occupied, uint64_t *solid, void *scratch,
+                                             size_t *inside);
+
+/**
+ * Fills by parity: sets every cell from whose middle the ray along x meets the soup an odd number of times. Exact for every cell
+ * that is not occupied: crossings are told by the signs of determinants of the floats themselves, and a ray that meets an edge or a
+ * vertex is moved a little, by the same rule for all triangles (symbolic perturbation). On a closed mesh it fills what
+ * tribox_fill_outside fills, but for pockets outside the mesh that the surface seals, cell by cell; where a mesh overlaps itself
+ * twice is outside. Where it is open, it streaks along x: see odd_rows.
+ *
+ * soup, grid: those of the surface. The middle of a cell lies at the double nearest to that of its planes.
+ * occupied, solid, scratch, inside: as for tribox_fill_outside, for the words of the grid.
+ * odd_rows: how many rows of cells along x have an odd number of crossings in all: with one or more the mesh is certainly not
+ *   closed. NULL if not wanted.
+ *
+ * Triangles with a NaN or infinite coordinate are left out. Returns what tribox_voxelize does.
+ */
+TRIBOX_API tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied,
+                                            uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows);
 
 /* ============================================================================================================================== */
 /*                                                      Meshes of doubles                                                       */
@@ -660,6 +794,24 @@ TRIBOX_API tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint
 TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
                                              const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
                                              tribox_report *report);
+
+/** tribox_tiles_count for such a mesh, of at most 2^32 triangles, and grid; tiles are as there. */
+TRIBOX_API tribox_status tribox_tiles_count_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
+                                                size_t to, const tribox_options *options, size_t *starts);
+
+/** tribox_tiles_fill for such a mesh and grid. */
+TRIBOX_API tribox_status tribox_tiles_fill_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
+                                               size_t to, const tribox_options *options, size_t *starts, uint32_t *list);
+
+/** tribox_voxelize_bricks for such a mesh and grid: EXACT has the cells of tribox_voxelize_f64. */
+TRIBOX_API tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile,
+                                                    size_t from, size_t to, const size_t *starts, const uint32_t *list,
+                                                    const tribox_options *options, void *scratch, tribox_sink *sink, void *data,
+                                                    tribox_report *report);
+
+/** tribox_fill_parity for such a mesh and grid. */
+TRIBOX_API tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint64_t *occupied,
+                                                uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows);
 
 /* ============================================================================================================================== */
 /*                                                   Masks, meshes and kernels                                                    */

@@ -169,7 +169,9 @@ const char *tribox_status_text(tribox_status status)
     case TRIBOX_NO_MEMORY:
         return "out of memory";
     case TRIBOX_BAD_INDEX:
-        return "an index of the mesh refers to no vertex";
+        return "an index of the mesh refers to no vertex, or one of a list to no triangle";
+    case TRIBOX_STOPPED:
+        return "the sink ended the call";
     }
     return "unknown status";
 }
