@@ -1,0 +1,50 @@
+/*
+ * partition.h - a mesh sorted by the tiles of a grid, as a folder that shards map and read what is theirs of.
+ *
+ * The folder holds two files, in the byte order of the machine that wrote them:
+ *   index      partition_header, 168 bytes, then a partition_tile, 32 bytes, for every tile that has triangles, by rising tile.
+ *   triangles  nine numbers a triangle, x, y and z of its three vertices, floats or doubles as position_bytes says, and nothing
+ *              else: the triangles of the first record, those of the second, and so on. A triangle is in the file once for each
+ *              tile that it is in. The triangles of a tile are in the order of the mesh.
+ * A tile has every triangle that touches the box of its cells, as tribox_tiles_count states it, and may have others that come close.
+ * Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are size[0] and size[1] divided by `tile` and rounded up.
+ */
+#ifndef PARTITION_H
+#define PARTITION_H
+
+#include <stdbool.h>
+
+#include "tribox.h"
+#include "write/voxels.h"
+
+/* The first bytes of the index. */
+typedef struct partition_header {
+    char magic[16];            /*   0: PARTITION_MAGIC and a NUL byte */
+    uint32_t byte_order;       /*  16: PARTITION_BYTE_ORDER */
+    uint32_t tile;             /*  20: cells along a side of a tile, a multiple of 8 */
+    double origin[3], cell[3]; /*  24, 48: of the grid */
+    double shift[3];           /*  72: what was subtracted from the mesh; zeros for nothing */
+    uint32_t size[3];          /*  96: cells of the grid */
+    uint32_t plane_bytes;      /* 108: 4: the grid is a tribox_grid, whose origin and cell are floats; 8: a tribox_grid_f64 */
+    uint32_t position_bytes;   /* 112: 4: the triangles are of floats, 8: of doubles, and so are the planes then */
+    uint32_t record_bytes;     /* 116: of a partition_tile */
+    uint64_t triangles;        /* 120: of the mesh */
+    uint64_t mesh_checksum;    /* 128: of their coordinates, which the parts of one whole have in common */
+    uint64_t not_finite;       /* 136: how many of them have a NaN or infinite coordinate */
+    uint64_t records;          /* 144: tiles that have triangles */
+    uint64_t places;           /* 152: triangles of all tiles together: what is in the file */
+    uint64_t checksum;         /* 160: of the 160 bytes before it and of the records after it: checksum.h */
+} partition_header;
+
+/* A tile. Its triangles end where those of the next record begin, or at places. */
+typedef struct partition_tile {
+    uint64_t tile;     /*  0: its number */
+    uint64_t first;    /*  8: the place of its first triangle in the file */
+    uint64_t work;     /* 16: about how many nanoseconds it takes: what shards share evenly; see partition_shard */
+    uint64_t checksum; /* 24: of its triangles' bytes */
+} partition_tile;
+
+#define PARTITION_MAGIC "tribox tiles 1\n"
+enum { PARTITION_BYTE_ORDER = 0x01020304 };
+
+#endif
