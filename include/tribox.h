@@ -657,9 +657,9 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
  * sink, data: the sink, and what it is handed.
  * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.
  *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, or fewer tiles than `to`; TRIBOX_BAD_INDEX
- * if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then; TRIBOX_STOPPED if the
- * sink ended the call: the report is then of what it was handed.
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, or fewer tiles than `to`;
+ * TRIBOX_BAD_INDEX if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then;
+ * TRIBOX_STOPPED if the sink ended the call: the report is then of what it was handed.
  */
 TRIBOX_API tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from,
                                                 size_t to, const size_t *starts, const uint32_t *list,

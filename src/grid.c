@@ -10,7 +10,7 @@
 
 size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
 
-/* SIZE_MAX where the product overflows: such a grid cannot be addressed, and is not sound. */
+/* SIZE_MAX where the product overflows: such a grid cannot be addressed. */
 size_t tribox_grid_words(const tribox_grid *grid)
 {
     size_t words = tribox_grid_row_words(grid);
@@ -75,30 +75,43 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
         if (!tribox_is_finite(grid->origin[a]) || !tribox_is_finite(grid->cell[a]) || !(grid->cell[a] > 0) || !grid->size[a] ||
             !tribox_is_finite(tribox_grid_plane(grid, a, grid->size[a])))
             return false;
-    return tribox_grid_words(grid) <= WORDS_MAX && has_rising_planes(grid, 0) && has_rising_planes(grid, 1) &&
-           has_rising_planes(grid, 2);
+    return has_rising_planes(grid, 0) && has_rising_planes(grid, 1) && has_rising_planes(grid, 2);
+}
+
+/* Three factors below 2^32, of which the first is below 2^27. */
+bool tribox_has_few_words(const uint32_t size[3])
+{
+    const uint64_t layer = (uint64_t)tribox_mask_words(size[0]) * size[1];
+    return !layer || !size[2] || layer <= WORDS_MAX / size[2];
+}
+
+bool tribox_is_window(const uint32_t grid_size[3], const uint32_t first[3], const uint32_t size[3])
+{
+    bool is = true;
+    for (int a = 0; a < 3; a++)
+        is &= first[a] <= grid_size[a] && size[a] <= grid_size[a] - first[a];
+    return is;
 }
 
 /*
- * The cell, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below the first cell
- * that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid, is a double
- * (PROOFS.md 7.2, 7.3).
+ * The cell of a window, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below
+ * the first cell that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid,
+ * is a double (PROOFS.md 7.2, 7.3).
  */
-static int64_t cell_near(const tribox_grid *grid, int a, float x)
+static int64_t cell_near(const tribox_grid *grid, int a, int64_t first, int64_t size, float x)
 {
     const double at = ((double)x - grid->origin[a]) / grid->cell[a];
-    return at < 0 ? -1 : at < grid->size[a] ? (int64_t)at : grid->size[a];
+    return at < (double)first ? -1 : at < (double)(first + size) ? (int64_t)at - first : size;
 }
 
-tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, float least, float most)
+tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, int64_t first, int64_t size, float least, float most)
 {
-    const int64_t size = grid->size[a];
-    int64_t first = cell_near(grid, a, least), last = cell_near(grid, a, most);
-    while (first >= 0 && tribox_grid_plane(grid, a, (uint64_t)first) >= least)
-        first--;
-    while (last < size && tribox_grid_plane(grid, a, (uint64_t)(last + 1)) <= most)
+    int64_t from = cell_near(grid, a, first, size, least), last = cell_near(grid, a, first, size, most);
+    while (from >= 0 && tribox_grid_plane(grid, a, (uint64_t)(first + from)) >= least)
+        from--;
+    while (last < size && tribox_grid_plane(grid, a, (uint64_t)(first + last + 1)) <= most)
         last++;
-    while (last >= 0 && tribox_grid_plane(grid, a, (uint64_t)last) > most)
+    while (last >= 0 && tribox_grid_plane(grid, a, (uint64_t)(first + last)) > most)
         last--;
-    return (tribox_cells){first, last};
+    return (tribox_cells){from, last};
 }

@@ -12,15 +12,21 @@ static inline float tribox_grid_plane(const tribox_grid *grid, int a, uint64_t p
     return (float)((double)grid->origin[a] + (double)p * (double)grid->cell[a]);
 }
 
-/* Whether the grid can be served: finite planes in strictly rising order, cells on every axis, and no more than 2^31 words. */
+/* Whether the grid can be served: finite planes in strictly rising order, and cells on every axis. */
 bool tribox_grid_is_sound(const tribox_grid *grid);
 
-/* Cells, first to last: -1 stands for all below the grid, size for all above it. */
+/* Whether a call may write so many cells: 2^31 words. */
+bool tribox_has_few_words(const uint32_t size[3]);
+
+/* Whether a window lies in a grid of this size. */
+bool tribox_is_window(const uint32_t grid_size[3], const uint32_t first[3], const uint32_t size[3]);
+
+/* Cells of a window, first to last: -1 stands for all below it, its size for all above. */
 typedef struct tribox_cells {
     int64_t first, last;
 } tribox_cells;
 
-/* The closed cells of axis a that the interval [least, most] of finite numbers touches. */
-tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, float least, float most);
+/* The closed cells of axis a, from `first` on and `size` of them, that the interval [least, most] of finite numbers touches. */
+tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, int64_t first, int64_t size, float least, float most);
 
 #endif

@@ -117,7 +117,7 @@ void tribox_voxels_take(tribox_voxels *v, const tribox_triangle *triangle, const
 static tribox_cells cells_touched(const tribox_voxels *v, int a, double least, double most)
 {
     return v->mesh ? tribox_planes_cells(&v->planes, a, v->size[a], least, most)
-                   : tribox_grid_cells(v->grid, a, (float)least, (float)most);
+                   : tribox_grid_cells(v->grid, a, v->first[a], v->size[a], (float)least, (float)most);
 }
 
 void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle)

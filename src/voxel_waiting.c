@@ -2,7 +2,6 @@
 #include "voxels.h"
 
 #include "finite.h"
-#include "grid_cells.h"
 #include "settle.h"
 
 /* The word of a cell, and its bit there. */
@@ -63,7 +62,7 @@ static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
 
 static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above)
 {
-    return v->mesh ? tribox_plane_at(&v->planes, a, (int64_t)p + above) : tribox_grid_plane(v->grid, a, (uint64_t)p + above);
+    return v->mesh ? tribox_plane_at(&v->planes, a, (int64_t)p + above) : tribox_voxels_plane(v, a, (uint64_t)p + above);
 }
 
 /* The numbers of a batch that all cells of row n have: those of the triangle, and the bounds across the row. */

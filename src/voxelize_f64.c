@@ -8,8 +8,6 @@
 #include "mesh_streams.h"
 #include "positions.h"
 
-#define WORDS_MAX (UINT64_C(1) << 31)
-
 /* Triangles have numbers of 32 bits in a part of the mesh. */
 enum { PART = 1 << 30, BLOCK = 256 /* whose floats fit the nearest cache */ };
 
@@ -60,7 +58,8 @@ static bool is_for_limits(const tribox_voxels *v)
 static bool is_for_float(tribox_voxels *v)
 {
     const bool has_moves = v->plan.axes == TRIBOX_AXES_BOX || v->plan.axes & TRIBOX_AXES_EDGES;
-    return v->plan.axes & TRIBOX_AXES_BOX && has_moves && v->has_limits && tribox_voxels_make_float(v, (float[3]){0, 0, 0});
+    return v->plan.axes & TRIBOX_AXES_BOX && has_moves && v->has_limits &&
+           tribox_voxels_make_float(v, (float[3]){0, 0, 0}, (double[3]){0, 0, 0});
 }
 
 static void set_by_float(tribox_voxels *v, size_t count)
@@ -110,21 +109,6 @@ static void set_mesh(tribox_voxels *v, const tribox_mesh *mesh, uint64_t *occupi
         set_part(v, mesh->count - v->first_triangle < PART ? mesh->count - v->first_triangle : PART);
 }
 
-static bool is_window(const tribox_grid_f64 *grid, const uint32_t first[3], const uint32_t size[3])
-{
-    bool is = true;
-    for (int a = 0; a < 3; a++)
-        is &= first[a] <= grid->size[a] && size[a] <= grid->size[a] - first[a];
-    return is;
-}
-
-/* Three factors below 2^32, of which the first is below 2^27. */
-static bool has_few_words(const uint32_t size[3])
-{
-    const uint64_t layer = (uint64_t)tribox_mask_words(size[0]) * size[1];
-    return !layer || !size[2] || layer <= WORDS_MAX / size[2];
-}
-
 tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
                                   const uint32_t size[3], const tribox_options *options, uint64_t *occupied, tribox_report *report)
 {
@@ -141,9 +125,9 @@ tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64
     memcpy(v->size, size ? size : grid->size, sizeof v->size);
     if (!tribox_grid_f64_is_sound(grid))
         status = TRIBOX_BAD_GRID;
-    else if (first && !is_window(grid, first, size))
+    else if (first && !tribox_is_window(grid->size, first, size))
         status = TRIBOX_BAD_ARGUMENT;
-    else if (!has_few_words(v->size))
+    else if (!tribox_has_few_words(v->size))
         status = TRIBOX_BAD_GRID;
     else if (!tribox_mesh_is_in_range(&strided, v->plan.kernel, 0, mesh->count))
         status = TRIBOX_BAD_INDEX;

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cell_bits.h"
+#include "grid_cells.h"
 #include "plan.h"
 #include "planes.h"
 #include "positions.h"
@@ -54,6 +55,7 @@ typedef struct tribox_float_lattice {
     float origin[3], per_cell[3], size[3];
     float error[3]; /* that of tribox_lattice, rounded up */
     float doubt[3]; /* with what float adds to it, for every place in the grid */
+    float off[3];   /* the place of the origin: a window's first plane is not where its lattice begins */
 } tribox_float_lattice;
 
 /* The cells of a triangle's bounding box: within the grid, and on which axes there are more than one, even if some lie outside. */
@@ -71,14 +73,16 @@ typedef struct tribox_waiting {
     int32_t at[3][TRIBOX_WAITING + TRIBOX_LANES_MAX], bits[TRIBOX_WAITING + TRIBOX_LANES_MAX];
 } tribox_waiting;
 
-/* One call: the layers that it writes of a grid in float, or a window of one in double as a grid of its own. */
+/* One call: the layers that it writes of a grid, or a window of one as a grid of its own; in double always a window. */
 struct tribox_voxels {
-    const tribox_grid *grid; /* NULL for a grid in double, and then: */
+    const tribox_grid *grid; /* NULL for a grid in double */
+    uint32_t first[3];       /* the window's first cell among those of `grid`; in double planes have it: */
     const tribox_mesh *mesh; /* its strides set */
     size_t first_triangle;   /* the one with the number 0 */
     int32_t first_number;    /* that of the soup's first */
     tribox_planes planes;
-    bool has_limits; /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
+    bool is_for_float; /* whether the soup's packets are sorted in float: PROOFS.md 7.9 */
+    bool has_limits;   /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
 
     uint32_t size[3]; /* of the grid or window */
     tribox_plan plan;
@@ -100,10 +104,19 @@ static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b;
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
 
 /*
- * The lattice in float, about this origin. Float is a filter where it tells places in the grid apart by less than half a cell, and
- * nothing overflows (PROOFS.md 7.9): whether it does.
+ * The lattice in float, about this origin, whose place is `off`. Float is a filter where it tells places in the grid apart by less
+ * than half a cell, and nothing overflows (PROOFS.md 7.9): whether it does.
  */
-bool tribox_voxels_make_float(tribox_voxels *v, const float origin[3]);
+bool tribox_voxels_make_float(tribox_voxels *v, const float origin[3], const double off[3]);
+
+/*
+ * A window of a sound grid as a grid of its own; the plan is made. In the environment of environment.h: open it, put soups into it,
+ * close it. Bits and counts are whole when it is closed.
+ */
+void tribox_voxels_open(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
+                        uint64_t *occupied);
+void tribox_voxels_put(tribox_voxels *v, const tribox_soup *soup);
+void tribox_voxels_close(tribox_voxels *v);
 
 /* Before the first triangle, once sizes and layers are known. */
 void tribox_voxels_start(tribox_voxels *v, uint64_t *occupied);
@@ -125,6 +138,12 @@ void tribox_voxels_set_strips(tribox_voxels *v);
 
 /* One triangle, whatever its numbers: the planes of the grid decide which cells its box touches. */
 void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle);
+
+/* Plane p of axis a of the grid or window; of a grid in float. */
+static inline float tribox_voxels_plane(const tribox_voxels *v, int a, uint64_t p)
+{
+    return tribox_grid_plane(v->grid, a, v->first[a] + p);
+}
 
 /* The three numbers of axis a of triangle `number` of the mesh. */
 static inline void tribox_voxels_read(const tribox_voxels *v, int32_t number, int a, double u[3])

@@ -51,8 +51,9 @@ TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_que
     const tribox_float_lattice *const lattice = &v->in_float;
     const vnum u[3] = {v_load(&queue->number[3 * a][at]), v_load(&queue->number[3 * a + 1][at]),
                        v_load(&queue->number[3 * a + 2][at])};
-    const lane_places p = places_of(u, v_load(&queue->number[9 + a][at]), v_load(&queue->number[12 + a][at]),
-                                    v_splat(lattice->origin[a]), v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
+    const vnum base = v_sub(v_load(&queue->number[9 + a][at]), v_splat(lattice->off[a]));
+    const lane_places p = places_of(u, base, v_load(&queue->number[12 + a][at]), v_splat(lattice->origin[a]),
+                                    v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
     *wild = m_or(*wild, is_wild(u, &p));
     return p;
 }

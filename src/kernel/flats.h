@@ -15,8 +15,9 @@ TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue
     vnum u[3];
     for (int j = 0; j < 3; j++)
         u[j] = v_select(m, v_load(&queue->number[3 * a + j][at]), v_load(&queue->number[3 * b + j][at]));
+    const vnum base = v_select(m, v_load(&queue->number[9 + a][at]), v_load(&queue->number[9 + b][at]));
     const lane_places p =
-        places_of(u, v_select(m, v_load(&queue->number[9 + a][at]), v_load(&queue->number[9 + b][at])),
+        places_of(u, v_sub(base, either(m, lattice->off[a], lattice->off[b])),
                   v_select(m, v_load(&queue->number[12 + a][at]), v_load(&queue->number[12 + b][at])),
                   either(m, lattice->origin[a], lattice->origin[b]), either(m, lattice->per_cell[a], lattice->per_cell[b]),
                   either(m, lattice->error[a], lattice->error[b]));

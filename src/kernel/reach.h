@@ -45,11 +45,13 @@ TRIBOX_INLINE vnum plus_where(vnum a, vmask more, vmask less)
 }
 
 /* The cells that [least, most] touches, from their planes, where the first guess is at most one off. */
-static lane_cells ask_planes(lane_cells guess, vnum least, vnum most, double cell, double origin)
+static lane_cells ask_planes(const tribox_voxels *v, int a, lane_cells guess, vnum least, vnum most)
 {
+    const double cell = v->grid->cell[a], origin = v->grid->origin[a];
+    const vnum low = v_add(guess.first, v_splat((float)v->first[a])), high = v_add(guess.last, v_splat((float)v->first[a]));
     const vnum one = v_splat(1);
-    const vnum above_first = v_plane(v_add(guess.first, one), cell, origin), first = v_plane(guess.first, cell, origin);
-    const vnum above_last = v_plane(v_add(guess.last, one), cell, origin), last = v_plane(guess.last, cell, origin);
+    const vnum above_first = v_plane(v_add(low, one), cell, origin), first = v_plane(low, cell, origin);
+    const vnum above_last = v_plane(v_add(high, one), cell, origin), last = v_plane(high, cell, origin);
     return (lane_cells){plus_where(guess.first, v_gt(least, above_first), m_not(v_gt(least, first))),
                         plus_where(guess.last, m_not(v_gt(above_last, most)), v_gt(last, most))};
 }
@@ -102,7 +104,7 @@ static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint
 
 TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
 {
-    const vnum place = v_mul(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]));
+    const vnum place = v_fma(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]), v_splat(lattice->off[a]));
     return v_min(v_max(place, v_splat(-0.5f)), v_splat(lattice->size[a] + 0.5f));
 }
 
@@ -120,7 +122,7 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a, cons
     const uint64_t in_doubt = m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a])));
     if (in_doubt)
         c = v->mesh ? ask_doubles(v, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to})
-                    : ask_planes(c, least, most, v->grid->cell[a], v->grid->origin[a]);
+                    : ask_planes(v, a, c, least, most);
     r->spans[a] = v_gt(c.last, c.first);
     r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
     r->base[a] = v_max(c.first, zero);
