@@ -164,13 +164,15 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
     r.number = (uint32_t)v->first_number + (uint32_t)at;
     r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
-    /* z first: whoever asks for some layers alone looks at most triangles in vain. */
+    /* z first, then y: whoever asks for some layers alone, or a window, looks at most triangles in vain. */
     reach_axis(&r, v, 2, soup->z, at);
     const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->first_layer), end = v_splat((float)v->end_layer);
     r.inside = m_and(r.inside, m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
     if (!m_bits(r.inside))
         return;
     reach_axis(&r, v, 1, soup->y, at);
+    if (!m_bits(r.inside))
+        return;
     reach_axis(&r, v, 0, soup->x, at);
     const vmask inside = m_andnot(m_and(r.inside, is_finite(r.u)), r.blurred), unknown = m_andnot(r.inside, inside);
     if (m_bits(unknown))
