@@ -1,0 +1,224 @@
+/* bricks.c - the cells of a grid tile by tile, as bricks: the calls. */
+#include "brick_sink.h"
+
+#include <string.h>
+
+#include "environment.h"
+#include "grid_f64.h"
+#include "mesh_input.h"
+#include "tiles.h"
+#include "voxels.h"
+
+/* Triangles are gathered a block at a time: as nine streams of float, or as doubles in half the number. */
+enum { TILE_MAX = 1024, BLOCK = 1024, BLOCK_F64 = BLOCK / 2, BLOCK_BYTES = BLOCK * 9 * sizeof(float), LINE = 64 };
+
+/* One call. */
+typedef struct share {
+    tribox_tiling tiling;
+    const tribox_soup *soup; /* and its grid; or */
+    const tribox_grid *grid;
+    tribox_mesh mesh; /* its strides set; */
+    const tribox_grid_f64 *grid_f64;
+    tribox_options options;
+    tribox_voxels voxels;
+    const size_t *starts;
+    const uint32_t *list;
+    uint64_t *bits;
+    void *block;
+    tribox_hand hand;
+    tribox_report counts;
+} share;
+
+size_t tribox_bricks_bytes(uint32_t tile)
+{
+    const size_t row = (size_t)tribox_mask_words(tile) * sizeof(uint64_t), rest = BLOCK_BYTES + LINE;
+    size_t bytes = row;
+    for (int a = 1; a < 3; a++) {
+        if (tile && bytes > SIZE_MAX / tile)
+            return SIZE_MAX;
+        bytes *= tile;
+    }
+    return bytes > SIZE_MAX - rest ? SIZE_MAX : bytes + rest;
+}
+
+/* Triangles list[0] .. list[count - 1] as a soup of their own. */
+static tribox_soup gather(const share *s, const uint32_t *list, size_t count)
+{
+    float *const to = s->block;
+    for (int n = 0; n < 9; n++) {
+        const float *const stream = tribox_soup_axis(s->soup, n / 3)[n % 3];
+        for (size_t i = 0; i < count; i++)
+            to[(size_t)n * BLOCK + i] = stream[list[i]];
+    }
+    return tribox_soup_of(to, BLOCK, count);
+}
+
+static tribox_mesh gather_f64(const share *s, const uint32_t *list, size_t count)
+{
+    double(*const to)[3] = s->block;
+    for (size_t i = 0; i < count; i++)
+        tribox_mesh_read_corners(&s->mesh, 3 * (size_t)list[i], 3, to + 3 * i);
+    return (tribox_mesh){.positions = to, .vertices = 3 * count, .count = count, .position_bytes = sizeof(double)};
+}
+
+/* A tile as a window of the grid. */
+typedef struct window {
+    uint32_t first[3], size[3];
+} window;
+
+static window window_of(const tribox_tiling *t, size_t tile)
+{
+    const size_t at[3] = {tile % t->along[0], tile / t->along[0] % t->along[1], tile / t->along[0] / t->along[1]};
+    window w;
+    for (int a = 0; a < 3; a++) {
+        w.first[a] = (uint32_t)at[a] * t->tile;
+        w.size[a] = t->size[a] - w.first[a] < t->tile ? t->size[a] - w.first[a] : t->tile;
+    }
+    return w;
+}
+
+static void set_window(share *s, const window *w, const uint32_t *list, size_t count)
+{
+    tribox_voxels *const v = &s->voxels;
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_voxels_open(v, s->grid, w->first, w->size, s->bits);
+    for (size_t at = 0; at < count; at += BLOCK) {
+        const tribox_soup soup = gather(s, list + at, count - at < BLOCK ? count - at : BLOCK);
+        tribox_voxels_put(v, &soup);
+    }
+    tribox_voxels_close(v);
+    s->counts.undecided += v->counts.undecided;
+    tribox_environment_leave(callers);
+}
+
+static void set_window_f64(share *s, const window *w, const uint32_t *list, size_t count)
+{
+    for (size_t at = 0; at < count; at += BLOCK_F64) {
+        const tribox_mesh mesh = gather_f64(s, list + at, count - at < BLOCK_F64 ? count - at : BLOCK_F64);
+        tribox_report report = {0, 0};
+        tribox_voxelize_f64(&mesh, s->grid_f64, w->first, w->size, &s->options, s->bits, &report);
+        s->counts.undecided += report.undecided;
+    }
+}
+
+static bool are_all_below(const uint32_t *list, size_t count, size_t end)
+{
+    uint32_t greatest = 0;
+    for (size_t i = 0; i < count; i++)
+        greatest = list[i] > greatest ? list[i] : greatest;
+    return !count || greatest < end;
+}
+
+/* The environment of the sink is the caller's. */
+static tribox_status hand_on(share *s)
+{
+    const size_t triangles = s->soup ? s->soup->count : s->mesh.count;
+    for (size_t t = 0; t < s->tiling.to - s->tiling.from; t++) {
+        const uint32_t *const list = s->list + s->starts[t];
+        const size_t count = s->starts[t + 1] - s->starts[t];
+        if (!count)
+            continue;
+        if (!are_all_below(list, count, triangles))
+            return TRIBOX_BAD_INDEX;
+        const window w = window_of(&s->tiling, s->tiling.from + t);
+        memset(s->bits, 0, (size_t)tribox_mask_words(w.size[0]) * w.size[1] * w.size[2] * sizeof *s->bits);
+        (s->soup ? set_window : set_window_f64)(s, &w, list, count);
+        if (!tribox_bricks_hand_on(s->bits, w.first, w.size, &s->hand))
+            return TRIBOX_STOPPED;
+    }
+    return TRIBOX_OK;
+}
+
+static bool do_rise(const size_t *starts, size_t count)
+{
+    bool do_all = true;
+    for (size_t t = 0; t < count; t++)
+        do_all &= starts[t] <= starts[t + 1];
+    return do_all;
+}
+
+/* What is alike for both: scratch, lists and tiles. */
+static bool is_share(share *s, const uint32_t size[3], uint32_t tile, size_t from, size_t to, const size_t *starts,
+                     const uint32_t *list)
+{
+    if (!tribox_tiling_make(size, tile, from, to, &s->tiling) || tile % 8 || tile > TILE_MAX || !do_rise(starts, to - from) ||
+        (!list && starts[to - from] > starts[0]))
+        return false;
+    s->starts = starts;
+    s->list = list;
+    return true;
+}
+
+static void use_scratch(share *s, void *scratch)
+{
+    char *const aligned = (char *)scratch + (LINE - (uintptr_t)scratch % LINE) % LINE;
+    s->block = aligned;
+    s->bits = (uint64_t *)(void *)(aligned + BLOCK_BYTES);
+}
+
+/* Not by an initializer: it would clear the room for a voxelization, too. */
+static void start(share *s, const tribox_options *options, tribox_sink *sink, void *data)
+{
+    s->options = options ? *options : (tribox_options){0};
+    s->hand = (tribox_hand){sink, data, 0};
+    s->counts = (tribox_report){0, 0};
+}
+
+static tribox_status finish(share *s, tribox_status status, tribox_report *report)
+{
+    s->counts.overlapping = s->hand.cells;
+    if (status == TRIBOX_OK || status == TRIBOX_STOPPED)
+        tribox_plan_report(&s->voxels.plan, s->counts, report);
+    return status;
+}
+
+tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
+                                     const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
+                                     tribox_sink *sink, void *data, tribox_report *report)
+{
+    share s;
+    start(&s, options, sink, data);
+    s.soup = soup;
+    s.grid = grid;
+    if (!grid || !starts || !scratch || !sink || !tribox_soup_is_readable(soup))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = tribox_plan_make(options, &s.voxels.plan);
+    if (status)
+        return status;
+    const tribox_environment callers = tribox_environment_enter();
+    const bool is_sound = tribox_grid_is_sound(grid);
+    tribox_environment_leave(callers);
+    if (!is_sound)
+        return TRIBOX_BAD_GRID;
+    if (!is_share(&s, grid->size, tile, from, to, starts, list))
+        return TRIBOX_BAD_ARGUMENT;
+    use_scratch(&s, scratch);
+    return finish(&s, hand_on(&s), report);
+}
+
+tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
+                                         size_t to, const size_t *starts, const uint32_t *list, const tribox_options *options,
+                                         void *scratch, tribox_sink *sink, void *data, tribox_report *report)
+{
+    share s;
+    start(&s, options, sink, data);
+    s.soup = NULL;
+    s.grid_f64 = grid;
+    if (!grid || !starts || !scratch || !sink || !tribox_mesh_is_readable_f64(mesh))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = tribox_plan_make(options, &s.voxels.plan);
+    if (status)
+        return status;
+    s.mesh = tribox_mesh_with_strides(mesh);
+    const tribox_environment callers = tribox_environment_enter();
+    const bool is_sound = tribox_grid_f64_is_sound(grid);
+    tribox_environment_leave(callers);
+    if (!is_sound)
+        return TRIBOX_BAD_GRID;
+    if (!is_share(&s, grid->size, tile, from, to, starts, list))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_mesh_is_in_range(&s.mesh, s.voxels.plan.kernel, 0, mesh->count))
+        return TRIBOX_BAD_INDEX;
+    use_scratch(&s, scratch);
+    return finish(&s, hand_on(&s), report);
+}
