@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "write/brick_out.h"
 #include "write/file_out.h"
 #include "console/message.h"
 #include "console/options.h"
@@ -94,9 +95,10 @@ static int write_files(const request *r, const voxels *v)
     code = file_out_open(&picture, r->result.preview_path);
     if (!code) {
         progress bar = progress_start("writing", !r->result.is_quiet);
-        r->result.format->write(out.stream, v, &bar);
+        code = brick_out_voxels(r->result.format, &r->result.options, &out, v, &bar);
         progress_end(&bar);
-        code = file_out_keep(&out);
+        if (!code)
+            code = file_out_keep(&out);
         if (!code)
             code = preview_draw(&picture, v, &r->result.look, processors_here(), !r->result.is_quiet);
         file_out_drop(&picture);

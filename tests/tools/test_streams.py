@@ -232,8 +232,8 @@ class Voxels(support.TestCase):
     def test_wrong_command_line(self):
         mesh = self.write("mesh.f32", meshes.pack_floats(TRIANGLES[:9]))
         for pattern, arguments in (("standard input needs its format: --format stl, f32 or", ("-", "-o", "x.npy")),
-                                   ("standard output needs its format: --out-format npy, ", (mesh, "-o", "-")),
-                                   ("--out-format: 'png' is none of npy, bin", (mesh, "-o", "-", "--out-format", "png")),
+                                   ("standard output needs its format, --out-format WORD: one of npz, ", (mesh, "-o", "-")),
+                                   ("--out-format: 'png' is none of npz, vdb", (mesh, "-o", "-", "--out-format", "png")),
                                    ("--json and -o - exclude", (mesh, "-o", "-", "--out-format", "raw", "--json")),
                                    ("--out-format and --shard exclude", (mesh, "-o", "-", "--out-format", "raw", "--shard", "1/2")),
                                    ("--preview: '-' does not end", (mesh, "-o", "-", "--out-format", "raw", "--preview", "-"))):

@@ -71,14 +71,14 @@ class WrongCommandLine(Failures):
         for value in ("640", "x", "0x8", "8x0", "8x4097", "8x6x4", "8 x 6", "123456789x8"):
             self.wrong("--picture-size.*: '.*' is no", self.mesh, "--picture-size", value)
         for name in ("x", "x.txt", ".npy", "x.NPY", ""):
-            self.wrong("-o: '%s' does not end in .npy, .binvox, .vox or .raw" % name, self.mesh, "--cell", "1", "-o", name)
+            self.wrong("-o: '%s' does not end in .npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox or .raw" % name, self.mesh, "--cell", "1", "-o", name)
         self.refuse(2, r"^tribox voxelize: --cell: 2 numbers where 3 are needed; give SX,SY,SZ$", "voxelize", self.mesh, "--cell", "1,2")
         self.refuse(2, r"^tribox voxelize: --origin: 'a' \(number 2 of 3\) is not a number", "voxelize", "--origin", "1,a,3")
 
     def test_merge(self):
         self.refuse(2, "no parts given; see 'tribox merge --help'", "merge", "-o", "x.npy")
         self.refuse(2, "no output given", "merge", self.part)
-        self.refuse(2, "'x.part' does not end in .npy", "merge", self.part, "-o", "x.part")
+        self.refuse(2, "'x.part' does not end in .npz", "merge", self.part, "-o", "x.part")
         self.refuse(2, "--up, --view and --picture-size need --preview", "merge", self.part, "-o", "x.npy", "--up", "x")
         self.refuse(2, "exclude each other", "merge", self.part, "-o", "x.npy", "--json", "--quiet")
 

@@ -3,9 +3,18 @@
 #include "result_options.h"
 
 #include <stddef.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "console/message.h"
+#include "write/deflate.h"
+
+static int read_vdb_grid(const char *word, bool *is_of_booleans)
+{
+    *is_of_booleans = !strcmp(word, "bool");
+    return *is_of_booleans || !strcmp(word, "mask") ? EXIT_CODE_OK
+                                                    : message_usage("--vdb-grid: '%s' is neither mask nor bool", word);
+}
 
 int result_take(result_request *r, int which, const char *value)
 {
@@ -16,6 +25,11 @@ int result_take(result_request *r, int which, const char *value)
     case RESULT_OUT_FORMAT:
         r->format = volume_format_named(value);
         return r->format ? EXIT_CODE_OK : EXIT_CODE_USAGE;
+    case RESULT_DEFLATE:
+        r->options.is_deflated = true;
+        return EXIT_CODE_OK;
+    case RESULT_VDB_GRID:
+        return read_vdb_grid(value, &r->options.is_of_booleans);
     case RESULT_PREVIEW:
         r->preview_path = value;
         return EXIT_CODE_OK;
@@ -37,11 +51,25 @@ int result_take(result_request *r, int which, const char *value)
 static int check_stdout(const result_request *r, bool takes_part)
 {
     if (!takes_part && !r->format)
-        return message_usage("standard output needs its format: --out-format npy, binvox, vox or raw");
+        return message_usage("standard output needs its format, --out-format WORD: one of " VOLUME_WORDS);
     if (r->wants_json)
         return message_usage("--json and -o - exclude each other, since both go to standard output");
     if (isatty(STDOUT_FILENO))
         return message_usage("-o -: standard output is a terminal; send it to a program or a file");
+    return EXIT_CODE_OK;
+}
+
+static bool is_word(const volume_format *format, const char *word) { return format && !strcmp(format->word, word); }
+
+/* Options that one format alone has. */
+static int check_format(const result_request *r, const options_found *found)
+{
+    if (options_has(found, RESULT_DEFLATE) && !is_word(r->format, "npz"))
+        return message_usage("--deflate is for .npz alone");
+    if (options_has(found, RESULT_VDB_GRID) && !is_word(r->format, "vdb"))
+        return message_usage("--vdb-grid is for .vdb alone");
+    if (r->options.is_deflated && !deflate_is_there)
+        return message_usage("--deflate: this tribox was built without zlib");
     return EXIT_CODE_OK;
 }
 
@@ -61,5 +89,7 @@ int result_check(result_request *r, const options_found *found, bool takes_part)
     r->has_summary = !is_stdout && !r->is_quiet;
     if (!takes_part && !r->format)
         r->format = volume_format_of(r->out_path);
-    return takes_part || r->format ? preview_check(r->preview_path, "--preview") : EXIT_CODE_USAGE;
+    if ((!takes_part && !r->format) || check_format(r, found))
+        return EXIT_CODE_USAGE;
+    return preview_check(r->preview_path, "--preview");
 }

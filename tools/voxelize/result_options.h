@@ -12,6 +12,8 @@
 enum {
     RESULT_OUT,
     RESULT_OUT_FORMAT,
+    RESULT_DEFLATE,
+    RESULT_VDB_GRID,
     RESULT_PREVIEW,
     RESULT_UP,
     RESULT_VIEW,
@@ -22,14 +24,19 @@ enum {
 };
 
 #define RESULT_ENTRIES \
-    [RESULT_OUT] = {"out", 'o', true}, [RESULT_OUT_FORMAT] = {"out-format", 0, true}, [RESULT_PREVIEW] = {"preview", 'p', true}, \
-    [RESULT_UP] = {"up", 0, true}, [RESULT_VIEW] = {"view", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, \
-    [RESULT_JSON] = {"json", 'j', false}, [RESULT_QUIET] = {"quiet", 'q', false}
+    [RESULT_OUT] = {"out", 'o', true}, [RESULT_OUT_FORMAT] = {"out-format", 0, true}, [RESULT_DEFLATE] = {"deflate", 0, false}, \
+    [RESULT_VDB_GRID] = {"vdb-grid", 0, true}, [RESULT_PREVIEW] = {"preview", 'p', true}, [RESULT_UP] = {"up", 0, true}, \
+    [RESULT_VIEW] = {"view", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, [RESULT_JSON] = {"json", 'j', false}, \
+    [RESULT_QUIET] = {"quiet", 'q', false}
 
 #define RESULT_HELP \
-    "  -o, --out FILE          .npy (NumPy), .binvox, .vox (MagicaVoxel) or .raw (the bits alone); - is\n" \
-    "                          standard output, which then holds nothing else\n" \
-    "      --out-format WORD   npy, binvox, vox or raw, whatever the name of FILE; -o - needs it\n" \
+    "  -o, --out FILE          sparse: .npz (bricks, NumPy), .vdb (OpenVDB); dense: .npy (NumPy), .vti\n" \
+    "                          (ParaView), .nrrd (3D Slicer), .binvox, .vox (MagicaVoxel), .raw (bits).\n" \
+    "                          - is standard output, which then holds nothing else\n" \
+    "      --out-format WORD   " VOLUME_WORDS ":\n" \
+    "                          whatever the name of FILE; -o - needs it. cells: their coordinates as .npy\n" \
+    "      --deflate           .npz: compressed, which takes longer\n" \
+    "      --vdb-grid WORD     .vdb: mask (default), or bool: larger, but every program reads it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
     "      --up AXIS           the axis that is up in it: x, y, z (default), -x, -y or -z\n" \
     "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \
@@ -40,6 +47,7 @@ enum {
 typedef struct result_request {
     const char *out_path, *preview_path; /* preview_path: NULL for none */
     const volume_format *format;         /* NULL for a part */
+    volume_options options;
     picture_look look;
     bool wants_json, is_quiet;
     bool has_summary; /* not with --quiet, nor where the file itself goes to standard output */

@@ -10,6 +10,7 @@
 #include "console/memory.h"
 #include "read/mesh.h"
 #include "console/message.h"
+#include "write/brick_out.h"
 #include "write/part.h"
 #include "voxelize_report.h"
 
@@ -55,14 +56,16 @@ static void write_part(const voxelize_request *r, const mesh *m, const voxels *v
     part_write(to, &header, v->slab[0].bits, bar);
 }
 
-static void write_answer(const voxelize_request *r, const mesh *m, const voxels *v, file_out *out)
+static int write_answer(const voxelize_request *r, const mesh *m, const voxels *v, file_out *out)
 {
     progress bar = progress_start("writing", !r->result.is_quiet);
+    int code = EXIT_CODE_OK;
     if (r->result.format)
-        r->result.format->write(out->stream, v, &bar);
+        code = brick_out_voxels(r->result.format, &r->result.options, out, v, &bar);
     else
         write_part(r, m, v, out->stream, &bar);
     progress_end(&bar);
+    return code ? code : file_out_keep(out);
 }
 
 /* Into a grid of doubles, from doubles or from floats. */
@@ -120,10 +123,8 @@ static int answer_mesh(const voxelize_request *r, const mesh *m, voxelize_answer
     code = take_memory(r, &v.grid, &slab, &bits);
     if (!code)
         code = voxelize(r, m, &v, bits, a);
-    if (!code) {
-        write_answer(r, m, &v, out);
-        code = file_out_keep(out);
-    }
+    if (!code)
+        code = write_answer(r, m, &v, out);
     if (!code)
         code = preview_draw(picture, &v, &r->result.look, r->threads, !r->result.is_quiet);
     free(bits);

@@ -91,6 +91,16 @@ int file_out_open(file_out *out, const char *path)
     return code;
 }
 
+static int fail(const file_out *out, int reason)
+{
+    const char *const why = strerror(reason ? reason : EIO);
+    if (file_out_is_stdout(out->path))
+        return message_failure("cannot write the output: %s", why);
+    return message_failure("%s: cannot write all of it: %s; nothing was kept", out->path, why);
+}
+
+int file_out_failure(const file_out *out) { return fail(out, errno); }
+
 int file_out_keep(file_out *out)
 {
     if (!out->stream)
@@ -99,15 +109,16 @@ int file_out_keep(file_out *out)
     const bool is_lost = ferror(out->stream) || fflush(out->stream);
     int reason = is_lost ? errno : 0;
     if (out->stream == stdout) {
+        const int code = is_lost ? fail(out, reason) : EXIT_CODE_OK;
         forget(out);
-        return is_lost ? message_failure("cannot write the output: %s", strerror(reason ? reason : EIO)) : EXIT_CODE_OK;
+        return code;
     }
     if ((fclose(out->stream) || (!is_lost && rename(out->beside, out->target))) && !reason)
         reason = errno;
     int code = EXIT_CODE_OK;
     if (is_lost || reason) {
         unlink(out->beside);
-        code = message_failure("%s: cannot write all of it: %s; nothing was kept", out->path, strerror(reason ? reason : EIO));
+        code = fail(out, reason);
     }
     forget(out);
     return code;

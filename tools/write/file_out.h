@@ -21,6 +21,9 @@ bool file_out_is_stdout(const char *path);
 /* Returns an exit_code. A path of NULL opens nothing, and the other calls then do nothing. */
 int file_out_open(file_out *out, const char *path);
 
+/* The line of a write that failed, whose reason errno tells. Returns EXIT_CODE_FAILURE. */
+int file_out_failure(const file_out *out);
+
 /* Writes out all that is pending and gives the file its name. Returns an exit_code; on failure nothing is left. */
 int file_out_keep(file_out *out);
 

@@ -3,22 +3,28 @@
 
 #include <string.h>
 
+#include "brick_writer.h"
 #include "console/decimal.h"
 #include "console/message.h"
 
-static const volume_format formats[] = {{".npy", NULL, volume_write_npy, false},
-                                        {".raw", NULL, volume_write_raw, false},
-                                        {".binvox", volume_check_binvox, volume_write_binvox, true},
-                                        {".vox", volume_check_vox, volume_write_vox, false}};
+/* Of two with one ending the first is the one that the ending stands for. */
+static const volume_format formats[] = {
+    {.word = "npz", .ending = ".npz", .bricks = &bricks_npz, .has_place = true},
+    {.word = "vdb", .ending = ".vdb", .check_grid = bricks_check_vdb, .bricks = &bricks_vdb, .has_place = true},
+    {.word = "npy", .ending = ".npy", .write = volume_write_npy},
+    {.word = "cells", .ending = ".npy", .bricks = &bricks_cells},
+    {.word = "binvox", .ending = ".binvox", .check_grid = volume_check_binvox, .write = volume_write_binvox, .has_place = true},
+    {.word = "vox", .ending = ".vox", .check_grid = volume_check_vox, .write = volume_write_vox},
+    {.word = "raw", .ending = ".raw", .write = volume_write_raw}};
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
 const volume_format *volume_format_named(const char *word)
 {
     for (size_t i = 0; i < FORMATS; i++)
-        if (!strcmp(word, formats[i].ending + 1))
+        if (!strcmp(word, formats[i].word))
             return &formats[i];
-    message_usage("--out-format: '%s' is none of npy, binvox, vox, raw", word);
+    message_usage("--out-format: '%s' is none of " VOLUME_WORDS, word);
     return NULL;
 }
 
@@ -30,7 +36,7 @@ const volume_format *volume_format_of(const char *path)
         if (length > size && !strcmp(path + length - size, formats[i].ending))
             return &formats[i];
     }
-    message_usage("-o: '%s' does not end in .npy, .binvox, .vox or .raw", path);
+    message_usage("-o: '%s' does not end in " VOLUME_ENDINGS, path);
     return NULL;
 }
 

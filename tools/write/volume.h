@@ -7,17 +7,34 @@
 #include "console/progress.h"
 #include "voxels.h"
 
+/* What some formats leave open. */
+typedef struct volume_options {
+    bool is_deflated;    /* .npz: smaller, and slower to write */
+    bool is_of_booleans; /* .vdb: a BoolGrid in place of a MaskGrid */
+} volume_options;
+
 typedef struct volume_format {
+    const char *word;   /* "npy" */
     const char *ending; /* ".npy" */
 
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
     int (*check_grid)(const char *path, const tribox_grid_f64 *grid);
 
-    /* Writes layer by layer, in memory for a layer or two. Stops where the stream fails, which ferror then reports. */
+    /*
+     * A dense format: writes layer by layer, in memory for a layer or two. Stops where the stream fails, which ferror then reports.
+     * NULL for a sparse format. brick_out.h writes both.
+     */
     void (*write)(FILE *to, const voxels *v, progress *bar);
+
+    /* A sparse format: writes bricks as they come. NULL for a dense one. */
+    const struct brick_writer *bricks;
 
     bool has_place; /* it says where the grid is, which is where the mesh was before it was shifted */
 } volume_format;
+
+/* For the help text and for messages. */
+#define VOLUME_WORDS "npz, vdb, cells, npy, binvox, vox, raw"
+#define VOLUME_ENDINGS ".npz, .vdb, .npy, .binvox, .vox or .raw"
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);

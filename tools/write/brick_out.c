@@ -1,0 +1,143 @@
+/* brick_out.c - hands bricks to the format, keeps an eye on the stream, and gathers words for dense formats. */
+#define _POSIX_C_SOURCE 200809L
+#include "brick_out.h"
+
+#include <stdlib.h>
+
+#include "brick_writer.h"
+#include "bricks.h"
+#include "console/memory.h"
+#include "console/message.h"
+#include "spool.h"
+
+/* The words of a dense format until all bricks are there. */
+typedef struct gathering {
+    voxels_slab slab;
+    uint64_t *words;
+} gathering;
+
+static int take_words(brick_out *out, gathering *g)
+{
+    char needed[16], there[16];
+    const tribox_grid_f64 *const grid = &out->cells.grid;
+    const uint64_t words = (uint64_t)voxels_layer_words(grid) * grid->size[2], available = memory_available();
+    if (words > available / sizeof *g->words)
+        return message_failure("%s: %u x %u x %u cells take %s of memory in this format and %s are available; write .npz or .vdb",
+                               out->file->path, grid->size[0], grid->size[1], grid->size[2],
+                               memory_text(words * sizeof *g->words, needed), memory_text(available, there));
+    g->words = calloc(words, sizeof *g->words);
+    return g->words ? EXIT_CODE_OK : message_failure("%s: out of memory for its cells", out->file->path);
+}
+
+static int open_dense(brick_out *out)
+{
+    gathering *const g = calloc(1, sizeof *g);
+    const int code = g ? take_words(out, g) : message_failure("%s: out of memory", out->file->path);
+    if (code) {
+        free(g);
+        return code;
+    }
+    g->slab = (voxels_slab){.layers = out->cells.grid.size[2], .bits = g->words};
+    out->cells.slab = &g->slab;
+    out->cells.slabs = 1;
+    out->state = g;
+    return EXIT_CODE_OK;
+}
+
+static int put_dense(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
+{
+    const gathering *const g = out->state;
+    bricks_lay(&out->cells.grid, g->words, at, bits);
+    return EXIT_CODE_OK;
+}
+
+static int end_dense(brick_out *out, progress *bar)
+{
+    out->format->write(out->to, &out->cells, bar);
+    return EXIT_CODE_OK;
+}
+
+static void drop_dense(brick_out *out)
+{
+    gathering *const g = out->state;
+    free(g->words);
+    free(g);
+}
+
+static const brick_writer dense = {.open = open_dense, .put = put_dense, .end = end_dense, .drop = drop_dense};
+
+static const brick_writer *writer(const brick_out *out) { return out->format->bricks ? out->format->bricks : &dense; }
+
+static bool is_spooled(const brick_out *out) { return out->to != out->file->stream; }
+
+static int check_stream(const brick_out *out) { return ferror(out->to) ? file_out_failure(out->file) : EXIT_CODE_OK; }
+
+int brick_out_open(brick_out *out, const volume_format *format, const volume_options *options, file_out *file, const voxels *about)
+{
+    *out = (brick_out){.format = format, .options = *options, .file = file, .to = file->stream, .cells = *about};
+    out->cells.slab = NULL;
+    out->cells.slabs = 0;
+    if (writer(out)->goes_back && file_out_is_stdout(file->path))
+        out->to = spool_open(file);
+    if (!out->to)
+        return EXIT_CODE_FAILURE;
+    const int code = writer(out)->open(out);
+    if (code && is_spooled(out))
+        fclose(out->to);
+    if (code)
+        out->to = NULL;
+    return code;
+}
+
+int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
+{
+    const int code = writer(out)->put(out, at, bits);
+    out->bricks++;
+    out->occupied += voxels_count(bits, 8);
+    return code ? code : check_stream(out);
+}
+
+int brick_out_end(brick_out *out, progress *bar)
+{
+    int code = writer(out)->end(out, bar);
+    if (!code)
+        code = check_stream(out);
+    if (!code && is_spooled(out))
+        code = spool_copy(out->to, out->file);
+    if (!code)
+        brick_out_drop(out);
+    return code;
+}
+
+void brick_out_drop(brick_out *out)
+{
+    if (!out->to)
+        return;
+    writer(out)->drop(out);
+    if (is_spooled(out))
+        fclose(out->to);
+    out->to = NULL;
+}
+
+static int put(void *out, const uint32_t at[3], const uint64_t bits[8]) { return brick_out_put(out, at, bits); }
+
+static int cut_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, progress *bar)
+{
+    brick_out out;
+    int code = brick_out_open(&out, format, options, file, v);
+    if (code)
+        return code;
+    code = bricks_cut(v, put, &out, bar);
+    if (!code)
+        code = brick_out_end(&out, bar);
+    brick_out_drop(&out);
+    return code;
+}
+
+int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, progress *bar)
+{
+    if (format->bricks)
+        return cut_voxels(format, options, file, v, bar);
+    format->write(file->stream, v, bar);
+    return EXIT_CODE_OK;
+}

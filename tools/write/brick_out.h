@@ -1,0 +1,44 @@
+/* brick_out.h - a file of any format from bricks of 8 x 8 x 8 cells, handed over one at a time. */
+#ifndef BRICK_OUT_H
+#define BRICK_OUT_H
+
+#include "file_out.h"
+#include "volume.h"
+
+/*
+ * Sparse formats (.npz, .vdb, cells) take memory for what their file needs at once: nothing but a buffer, or for .vdb the bricks
+ * themselves. Dense formats take the words of the whole grid. Where a number has to stand before what it counts it is filled in at
+ * the end, in a nameless file where the output cannot go back.
+ */
+typedef struct brick_out {
+    const volume_format *format;
+    volume_options options;
+    file_out *file;
+    FILE *to;                  /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
+    voxels cells;              /* the grid and the shift, and in a dense format one slab with the words */
+    uint64_t bricks, occupied; /* put so far */
+    void *state;               /* the format's own */
+} brick_out;
+
+/*
+ * Starts the content of an open file. about: grid, is_float and shift of the whole; its slabs are not looked at. Returns an
+ * exit_code, on failure after its line; nothing then needs to be dropped.
+ */
+int brick_out_open(brick_out *out, const volume_format *format, const volume_options *options, file_out *file, const voxels *about);
+
+/*
+ * Adds a brick as a tribox_sink is handed it: in any order, each place once, one call at a time. Bits of cells outside the grid must
+ * be 0. Returns an exit_code; after a failure, which has said its line, brick_out_drop is all that is left.
+ */
+int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+
+/* Writes the rest and frees all memory; file_out_keep is the caller's next step. Returns an exit_code; on failure as for put. */
+int brick_out_end(brick_out *out, progress *bar);
+
+/* Frees the memory of what did not come to its end; nothing after brick_out_end has succeeded. The file is the caller's to drop. */
+void brick_out_drop(brick_out *out);
+
+/* Writes voxels in memory in any format, dense or sparse. Returns an exit_code. */
+int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, progress *bar);
+
+#endif

@@ -1,0 +1,26 @@
+/* brick_writer.h - what a format does with bricks; brick_out.c calls it. */
+#ifndef BRICK_WRITER_H
+#define BRICK_WRITER_H
+
+#include "brick_out.h"
+
+/* Each returns an exit_code, on failure after its line; that the stream failed, which ferror tells, needs no line. */
+typedef struct brick_writer {
+    bool goes_back;              /* it writes to places before the end, which standard output may not allow */
+    int (*open)(brick_out *out); /* frees what it took if it fails */
+    int (*put)(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+    int (*end)(brick_out *out, progress *bar);
+    void (*drop)(brick_out *out); /* frees the state */
+} brick_writer;
+
+/* Arrays of NumPy's: at[n, 3], bits[n, 8], origin, cell, size and shift. */
+extern const brick_writer bricks_npz;
+
+/* An array of NumPy's: the coordinates of cells, [n, 3]. */
+extern const brick_writer bricks_cells;
+
+/* OpenVDB's MaskGrid or BoolGrid. The check finds out whether OpenVDB is there. */
+extern const brick_writer bricks_vdb;
+int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid);
+
+#endif

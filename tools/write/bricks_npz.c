@@ -1,0 +1,137 @@
+/* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, and the grid. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "brick_writer.h"
+#include "console/message.h"
+#include "read/little.h"
+#include "spool.h"
+#include "zip_out.h"
+
+enum { AT_BYTES = 12, BITS_BYTES = 64, CHUNK = 1 << 16, SHAPE = 32 };
+
+/* The file gets the bits as they come; the places wait beside it. */
+typedef struct npz {
+    zip_out zip;
+    FILE *places;
+    deflater *deflater; /* NULL: not deflated */
+} npz;
+
+static void free_npz(npz *z)
+{
+    if (z->places)
+        fclose(z->places);
+    deflater_free(z->deflater);
+    free(z);
+}
+
+static int open_npz(brick_out *out)
+{
+    npz *const z = calloc(1, sizeof *z);
+    if (!z)
+        return message_failure("%s: out of memory", out->file->path);
+    z->deflater = out->options.is_deflated ? deflater_new() : NULL;
+    z->places = spool_open(out->file);
+    const bool lacks_memory = out->options.is_deflated && !z->deflater;
+    if (lacks_memory || !z->places) {
+        free_npz(z);
+        return lacks_memory ? message_failure("%s: out of memory", out->file->path) : EXIT_CODE_FAILURE;
+    }
+    zip_begin(&z->zip, out->to, z->deflater);
+    zip_begin_member(&z->zip, "bits.npy");
+    out->state = z;
+    return EXIT_CODE_OK;
+}
+
+static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
+{
+    npz *const z = out->state;
+    unsigned char place[AT_BYTES], words[BITS_BYTES];
+    for (int a = 0; a < 3; a++)
+        little_put32(place + 4 * a, at[a]);
+    for (int k = 0; k < 8; k++)
+        little_put64(words + 8 * k, bits[k]);
+    fwrite(place, 1, sizeof place, z->places);
+    zip_add(&z->zip, words, sizeof words);
+    return !ferror(z->places) ? EXIT_CODE_OK : file_out_failure(out->file);
+}
+
+static void end_array(npz *z, const char *type, const char *shape)
+{
+    unsigned char header[NPY_HEADER];
+    npy_header(header, type, shape);
+    zip_end_member(&z->zip, header);
+}
+
+static int end_rows(brick_out *out, const char *type, int columns)
+{
+    char shape[SHAPE];
+    snprintf(shape, sizeof shape, "(%" PRIu64 ", %d)", out->bricks, columns);
+    end_array(out->state, type, shape);
+    return EXIT_CODE_OK;
+}
+
+static int add_places(brick_out *out)
+{
+    npz *const z = out->state;
+    unsigned char chunk[CHUNK];
+    size_t length;
+    if (fflush(z->places) || fseek(z->places, 0, SEEK_SET))
+        return file_out_failure(out->file);
+    zip_begin_member(&z->zip, "at.npy");
+    while ((length = fread(chunk, 1, sizeof chunk, z->places)) > 0)
+        zip_add(&z->zip, chunk, length);
+    return !ferror(z->places) ? end_rows(out, "<u4", 3) : file_out_failure(out->file);
+}
+
+/* Three numbers, floats where the planes of the grid are. */
+static void add_point(npz *z, const char *name, const double point[3], bool is_float)
+{
+    unsigned char bytes[3 * sizeof(double)];
+    for (int a = 0; a < 3; a++) {
+        const float narrow = (float)point[a];
+        uint32_t narrow_bits;
+        uint64_t bits;
+        memcpy(&narrow_bits, &narrow, sizeof narrow_bits);
+        memcpy(&bits, &point[a], sizeof bits);
+        if (is_float)
+            little_put32(bytes + 4 * a, narrow_bits);
+        else
+            little_put64(bytes + 8 * a, bits);
+    }
+    zip_begin_member(&z->zip, name);
+    zip_add(&z->zip, bytes, is_float ? 12 : 24);
+    end_array(z, is_float ? "<f4" : "<f8", "(3,)");
+}
+
+static void add_size(npz *z, const uint32_t size[3])
+{
+    unsigned char bytes[12];
+    for (int a = 0; a < 3; a++)
+        little_put32(bytes + 4 * a, size[a]);
+    zip_begin_member(&z->zip, "size.npy");
+    zip_add(&z->zip, bytes, sizeof bytes);
+    end_array(z, "<u4", "(3,)");
+}
+
+static int end_npz(brick_out *out, progress *bar)
+{
+    npz *const z = out->state;
+    const voxels *const v = &out->cells;
+    (void)bar;
+    end_rows(out, "<u8", 8);
+    const int code = add_places(out);
+    if (code)
+        return code;
+    add_point(z, "origin.npy", v->grid.origin, v->is_float);
+    add_point(z, "cell.npy", v->grid.cell, v->is_float);
+    add_size(z, v->grid.size);
+    add_point(z, "shift.npy", v->shift, false);
+    zip_end(&z->zip);
+    return EXIT_CODE_OK;
+}
+
+static void drop_npz(brick_out *out) { free_npz(out->state); }
+
+const brick_writer bricks_npz = {.goes_back = true, .open = open_npz, .put = put_npz, .end = end_npz, .drop = drop_npz};

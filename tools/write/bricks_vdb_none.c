@@ -1,0 +1,11 @@
+/* bricks_vdb_none.c - stands in for bricks_vdb.c where the program is built without OpenVDB. */
+#include "brick_writer.h"
+#include "console/message.h"
+
+const brick_writer bricks_vdb = {.open = NULL};
+
+int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid)
+{
+    (void)grid;
+    return message_failure("%s: this tribox was built without OpenVDB, which .vdb needs; write .npz", path);
+}

@@ -1,0 +1,42 @@
+/* zip_out.h - a .zip file whose members start with a header that is known when they end. */
+#ifndef ZIP_OUT_H
+#define ZIP_OUT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "crc32.h"
+#include "deflate.h"
+#include "npy_header.h"
+
+enum { ZIP_MEMBERS_MAX = 6, ZIP_NAME_MAX = 15 };
+
+typedef struct zip_member {
+    char name[ZIP_NAME_MAX + 1];
+    uint64_t start;         /* where in the file */
+    uint64_t bytes, stored; /* as they are, and as they are written */
+    uint32_t crc;
+} zip_member;
+
+typedef struct zip_out {
+    FILE *to;
+    uint64_t written;
+    zip_member members[ZIP_MEMBERS_MAX];
+    unsigned count;     /* the last one of them is open until its end */
+    deflater *deflater; /* NULL: members are stored as they are */
+    crc32_tables crc;
+} zip_out;
+
+/* Members are deflated if a deflater is given, which stays the caller's. The stream is at its first byte. */
+void zip_begin(zip_out *zip, FILE *to, deflater *by);
+
+/* A member: its name, its bytes, and then the NPY_HEADER bytes that stand before these. */
+void zip_begin_member(zip_out *zip, const char *name);
+void zip_add(zip_out *zip, const void *bytes, size_t count);
+void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER]);
+
+/* The list of the members. */
+void zip_end(zip_out *zip);
+
+#endif
