@@ -13,6 +13,8 @@ static const volume_format formats[] = {
     {.word = "vdb", .ending = ".vdb", .check_grid = bricks_check_vdb, .bricks = &bricks_vdb, .has_place = true},
     {.word = "npy", .ending = ".npy", .write = volume_write_npy},
     {.word = "cells", .ending = ".npy", .bricks = &bricks_cells},
+    {.word = "vti", .ending = ".vti", .write = volume_write_vti, .has_place = true},
+    {.word = "nrrd", .ending = ".nrrd", .write = volume_write_nrrd, .has_place = true},
     {.word = "binvox", .ending = ".binvox", .check_grid = volume_check_binvox, .write = volume_write_binvox, .has_place = true},
     {.word = "vox", .ending = ".vox", .check_grid = volume_check_vox, .write = volume_write_vox},
     {.word = "raw", .ending = ".raw", .write = volume_write_raw}};

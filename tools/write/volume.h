@@ -33,8 +33,8 @@ typedef struct volume_format {
 } volume_format;
 
 /* For the help text and for messages. */
-#define VOLUME_WORDS "npz, vdb, cells, npy, binvox, vox, raw"
-#define VOLUME_ENDINGS ".npz, .vdb, .npy, .binvox, .vox or .raw"
+#define VOLUME_WORDS "npz, vdb, cells, npy, vti, nrrd, binvox, vox, raw"
+#define VOLUME_ENDINGS ".npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox or .raw"
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
@@ -48,6 +48,12 @@ void volume_write_npy(FILE *to, const voxels *v, progress *bar);
 
 /* The words of tribox_voxelize, layer by layer, little-endian, and nothing else. */
 void volume_write_raw(FILE *to, const voxels *v, progress *bar);
+
+/* VTK's XML image, 1.0: a cell of unsigned char for each cell, appended raw. */
+void volume_write_vti(FILE *to, const voxels *v, progress *bar);
+
+/* NRRD 4: an unsigned char for each cell, raw, with the directions and the origin of the space. */
+void volume_write_nrrd(FILE *to, const voxels *v, progress *bar);
 
 /* binvox 1: runs of equal cells, y fastest, then z, then x. Empty cells fill the grid up to a cube; cells must be cubes. */
 int volume_check_binvox(const char *path, const tribox_grid_f64 *grid);
