@@ -33,6 +33,8 @@ The library is the installed libtribox.so.0, or the file that the environment va
 """
 
 from ._errors import BadIndexError, Error, InputError, InputTypeError
+from ._fill import OpenMeshWarning
+from ._grids import Grid, grid_around
 from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
@@ -44,7 +46,7 @@ AXES_BOX, AXES_PLANE, AXES_EDGES = lib.TRIBOX_AXES_BOX, lib.TRIBOX_AXES_PLANE, l
 AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
-    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Error", "Index", "InputError", "InputTypeError", "Mesh",
-    "Soup", "classify", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes",
-    "overlap_oriented", "voxelize",
+    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Error", "Grid", "Index", "InputError", "InputTypeError",
+    "Mesh", "OpenMeshWarning", "Soup", "classify", "grid_around", "kernel_name", "kernels", "mask_indices", "overlap",
+    "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented", "voxelize",
 ]

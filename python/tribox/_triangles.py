@@ -187,6 +187,11 @@ def held(triangles):
     return array_held(numbers("triangles", triangles))
 
 
+def mesh_held(held_):
+    """The same triangles as a Mesh or an Array: what has a tribox_mesh."""
+    return array_held(np.stack([np.stack(axis, 1) for axis in held_.streams], 2)) if held_.is_soup else held_
+
+
 def check_single(held_):
     """Raises what float32 cannot hold of the coordinates."""
     if not held_.is_soup:

@@ -1,160 +1,157 @@
 """Triangles into the cells of a grid."""
 
-from math import inf, isfinite
 from operator import index
 
 import numpy as np
 
-from ._arguments import are_floats, check, options_of, three
+from ._arguments import check, options_of
 from ._errors import InputError, named, shown
 from ._ffi import ffi
+from ._fill import fill_of, filled
+from ._grids import WORDS_MAX, check_grid, cubes_around, grid_for, is_single
 from ._library import lib
 from ._masks import WORD, bools, check_out, pointer_to
 from ._overlap import ALL
-from ._triangles import check_indices, held, meshes, soups
+from ._threads import in_threads, threads_of
+from ._triangles import Soup, check_indices, held, meshes, soups
 
-GRID, GRID_F64 = ffi.typeof("tribox_grid *"), ffi.typeof("tribox_grid_f64 *")
-WORDS_MAX = 1 << 31  # of a grid
+PARTS_EACH = 8  # of each thread: some have far more triangles than others
 
 
-def is_lone(value):
+def window_of(window, layers, grid):
+    """(first, size) of the cells that are wanted, all by default."""
+    sizes = tuple(grid.size)
+    if layers is not None and window is not None:
+        raise InputError("layers and window exclude each other; a window can be of whole layers")
+    if layers is not None:
+        first, count = layers_of(layers, sizes[2])
+        return (0, 0, first), (*sizes[:2], count)
+    if window is None:
+        return (0, 0, 0), sizes
     try:
-        iter(value)
-    except TypeError:
-        return True
-    return False
+        first, size = (tuple(map(index, three)) for three in window)
+        (_, _, _), (_, _, _) = first, size
+    except (TypeError, ValueError):
+        first, size = (-1,) * 3, sizes
+    if any(f < 0 or s < 0 or f + s > all_ for f, s, all_ in zip(first, size, sizes)):
+        raise InputError(f"window = {shown(window)}; give (first, size), each of three numbers of cells, x, y, z, within the "
+                         f"{sizes[0]} x {sizes[1]} x {sizes[2]} cells of the grid")
+    return first, size
 
 
-def grid_of(origin, cell, size):
-    """A grid of floats where they hold its numbers and tell its planes apart, else of doubles."""
-    cells = three("cell", (cell,) * 3 if is_lone(cell) else cell)
-    start = three("origin", origin)
+def layers_of(layers, size):
+    """(first, count), within the grid."""
     try:
-        numbers = start, cells, tuple(map(index, size))
-        _, _, (_, _, _) = numbers
-        grid = ffi.new(GRID_F64, numbers)
-    except (OverflowError, TypeError, ValueError):
-        raise InputError(f"size = {shown(size)}; give three numbers of cells, x, y, z, each less than 2^32") from None
-    if are_floats(*start, *cells):
-        single = ffi.new(GRID, numbers)
-        if status_of(single) == lib.TRIBOX_OK:
-            return single
-    return grid
-
-
-def in_double(grid):
-    return grid if ffi.typeof(grid) is GRID_F64 else ffi.new(GRID_F64, (tuple(grid.origin), tuple(grid.cell), tuple(grid.size)))
-
-
-def layers_of(layers, grid):
-    """(first, count), all layers by default."""
-    try:
-        first, count = (0, grid.size[2]) if layers is None else map(index, layers)
+        first, count = map(index, layers)
     except (TypeError, ValueError):
         first, count = -1, 0
-    if first < 0 or count < 0 or first + count > grid.size[2]:
-        raise InputError(f"layers = {shown(layers)}; give (first, count) within the {grid.size[2]} layers")
+    if first < 0 or count < 0 or first + count > size:
+        raise InputError(f"layers = {shown(layers)}; give (first, count) within the {size} layers")
     return first, count
-
-
-def status_of(grid, options=ffi.NULL):
-    """What the library says to a voxelization of no triangles."""
-    word = ffi.new("uint64_t *")
-    if ffi.typeof(grid) is GRID:
-        return lib.tribox_voxelize_layers(ffi.new("tribox_soup *"), grid, 0, 0, options, word, ffi.NULL)
-    return lib.tribox_voxelize_f64(ffi.new("tribox_mesh *"), grid, (0, 0, 0), (1, 1, 1), options, word, ffi.NULL)
-
-
-def sufficient_cell(origin, size):
-    """A length that `size` cells on an axis can have: planes twice the spacing of doubles apart are distinct. inf if none."""
-    cell = 0.0
-    while True:
-        end = origin + size * cell
-        if not isfinite(end):
-            return inf
-        needed = 2 * float(np.spacing(max(abs(origin), abs(end))))
-        if cell >= needed:
-            return cell
-        cell = needed
-
-
-def fault_of_axis(axis, origin, cell, size):
-    """What is wrong with an axis of a grid; None if nothing is."""
-    if not isfinite(origin) or not isfinite(cell):
-        return f"the origin or the cell is not finite on the {axis} axis"
-    if not cell > 0 or not size:
-        return f"the cell or the size is not greater than zero on the {axis} axis"
-    if not status_of(ffi.new(GRID_F64, ((origin, 0, 0), (cell, 1, 1), (size, 1, 1)))):
-        return None
-    if not isfinite(origin + size * cell):
-        return f"the grid ends beyond the largest float64 on the {axis} axis"
-    enough = sufficient_cell(origin, size)
-    larger = f"cells of {enough:.17g} are large enough, or" if isfinite(enough) else "choose fewer cells, or"
-    return f"float64 cannot tell cells of {cell:.17g} apart on the {axis} axis, so far from 0; {larger} move the origin towards 0"
-
-
-def check_grid(grid, options, axes, **given):
-    """Raises what is wrong with a grid or the options, before memory is taken for cells. given: the grid as the caller has it."""
-    status = status_of(grid, options)
-    if status == lib.TRIBOX_BAD_GRID:
-        faults = (fault_of_axis(axis, grid.origin[a], grid.cell[a], grid.size[a]) for a, axis in enumerate("xyz"))
-        raise InputError(f"{next(filter(None, faults))}: {named(given)}", "BAD_GRID")
-    check(status, axes=axes)
 
 
 def check_room(shape, **given):
     """Raises that there are too many words for a call to write."""
     words = shape[0] * shape[1] * shape[2]
     if words > WORDS_MAX:
-        raise InputError(f"the grid takes {words / 2 ** 27:.4g} GiB, a bit per cell, and can take {WORDS_MAX >> 27} at most; "
-                         f"choose fewer cells: {named(given)}", "BAD_GRID")
+        raise InputError(f"the cells take {words / 2 ** 27:.4g} GiB, a bit per cell, and can take {WORDS_MAX >> 27} at most; give "
+                         f"a window, or fewer cells: {named(given)}", "BAD_GRID")
 
 
-def set_cells(held_, grid, first, count, options, words):
-    """Sets the bits of layers of a grid; returns the status."""
-    if ffi.typeof(grid) is GRID:
+def set_cells(held_, grid, first, size, options, words):
+    """Sets the bits of a window of a grid; returns the status."""
+    check_indices(held_)
+    if not all(size):
+        return 0
+    if is_single(grid):
         for _, soup in soups(held_):
-            status = lib.tribox_voxelize_layers(soup, grid, first, count, options, pointer_to(words), ffi.NULL)
+            status = lib.tribox_voxelize_window(soup, grid, first, size, options, pointer_to(words), ffi.NULL)
             if status:
                 return status
         return 0
-    check_indices(held_)
-    for _, mesh in meshes(held_) if count else ():
-        size = grid.size[0], grid.size[1], count
-        status = lib.tribox_voxelize_f64(mesh, grid, (0, 0, first), size, options, pointer_to(words), ffi.NULL)
+    for _, mesh in meshes(held_):
+        status = lib.tribox_voxelize_f64(mesh, grid, first, size, options, pointer_to(words), ffi.NULL)
         if status:
             return status
     return 0
 
 
-def voxelize(triangles, origin, cell, size, *, layers=None, accuracy="exact", axes=ALL, kernel=None, packed=False, out=None):
+def slabs_of(layers, threads):
+    """(first, end) of parts of the layers, for threads."""
+    parts = min(layers, threads * PARTS_EACH) if threads > 1 else 1
+    return [(layers * part // parts, layers * (part + 1) // parts) for part in range(parts)] if layers else [(0, 0)]
+
+
+def set_cells_at_once(held_, grid, first, size, options, words, threads):
+    """The same by threads, each of which owns some layers."""
+    if threads > 1 and is_single(grid):
+        held_ = Soup.of(held_)  # once, not in each part
+
+    def work(slab):
+        low, high = slab
+        corner, part = (*first[:2], first[2] + low), (*size[:2], high - low)
+        return set_cells(held_, grid, corner, part, options, words[low:high])
+
+    return max(in_threads(threads, work, slabs_of(size[2], threads)))
+
+
+def voxelize(triangles, origin=None, cell=None, size=None, *, resolution=None, window=None, layers=None, threads=1, fill=None,
+             accuracy="exact", axes=ALL, kernel=None, packed=False, out=None):
     """Tells which cells of a grid some triangle overlaps, the surface alone: an array of bool of shape (nz, ny, nx).
 
     triangles: as for overlap.
     origin: the lower corner of the grid. cell: the length of a cell, or three. size: the cells on each axis, (nx, ny, nz).
         Plane p lies at origin + p * cell, rounded to float32 where triangles, origin and cell are float32 and that tells all planes
         apart, and else to float64: the number 0.1 is the double, np.float32(0.1) the float, which is faster.
-    layers: (first, count) for these layers along z alone, with the same answers as for the whole; for threads and large grids.
+    resolution: in their place, the number of cells along the longest side of the triangles: the grid is that of grid_around, and
+        the answer is (cells, grid).
+    window: ((i, j, k), (ni, nj, nk)) for the ni x nj x nk cells from cell (i, j, k) on alone, with the same exact answers as for
+        the whole: for tasks, and for grids of any size, as only the bits of the window take memory, 16 GiB at most.
+    layers: (first, count) for these layers along z alone.
+    threads: how many share the work; None for one on each processor.
+    fill: "outside" sets every cell, too, that cannot be reached from outside the grid through faces of cells that are clear;
+        "parity" those from whose middle a ray along x crosses the triangles an odd number of times, which holes of a mesh do not
+        empty, and warns (OpenMeshWarning) where the mesh is certainly not closed. For whole grids.
     packed: returns uint64 words of shape (nz, ny, words) instead; bit i % 64 of word i // 64 of a row is cell i along x.
     out: an array of either kind, in which cells are set; those already set stay set.
     """
-    held_, grid, options = held(triangles), grid_of(origin, cell, size), options_of(accuracy, axes, 0, kernel)
-    if held_.is_double:
-        grid = in_double(grid)
-    check_grid(grid, options, axes, origin=origin, cell=cell, size=size)
-    first, count = layers_of(layers, grid)
-    shape = count, grid.size[1], grid.size[0]
-    packed_shape = count, grid.size[1], (grid.size[0] + 63) >> 6
-    check_room(packed_shape, origin=origin, cell=cell, size=size)
+    held_, options, threads, fill_call = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads), fill_of(fill)
+    grid, chosen, given = grid_given(held_, resolution, origin=origin, cell=cell, size=size)
+    check_grid(grid, options, axes, **given)
+    if fill_call and (window is not None or layers is not None):
+        raise InputError("fill needs the whole grid: what is outside a part of it may be inside the whole")
+    first, count = window_of(window, layers, grid)
+    shape, packed_shape = count[::-1], (*count[:0:-1], (count[0] + 63) >> 6)
+    check_room(packed_shape, **given)
     words = None
     if out is not None:
         packed = check_out(out, shape, packed_shape)
-        words = out if packed else None
+        words = out if packed and not fill_call else None
     if words is None:
         words = np.zeros(packed_shape, WORD)
-    check(set_cells(held_, grid, first, count, options, words), axes=axes)
-    if packed:
-        return words
+    check(set_cells_at_once(held_, grid, first, count, options, words, threads), axes=axes)
+    if fill_call:
+        words = filled(fill_call, held_, grid, words)
+    answer = merged(words, shape, packed, out)
+    return answer if chosen is None else (answer, chosen)
+
+
+def grid_given(held_, resolution, **numbers):
+    """The grid, the Grid that was chosen for the triangles or None, and what the caller gave."""
+    given = {name: value for name, value in numbers.items() if value is not None}
+    if resolution is None:
+        if not given:
+            raise InputError("no grid is given; give origin, cell and size, or resolution")
+        return grid_for(held_, **numbers), None, numbers
+    if given:
+        raise InputError(f"resolution chooses origin, cell and size; do not give it with {named(given)}")
+    return *cubes_around(held_, resolution), dict(resolution=resolution)
+
+
+def merged(words, shape, packed, out):
+    """The answer in the form that the caller wants it in."""
     if out is None:
-        return bools(words, shape[2])
-    return np.logical_or(out, bools(words, shape[2]), out=out)
+        return words if packed else bools(words, shape[2])
+    if out is not words:
+        np.bitwise_or(out, words if packed else bools(words, shape[2]), out=out)
+    return out

@@ -125,7 +125,7 @@ class Errors(cases.TestCase):
                 ((0, 0, 0), (1, -1, 1), (4, 5, 6), "the cell or the size is not greater than zero on the y axis"),
                 ((0, 0, 0), 1, (4, 5, 0), "the cell or the size is not greater than zero on the z axis"),
                 ((0, 0, 1.5e308), 1e307, (4, 5, 6), "the grid ends beyond the largest float64 on the z axis"),
-                ((0, 0, 0), 1, (1 << 20, 1 << 20, 1 << 20), "the grid takes 1.342e.08 GiB, .* can take 16 at most; choose fewer"),
+                ((0, 0, 0), 1, (1 << 20, 1 << 20, 1 << 20), "the cells take 1.342e.08 GiB, .* 16 at most; give a window"),
                 ((0, 1e17, 0), 1, (4, 5, 6), "float64 cannot tell cells of 1 apart on the y axis, .* cells of 32 are large enough"),
                 ((0, 0, 1.797693134862315e308), 1e290, (1, 1, 100), "float64 cannot .*; choose fewer cells, or move the origin")):
             self.refuse(InputError, "BAD_GRID", f"^{cause}.*: origin = .*, cell = .*, size = ", tribox.voxelize, self.triangles,
@@ -178,7 +178,7 @@ class Errors(cases.TestCase):
         """The cell that a message recommends does, and a quarter of it does not."""
         for start in (1e17, -1e17, 3, -1e300, 2.0 ** 53 - 4, 0.1):
             for size in (1, 5, 1000):
-                cell = tribox._voxelize.sufficient_cell(start, size)
+                cell = tribox._grids.sufficient_cell(start, size)
                 self.assertFalse(tribox.voxelize(self.triangles[:0], (start, 0, 0), (cell, 1, 1), (size, 1, 1)).any())
                 with self.assertRaises(InputError):
                     tribox.voxelize(self.triangles[:0], (start, 0, 0), (cell / 4, 1, 1), (max(size, 5), 1, 1))

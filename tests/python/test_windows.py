@@ -1,0 +1,154 @@
+"""Windows, threads and insides: the bits of tribox.voxelize in one piece."""
+
+import warnings
+
+import numpy as np
+import tribox
+
+import cases
+
+GRIDS = {"floats": ((-2, -1.5, -1), (0.03125, 0.0625, 0.09375), (131, 50, 33)),
+         "doubles": ((-2.1, -1.5, -1), (0.03, 0.06, 0.09), (131, 50, 33))}
+
+
+def box_mesh(lo, hi):
+    """A closed box as 12 triangles."""
+    corners = np.array([[x, y, z] for z in (lo[2], hi[2]) for y in (lo[1], hi[1]) for x in (lo[0], hi[0])], np.float32)
+    quads = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    return corners[[[a, b, c] for p, q, r, s in quads for a, b, c in ((p, q, r), (p, r, s))]]
+
+
+class Windows(cases.TestCase):
+    def setUp(self):
+        self.triangles = np.concatenate([cases.lattice(40) / 2, cases.scattered(60)])
+        self.pick = np.random.default_rng(cases.seed())
+
+    def forms(self):
+        yield self.triangles
+        yield tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
+        yield tribox.Mesh(np.asfortranarray(self.triangles.reshape(-1, 3)), np.arange(300).reshape(-1, 3))
+        yield tribox.Soup.of(self.triangles)
+        yield self.triangles.astype(float)
+
+    def windows(self, size):
+        yield (0, 0, 0), size
+        yield (64, 3, 5), (64, 1, 2)
+        yield np.array([130, 49, 32]), [1, 1, 1]
+        for _ in range(12):
+            ends = np.sort(self.pick.integers(0, np.add(size, 1), (2, 3)), 0)
+            yield ends[0], ends[1] - ends[0]
+
+    def test_windows(self):
+        for name, grid in GRIDS.items():
+            for form in self.forms():
+                whole = tribox.voxelize(form, *grid)
+                self.assertTrue(whole.any() and not whole.all())
+                for first, size in self.windows(grid[2]):
+                    (i, j, k), (ni, nj, nk) = first, size
+                    expected = whole[k:k + nk, j:j + nj, i:i + ni]
+                    answer = tribox.voxelize(form, *grid, window=(first, size))
+                    self.assert_same(answer, expected, f"{name}: {first} {size}")
+                    words = tribox.voxelize(form, *grid, window=(first, size), packed=True)
+                    self.assertEqual((words.dtype, words.shape), (np.uint64, (nk, nj, (ni + 63) // 64)))
+                    out = np.zeros((nk, nj, ni), bool)
+                    self.assertIs(tribox.voxelize(form, *grid, window=(first, size), out=out, threads=2), out)
+                    self.assert_same(out, expected)
+
+    def test_forms_agree(self):
+        """float32 in columns has the planes of float32 in rows."""
+        answers = [tribox.voxelize(form, *GRIDS["floats"]) for form in self.forms()]
+        for answer in answers[1:4]:
+            self.assert_same(answer, answers[0])
+
+    def test_beyond_memory(self):
+        """A grid of 2^60 cells has windows; the whole of it is refused."""
+        grid = (-2, -2, -2), 2.0 ** -18, (1 << 20,) * 3
+        near = self.triangles[:40]
+        corner = np.floor((near[0, 0] + 2) * 2 ** 18).astype(int) - 20
+        cells = tribox.voxelize(near, *grid, window=(corner, (70, 40, 40)))
+        for k, j, i in np.argwhere(cells)[::97]:
+            lo = (corner + (i, j, k)) * 2.0 ** -18 - 2
+            self.assertTrue(tribox.overlap_any(near, lo, lo + 2.0 ** -18))
+        self.assertTrue(cells.any())
+        self.refuse(tribox.InputError, "BAD_GRID", "16 at most; give a window", tribox.voxelize, near, *grid)
+
+    def test_refused(self):
+        for wrong in (3, (0, 1), ((0, 0, 0),), ((0, 0, 0), (132, 1, 1)), ((0, -1, 0), (1, 1, 1)), ((0, 0, 33), (1, 1, 1)),
+                      ((0, 0, 0), (1, 1)), ((0, 0, 0), (1, 1, 1.5)), ((0, 0, 0), (1, 1, -1)), "window",
+                      ((0, 0, 1 << 70), (1, 1, 1))):
+            for grid in GRIDS.values():
+                self.refuse(tribox.InputError, None, r"^window = .*; give \(first, size\).* within the 131 x 50 x 33 cells",
+                            tribox.voxelize, self.triangles, *grid, window=wrong)
+        both = dict(window=((0, 0, 0), (1, 1, 1)), layers=(0, 1))
+        self.refuse(tribox.InputError, None, "layers and window exclude", tribox.voxelize, self.triangles, *grid, **both)
+        for wrong in (0, -1, 1.5, "2"):
+            self.refuse(tribox.InputError, None, "^threads = .*; give a whole number", tribox.voxelize, self.triangles, *grid,
+                        threads=wrong)
+
+    def test_threads(self):
+        for grid in GRIDS.values():
+            for form in self.forms():
+                whole = tribox.voxelize(form, *grid)
+                for threads in (2, 3, 64, None):
+                    self.assert_same(tribox.voxelize(form, *grid, threads=threads), whole)
+                    self.assert_same(tribox.voxelize(form, *grid, threads=threads, layers=(7, 9)), whole[7:16])
+        self.refuse(tribox.BadIndexError, "BAD_INDEX", "faces", tribox.voxelize,
+                    tribox.Mesh(self.triangles[0], np.full((9, 3), 3, np.uint32)), *grid, threads=2)
+
+
+class Insides(cases.TestCase):
+    def test_box(self):
+        for dtype in (np.float32, float):
+            mesh = box_mesh((-1.5, -1, -0.5), (1, 0.75, 1.25)).astype(dtype)
+            for grid in GRIDS.values():
+                surface = tribox.voxelize(mesh, *grid)
+                k, j, i = np.nonzero(surface)
+                solid = surface.copy()
+                solid[k.min():k.max() + 1, j.min():j.max() + 1, i.min():i.max() + 1] = True
+                self.assertGreater(solid.sum(), 2 * surface.sum())
+                for form in (mesh, tribox.Mesh(mesh.reshape(-1, 3), np.arange(36).reshape(-1, 3)), tribox.Soup.of(mesh)):
+                    for fill in ("outside", "parity"):
+                        with warnings.catch_warnings():
+                            warnings.simplefilter("error")
+                            self.assert_same(tribox.voxelize(form, *grid, fill=fill), solid)
+                            words = tribox.voxelize(form, *grid, fill=fill, threads=2, packed=True)
+                        self.assert_same(words, packed(solid))
+
+    def test_open(self):
+        """Without its lids the box is empty by flood, and by parity along x full, with a warning where it has one side alone."""
+        mesh, grid = box_mesh((-1.5, -1, -0.5), (1, 0.75, 1.25)), GRIDS["floats"]
+        surface = tribox.voxelize(mesh[4:], *grid)
+        self.assert_same(tribox.voxelize(mesh[4:], *grid, fill="outside"), surface)
+        with self.assertWarnsRegex(tribox.OpenMeshWarning, "the mesh is not closed: [0-9]+ of 1650 rows") as caught:
+            tribox.voxelize(mesh[:-2], *grid, fill="parity")
+        self.assertEqual(caught.filename, __file__)
+
+    def test_out(self):
+        """Cells that were set before are no part of the surface."""
+        mesh, grid = box_mesh((-1.5, -1, -0.5), (1, 0.75, 1.25)), GRIDS["floats"]
+        solid = tribox.voxelize(mesh, *grid, fill="outside")
+        before = np.zeros_like(solid)
+        before[:, :, :2] = before[:, :, -2:] = before[:, :2] = before[:, -2:] = before[:2] = before[-2:] = True
+        for out, expected in ((before.copy(), before | solid), (packed(before), packed(before | solid))):
+            self.assertIs(tribox.voxelize(mesh, *grid, fill="outside", out=out), out)
+            self.assert_same(out, expected)
+
+    def test_refused(self):
+        mesh, grid = box_mesh((0, 0, 0), (1, 1, 1)), GRIDS["floats"]
+        for wrong in ("flood", True, 3):
+            self.refuse(tribox.InputError, None, "^fill = .*; give None or one of 'outside', 'parity'", tribox.voxelize, mesh,
+                        *grid, fill=wrong)
+        for part in (dict(layers=(0, 1)), dict(window=((0, 0, 0), (1, 1, 1)))):
+            self.refuse(tribox.InputError, None, "fill needs the whole grid", tribox.voxelize, mesh, *grid, fill="outside", **part)
+
+
+def packed(cells):
+    """An array of bool as rows of words."""
+    rows = np.zeros((*cells.shape[:2], (cells.shape[2] + 63) // 64 * 8), np.uint8)
+    octets = np.packbits(cells, -1, "little")
+    rows[:, :, :octets.shape[2]] = octets
+    return rows.view("<u8").astype(np.uint64)
+
+
+if __name__ == "__main__":
+    cases.main()
