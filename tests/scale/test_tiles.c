@@ -1,0 +1,116 @@
+/* test_tiles.c - the triangles listed for each tile are those that overlap its box, in float and double, of whole grids and shares. */
+#include "tile_case.h"
+
+#include <stdlib.h>
+
+#include "common/arguments.h"
+#include "common/guard.h"
+
+enum { PAIRS = 100000, ROUNDS = 800, TILES_MAX = 3000 };
+
+static tile_case drawn;
+
+static const uint32_t tiles[] = {1, 2, 3, 8, 128, 0};
+
+/* Lists of a share, from memory that ends where it has to. */
+typedef struct guarded_lists {
+    guarded starts_pages, list_pages;
+    size_t *starts;
+    uint32_t *list;
+} guarded_lists;
+
+static guarded_lists make_lists(const tile_case *c, size_t from, size_t to)
+{
+    guarded_lists g;
+    const size_t bytes = (to - from + 1) * sizeof *g.starts;
+    g.starts_pages = guarded_make(bytes);
+    g.starts = guarded_tail(g.starts_pages, bytes);
+    memset(g.starts, 0xa5, bytes);
+    assert_int_equal(tile_case_count(c, from, to, g.starts), TRIBOX_OK);
+    const size_t length = g.starts[to - from];
+    size_t *const counted = malloc(bytes);
+    assert_non_null(counted);
+    memcpy(counted, g.starts, bytes);
+    g.list_pages = guarded_make(length ? length * sizeof *g.list : 1);
+    g.list = guarded_tail(g.list_pages, length * sizeof *g.list);
+    assert_int_equal(tile_case_fill(c, from, to, g.starts, g.list), TRIBOX_OK);
+    assert_memory_equal(g.starts, counted, bytes);
+    free(counted);
+    return g;
+}
+
+static void free_lists(guarded_lists g)
+{
+    guarded_free(g.starts_pages);
+    guarded_free(g.list_pages);
+}
+
+/* EXACT lists a tile's triangles; others list these, and of those that the box normals leave any. */
+static void check_tile(const tile_case *c, size_t tile, const uint32_t *list, size_t count)
+{
+    const unsigned axes = c->options.axes ? c->options.axes : TRIBOX_AXES_ALL;
+    const tribox_options exact = {.axes = axes, .kernel = "scalar"}, wide = {.axes = axes & TRIBOX_AXES_BOX, .kernel = "scalar"};
+    const bool is_exact = c->options.accuracy == TRIBOX_EXACT;
+    const size_t triangles = tile_case_triangles(c);
+    uint64_t least[TRIANGLE_LIST_MAX / 64], most[TRIANGLE_LIST_MAX / 64], listed[TRIANGLE_LIST_MAX / 64] = {0};
+    tile_case_overlap(c, tile, &exact, least);
+    tile_case_overlap(c, tile, is_exact || !wide.axes ? &exact : &wide, most);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(list[i] < triangles && (!i || list[i - 1] < list[i]));
+        listed[list[i] / 64] |= UINT64_C(1) << list[i] % 64;
+    }
+    for (size_t i = 0; i < triangles; i++)
+        if ((bit_of(least, i) && !bit_of(listed, i)) || (bit_of(listed, i) && !bit_of(most, i) && (is_exact || wide.axes)))
+            fail_msg("%s: triangle %zu is %s tile %zu", doing, i, bit_of(listed, i) ? "in" : "missing in", tile);
+}
+
+static void check_share(const tile_case *c, size_t from, size_t to)
+{
+    const guarded_lists g = make_lists(c, from, to);
+    assert_int_equal(g.starts[0], 0);
+    for (size_t t = from; t < to; t++) {
+        assert_true(g.starts[t - from] <= g.starts[t - from + 1]);
+        check_tile(c, t, g.list + g.starts[t - from], g.starts[t - from + 1] - g.starts[t - from]);
+    }
+    free_lists(g);
+}
+
+static void test_lists(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "tiles");
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+        tile_case_draw(&r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
+        tile_case_tell(&drawn, doing, sizeof doing);
+        const size_t count = tile_case_tiles(&drawn), from = (size_t)random_int(&r, (int)count + 1);
+        check_share(&drawn, 0, count < TILES_MAX ? count : TILES_MAX);
+        check_share(&drawn, from, from + (size_t)random_int(&r, (int)(count - from < 200 ? count - from : 200) + 1));
+    }
+}
+
+static void test_numbers_of_tiles(void **state)
+{
+    (void)state;
+    const uint32_t size[3] = {100, 7, 33}, most[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX}, flat[3] = {5, 0, 5};
+    assert_int_equal(tribox_tiles(size, 1), 100 * 7 * 33);
+    assert_int_equal(tribox_tiles(size, 8), 13 * 1 * 5);
+    assert_int_equal(tribox_tiles(size, 100), 1);
+    assert_int_equal(tribox_tiles(size, UINT32_MAX), 1);
+    assert_int_equal(tribox_tiles(size, 0), 0);
+    assert_int_equal(tribox_tiles(flat, 3), 0);
+    assert_true(tribox_tiles(most, 1) == SIZE_MAX);
+    assert_true(tribox_tiles(most, 1 << 11) == (sizeof(size_t) > 4 ? (uint64_t)1 << 63 : SIZE_MAX));
+    assert_int_equal(tribox_tiles(most, UINT32_MAX), 1);
+    assert_int_equal(tribox_tiles(most, UINT32_MAX - 1), 8);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_lists, &args),
+        cmocka_unit_test_prestate(test_numbers_of_tiles, &args),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,186 @@
+#include "tile_case.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "common/contact.h"
+#include "voxels/grid_kinds.h"
+#include "voxels/scenes_f64.h"
+#include "voxels/triangle_kinds.h"
+
+enum { TRIANGLES = 70 };
+
+static float not_a_number(random_source *r) { return random_int(r, 2) ? NAN : random_int(r, 2) ? INFINITY : -INFINITY; }
+
+/* Some corners on a plane between tiles, or next to it. */
+static void move_to_tiles(random_source *r, const tile_case *c, float u[3][3])
+{
+    const int a = random_int(r, 3), tiles = (int)(c->at.grid.size[a] / c->tile) + 1;
+    const double place = (double)random_int_between(r, 0, tiles) * c->tile;
+    for (int n = random_int_between(r, 1, 3); n > 0; n--)
+        u[random_int(r, 3)][a] = nudged(r, grid_planes_place(&c->at.grid, a, place), 1);
+}
+
+static void draw_floats(random_source *r, tile_case *c)
+{
+    const grid_kind *const kind = grid_kind_at((size_t)random_int(r, (int)grid_kind_count()));
+    draw_grid_of_kind(r, kind, CASE_CELLS, &c->at);
+    c->scene = kind->name;
+    c->triangles.count = 0;
+    if (random_int(r, 6) == 0)
+        draw_mesh(r, &c->at, &c->triangles);
+    for (size_t wanted = c->triangles.count + (size_t)random_int(r, TRIANGLES); c->triangles.count < wanted;) {
+        float u[3][3];
+        draw_triangle(r, triangle_kind_at((size_t)random_int(r, (int)triangle_kind_count())), &c->at, u);
+        if (random_int(r, 3) == 0)
+            move_to_tiles(r, c, u);
+        if (random_int(r, 20) == 0)
+            u[random_int(r, 3)][random_int(r, 3)] = not_a_number(r);
+        triangle_list_put(&c->triangles, (const_vertices)u);
+    }
+}
+
+static void move_to_tiles_f64(random_source *r, const tile_case *c, triangle_f64 u)
+{
+    const int a = random_int(r, 3), tiles = (int)(c->window.grid.size[a] / c->tile) + 1;
+    const double place = window_f64_plane(&c->window.grid, a, (double)random_int_between(r, 0, tiles) * c->tile);
+    if (isfinite(place))
+        for (int n = random_int_between(r, 1, 3); n > 0; n--)
+            u[random_int(r, 3)][a] = random_int(r, 2) ? place : nextafter(place, random_int(r, 2) ? INFINITY : -INFINITY);
+}
+
+static void draw_doubles(random_source *r, tile_case *c)
+{
+    const scene_f64 *const scene = scene_f64_at((size_t)random_int(r, (int)scene_f64_count()));
+    window_f64 *const w = &c->window;
+    draw_grid_f64(r, scene, random_int(r, 4) ? 1000 : CASE_CELLS_F64, &w->grid);
+    window_f64_open(w);
+    c->scene = w->scene = scene->name;
+    w->count = (size_t)random_int(r, TRIANGLES);
+    for (size_t t = 0; t < w->count; t++) {
+        draw_triangle_f64(r, &w->grid, w->triangle[t]);
+        if (random_int(r, 3) == 0)
+            move_to_tiles_f64(r, c, w->triangle[t]);
+        if (random_int(r, 20) == 0)
+            w->triangle[t][random_int(r, 3)][random_int(r, 3)] = (double)not_a_number(r);
+    }
+}
+
+void tile_case_draw(random_source *r, uint32_t tile, tile_case *c)
+{
+    const char *kernels[KERNELS_MAX];
+    const int kernel_count = kernels_here(kernels);
+    c->tile = tile ? tile : (uint32_t)random_int_between(r, 1, 40);
+    c->is_double = random_int(r, 3) == 0;
+    (c->is_double ? draw_doubles : draw_floats)(r, c);
+    c->options = (tribox_options){.accuracy = (tribox_accuracy)(random_int(r, 2) ? 0 : random_int(r, 3)),
+                                  .axes = (unsigned)(random_int(r, 3) ? 0 : random_int_between(r, 1, AXIS_SETS)),
+                                  .kernel = kernels[random_int(r, kernel_count)]};
+}
+
+void tile_case_tell(const tile_case *c, char *text, size_t length)
+{
+    const uint32_t *const size = tile_case_size(c);
+    snprintf(text, length, "%s of %s, %ux%ux%u cells, tiles of %u, accuracy %d, axes %u, kernel %s", c->scene,
+             c->is_double ? "doubles" : "floats", (unsigned)size[0], (unsigned)size[1], (unsigned)size[2], (unsigned)c->tile,
+             (int)c->options.accuracy, c->options.axes, c->options.kernel);
+}
+
+const uint32_t *tile_case_size(const tile_case *c) { return c->is_double ? c->window.grid.size : c->at.grid.size; }
+size_t tile_case_triangles(const tile_case *c) { return c->is_double ? c->window.count : c->triangles.count; }
+size_t tile_case_tiles(const tile_case *c) { return tribox_tiles(tile_case_size(c), c->tile); }
+
+static tribox_mesh mesh_of(const tile_case *c)
+{
+    const window_f64 *const w = &c->window;
+    return (tribox_mesh){.positions = w->triangle, .vertices = 3 * w->count, .count = w->count, .position_bytes = 8};
+}
+
+tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    return c->is_double ? tribox_tiles_count_f64(&mesh, &c->window.grid, c->tile, from, to, &c->options, starts)
+                        : tribox_tiles_count(&soup, &c->at.grid, c->tile, from, to, &c->options, starts);
+}
+
+tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    return c->is_double ? tribox_tiles_fill_f64(&mesh, &c->window.grid, c->tile, from, to, &c->options, starts, list)
+                        : tribox_tiles_fill(&soup, &c->at.grid, c->tile, from, to, &c->options, starts, list);
+}
+
+tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
+                               void *scratch, tribox_sink *sink, void *data, tribox_report *report)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    return c->is_double ? tribox_voxelize_bricks_f64(&mesh, &c->window.grid, c->tile, from, to, starts, list, &c->options, scratch,
+                                                     sink, data, report)
+                        : tribox_voxelize_bricks(&soup, &c->at.grid, c->tile, from, to, starts, list, &c->options, scratch, sink,
+                                                 data, report);
+}
+
+size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    tribox_report report;
+    memset(occupied, 0, CASE_WORDS * sizeof *occupied);
+    const tribox_status status = c->is_double ? tribox_voxelize_f64(&mesh, &c->window.grid, NULL, NULL, options, occupied, &report)
+                                              : tribox_voxelize(&soup, &c->at.grid, options, occupied, &report);
+    assert_int_equal(status, TRIBOX_OK);
+    return report.overlapping;
+}
+
+/* The lowest and the highest planes of a tile's cells. */
+static void find_cells(const tile_case *c, size_t tile, uint32_t low[3], uint32_t high[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const uint32_t size = tile_case_size(c)[a], along = (size + c->tile - 1) / c->tile;
+        low[a] = (uint32_t)(tile % along) * c->tile;
+        high[a] = low[a] + c->tile < size ? low[a] + c->tile : size;
+        tile /= along;
+    }
+}
+
+void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *options, uint64_t *mask)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    uint32_t low[3], high[3];
+    tribox_box box;
+    tribox_box_f64 box_f64;
+    find_cells(c, tile, low, high);
+    for (int a = 0; a < 3; a++) {
+        if (c->is_double) {
+            box_f64.lo[a] = window_f64_plane(&c->window.grid, a, low[a]);
+            box_f64.hi[a] = window_f64_plane(&c->window.grid, a, high[a]);
+        } else {
+            box.lo[a] = c->at.plane[a][low[a]];
+            box.hi[a] = c->at.plane[a][high[a]];
+        }
+    }
+    assert_int_equal(c->is_double ? tribox_overlap_indexed_f64(&mesh, &box_f64, options, mask, NULL)
+                                  : tribox_overlap(&soup, &box, options, mask, NULL),
+                     TRIBOX_OK);
+}
+
+tile_lists tile_case_lists(const tile_case *c, size_t from, size_t to)
+{
+    tile_lists lists;
+    assert_non_null(lists.starts = malloc((to - from + 1) * sizeof *lists.starts));
+    assert_int_equal(tile_case_count(c, from, to, lists.starts), TRIBOX_OK);
+    assert_non_null(lists.list = malloc(lists.starts[to - from] * sizeof *lists.list + 1));
+    assert_int_equal(tile_case_fill(c, from, to, lists.starts, lists.list), TRIBOX_OK);
+    return lists;
+}
+
+void tile_lists_free(tile_lists lists)
+{
+    free(lists.starts);
+    free(lists.list);
+}
