@@ -32,6 +32,7 @@ release the interpreter's lock, so threads run at once.
 The library is the installed libtribox.so.0, or the file that the environment variable TRIBOX_LIBRARY names.
 """
 
+from ._bricks import Bricks, bricks
 from ._errors import BadIndexError, Error, InputError, InputTypeError
 from ._fill import OpenMeshWarning
 from ._grids import Grid, grid_around
@@ -39,6 +40,7 @@ from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
 from ._overlap import classify, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented
+from ._tiles import tile_count
 from ._triangles import Mesh, Soup
 from ._voxelize import voxelize
 
@@ -46,7 +48,7 @@ AXES_BOX, AXES_PLANE, AXES_EDGES = lib.TRIBOX_AXES_BOX, lib.TRIBOX_AXES_PLANE, l
 AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
-    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Error", "Grid", "Index", "InputError", "InputTypeError",
-    "Mesh", "OpenMeshWarning", "Soup", "classify", "grid_around", "kernel_name", "kernels", "mask_indices", "overlap",
-    "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented", "voxelize",
+    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "Error", "Grid", "Index", "InputError",
+    "InputTypeError", "Mesh", "OpenMeshWarning", "Soup", "bricks", "classify", "grid_around", "kernel_name", "kernels",
+    "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented", "tile_count", "voxelize",
 ]
