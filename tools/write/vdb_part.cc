@@ -1,0 +1,179 @@
+// vdb_part.cc - bricks as the leaves of a tree of OpenVDB's, and the tree as a file.
+#include "vdb_part.h"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+#include <openvdb/io/Archive.h>
+#include <openvdb/openvdb.h>
+
+namespace
+{
+
+// A stream of C's, as one of C++'s.
+class c_buffer : public std::streambuf
+{
+  public:
+    explicit c_buffer(FILE *to) : to(to) {}
+
+  protected:
+    int overflow(int c) override { return c == traits_type::eof() ? 0 : putc(c, to); }
+
+    std::streamsize xsputn(const char *from, std::streamsize count) override
+    {
+        return static_cast<std::streamsize>(std::fwrite(from, 1, static_cast<std::size_t>(count), to));
+    }
+
+    pos_type seekoff(off_type by, std::ios_base::seekdir from, std::ios_base::openmode) override
+    {
+        const int whence = from == std::ios_base::beg ? SEEK_SET : from == std::ios_base::cur ? SEEK_CUR : SEEK_END;
+        const bool is_question = whence == SEEK_CUR && !by;
+        return is_question || !fseeko(to, by, whence) ? pos_type(ftello(to)) : pos_type(off_type(-1));
+    }
+
+    pos_type seekpos(pos_type at, std::ios_base::openmode mode) override { return seekoff(off_type(at), std::ios_base::beg, mode); }
+
+  private:
+    FILE *to;
+};
+
+// OpenVDB's own File opens its file by name, and does not say when the disk is full.
+class archive : public openvdb::io::Archive
+{
+  public:
+    // Masks are never compressed; without this the file would say that it needs a library for it.
+    archive() { setCompression(openvdb::io::COMPRESS_ACTIVE_MASK); }
+
+    void write_to(std::ostream &to, const openvdb::GridPtrVec &grids, bool can_seek) const { write(to, grids, can_seek); }
+};
+
+// Bit i + 8 j of word k becomes bit k + 8 j of word i: OpenVDB counts z first.
+void exchange(const uint64_t bits[8], uint64_t words[8])
+{
+    for (int i = 0; i < 8; i++) {
+        words[i] = 0;
+        for (int k = 0; k < 8; k++)
+            words[i] |= (bits[k] >> i & UINT64_C(0x0101010101010101)) << k;
+    }
+}
+
+class tree
+{
+  public:
+    virtual ~tree() = default;
+    virtual void put(const openvdb::Coord &corner, const uint64_t words[8]) = 0;
+    virtual openvdb::GridBase::Ptr base() const = 0;
+};
+
+template <class Grid> class tree_of : public tree
+{
+  public:
+    // Made by OpenVDB: to make one here, the compiler would have to translate all of it again.
+    tree_of() : grid(std::static_pointer_cast<Grid>(openvdb::GridBase::createGrid(Grid::TreeType::treeType()))) {}
+
+    void put(const openvdb::Coord &corner, const uint64_t words[8]) override
+    {
+        using leaf_node = typename Grid::TreeType::LeafNodeType;
+        typename leaf_node::NodeMaskType mask;
+        for (int i = 0; i < 8; i++)
+            mask.template getWord<uint64_t>(i) = words[i];
+        leaf_node *const leaf = grid->tree().touchLeaf(corner);
+        leaf->setValueMask(mask);
+        set_values(*leaf, words);
+    }
+
+    openvdb::GridBase::Ptr base() const override { return grid; }
+
+  private:
+    // The values of a mask are its active cells.
+    static void set_values(openvdb::MaskTree::LeafNodeType &, const uint64_t *) {}
+
+    static void set_values(openvdb::BoolTree::LeafNodeType &leaf, const uint64_t words[8])
+    {
+        std::memcpy(leaf.buffer().data(), words, 8 * sizeof *words);
+    }
+
+    typename Grid::Ptr grid;
+};
+
+// The middle of cell i lies at index i, as programs that draw voxels have it.
+openvdb::math::Transform::Ptr transform_of(const vdb_grid &grid)
+{
+    const openvdb::Vec3d cell(grid.cell), middle(openvdb::Vec3d(grid.origin) + cell / 2.0);
+    return openvdb::math::Transform::Ptr(
+        new openvdb::math::Transform(openvdb::math::MapBase::Ptr(new openvdb::math::ScaleTranslateMap(cell, middle))));
+}
+
+void describe(openvdb::GridBase &to, const vdb_grid &grid)
+{
+    const openvdb::Vec3d shift(grid.shift);
+    to.setName("tribox");
+    to.setTransform(transform_of(grid));
+    to.setCreator("tribox");
+    to.insertMeta("origin", openvdb::Vec3DMetadata(openvdb::Vec3d(grid.origin)));
+    to.insertMeta("cell", openvdb::Vec3DMetadata(openvdb::Vec3d(grid.cell)));
+    to.insertMeta("size", openvdb::Vec3IMetadata(openvdb::Vec3i(static_cast<int>(grid.size[0]), static_cast<int>(grid.size[1]),
+                                                                static_cast<int>(grid.size[2]))));
+    to.insertMeta("shift", openvdb::Vec3DMetadata(shift));
+}
+
+// Runs something that may throw. Returns whether it did not.
+template <class Work> bool attempt(char *reason, Work work)
+{
+    try {
+        work();
+        return true;
+    } catch (const std::bad_alloc &) {
+        std::snprintf(reason, VDB_REASON, "out of memory");
+    } catch (const std::exception &e) {
+        std::snprintf(reason, VDB_REASON, "%s", e.what());
+    }
+    return false;
+}
+
+void *make(const vdb_grid *grid, char *reason)
+{
+    tree *made = nullptr;
+    attempt(reason, [&] {
+        openvdb::initialize();
+        std::unique_ptr<tree> t;
+        if (grid->is_of_booleans)
+            t.reset(new tree_of<openvdb::BoolGrid>);
+        else
+            t.reset(new tree_of<openvdb::MaskGrid>);
+        describe(*t->base(), *grid);
+        made = t.release();
+    });
+    return made;
+}
+
+int put(void *to, const uint32_t at[3], const uint64_t bits[8], char *reason)
+{
+    return attempt(reason, [&] {
+        uint64_t words[8];
+        exchange(bits, words);
+        static_cast<tree *>(to)->put(
+            openvdb::Coord(static_cast<int>(8 * at[0]), static_cast<int>(8 * at[1]), static_cast<int>(8 * at[2])), words);
+    });
+}
+
+// Whether the stream failed is for its owner to see.
+int write(void *from, FILE *to, int can_seek, char *reason)
+{
+    return attempt(reason, [&] {
+        c_buffer buffer(to);
+        std::ostream stream(&buffer);
+        archive().write_to(stream, {static_cast<tree *>(from)->base()}, can_seek != 0);
+    });
+}
+
+void free_tree(void *t) { delete static_cast<tree *>(t); }
+
+} // namespace
+
+extern "C" __attribute__((visibility("default"))) const vdb_part tribox_vdb_part = {make, put, write, free_tree};

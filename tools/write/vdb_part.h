@@ -1,0 +1,42 @@
+/* vdb_part.h - what the program asks of the part that knows OpenVDB, which is loaded when it is needed. */
+#ifndef VDB_PART_H
+#define VDB_PART_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct vdb_grid {
+    double origin[3]; /* of the mesh as it was before any shift */
+    double cell[3], shift[3];
+    uint32_t size[3];
+    int is_of_booleans;
+} vdb_grid;
+
+/* Where these fail they write why into `reason`, which has room for VDB_REASON bytes. */
+enum { VDB_REASON = 200 };
+
+typedef struct vdb_part {
+    /* An empty tree of bricks; NULL if it fails. */
+    void *(*make)(const vdb_grid *grid, char *reason);
+
+    /* Each returns whether it did it. put: a brick as a tribox_sink is handed it. can_seek: of the stream, which is at its start. */
+    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], char *reason);
+    int (*write)(void *tree, FILE *to, int can_seek, char *reason);
+
+    void (*free)(void *tree);
+} vdb_part;
+
+/* Its file, and its one symbol. */
+#define VDB_PART_FILE "tribox_vdb.so"
+#define VDB_PART_SYMBOL "tribox_vdb_part"
+extern const vdb_part tribox_vdb_part;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
