@@ -132,7 +132,9 @@ static void start_row(flood *f, size_t j, size_t k)
     for (size_t w = 0; w < words; w++) {
         const uint64_t mask = tribox_row_mask(&f->rows, w), is_free = ~occupied[w] & mask;
         const uint64_t beside = is_border ? is_free : ~(below[w] & behind[w]);
-        const uint64_t reached = spread_up(is_free & (beside | before), is_free);
+        uint64_t reached = spread_up(is_free & beside, is_free);
+        if (before & is_free & ~reached) /* seldom: words do not wait for each other */
+            reached |= spread_up(before, is_free);
         solid[w] = mask & ~reached;
         before = reached >> 63;
     }
