@@ -28,4 +28,7 @@ static inline uint64_t tribox_row_mask(const tribox_rows *rows, size_t w)
     return w + 1 == rows->words ? rows->last : ~UINT64_C(0);
 }
 
+/* Bits of a word of which most have none or all. */
+static inline size_t tribox_count_most(uint64_t word) { return !word ? 0 : !~word ? 64 : tribox_count_bits(word); }
+
 #endif

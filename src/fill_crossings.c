@@ -1,96 +1,155 @@
-/* fill_crossings.c - one triangle and the rays along x through the middles of rows of cells. */
+/*
+ * fill_crossings.c - triangles and the rays along x through the middles of rows of cells: in double, and by exact signs where rounding
+ * could turn one (PROOFS.md 15.4).
+ */
 #include "fill_crossings.h"
 
-#include "exact/crossing.h"
-#include "finite.h"
-#include "grid_cells.h"
-#include "grid_f64.h"
+#include <math.h>
 
-static double plane_at(const tribox_crossings *c, int a, int64_t p)
+/* Rows that the box of each triangle may hold a middle of, on y and on z: none where last < first. */
+typedef struct row_ranges {
+    double first[2][TRIBOX_SEEN_ALONG], last[2][TRIBOX_SEEN_ALONG];
+} row_ranges;
+
+/* The nearest whole number, for sizes below 2^51. */
+static inline double nearest(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
+
+static inline double least_of(double a, double b) { return a < b ? a : b; }
+
+static inline double most_of(double a, double b) { return a > b ? a : b; }
+
+/* On axis a, y or z. The middle of cell j has the place j + 1/2. */
+static void find_rows(const tribox_middles *m, int a, const tribox_seen_along *seen, size_t count, double *first, double *last)
 {
-    return c->grid ? tribox_grid_plane(c->grid, a, (uint64_t)p) : tribox_plane_at(&c->planes, a, p);
+    const double(*const u)[TRIBOX_SEEN_ALONG] = &seen->number[3 * a];
+    const double origin = m->origin[a], per_cell = m->per_cell[a], error = m->error[a], size = m->size[a];
+    for (size_t i = 0; i < count; i++) {
+        const double least = least_of(least_of(u[0][i], u[1][i]), u[2][i]), most = most_of(most_of(u[0][i], u[1][i]), u[2][i]);
+        const double from = most_of(least_of((least - origin) * per_cell - error, size), 0);
+        const double to = least_of(most_of((most - origin) * per_cell - 1 + error, -1), size - 1);
+        first[i] = nearest(from);
+        last[i] = nearest(to);
+    }
 }
 
-/* The double nearest to the middle of a cell: rounded once, as a sum is exact where its half is subnormal (PROOFS.md 15.2). */
-static double middle_of(const tribox_crossings *c, int a, int64_t cell)
-{
-    const double lo = plane_at(c, a, cell), hi = plane_at(c, a, cell + 1), sum = lo + hi;
-    return tribox_is_finite_f64(sum) ? sum / 2 : lo / 2 + hi / 2;
-}
+/* A triangle as it is seen along x, and what rounding can do to it. */
+typedef struct view {
+    double u[3][3];         /* u[j][a] */
+    double lo[3], hi[3];    /* its box */
+    double dy[3], dz[3];    /* edge j, from vertex j on */
+    double error;           /* of a side */
+    double sign;            /* that of n_x: 1 or -1 */
+    double dx[3], per_area; /* of vertices from vertex 0, and 1 / n_x */
+    double place_error;     /* of a crossing, in cells */
+} view;
 
-static double least_of(double u[3][3], int a)
-{
-    const double least = u[0][a] < u[1][a] ? u[0][a] : u[1][a];
-    return least < u[2][a] ? least : u[2][a];
-}
+/* What can be told of n_x: OPEN where its sign is not certain, EMPTY where it is surely zero. */
+typedef enum certainty { EMPTY, OPEN, CERTAIN } certainty;
 
-static double most_of(double u[3][3], int a)
-{
-    const double most = u[0][a] > u[1][a] ? u[0][a] : u[1][a];
-    return most > u[2][a] ? most : u[2][a];
-}
+static bool is_same(const double a[3], const double b[3]) { return !(a[1] < b[1] || a[1] > b[1] || a[2] < b[2] || a[2] > b[2]); }
 
-/* The closed cells that the triangle's box touches, -1 and size standing for those beside the grid. */
-static tribox_cells cells_of(const tribox_crossings *c, double u[3][3], int a)
+static certainty look(view *v, const tribox_middles *m)
 {
-    const double least = least_of(u, a), most = most_of(u, a);
-    return c->grid ? tribox_grid_cells(c->grid, a, 0, c->size[a], (float)least, (float)most)
-                   : tribox_planes_cells(&c->planes, a, c->size[a], least, most);
-}
-
-/* The side of all three edges that the ray of a row passes on; 0 where it passes beside the triangle. */
-static int side_of(double u[3][3], const double at[2])
-{
-    int side = 0;
+    double(*const u)[3] = v->u;
+    for (int a = 0; a < 3; a++) {
+        v->lo[a] = least_of(least_of(u[0][a], u[1][a]), u[2][a]);
+        v->hi[a] = most_of(most_of(u[0][a], u[1][a]), u[2][a]);
+    }
+    const double Fx = v->hi[0] - v->lo[0], Fy = v->hi[1] - v->lo[1], Fz = v->hi[2] - v->lo[2];
+    if (!(Fy > 0) || !(Fz > 0) || is_same(u[0], u[1]) || is_same(u[1], u[2]) || is_same(u[2], u[0]))
+        return EMPTY;
     for (int j = 0; j < 3; j++) {
-        const int of_edge = tribox_exact_side(&u[j][1], &u[(j + 1) % 3][1], at);
-        if (!of_edge || (j && of_edge != side))
-            return 0;
-        side = of_edge;
+        v->dy[j] = u[(j + 1) % 3][1] - u[j][1];
+        v->dz[j] = u[(j + 1) % 3][2] - u[j][2];
+        v->dx[j] = u[j][0] - u[0][0];
     }
-    return side;
+    const double area = v->dy[0] * v->dz[1] - v->dz[0] * v->dy[1];
+    v->error = 0x1p-49 * (Fy * Fz) + 0x1p-1000;
+    if (!(fabs(area) > v->error))
+        return OPEN;
+    v->sign = area > 0 ? 1 : -1;
+    v->per_area = 1 / area;
+    v->place_error = (Fx * (8 * v->error * fabs(v->per_area) + 0x1p-49)) * m->per_cell[0] + m->error[0];
+    return v->place_error < 0.25 ? CERTAIN : OPEN;
 }
 
-/* The first cell from `first` to `last` whose middle lies past the crossing, or last + 1. */
-static int64_t cell_past(const tribox_crossings *c, double u[3][3], const double at[2], int side, int64_t first, int64_t last)
+/* Where the ray of row (j, k), along (y, z), crosses, if it does. */
+static void cross(const tribox_crossings *c, view *v, int64_t j, int64_t k, double y, double z)
 {
-    int64_t before = first - 1, past = last + 1;
-    while (past - before > 1) {
-        const int64_t cell = before + (past - before) / 2;
-        const bool is_past = tribox_exact_height(u, (double[3]){middle_of(c, 0, cell), at[0], at[1]}) == side;
-        *(is_past ? &past : &before) = cell;
-    }
-    return past;
-}
-
-static void turn(const tribox_crossings *c, size_t row, int64_t cell)
-{
-    if (cell < c->size[0])
-        c->solid[row * c->rows.words + (size_t)(cell / 64)] ^= UINT64_C(1) << cell % 64;
-    else
-        c->beyond[row / 64] ^= UINT64_C(1) << row % 64;
-}
-
-void tribox_crossings_add(const tribox_crossings *c, double u[3][3])
-{
-    if (!tribox_are_finite_f64(&u[0][0], 9))
+    double side[3];
+    for (int e = 0; e < 3; e++)
+        side[e] = v->sign * (v->dy[e] * (z - v->u[e][2]) - v->dz[e] * (y - v->u[e][1]));
+    const double least = least_of(least_of(side[0], side[1]), side[2]);
+    if (least < -v->error)
         return;
-    tribox_cells cells[3];
-    for (int a = 1; a < 3; a++) {
-        cells[a] = cells_of(c, u, a);
-        cells[a].first = cells[a].first < 0 ? 0 : cells[a].first;
-        cells[a].last = cells[a].last < c->size[a] ? cells[a].last : (int64_t)c->size[a] - 1;
-        if (cells[a].first > cells[a].last)
-            return;
-    }
-    cells[0] = cells_of(c, u, 0);
-    cells[0].first = cells[0].first < 0 ? 0 : cells[0].first;
-    cells[0].last = cells[0].last < c->size[0] ? cells[0].last : (int64_t)c->size[0] - 1;
-    for (int64_t k = cells[2].first; k <= cells[2].last; k++)
-        for (int64_t j = cells[1].first; j <= cells[1].last; j++) {
-            const double at[2] = {middle_of(c, 1, j), middle_of(c, 2, k)};
-            const int side = side_of(u, at);
-            if (side)
-                turn(c, (size_t)k * c->size[1] + (size_t)j, cell_past(c, u, at, side, cells[0].first, cells[0].last));
+    const tribox_middles *const m = &c->middles;
+    const double x = v->u[0][0] + (side[2] * v->dx[1] + side[0] * v->dx[2]) * (v->sign * v->per_area);
+    const double place = (x - m->origin[0]) * m->per_cell[0] + 0.5, inside = least_of(most_of(place, 0.5), m->size[0] + 0.5);
+    const int64_t cell = (int64_t)inside;
+    const double past = inside - (double)cell;
+    if (least > v->error && past > v->place_error && past < 1 - v->place_error)
+        tribox_crossings_turn(c, j, k, cell);
+    else
+        tribox_crossings_row(c, v->u, j, k);
+}
+
+/* Rows first to last on both axes that lie in the triangle's box: others no ray through the triangle has. */
+static void cross_rows(const tribox_crossings *c, view *v, const int64_t first[2], const int64_t last[2])
+{
+    const tribox_middles *const m = &c->middles;
+    for (int64_t k = first[1]; k <= last[1]; k++) {
+        const double z = tribox_middle(m, 2, k);
+        if (z < v->lo[2] || z > v->hi[2])
+            continue;
+        double lo = tribox_middles_plane(m, 1, first[0]);
+        for (int64_t j = first[0]; j <= last[0]; j++) {
+            const double hi = tribox_middles_plane(m, 1, j + 1), y = tribox_mean(lo, hi);
+            if (y >= v->lo[1] && y <= v->hi[1])
+                cross(c, v, j, k, y, z);
+            lo = hi;
         }
+    }
+}
+
+static void add_one(const tribox_crossings *c, const tribox_seen_along *seen, size_t i, const int64_t first[2],
+                    const int64_t last[2])
+{
+    view v;
+    for (int n = 0; n < 9; n++)
+        v.u[n % 3][n / 3] = seen->number[n][i];
+    if (!tribox_are_finite_f64(&v.u[0][0], 9))
+        return;
+    const certainty of = look(&v, &c->middles);
+    if (of == CERTAIN)
+        cross_rows(c, &v, first, last);
+    else if (of == OPEN)
+        tribox_crossings_exactly(c, v.u);
+}
+
+static void add_exactly(const tribox_crossings *c, const tribox_seen_along *seen, size_t i)
+{
+    double u[3][3];
+    for (int n = 0; n < 9; n++)
+        u[n % 3][n / 3] = seen->number[n][i];
+    if (tribox_are_finite_f64(&u[0][0], 9))
+        tribox_crossings_exactly(c, u);
+}
+
+void tribox_crossings_add(const tribox_crossings *c, const tribox_seen_along *seen, size_t count)
+{
+    row_ranges rows;
+    if (!c->middles.has_places) {
+        for (size_t i = 0; i < count; i++)
+            add_exactly(c, seen, i);
+        return;
+    }
+    for (int a = 1; a < 3; a++)
+        find_rows(&c->middles, a, seen, count, rows.first[a - 1], rows.last[a - 1]);
+    for (size_t i = 0; i < count; i++) {
+        if (!(rows.first[0][i] <= rows.last[0][i] && rows.first[1][i] <= rows.last[1][i]))
+            continue;
+        const int64_t first[2] = {(int64_t)rows.first[0][i], (int64_t)rows.first[1][i]},
+                      last[2] = {(int64_t)rows.last[0][i], (int64_t)rows.last[1][i]};
+        add_one(c, seen, i, first, last);
+    }
 }

@@ -58,8 +58,6 @@ static const uint64_t *occupied_row(const flood *f, size_t row) { return f->occu
 
 static uint64_t *solid_row(const flood *f, size_t row) { return f->solid + row * f->rows.words; }
 
-static size_t count_free(uint64_t word) { return !word ? 0 : !~word ? 64 : tribox_count_bits(word); }
-
 /* Every bit of `is_free` above a seed, up to the end of its run, and the seeds: a run turns to zeros as the carry goes through it. */
 static uint64_t spread_up(uint64_t seeds, uint64_t is_free) { return (is_free & ~(is_free + seeds)) | seeds; }
 
@@ -86,7 +84,7 @@ static size_t spread_row_down(const flood *f, const uint64_t *occupied, uint64_t
             reached |= spread_down(seeds, left);
             solid[w] = before & ~reached;
         }
-        inside += count_free(left & ~reached);
+        inside += tribox_count_most(left & ~reached);
         beyond = reached << 63;
         off = 0;
     }
@@ -159,7 +157,7 @@ static void take_row(flood *f, size_t j, size_t k)
     for (size_t w = 0; w < words; w++) {
         const uint64_t left = solid[w] & ~occupied[w], beside = ~(at[0][w] & at[1][w] & at[2][w] & at[3][w]);
         const uint64_t reached = spread_up(left & (beside | before), left);
-        was += count_free(left);
+        was += tribox_count_most(left);
         solid[w] &= ~reached;
         before = reached >> 63;
     }

@@ -21,10 +21,11 @@ static size_t fill_row(const tribox_rows *rows, const uint64_t *occupied, uint64
     size_t inside = 0;
     uint64_t odd = 0;
     for (size_t w = 0; w < rows->words; w++) {
-        const uint64_t parity = parity_below(solid[w]) ^ odd, mask = tribox_row_mask(rows, w);
+        const uint64_t parity = (solid[w] ? parity_below(solid[w]) : 0) ^ odd, mask = tribox_row_mask(rows, w);
+        const uint64_t surface = occupied[w] & mask, filled = parity & ~surface & mask;
         odd = parity >> 63 ? ~UINT64_C(0) : 0;
-        solid[w] = (parity | occupied[w]) & mask;
-        inside += tribox_count_bits(parity & ~occupied[w] & mask);
+        solid[w] = surface | filled;
+        inside += tribox_count_most(filled);
     }
     *is_odd = odd;
     return inside;
@@ -46,10 +47,24 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
 
 static tribox_crossings start(const uint32_t size[3], uint64_t *solid, void *scratch)
 {
-    tribox_crossings c = {.size = size, .rows = tribox_rows_of(size), .solid = solid};
+    tribox_crossings c = {.rows = tribox_rows_of(size), .solid = solid};
     c.beyond = tribox_fill_row_bits(scratch, &c.rows);
     memset(solid, 0, c.rows.count * c.rows.words * sizeof *solid);
     return c;
+}
+
+static void add_soup(const tribox_crossings *c, const tribox_soup *soup)
+{
+    tribox_seen_along seen;
+    for (size_t first = 0; first < soup->count; first += TRIBOX_SEEN_ALONG) {
+        const size_t count = soup->count - first < TRIBOX_SEEN_ALONG ? soup->count - first : TRIBOX_SEEN_ALONG;
+        for (int n = 0; n < 9; n++) {
+            const float *const from = tribox_soup_axis(soup, n / 3)[n % 3] + first;
+            for (size_t i = 0; i < count; i++)
+                seen.number[n][i] = from[i];
+        }
+        tribox_crossings_add(c, &seen, count);
+    }
 }
 
 tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied, uint64_t *solid,
@@ -61,16 +76,8 @@ tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *gri
     const bool is_served = tribox_fill_is_served(grid->size) && tribox_grid_is_sound(grid);
     if (is_served) {
         tribox_crossings c = start(grid->size, solid, scratch);
-        c.grid = grid;
-        for (size_t i = 0; i < soup->count; i++) {
-            double u[3][3];
-            for (int v = 0; v < 3; v++) {
-                u[v][0] = soup->x[v][i];
-                u[v][1] = soup->y[v][i];
-                u[v][2] = soup->z[v][i];
-            }
-            tribox_crossings_add(&c, u);
-        }
+        c.middles = tribox_middles_of(grid, NULL);
+        add_soup(&c, soup);
         fill_rows(&c, occupied, inside, odd_rows);
     }
     tribox_environment_leave(callers);
@@ -79,10 +86,15 @@ tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *gri
 
 static void add_mesh(const tribox_crossings *c, const tribox_mesh *mesh)
 {
-    for (size_t i = 0; i < mesh->count; i++) {
-        double u[3][3];
-        tribox_mesh_read_corners(mesh, 3 * i, 3, u);
-        tribox_crossings_add(c, u);
+    tribox_seen_along seen;
+    double corner[3 * TRIBOX_SEEN_ALONG][3];
+    for (size_t first = 0; first < mesh->count; first += TRIBOX_SEEN_ALONG) {
+        const size_t count = mesh->count - first < TRIBOX_SEEN_ALONG ? mesh->count - first : TRIBOX_SEEN_ALONG;
+        tribox_mesh_read_corners(mesh, 3 * first, 3 * count, corner);
+        for (size_t i = 0; i < 3 * count; i++)
+            for (size_t a = 0; a < 3; a++)
+                seen.number[3 * a + i % 3][i / 3] = corner[i][a];
+        tribox_crossings_add(c, &seen, count);
     }
 }
 
@@ -103,7 +115,7 @@ tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_
         status = TRIBOX_BAD_INDEX;
     if (!status) {
         tribox_crossings c = start(grid->size, solid, scratch);
-        c.planes = tribox_planes_of(grid, NULL);
+        c.middles = tribox_middles_of(NULL, grid);
         add_mesh(&c, &strided);
         fill_rows(&c, occupied, inside, odd_rows);
     }
