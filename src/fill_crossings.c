@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "ahead.h"
+
 /* Rows that the box of each triangle may hold a middle of, on y and on z: none where last < first. */
 typedef struct row_ranges {
     double first[2][TRIBOX_SEEN_ALONG], last[2][TRIBOX_SEEN_ALONG];
@@ -46,7 +48,7 @@ typedef struct view {
 /* What can be told of n_x: OPEN where its sign is not certain, EMPTY where it is surely zero. */
 typedef enum certainty { EMPTY, OPEN, CERTAIN } certainty;
 
-static bool is_same(const double a[3], const double b[3]) { return !(a[1] < b[1] || a[1] > b[1] || a[2] < b[2] || a[2] > b[2]); }
+static bool is_same(const double a[3], const double b[3]) { return (a[1] == b[1]) & (a[2] == b[2]); }
 
 static certainty look(view *v, const tribox_middles *m)
 {
@@ -56,7 +58,7 @@ static certainty look(view *v, const tribox_middles *m)
         v->hi[a] = most_of(most_of(u[0][a], u[1][a]), u[2][a]);
     }
     const double Fx = v->hi[0] - v->lo[0], Fy = v->hi[1] - v->lo[1], Fz = v->hi[2] - v->lo[2];
-    if (!(Fy > 0) || !(Fz > 0) || is_same(u[0], u[1]) || is_same(u[1], u[2]) || is_same(u[2], u[0]))
+    if (is_same(u[0], u[1]) | is_same(u[1], u[2]) | is_same(u[2], u[0]) | !(Fy > 0) | !(Fz > 0))
         return EMPTY;
     for (int j = 0; j < 3; j++) {
         v->dy[j] = u[(j + 1) % 3][1] - u[j][1];
@@ -65,7 +67,7 @@ static certainty look(view *v, const tribox_middles *m)
     }
     const double area = v->dy[0] * v->dz[1] - v->dz[0] * v->dy[1];
     v->error = 0x1p-49 * (Fy * Fz) + 0x1p-1000;
-    if (!(fabs(area) > v->error))
+    if (!(fabs(area) > v->error) || Fx > 0x1p300 || Fy > 0x1p300 || Fz > 0x1p300)
         return OPEN;
     v->sign = area > 0 ? 1 : -1;
     v->per_area = 1 / area;
@@ -73,28 +75,38 @@ static certainty look(view *v, const tribox_middles *m)
     return v->place_error < 0.25 ? CERTAIN : OPEN;
 }
 
-/* Where the ray of row (j, k), along (y, z), crosses, if it does. */
-static void cross(const tribox_crossings *c, view *v, int64_t j, int64_t k, double y, double z)
+void tribox_crossings_finish(tribox_crossings *c)
 {
+    tribox_turns *const turns = &c->turns;
+    for (unsigned n = 0; n < TRIBOX_TURNS_AHEAD; n++)
+        turns->word[turns->count + n] = c->beyond;
+    for (unsigned n = 0; n < turns->count; n++) {
+        tribox_will_write(turns->word[n + TRIBOX_TURNS_AHEAD]);
+        *turns->word[n] ^= turns->bit[n];
+    }
+    turns->count = 0;
+}
+
+/* Where the ray of row (j, k), along (y, z), crosses, if it does. */
+static void cross(tribox_crossings *c, view *v, int64_t j, int64_t k, double y, double z)
+{
+    const tribox_middles *const m = &c->middles;
     double side[3];
     for (int e = 0; e < 3; e++)
-        side[e] = v->sign * (v->dy[e] * (z - v->u[e][2]) - v->dz[e] * (y - v->u[e][1]));
-    const double least = least_of(least_of(side[0], side[1]), side[2]);
-    if (least < -v->error)
-        return;
-    const tribox_middles *const m = &c->middles;
-    const double x = v->u[0][0] + (side[2] * v->dx[1] + side[0] * v->dx[2]) * (v->sign * v->per_area);
+        side[e] = v->dy[e] * (z - v->u[e][2]) - v->dz[e] * (y - v->u[e][1]);
+    const double least = least_of(least_of(side[0] * v->sign, side[1] * v->sign), side[2] * v->sign);
+    const double x = v->u[0][0] + (side[2] * v->dx[1] + side[0] * v->dx[2]) * v->per_area;
     const double place = (x - m->origin[0]) * m->per_cell[0] + 0.5, inside = least_of(most_of(place, 0.5), m->size[0] + 0.5);
     const int64_t cell = (int64_t)inside;
-    const double past = inside - (double)cell;
-    if (least > v->error && past > v->place_error && past < 1 - v->place_error)
-        tribox_crossings_turn(c, j, k, cell);
+    const double past = fabs(inside - (double)cell - 0.5);
+    if (fabs(least) > v->error && (past < 0.5 - v->place_error || least < 0))
+        tribox_crossings_turn(c, j, k, cell, least > 0);
     else
         tribox_crossings_row(c, v->u, j, k);
 }
 
 /* Rows first to last on both axes that lie in the triangle's box: others no ray through the triangle has. */
-static void cross_rows(const tribox_crossings *c, view *v, const int64_t first[2], const int64_t last[2])
+static void cross_rows(tribox_crossings *c, view *v, const int64_t first[2], const int64_t last[2])
 {
     const tribox_middles *const m = &c->middles;
     for (int64_t k = first[1]; k <= last[1]; k++) {
@@ -111,8 +123,7 @@ static void cross_rows(const tribox_crossings *c, view *v, const int64_t first[2
     }
 }
 
-static void add_one(const tribox_crossings *c, const tribox_seen_along *seen, size_t i, const int64_t first[2],
-                    const int64_t last[2])
+static void add_one(tribox_crossings *c, const tribox_seen_along *seen, size_t i, const int64_t first[2], const int64_t last[2])
 {
     view v;
     for (int n = 0; n < 9; n++)
@@ -126,7 +137,7 @@ static void add_one(const tribox_crossings *c, const tribox_seen_along *seen, si
         tribox_crossings_exactly(c, v.u);
 }
 
-static void add_exactly(const tribox_crossings *c, const tribox_seen_along *seen, size_t i)
+static void add_exactly(tribox_crossings *c, const tribox_seen_along *seen, size_t i)
 {
     double u[3][3];
     for (int n = 0; n < 9; n++)
@@ -135,7 +146,7 @@ static void add_exactly(const tribox_crossings *c, const tribox_seen_along *seen
         tribox_crossings_exactly(c, u);
 }
 
-void tribox_crossings_add(const tribox_crossings *c, const tribox_seen_along *seen, size_t count)
+void tribox_crossings_add(tribox_crossings *c, const tribox_seen_along *seen, size_t count)
 {
     row_ranges rows;
     if (!c->middles.has_places) {
@@ -145,9 +156,13 @@ void tribox_crossings_add(const tribox_crossings *c, const tribox_seen_along *se
     }
     for (int a = 1; a < 3; a++)
         find_rows(&c->middles, a, seen, count, rows.first[a - 1], rows.last[a - 1]);
+    size_t found[TRIBOX_SEEN_ALONG], founds = 0;
     for (size_t i = 0; i < count; i++) {
-        if (!(rows.first[0][i] <= rows.last[0][i] && rows.first[1][i] <= rows.last[1][i]))
-            continue;
+        found[founds] = i;
+        founds += (size_t)((rows.first[0][i] <= rows.last[0][i]) & (rows.first[1][i] <= rows.last[1][i]));
+    }
+    for (size_t n = 0; n < founds; n++) {
+        const size_t i = found[n];
         const int64_t first[2] = {(int64_t)rows.first[0][i], (int64_t)rows.first[1][i]},
                       last[2] = {(int64_t)rows.last[0][i], (int64_t)rows.last[1][i]};
         add_one(c, seen, i, first, last);

@@ -50,15 +50,15 @@ static int64_t cell_past(const tribox_crossings *c, double u[3][3], const double
     return past;
 }
 
-void tribox_crossings_row(const tribox_crossings *c, double u[3][3], int64_t j, int64_t k)
+void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_t k)
 {
     const double at[2] = {tribox_middle(&c->middles, 1, j), tribox_middle(&c->middles, 2, k)};
     const int side = side_of(u, at);
     if (side)
-        tribox_crossings_turn(c, j, k, cell_past(c, u, at, side));
+        tribox_crossings_turn(c, j, k, cell_past(c, u, at, side), true);
 }
 
-void tribox_crossings_exactly(const tribox_crossings *c, double u[3][3])
+void tribox_crossings_exactly(tribox_crossings *c, double u[3][3])
 {
     const tribox_cells y = cells_of(c, u, 1), z = cells_of(c, u, 2);
     for (int64_t k = z.first; k <= z.last; k++)

@@ -45,15 +45,16 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
         *odd_rows = odd;
 }
 
-static tribox_crossings start(const uint32_t size[3], uint64_t *solid, void *scratch)
+static void start(tribox_crossings *c, const uint32_t size[3], uint64_t *solid, void *scratch)
 {
-    tribox_crossings c = {.rows = tribox_rows_of(size), .solid = solid};
-    c.beyond = tribox_fill_row_bits(scratch, &c.rows);
-    memset(solid, 0, c.rows.count * c.rows.words * sizeof *solid);
-    return c;
+    c->rows = tribox_rows_of(size);
+    c->solid = solid;
+    c->beyond = tribox_fill_row_bits(scratch, &c->rows);
+    c->turns.count = 0;
+    memset(solid, 0, c->rows.count * c->rows.words * sizeof *solid);
 }
 
-static void add_soup(const tribox_crossings *c, const tribox_soup *soup)
+static void add_soup(tribox_crossings *c, const tribox_soup *soup)
 {
     tribox_seen_along seen;
     for (size_t first = 0; first < soup->count; first += TRIBOX_SEEN_ALONG) {
@@ -75,16 +76,18 @@ tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *gri
     const tribox_environment callers = tribox_environment_enter();
     const bool is_served = tribox_fill_is_served(grid->size) && tribox_grid_is_sound(grid);
     if (is_served) {
-        tribox_crossings c = start(grid->size, solid, scratch);
+        tribox_crossings c;
+        start(&c, grid->size, solid, scratch);
         c.middles = tribox_middles_of(grid, NULL);
         add_soup(&c, soup);
+        tribox_crossings_finish(&c);
         fill_rows(&c, occupied, inside, odd_rows);
     }
     tribox_environment_leave(callers);
     return is_served ? TRIBOX_OK : TRIBOX_BAD_GRID;
 }
 
-static void add_mesh(const tribox_crossings *c, const tribox_mesh *mesh)
+static void add_mesh(tribox_crossings *c, const tribox_mesh *mesh)
 {
     tribox_seen_along seen;
     double corner[3 * TRIBOX_SEEN_ALONG][3];
@@ -114,9 +117,11 @@ tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_
     else if (!tribox_mesh_is_in_range(&strided, plan.kernel, 0, mesh->count))
         status = TRIBOX_BAD_INDEX;
     if (!status) {
-        tribox_crossings c = start(grid->size, solid, scratch);
+        tribox_crossings c;
+        start(&c, grid->size, solid, scratch);
         c.middles = tribox_middles_of(NULL, grid);
         add_mesh(&c, &strided);
+        tribox_crossings_finish(&c);
         fill_rows(&c, occupied, inside, odd_rows);
     }
     tribox_environment_leave(callers);
