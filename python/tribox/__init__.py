@@ -40,6 +40,7 @@ from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
 from ._overlap import classify, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented
+from ._partition import Partition, partition
 from ._tiles import tile_count
 from ._triangles import Mesh, Soup
 from ._voxelize import voxelize
@@ -49,6 +50,7 @@ AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
     "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "Error", "Grid", "Index", "InputError",
-    "InputTypeError", "Mesh", "OpenMeshWarning", "Soup", "bricks", "classify", "grid_around", "kernel_name", "kernels",
-    "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented", "tile_count", "voxelize",
+    "InputTypeError", "Mesh", "OpenMeshWarning", "Partition", "Soup", "bricks", "classify", "grid_around", "kernel_name",
+    "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented", "partition",
+    "tile_count", "voxelize",
 ]

@@ -1,0 +1,255 @@
+"""A mesh sorted by tiles on disk: folders as the program tribox writes and reads them, of which a task maps what it needs."""
+
+import hashlib
+import os
+import secrets
+import shutil
+
+import numpy as np
+
+from ._arguments import check, options_of
+from ._bricks import bricks_of
+from ._checksum import checksum, checksums
+from ._errors import InputError, shown
+from ._ffi import ffi
+from ._grids import GRID, GRID_F64, Grid, check_grid, grid_for, has_doubles, is_single
+from ._library import lib
+from ._masks import WORD, bools
+from ._overlap import ALL
+from ._threads import threads_of
+from ._tiles import Listed, Room, Tiling, range_of, set_tile, tile_of
+from ._triangles import Array, held
+
+MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 1\n", 0x01020304, 8
+HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("origin", "f8", 3), ("cell", "f8", 3),
+                   ("shift", "f8", 3), ("size", "u4", 3), ("plane_bytes", "u4"), ("position_bytes", "u4"), ("record_bytes", "u4"),
+                   ("triangles", "u8"), ("mesh_checksum", "u8"), ("not_finite", "u8"), ("records", "u8"), ("places", "u8"),
+                   ("checksum", "u8")])
+RECORD = np.dtype([("tile", "u8"), ("first", "u8"), ("work", "u8"), ("checksum", "u8")])
+TILE_COST, PLACE_COST, CELL_COST = 20000, 60, 10  # nanoseconds, roughly: only their ratios matter
+BLOCK = 1 << 20  # triangles that are written at once
+
+
+class Partition:
+    """The folder of a partition, which tribox.partition or the program's `tribox partition` wrote, mapped into memory.
+
+    grid: its Grid. tile: cells along the side of a tile. tile_count: tiles of the grid. numbers: those that have triangles, in
+    rising order; all others are empty. work: about how many nanoseconds each of these takes. shift: what was subtracted from the
+    mesh.
+
+    Only what is asked for is read. It can be pickled, as the name of the folder, and threads may ask one at once. Opening it checks
+    the index; check() the triangles.
+    """
+
+    def __init__(self, folder):
+        self.folder = os.path.abspath(os.fspath(folder))
+        with open(os.path.join(self.folder, "index"), "rb") as file:
+            octets = file.read()
+        header, records = self._index(octets)
+        self.grid = Grid(*(tuple(header[name].tolist()) for name in ("origin", "cell", "size")))
+        self.tile, self.shift = int(header["tile"]), tuple(header["shift"].tolist())
+        self.numbers, self.work = records["tile"].astype(np.int64), records["work"].astype(np.int64)
+        self._checksums = records["checksum"]
+        self._ends = np.append(records["first"], header["places"])[1:].astype(np.int64)
+        self._starts = records["first"].astype(np.int64)
+        kind = np.dtype(f"f{header['position_bytes']}")
+        self._map = self._triangles(kind, int(header["places"]))
+        self._struct = Array(self._map, 0, 0)
+        grid = ffi.new(GRID if header["plane_bytes"] == 4 else GRID_F64, tuple(self.grid))
+        self._tiling = Tiling(grid, self.tile)
+        self.tile_count = self._tiling.count
+
+    def _damaged(self, why):
+        return InputError(f"{self.folder}: {why}; make the partition again")
+
+    def _index(self, octets):
+        """The header and the records of an index that is whole."""
+        if not octets.startswith(MAGIC[:12]):
+            raise InputError(f"{self.folder}: not a partition; give a folder that tribox.partition or tribox partition wrote")
+        if len(octets) < HEADER.itemsize or not octets.startswith(MAGIC):
+            raise self._damaged("damaged, or of another version of tribox")
+        header = np.frombuffer(octets, HEADER, 1)[0]
+        if header["byte_order"] != BYTE_ORDER:
+            raise self._damaged("written on a machine of another byte order")
+        if len(octets) != HEADER.itemsize + int(header["records"]) * RECORD.itemsize or header["record_bytes"] != RECORD.itemsize:
+            raise self._damaged("damaged: its index has another size than it should")
+        end = HEADER.itemsize - HASH_BYTES
+        if checksum(octets[:end] + octets[HEADER.itemsize:]) != int(header["checksum"]):
+            raise self._damaged("damaged: the checksum of its index does not match")
+        return header, np.frombuffer(octets, RECORD, offset=HEADER.itemsize)
+
+    def _triangles(self, kind, places):
+        path = os.path.join(self.folder, "triangles")
+        if os.path.getsize(path) != places * 9 * kind.itemsize:
+            raise self._damaged("damaged: its triangles are not as many as its index says")
+        return np.memmap(path, kind, "r", shape=(places, 3, 3)) if places else np.empty((0, 3, 3), kind)
+
+    def __reduce__(self):
+        return Partition, (self.folder,)
+
+    def __repr__(self):
+        return f"<tribox.Partition: {len(self.numbers)} of {self.tile_count} tiles have triangles, {shown(self.folder)}>"
+
+    def shares(self, count):
+        """`count` shares of about equal work, (first, end) for tiles first .. end - 1 each; together they are all tiles."""
+        middles = np.cumsum(self.work) - self.work / 2
+        cuts = np.searchsorted(middles, self.work.sum() * np.arange(1, count) / count)
+        numbers = np.append(self.numbers, self.tile_count)
+        borders = [0, *numbers[cuts].tolist(), self.tile_count]
+        return list(zip(borders, borders[1:]))
+
+    def _place(self, number):
+        """Where a tile is among those that have triangles; None if it is not."""
+        if not isinstance(number, (int, np.integer)) or not 0 <= number < self.tile_count:
+            raise InputError(f"number = {shown(number)}; give that of a tile, less than {self.tile_count}")
+        place = int(np.searchsorted(self.numbers, number))
+        return place if place < len(self.numbers) and self.numbers[place] == number else None
+
+    def triangles(self, number):
+        """The triangles of a tile, and some that come close: an array of shape (n, 3, 3), which is read as it is used."""
+        place = self._place(number)
+        return self._map[:0] if place is None else self._map[self._starts[place]:self._ends[place]]
+
+    def window(self, number):
+        """The cells of a tile, as the window of tribox.voxelize: (first, size)."""
+        self._place(number)
+        first, size = self._tiling.windows(np.array([number]))
+        return tuple(first[0].tolist()), tuple(size[0].tolist())
+
+    def voxelize(self, number, *, accuracy="exact", axes=ALL, kernel=None, packed=False):
+        """The cells of a tile: tribox.voxelize of the mesh with window=self.window(number)."""
+        options = self._options(accuracy, axes, kernel)
+        place, (first, size) = self._place(number), self.window(number)
+        words = np.zeros((size[2], size[1], (size[0] + 63) >> 6), WORD)
+        if place is not None:
+            lists = Mapped(self, np.array([place]))
+            set_tile(lists.of(place, Room(lists.most)), self._tiling.grid, first, size, options, words)
+        return words if packed else bools(words, size[0])
+
+    def bricks(self, tiles=None, *, threads=1, accuracy="exact", axes=ALL, kernel=None):
+        """tribox.bricks of the mesh and the grid. tiles: (first, end), such as one of shares()."""
+        options, threads = self._options(accuracy, axes, kernel), threads_of(threads)
+        places = np.arange(*np.searchsorted(self.numbers, range_of(tiles, self.tile_count)))
+        return bricks_of(Mapped(self, places), self._tiling, options, threads)
+
+    def _options(self, accuracy, axes, kernel):
+        options = options_of(accuracy, axes, 0, kernel)
+        check_grid(self._tiling.grid, options, axes)
+        return options
+
+    def check(self, tiles=None):
+        """Reads the triangles of tiles (first, end), by default of all, and raises an InputError if they are not those written."""
+        first, end = np.searchsorted(self.numbers, range_of(tiles, self.tile_count))
+        halves = self._map.reshape(-1).view(np.uint32)
+        each = halves.size // max(1, len(self._map))
+        found = checksums(halves, each * self._starts[first:end], each * self._ends[first:end])
+        wrong = np.flatnonzero(found != self._checksums[first:end])
+        if len(wrong):
+            raise self._damaged(f"damaged: the checksum of tile {self.numbers[first + wrong[0]]} does not match")
+
+
+class Mapped:
+    """Triangles by tile, those of a partition."""
+
+    def __init__(self, partition_, places):
+        self.partition, self.places, self.numbers = partition_, places, partition_.numbers[places]
+        self.most = int((partition_._ends - partition_._starts)[places].max(initial=0))
+
+    def of(self, place, room):
+        start, end = int(self.partition._starts[place]), int(self.partition._ends[place])
+        if not is_single(self.partition._tiling.grid):
+            return Array(self.partition._map[start:end], 0, 0)
+        to = room.struct
+        to.count = end - start
+        check(lib.tribox_mesh_to_streams(self.partition._struct.struct, start, to.count, ffi.NULL, to.x, to.y, to.z))
+        return room
+
+
+def by_number(held_, numbers):
+    """Triangles with these numbers, as an array of shape (n, 3, 3)."""
+    if held_.is_soup:
+        return np.stack([np.stack([stream[numbers] for stream in axis], 1) for axis in held_.streams], 2)
+    return np.ascontiguousarray(held_.vertices[numbers if held_.faces is None else held_.faces[numbers]])
+
+
+def work_of(triangles, grid):
+    """About how many nanoseconds each of the triangles takes, beyond the tiles that it is in."""
+    with np.errstate(all="ignore"):
+        corners = (triangles.astype(float) - tuple(grid.origin)) / tuple(grid.cell)
+        sides = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).sum(1) / 2
+        work = CELL_COST * (sides + np.ptp(corners, 1).sum(1))
+    return np.where(np.isfinite(work), work, 0)
+
+
+def not_finite(held_):
+    """How many triangles have a coordinate that is not finite, and a hash of all coordinates."""
+    count, digest = 0, hashlib.blake2b(digest_size=HASH_BYTES)
+    for first in range(0, held_.struct.count, BLOCK):
+        triangles = by_number(held_, slice(first, first + BLOCK))
+        count += int((~np.isfinite(triangles).all((1, 2))).sum())
+        digest.update(triangles)
+    return count, int.from_bytes(digest.digest(), "little")
+
+
+def write_triangles(file, lists, held_, tiling):
+    """Writes the triangles of all tiles; returns their records."""
+    counts = np.diff(lists.starts)[lists.places].astype(np.int64)
+    records = np.zeros(len(counts), RECORD)
+    records["tile"], records["first"] = lists.numbers, np.cumsum(counts) - counts
+    tiles_each = np.bincount(lists.list, minlength=held_.struct.count)
+    most = CELL_COST * 3.0 * tiling.tile ** 2
+    start = 0
+    while start < len(counts):
+        end = max(start + 1, int(np.searchsorted(np.cumsum(counts[start:]), BLOCK, "right")) + start)
+        begins = records["first"][start:end].astype(np.int64)
+        numbers = lists.list[begins[0]:begins[-1] + counts[end - 1]]
+        triangles = by_number(held_, numbers)
+        file.write(triangles)
+        work = np.minimum(work_of(triangles, tiling.grid) / tiles_each[numbers], most)
+        records["work"][start:end] = TILE_COST + PLACE_COST * counts[start:end] + np.add.reduceat(work, begins - begins[0])
+        halves = triangles.reshape(-1).view(np.uint32)
+        places = (begins - begins[0]) * (halves.size // len(triangles))
+        records["checksum"][start:end] = checksums(halves, places, np.append(places[1:], halves.size))
+        start = end
+    return records
+
+
+def write_index(file, held_, tiling, lists, records):
+    header = np.zeros((), HEADER)
+    grid, (broken, digest) = tiling.grid, not_finite(held_)
+    given = dict(magic=MAGIC, byte_order=BYTE_ORDER, tile=tiling.tile, origin=tuple(grid.origin), cell=tuple(grid.cell),
+                 size=tuple(grid.size), plane_bytes=4 if is_single(grid) else 8, position_bytes=8 if has_doubles(held_) else 4,
+                 record_bytes=RECORD.itemsize, triangles=held_.struct.count, mesh_checksum=digest, not_finite=broken,
+                 records=len(records), places=len(lists.list))
+    for name, value in given.items():
+        header[name] = value
+    header["checksum"] = checksum(header.tobytes()[:HEADER.itemsize - HASH_BYTES] + records.tobytes())
+    file.write(header.tobytes() + records.tobytes())
+
+
+def partition(triangles, origin, cell, size, folder, *, tile=128):
+    """Sorts triangles by the tiles of a grid into a new folder, which tasks and machines map: returns its Partition.
+
+    triangles, origin, cell, size: as for voxelize. tile: the side of the tiles in cells, a multiple of 8.
+    folder: must not exist. It appears when all of it is written, or not at all.
+
+    A triangle takes 36 bytes, of float64 72, for each tile that it is in. The program tribox takes the folder in place of a mesh.
+    """
+    held_, options = held(triangles), options_of("exact", ALL, 0, None)
+    grid = grid_for(held_, origin, cell, size)
+    check_grid(grid, options, ALL, origin=origin, cell=cell, size=size)
+    tiling, folder = Tiling(grid, tile_of(tile)), os.path.abspath(os.fspath(folder))
+    if os.path.lexists(folder):
+        raise FileExistsError(f"folder = {shown(folder)} exists; remove it, or give another")
+    lists = Listed(held_, tiling, 0, tiling.count, options)
+    draft = os.path.join(os.path.dirname(folder), f".tribox-{secrets.token_hex(8)}")
+    os.mkdir(draft)
+    try:
+        with open(os.path.join(draft, "triangles"), "wb") as file:
+            records = write_triangles(file, lists, held_, tiling)
+        with open(os.path.join(draft, "index"), "wb") as file:
+            write_index(file, held_, tiling, lists, records)
+        os.rename(draft, folder)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+    return Partition(folder)

@@ -1,0 +1,167 @@
+"""tribox.partition and tribox.Partition: the bricks of the mesh, from a folder, whole or not at all."""
+
+import os
+import pickle
+import shutil
+import tempfile
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+import tribox
+
+import cases
+
+FLOATS = (-2, -1.5, -1), (0.03125, 0.0625, 0.09375), (131, 50, 33)
+DOUBLES = (-2.1, -1.5, -1), (0.03, 0.06, 0.09), (131, 50, 33)
+
+
+class PartitionTests(cases.TestCase):
+    def setUp(self):
+        self.triangles = np.concatenate([cases.lattice(40) / 2, np.full((1, 3, 3), np.inf, np.float32), cases.scattered(60)])
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.count = 0
+
+    def new(self, form, grid, **options):
+        self.count += 1
+        return tribox.partition(form, *grid, os.path.join(self.folder, str(self.count)), **options)
+
+    def variants(self):
+        mesh = tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
+        for form in (self.triangles, mesh, tribox.Soup.of(self.triangles), np.asfortranarray(self.triangles)):
+            yield form, FLOATS
+            yield form, DOUBLES
+        for form in (self.triangles.astype(float), tribox.Mesh(*cases.shared_vertices(self.triangles.astype(float), np.int32))):
+            yield form, FLOATS
+
+    def assert_equal(self, bricks, expected):
+        self.assert_same(bricks.at, expected.at)
+        self.assert_same(bricks.bits, expected.bits)
+
+    def test_bricks(self):
+        for form, grid in self.variants():
+            for tile in (8, 32):
+                expected = tribox.bricks(form, *grid, tile=tile)
+                partition = self.new(form, grid, tile=tile)
+                self.assertEqual((partition.grid.size, partition.tile, partition.shift), (grid[2], tile, (0, 0, 0)))
+                self.assertEqual(partition.tile_count, tribox.tile_count(grid[2], tile))
+                partition.check()
+                self.assert_equal(partition.bricks(), expected)
+                self.assert_equal(partition.bricks(threads=3), expected)
+                for count in (1, 2, 7, 1000):
+                    shares = partition.shares(count)
+                    self.assertEqual(len(shares), count)
+                    self.assertEqual([share[0] for share in shares] + [partition.tile_count],
+                                     [0] + [share[1] for share in shares])
+                    if count < 10:
+                        parts = [partition.bricks(share) for share in shares]
+                        self.assert_equal(tribox.Bricks(*map(np.concatenate, zip(*parts))), expected)
+
+    def test_tiles(self):
+        for form, grid in self.variants():
+            whole, partition = tribox.voxelize(form, *grid), self.new(form, grid, tile=32)
+            for number in range(partition.tile_count):
+                (i, j, k), (ni, nj, nk) = partition.window(number)
+                cells = partition.voxelize(number)
+                self.assert_same(cells, whole[k:k + nk, j:j + nj, i:i + ni])
+                words = tribox.voxelize(form, *grid, window=partition.window(number), packed=True)
+                self.assert_same(partition.voxelize(np.int64(number), packed=True), words)
+                self.assertEqual(number in partition.numbers, len(partition.triangles(number)) > 0)
+
+    def test_triangles(self):
+        """Those that overlap the tile, in the order of the mesh."""
+        partition = self.new(self.triangles, FLOATS, tile=32)
+        for number in range(partition.tile_count):
+            first, size = map(np.array, partition.window(number))
+            lo, hi = (np.float32(np.array(FLOATS[0]) + at * np.array(FLOATS[1])) for at in (first, first + size))
+            self.assert_same(np.array(partition.triangles(number)), self.triangles[tribox.overlap(self.triangles, lo, hi)])
+
+    def test_options(self):
+        partition = self.new(self.triangles, FLOATS, tile=32)
+        self.assert_equal(partition.bricks(kernel="scalar"), partition.bricks())
+        self.assertTrue((partition.voxelize(3, accuracy="conservative") >= partition.voxelize(3)).all())
+        self.refuse(tribox.InputError, "BAD_OPTION", "axes = 8", partition.bricks, axes=8)
+        self.refuse(tribox.InputError, None, r"^tiles = .*within the", partition.bricks, (0, 1 << 20))
+        for wrong in (-1, partition.tile_count, 1.5, "1", None):
+            for call in (partition.window, partition.triangles, partition.voxelize):
+                self.refuse(tribox.InputError, None, "^number = .*; give that of a tile", call, wrong)
+
+    def test_nothing(self):
+        for nothing in (self.triangles[:0], np.full((5, 3, 3), np.nan), self.triangles + np.float32(1e20)):
+            partition = self.new(nothing, FLOATS)
+            partition.check()
+            self.assertEqual(len(partition.numbers), 0)
+            self.assertEqual(len(partition.bricks().at), 0)
+            self.assertEqual(partition.shares(2)[1][1], partition.tile_count)
+            self.assertFalse(partition.voxelize(0).any())
+
+    def test_pickle(self):
+        partition = self.new(self.triangles, FLOATS)
+        again = pickle.loads(pickle.dumps(partition))
+        self.assertEqual(again.folder, partition.folder)
+        self.assert_equal(again.bricks(), partition.bricks())
+        self.assertLess(len(pickle.dumps(partition)), 1000)
+
+    def test_blocks(self):
+        """Written a few triangles at a time it is the same."""
+        whole = self.new(self.triangles, FLOATS, tile=16)
+        with mock.patch("tribox._partition.BLOCK", 50):
+            parts = self.new(self.triangles, FLOATS, tile=16)
+        for name in ("index", "triangles"):
+            self.assertEqual(*(Path(one.folder, name).read_bytes() for one in (whole, parts)))
+
+    def test_whole_or_not_at_all(self):
+        path = os.path.join(self.folder, "there")
+        with mock.patch("tribox._partition.write_index", side_effect=OSError("no space left")):
+            self.assertRaisesRegex(OSError, "no space", tribox.partition, self.triangles, *FLOATS, path)
+        self.assertEqual(os.listdir(self.folder), [])
+        tribox.partition(self.triangles, *FLOATS, path)
+        with self.assertRaisesRegex(FileExistsError, "exists; remove it, or give another"):
+            tribox.partition(self.triangles, *FLOATS, path)
+        self.assertRaises(FileNotFoundError, tribox.partition, self.triangles, *FLOATS, os.path.join(self.folder, "no", "folder"))
+        self.assertEqual(os.listdir(self.folder), ["there"])
+
+    def damaged(self, partition, name, change):
+        """A copy with one file changed."""
+        self.count += 1
+        copy = os.path.join(self.folder, str(self.count))
+        shutil.copytree(partition.folder, copy)
+        with open(os.path.join(copy, name), "r+b") as file:
+            content = bytearray(file.read())
+            file.seek(0)
+            file.truncate()
+            file.write(change(content))
+        return copy
+
+    def test_damaged(self):
+        partition = self.new(self.triangles, FLOATS, tile=32)
+        refuse, pick = self.refuse, np.random.default_rng(cases.seed())
+        sizes = {name: os.path.getsize(os.path.join(partition.folder, name)) for name in ("index", "triangles")}
+
+        def flip(place):
+            def change(content):
+                content[place] ^= 1 << int(pick.integers(8))
+                return content
+            return change
+
+        for place in [*range(168), *pick.integers(168, sizes["index"], 30)]:
+            copy = self.damaged(partition, "index", flip(place))
+            refuse(tribox.InputError, None, "not a partition|; make the partition again", tribox.Partition, copy)
+        for place in pick.integers(0, sizes["triangles"], 20):
+            copy = tribox.Partition(self.damaged(partition, "triangles", flip(place)))
+            number = partition.numbers[np.searchsorted(partition._ends, place // 36, "right")]
+            refuse(tribox.InputError, None, f"the checksum of tile {number} does not match; make", copy.check)
+            copy.check((0, int(number)))
+            copy.check((int(number) + 1, copy.tile_count))
+        for name, change in (("index", lambda content: content[:100]), ("index", lambda content: content[:-32]),
+                             ("index", lambda content: content + bytes(32)), ("triangles", lambda content: content[:-36]),
+                             ("triangles", lambda content: content + bytes(1)), ("index", lambda content: b"")):
+            refuse(tribox.InputError, None, "not a partition|make the partition again", tribox.Partition,
+                   self.damaged(partition, name, change))
+        self.assertRaises(FileNotFoundError, tribox.Partition, os.path.join(self.folder, "nowhere"))
+
+
+if __name__ == "__main__":
+    cases.main()
