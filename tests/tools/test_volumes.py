@@ -1,0 +1,220 @@
+"""Files of volumes through the programs that they are written for: every cell, and where the grid is."""
+
+import json
+import os
+import re
+import resource
+import shutil
+import subprocess
+import zipfile
+
+import meshes
+import support
+import volumes
+
+DEBIAN = "/usr/bin/python3"
+FOREIGN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "foreign.py")
+
+# Sizes around 8 and 64, one cell, none that is set, cells of three lengths, planes of doubles, a shifted mesh.
+GRIDS = {
+    "one": ("--cell", "9", "--origin=-3,-3,-3", "--size", "1,1,1"),
+    "small": ("--resolution", "7"),
+    "eights": ("--cell", "0.5", "--origin=-2,-2,-2", "--size", "8,8,8"),
+    "odd": ("--cell", "0.3,0.5,0.25", "--origin=-2,-2.1,-2", "--size", "13,9,17"),
+    "wide": ("--cell", "0.06,0.7,0.9", "--origin=-2,-2,-2", "--size", "70,7,5"),
+    "words": ("--cell", "0.03,0.5,0.5", "--size", "128,8,9"),
+    "empty": ("--cell", "0.5", "--origin", "50,50,50", "--size", "10,11,12"),
+    "doubles": ("--cell", "0.30000000001", "--origin=-2,-2,-2", "--size", "12,13,14"),
+    "shifted": ("--shift", "0.5,-1,2", "--resolution", "11"),
+}
+
+
+class Volumes(support.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(24, seed=9)))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def dense(self, name, *options):
+        """The cells by our own reader of .npy, and the grid."""
+        note = re.escape("note: %s does not hold that its cells are shifted" % self.path(name))
+        run = self.succeed if "--shift" not in options else lambda *a: self.succeed_with_note(note, *a)
+        found = json.loads(run("voxelize", self.mesh, "-o", self.path(name), "--json", *options))
+        return volumes.read_npy(self.path(name))[1], found
+
+    def foreign(self, program, paths):
+        if not os.path.exists(DEBIAN):
+            self.skipTest("no Python of Debian's")
+        done = subprocess.run([DEBIAN, "-B", FOREIGN, program, *paths], capture_output=True, timeout=120)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        found = json.loads(done.stdout)
+        if isinstance(found, str):
+            self.skipTest(found)
+        return found
+
+    def check_place(self, found, grid, shift):
+        """The corner or the middle of the first cell, and the lengths, to the last bits of a double."""
+        for a in range(3):
+            corner, cell = grid["origin"][a] + shift[a], grid["cell"][a]
+            for key, value in (("origin", corner), ("middle", corner + cell / 2), ("cell", cell), ("begins", corner)):
+                if key in found:
+                    self.assertTrue(abs(found[key][a] - value) <= 1e-15 * (abs(corner) + cell), (key, found[key], value))
+
+    def check(self, program, ending, *options, has_place=True):
+        expected, paths = [], []
+        for name, grid in GRIDS.items():
+            expected.append(self.dense("dense.npy", *grid))
+            paths.append(self.path(name + ending))
+            words = ("voxelize", self.mesh, "-o", paths[-1], "--quiet", *options, *grid)
+            if has_place or "--shift" not in grid:
+                self.assertEqual(self.succeed(*words), "")
+            else:
+                self.succeed_with_note("note: .* does not hold that its cells are shifted by 0.5,-1,2$", *words)
+        for (cells, answer), found, path in zip(expected, self.foreign(program, paths), paths):
+            self.assertEqual(len(found["cells"]), answer["occupied"], path)
+            self.assertEqual({tuple(cell) for cell in found["cells"]}, cells, path)
+            self.assertEqual(found.get("active", len(cells)), len(cells), path)
+            self.assertEqual(found.get("size", answer["grid"]["size"]), answer["grid"]["size"], path)
+            shift = answer.get("shift", [0, 0, 0])
+            self.assertEqual(found.get("shift", shift), shift, path)
+            self.assertEqual(found.get("type", answer["grid"]["planes"]), answer["grid"]["planes"], path)
+            yield found, self.place(answer["grid"]), shift
+
+    def place(self, grid):
+        return volumes.single_floats(grid) if grid["planes"] == "float32" else grid
+
+
+class Readers(Volumes):
+    def test_bricks(self):
+        """Numbers of the grid are kept as they are, and the shift apart."""
+        for options in ((), ("--deflate",)):
+            for found, grid, _ in self.check("numpy", ".npz", *options):
+                self.assertEqual((found["origin"], found["cell"]), (grid["origin"], grid["cell"]))
+            for name in GRIDS:
+                with zipfile.ZipFile(self.path(name + ".npz")) as file:
+                    self.assertIsNone(file.testzip())
+                    kind = zipfile.ZIP_DEFLATED if options else zipfile.ZIP_STORED
+                    self.assertEqual({member.compress_type for member in file.infolist()}, {kind})
+
+    def test_list_of_cells(self):
+        for _ in self.check("numpy", ".npy", "--out-format", "cells", has_place=False):
+            pass
+
+    def test_paraview(self):
+        for found, grid, shift in self.check("vtk", ".vti"):
+            self.check_place(found, grid, shift)
+
+    def test_slicer(self):
+        for found, grid, shift in self.check("teem", ".nrrd"):
+            self.check_place(found, grid, shift)
+
+    def test_openvdb(self):
+        self.skip_without_openvdb()
+        for found, grid, shift in self.check("openvdb", ".vdb", "--vdb-grid", "bool"):
+            self.check_place(found, grid, shift)
+
+    def skip_without_openvdb(self):
+        result = support.run("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", self.path("try.vdb"))
+        if "built without OpenVDB" in result.stderr:
+            self.skipTest("built without OpenVDB")
+        self.assertEqual((result.code, result.stderr), (0, ""))
+
+    def test_openvdb_masks(self):
+        """OpenVDB's Python module does not know them: its program says how many cells there are, and between which corners."""
+        self.skip_without_openvdb()
+        if not shutil.which("vdb_print"):
+            self.skipTest("no vdb_print")
+        for name in ("odd", "wide", "words", "empty"):
+            cells, _ = self.dense("dense.npy", *GRIDS[name])
+            self.succeed("voxelize", self.mesh, "-o", self.path("masks.vdb"), "--quiet", *GRIDS[name])
+            text = subprocess.run(["vdb_print", "-l", self.path("masks.vdb")], capture_output=True, text=True, check=True).stdout
+            self.assertIn("Type: Tree_mask_5_4_3", text)
+            self.assertIn("active voxels: ", text)
+            self.assertEqual(int(re.search(r"active voxels: +([\d,]+)", text)[1].replace(",", "")), len(cells), name)
+            if cells:
+                corners = ", ".join(str(min(cell[a] for cell in cells)) for a in range(3)), ", ".join(
+                    str(max(cell[a] for cell in cells)) for a in range(3))
+                self.assertIn("Bounding box of active voxels: [%s] -> [%s]" % corners, text)
+
+
+class Places(Volumes):
+    """Where files go: names, standard output, disks that are full."""
+
+    SPARSE = ("npz", "cells")
+    DENSE = ("vti", "nrrd")
+
+    def test_standard_output(self):
+        """The file itself, where it is written by going back in it too; for that a nameless one is made and leaves nothing."""
+        for word in self.SPARSE + self.DENSE:
+            self.succeed("voxelize", self.mesh, *GRIDS["odd"], "-q", "--out-format", word, "-o", self.path("file.npy"))
+            self.check_stdout(word, volumes.read(self.path("file.npy")))
+
+    def check_stdout(self, word, expected):
+        temporary = self.path("temporary")
+        os.makedirs(temporary, exist_ok=True)
+        done = subprocess.run([support.program(), "voxelize", self.mesh, *GRIDS["odd"], "--out-format", word, "-o", "-"],
+                              capture_output=True, timeout=60, env={**os.environ, "TMPDIR": temporary})
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertEqual(done.stdout, expected, word)
+        self.assertEqual(os.listdir(temporary), [])
+
+    def test_no_place_for_temporary_files(self):
+        self.fail_with(1, "^tribox voxelize: /nonexistent: cannot write there: No such file", "voxelize", self.mesh, *GRIDS["odd"],
+                       "--out-format", "npz", "-o", "-", env={"TMPDIR": "/nonexistent"})
+
+    def test_full_disk(self):
+        """Standard output that is full; a file that becomes too large for its limit."""
+        grid = ("--resolution", "150")
+        for word in self.SPARSE + self.DENSE:
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([support.program(), "voxelize", self.mesh, *grid, "--out-format", word, "-o", "-"],
+                                      stdout=full, stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(done.returncode, 1)
+            self.assert_one_line(done.stderr.decode(), "cannot write the output: No space left on device")
+            for limit in (100, 20000):
+                self.fail_with(1, "x.npy: cannot write all of it: File too large; nothing was kept", "voxelize", self.mesh, *grid,
+                               "--out-format", word, "-o", self.path("x.npy"), limit=(resource.RLIMIT_FSIZE, limit))
+                self.assertEqual(os.listdir(self.folder), ["mesh.ply"])
+
+    def test_folder_that_is_not_there(self):
+        for word in self.SPARSE + self.DENSE:
+            self.fail_with(1, "cannot write there: No such file", "voxelize", self.mesh, *GRIDS["odd"], "--out-format", word, "-o",
+                           self.path("nowhere/x"))
+
+    def test_names(self):
+        for name in ("Würfel ✓.npz", "a b.vti", "-.nrrd", "..npz"):
+            os.makedirs(self.path("né"), exist_ok=True)
+            self.succeed("voxelize", self.mesh, *GRIDS["small"], "-q", "-o", self.path("né/" + name))
+            self.assertIn(name, os.listdir(self.path("né")))
+
+    def test_same_bytes_again(self):
+        for word in self.SPARSE + self.DENSE:
+            files = []
+            for threads in ("1", "4"):
+                self.succeed("voxelize", self.mesh, *GRIDS["odd"], "-q", "--out-format", word, "-o", self.path("x"), "-t", threads)
+                files.append(volumes.read(self.path("x")))
+            self.assertEqual(files[0], files[1], word)
+
+    def test_a_link_to_the_file_stays(self):
+        os.makedirs(self.path("elsewhere"))
+        os.symlink("elsewhere/x.npz", self.path("link.npz"))
+        target = self.path("elsewhere/x.npz")
+        open(target, "wb").close()
+        self.succeed("voxelize", self.mesh, *GRIDS["small"], "-q", "-o", self.path("link.npz"))
+        self.assertTrue(os.path.islink(self.path("link.npz")) and zipfile.is_zipfile(target))
+
+
+class Options(Volumes):
+    def test_what_a_format_does_not_have(self):
+        self.fail_with(2, "--deflate is for .npz alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npy", "--deflate")
+        self.fail_with(2, "--vdb-grid is for .vdb alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npz", "--vdb-grid", "bool")
+        self.fail_with(2, "--vdb-grid: 'float' is neither mask nor bool", "voxelize", self.mesh, "-r", "8", "-o", "x.vdb",
+                       "--vdb-grid", "float")
+        self.fail_with(2, "--deflate is for .npz alone", "voxelize", self.mesh, "-r", "8", "-o", "x.part", "--shard", "1/2",
+                       "--deflate")
+
+
+if __name__ == "__main__":
+    support.main()
