@@ -45,6 +45,11 @@ int message_usage(const char *format, ...)
     return EXIT_CODE_USAGE;
 }
 
+void message_line(char *text, size_t size, const char *before, const char *what)
+{
+    ensure(snprintf(text, size, "%s%s", before, what) > 0, "the line '%s' cannot be formatted", what);
+}
+
 void lines_forget(void) { said = failed = 0; }
 
 void lines_fit(const char *call, int code)

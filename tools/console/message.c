@@ -44,6 +44,11 @@ int message_failure(const char *format, ...)
     return EXIT_CODE_FAILURE;
 }
 
+void message_line(char *text, size_t size, const char *before, const char *what)
+{
+    snprintf(text, size, "%s%s%s: %s%s\n", program_name, command_name ? " " : "", command_name ? command_name : "", before, what);
+}
+
 int message_usage(const char *format, ...)
 {
     va_list values;

@@ -2,6 +2,8 @@
 #ifndef MESSAGE_H
 #define MESSAGE_H
 
+#include <stddef.h>
+
 #if defined(__GNUC__)
 #define MESSAGE_FORMAT __attribute__((format(printf, 1, 2)))
 #else
@@ -26,6 +28,9 @@ MESSAGE_FORMAT void message_say(const char *format, ...);
 
 /* The line of a failure. Returns EXIT_CODE_FAILURE. */
 MESSAGE_FORMAT int message_failure(const char *format, ...);
+
+/* Writes such a line, with its line feed, into `text`, for a moment at which nothing can be formatted. */
+void message_line(char *text, size_t size, const char *before, const char *what);
 
 /* The line for a wrong command line, which ends with where to find help. Returns EXIT_CODE_USAGE. */
 MESSAGE_FORMAT int message_usage(const char *format, ...);

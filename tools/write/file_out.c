@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "console/interrupt.h"
 #include "console/message.h"
 
 bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
@@ -51,7 +52,11 @@ static void allow_usual(int file)
 
 static int make_beside(file_out *out)
 {
+    interrupt_hold();
     const int file = mkstemp(out->beside);
+    if (file >= 0)
+        interrupt_watch(out->beside);
+    interrupt_release();
     if (file < 0)
         return message_failure("%s: cannot write there: %s", out->path, strerror(errno));
     allow_usual(file);
@@ -65,6 +70,7 @@ static int make_beside(file_out *out)
 
 static void forget(file_out *out)
 {
+    interrupt_forget(out->beside);
     free(out->target);
     free(out->beside);
     *out = (file_out){.stream = NULL};

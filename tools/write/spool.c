@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "console/interrupt.h"
 #include "console/message.h"
 
 enum { CHUNK = 1 << 16 };
@@ -21,10 +22,13 @@ static int folder_of(const file_out *out, const char **folder)
 
 static FILE *open_nameless(const char *pattern, char *name)
 {
-    const int file = mkstemp(name);
+    interrupt_hold(); /* until it has no name */
+    const int file = mkstemp(name), reason = errno;
+    if (file >= 0)
+        unlink(name);
+    interrupt_release();
     if (file < 0)
-        return message_failure("%s: cannot write there: %s", pattern, strerror(errno)), NULL;
-    unlink(name);
+        return message_failure("%s: cannot write there: %s", pattern, strerror(reason)), NULL;
     FILE *const spool = fdopen(file, "w+b");
     if (!spool)
         close(file);

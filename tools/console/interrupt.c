@@ -1,0 +1,87 @@
+/* interrupt.c - removes unfinished files when a signal ends the program. */
+#define _POSIX_C_SOURCE 200809L
+#include "interrupt.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "message.h"
+
+enum { WATCHED_MOST = 16 };
+
+static const char *volatile watched[WATCHED_MOST];
+static char line[512];
+static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+
+/* Nothing but what a handler may call. The action is reset by then, so that the signal ends the program. */
+static void clean(int number)
+{
+    const int reason = errno;
+    for (int i = WATCHED_MOST; i-- > 0;)
+        if (watched[i] && unlink(watched[i]))
+            rmdir(watched[i]);
+    if (isatty(STDERR_FILENO) && write(STDERR_FILENO, "\n", 1) < 0)
+        errno = reason;
+    if (write(STDERR_FILENO, line, strlen(line)) < 0)
+        errno = reason;
+    raise(number);
+    errno = reason;
+}
+
+static void start(void)
+{
+    static bool is_started;
+    struct sigaction action, before;
+    if (is_started)
+        return;
+    is_started = true;
+    if (!line[0])
+        interrupt_advise("nothing was written; run it again");
+    memset(&action, 0, sizeof action);
+    action.sa_handler = clean;
+    action.sa_flags = (int)SA_RESETHAND;
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+        if (!sigaction(ends[i], NULL, &before) && before.sa_handler == SIG_DFL)
+            sigaction(ends[i], &action, NULL);
+}
+
+static void mask(int how)
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+        sigaddset(&signals, ends[i]);
+    sigprocmask(how, &signals, NULL);
+}
+
+void interrupt_hold(void)
+{
+    start();
+    mask(SIG_BLOCK);
+}
+
+void interrupt_release(void) { mask(SIG_UNBLOCK); }
+
+void interrupt_watch(const char *path)
+{
+    for (int i = 0; i < WATCHED_MOST; i++)
+        if (!watched[i]) {
+            watched[i] = path;
+            break;
+        }
+}
+
+void interrupt_forget(const char *path)
+{
+    for (int i = 0; i < WATCHED_MOST; i++)
+        if (watched[i] == path)
+            watched[i] = NULL;
+}
+
+void interrupt_advise(const char *advice) { message_line(line, sizeof line, "interrupted: ", advice); }
