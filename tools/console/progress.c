@@ -7,12 +7,42 @@
 
 #include "clock.h"
 
-enum { WIDTH = 30 };
+enum { WIDTH = 30, WIDTH_BESIDE_UNIT = 12, LINE = 79 };
 static const double first_after = 0.7, again_after = 0.1;
 
 progress progress_start(const char *what, bool is_wanted)
 {
     return (progress){.what = what, .is_wanted = is_wanted && isatty(STDERR_FILENO), .start = clock_seconds()};
+}
+
+progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted)
+{
+    progress bar = progress_start(what, is_wanted);
+    bar.unit = unit;
+    bar.total = total;
+    return bar;
+}
+
+/* 950, 9.5k, 95k, 9.5M */
+static void print_count(double count)
+{
+    static const char units[] = {0, 'k', 'M', 'G', 'T'};
+    size_t unit = 0;
+    for (; count >= 1000 && unit + 1 < sizeof units; unit++)
+        count /= 1000;
+    fprintf(stderr, unit && count < 10 ? "%.1f" : "%.0f", count);
+    if (unit)
+        putc(units[unit], stderr);
+}
+
+static void print_done(const progress *bar, double done, double taken)
+{
+    print_count(done * bar->total);
+    fputs(" of ", stderr);
+    print_count(bar->total);
+    fprintf(stderr, " %s, ", bar->unit);
+    print_count(done * bar->total / taken);
+    fputs("/s, ", stderr);
 }
 
 static void print_left(double seconds)
@@ -35,9 +65,12 @@ void progress_tell(void *data, double done)
         return;
     bar->last = now;
     fprintf(stderr, "\r%s [", bar->what);
-    for (int i = 0; i < WIDTH; i++)
-        putc(i < (int)(done * WIDTH) ? '#' : '.', stderr);
+    const int width = bar->unit ? WIDTH_BESIDE_UNIT : WIDTH;
+    for (int i = 0; i < width; i++)
+        putc(i < (int)(done * width) ? '#' : '.', stderr);
     fprintf(stderr, "] %3.0f %%  ", 100 * done);
+    if (bar->unit)
+        print_done(bar, done, taken);
     if (done > 0)
         print_left(taken / done - taken);
     fputs("      ", stderr);
@@ -46,6 +79,6 @@ void progress_tell(void *data, double done)
 void progress_end(progress *bar)
 {
     if (bar->last > 0)
-        fprintf(stderr, "\r%*s\r", 79, "");
+        fprintf(stderr, "\r%*s\r", LINE, "");
     bar->last = 0;
 }

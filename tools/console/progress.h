@@ -1,4 +1,4 @@
-/* progress.h - a bar on the terminal that shows the time left, for work that takes more than a moment. */
+/* progress.h - a bar on the terminal that shows what is done, the rate and the time left, for work that takes more than a moment. */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 
@@ -6,12 +6,17 @@
 
 typedef struct progress {
     const char *what; /* "voxelizing" */
+    const char *unit; /* "tiles", of which there are `total`; NULL where only the share is known */
+    double total;
     bool is_wanted;
     double start, last; /* seconds of the clock: of the start and of the last drawing, 0 for none */
 } progress;
 
 /* Starts a bar on standard error, which shows nothing unless that is a terminal and is_wanted. */
 progress progress_start(const char *what, bool is_wanted);
+
+/* The same, which also shows how many of what are done, and how many in a second. */
+progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted);
 
 /* Shows the share done, 0 to 1, of a `progress`. Cheap enough to be called a thousand times a second. */
 void progress_tell(void *bar, double done);
