@@ -11,6 +11,7 @@
 int cmd_overlap(int count, char **words);
 int cmd_sweep(int count, char **words);
 int cmd_voxelize(int count, char **words);
+int cmd_partition(int count, char **words);
 int cmd_merge(int count, char **words);
 int cmd_info(int count, char **words);
 int cmd_demo(int count, char **words);

@@ -7,28 +7,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "write/brick_out.h"
-#include "write/file_out.h"
+#include "console/interrupt.h"
 #include "console/message.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "write/part.h"
 #include "console/processors.h"
 #include "voxelize/result_options.h"
 #include "voxelize/voxelize_report.h"
+#include "write/brick_out.h"
+#include "write/bricks.h"
+#include "write/file_out.h"
+#include "write/part.h"
+#include "write/voxels_room.h"
 
 static const char help[] = "tribox merge - the parts of a voxelization become one file\n"
                            "\n"
                            "Usage: tribox merge PART... -o FILE [OPTION...]\n"
                            "\n"
                            "PART... are the files of all shards that 'tribox voxelize --shard I/N' wrote, in any order. The\n"
-                           "result is that of a voxelization in one piece, bit for bit. Parts are read as they are needed and\n"
-                           "not held in memory.\n"
+                           "result is that of a voxelization in one piece, bit for bit. Parts are read one after the other, in\n"
+                           "little memory where FILE is sparse.\n"
                            "\n" RESULT_HELP OPTIONS_HELP_HELP "\n"
                            "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"
                            "\n"
-                           "Example (.npy takes a byte per cell, .raw a bit):\n"
-                           "  tribox merge big.*.part -o big.raw --preview big.png\n";
+                           "Example:\n"
+                           "  tribox merge big.*.part -o big.npz\n";
 
 static const option_entry options[] = {RESULT_ENTRIES, {NULL, 0, false}};
 
@@ -56,7 +59,7 @@ static int check_request(request *r, const options_found *found)
     return result_check(&r->result, found, false);
 }
 
-static int report(const request *r, const voxels *v, size_t parts, uint64_t occupied)
+static int report(const request *r, const voxels *v, size_t parts, uint64_t bricks, uint64_t occupied)
 {
     if (!r->result.has_summary)
         return EXIT_CODE_OK;
@@ -66,6 +69,7 @@ static int report(const request *r, const voxels *v, size_t parts, uint64_t occu
         json_whole(&j, "parts", parts);
         voxelize_json_grid(&j, v, voxels_are_shifted(v));
         json_whole(&j, "occupied", occupied);
+        json_whole(&j, "bricks", bricks);
         json_string(&j, "output", r->result.out_path);
         if (r->result.preview_path)
             json_string(&j, "preview", r->result.preview_path);
@@ -73,34 +77,102 @@ static int report(const request *r, const voxels *v, size_t parts, uint64_t occu
     } else {
         printf("parts        %zu\n", parts);
         voxelize_print_grid(v, voxels_are_shifted(v));
-        printf("occupied     %" PRIu64 " cells\nwritten      %s\n", occupied, r->result.out_path);
+        printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\nwritten      %s\n", occupied, bricks, r->result.out_path);
         if (r->result.preview_path)
             printf("preview      %s\n", r->result.preview_path);
     }
     return output_flush();
 }
 
-static int write_files(const request *r, const voxels *v)
+/* Where the bricks of all parts go. */
+typedef struct merging {
+    const request *r;
+    voxels cells;
+    brick_out out;
+    uint64_t *words; /* for the picture; NULL for none */
+    progress bar;
+    uint64_t all, done; /* bricks */
+} merging;
+
+static int take_brick(void *data, const part_brick *brick)
 {
-    file_out out, picture;
+    enum { TELL_EACH = 4096 };
+    merging *const m = data;
+    if (m->words)
+        bricks_lay(&m->cells.grid, m->words, brick->at, brick->bits);
+    if (++m->done % TELL_EACH == 0)
+        progress_tell(&m->bar, (double)m->done / (double)m->all);
+    return brick_out_put(&m->out, brick->at, brick->bits);
+}
+
+static int read_parts(merging *m, const part *parts, size_t count)
+{
     int code = EXIT_CODE_OK;
-    if (r->result.format->check_grid)
-        code = r->result.format->check_grid(r->result.out_path, &v->grid);
-    if (!code)
-        volume_note_shift(r->result.format, r->result.out_path, v);
-    if (!code)
-        code = file_out_open(&out, r->result.out_path);
+    m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
+    for (size_t i = 0; i < count && !code; i++)
+        code = part_read(&parts[i], take_brick, m);
+    progress_end(&m->bar);
+    return code;
+}
+
+static int write_bricks(merging *m, const part *parts, size_t count, file_out *out)
+{
+    const result_request *const result = &m->r->result;
+    int code = brick_out_open(&m->out, result->format, &result->options, out, &m->cells);
     if (code)
         return code;
-    code = file_out_open(&picture, r->result.preview_path);
+    code = read_parts(m, parts, count);
     if (!code) {
-        progress bar = progress_start("writing", !r->result.is_quiet);
-        code = brick_out_voxels(r->result.format, &r->result.options, &out, v, &bar);
+        progress bar = progress_start("writing", !result->is_quiet);
+        code = brick_out_end(&m->out, &bar);
         progress_end(&bar);
-        if (!code)
-            code = file_out_keep(&out);
-        if (!code)
-            code = preview_draw(&picture, v, &r->result.look, processors_here(), !r->result.is_quiet);
+    }
+    brick_out_drop(&m->out);
+    return code ? code : file_out_keep(out);
+}
+
+static const char fewer[] = "choose a sparse format, -o FILE.npz or .vdb, without a picture";
+
+/* A dense format and the picture take all cells at once. */
+static int take_words(merging *m)
+{
+    const tribox_grid_f64 *const grid = &m->cells.grid;
+    const result_request *const result = &m->r->result;
+    int code = EXIT_CODE_OK;
+    if (!result->format->bricks || result->preview_path)
+        code = voxels_check_words(grid, fewer);
+    if (code || !result->preview_path)
+        return code;
+    const size_t words = voxels_layer_words(grid) * grid->size[2];
+    code = voxels_check_memory(grid, (uint64_t)words * sizeof *m->words + preview_memory(grid, &result->look), fewer);
+    if (code)
+        return code;
+    m->words = calloc(words, sizeof *m->words);
+    return m->words ? EXIT_CODE_OK : message_failure("out of memory for the picture");
+}
+
+static int draw(const merging *m, file_out *picture)
+{
+    const voxels_slab slab = {.layers = m->cells.grid.size[2], .bits = m->words};
+    voxels v = m->cells;
+    v.slab = &slab;
+    v.slabs = 1;
+    return preview_draw(picture, &v, &m->r->result.look, processors_here(), !m->r->result.is_quiet);
+}
+
+static int write_files(merging *m, const part *parts, size_t count)
+{
+    const result_request *const result = &m->r->result;
+    file_out out, picture;
+    volume_note_shift(result->format, result->out_path, &m->cells);
+    int code = file_out_open(&out, result->out_path);
+    if (code)
+        return code;
+    code = file_out_open(&picture, result->preview_path);
+    if (!code) {
+        code = write_bricks(m, parts, count, &out);
+        if (!code && m->words)
+            code = draw(m, &picture);
         file_out_drop(&picture);
     }
     file_out_drop(&out);
@@ -112,23 +184,22 @@ static int merge(const request *r, part *parts, size_t count)
     int code = part_join(parts, count);
     if (code)
         return code;
-    voxels_slab *slabs = malloc(count * sizeof *slabs);
-    if (!slabs)
-        return message_failure("out of memory for %zu parts", count);
-    size_t filled = 0;
+    merging m = {.r = r, .cells = part_voxels(&parts[0].header.whole)};
+    uint64_t occupied = 0;
     for (size_t i = 0; i < count; i++) {
-        voxels_slab *slab = &slabs[filled];
-        part_layers(&parts[i].header.whole, parts[i].header.shard, &slab->first, &slab->layers);
-        slab->bits = part_bits(&parts[i]);
-        filled += slab->layers > 0;
+        m.all += parts[i].end.bricks;
+        occupied += parts[i].end.cells;
     }
-    voxels v = part_voxels(&parts[0].header.whole);
-    v.slab = slabs;
-    v.slabs = filled;
-    const uint64_t occupied = voxels_occupied(&v);
-    code = write_files(r, &v);
-    free(slabs);
-    return code ? code : report(r, &v, count, occupied);
+    if (r->result.format->check_grid)
+        code = r->result.format->check_grid(r->result.out_path, &m.cells.grid);
+    if (!code)
+        code = take_words(&m);
+    if (!code) {
+        interrupt_advise("nothing was written, the parts stay good; run it again");
+        code = write_files(&m, parts, count);
+    }
+    free(m.words);
+    return code ? code : report(r, &m.cells, count, m.all, occupied);
 }
 
 static int merge_files(const request *r)
@@ -137,16 +208,10 @@ static int merge_files(const request *r)
     part *parts = malloc(r->count * sizeof *parts);
     if (!parts)
         return message_failure("out of memory for %zu parts", r->count);
-    size_t opened = 0;
-    for (; opened < r->count; opened++) {
-        code = part_open(&parts[opened], r->parts[opened]);
-        if (code)
-            break;
-    }
+    for (size_t i = 0; i < r->count && !code; i++)
+        code = part_open(&parts[i], r->parts[i]);
     if (!code)
         code = merge(r, parts, r->count);
-    while (opened)
-        part_close(&parts[--opened]);
     free(parts);
     return code;
 }

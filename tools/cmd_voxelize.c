@@ -9,44 +9,38 @@
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
+#include "console/processors.h"
+#include "partition/partition.h"
+#include "voxelize/voxelize_work.h"
 #include "write/file_out.h"
 #include "write/part.h"
-#include "console/processors.h"
-#include "voxelize/voxelize_work.h"
 
-static const char help[] = "tribox voxelize - which cells of a grid does a mesh overlap?\n"
-                           "\n"
-                           "Usage: tribox voxelize MESH --resolution N -o FILE [OPTION...]\n"
-                           "       tribox voxelize MESH --cell S[,S,S] -o FILE [OPTION...]\n"
-                           "\n"
-                           "Marks the cells of the surface, not those that it encloses. Cells are closed: a face on a plane of\n"
-                           "the grid is in the cells of both sides. MESH is as for 'tribox overlap'.\n"
-                           "\n"
-                           "      --format WORD       stl, f32 or f64, whatever the name of MESH; standard input needs it\n"
-                           "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: near its corner\n"
-                           "  -r, --resolution N      N cubic cells along the longest side of the mesh\n"
-                           "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n"
-                           "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n"
-                           "      --size NX,NY,NZ     number of cells; default: as many as hold the mesh\n" RESULT_HELP
-                           "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
-                           "      --shard I/N         only part I, 1 to N, of N: whole layers, with memory for these alone.\n"
-                           "                          'tribox merge' joins the N files\n" OPTIONS_TEST_HELP OPTIONS_HELP_HELP "\n"
-                           "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
-                           "\n"
-                           "Examples ('man tribox' has the details):\n"
-                           "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n"
-                           "  tribox voxelize part.stl --cell 0.5 --origin -100,-100,0 --size 400,400,200 -o part.raw\n"
-                           "  parallel tribox voxelize big.ply --resolution 4096 --shard {}/8 -o big.{}.part ::: $(seq 8)\n"
-                           "  tribox merge big.*.part -o big.raw\n"
-                           "  generate | tribox voxelize - --format f32 -r 64 -o - --out-format npy | consume\n";
+static const char help[] =
+    "tribox voxelize - which cells of a grid does a mesh overlap?\n"
+    "\n"
+    "Usage: tribox voxelize MESH --resolution N|--cell S[,S,S] -o FILE|--count [OPTION...]\n"
+    "       tribox voxelize FOLDER -o FILE|--count [OPTION...]\n"
+    "\n"
+    "Marks the cells of the surface, those inside with --fill. Cells are closed: a face on a plane of the\n"
+    "grid is in the cells of both sides. MESH is as for 'tribox overlap'; FOLDER is what 'tribox\n"
+    "partition' wrote, which has its grid. Grids of sparse files may be larger than memory.\n"
+    "\n" GRID_HELP RESULT_HELP "      --count             write no file, only count cells and bricks\n"
+    "      --fill WORD         outside: also what is not reached from outside through free cells;\n"
+    "                          parity: also what rays along x enter. Needs memory for the whole grid\n"
+    "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
+    "      --shard I/N         only part I, 1 to N, of N, of equal work, as a .part for 'tribox merge'\n" OPTIONS_TEST_HELP
+        OPTIONS_HELP_HELP "\n"
+    "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
+    "\n"
+    "Examples ('man tribox' has the details):\n"
+    "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n"
+    "  tribox voxelize big.ply --resolution 16384 -o big.npz\n"
+    "  generate | tribox voxelize - --format f32 -r 64 -o - --out-format npy | consume\n";
 
 enum {
-    OPTION_FORMAT = RESULT_END,
-    OPTION_SHIFT,
-    OPTION_RESOLUTION,
-    OPTION_CELL,
-    OPTION_ORIGIN,
-    OPTION_SIZE,
+    OPTION_GRID = RESULT_END,
+    OPTION_COUNT = OPTION_GRID + GRID_END,
+    OPTION_FILL,
     OPTION_THREADS,
     OPTION_SHARD,
     OPTION_ACCURACY,
@@ -55,35 +49,15 @@ enum {
 };
 
 static const option_entry options[] = {RESULT_ENTRIES,
-                                       [OPTION_FORMAT] = {"format", 0, true},
-                                       [OPTION_SHIFT] = {"shift", 0, true},
-                                       [OPTION_RESOLUTION] = {"resolution", 'r', true},
-                                       [OPTION_CELL] = {"cell", 'c', true},
-                                       [OPTION_ORIGIN] = {"origin", 0, true},
-                                       [OPTION_SIZE] = {"size", 0, true},
+                                       GRID_ENTRIES(OPTION_GRID),
+                                       [OPTION_COUNT] = {"count", 0, false},
+                                       [OPTION_FILL] = {"fill", 0, true},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
                                        [OPTION_ACCURACY] = {"accuracy", 0, true},
                                        [OPTION_AXES] = {"axes", 0, true},
                                        [OPTION_KERNEL] = {"kernel", 0, true},
                                        {NULL, 0, false}};
-
-enum { CELLS_MAX = INT32_MAX };
-
-static int read_cell(const char *text, double cell[3], unsigned *decimals)
-{
-    const bool is_one = !strpbrk(text, NUMBERS_BLANKS ",");
-    if (!numbers_read(text, "--cell", is_one ? "S" : "SX,SY,SZ", is_one ? 1 : 3, cell, decimals))
-        return EXIT_CODE_USAGE;
-    if (is_one) {
-        cell[1] = cell[2] = cell[0];
-        *decimals *= 7;
-    }
-    for (int a = 0; a < 3; a++)
-        if (!(cell[a] > 0))
-            return message_usage("--cell: %.9g is not greater than 0", cell[a]);
-    return EXIT_CODE_OK;
-}
 
 static int read_shard(const char *text, uint32_t *shard, uint32_t *shards)
 {
@@ -94,8 +68,14 @@ static int read_shard(const char *text, uint32_t *shard, uint32_t *shards)
         return message_usage("--shard: '%s' is not I/N, such as 3/8", text);
     memcpy(number, text, length);
     number[length] = '\0';
-    const int code = numbers_read_whole(slash + 1, "--shard I/N, its N", CELLS_MAX, shards);
+    const int code = numbers_read_whole(slash + 1, "--shard I/N, its N", GRID_CELLS_MAX, shards);
     return code ? code : numbers_read_whole(number, "--shard I/N, its I", *shards, shard);
+}
+
+static int read_fill(const char *word, voxelize_fill *fill)
+{
+    *fill = !strcmp(word, "outside") ? FILL_OUTSIDE : !strcmp(word, "parity") ? FILL_PARITY : FILL_NONE;
+    return *fill != FILL_NONE ? EXIT_CODE_OK : message_usage("--fill: '%s' is neither outside nor parity", word);
 }
 
 static int take(void *request, int which, const char *value)
@@ -103,53 +83,78 @@ static int take(void *request, int which, const char *value)
     voxelize_request *const r = request;
     switch (which) {
     case OPTION_OPERAND:
-        return options_take_mesh(value, &r->mesh_path);
-    case OPTION_FORMAT:
-        return triangle_format_read(value, &r->format);
-    case OPTION_SHIFT:
-        return mesh_shift_read(value, &r->shift);
-    case OPTION_RESOLUTION:
-        return numbers_read_whole(value, "--resolution", CELLS_MAX, &r->grid.resolution);
-    case OPTION_CELL:
-        return read_cell(value, r->grid.cell, &r->grid.cell_decimals);
-    case OPTION_ORIGIN:
-        r->grid.has_origin = true;
-        return numbers_read(value, "--origin", "X,Y,Z", 3, r->grid.origin, &r->grid.origin_decimals) ? EXIT_CODE_OK
-                                                                                                     : EXIT_CODE_USAGE;
-    case OPTION_SIZE:
-        r->grid.has_size = true;
-        return numbers_read_sizes(value, "--size", CELLS_MAX, r->grid.size);
+        return options_take_mesh(value, &r->from.mesh_path);
+    case OPTION_COUNT:
+        r->is_count = true;
+        return EXIT_CODE_OK;
+    case OPTION_FILL:
+        return read_fill(value, &r->fill);
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     case OPTION_SHARD:
-        r->is_part = true;
+        r->has_shard = true;
         return read_shard(value, &r->shard, &r->shards);
     default:
-        return which < RESULT_END ? result_take(&r->result, which, value) : options_read_test(options[which].name, value, &r->test);
+        return which < RESULT_END     ? result_take(&r->result, which, value)
+               : which < OPTION_COUNT ? grid_take(&r->from, which - OPTION_GRID, value)
+                                      : options_read_test(options[which].name, value, &r->test);
     }
+}
+
+/* A partition has its grid and its mesh, and lists of all axes. */
+static int check_partition(const voxelize_request *r, const options_found *found)
+{
+    for (int which = OPTION_GRID; which < OPTION_GRID + GRID_END; which++)
+        if (options_has(found, which))
+            return message_usage("%s is a folder, so a partition, which has its grid: leave out --%s", r->from.mesh_path,
+                                 options[which].name);
+    if (r->test.axes && r->test.axes != TRIBOX_AXES_ALL)
+        return message_usage("%s is a partition, which is for all axes: leave out --axes", r->from.mesh_path);
+    if (r->fill != FILL_NONE)
+        return message_usage("%s is a partition: --fill needs the mesh itself", r->from.mesh_path);
+    return EXIT_CODE_OK;
+}
+
+static int check_input(const voxelize_request *r, const options_found *found)
+{
+    return r->from.mesh_path && partition_is_folder(r->from.mesh_path) ? check_partition(r, found)
+                                                                       : grid_check(&r->from, found, OPTION_GRID);
+}
+
+/* To count nothing is written. */
+static int check_count(voxelize_request *r, const options_found *found)
+{
+    for (int which = 0; which < RESULT_END; which++)
+        if (options_has(found, which) && which != RESULT_JSON)
+            return message_usage("--count only prints: leave out --%s", options[which].name);
+    r->result.has_summary = true;
+    return EXIT_CODE_OK;
+}
+
+static int check_output(voxelize_request *r, const options_found *found)
+{
+    const char *const out = r->result.out_path;
+    if (!out)
+        return message_usage("no output given; give -o FILE, or --count");
+    if (!file_out_is_stdout(out) && r->has_shard != part_is_name(out))
+        return message_usage(r->has_shard ? "-o: '%s' does not end in .part, as the file of a shard must"
+                                          : "-o: '%s' is the name of a part, which needs --shard",
+                             out);
+    if (r->has_shard && r->result.preview_path)
+        return message_usage("--preview needs all cells: give it to 'tribox merge'");
+    r->is_part = r->has_shard;
+    return result_check(&r->result, found, r->is_part);
 }
 
 /* What every command line needs, and what excludes each other. */
 static int check_request(voxelize_request *r, const options_found *found)
 {
-    const bool has_resolution = options_has(found, OPTION_RESOLUTION), has_cell = options_has(found, OPTION_CELL);
-    const char *out = r->result.out_path;
-    if (!r->mesh_path)
-        return message_usage("no mesh file given");
-    if (triangle_format_check(r->mesh_path, r->format))
-        return EXIT_CODE_USAGE;
-    if (has_resolution == has_cell)
-        return message_usage(has_cell ? "--resolution and --cell exclude each other"
-                                      : "no grid given; give --resolution or --cell");
-    if (!out)
-        return message_usage("no output given; give -o FILE");
-    if (!file_out_is_stdout(out) && r->is_part != part_is_name(out))
-        return message_usage(r->is_part ? "-o: '%s' does not end in .part, as the file of a shard must"
-                                        : "-o: '%s' is the name of a part, which needs --shard",
-                             out);
-    if (r->is_part && r->result.preview_path)
-        return message_usage("--preview needs all layers: give it to 'tribox merge'");
-    return result_check(&r->result, found, r->is_part);
+    const int code = check_input(r, found);
+    if (code)
+        return code;
+    if (r->fill != FILL_NONE && r->has_shard)
+        return message_usage("--fill needs all cells at once: leave out --shard");
+    return r->is_count ? check_count(r, found) : check_output(r, found);
 }
 
 int cmd_voxelize(int count, char **words)

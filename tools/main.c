@@ -12,8 +12,9 @@
 static const struct {
     const char *name;
     int (*run)(int count, char **words);
-} commands[] = {{"overlap", cmd_overlap}, {"voxelize", cmd_voxelize}, {"merge", cmd_merge},
-                {"sweep", cmd_sweep},     {"info", cmd_info},         {"demo", cmd_demo}};
+} commands[] = {{"overlap", cmd_overlap}, {"voxelize", cmd_voxelize}, {"partition", cmd_partition},
+                {"merge", cmd_merge},     {"sweep", cmd_sweep},       {"info", cmd_info},
+                {"demo", cmd_demo}};
 
 static const char help[] = "tribox - which triangles of a mesh overlap an axis-aligned box, and which cells of a grid?\n"
                            "\n"
@@ -24,6 +25,7 @@ static const char help[] = "tribox - which triangles of a mesh overlap an axis-a
                            "Commands:\n"
                            "  overlap    test the triangles of a mesh file against one box or many\n"
                            "  voxelize   the cells of a grid that a mesh overlaps, as a file and a picture\n"
+                           "  partition  sort the triangles of a mesh into tiles, for shards that read their own\n"
                            "  merge      join the parts of a voxelization that was done in shards\n"
                            "  sweep      which order of the axes is the fastest for a mesh, and why\n"
                            "  info       version, processor, and the kernels that it can run\n"

@@ -31,9 +31,10 @@ static int split(const char *text, size_t size, char *words[WORDS_MAX + 1])
 /* The command that the word begins; "overlap" for any other. */
 static int run(const char *name, int count, char **words)
 {
-    return !strcmp(name, "voxelize") ? cmd_voxelize(count, words)
-           : !strcmp(name, "merge")  ? cmd_merge(count, words)
-                                     : cmd_overlap(count, words);
+    return !strcmp(name, "voxelize")    ? cmd_voxelize(count, words)
+           : !strcmp(name, "partition") ? cmd_partition(count, words)
+           : !strcmp(name, "merge")     ? cmd_merge(count, words)
+                                        : cmd_overlap(count, words);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

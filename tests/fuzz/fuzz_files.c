@@ -1,5 +1,5 @@
 /*
- * fuzz_files.c - the readers of files of the program: meshes, boxes, parts, and triangles one after another.
+ * fuzz_files.c - the readers of files of the program: meshes, boxes, parts, partitions, and triangles one after another.
  * The first byte chooses the reader, the others are the file.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -8,15 +8,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "console/message.h"
 #include "ensure.h"
 #include "lines.h"
+#include "partition/partition.h"
 #include "read/boxes.h"
 #include "read/readers.h"
 #include "read/triangle_file.h"
 #include "target.h"
+#include "write/checksum.h"
 #include "write/part.h"
 
 typedef struct bytes {
@@ -115,8 +118,8 @@ static void read_boxes(bytes b)
 }
 
 /* Files in a folder of their own, rewritten for each input. */
-enum { FILES = 2 };
-static const char *const endings[FILES] = {".stl", ".part"};
+enum { PARTS = 2, INDEX = PARTS, TRIANGLES, FILES };
+static const char *const names[FILES] = {"a.stl", "a.part", "index", "triangles"};
 static char folder[64], file_name[FILES][80];
 
 static void remove_files(void)
@@ -132,7 +135,7 @@ static void name_files(void)
     snprintf(folder, sizeof folder, "%.40s/fuzz_XXXXXX", parent ? parent : "/tmp");
     ensure(mkdtemp(folder), "cannot make the folder %s", folder);
     for (int i = 0; i < FILES; i++)
-        snprintf(file_name[i], sizeof file_name[i], "%s/a%s", folder, endings[i]);
+        snprintf(file_name[i], sizeof file_name[i], "%s/%s", folder, names[i]);
     atexit(remove_files);
 }
 
@@ -145,36 +148,54 @@ static const char *write_file(int i, bytes b)
     return file_name[i];
 }
 
-/* Every word that a part promises can be read. */
-static void check_part(const part *p)
+/* What has been read of a part. */
+typedef struct part_bricks {
+    const part *p;
+    uint64_t bricks, cells;
+} part_bricks;
+
+/* Every brick has a place in the grid, and no cell of it is beyond. */
+static int take_brick(void *data, const part_brick *brick)
 {
-    uint32_t first, layers;
-    part_layers(&p->header.whole, p->header.shard, &first, &layers);
-    const voxels v = part_voxels(&p->header.whole);
-    const size_t words = layers * voxels_layer_words(&v.grid);
-    ensure(p->size == sizeof p->header + words * sizeof(uint64_t), "a part of %zu bytes is taken for one of %zu words", p->size,
-           words);
-    ensure(voxels_count(part_bits(p), words) <= 64 * words, "more cells are set than there are");
-    ensure(first + layers <= v.grid.size[2], "a part has layers that its grid has not");
+    part_bricks *const read = data;
+    const uint32_t *const size = read->p->header.whole.size;
+    for (int a = 0; a < 3; a++)
+        ensure(brick->at[a] <= (size[a] - 1) / 8, "a brick is outside the grid");
+    for (uint32_t k = 0; k < 8; k++)
+        for (uint32_t b = 0; b < 64; b++) {
+            const uint32_t cell[3] = {8 * brick->at[0] + b % 8, 8 * brick->at[1] + b / 8, 8 * brick->at[2] + k};
+            const bool is_inside = cell[0] < size[0] && cell[1] < size[1] && cell[2] < size[2];
+            ensure(is_inside || !(brick->bits[k] >> b & 1), "a cell is outside the grid");
+        }
+    read->bricks++;
+    read->cells += brick->cells;
+    return EXIT_CODE_OK;
 }
 
-/* With the checksum that its bytes ask for, or nothing after the checksum would ever be read. */
+static void read_part(const part *p)
+{
+    part_bricks read = {.p = p};
+    lines_forget();
+    const int code = part_read(p, take_brick, &read);
+    lines_fit("part_read", code);
+    ensure(code || (read.bricks == p->end.bricks && read.cells == p->end.cells), "a part is not what it says");
+}
+
+/* With the end that its bytes ask for, or nothing after it would ever be read. */
 static const char *write_part(int i, bytes b)
 {
-    part_header header;
-    if (b.size < sizeof header)
+    part_end end;
+    if (b.size < sizeof(part_header) + sizeof end)
         return write_file(i, b);
-    const size_t words = (b.size - sizeof header) / sizeof(uint64_t);
-    uint8_t *const copy = malloc(b.size);
-    uint64_t *const body = malloc((words + 1) * sizeof *body);
-    ensure(copy && body, "no memory");
+    uint8_t *const copy = malloc(b.size), *const last = copy + b.size - sizeof end;
+    ensure(copy, "no memory");
     memcpy(copy, b.first, b.size);
-    memcpy(&header, copy, sizeof header);
-    memcpy(body, copy + sizeof header, words * sizeof *body);
-    header.checksum = part_checksum(&header, body, words);
-    memcpy(copy, &header, sizeof header);
+    memcpy(&end, last, sizeof end);
+    end.bricks = (b.size - sizeof(part_header) - sizeof end) / sizeof(part_brick);
+    memcpy(last, &end, sizeof end);
+    end.checksum = checksum_bytes(CHECKSUM_EMPTY, copy, b.size - sizeof end.checksum);
+    memcpy(last, &end, sizeof end);
     const char *const name = write_file(i, (bytes){copy, b.size});
-    free(body);
     free(copy);
     return name;
 }
@@ -183,21 +204,62 @@ static const char *write_part(int i, bytes b)
 static void read_parts(bytes b)
 {
     const size_t cut = !b.size ? 0 : b.first[0] == 255 ? b.size : b.first[0] * 8u < b.size ? 1 + b.first[0] * 8u : b.size;
-    const bytes halves[FILES] = {{b.first + (b.size > 0), cut - (b.size > 0)}, {b.first + cut, b.size - cut}};
-    part parts[FILES];
+    const bytes halves[PARTS] = {{b.first + (b.size > 0), cut - (b.size > 0)}, {b.first + cut, b.size - cut}};
+    part parts[PARTS];
     int opened = 0;
-    for (int code = 0; !code && opened < FILES && (!opened || halves[opened].size); opened += !code) {
+    for (int code = 0; !code && opened < PARTS && (!opened || halves[opened].size); opened += !code) {
         lines_forget();
         code = part_open(&parts[opened], write_part(opened, halves[opened]));
         lines_fit("part_open", code);
         if (!code)
-            check_part(&parts[opened]);
+            read_part(&parts[opened]);
     }
     lines_forget();
     if (opened)
         lines_fit("part_join", part_join(parts, (size_t)opened));
-    while (opened)
-        part_close(&parts[--opened]);
+}
+
+/* The triangles of all tiles can be read, whatever they are. */
+static void read_tiles(const partition *p)
+{
+    size_t sound = 0, count = 0;
+    for (size_t r = 0; r < p->header.records; r++) {
+        sound += partition_is_sound(p, r);
+        count += partition_count(p, r);
+    }
+    ensure(sound <= p->header.records && count == p->header.places, "a partition has %zu triangles", count);
+}
+
+/* With the checksum that its bytes ask for. */
+static void write_index(bytes b)
+{
+    partition_header header;
+    uint8_t *const copy = malloc(b.size + 1);
+    ensure(copy, "no memory");
+    memcpy(copy, b.first, b.size);
+    if (b.size >= sizeof header) {
+        memcpy(&header, copy, sizeof header);
+        header.checksum = checksum_bytes(CHECKSUM_EMPTY, &header, offsetof(partition_header, checksum));
+        header.checksum = checksum_bytes(header.checksum, copy + sizeof header, b.size - sizeof header);
+        memcpy(copy, &header, sizeof header);
+    }
+    write_file(INDEX, (bytes){copy, b.size});
+    free(copy);
+}
+
+/* The first byte is the size of the index, in units of 8 bytes; the triangles follow. */
+static void read_partition(bytes b)
+{
+    const size_t cut = b.size && 1 + b.first[0] * 8u < b.size ? 1 + b.first[0] * 8u : b.size;
+    partition p;
+    write_index((bytes){b.first + (b.size > 0), cut - (b.size > 0)});
+    write_file(TRIANGLES, (bytes){b.first + cut, b.size - cut});
+    const int code = partition_open(&p, folder);
+    lines_fit("partition_open", code);
+    if (code)
+        return;
+    read_tiles(&p);
+    partition_close(&p);
 }
 
 /* How triangles lie in a file of each format. */
@@ -274,7 +336,7 @@ static void read_triangles(bytes b)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static void (*const readers[])(bytes) = {read_any_ply, read_any_off,   read_any_stl, read_boxes,
-                                             read_parts,   read_triangles, read_any_obj};
+                                             read_parts,   read_triangles, read_any_obj, read_partition};
     if (!size)
         return 0;
     lines_forget();

@@ -273,13 +273,27 @@ def ply(form, line_end=b"\n", vertices=3, faces=1):
     return header + struct.pack(order + "9fB3i", 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2)
 
 
-def part(shard=1, shards=1, size=(70, 2, 3), words=None, magic=b"tribox part 3\n", numbers=(4, 4)):
-    row_words = (size[0] + 63) // 64
-    first, end = size[2] * (shard - 1) // shards, size[2] * shard // shards
-    count = row_words * size[1] * (end - first) if words is None else words
+FIRST_BRICK, LAST_BRICK = ((0, 0, 0), [1] + [0] * 7), ((8, 0, 0), [0x3f] + [0] * 7)
+
+
+def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), magic=b"tribox part 4\n", numbers=(4, 4), tile=8, tiles=None):
+    """Of a row of tiles of one brick each, of which every shard has as many."""
+    count = (size[0] + 7) // 8
+    first, end = tiles or (count * (shard - 1) // shards, count * shard // shards)
+    cells = [(at, sum(bin(word).count("1") for word in bits), bits) for at, bits in bricks if first <= at[0] < end or tiles]
     return (magic.ljust(16, b"\0") +
-            struct.pack("<2I9d8I3Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, 12, 34, 0) +
-            bytes(8 * count))
+            struct.pack("<2I9d10I4Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, tile, 80, 12, 34,
+                        first, end) +
+            b"".join(struct.pack("<4I8Q", *at, n, *bits) for at, n, bits in cells) +
+            struct.pack("<3Q", len(cells), sum(n for at, n, bits in cells), 0))
+
+
+def partition(records=((0, 0, 5, 0), (1, 1, 7, 0)), places=3, tile=64, numbers=(4, 4), size=(100, 50, 50), record_bytes=32,
+              magic=b"tribox tiles 1\n"):
+    index = (magic.ljust(16, b"\0") +
+             struct.pack("<2I9d6I6Q", 0x01020304, tile, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, *numbers, record_bytes, 2, 34, 0, len(records),
+                         places, 0) + b"".join(struct.pack("<4Q", *record) for record in records))
+    return bytes([len(index) // 8]) + index + struct.pack("<9%s" % "fd"[numbers[1] == 8], *range(9)) * places
 
 
 def ply_files():
@@ -336,13 +350,30 @@ def boxes_files():
 def part_files():
     """The first byte is the offset of the second part in units of 8 bytes; 255 means that there is only one."""
     whole, half = part(), part(1, 2)
-    single = {"whole": whole, "one_of_two": half, "more_shards_than_layers": part(2, 9), "cut": whole[:-1], "long": whole + b"\0",
-              "header_cut": whole[:140], "shard_0": part(0, 1), "shards_0": whole[:108] + bytes(4) + whole[112:],
-              "huge": part(size=(2**31, 64, 1), words=0), "magic": part(magic=b"tribox part 2\n"),
-              "doubles": part(numbers=(8, 8)), "three_bytes": part(numbers=(3, 4))}
-    second = {"two": part(2, 2), "twice": half, "misfit": part(2, 2, size=(71, 2, 3))}
+    single = {"whole": whole, "one_of_two": half, "more_shards_than_tiles": part(2, 20), "cut": whole[:-1], "long": whole + b"\0",
+              "header_cut": whole[:160], "no_end": whole[:180], "shard_0": part(0, 1, tiles=(0, 9)),
+              "huge": part(size=(2**31, 64, 1), bricks=()), "magic": part(magic=b"tribox part 3\n"),
+              "doubles": part(numbers=(8, 8)), "three_bytes": part(numbers=(3, 4)), "tile_of_12": part(tile=12), "no_tile": part(tile=0),
+              "out_of_order": part(bricks=(LAST_BRICK, FIRST_BRICK)), "twice": part(bricks=(FIRST_BRICK, FIRST_BRICK)),
+              "one_tile": part(tile=128, tiles=(0, 1)), "other_tiles": part(tiles=(5, 9)), "too_many_tiles": part(tiles=(0, 10)),
+              "backwards": part(tiles=(5, 3)), "stray_x": part(bricks=(((8, 0, 0), [0x40] + [0] * 7),)),
+              "stray_y": part(bricks=(((0, 0, 0), [1 << 16] + [0] * 7),)), "stray_z": part(bricks=(((0, 0, 0), [0] * 7 + [1]),)),
+              "outside": part(bricks=(((0, 1, 0), [1] * 8),))}
+    second = {"two": part(2, 2), "same": half, "misfit": part(2, 2, size=(71, 2, 3)), "gap": part(2, 2, tiles=(7, 9))}
     return {**{name: b"\xff" + content for name, content in single.items()},
             **{name: bytes([len(half) // 8]) + half + content for name, content in second.items()}}
+
+
+def partition_files():
+    whole = partition()
+    return {"whole": whole, "empty": partition(records=(), places=0), "doubles": partition(numbers=(8, 8)),
+            "floats_in_doubles": partition(numbers=(8, 4)), "doubles_in_floats": partition(numbers=(4, 8)), "cut": whole[:-1],
+            "no_triangles": whole[:233], "header_cut": b"\x12" + whole[1:], "tile_of_12": partition(tile=12),
+            "backwards": partition(records=((1, 0, 5, 0), (0, 1, 7, 0))), "same_tile": partition(records=((1, 0, 5, 0), (1, 1, 7, 0))),
+            "beyond_tiles": partition(records=((0, 0, 5, 0), (2, 1, 7, 0))), "no_place": partition(records=((0, 0, 5, 0), (1, 0, 7, 0))),
+            "far_place": partition(records=((0, 0, 5, 0), (1, 2**63, 7, 0))), "gap": partition(records=((0, 1, 5, 0), (1, 2, 7, 0))),
+            "much_work": partition(records=((0, 0, 2**63, 0), (1, 1, 2**63, 0))), "record_of_40": partition(record_bytes=40),
+            "magic": partition(magic=b"tribox tiles 2\n"), "other": partition(magic=b"something else")}
 
 
 def triangles_files():
@@ -375,7 +406,7 @@ def obj_files():
 
 # In the order of the readers of fuzz_files.c.
 READERS = {"ply": ply_files, "off": off_files, "stl": stl_files, "boxes": boxes_files, "part": part_files,
-           "triangles": triangles_files, "obj": obj_files}
+           "triangles": triangles_files, "obj": obj_files, "partition": partition_files}
 
 
 def files():
@@ -405,6 +436,15 @@ def command():
         "voxelize_long_shard": "voxelize a.ply --resolution 9 --shard 0000000000000001/2 -o a.part",
         "voxelize_too_large": "voxelize a.ply --resolution 99999999999999999999 -o a.binvox",
         "voxelize_negative": "voxelize a.ply --cell -1 -o a.npy",
+        "voxelize_count": "voxelize a.ply --cell 2 --count --json --threads 3",
+        "voxelize_count_out": "voxelize a.ply --cell 2 --count -o a.npz",
+        "voxelize_fill": "voxelize a.ply -r 9 --fill outside -o a.npz",
+        "voxelize_fill_wrong": "voxelize a.ply -r 9 --fill inside -o a.npz",
+        "voxelize_fill_shard": "voxelize a.ply -r 9 --fill parity --shard 1/2 -o a.part",
+        "voxelize_folder": "voxelize /tmp --shard 1/2 -o a.part",
+        "voxelize_folder_grid": "voxelize /tmp -r 9 -o a.npz",
+        "partition": "partition a.ply --resolution 256 -o folder",
+        "partition_nothing": "partition a.ply --cell 1",
         "merge": "merge a.part b.part -o c.npy",
         "merge_nothing": "merge -o c.npy",
         "merge_up": "merge a.part -o c.vox --up y",

@@ -47,4 +47,31 @@ typedef struct partition_tile {
 #define PARTITION_MAGIC "tribox tiles 1\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
+/* One that is open, its two files mapped. */
+typedef struct partition {
+    const char *path; /* of the folder */
+    partition_header header;
+    const partition_tile *tiles; /* header.records of them */
+    const unsigned char *triangles;
+    void *index_map, *triangles_map; /* NULL for an empty file */
+    size_t index_size, triangles_size;
+} partition;
+
+/* Whether a path is that of a folder, as those of partitions are. */
+bool partition_is_folder(const char *path);
+
+/* Opens a partition and checks its index; triangles are checked tile by tile. Returns an exit_code; on success close it. */
+int partition_open(partition *p, const char *path);
+void partition_close(partition *p);
+
+/* Its grid and shift. */
+voxels partition_voxels(const partition_header *header);
+
+/* How many triangles record `record` has, and where they are. */
+size_t partition_count(const partition *p, size_t record);
+const void *partition_triangles(const partition *p, size_t record);
+
+/* Whether they are those that were written. */
+bool partition_is_sound(const partition *p, size_t record);
+
 #endif

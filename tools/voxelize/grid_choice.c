@@ -6,13 +6,12 @@
 #include <string.h>
 
 #include "console/decimal.h"
-#include "console/memory.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "write/voxels.h"
 
-/* The library serves up to 2^31 words. */
-static const double words_max = 0x1p31;
+/* Of an axis. */
+static const double cells_max = 0x1p31;
 
 /* A grid that is being chosen. Its numbers and planes are floats if is_float. */
 typedef struct draft {
@@ -78,7 +77,7 @@ static int choose_cubes(const char *path, const tribox_box_f64 *bounds, uint32_t
 static double cells_reaching(const draft *d, int a, double hi)
 {
     double cells = fmax(1, floor(steps(d->grid.origin[a], hi, d->grid.cell[a])) - 1);
-    while (cells < words_max && plane(d, a, cells) < hi)
+    while (cells < cells_max && plane(d, a, cells) < hi)
         cells++;
     return cells;
 }
@@ -92,8 +91,8 @@ static int choose_size(const char *path, const tribox_box_f64 *bounds, draft *d)
                                    path, "xyz"[a], decimal_of_double(bounds->hi[a], end),
                                    decimal_of_double(d->grid.origin[a], start));
         const double cells = cells_reaching(d, a, bounds->hi[a]);
-        if (!(cells < words_max))
-            return message_failure("the grid has more than %.0f cells along the %c axis; choose larger cells", words_max, "xyz"[a]);
+        if (!(cells < cells_max))
+            return message_failure("the grid has more than %.0f cells along the %c axis; choose larger cells", cells_max, "xyz"[a]);
         d->grid.size[a] = (uint32_t)cells;
     }
     return EXIT_CODE_OK;
@@ -150,17 +149,6 @@ static int refuse_grid(const draft *d)
     return refuse_axis(d, a);
 }
 
-static int check_words(const tribox_grid_f64 *grid)
-{
-    char bytes[16];
-    const double words = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2];
-    if (words <= words_max)
-        return EXIT_CODE_OK;
-    return message_failure("a grid of %u x %u x %u cells takes %s, a bit per cell; the most is 16.0 GiB: choose fewer cells",
-                           grid->size[0], grid->size[1], grid->size[2],
-                           memory_text(words < 0x1p60 ? (uint64_t)(8 * words) : UINT64_MAX, bytes));
-}
-
 /* Leaves open whether the library serves the grid. */
 static int choose(const grid_choice *choice, const char *path, const tribox_box_f64 *bounds, draft *d)
 {
@@ -172,7 +160,7 @@ static int choose(const grid_choice *choice, const char *path, const tribox_box_
         code = choose_cubes(path, bounds, choice->resolution, d);
     if (!code && !choice->has_size)
         code = choose_size(path, bounds, d);
-    return code ? code : check_words(&d->grid);
+    return code;
 }
 
 /* Decimals that floats give back are these floats. */

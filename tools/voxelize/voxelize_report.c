@@ -1,14 +1,18 @@
 /* voxelize_report.c - prints the summary of a voxelization. */
 #include "voxelize_report.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 
 #include "console/accuracy.h"
 #include "console/output.h"
 
-static double cells_of(const voxelize_answer *a) { return (double)a->cells.grid.size[0] * a->cells.grid.size[1] * a->layers; }
+static double cells_of(const voxelize_answer *a)
+{
+    return (double)a->cells.grid.size[0] * a->cells.grid.size[1] * a->cells.grid.size[2];
+}
 
-static double share_percent(const voxelize_answer *a) { return a->layers ? 100 * (double)a->report.overlapping / cells_of(a) : 0; }
+static double share_percent(const voxelize_answer *a) { return 100 * (double)a->report.overlapping / cells_of(a); }
 
 static double ns_per_triangle(const voxelize_answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
 
@@ -19,7 +23,7 @@ static void print_time(const voxelize_answer *a)
     printf("time         %.3f ms", 1e3 * a->seconds);
     if (a->triangles >= FEW)
         printf(", %.2f ns per triangle", ns_per_triangle(a));
-    printf(" (the voxelization alone)\n");
+    printf(!a->tile ? " (the voxelization alone)\n" : a->out_path ? " (with writing)\n" : "\n");
 }
 
 void voxelize_print_grid(const voxels *v, bool is_shifted)
@@ -57,14 +61,21 @@ static void print_summary(const voxelize_answer *a)
     printf("positions    %s\n", a->is_double ? "float64" : "float32");
     voxelize_print_grid(&a->cells, a->is_shifted);
     if (a->shard)
-        printf("shard        %u of %u: %u layers from %u\n", a->shard, a->shards, a->layers, a->first);
+        printf("shard        %u of %u: %zu tiles from %zu\n", a->shard, a->shards, a->tiles, a->from_tile);
     printf("occupied     %zu cells (%.4g %%)\n", a->report.overlapping, share_percent(a));
+    if (a->fill)
+        printf("inside       %zu cells (%s)\n", a->inside, a->fill);
+    if (a->has_rows)
+        printf("odd rows     %zu\n", a->odd_rows);
+    if (a->tile)
+        printf("bricks       %" PRIu64 " of 8 x 8 x 8 cells, tiles of %u\n", a->bricks, a->tile);
     printf("undecided    %zu\n", a->report.undecided);
     printf("test         %s, axes ", accuracy_word(a->test.accuracy));
     output_axes(a->test.axes);
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&a->test), a->threads, a->threads == 1 ? "" : "s");
     print_time(a);
-    printf("written      %s\n", a->out_path);
+    if (a->out_path)
+        printf("written      %s\n", a->out_path);
     if (a->preview_path)
         printf("preview      %s\n", a->preview_path);
 }
@@ -81,11 +92,21 @@ static void print_json(const voxelize_answer *a)
     if (a->shard) {
         json_whole(&j, "shard", a->shard);
         json_whole(&j, "shards", a->shards);
+        json_whole(&j, "first_tile", a->from_tile);
+        json_whole(&j, "tiles", a->tiles);
     }
-    json_whole(&j, "first_layer", a->first);
-    json_whole(&j, "layers", a->layers);
     json_whole(&j, "occupied", a->report.overlapping);
     json_number(&j, "share_percent", 6, share_percent(a));
+    if (a->fill) {
+        json_string(&j, "fill", a->fill);
+        json_whole(&j, "inside", a->inside);
+    }
+    if (a->has_rows)
+        json_whole(&j, "odd_rows", a->odd_rows);
+    if (a->tile) {
+        json_whole(&j, "tile", a->tile);
+        json_whole(&j, "bricks", a->bricks);
+    }
     json_whole(&j, "undecided", a->report.undecided);
     json_string(&j, "accuracy", accuracy_word(a->test.accuracy));
     output_json_axes(&j, a->test.axes);
@@ -93,7 +114,8 @@ static void print_json(const voxelize_answer *a)
     json_whole(&j, "threads", a->threads);
     json_number(&j, "seconds", 6, a->seconds);
     json_number(&j, "ns_per_triangle", 6, ns_per_triangle(a));
-    json_string(&j, "output", a->out_path);
+    if (a->out_path)
+        json_string(&j, "output", a->out_path);
     if (a->preview_path)
         json_string(&j, "preview", a->preview_path);
     json_close(&j);

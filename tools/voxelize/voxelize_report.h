@@ -9,13 +9,18 @@
 #include "write/voxels.h"
 
 typedef struct voxelize_answer {
-    const char *mesh_path, *out_path, *preview_path; /* preview_path: NULL for none */
+    const char *mesh_path, *out_path, *preview_path; /* the last two: NULL for none */
     size_t triangles, not_finite;
     bool is_double; /* the mesh has coordinates that float does not hold */
     bool is_shifted;
-    voxels cells; /* the grid and the shift alone */
-    uint32_t first, layers;
-    uint32_t shard, shards; /* shard 0: the whole */
+    voxels cells;            /* the grid and the shift alone */
+    uint32_t tile;           /* cells along a side of the tiles; 0: in one piece */
+    uint64_t bricks;         /* with tiles */
+    uint32_t shard, shards;  /* shard 0: the whole */
+    size_t from_tile, tiles; /* of a shard */
+    const char *fill;        /* the word of --fill; NULL for none */
+    size_t inside, odd_rows; /* of a fill */
+    bool has_rows;           /* odd_rows were counted */
     tribox_options test;
     tribox_report report;
     unsigned threads;

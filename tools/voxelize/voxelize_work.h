@@ -2,18 +2,19 @@
 #ifndef VOXELIZE_WORK_H
 #define VOXELIZE_WORK_H
 
-#include "grid_choice.h"
-#include "read/mesh_shift.h"
+#include "grid_options.h"
 #include "result_options.h"
 
+typedef enum voxelize_fill { FILL_NONE, FILL_OUTSIDE, FILL_PARITY } voxelize_fill;
+
 typedef struct voxelize_request {
-    const char *mesh_path;
-    triangle_format format; /* of the mesh; OTHER to go by its name */
-    mesh_shift shift;
-    grid_choice grid;
+    grid_request from; /* the mesh may be a partition, which has its grid */
     uint32_t threads;
-    bool is_part;
+    bool is_part;           /* a shard, into a part */
+    bool is_count;          /* nothing is written */
     uint32_t shard, shards; /* 1 of 1 without --shard */
+    bool has_shard;
+    voxelize_fill fill;
     tribox_options test;
     result_request result;
 } voxelize_request;

@@ -1,11 +1,10 @@
-/* part.h - what one of several runs has voxelized, "shard 2 of 8", as a file that tribox merge reads. */
+/* part.h - the bricks that one of several runs has found, "shard 2 of 8", as a file that tribox merge reads. */
 #ifndef PART_H
 #define PART_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "console/progress.h"
 #include "read/mesh.h"
 #include "voxels.h"
 
@@ -18,55 +17,74 @@ typedef struct part_whole {
     uint32_t accuracy, axes; /* as in tribox_options */
     uint32_t plane_bytes;    /* 4: the grid is a tribox_grid, 8: a tribox_grid_f64 */
     uint32_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
+    uint32_t tile;           /* cells along a side of a tile */
+    uint32_t brick_bytes;    /* of a part_brick */
     uint64_t triangles;
     uint64_t mesh_checksum; /* of their coordinates */
 } part_whole;
 
-/* The first bytes of a part, in the byte order of the machine that wrote it; layers of words follow. See tribox(1), FORMATS. */
+/* The first bytes of a part, in the byte order of the machine that wrote it; bricks and an end follow. See tribox(1), FORMATS. */
 typedef struct part_header {
     char magic[16]; /* PART_MAGIC and zeros */
     uint32_t byte_order;
     uint32_t shard; /* 1 .. shards */
     part_whole whole;
-    uint64_t checksum; /* of all that stands before it and of the words after it */
+    uint64_t from, to; /* the tiles from .. to - 1 are what it holds */
 } part_header;
 
-#define PART_MAGIC "tribox part 3\n"
+/* A brick as a tribox_sink is handed it, in the order of tribox_voxelize_bricks. */
+typedef struct part_brick {
+    uint32_t at[3];
+    uint32_t cells; /* that are set */
+    uint64_t bits[8];
+} part_brick;
+
+/* The last bytes. */
+typedef struct part_end {
+    uint64_t bricks, cells;
+    uint64_t checksum; /* of all that stands before it */
+} part_end;
+
+#define PART_MAGIC "tribox part 4\n"
 enum { PART_BYTE_ORDER = 0x01020304 };
+
+bool part_is_name(const char *path);
 
 /* Takes grid and shift from the voxels, and gives them back. */
 void part_set_grid(part_whole *whole, const voxels *v);
 voxels part_voxels(const part_whole *whole);
 
-/* The layers of shard 1 .. shards: whole ones, as equal in number as can be, none where there are more shards than layers. */
-void part_layers(const part_whole *whole, uint32_t shard, uint32_t *first, uint32_t *layers);
-
 /* A 64-bit hash of the coordinates, as floats or as doubles. */
 uint64_t part_mesh_checksum(const mesh *m);
 
-/* The checksum that a header should have with these words after it. A single changed word always changes it. */
-uint64_t part_checksum(const part_header *header, const uint64_t *words, size_t count);
+/* A part that is being written. */
+typedef struct part_writer {
+    FILE *to;
+    int reason; /* the errno of the first write that failed; 0 so far */
+    part_end end;
+} part_writer;
 
-bool part_is_name(const char *path);
+part_writer part_start(FILE *to, const part_header *header);
+void part_put(part_writer *w, const uint32_t at[3], const uint64_t bits[8]);
+void part_finish(part_writer *w);
 
-/* Writes header and words; the checksum is found here, not taken from the header. */
-void part_write(FILE *to, const part_header *header, const uint64_t *bits, progress *bar);
-
-/* A part in memory that the system reads from the file as it is needed. */
+/* A part that is there: what its first and last bytes say. */
 typedef struct part {
     const char *path;
     part_header header;
-    void *mapped;
-    size_t size;
+    part_end end;
 } part;
 
-/* Opens a part and checks that it is whole and undamaged. Returns an exit_code; on success part_close gives it back. */
+/* Reads the first and last bytes of a part and checks them. Returns an exit_code. */
 int part_open(part *p, const char *path);
-void part_close(part *p);
-
-const uint64_t *part_bits(const part *p);
 
 /* Sorts the parts by their shards and refuses them where they are not the parts of one whole, each once. Returns an exit_code. */
 int part_join(part *parts, size_t count);
+
+/* Takes a brick. Returns an exit_code, which ends the reading. */
+typedef int part_take(void *data, const part_brick *brick);
+
+/* Reads a part to its end, in little memory, and refuses one that is damaged: what was taken until then is void. */
+int part_read(const part *p, part_take *take, void *data);
 
 #endif

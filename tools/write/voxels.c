@@ -53,10 +53,11 @@ bool voxels_are_served(const tribox_grid_f64 *grid, bool is_float, const tribox_
     const tribox_soup no_soup = {.count = 0};
     const tribox_mesh no_mesh = {.count = 0};
     const tribox_grid narrow = voxels_narrow(grid);
-    uint64_t none = 0;
+    const uint32_t first[3] = {0, 0, 0}, one[3] = {1, 1, 1};
+    uint64_t word = 0;
     if (is_float)
-        return !tribox_voxelize_layers(&no_soup, &narrow, 0, 0, options, &none, NULL);
-    return !tribox_voxelize_f64(&no_mesh, grid, NULL, NULL, options, &none, NULL);
+        return !tribox_voxelize_window(&no_soup, &narrow, first, one, options, &word, NULL);
+    return !tribox_voxelize_f64(&no_mesh, grid, first, one, options, &word, NULL);
 }
 
 tribox_grid_f64 voxels_widen(const tribox_grid *grid)

@@ -1,0 +1,166 @@
+/* partition.c - opens the folder of a partition, and checks that it is whole. */
+#define _POSIX_C_SOURCE 200809L
+#include "partition.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "console/message.h"
+#include "console/numbers.h"
+#include "write/checksum.h"
+
+_Static_assert(sizeof(partition_header) == 168 && sizeof(partition_tile) == 32,
+               "these are a file format: they have no padding and do not change");
+
+enum { PATH_BYTES = 4096, TRIANGLE_NUMBERS = 9 };
+
+bool partition_is_folder(const char *path)
+{
+    struct stat about;
+    return !stat(path, &about) && S_ISDIR(about.st_mode);
+}
+
+voxels partition_voxels(const partition_header *header)
+{
+    voxels v = {.is_float = header->plane_bytes == sizeof(float)};
+    memcpy(v.grid.origin, header->origin, sizeof v.grid.origin);
+    memcpy(v.grid.cell, header->cell, sizeof v.grid.cell);
+    memcpy(v.grid.size, header->size, sizeof v.grid.size);
+    memcpy(v.shift, header->shift, sizeof v.shift);
+    return v;
+}
+
+static size_t triangle_bytes(const partition *p) { return TRIANGLE_NUMBERS * p->header.position_bytes; }
+
+size_t partition_count(const partition *p, size_t record)
+{
+    const uint64_t end = record + 1 < p->header.records ? p->tiles[record + 1].first : p->header.places;
+    return (size_t)(end - p->tiles[record].first);
+}
+
+const void *partition_triangles(const partition *p, size_t record)
+{
+    return p->triangles + p->tiles[record].first * triangle_bytes(p);
+}
+
+bool partition_is_sound(const partition *p, size_t record)
+{
+    const size_t size = partition_count(p, record) * triangle_bytes(p);
+    return checksum_bytes(CHECKSUM_EMPTY, partition_triangles(p, record), size) == p->tiles[record].checksum;
+}
+
+static int refuse(const partition *p, const char *why)
+{
+    return message_failure("%s: damaged: %s; make the partition again", p->path, why);
+}
+
+/* Maps a file of the folder, or nothing where it is empty. */
+static int map_file(const partition *p, const char *name, void **map, size_t *size)
+{
+    char path[PATH_BYTES];
+    struct stat about;
+    *map = NULL;
+    if (snprintf(path, sizeof path, "%s/%s", p->path, name) >= (int)sizeof path)
+        return message_failure("%s: its name is too long", p->path);
+    const int file = open(path, O_RDONLY);
+    if (file < 0)
+        return message_failure(
+            "%s: cannot open %s in it, so that it is no partition: %s; give a mesh, or what tribox partition wrote", p->path, name,
+            strerror(errno));
+    bool is_there = !fstat(file, &about) && S_ISREG(about.st_mode);
+    *size = is_there ? (size_t)about.st_size : 0;
+    if (*size) {
+        *map = mmap(NULL, *size, PROT_READ, MAP_PRIVATE, file, 0);
+        is_there = *map != MAP_FAILED;
+        *map = is_there ? *map : NULL;
+    }
+    close(file);
+    return is_there ? EXIT_CODE_OK : message_failure("%s: cannot map %s in it", p->path, name);
+}
+
+static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
+
+static bool is_header_sound(const partition_header *header)
+{
+    enum { TILE_MOST = 1024, BRICK = 8 };
+    const voxels v = partition_voxels(header);
+    const bool are_floats = numbers_are_floats(header->origin, 3) && numbers_are_floats(header->cell, 3);
+    return header->tile && header->tile <= TILE_MOST && header->tile % BRICK == 0 && is_size(header->plane_bytes) &&
+           is_size(header->position_bytes) && header->record_bytes == sizeof(partition_tile) && (are_floats || !v.is_float) &&
+           (header->position_bytes == sizeof(float) || !v.is_float) && isfinite(v.shift[0] + v.shift[1] + v.shift[2]) &&
+           voxels_are_served(&v.grid, v.is_float, NULL);
+}
+
+static int check_header(partition *p)
+{
+    static const char magic[sizeof p->header.magic] = PARTITION_MAGIC, any_version[] = "tribox tiles ";
+    if (p->index_size < sizeof p->header)
+        return refuse(p, "its index has no whole header");
+    memcpy(&p->header, p->index_map, sizeof p->header);
+    if (memcmp(p->header.magic, any_version, sizeof any_version - 1))
+        return message_failure("%s: no partition; give a mesh, or what tribox partition wrote", p->path);
+    if (memcmp(p->header.magic, magic, sizeof magic))
+        return refuse(p, "or it is of another version of tribox");
+    if (p->header.byte_order != PARTITION_BYTE_ORDER)
+        return message_failure("%s: written on a machine of another byte order; make the partition on one like this", p->path);
+    const size_t records = (p->index_size - sizeof p->header) / sizeof(partition_tile);
+    if (records != p->header.records || p->index_size != sizeof p->header + records * sizeof(partition_tile))
+        return refuse(p, "its index has another size than it should");
+    p->tiles = (const partition_tile *)((const unsigned char *)p->index_map + sizeof p->header);
+    uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, &p->header, offsetof(partition_header, checksum));
+    sum = checksum_bytes(sum, p->tiles, records * sizeof *p->tiles);
+    if (sum != p->header.checksum)
+        return refuse(p, "the checksum of its index does not match");
+    return is_header_sound(&p->header) ? EXIT_CODE_OK : refuse(p, "the header of its index makes no sense");
+}
+
+static int check_records(const partition *p)
+{
+    const size_t tiles = tribox_tiles(p->header.size, p->header.tile);
+    uint64_t first = 0, work = 0;
+    for (size_t r = 0; r < p->header.records; r++) {
+        const partition_tile *const tile = &p->tiles[r];
+        const uint64_t end = r + 1 < p->header.records ? tile[1].first : p->header.places;
+        if (tile->tile >= tiles || (r && tile->tile <= tile[-1].tile) || tile->first != first || end <= first ||
+            end - first > UINT32_MAX || tile->work > UINT64_MAX / 2 - work)
+            return refuse(p, "the records of its index make no sense");
+        first = end;
+        work += tile->work;
+    }
+    if (first != p->header.places || p->header.places != p->triangles_size / triangle_bytes(p) ||
+        p->triangles_size % triangle_bytes(p))
+        return refuse(p, "its triangles are not as many as its index says");
+    return EXIT_CODE_OK;
+}
+
+int partition_open(partition *p, const char *path)
+{
+    *p = (partition){.path = path};
+    int code = map_file(p, "index", &p->index_map, &p->index_size);
+    if (!code)
+        code = check_header(p);
+    if (!code)
+        code = map_file(p, "triangles", &p->triangles_map, &p->triangles_size);
+    p->triangles = p->triangles_map;
+    if (!code)
+        code = check_records(p);
+    if (code)
+        partition_close(p);
+    return code;
+}
+
+void partition_close(partition *p)
+{
+    if (p->index_map)
+        munmap(p->index_map, p->index_size);
+    if (p->triangles_map)
+        munmap(p->triangles_map, p->triangles_size);
+    p->index_map = p->triangles_map = NULL;
+}

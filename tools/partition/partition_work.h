@@ -1,0 +1,16 @@
+/* partition_work.h - a request of tribox partition, and the work that answers it. */
+#ifndef PARTITION_WORK_H
+#define PARTITION_WORK_H
+
+#include "voxelize/grid_options.h"
+
+typedef struct partition_request {
+    grid_request from;
+    const char *out_path;
+    bool wants_json, is_quiet;
+} partition_request;
+
+/* From the mesh to the folder and the summary. Returns an exit_code. */
+int partition_work(const partition_request *request);
+
+#endif

@@ -1,0 +1,40 @@
+/* grid_options.h - the options that voxelize and partition share: the mesh, and the grid around it. */
+#ifndef GRID_OPTIONS_H
+#define GRID_OPTIONS_H
+
+#include "console/option_reader.h"
+#include "grid_choice.h"
+#include "read/mesh_shift.h"
+
+/* They stand together in the tables of both commands, from a number on that each chooses. */
+enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SIZE, GRID_END };
+
+#define GRID_ENTRIES(from) \
+    [(from) + GRID_FORMAT] = {"format", 0, true}, [(from) + GRID_SHIFT] = {"shift", 0, true}, \
+              [(from) + GRID_RESOLUTION] = {"resolution", 'r', true}, [(from) + GRID_CELL] = {"cell", 'c', true}, \
+              [(from) + GRID_ORIGIN] = {"origin", 0, true}, [(from) + GRID_SIZE] = {"size", 0, true}
+
+#define GRID_HELP \
+    "      --format WORD       stl, f32 or f64, whatever the name of MESH; standard input needs it\n" \
+    "      --shift X,Y,Z|auto  subtract this from MESH first, in double; auto: near its corner\n" \
+    "  -r, --resolution N      N cubic cells along the longest side of the mesh\n" \
+    "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n" \
+    "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n" \
+    "      --size NX,NY,NZ     number of cells; default: as many as hold the mesh\n"
+
+typedef struct grid_request {
+    const char *mesh_path;
+    triangle_format format; /* of the mesh; OTHER to go by its name */
+    mesh_shift shift;
+    grid_choice choice;
+} grid_request;
+
+enum { GRID_CELLS_MAX = INT32_MAX };
+
+/* Takes an option before GRID_END. Returns an exit_code. */
+int grid_take(grid_request *r, int which, const char *value);
+
+/* Checks that a mesh and one grid are given; from: where the options begin in the table. Returns an exit_code. */
+int grid_check(const grid_request *r, const options_found *found, int from);
+
+#endif

@@ -1,0 +1,265 @@
+/* tile_set.c - sorts triangles into tiles, cuts tiles into shards, and hands tiles to the library. */
+#include "tile_set.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/memory.h"
+#include "console/message.h"
+#include "tile_work.h"
+
+uint32_t tile_set_side(const uint32_t size[3])
+{
+    enum { SIDE = 128, SIDE_MOST = 1024 };
+    static const size_t tiles_most = (size_t)1 << 24;
+    uint32_t side = SIDE;
+    while (side <= SIDE_MOST && tribox_tiles(size, side) > tiles_most)
+        side *= 2;
+    return side <= SIDE_MOST ? side : 0;
+}
+
+static tribox_status count_tiles(const tile_set *set)
+{
+    const voxel_task *const t = &set->task;
+    return t->soup ? tribox_tiles_count(t->soup, t->grid, set->tile, 0, set->tiles, &set->listing, set->starts)
+                   : tribox_tiles_count_f64(t->mesh, t->wide_grid, set->tile, 0, set->tiles, &set->listing, set->starts);
+}
+
+static tribox_status fill_tiles(const tile_set *set)
+{
+    const voxel_task *const t = &set->task;
+    return t->soup ? tribox_tiles_fill(t->soup, t->grid, set->tile, 0, set->tiles, &set->listing, set->starts, set->list)
+                   : tribox_tiles_fill_f64(t->mesh, t->wide_grid, set->tile, 0, set->tiles, &set->listing, set->starts, set->list);
+}
+
+/* Memory for `count` things of `size` bytes, if so much is available. NULL after a line. */
+static void *take(size_t count, size_t size, const char *what)
+{
+    char needed[16], there[16];
+    const uint64_t available = memory_available();
+    if (count > available / size) {
+        message_failure("the %s takes %s of memory and %s are available", what, memory_text((uint64_t)count * size, needed),
+                        memory_text(available, there));
+        return NULL;
+    }
+    void *const memory = malloc(count ? count * size : 1);
+    if (!memory)
+        message_failure("out of memory for the %s", what);
+    return memory;
+}
+
+static int list_triangles(tile_set *set)
+{
+    set->starts = take(set->tiles + 1, sizeof *set->starts, "table of tiles");
+    if (!set->starts)
+        return EXIT_CODE_FAILURE;
+    tribox_status status = count_tiles(set);
+    if (!status) {
+        set->places = set->starts[set->tiles];
+        set->list = take(set->starts[set->tiles], sizeof *set->list, "list of triangles by tile");
+        if (!set->list)
+            return EXIT_CODE_FAILURE;
+        status = fill_tiles(set);
+    }
+    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+static int make_records(tile_set *set, bool has_work)
+{
+    size_t filled = 0;
+    for (size_t t = 0; t < set->tiles; t++)
+        filled += set->starts[t] < set->starts[t + 1];
+    set->own_records = take(filled, sizeof *set->own_records, "table of tiles");
+    if (!set->own_records)
+        return EXIT_CODE_FAILURE;
+    for (size_t t = 0; t < set->tiles; t++)
+        if (set->starts[t] < set->starts[t + 1])
+            set->own_records[set->count++] = (partition_tile){.tile = t, .first = set->starts[t]};
+    set->records = set->own_records;
+    return !has_work || tile_work_estimate(set, set->own_records) ? EXIT_CODE_OK : message_failure("out of memory for the shards");
+}
+
+int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set)
+{
+    *set = (tile_set){.task = *task, .tile = tile_set_side(task->size), .listing = *task->options};
+    set->listing.accuracy = has_work ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE; /* shards are the same on every processor */
+    if (!set->tile)
+        return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", task->size[0],
+                               task->size[1], task->size[2]);
+    set->tiles = tribox_tiles(task->size, set->tile);
+    int code = list_triangles(set);
+    if (!code)
+        code = make_records(set, has_work);
+    if (code)
+        tile_set_free(set);
+    return code;
+}
+
+tile_set tile_set_of_partition(const partition *from, const voxel_task *task)
+{
+    return (tile_set){.task = *task,
+                      .tile = from->header.tile,
+                      .tiles = tribox_tiles(from->header.size, from->header.tile),
+                      .records = from->tiles,
+                      .count = from->header.records,
+                      .places = from->header.places,
+                      .from = from};
+}
+
+void tile_set_free(tile_set *set)
+{
+    free(set->starts);
+    free(set->list);
+    free(set->own_records);
+    *set = (tile_set){.tile = 0};
+}
+
+/* The first record of a shard, counted from 0: that whose middle lies in it. */
+static size_t first_record(const tile_set *set, uint32_t shard, uint32_t shards)
+{
+    double all = 0, before = 0;
+    size_t r = 0;
+    if (!shard)
+        return 0;
+    for (size_t i = 0; i < set->count; i++)
+        all += (double)set->records[i].work;
+    for (; r < set->count; r++) {
+        const double work = (double)set->records[r].work;
+        if (shards * (before + work / 2) / all >= shard)
+            break;
+        before += work;
+    }
+    return r;
+}
+
+void tile_set_shard(const tile_set *set, uint32_t shard, uint32_t shards, size_t *from, size_t *to)
+{
+    *from = first_record(set, shard - 1, shards);
+    *to = shard < shards ? first_record(set, shard, shards) : set->count;
+}
+
+size_t tile_set_border(const tile_set *set, size_t from)
+{
+    return !from ? 0 : from < set->count ? (size_t)set->records[from].tile : set->tiles;
+}
+
+size_t tile_set_triangles(const tile_set *set, size_t record)
+{
+    const uint64_t end = record + 1 < set->count ? set->records[record + 1].first : set->places;
+    return (size_t)(end - set->records[record].first);
+}
+
+struct tile_room {
+    void *scratch;
+    size_t most;          /* triangles of a tile of a partition */
+    float *numbers;       /* nine streams of as many floats */
+    uint32_t *numbers_of; /* 0, 1, 2, ... */
+};
+
+static bool make_streams(const tile_set *set, size_t from, size_t to, tile_room *room)
+{
+    for (size_t r = from; r < to; r++)
+        if (tile_set_triangles(set, r) > room->most)
+            room->most = tile_set_triangles(set, r);
+    room->numbers_of = malloc((room->most + 1) * sizeof *room->numbers_of);
+    room->numbers = set->task.soup ? malloc((room->most + 1) * 9 * sizeof *room->numbers) : NULL;
+    for (size_t i = 0; room->numbers_of && i < room->most; i++)
+        room->numbers_of[i] = (uint32_t)i;
+    return room->numbers_of && (room->numbers || !set->task.soup);
+}
+
+tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
+{
+    tile_room *const room = calloc(1, sizeof *room);
+    if (!room)
+        return NULL;
+    room->scratch = malloc(tribox_bricks_bytes(set->tile));
+    if (room->scratch && (!set->from || make_streams(set, from, to, room)))
+        return room;
+    tile_room_free(room);
+    return NULL;
+}
+
+void tile_room_free(tile_room *room)
+{
+    if (!room)
+        return;
+    free(room->scratch);
+    free(room->numbers);
+    free(room->numbers_of);
+    free(room);
+}
+
+/* The tiles from .. to - 1 of a mesh in memory. */
+static tribox_status run_lists(const tile_set *set, size_t from, size_t to, void *scratch, tribox_sink *sink, void *data,
+                               tribox_report *report)
+{
+    const voxel_task *const t = &set->task;
+    const size_t *const starts = set->starts + from;
+    return t->soup ? tribox_voxelize_bricks(t->soup, t->grid, set->tile, from, to, starts, set->list, t->options, scratch, sink,
+                                            data, report)
+                   : tribox_voxelize_bricks_f64(t->mesh, t->wide_grid, set->tile, from, to, starts, set->list, t->options, scratch,
+                                                sink, data, report);
+}
+
+static tribox_mesh mesh_of_record(const partition *p, size_t record)
+{
+    const size_t count = partition_count(p, record);
+    return (tribox_mesh){.positions = partition_triangles(p, record),
+                         .vertices = 3 * count,
+                         .count = count,
+                         .position_bytes = p->header.position_bytes};
+}
+
+static tribox_status run_soup(const tile_set *set, size_t tile, const tribox_mesh *mesh, const tile_room *room, tribox_sink *sink,
+                              void *data, tribox_report *report)
+{
+    const size_t starts[2] = {0, mesh->count};
+    tribox_soup soup = {.count = mesh->count};
+    float *to[9];
+    for (size_t k = 0; k < 9; k++)
+        to[k] = room->numbers + k * room->most;
+    const tribox_status status = tribox_mesh_to_streams(mesh, 0, mesh->count, set->task.options, to, to + 3, to + 6);
+    for (size_t v = 0; v < 3; v++) {
+        soup.x[v] = to[v];
+        soup.y[v] = to[3 + v];
+        soup.z[v] = to[6 + v];
+    }
+    return status ? status
+                  : tribox_voxelize_bricks(&soup, set->task.grid, set->tile, tile, tile + 1, starts, room->numbers_of,
+                                           set->task.options, room->scratch, sink, data, report);
+}
+
+static tribox_status run_record(const tile_set *set, size_t record, const tile_room *room, tribox_sink *sink, void *data,
+                                tribox_report *report)
+{
+    const size_t tile = (size_t)set->records[record].tile;
+    const tribox_mesh mesh = mesh_of_record(set->from, record);
+    const size_t starts[2] = {0, mesh.count};
+    if (!partition_is_sound(set->from, record))
+        return TRIBOX_BAD_INDEX;
+    if (set->task.soup)
+        return run_soup(set, tile, &mesh, room, sink, data, report);
+    return tribox_voxelize_bricks_f64(&mesh, set->task.wide_grid, set->tile, tile, tile + 1, starts, room->numbers_of,
+                                      set->task.options, room->scratch, sink, data, report);
+}
+
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, tribox_sink *sink, void *data,
+                           tribox_report *report)
+{
+    tribox_status status = TRIBOX_OK;
+    *report = (tribox_report){0, 0};
+    if (from == to)
+        return TRIBOX_OK;
+    if (!set->from)
+        return run_lists(set, (size_t)set->records[from].tile, (size_t)set->records[to - 1].tile + 1, room->scratch, sink, data,
+                         report);
+    for (size_t r = from; !status && r < to; r++) {
+        tribox_report one = {0, 0};
+        status = run_record(set, r, room, sink, data, &one);
+        report->overlapping += one.overlapping;
+        report->undecided += one.undecided;
+    }
+    return status;
+}

@@ -1,0 +1,56 @@
+/* tile_set.h - the triangles of each tile of a grid: lists over a mesh in memory, or a partition on disk. */
+#ifndef TILE_SET_H
+#define TILE_SET_H
+
+#include "partition/partition.h"
+#include "voxel_task.h"
+
+typedef struct tile_set {
+    voxel_task task; /* the grid and the options; of a partition no triangles */
+    uint32_t tile;   /* cells along a side */
+    size_t tiles;    /* of the grid, with and without triangles */
+    tribox_options listing;
+
+    const partition_tile *records; /* a record for each tile that has triangles, by rising number */
+    size_t count;
+    uint64_t places; /* triangles of all tiles together */
+
+    const partition *from; /* NULL: lists */
+    size_t *starts;        /* as of tribox_tiles_fill for all tiles */
+    uint32_t *list;
+    partition_tile *own_records;
+} tile_set;
+
+/* Cells along a side of a tile: few enough for the caches, and so many that the tiles can be numbered. 0: there are too many. */
+uint32_t tile_set_side(const uint32_t size[3]);
+
+/* Sorts the triangles of a task. has_work: whether the records need their work. Returns an exit_code; on success free it. */
+int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set);
+
+/* The triangles of a partition, into its grid with these options; both stay as long as the set. */
+tile_set tile_set_of_partition(const partition *from, const voxel_task *task);
+
+void tile_set_free(tile_set *set);
+
+/* The records from .. to - 1 of shard 1 .. shards: runs of tiles of about equal work. */
+void tile_set_shard(const tile_set *set, uint32_t shard, uint32_t shards, size_t *from, size_t *to);
+
+/* The tile with which the tiles of record `from` begin, so that shards leave out none: 0 for the first, all tiles past the last. */
+size_t tile_set_border(const tile_set *set, size_t from);
+
+/* How many triangles a record has. */
+size_t tile_set_triangles(const tile_set *set, size_t record);
+
+/* What a thread needs to voxelize; NULL where there is no memory. */
+typedef struct tile_room tile_room;
+tile_room *tile_room_new(const tile_set *set, size_t from, size_t to);
+void tile_room_free(tile_room *room);
+
+/*
+ * tribox_voxelize_bricks for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_INDEX:
+ * the triangles of the partition are damaged.
+ */
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, tribox_sink *sink, void *data,
+                           tribox_report *report);
+
+#endif

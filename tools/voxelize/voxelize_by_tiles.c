@@ -1,0 +1,223 @@
+/* voxelize_by_tiles.c - a mesh or a partition tile by tile: sparse formats, parts of shards, and mere counts. */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <stdlib.h>
+
+#include "console/clock.h"
+#include "console/message.h"
+#include "tile_crew.h"
+#include "voxelize_ways.h"
+#include "write/brick_out.h"
+#include "write/bricks.h"
+#include "write/part.h"
+#include "write/voxels_room.h"
+
+/* Where the bricks go; at least one of them, or none to count. */
+typedef struct brick_goals {
+    const voxels *cells;
+    brick_out *file;
+    part_writer *part;
+    uint64_t *words; /* for the picture */
+    int code;        /* of what failed */
+} brick_goals;
+
+static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+{
+    brick_goals *const g = data;
+    if (g->file)
+        g->code = brick_out_put(g->file, at, bits);
+    if (g->part)
+        part_put(g->part, at, bits);
+    if (g->words)
+        bricks_lay(&g->cells->grid, g->words, at, bits);
+    return !g->code && !(g->part && g->part->reason);
+}
+
+/* The tiles of a shard, or all. */
+typedef struct tile_job {
+    const voxelize_request *r;
+    const voxelize_input *in;
+    const tile_set *set;
+    size_t from, to; /* records */
+    size_t from_tile, to_tile;
+} tile_job;
+
+static part_header header_of(const tile_job *j)
+{
+    const voxelize_request *const r = j->r;
+    const mesh *const m = j->in->mesh;
+    const partition_header *const p = m ? NULL : &j->in->partition->header;
+    part_header header = {.magic = PART_MAGIC,
+                          .byte_order = PART_BYTE_ORDER,
+                          .shard = r->shard,
+                          .whole = {.shards = r->shards,
+                                    .accuracy = r->test.accuracy,
+                                    .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
+                                    .position_bytes = m ? (m->is_double ? sizeof(double) : sizeof(float)) : p->position_bytes,
+                                    .tile = j->set->tile,
+                                    .triangles = m ? m->triangles : p->triangles,
+                                    .mesh_checksum = m ? part_mesh_checksum(m) : p->mesh_checksum},
+                          .from = j->from_tile,
+                          .to = j->to_tile};
+    part_set_grid(&header.whole, &j->in->cells);
+    return header;
+}
+
+static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
+{
+    const bool has_goal = goals->file || goals->part || goals->words;
+    progress bar = progress_start_of("voxelizing", "tiles", (double)(j->to - j->from), !j->r->result.is_quiet);
+    tile_found found;
+    const tribox_status status =
+        tile_crew_run(j->set, j->from, j->to, j->r->threads, has_goal ? take_brick : NULL, goals, &bar, &found);
+    progress_end(&bar);
+    a->report = found.report;
+    a->bricks = found.bricks;
+    if (goals->code)
+        return goals->code;
+    if (goals->part && goals->part->reason)
+        return EXIT_CODE_OK; /* run_to_part says so */
+    if (status == TRIBOX_BAD_INDEX && j->in->partition)
+        return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
+                               j->in->partition->path);
+    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+static int run_to_part(const tile_job *j, voxelize_files *files, brick_goals *goals, voxelize_answer *a)
+{
+    const part_header header = header_of(j);
+    part_writer writer = part_start(files->out.stream, &header);
+    goals->part = &writer;
+    const int code = run_crew(j, goals, a);
+    part_finish(&writer);
+    errno = writer.reason;
+    return code ? code : writer.reason ? file_out_failure(&files->out) : file_out_keep(&files->out);
+}
+
+static int run_to_file(const tile_job *j, voxelize_files *files, brick_goals *goals, voxelize_answer *a)
+{
+    brick_out out;
+    int code = brick_out_open(&out, j->r->result.format, &j->r->result.options, &files->out, &j->in->cells);
+    if (code)
+        return code;
+    goals->file = &out;
+    code = run_crew(j, goals, a);
+    if (!code) {
+        progress bar = progress_start("writing", !j->r->result.is_quiet);
+        code = brick_out_end(&out, &bar);
+        progress_end(&bar);
+    }
+    brick_out_drop(&out);
+    return code ? code : file_out_keep(&files->out);
+}
+
+static int draw(const tile_job *j, voxelize_files *files, const uint64_t *words)
+{
+    const voxels_slab slab = {.layers = j->in->cells.grid.size[2], .bits = words};
+    voxels v = j->in->cells;
+    v.slab = &slab;
+    v.slabs = 1;
+    return preview_draw(&files->picture, &v, &j->r->result.look, j->r->threads, !j->r->result.is_quiet);
+}
+
+static const char instead_of_picture[] = "choose fewer cells, or leave out the picture";
+static const char instead_of_dense[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
+
+/* The picture takes all cells at once. */
+static int take_words(const tile_job *j, uint64_t **words)
+{
+    const tribox_grid_f64 *const grid = &j->in->cells.grid;
+    const result_request *const result = &j->r->result;
+    int code = EXIT_CODE_OK;
+    *words = NULL;
+    if (result->format && !result->format->bricks)
+        code = voxels_check_words(grid, instead_of_dense);
+    if (code || !result->preview_path)
+        return code;
+    code = voxels_check_words(grid, instead_of_picture);
+    if (code)
+        return code;
+    const size_t count = voxels_layer_words(grid) * grid->size[2];
+    code = voxels_check_memory(grid, (uint64_t)count * sizeof **words + preview_memory(grid, &result->look), instead_of_picture);
+    if (code)
+        return code;
+    *words = calloc(count, sizeof **words);
+    return *words ? EXIT_CODE_OK : message_failure("out of memory for the picture");
+}
+
+static int run_job(const tile_job *j, voxelize_files *files, voxelize_answer *a)
+{
+    uint64_t *words;
+    int code = take_words(j, &words);
+    if (code)
+        return code;
+    brick_goals goals = {.cells = &j->in->cells, .words = words};
+    code = j->r->is_count  ? run_crew(j, &goals, a)
+           : j->r->is_part ? run_to_part(j, files, &goals, a)
+                           : run_to_file(j, files, &goals, a);
+    if (!code && words)
+        code = draw(j, files, words);
+    free(words);
+    return code;
+}
+
+static int run_set(const voxelize_request *r, const voxelize_input *in, const tile_set *set, voxelize_files *files,
+                   voxelize_answer *a)
+{
+    tile_job j = {.r = r, .in = in, .set = set};
+    tile_set_shard(set, r->shard, r->shards, &j.from, &j.to);
+    j.from_tile = tile_set_border(set, j.from);
+    j.to_tile = r->shard == r->shards ? set->tiles : tile_set_border(set, j.to);
+    a->tile = set->tile;
+    a->from_tile = j.from_tile;
+    a->tiles = j.to_tile - j.from_tile;
+    return run_job(&j, files, a);
+}
+
+static int run_task(const voxelize_request *r, const voxelize_input *in, const voxel_task *task, voxelize_files *files,
+                    voxelize_answer *a)
+{
+    tile_set set;
+    if (in->partition) {
+        set = tile_set_of_partition(in->partition, task);
+    } else {
+        const int code = tile_set_of_task(task, r->shards > 1, &set);
+        if (code)
+            return code;
+    }
+    const int code = run_set(r, in, &set, files, a);
+    tile_set_free(&set);
+    return code;
+}
+
+/* Of a partition the triangles come with the tiles. */
+static int run_floats(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
+{
+    const tribox_soup nothing = {.count = 0};
+    const tribox_grid narrow = voxels_narrow(&in->cells.grid);
+    const voxel_task task = voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, &narrow, &r->test);
+    return run_task(r, in, &task, files, a);
+}
+
+static int run_doubles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
+{
+    uint32_t *indices = NULL;
+    tribox_mesh all = {.count = 0};
+    if (in->mesh) {
+        all = in->mesh->is_double ? in->mesh->doubles : mesh_of_streams(in->mesh, &indices);
+        if (!all.positions)
+            return message_failure("%s", tribox_status_text(TRIBOX_NO_MEMORY));
+    }
+    const voxel_task task = voxel_task_of_mesh(&all, &in->cells.grid, &r->test);
+    const int code = run_task(r, in, &task, files, a);
+    free(indices);
+    return code;
+}
+
+int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
+{
+    const double start = clock_seconds();
+    const int code = (in->cells.is_float ? run_floats : run_doubles)(r, in, files, a);
+    a->seconds = clock_seconds() - start;
+    return code;
+}

@@ -1,0 +1,140 @@
+/* voxelize_whole.c - a mesh into the words of its whole grid: formats of all cells, and filling. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdlib.h>
+
+#include "console/clock.h"
+#include "console/message.h"
+#include "layers.h"
+#include "voxelize_ways.h"
+#include "write/brick_out.h"
+#include "write/voxels_room.h"
+
+/* What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. */
+typedef struct whole {
+    const voxelize_request *r;
+    const mesh *m;
+    voxels cells;
+    size_t words;
+    uint64_t *surface, *solid; /* solid: NULL without a fill */
+    tribox_mesh wide;          /* the mesh for a grid of doubles */
+    uint32_t *indices;
+} whole;
+
+static const char fewer[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
+static const char not_filled[] = "choose fewer cells; to fill them takes all of them at once";
+
+static int take_memory(whole *w)
+{
+    const tribox_grid_f64 *const grid = &w->cells.grid;
+    const bool is_filled = w->r->fill != FILL_NONE;
+    const char *const instead = is_filled ? not_filled : fewer;
+    int code = voxels_check_words(grid, instead);
+    if (code)
+        return code;
+    w->words = voxels_layer_words(grid) * grid->size[2];
+    uint64_t bytes = (uint64_t)w->words * sizeof(uint64_t) * (is_filled ? 2 : 1);
+    bytes += is_filled ? tribox_fill_bytes(grid->size) : 0;
+    bytes += w->r->result.preview_path ? preview_memory(grid, &w->r->result.look) : 0;
+    code = voxels_check_memory(grid, bytes, instead);
+    if (code)
+        return code;
+    w->surface = calloc(w->words, sizeof *w->surface);
+    w->solid = is_filled ? malloc(w->words * sizeof *w->solid) : NULL;
+    return w->surface && (w->solid || !is_filled) ? EXIT_CODE_OK
+                                                  : message_failure("out of memory for %zu words of cells", w->words);
+}
+
+/* A grid of doubles takes the mesh as tribox_mesh, whatever its numbers are. */
+static int widen(whole *w)
+{
+    if (w->cells.is_float)
+        return EXIT_CODE_OK;
+    w->wide = w->m->is_double ? w->m->doubles : mesh_of_streams(w->m, &w->indices);
+    return w->wide.positions ? EXIT_CODE_OK : message_failure("%s", tribox_status_text(TRIBOX_NO_MEMORY));
+}
+
+static tribox_status run(const whole *w, progress *bar, tribox_report *report)
+{
+    void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
+    const uint32_t layers = w->cells.grid.size[2];
+    const tribox_grid narrow = voxels_narrow(&w->cells.grid);
+    return w->cells.is_float
+               ? voxelize_in_threads(&w->m->soup, &narrow, 0, layers, &w->r->test, w->r->threads, w->surface, report, tell, bar)
+               : voxelize_mesh_in_threads(&w->wide, &w->cells.grid, 0, layers, &w->r->test, w->r->threads, w->surface, report, tell,
+                                          bar);
+}
+
+static int voxelize(const whole *w, voxelize_answer *a)
+{
+    progress bar = progress_start("voxelizing", !w->r->result.is_quiet);
+    const double start = clock_seconds();
+    const tribox_status status = run(w, &bar, &a->report);
+    a->seconds = clock_seconds() - start;
+    progress_end(&bar);
+    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+}
+
+static tribox_status fill(const whole *w, void *scratch, voxelize_answer *a)
+{
+    const tribox_grid narrow = voxels_narrow(&w->cells.grid);
+    if (w->r->fill == FILL_OUTSIDE)
+        return tribox_fill_outside(w->cells.grid.size, w->surface, w->solid, scratch, &a->inside);
+    a->has_rows = true;
+    return w->cells.is_float
+               ? tribox_fill_parity(&w->m->soup, &narrow, w->surface, w->solid, scratch, &a->inside, &a->odd_rows)
+               : tribox_fill_parity_f64(&w->wide, &w->cells.grid, w->surface, w->solid, scratch, &a->inside, &a->odd_rows);
+}
+
+static int fill_if_wanted(const whole *w, voxelize_answer *a)
+{
+    if (w->r->fill == FILL_NONE)
+        return EXIT_CODE_OK;
+    a->fill = w->r->fill == FILL_OUTSIDE ? "outside" : "parity";
+    void *const scratch = malloc(tribox_fill_bytes(w->cells.grid.size));
+    if (!scratch)
+        return message_failure("out of memory to fill the cells");
+    const tribox_status status = fill(w, scratch, a);
+    free(scratch);
+    if (status)
+        return message_failure("%s", tribox_status_text(status));
+    if (a->odd_rows)
+        message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
+                    "wrong; --fill outside asks only the cells",
+                    triangle_file_name(w->r->from.mesh_path), a->odd_rows);
+    return EXIT_CODE_OK;
+}
+
+static int write_files(const whole *w, voxelize_files *files)
+{
+    const voxels_slab slab = {.layers = w->cells.grid.size[2], .bits = w->solid ? w->solid : w->surface};
+    voxels v = w->cells;
+    v.slab = &slab;
+    v.slabs = 1;
+    int code = EXIT_CODE_OK;
+    if (!w->r->is_count) {
+        progress bar = progress_start("writing", !w->r->result.is_quiet);
+        code = brick_out_voxels(w->r->result.format, &w->r->result.options, &files->out, &v, &bar);
+        progress_end(&bar);
+    }
+    if (!code)
+        code = file_out_keep(&files->out);
+    return code ? code : preview_draw(&files->picture, &v, &w->r->result.look, w->r->threads, !w->r->result.is_quiet);
+}
+
+int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
+{
+    whole w = {.r = r, .m = in->mesh, .cells = in->cells};
+    int code = take_memory(&w);
+    if (!code)
+        code = widen(&w);
+    if (!code)
+        code = voxelize(&w, a);
+    if (!code)
+        code = fill_if_wanted(&w, a);
+    if (!code)
+        code = write_files(&w, files);
+    free(w.indices);
+    free(w.solid);
+    free(w.surface);
+    return code;
+}

@@ -1,0 +1,26 @@
+/* folder_out.h - a folder that appears under its name only when all of its files have been written. */
+#ifndef FOLDER_OUT_H
+#define FOLDER_OUT_H
+
+#include <stdio.h>
+
+enum { FOLDER_FILES = 2 };
+
+/* Until it is kept the folder is ".tribox-" and six letters beside its place; a run that is killed leaves that there. */
+typedef struct folder_out {
+    const char *path; /* as it was given */
+    char *beside;
+    FILE *file[FOLDER_FILES];
+    char *name[FOLDER_FILES]; /* in `beside` */
+} folder_out;
+
+/* Makes it, with these files. What stands under the name already is refused. Returns an exit_code. */
+int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES]);
+
+/* Writes out all that is pending and gives the folder its name. Returns an exit_code; on failure nothing is left. */
+int folder_out_keep(folder_out *out);
+
+/* Removes what has been written, if it has not been kept. */
+void folder_out_drop(folder_out *out);
+
+#endif

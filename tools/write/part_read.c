@@ -1,0 +1,316 @@
+/* part_read.c - reads parts, and checks that they are whole and belong together. */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "checksum.h"
+#include "console/message.h"
+#include "console/numbers.h"
+#include "part.h"
+
+enum { BRICK = 8, TILE_MOST = 1024, BLOCK = 1024 };
+
+static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
+
+static bool is_sound(const part_header *header)
+{
+    const part_whole *const whole = &header->whole;
+    const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
+    const voxels v = part_voxels(whole);
+    const bool are_floats = numbers_are_floats(whole->origin, 3) && numbers_are_floats(whole->cell, 3);
+    return header->shard && header->shard <= whole->shards && whole->axes && is_size(whole->plane_bytes) &&
+           is_size(whole->position_bytes) && (are_floats || !v.is_float) && isfinite(v.shift[0] + v.shift[1] + v.shift[2]) &&
+           whole->brick_bytes == sizeof(part_brick) && whole->tile && whole->tile <= TILE_MOST && whole->tile % BRICK == 0 &&
+           voxels_are_served(&v.grid, v.is_float, &options) && header->from <= header->to &&
+           header->to <= tribox_tiles(whole->size, whole->tile);
+}
+
+static int check_header(const char *path, const part_header *header)
+{
+    static const char magic[sizeof header->magic] = PART_MAGIC, any_version[] = "tribox part ";
+    if (memcmp(header->magic, any_version, sizeof any_version - 1))
+        return message_failure("%s: not a part file; give the files that tribox voxelize --shard wrote", path);
+    if (memcmp(header->magic, magic, sizeof magic))
+        return message_failure("%s: damaged, or written by another version of tribox; run that shard again", path);
+    if (header->byte_order != PART_BYTE_ORDER)
+        return message_failure("%s: written on a machine of another byte order; merge it on a machine like that one", path);
+    return is_sound(header) ? EXIT_CODE_OK : message_failure("%s: damaged: its header makes no sense; run that shard again", path);
+}
+
+static int refuse(const part *p, const char *why)
+{
+    return message_failure("%s: damaged: %s; run shard %u of %u again", p->path, why, p->header.shard, p->header.whole.shards);
+}
+
+static FILE *open_file(const char *path)
+{
+    FILE *const file = fopen(path, "rb");
+    struct stat about;
+    if (!file) {
+        message_failure("%s: cannot open the part: %s", path, strerror(errno));
+    } else if (fstat(fileno(file), &about) || !S_ISREG(about.st_mode)) {
+        message_failure("%s: not a regular file; give the files that tribox voxelize --shard wrote", path);
+        fclose(file);
+        return NULL;
+    }
+    return file;
+}
+
+/* Where the end is follows from the size of the file. */
+static int read_ends(part *p, FILE *file)
+{
+    if (fread(&p->header, sizeof p->header, 1, file) != 1)
+        return message_failure("%s: not a part file, or only the beginning of one; run that shard again", p->path);
+    const int code = check_header(p->path, &p->header);
+    if (code)
+        return code;
+    struct stat about;
+    if (fstat(fileno(file), &about) || about.st_size < (off_t)(sizeof p->header + sizeof p->end) ||
+        fseeko(file, about.st_size - (off_t)sizeof p->end, SEEK_SET) || fread(&p->end, sizeof p->end, 1, file) != 1)
+        return refuse(p, "it ends early");
+    const uint64_t size = (uint64_t)about.st_size - sizeof p->header - sizeof p->end;
+    if (size % sizeof(part_brick) || size / sizeof(part_brick) != p->end.bricks)
+        return message_failure("%s: damaged: it has %llu bytes, which do not fit its number of bricks; run shard %u of %u again",
+                               p->path, (unsigned long long)about.st_size, p->header.shard, p->header.whole.shards);
+    return EXIT_CODE_OK;
+}
+
+int part_open(part *p, const char *path)
+{
+    *p = (part){.path = path};
+    FILE *const file = open_file(path);
+    if (!file)
+        return EXIT_CODE_FAILURE;
+    const int code = read_ends(p, file);
+    fclose(file);
+    return code;
+}
+
+/* Where the bricks of a part have come to: they lie in its tiles, in their order. */
+typedef struct place {
+    uint32_t lo[3], hi[3]; /* bricks of the tile that the last one was in */
+    uint32_t last[3];
+    uint64_t tile;
+    bool is_begun;
+} place;
+
+/* The tile of a brick within the grid; UINT64_MAX for one outside. */
+static uint64_t enter_tile(const part_header *h, const uint32_t at[3], place *here)
+{
+    const uint32_t side = h->whole.tile / BRICK;
+    uint64_t tile = 0;
+    for (int a = 2; a >= 0; a--) {
+        const uint32_t size = h->whole.size[a], tiles = size / h->whole.tile + (size % h->whole.tile != 0);
+        if (at[a] > (size - 1) / BRICK)
+            return UINT64_MAX;
+        tile = tile * tiles + at[a] / side;
+        here->lo[a] = at[a] / side * side;
+        here->hi[a] = here->lo[a] + side;
+    }
+    return tile;
+}
+
+static bool is_within(const place *here, const uint32_t at[3])
+{
+    bool is_in = here->is_begun;
+    for (int a = 0; a < 3; a++)
+        is_in &= at[a] >= here->lo[a] && at[a] < here->hi[a];
+    return is_in;
+}
+
+/* By z, then y, then x. */
+static bool comes_after(const uint32_t at[3], const uint32_t last[3])
+{
+    return at[2] != last[2] ? at[2] > last[2] : at[1] != last[1] ? at[1] > last[1] : at[0] > last[0];
+}
+
+/* Whether a brick on the upper border of the grid has cells beyond it. */
+static bool has_strays(const uint32_t size[3], const part_brick *b)
+{
+    uint64_t stray = 0, row = 0, layer = 0;
+    for (uint32_t i = 0; i < BRICK; i++) {
+        row |= (uint64_t)(8 * (uint64_t)b->at[0] + i >= size[0]) << i;
+        layer |= 8 * (uint64_t)b->at[1] + i >= size[1] ? UINT64_C(255) << 8 * i : 0;
+    }
+    layer |= row * UINT64_C(0x0101010101010101);
+    for (uint32_t k = 0; k < BRICK; k++)
+        stray |= b->bits[k] & (8 * (uint64_t)b->at[2] + k >= size[2] ? UINT64_MAX : layer);
+    return stray != 0;
+}
+
+static bool is_at_border(const uint32_t size[3], const uint32_t at[3])
+{
+    return at[0] >= size[0] / BRICK || at[1] >= size[1] / BRICK || at[2] >= size[2] / BRICK;
+}
+
+/* NULL if the brick is where one may be, else why not. */
+static const char *check_brick(const part_header *h, const part_brick *b, place *here)
+{
+    if (is_within(here, b->at)) {
+        if (!comes_after(b->at, here->last))
+            return "its bricks are out of order";
+    } else {
+        const uint64_t before = here->tile, tile = enter_tile(h, b->at, here);
+        if (tile < h->from || tile >= h->to)
+            return "it has bricks outside its tiles";
+        if (here->is_begun && tile <= before)
+            return "its bricks are out of order";
+        here->tile = tile;
+        here->is_begun = true;
+    }
+    memcpy(here->last, b->at, sizeof here->last);
+    return is_at_border(h->whole.size, b->at) && has_strays(h->whole.size, b) ? "it has cells outside the grid" : NULL;
+}
+
+typedef struct reading {
+    const part *p;
+    place here;
+    uint64_t left, cells, sum;
+} reading;
+
+static int take_block(reading *r, const part_brick *bricks, size_t count, part_take *take, void *data)
+{
+    int code = EXIT_CODE_OK;
+    r->sum = checksum_bytes(r->sum, bricks, count * sizeof *bricks);
+    for (size_t i = 0; i < count && !code; i++) {
+        const char *const why = check_brick(&r->p->header, &bricks[i], &r->here);
+        r->cells += bricks[i].cells;
+        code = why ? refuse(r->p, why) : take(data, &bricks[i]);
+    }
+    r->left -= count;
+    return code;
+}
+
+static int read_bricks(reading *r, FILE *file, part_brick *block, part_take *take, void *data)
+{
+    int code = EXIT_CODE_OK;
+    part_header header;
+    if (fread(&header, sizeof header, 1, file) != 1 || memcmp(&header, &r->p->header, sizeof header))
+        return refuse(r->p, "it has changed meanwhile");
+    r->sum = checksum_bytes(r->sum, &header, sizeof header);
+    while (r->left && !code) {
+        const size_t wanted = r->left < BLOCK ? (size_t)r->left : BLOCK;
+        code = fread(block, sizeof *block, wanted, file) == wanted ? take_block(r, block, wanted, take, data)
+                                                                   : refuse(r->p, "it ends early");
+    }
+    if (code)
+        return code;
+    r->sum = checksum_bytes(r->sum, &r->p->end, offsetof(part_end, checksum));
+    if (r->sum != r->p->end.checksum)
+        return refuse(r->p, "its checksum does not match its content");
+    return r->cells == r->p->end.cells ? EXIT_CODE_OK : refuse(r->p, "its cells are not as many as it says");
+}
+
+int part_read(const part *p, part_take *take, void *data)
+{
+    reading r = {.p = p, .left = p->end.bricks, .sum = CHECKSUM_EMPTY};
+    FILE *const file = open_file(p->path);
+    part_brick *const block = file ? malloc(BLOCK * sizeof *block) : NULL;
+    int code = EXIT_CODE_FAILURE;
+    if (block) {
+        setvbuf(file, NULL, _IONBF, 0);
+        code = read_bricks(&r, file, block, take, data);
+    } else if (file) {
+        message_failure("out of memory for %s", p->path);
+    }
+    free(block);
+    if (file)
+        fclose(file);
+    return code;
+}
+
+static int by_shard(const void *a, const void *b)
+{
+    const uint32_t one = ((const part *)a)->header.shard, other = ((const part *)b)->header.shard;
+    return (one > other) - (one < other);
+}
+
+static bool has_other_grid(const part_whole *one, const part_whole *other)
+{
+    return memcmp(one->origin, other->origin, sizeof one->origin) || memcmp(one->cell, other->cell, sizeof one->cell) ||
+           memcmp(one->size, other->size, sizeof one->size) || one->plane_bytes != other->plane_bytes;
+}
+
+static int check_alike(const part *a, const part *b)
+{
+    const part_whole *one = &a->header.whole, *other = &b->header.whole;
+    const char *differing = has_other_grid(one, other)                            ? "grid"
+                            : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
+                            : one->shards != other->shards                        ? "number of shards"
+                            : one->position_bytes != other->position_bytes || one->triangles != other->triangles ||
+                                    one->mesh_checksum != other->mesh_checksum
+                                ? "mesh"
+                            : one->accuracy != other->accuracy ? "accuracy"
+                            : one->axes != other->axes         ? "choice of axes"
+                            : one->tile != other->tile         ? "size of tiles"
+                                                               : NULL;
+    return differing ? message_failure("%s and %s do not fit together: they differ in the %s", a->path, b->path, differing)
+                     : EXIT_CODE_OK;
+}
+
+/* Lists the shards that are missing among sorted parts, runs as "3-5", as far as the text goes. */
+static void list_missing(const part *parts, size_t count, uint32_t shards, char *text, size_t size)
+{
+    size_t length = 0;
+    uint32_t next = 1;
+    for (size_t i = 0; i <= count && length + 32 < size; i++) {
+        const uint32_t shard = i < count ? parts[i].header.shard : shards + 1;
+        if (next + 1 < shard)
+            length += (size_t)snprintf(text + length, size - length, "%s%u-%u", length ? "," : "", next, shard - 1);
+        else if (next < shard)
+            length += (size_t)snprintf(text + length, size - length, "%s%u", length ? "," : "", next);
+        next = shard + 1;
+    }
+    if (next <= shards)
+        snprintf(text + length, size - length, ",...");
+}
+
+static int check_complete(const part *parts, size_t count)
+{
+    const uint32_t shards = parts[0].header.whole.shards;
+    char missing[256] = "";
+    for (size_t i = 1; i < count; i++)
+        if (parts[i].header.shard == parts[i - 1].header.shard)
+            return message_failure("%s and %s are both shard %u of %u; give each once", parts[i - 1].path, parts[i].path,
+                                   parts[i].header.shard, shards);
+    if (count == shards)
+        return EXIT_CODE_OK;
+    list_missing(parts, count, shards, missing, sizeof missing);
+    const bool is_one = count + 1 == shards;
+    return message_failure("shard%s %s of %u %s missing; run %s, or give %s too", is_one ? "" : "s", missing, shards,
+                           is_one ? "is" : "are", is_one ? "it" : "them", is_one ? "its part" : "their parts");
+}
+
+/* Parts of other ways to divide the tiles do not meet. */
+static int check_borders(const part *parts, size_t count)
+{
+    const part_whole *const whole = &parts[0].header.whole;
+    uint64_t next = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (parts[i].header.from != next)
+            return message_failure("%s begins with tile %llu in place of %llu: it was cut otherwise than the others; run shard %u "
+                                   "of %u again",
+                                   parts[i].path, (unsigned long long)parts[i].header.from, (unsigned long long)next,
+                                   parts[i].header.shard, whole->shards);
+        next = parts[i].header.to;
+    }
+    return next == tribox_tiles(whole->size, whole->tile)
+               ? EXIT_CODE_OK
+               : message_failure("%s ends before the last tile: it was cut otherwise than the others; run shard %u of %u again",
+                                 parts[count - 1].path, whole->shards, whole->shards);
+}
+
+int part_join(part *parts, size_t count)
+{
+    int code = EXIT_CODE_OK;
+    for (size_t i = 1; i < count && !code; i++)
+        code = check_alike(&parts[0], &parts[i]);
+    if (code)
+        return code;
+    qsort(parts, count, sizeof *parts, by_shard);
+    code = check_complete(parts, count);
+    return code ? code : check_borders(parts, count);
+}
