@@ -54,10 +54,44 @@ typedef void tribox_finish(tribox_voxels *v);
 /* Writes the listed bits. */
 typedef void tribox_write(tribox_voxels *v);
 
+/*
+ * The tiles of a grid as kernels see them, where float tells their places apart: fewer than 2^31 in all. The place of x is
+ * (x - origin) * per_tile.
+ */
+typedef struct tribox_tile_lattice {
+    float origin[3], per_tile[3];
+    float end[3];     /* the place where the grid ends */
+    float doubt[3];   /* how far off places and planes can be, together (PROOFS.md 7.12) */
+    int32_t along[3]; /* how many tiles */
+} tribox_tile_lattice;
+
+/*
+ * Which tiles the bounding boxes of triangles touch: the number of the first, and how many follow it along x, y and z, in
+ * TRIBOX_TILES_BITS each. Or there is none, or the planes have to be asked.
+ */
+enum {
+    TRIBOX_TILES_BLOCK = 512,
+    TRIBOX_TILES_BITS = 10,
+    TRIBOX_TILES_MORE = (1 << TRIBOX_TILES_BITS) - 1,
+    TRIBOX_TILES_NONE = -2,
+    TRIBOX_TILES_UNKNOWN = -1
+};
+typedef struct tribox_tile_range {
+    int32_t first[TRIBOX_TILES_BLOCK], more[TRIBOX_TILES_BLOCK];
+} tribox_tile_range;
+
+/*
+ * Triangles first .. first + count - 1 of a soup, TRIBOX_TILES_BLOCK at most. Whole packets are read, as by tribox_sort_soup; so
+ * there are as many triangles as lanes, or numbers after them.
+ */
+typedef void tribox_find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, size_t first, size_t count,
+                               tribox_tile_range *range);
+
 typedef struct tribox_cells_kernel {
     tribox_sort_soup *sort;
     tribox_finish *finish;
     tribox_write *write;
+    tribox_find_tiles *find_tiles;
 } tribox_cells_kernel;
 
 typedef struct tribox_grid_kernel {

@@ -2,6 +2,7 @@
 #include "voxels.h"
 #include "axes.h"
 #include "reach.h"
+#include "tile_ranges.h"
 #include "writes.h"
 #include "limits.h"
 #include "runs.h"

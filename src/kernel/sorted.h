@@ -240,4 +240,5 @@ const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .sort = sort_soup,
     .finish = finish,
     .write = write_listed,
+    .find_tiles = find_tiles,
 };

@@ -1,0 +1,243 @@
+/* tile_lists.c - which triangles are in which tile: by their bounding boxes in float, or by the planes, and pair by pair. */
+#include "tile_lists.h"
+
+#include <string.h>
+
+#include "blocks.h"
+#include "few.h"
+#include "finite.h"
+#include "grid_f64.h"
+#include "mesh_input.h"
+#include "mesh_streams.h"
+
+/* The lowest cells of tiles lie above the planes between them. */
+static double plane_of(const void *about, int a, int64_t tile)
+{
+    const tribox_listing *const l = about;
+    const uint64_t cell = (uint64_t)tile * l->tiling.tile, plane = cell < l->tiling.size[a] ? cell : l->tiling.size[a];
+    return l->grid ? tribox_grid_plane(l->grid, a, plane) : tribox_plane_at(&l->planes, a, (int64_t)plane);
+}
+
+static inline void put(tribox_listing *l, size_t tile)
+{
+    if (tile < l->tiling.from || tile >= l->tiling.to)
+        return;
+    size_t *const start = l->starts + (tile - l->tiling.from);
+    if (l->list)
+        l->list[(*start)++] = l->triangle;
+    else
+        start[1]++;
+}
+
+static void put_at(void *about, const int64_t at[3])
+{
+    tribox_listing *const l = about;
+    put(l, ((size_t)at[2] * l->tiling.along[1] + (size_t)at[1]) * l->tiling.along[0] + (size_t)at[0]);
+}
+
+/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis, and on how many axes there are more, even if some lie outside the grid. */
+typedef struct tile_range {
+    int64_t base[3], tiles[3];
+    int spans;
+} tile_range;
+
+/* The layers of tiles of the share: nothing but them is looked at. */
+static void start_range(const tribox_listing *l, tile_range *range)
+{
+    const tribox_tiling *const t = &l->tiling;
+    const size_t layer = t->along[0] * t->along[1];
+    for (int a = 0; a < 2; a++) {
+        range->base[a] = 0;
+        range->tiles[a] = (int64_t)t->along[a];
+    }
+    range->base[2] = (int64_t)(t->from / layer);
+    range->tiles[2] = (int64_t)((t->to - 1) / layer) + 1 - range->base[2];
+    range->spans = 3;
+}
+
+/* The tiles that the bounding box touches on axis a. */
+static bool cut_range(const tribox_listing *l, const double u[9], int a, tile_range *range)
+{
+    const double *const w = u + 3 * a;
+    const double low = w[0] < w[1] ? w[0] : w[1], high = w[0] < w[1] ? w[1] : w[0];
+    const double least = low < w[2] ? low : w[2], most = high < w[2] ? w[2] : high;
+    const int64_t size = l->tiling.size[a], tile = l->tiling.tile, first = range->base[a], end = first + range->tiles[a];
+    const tribox_cells cells = l->grid ? tribox_grid_cells(l->grid, a, 0, size, (float)least, (float)most)
+                                       : tribox_planes_cells(&l->planes, a, size, least, most);
+    const int64_t from = cells.first < 0 ? 0 : cells.first / tile, last = cells.last < size ? cells.last : size - 1;
+    if (cells.first >= size || cells.last < 0 || from >= end || last / tile < first)
+        return false;
+    range->spans -= cells.first >= 0 && cells.last < size && from == last / tile;
+    range->base[a] = from > first ? from : first;
+    range->tiles[a] = (last / tile < end ? last / tile + 1 : end) - range->base[a];
+    return true;
+}
+
+/* Where its box spans one tile on two axes, a triangle overlaps every tile that it spans on the third (PROOFS.md 7.4). */
+static void put_range(tribox_listing *l, const double u[9], const tile_range *range)
+{
+    int64_t at[3];
+    if (range->spans >= 2 && l->plan.axes != TRIBOX_AXES_BOX) {
+        const tribox_blocks blocks = {.plan = &l->plan, .plane = plane_of, .lattice = l, .take = put_at, .taker = l};
+        tribox_blocks_ask(&blocks, u, range->base, range->tiles);
+        return;
+    }
+    for (at[2] = range->base[2]; at[2] < range->base[2] + range->tiles[2]; at[2]++)
+        for (at[1] = range->base[1]; at[1] < range->base[1] + range->tiles[1]; at[1]++)
+            for (at[0] = range->base[0]; at[0] < range->base[0] + range->tiles[0]; at[0]++)
+                put_at(l, at);
+}
+
+/* Any triangle. */
+static void list_by_planes(tribox_listing *l, const double u[9])
+{
+    tile_range range;
+    if (!tribox_are_finite_f64(u, 9))
+        return;
+    start_range(l, &range);
+    for (int a = 0; a < 3; a++)
+        if (l->plan.axes & TRIBOX_AXES_BOX && !cut_range(l, u, a, &range))
+            return;
+    put_range(l, u, &range);
+}
+
+/* One whose tiles a kernel found. */
+static void list_by_range(tribox_listing *l, const double u[9], size_t first, unsigned more)
+{
+    const size_t *const along = l->tiling.along;
+    tile_range range = {
+        .base = {(int64_t)(first % along[0]), (int64_t)(first / along[0] % along[1]), (int64_t)(first / along[0] / along[1])}};
+    for (int a = 0; a < 3; a++) {
+        const unsigned others = more >> a * TRIBOX_TILES_BITS & TRIBOX_TILES_MORE;
+        range.tiles[a] = 1 + (int64_t)others;
+        range.spans += others > 0;
+    }
+    put_range(l, u, &range);
+}
+
+static void read_triangle(const tribox_listing *l, double u[9])
+{
+    double corner[3][3];
+    if (!l->soup)
+        tribox_mesh_read_corners(&l->mesh, 3 * (size_t)l->triangle, 3, corner);
+    for (int n = 0; n < 9; n++)
+        u[n] = l->soup ? tribox_soup_axis(l->soup, n / 3)[n % 3][l->triangle] : corner[n % 3][n / 3];
+}
+
+static void list_by_one(tribox_listing *l)
+{
+    const uint64_t count = l->soup ? l->soup->count : l->mesh.count;
+    for (uint64_t i = 0; i < count; i++) {
+        double u[9];
+        l->triangle = (uint32_t)i;
+        read_triangle(l, u);
+        list_by_planes(l, u);
+    }
+}
+
+/* Those of whose bounding boxes a kernel does not say that they touch one tile, or none. */
+static void put_other(tribox_listing *l, int32_t first, int32_t more)
+{
+    double u[9];
+    read_triangle(l, u);
+    if (more == TRIBOX_TILES_UNKNOWN)
+        list_by_planes(l, u);
+    else
+        list_by_range(l, u, (size_t)first, (unsigned)more);
+}
+
+/* What a kernel found of triangles `from` on. */
+static void put_found(tribox_listing *l, size_t from, size_t count, const tribox_tile_range *found)
+{
+    for (size_t i = 0; i < count; i++) {
+        l->triangle = (uint32_t)(from + i);
+        if (found->more[i] == 0)
+            put(l, (size_t)found->first[i]);
+        else if (found->more[i] != TRIBOX_TILES_NONE)
+            put_other(l, found->first[i], found->more[i]);
+    }
+}
+
+/* The last block has what is left of the one before, so that it fills a packet. */
+static void list_soup(tribox_listing *l)
+{
+    tribox_tile_range found;
+    tribox_few few;
+    const tribox_soup *const soup = tribox_few_triangles(l->soup, l->plan.kernel, &few);
+    for (size_t at = 0, some; at < l->soup->count; at += some) {
+        const size_t left = l->soup->count - at;
+        some = left <= TRIBOX_TILES_BLOCK ? left : TRIBOX_TILES_BLOCK - TRIBOX_LANES_MAX;
+        l->plan.kernel->cells->find_tiles(soup, &l->lattice, at, some, &found);
+        put_found(l, at, some, &found);
+    }
+}
+
+static void list_mesh(tribox_listing *l)
+{
+    _Alignas(64) float streams[9][TRIBOX_TILES_BLOCK] = {{0}};
+    float *to[9];
+    tribox_tile_range found;
+    for (int k = 0; k < 9; k++)
+        to[k] = streams[k];
+    for (size_t at = 0, some; at < l->mesh.count; at += some) {
+        const size_t left = l->mesh.count - at;
+        some = left < TRIBOX_TILES_BLOCK ? left : TRIBOX_TILES_BLOCK;
+        const tribox_soup soup = tribox_soup_of(&streams[0][0], TRIBOX_TILES_BLOCK, some);
+        tribox_mesh_write_local(&l->mesh, l->plan.kernel, l->planes.origin, at, some, to);
+        l->plan.kernel->cells->find_tiles(&soup, &l->lattice, 0, some, &found);
+        put_found(l, at, some, &found);
+    }
+}
+
+/* Planes are off by half a spacing: of floats, or of doubles while float has the place from the first plane (PROOFS.md 7.12). */
+static double error_of(const tribox_listing *l, int a)
+{
+    const double lowest = plane_of(l, a, 0), highest = plane_of(l, a, (int64_t)l->tiling.along[a]);
+    const double farthest = -lowest > highest ? -lowest : highest;
+    return l->grid ? 0x1.001p-24 * farthest + 0x1p-149 : 0x1.001p-52 * farthest;
+}
+
+/* Whether float tells tiles apart, and can number them. */
+static bool make_lattice(tribox_listing *l)
+{
+    const tribox_tiling *const t = &l->tiling;
+    tribox_tile_lattice *const f = &l->lattice;
+    bool is = l->plan.axes & TRIBOX_AXES_BOX && tribox_tiles(t->size, t->tile) <= INT32_MAX;
+    for (int a = 0; a < 3; a++) {
+        const double cell = l->grid ? (double)l->grid->cell[a] : l->planes.cell[a], per_tile = 1 / cell / t->tile;
+        f->origin[a] = l->grid ? l->grid->origin[a] : 0;
+        f->per_tile[a] = (float)per_tile;
+        f->end[a] = (float)((double)t->size[a] / t->tile);
+        f->doubt[a] = (float)(error_of(l, a) * per_tile) * 1.001f + (f->end[a] + 1) * 0x1p-21f;
+        f->along[a] = (int32_t)t->along[a];
+        is &= t->along[a] <= 1 << 20 && f->per_tile[a] >= 0x1p-100f && f->per_tile[a] <= 0x1p100f && f->doubt[a] < 0.5f;
+    }
+    return is;
+}
+
+static void list_triangles(tribox_listing *l)
+{
+    if (l->tiling.from < l->tiling.to)
+        (!make_lattice(l) ? list_by_one : l->soup ? list_soup : list_mesh)(l);
+}
+
+/* Each list is counted in the number after its own; their sums are where lists begin. */
+static void count(tribox_listing *l)
+{
+    const size_t tiles = l->tiling.to - l->tiling.from;
+    memset(l->starts, 0, (tiles + 1) * sizeof *l->starts);
+    list_triangles(l);
+    for (size_t t = 0; t < tiles; t++)
+        l->starts[t + 1] += l->starts[t];
+}
+
+/* Every start becomes its list's end, which is the start of the next. */
+static void fill(tribox_listing *l)
+{
+    const size_t tiles = l->tiling.to - l->tiling.from;
+    list_triangles(l);
+    memmove(l->starts + 1, l->starts, tiles * sizeof *l->starts);
+    l->starts[0] = 0;
+}
+
+void tribox_tiles_list(tribox_listing *l) { (l->list ? fill : count)(l); }
