@@ -15,7 +15,7 @@ import volumes
 DEBIAN = "/usr/bin/python3"
 FOREIGN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "foreign.py")
 
-# Sizes around 8 and 64, one cell, none that is set, cells of three lengths, planes of doubles, a shifted mesh.
+# Sizes around 8 and 64, more than 4096 in a row, one cell, none that is set, cells of three lengths, planes of doubles, a shifted mesh.
 GRIDS = {
     "one": ("--cell", "9", "--origin=-3,-3,-3", "--size", "1,1,1"),
     "small": ("--resolution", "7"),
@@ -23,6 +23,7 @@ GRIDS = {
     "odd": ("--cell", "0.3,0.5,0.25", "--origin=-2,-2.1,-2", "--size", "13,9,17"),
     "wide": ("--cell", "0.06,0.7,0.9", "--origin=-2,-2,-2", "--size", "70,7,5"),
     "words": ("--cell", "0.03,0.5,0.5", "--size", "128,8,9"),
+    "long": ("--cell", "0.001,4,4", "--origin=-2,-2,-2", "--size", "4101,1,1"),
     "empty": ("--cell", "0.5", "--origin", "50,50,50", "--size", "10,11,12"),
     "doubles": ("--cell", "0.30000000001", "--origin=-2,-2,-2", "--size", "12,13,14"),
     "shifted": ("--shift", "0.5,-1,2", "--resolution", "11"),
@@ -97,6 +98,15 @@ class Readers(Volumes):
                     self.assertIsNone(file.testzip())
                     kind = zipfile.ZIP_DEFLATED if options else zipfile.ZIP_STORED
                     self.assertEqual({member.compress_type for member in file.infolist()}, {kind})
+
+    def test_many_bricks(self):
+        """More than zlib's buffers hold."""
+        for name, options in (("stored.npz", ()), ("deflated.npz", ("--deflate",))):
+            self.succeed("voxelize", self.mesh, "--resolution", "600", "-q", "-o", self.path(name), *options)
+        with zipfile.ZipFile(self.path("stored.npz")) as stored, zipfile.ZipFile(self.path("deflated.npz")) as deflated:
+            for name in ("at.npy", "bits.npy"):
+                self.assertEqual(stored.read(name), deflated.read(name))
+            self.assertGreater(deflated.getinfo("bits.npy").compress_size, 100000)
 
     def test_list_of_cells(self):
         for _ in self.check("numpy", ".npy", "--out-format", "cells", has_place=False):
