@@ -7,7 +7,7 @@
 
 const bool deflate_is_there = true;
 
-enum { CHUNK = 1 << 16, LEVEL = 6, WINDOW_BITS = 15, MEMORY_LEVEL = 9 };
+enum { CHUNK = 1 << 16, LEVEL = 4, WINDOW_BITS = 15, MEMORY_LEVEL = 9 };
 
 struct deflater {
     z_stream stream;
