@@ -553,7 +553,7 @@ TRIBOX_API size_t tribox_grid_words(const tribox_grid *grid);
  *
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except for
  * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the grid. Many triangles in one call are
- * faster than one in each: small ones are taken a packet at once. Nothing is allocated; the call takes up to 84 KB of stack.
+ * faster than one in each: small ones are taken a packet at once. Nothing is allocated; the call takes up to 96 KB of stack.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, or count floats exceed the address space), TRIBOX_BAD_GRID (also if there
  * are more than 2^31 words to write: tribox_voxelize_window), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.

@@ -86,6 +86,17 @@ static void set_soup_by_cells(tribox_voxels *v, const tribox_soup *soup)
     }
 }
 
+/* By more than what ties leave open; but by less than half a cell, as own_planes.h needs it. */
+static bool has_rough_planes(const tribox_voxels *v)
+{
+    bool is_rough = false, is_near = true;
+    for (int a = 0; a < 3; a++) {
+        is_rough |= v->lattice.error[a] > 0x1p-10;
+        is_near &= v->lattice.error[a] < 0x1.fp-2;
+    }
+    return is_rough && is_near;
+}
+
 void tribox_voxels_open(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
                         uint64_t *occupied)
 {
@@ -97,6 +108,7 @@ void tribox_voxels_open(tribox_voxels *v, const tribox_grid *grid, const uint32_
     v->first_layer = 0;
     v->end_layer = size[2];
     v->lattice = lattice_of(v);
+    v->has_rough_planes = has_rough_planes(v);
     v->is_for_float = is_for_float(v);
     tribox_voxels_start(v, occupied);
 }

@@ -81,8 +81,9 @@ struct tribox_voxels {
     size_t first_triangle;   /* the one with the number 0 */
     int32_t first_number;    /* that of the soup's first */
     tribox_planes planes;
-    bool is_for_float; /* whether the soup's packets are sorted in float: PROOFS.md 7.9 */
-    bool has_limits;   /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
+    bool has_rough_planes; /* of a grid in float: where limits by the very planes of a row pay (PROOFS.md 7.13) */
+    bool is_for_float;     /* whether the soup's packets are sorted in float: PROOFS.md 7.9 */
+    bool has_limits;       /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
 
     uint32_t size[3]; /* of the grid or window */
     tribox_plan plan;

@@ -12,6 +12,8 @@ typedef struct strip_place {
     const strip_limits *limits;
     unsigned t;
     int64_t first, end;
+    strip_limits *own; /* by its own planes (own_planes.h), once they are needed */
+    bool *has_own;
 } strip_place;
 
 /* The intervals of V_LANES layers: from first to before end, none where end <= first. */

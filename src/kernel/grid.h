@@ -5,4 +5,5 @@
 #include "rows.h"
 #include "columns.h"
 #include "packed_rows.h"
+#include "own_planes.h"
 #include "strips.h"

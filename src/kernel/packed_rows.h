@@ -190,18 +190,3 @@ static void wait_for_rows(const strip_place *p, const row_list *rows)
         }
     }
 }
-
-TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_certain)
-{
-    const int bit = p->strip->bit[p->t];
-    const bool is_narrow = bit + p->strip->cells[0][p->t] < 64;
-    row_cursor at = first_rows(p, shape);
-    row_list rows;
-    while (list_rows(p, &at, &rows, shape, has_certain)) {
-        const row_cells *const cells = has_certain ? &rows.certain : &rows.maybe;
-        limit_all_rows(p, &rows, shape, has_certain);
-        p->v->counts.overlapping += (is_narrow ? set_narrow_rows : set_wide_rows)(p->v->occupied, &rows, cells, bit);
-        if (has_certain && may_be_open(&rows))
-            wait_for_rows(p, &rows);
-    }
-}

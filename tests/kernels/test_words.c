@@ -91,6 +91,9 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
 #if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return b > c ? NAN : a;
+#else
+    case V_NEAREST_FLOAT:
+        return (lane_number)(float)a;
 #endif
     case NUMBER_WORDS:
         break;
@@ -139,6 +142,8 @@ static const char *const number_names[NUMBER_WORDS] = {
     [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select",
 #if !defined(LANES_OF_DOUBLE)
     [V_DROP] = "v_drop",
+#else
+    [V_NEAREST_FLOAT] = "v_nearest_float",
 #endif
 };
 
@@ -155,6 +160,9 @@ static bool may_change_payload(number_word word)
 {
 #if !defined(LANES_OF_DOUBLE)
     if (word == V_DROP)
+        return true;
+#else
+    if (word == V_NEAREST_FLOAT)
         return true;
 #endif
     return (word >= V_ADD && word <= V_FMS) || word == V_FLIP;

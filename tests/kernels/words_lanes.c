@@ -64,6 +64,9 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
 #if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return v_drop(v_gt(b, c), a);
+#else
+    case V_NEAREST_FLOAT:
+        return v_nearest_float(a);
 #endif
     case NUMBER_WORDS:
         break;

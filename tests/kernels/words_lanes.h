@@ -35,6 +35,8 @@ typedef enum number_word {
     V_SELECT, /* a where b > c, else b */
 #if !defined(LANES_OF_DOUBLE)
     V_DROP, /* NaN where b > c, else a */
+#else
+    V_NEAREST_FLOAT,
 #endif
     NUMBER_WORDS
 } number_word;

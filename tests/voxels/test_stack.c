@@ -16,7 +16,7 @@
 #include "common/thread_stack.h"
 #include "tribox.h"
 
-enum { TRIANGLES = 5000, CELLS = 130, STATED = 84 * 1024 };
+enum { TRIANGLES = 5000, CELLS = 130, STATED = 96 * 1024 };
 
 static double positions[TRIANGLES][3][3];
 
