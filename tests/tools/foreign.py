@@ -33,7 +33,7 @@ def with_openvdb(path):
     assert grid.name == "tribox" and all(value for value in (item.value for item in grid.citerOnValues()))
     cell, middle = grid.transform.voxelSize(), grid.transform.indexToWorld((0, 0, 0))
     return {"cells": [item.min for item in grid.citerOnValues() if item.min == item.max], "cell": cell, "middle": middle,
-            "active": grid.activeVoxelCount(), "size": grid["size"], "begins": grid["origin"], "shift": grid["shift"]}
+            "active": grid.activeVoxelCount(), "size": grid["size"], "lengths": grid["cell"], "begins": grid["origin"], "shift": grid["shift"]}
 
 
 def with_vtk(path):

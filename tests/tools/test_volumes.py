@@ -131,6 +131,20 @@ class Readers(Volumes):
             self.skipTest("built without OpenVDB")
         self.assertEqual((result.code, result.stderr), (0, ""))
 
+    def test_openvdb_and_small_cells(self):
+        """It takes no volume below 3e-15, so that lengths are multiplied."""
+        self.skip_without_openvdb()
+        small = self.write("small.ply", meshes.ply_binary([[[x * 2 ** -20 for x in v] for v in t] for t in
+                                                           meshes.lattice_triangles(4, seed=3)]))
+        self.succeed_with_note("note: .*small.vdb has lengths of the mesh times 1000, as OpenVDB takes no cells as small as these$",
+                               "voxelize", small, "-r", "40", "-q", "--vdb-grid", "bool", "-o", self.path("small.vdb"))
+        found, = self.foreign("openvdb", [self.path("small.vdb")])
+        for a in range(3):
+            self.assertTrue(volumes.is_close(found["middle"][a], 1000 * (found["begins"][a] + found["lengths"][a] / 2)))
+            self.assertTrue(volumes.is_close(found["cell"][a], 1000 * found["lengths"][a]))
+        self.fail_with(1, "are too small for .vdb; write .npz", "voxelize", small, "--cell", "1e-30", "--size", "4,4,4", "--origin",
+                       "0,0,0", "-o", self.path("x.vdb"))
+
     def test_openvdb_masks(self):
         """OpenVDB's Python module does not know them: its program says how many cells there are, and between which corners."""
         self.skip_without_openvdb()

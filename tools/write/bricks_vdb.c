@@ -1,6 +1,7 @@
 /* bricks_vdb.c - bricks as a file of OpenVDB's, by the part of the program that knows it. */
 #define _POSIX_C_SOURCE 200809L
 #include <dlfcn.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,10 +25,31 @@ typedef struct vdb {
     void *tree;
 } vdb;
 
+/*
+ * OpenVDB takes no cells whose volume is below 3e-15: its lengths then are `unit` times those of the mesh, a power of ten. Infinite
+ * where none would do.
+ */
+static double unit_of(const tribox_grid_f64 *grid)
+{
+    static const double volume_min = 1e-14, unit_max = 1e15;
+    const double *const cell = grid->cell;
+    double unit = 1;
+    while (cell[0] * unit * (cell[1] * unit) * (cell[2] * unit) < volume_min)
+        unit *= 10;
+    return unit <= unit_max ? unit : INFINITY;
+}
+
 int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid)
 {
-    (void)grid;
-    return load() ? EXIT_CODE_OK : message_failure("%s: cannot load what writes .vdb: %s; write .npz", path, dlerror());
+    const double unit = unit_of(grid);
+    if (!load())
+        return message_failure("%s: cannot load what writes .vdb: %s; write .npz", path, dlerror());
+    if (isinf(unit))
+        return message_failure("%s: cells of %.9g x %.9g x %.9g are too small for .vdb; write .npz", path, grid->cell[0],
+                               grid->cell[1], grid->cell[2]);
+    if (unit > 1)
+        message_say("note: %s has lengths of the mesh times %.0f, as OpenVDB takes no cells as small as these", path, unit);
+    return EXIT_CODE_OK;
 }
 
 static int fail(const brick_out *out, const char *reason)
@@ -38,7 +60,7 @@ static int fail(const brick_out *out, const char *reason)
 static vdb_grid grid_of(const brick_out *out)
 {
     const voxels *const v = &out->cells;
-    vdb_grid grid = {.is_of_booleans = out->options.is_of_booleans};
+    vdb_grid grid = {.unit = unit_of(&v->grid), .is_of_booleans = out->options.is_of_booleans};
     for (int a = 0; a < 3; a++)
         grid.origin[a] = v->grid.origin[a] + v->shift[a];
     memcpy(grid.cell, v->grid.cell, sizeof grid.cell);
@@ -51,14 +73,11 @@ static int open_vdb(brick_out *out)
 {
     char reason[VDB_REASON] = "out of memory";
     const vdb_grid grid = grid_of(out);
-    const int code = bricks_check_vdb(out->file->path, &out->cells.grid);
-    if (code)
-        return code;
-    vdb *const made = malloc(sizeof *made);
-    if (made) {
+    vdb *const made = calloc(1, sizeof *made);
+    if (made)
         made->part = load();
+    if (made && made->part)
         made->tree = made->part->make(&grid, reason);
-    }
     if (made && made->tree) {
         out->state = made;
         return EXIT_CODE_OK;

@@ -104,7 +104,7 @@ template <class Grid> class tree_of : public tree
 // The middle of cell i lies at index i, as programs that draw voxels have it.
 openvdb::math::Transform::Ptr transform_of(const vdb_grid &grid)
 {
-    const openvdb::Vec3d cell(grid.cell), middle(openvdb::Vec3d(grid.origin) + cell / 2.0);
+    const openvdb::Vec3d cell(openvdb::Vec3d(grid.cell) * grid.unit), middle(openvdb::Vec3d(grid.origin) * grid.unit + cell / 2.0);
     return openvdb::math::Transform::Ptr(
         new openvdb::math::Transform(openvdb::math::MapBase::Ptr(new openvdb::math::ScaleTranslateMap(cell, middle))));
 }
@@ -120,6 +120,8 @@ void describe(openvdb::GridBase &to, const vdb_grid &grid)
     to.insertMeta("size", openvdb::Vec3IMetadata(openvdb::Vec3i(static_cast<int>(grid.size[0]), static_cast<int>(grid.size[1]),
                                                                 static_cast<int>(grid.size[2]))));
     to.insertMeta("shift", openvdb::Vec3DMetadata(shift));
+    if (grid.unit != 1.0)
+        to.insertMeta("unit", openvdb::DoubleMetadata(grid.unit));
 }
 
 // Runs something that may throw. Returns whether it did not.

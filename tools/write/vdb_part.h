@@ -13,6 +13,7 @@ typedef struct vdb_grid {
     double origin[3]; /* of the mesh as it was before any shift */
     double cell[3], shift[3];
     uint32_t size[3];
+    double unit; /* the transform's lengths are these times it */
     int is_of_booleans;
 } vdb_grid;
 
