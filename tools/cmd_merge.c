@@ -77,7 +77,8 @@ static int report(const request *r, const voxels *v, size_t parts, uint64_t bric
     } else {
         printf("parts        %zu\n", parts);
         voxelize_print_grid(v, voxels_are_shifted(v));
-        printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\nwritten      %s\n", occupied, bricks, r->result.out_path);
+        printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\n", occupied, bricks);
+        voxelize_print_written(r->result.out_path, !r->result.format->has_place);
         if (r->result.preview_path)
             printf("preview      %s\n", r->result.preview_path);
     }

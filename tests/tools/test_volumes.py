@@ -231,6 +231,11 @@ class Places(Volumes):
 
 
 class Options(Volumes):
+    def test_summary_of_files_without_place(self):
+        for name, has_place in (("x.npy", False), ("x.raw", False), ("x.vti", True), ("x.npz", True)):
+            text = self.succeed("voxelize", self.mesh, *GRIDS["small"], "-o", self.path(name))
+            self.assertEqual("\nplace        not in the file: keep origin and cell\n" in text, not has_place, name)
+
     def test_what_a_format_does_not_have(self):
         self.fail_with(2, "--deflate is for .npz alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npy", "--deflate")
         self.fail_with(2, "--vdb-grid is for .vdb alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npz", "--vdb-grid", "bool")

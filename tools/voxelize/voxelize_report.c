@@ -54,6 +54,13 @@ void voxelize_json_grid(json *j, const voxels *v, bool is_shifted)
         json_doubles(j, "shift", v->shift, 3, false);
 }
 
+void voxelize_print_written(const char *path, bool lacks_place)
+{
+    printf("written      %s\n", path);
+    if (lacks_place)
+        printf("place        not in the file: keep origin and cell\n");
+}
+
 static void print_summary(const voxelize_answer *a)
 {
     printf("mesh         %s\n", a->mesh_path);
@@ -75,7 +82,7 @@ static void print_summary(const voxelize_answer *a)
     printf(", kernel %s, %u thread%s\n", tribox_kernel_name(&a->test), a->threads, a->threads == 1 ? "" : "s");
     print_time(a);
     if (a->out_path)
-        printf("written      %s\n", a->out_path);
+        voxelize_print_written(a->out_path, a->lacks_place);
     if (a->preview_path)
         printf("preview      %s\n", a->preview_path);
 }

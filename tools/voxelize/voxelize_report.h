@@ -13,6 +13,7 @@ typedef struct voxelize_answer {
     size_t triangles, not_finite;
     bool is_double; /* the mesh has coordinates that float does not hold */
     bool is_shifted;
+    bool lacks_place;        /* the format of the file has none for origin and cell */
     voxels cells;            /* the grid and the shift alone */
     uint32_t tile;           /* cells along a side of the tiles; 0: in one piece */
     uint64_t bricks;         /* with tiles */
@@ -30,8 +31,9 @@ typedef struct voxelize_answer {
 /* Prints the answer and flushes the output. Returns an exit_code. */
 int voxelize_report(const voxelize_answer *a, bool wants_json);
 
-/* Grid and, where there is one, shift: as lines of a summary, and as members of a JSON object. */
+/* Grid and, where there is one, shift: as lines of a summary, and as members of a JSON object. The file: as lines. */
 void voxelize_print_grid(const voxels *v, bool is_shifted);
+void voxelize_print_written(const char *path, bool lacks_place);
 void voxelize_json_grid(json *j, const voxels *v, bool is_shifted);
 
 #endif

@@ -98,6 +98,7 @@ int voxelize_work(const voxelize_request *r)
     voxelize_answer a = {.mesh_path = r->from.mesh_path,
                          .out_path = r->result.out_path,
                          .preview_path = r->result.preview_path,
+                         .lacks_place = r->result.format && !r->result.format->has_place,
                          .test = r->test,
                          .threads = r->threads,
                          .shard = r->has_shard ? r->shard : 0,
