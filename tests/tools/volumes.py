@@ -84,6 +84,67 @@ def read_vox(path):
     return size, {cell[:3] for cell in cells}
 
 
+class Bytes:
+    """Numbers, strings and masks one after the other."""
+
+    def __init__(self, data):
+        self.data, self.at = data, 0
+
+    def take(self, form):
+        found = struct.unpack_from("<" + form, self.data, self.at)
+        self.at += struct.calcsize("<" + form)
+        return found if len(found) > 1 else found[0]
+
+    def text(self):
+        return self.take("%ds" % self.take("I")).decode()
+
+    def bits(self, count):
+        """The numbers of those that are set."""
+        mask = int.from_bytes(self.take("%ds" % (count // 8)), "little")
+        return [n for n in range(mask.bit_length()) if mask >> n & 1]
+
+
+def read_vdb_node(data, corner, log2s, cells):
+    """A node of 2^(log2 of its own and all below) cells along each axis, its children in the order of their numbers, z fastest."""
+    own, below = log2s[0], sum(log2s[1:])
+    children = data.bits(8 ** own)
+    if below:
+        assert not data.bits(8 ** own) and data.take("b") == 0  # no tile is active, and so no value is stored
+    for n in children:
+        place = n >> 2 * own, n >> own & (1 << own) - 1, n & (1 << own) - 1
+        at = tuple(c + (p << below) for c, p in zip(corner, place))
+        if below:
+            read_vdb_node(data, at, log2s[1:], cells)
+        else:
+            assert at not in cells
+            cells.add(at)
+
+
+def read_vdb_masks(path):
+    """OpenVDB 224, one MaskGrid. Returns its metadata, as (type, bytes), its transform in doubles, and the cells."""
+    data, cells = Bytes(read(path)), set()
+    assert data.take("qI") == (0x56444220, 224)
+    data.take("II")
+    has_offsets = data.take("b")
+    data.take("36s")
+    assert data.take("II") == (0, 1) and data.text() == "tribox" and data.text() == "Tree_mask_5_4_3" and data.text() == ""
+    start, _, end = data.take("qqq")
+    assert not has_offsets or (data.at == start and end == len(data.data))
+    assert data.take("I") == 2  # active values alone, not compressed
+    about = {}
+    for _ in range(data.take("I")):
+        name, kind = data.text(), data.text()
+        about[name] = kind, data.take("%ds" % data.take("I"))
+    assert data.text() in ("ScaleTranslateMap", "UniformScaleTranslateMap")
+    transform = data.take("18d")
+    assert data.take("I") == 1 and data.take("b") == 0  # one buffer; the background
+    tiles, children = data.take("II")
+    assert tiles == 0
+    for _ in range(children):
+        read_vdb_node(data, data.take("iii"), (5, 4, 3), cells)
+    return about, transform, cells
+
+
 def float_of(number):
     return struct.unpack("<f", struct.pack("<f", number))[0]
 
