@@ -67,7 +67,7 @@ static certainty look(view *v, const tribox_middles *m)
     }
     const double area = v->dy[0] * v->dz[1] - v->dz[0] * v->dy[1];
     v->error = 0x1p-49 * (Fy * Fz) + 0x1p-1000;
-    if (!(fabs(area) > v->error) || Fx > 0x1p300 || Fy > 0x1p300 || Fz > 0x1p300)
+    if (!(fabs(area) > 16 * v->error) || Fx > 0x1p300 || Fy > 0x1p300 || Fz > 0x1p300)
         return OPEN;
     v->sign = area > 0 ? 1 : -1;
     v->per_area = 1 / area;

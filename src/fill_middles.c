@@ -10,7 +10,7 @@ static void set_places(tribox_middles *m, int a, double cell)
     const double farthest = -lowest > highest ? -lowest : highest;
     m->origin[a] = lowest;
     m->per_cell[a] = 1 / cell;
-    m->error[a] = (m->grid ? 0x1.01p-24 : 0x1.01p-52) * farthest * m->per_cell[a] + 0x1p-50 * ((double)m->size[a] + 4);
+    m->error[a] = (m->grid ? 0x1.01p-24 : 0x1p-51) * farthest * m->per_cell[a] + 0x1p-50 * ((double)m->size[a] + 4);
     m->has_places = m->has_places && cell >= 0x1p-700 && cell <= 0x1p700 && m->error[a] < 0.25;
 }
 
