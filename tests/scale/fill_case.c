@@ -1,0 +1,276 @@
+/* fill_case.c - meshes and grids whose insides are asked for. */
+#include "fill_case.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/closed_meshes.h"
+
+const uint32_t *fill_case_size(const fill_case *c) { return c->is_double ? c->grid_f64.size : c->grid.size; }
+
+size_t fill_case_words(const fill_case *c) { return (size_t)(c->at.size[0] + 63) / 64 * c->at.size[1] * c->at.size[2]; }
+
+/* ------------------------------------------------------------------------------------------------------------------------ grids */
+
+static double origin_of(const fill_case *c, int a) { return c->is_double ? c->grid_f64.origin[a] : (double)c->grid.origin[a]; }
+
+static double cell_of(const fill_case *c, int a) { return c->is_double ? c->grid_f64.cell[a] : (double)c->grid.cell[a]; }
+
+/* The number at a place, counted in cells, as a mesh of the case can have it. */
+static double number_at(const fill_case *c, int a, double place)
+{
+    const double number = fma(place, cell_of(c, a), origin_of(c, a));
+    return c->is_double ? number : (double)(float)number;
+}
+
+static double plane_at(const fill_case *c, int a, uint32_t plane)
+{
+    return c->is_double ? fma(plane, cell_of(c, a), origin_of(c, a)) : (double)(float)(origin_of(c, a) + plane * cell_of(c, a));
+}
+
+static void set_middles(fill_case *c)
+{
+    for (int a = 0; a < 3; a++)
+        for (uint32_t n = 0; n < c->at.size[a]; n++) {
+            const double lo = plane_at(c, a, n), hi = plane_at(c, a, n + 1);
+            c->at.middle[a][n] = isfinite(lo + hi) ? (lo + hi) / 2 : lo / 2 + hi / 2;
+        }
+}
+
+typedef struct scene {
+    const char *name;
+    bool is_double;
+    double origin, cell; /* cells are up to twice as long; origins between both signs of it */
+    int bits;            /* as crossing_case has them */
+    bool is_whole;       /* origin and cells as they are, so that middles are few units */
+} scene;
+
+static const scene scenes[] = {
+    {"unit cells", false, 0, 1, 160, true},
+    {"cells of any length", false, 3, 0.7, 160, false},
+    {"far away", false, 1 << 17, 1, 160, true},
+    {"floats hardly finer than cells", false, 0x1p22, 1, 160, false},
+    {"huge", false, 0x1p100, 0x1p98, 160, false},
+    {"small", false, 0, 0x1p-140, 160, false},
+    {"doubles", true, 3, 0.7, 200, false},
+    {"unit cells of doubles", true, 0, 1, 200, true},
+    {"doubles far away", true, 0x1p46, 0x1p-3, 200, false},
+    {"doubles hardly finer than cells", true, 0x1p51, 0.6, 200, false},
+    {"tiny doubles", true, 0, 0x1p-1040, 1100, false},
+    {"huge doubles", true, 0x1p1000, 0x1p1000, 1100, false},
+};
+
+size_t fill_case_scenes(void) { return sizeof scenes / sizeof scenes[0]; }
+
+static void draw_grid(random_source *r, const scene *s, fill_case *c)
+{
+    c->scene = s->name;
+    c->is_double = s->is_double;
+    c->at.bits = s->bits;
+    for (int a = 0; a < 3; a++) {
+        const double origin = s->is_whole ? s->origin : random_double(r, -1, 1) * s->origin;
+        const double cell = s->is_whole ? s->cell : random_double(r, 1, 2) * s->cell;
+        const uint32_t size = (uint32_t)(a                  ? random_int_between(r, 1, 9)
+                                         : random_int(r, 6) ? random_int_between(r, 2, 20)
+                                                            : random_int_between(r, 60, 130));
+        c->grid.origin[a] = (float)origin;
+        c->grid.cell[a] = (float)cell;
+        c->grid_f64.origin[a] = origin;
+        c->grid_f64.cell[a] = cell;
+        c->grid.size[a] = c->grid_f64.size[a] = c->at.size[a] = size;
+    }
+    set_middles(c);
+}
+
+/* ----------------------------------------------------------------------------------------------------------------------- bodies */
+
+/* How a body within [-1, 1]^3 lies in the grid. */
+typedef struct placement {
+    fill_case *c;
+    double centre[3], radius[3];
+    double lattice; /* places are multiples of it, 0 for any */
+    int axis;       /* of the body that lies along x */
+} placement;
+
+static void put(void *to, const double a[3], const double b[3], const double d[3])
+{
+    const placement *const p = to;
+    const double *const from[3] = {a, b, d};
+    crossing_case *const at = &p->c->at;
+    for (int v = 0; v < 3; v++)
+        for (int k = 0; k < 3; k++) {
+            double place = p->centre[k] + p->radius[k] * from[v][(k + p->axis) % 3];
+            place = p->lattice > 0 ? round(place / p->lattice) * p->lattice : place;
+            at->u[at->count][v][k] = number_at(p->c, k, place);
+        }
+    at->count += at->count < ORACLE_TRIANGLES - 1;
+}
+
+static void place_body(random_source *r, fill_case *c, placement *p)
+{
+    static const double lattices[] = {0, 0, 0.5, 0.5, 1, 0.25};
+    p->c = c;
+    p->lattice = lattices[random_int(r, 6)];
+    p->axis = random_int(r, 3);
+    for (int a = 0; a < 3; a++) {
+        p->centre[a] = random_double(r, 0, 1) * c->at.size[a];
+        p->radius[a] = (random_int(r, 4) ? random_double(r, 0.1, 0.6) : random_double(r, 0, 3)) * c->at.size[a];
+        if (!random_int(r, 4)) { /* from middle to middle */
+            p->centre[a] = floor(p->centre[a]) + 0.5;
+            p->radius[a] = ceil(p->radius[a]);
+        }
+    }
+}
+
+static const char *put_body(random_source *r, placement *p)
+{
+    const closed_mesh_sink sink = {put, p};
+    switch (random_int(r, 4)) {
+    case 0:
+        closed_icosphere(&sink, random_int(r, 3));
+        return "icosphere";
+    case 1:
+        closed_torus(&sink, random_int_between(r, 3, 12), random_int_between(r, 3, 8), random_double(r, 0.1, 0.4));
+        return "torus";
+    case 2:
+        closed_cube(&sink, random_int_between(r, 1, 4));
+        return "cube";
+    default:
+        closed_globe(&sink, random_int_between(r, 3, 9), random_int_between(r, 2, 7));
+        return "globe";
+    }
+}
+
+static void draw_body(random_source *r, fill_case *c)
+{
+    placement p;
+    place_body(r, c, &p);
+    c->body = put_body(r, &p);
+}
+
+/* Triangles that belong to nothing: small, large, flat, on middles and planes. */
+static void draw_triangles(random_source *r, fill_case *c)
+{
+    for (int t = random_int_between(r, 1, 60); t > 0; t--) {
+        placement p;
+        double u[3][3];
+        place_body(r, c, &p);
+        for (int v = 0; v < 3; v++)
+            for (int a = 0; a < 3; a++)
+                u[v][a] = v && !random_int(r, 5) ? u[0][a] : random_double(r, -1, 1);
+        put(&p, u[0], u[1], u[2]);
+    }
+    c->body = "triangles";
+}
+
+/* Numbers that are not finite, among triangles that are. */
+static void spoil(random_source *r, fill_case *c)
+{
+    for (int n = random_int(r, 4); n > 0 && c->at.count < ORACLE_TRIANGLES - 1; n--) {
+        const double wrong[] = {NAN, INFINITY, -INFINITY};
+        memcpy(c->at.u[c->at.count], c->at.u[0], sizeof c->at.u[0]);
+        c->at.u[c->at.count++][random_int(r, 3)][random_int(r, 3)] = wrong[random_int(r, 3)];
+    }
+}
+
+static void remove_triangle(fill_case *c, int t) { memmove(c->at.u[t], c->at.u[--c->at.count], sizeof c->at.u[t]); }
+
+static bool is_within(const fill_case *c)
+{
+    bool is = true;
+    for (int t = 0; t < c->at.count; t++)
+        for (int n = 0; n < 9; n++) {
+            const double number = c->at.u[t][n / 3][n % 3];
+            is = is && number >= plane_at(c, n % 3, 0) && number <= plane_at(c, n % 3, c->at.size[n % 3]);
+        }
+    return is;
+}
+
+static void draw_mesh(random_source *r, fill_case *c)
+{
+    c->at.count = 0;
+    c->is_closed = random_int(r, 4);
+    c->is_within = false;
+    const int bodies = random_int(r, 3) ? 1 : 2;
+    if (!c->is_closed && random_int(r, 2)) {
+        draw_triangles(r, c);
+        return;
+    }
+    for (int n = 0; n < bodies; n++)
+        draw_body(r, c);
+    if (!c->is_closed)
+        remove_triangle(c, random_int(r, c->at.count));
+    c->is_within = is_within(c);
+}
+
+/* ------------------------------------------------------------------------------------------------------------------------ calls */
+
+fill_mesh fill_mesh_make(const fill_case *c)
+{
+    fill_mesh m = {.mesh = {.vertices = 3 * (size_t)c->at.count, .count = (size_t)c->at.count, .position_bytes = 8}};
+    const size_t count = (size_t)c->at.count, bytes = count * (c->is_double ? sizeof c->at.u[0] : 9 * sizeof(float));
+    m.pages = guarded_make(bytes ? bytes : 1);
+    m.soup.count = count;
+    if (c->is_double) {
+        double *const to = guarded_tail(m.pages, bytes);
+        memcpy(to, c->at.u, bytes);
+        m.mesh.positions = to;
+        return m;
+    }
+    float *const to = guarded_tail(m.pages, bytes);
+    for (size_t n = 0; n < 9; n++)
+        for (size_t t = 0; t < count; t++)
+            to[n * count + t] = (float)c->at.u[t][n / 3][n % 3];
+    for (size_t v = 0; v < 3; v++) {
+        m.soup.x[v] = to + 3 * v * count;
+        m.soup.y[v] = to + (3 * v + 1) * count;
+        m.soup.z[v] = to + (3 * v + 2) * count;
+    }
+    return m;
+}
+
+tribox_status fill_case_parity(const fill_case *c, const fill_mesh *m, const uint64_t *occupied, uint64_t *solid, void *scratch,
+                               size_t *inside, size_t *odd_rows)
+{
+    return c->is_double ? tribox_fill_parity_f64(&m->mesh, &c->grid_f64, occupied, solid, scratch, inside, odd_rows)
+                        : tribox_fill_parity(&m->soup, &c->grid, occupied, solid, scratch, inside, odd_rows);
+}
+
+static tribox_status voxelize(fill_case *c)
+{
+    const fill_mesh m = fill_mesh_make(c);
+    memset(c->occupied, 0, sizeof c->occupied);
+    const tribox_status status = c->is_double ? tribox_voxelize_f64(&m.mesh, &c->grid_f64, NULL, NULL, NULL, c->occupied, NULL)
+                                              : tribox_voxelize(&m.soup, &c->grid, NULL, c->occupied, NULL);
+    fill_mesh_free(m);
+    return status;
+}
+
+static bool is_grid_served(fill_case *c)
+{
+    c->at.count = 0;
+    return (size_t)c->at.size[0] * c->at.size[1] * c->at.size[2] <= ORACLE_CELLS && voxelize(c) == TRIBOX_OK;
+}
+
+void fill_case_draw(random_source *r, size_t number, fill_case *c)
+{
+    do {
+        draw_grid(r, &scenes[number], c);
+    } while (!is_grid_served(c));
+    draw_mesh(r, c);
+    spoil(r, c);
+    (void)voxelize(c);
+}
+
+void fill_case_shuffle(random_source *r, fill_case *c)
+{
+    for (int t = c->at.count - 1; t > 0; t--) {
+        const int other = random_int(r, t + 1), turn = random_int(r, 3), is_turned = random_int(r, 2);
+        double u[3][3];
+        memcpy(u, c->at.u[t], sizeof u);
+        memmove(c->at.u[t], c->at.u[other], sizeof u);
+        for (int v = 0; v < 3; v++)
+            memcpy(c->at.u[other][(is_turned ? 3 - v : v) % 3], u[(v + turn) % 3], sizeof u[0]);
+    }
+}
