@@ -118,6 +118,22 @@ def voxelize():
     return files
 
 
+def fill():
+    source = random.Random(17)
+    files = {}
+    for name, way in WAYS.items():
+        triangles = b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(5))
+        for row in (4, 6, 9):
+            grid = bytes([LATTICE]) + lattice(-4, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([row, 3, 3])
+            files["%s_%d" % (name, row)] = bytes([UNIT_ONE]) + grid + source.randbytes(96) + triangles
+    for name, unit in UNITS.items():
+        grid = bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2) + bytes([4, 3, 3])
+        files[name] = bytes([unit]) + grid + source.randbytes(32) + shape(LATTICE, lattice(*range(-4, 5)))
+    grid = bytes([LATTICE]) + lattice(0, 0, 0) + bytes([BITS]) + floats(float("nan"), 1, 1) + bytes([4, 3, 3])
+    files["wrong_cells"] = bytes([UNIT_ONE]) + grid + source.randbytes(32) + shape(LATTICE, lattice(*range(-4, 5)))
+    return files
+
+
 WIDTHS = (("uint32", 0), ("uint16", 1), ("no_indices", 2), ("three_bytes", 8))
 
 
@@ -452,8 +468,8 @@ def command():
     return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
 
 
-TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "indexed": indexed, "soup": soup,
-           "overlap_f64": overlap_f64, "index": index, "oriented": oriented, "grid": grid, "files": files, "command": command}
+TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "fill": fill, "indexed": indexed,
+           "soup": soup, "overlap_f64": overlap_f64, "index": index, "oriented": oriented, "grid": grid, "files": files, "command": command}
 
 
 def main():
