@@ -50,7 +50,7 @@ static const scene scenes[] = {
     {"unit cells", false, 0, 1, 160, true},
     {"cells of any length", false, 3, 0.7, 160, false},
     {"far away", false, 1 << 17, 1, 160, true},
-    {"floats hardly finer than cells", false, 0x1p22, 1, 160, false},
+    {"floats hardly finer than cells", false, 0x1p23, 1, 160, false},
     {"huge", false, 0x1p100, 0x1p98, 160, false},
     {"small", false, 0, 0x1p-140, 160, false},
     {"doubles", true, 3, 0.7, 200, false},
@@ -58,7 +58,7 @@ static const scene scenes[] = {
     {"doubles far away", true, 0x1p46, 0x1p-3, 200, false},
     {"doubles hardly finer than cells", true, 0x1p51, 0.6, 200, false},
     {"tiny doubles", true, 0, 0x1p-1040, 1100, false},
-    {"huge doubles", true, 0x1p1000, 0x1p1000, 1100, false},
+    {"huge doubles", true, 0x1.8p1023, 0x1p1017, 1100, false},
 };
 
 size_t fill_case_scenes(void) { return sizeof scenes / sizeof scenes[0]; }
@@ -149,12 +149,41 @@ static void draw_body(random_source *r, fill_case *c)
     c->body = put_body(r, &p);
 }
 
+/*
+ * The middle of a cell is in the plane of the triangle, or where its ray is, on an edge, but for the rounding of vertices: which
+ * decides on which side it is.
+ */
+static void put_about_middle(random_source *r, fill_case *c)
+{
+    double d[2][3], u[3][3];
+    const bool is_edge = random_int(r, 2);
+    const double s = random_double(r, 0.1, 2), t = is_edge ? 0 : random_double(r, 0.1, 2);
+    for (int a = 0; a < 3; a++) {
+        const double middle = c->at.middle[a][random_below(r, c->at.size[a])] + (a || !is_edge ? 0 : 0.3 * cell_of(c, 0));
+        const double reach = random_double(r, 0.1, 5) * cell_of(c, a) * (a || random_int(r, 2) ? 1 : 1000);
+        for (int v = 0; v < 2; v++)
+            d[v][a] = random_double(r, -1, 1) * reach;
+        u[0][a] = middle + d[0][a];
+        u[1][a] = middle + d[1][a];
+        u[2][a] = middle - s * d[0][a] - t * d[1][a];
+        for (int v = 0; v < 3; v++)
+            c->at.u[c->at.count][v][a] = c->is_double ? u[v][a] : (double)(float)u[v][a];
+    }
+    c->at.count += c->at.count < ORACLE_TRIANGLES - 1;
+}
+
 /* Triangles that belong to nothing: small, large, flat, on middles and planes. */
 static void draw_triangles(random_source *r, fill_case *c)
 {
+    const bool are_about_middles = random_int(r, 2);
     for (int t = random_int_between(r, 1, 60); t > 0; t--) {
         placement p;
         double u[3][3];
+        if (are_about_middles) {
+            for (int n = 0; n < (c->at.bits <= 200 ? 20 : 2); n++)
+                put_about_middle(r, c);
+            continue;
+        }
         place_body(r, c, &p);
         for (int v = 0; v < 3; v++)
             for (int a = 0; a < 3; a++)
@@ -175,6 +204,15 @@ static void spoil(random_source *r, fill_case *c)
 }
 
 static void remove_triangle(fill_case *c, int t) { memmove(c->at.u[t], c->at.u[--c->at.count], sizeof c->at.u[t]); }
+
+static bool is_finite(const fill_case *c)
+{
+    bool is = true;
+    for (int t = 0; t < c->at.count; t++)
+        for (int n = 0; n < 9; n++)
+            is = is && isfinite(c->at.u[t][n / 3][n % 3]);
+    return is;
+}
 
 static bool is_within(const fill_case *c)
 {
@@ -202,6 +240,7 @@ static void draw_mesh(random_source *r, fill_case *c)
     if (!c->is_closed)
         remove_triangle(c, random_int(r, c->at.count));
     c->is_within = is_within(c);
+    c->is_closed = c->is_closed && is_finite(c);
 }
 
 /* ------------------------------------------------------------------------------------------------------------------------ calls */

@@ -11,7 +11,7 @@
 #include "common/guard.h"
 #include "fill_case.h"
 
-enum { PAIRS = 100000, ROUNDS = 180 };
+enum { PAIRS = 100000, ROUNDS = 150 };
 
 static fill_case drawn;
 static bool is_inside[ORACLE_CELLS], is_odd[ORACLE_CELLS];
