@@ -1,0 +1,75 @@
+"""A partition into a Zarr array of packed cells, with Dask: python3 dask_zarr.py PARTITION OUT.zarr [--workers N] [--timeout S]
+
+PARTITION is a folder that `tribox partition MESH --resolution N -o PARTITION` wrote. Word [k, j, i // 64] of the array has cell
+(i, j, k) as its bit i % 64, as tribox.voxelize(packed=True) has it; chunks without cells are not stored.
+
+A tile is a chunk and a task owns its chunks: it reads its triangles from the partition, asks no other task, and writes each chunk
+whole, so that a task which a killed worker had begun is simply run again. OUT.zarr appears when all tasks have ended.
+"""
+
+import argparse
+import contextlib
+import faulthandler
+import os
+import shutil
+
+import numpy as np
+import tribox
+import zarr
+from dask.distributed import Client, LocalCluster
+
+SHARES_EACH = 8  # of each worker: what is lost with a worker, and how long others wait for the last
+
+
+def voxelize_share(partition, path, share):
+    """The task: writes the chunks of its tiles; returns how many cells they have."""
+    partition.check(share)
+    array, cells = zarr.open(path, mode="r+"), 0
+    for number in partition.numbers[np.isin(partition.numbers, range(*share))].tolist():
+        words = partition.voxelize(number, packed=True)
+        (i, j, k), _ = partition.window(number)
+        array[k:k + words.shape[0], j:j + words.shape[1], i // 64:i // 64 + words.shape[2]] = words
+        cells += int(np.unpackbits(words[words != 0].view(np.uint8)).sum())
+    return cells
+
+
+def new_array(partition, path):
+    nx, ny, nz = partition.grid.size
+    tile = partition.tile
+    array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(tile, tile, tile // 64), dtype="<u8", fill_value=0,
+                      write_empty_chunks=False)
+    array.attrs.update(origin=partition.grid.origin, cell=partition.grid.cell, size=partition.grid.size)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="A partition into a Zarr array of packed cells, with Dask.")
+    parser.add_argument("partition")
+    parser.add_argument("out")
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--timeout", type=int, default=3600, help="seconds after which the run ends with an error")
+    options = parser.parse_args()
+    faulthandler.dump_traceback_later(options.timeout, exit=True)
+    partition, draft = tribox.Partition(options.partition), f"{options.out}.draft-{os.getpid()}"
+    if os.path.exists(options.out):
+        parser.error(f"{options.out} exists")
+    if partition.tile % 64:
+        parser.error(f"tiles of {partition.tile} cells are no chunks of whole words; make them of a multiple of 64")
+    new_array(partition, draft)
+    # Workers come when they can: a cluster that is made with some waits for each, for ever where one dies on its way.
+    cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=None)
+    client = Client(cluster)
+    try:
+        cluster.scale(options.workers)
+        tasks = [client.submit(voxelize_share, partition, draft, share, retries=3, pure=False)
+                 for share in partition.shares(SHARES_EACH * options.workers)]
+        print(f"{sum(client.gather(tasks))} cells")
+        os.rename(draft, options.out)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+        for part in client, cluster:  # which do not end either where a worker died on its way
+            with contextlib.suppress(Exception):
+                part.close(timeout=5)
+
+
+if __name__ == "__main__":
+    main()

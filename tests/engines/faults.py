@@ -1,0 +1,142 @@
+"""Kills a worker of an engine (SIGKILL) at a random moment, again and again, and looks at how each run ends.
+
+    faults.py ENGINE [--runs N] [--seed N] [--limit SECONDS] [--rings N] [--resolution N]
+
+ENGINE is dask, mpi or slurm. A run may end with the right cells, or with an error and no cells, after which the same command again
+has to give the right ones. Wrong cells, and a run that goes on for longer than the limit, are failures.
+"""
+
+import argparse
+import collections
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import runs
+
+
+def processes():
+    """The parent and the command line of each process, by its number."""
+    found = {}
+    for number in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{number}/stat") as stat, open(f"/proc/{number}/cmdline") as command:
+                found[int(number)] = int(stat.read().rpartition(")")[2].split()[1]), command.read().replace("\0", " ")
+        except OSError:
+            pass
+    return found
+
+
+def below(found, root):
+    """The processes that this one started, and those that they did."""
+    family = {root}
+    while True:
+        more = {number for number, (parent, _) in found.items() if parent in family} - family
+        if not more:
+            return family - {root}
+        family |= more
+
+
+def workers_of(engine, process):
+    """The processes that do the engine's work."""
+    found = processes()
+    return sorted(number for number in (below(found, process.pid) if engine.owns_workers else found)
+                  if engine.is_worker(found[number][1]))
+
+
+def end(process):
+    """Ends a run that does not end, with all that it started."""
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.wait()
+
+
+def kill_one(engine, process, moment, pick):
+    """Kills a worker when that moment has come and there is one; returns how old the run then was, or None if it ended before."""
+    begin = time.monotonic()
+    while process.poll() is None:
+        age = time.monotonic() - begin
+        workers = workers_of(engine, process) if age >= moment else ()
+        if workers:
+            try:
+                os.kill(pick.choice(workers), signal.SIGKILL)
+                return age
+            except ProcessLookupError:
+                pass
+        time.sleep(0.01)
+    return None
+
+
+def outcome(engine, process, limit):
+    """right, error, wrong or hung."""
+    try:
+        code = process.wait(limit)
+    except subprocess.TimeoutExpired:
+        end(process)
+        return "hung"
+    if code:
+        return "wrong" if os.path.exists(engine.path) else "error"
+    return "right" if engine.is_right() else "wrong"
+
+
+def run(engine, limit, log, moment=None, pick=None):
+    """One run: (how it ended, the age at which a worker was killed or None, how long it took)."""
+    begin = time.monotonic()
+    process = runs.start(engine, limit, log)
+    age = None if moment is None else kill_one(engine, process, moment, pick)
+    return outcome(engine, process, limit + runs.GRACE), age, time.monotonic() - begin
+
+
+def faults(engine, count, pick, limit, log):
+    """That many runs with a kill, and after each error one without; returns how many ended how, by whether it was again."""
+    ended, begin = collections.Counter(), time.monotonic()
+    first, _, takes = run(engine, limit, log)
+    print(f"{engine.name}: without a kill {first}, {takes:.1f} s", flush=True)
+    ended["undisturbed", first] += 1
+    for number in range(count):
+        engine.clear()
+        how, age, seconds = run(engine, limit, log, pick.uniform(0, takes), pick)
+        again = run(engine, limit, log)[0] if how == "error" else None
+        kind = "not killed" if age is None else "killed"
+        ended[kind, how] += 1
+        if again:
+            ended["again", again] += 1
+        when = "it ended before a worker was killed" if age is None else f"a worker killed at {age:.2f} s"
+        print(f"{engine.name} {number + 1}: {when}: {how}, {seconds:.1f} s{f'; again: {again}' if again else ''}", flush=True)
+    print(f"{engine.name}: {count} runs in {time.monotonic() - begin:.0f} s: "
+          + ", ".join(f"{kind} {how} {n}" for (kind, how), n in sorted(ended.items())), flush=True)
+    return ended
+
+
+def are_good(ended):
+    """Whether no cell was wrong, nothing hung, and all that nobody disturbed was right."""
+    return all(how == "right" or (kind, how) == ("killed", "error") for kind, how in ended)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("engine", choices=runs.ENGINES)
+    parser.add_argument("--runs", type=int, default=2)
+    parser.add_argument("--seed", type=int, default=int(os.environ.get("TRIBOX_TEST_SEED", "1")))
+    parser.add_argument("--limit", type=int, default=120, help="seconds that a run may take")
+    parser.add_argument("--rings", type=int, default=40, help="of the sphere: it has 4 times the square of triangles")
+    parser.add_argument("--resolution", type=int, default=300)
+    options = parser.parse_args()
+    print(f"seed {options.seed}", flush=True)
+    with tempfile.TemporaryDirectory() as folder, open(os.path.join(folder, "log"), "w+") as log:
+        with runs.engine_of(options.engine, folder, options.rings, options.resolution) as engine:
+            ended = faults(engine, options.runs, random.Random(options.seed), options.limit, log)
+        if not are_good(ended):
+            log.seek(0)
+            print(log.read()[-20000:], file=sys.stderr)
+            sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,217 @@
+"""What the tests of engines share: a mesh, its cells in one piece, and the examples as commands that have to give the same."""
+
+import contextlib
+import functools
+import glob
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import tribox
+
+import slurm_cluster
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+EXAMPLES = os.path.join(HERE, "..", "..", "examples", "engines")
+TILE = 64
+LEFT_OUT = 77  # the exit code of a test that cannot run here
+GRACE = 30  # seconds beyond its own limit after which a run hangs
+
+
+def leave_out(why):
+    print(f"left out: {why}", file=sys.stderr)
+    sys.exit(LEFT_OUT)
+
+
+def need(modules=(), programs=()):
+    """Ends the test where a module or a program is missing."""
+    for module in modules:
+        try:
+            __import__(module)
+        except ImportError as error:
+            leave_out(error)
+    for program in programs:
+        if not shutil.which(program, path=slurm_cluster.PATH):
+            leave_out(f"there is no {program}")
+
+
+def bumpy_sphere(rings):
+    """2 * rings * 2 * rings triangles that are nowhere flat."""
+    v, u = np.meshgrid(np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings + 1), indexing="ij")
+    radius = 1 + 0.1 * np.sin(7 * u) * np.sin(5 * v) ** 2
+    points = (radius * [np.sin(v) * np.cos(u), np.sin(v) * np.sin(u), np.cos(v)]).astype(np.float32).transpose(1, 2, 0)
+    a, b, c, d = points[:-1, :-1], points[1:, :-1], points[:-1, 1:], points[1:, 1:]
+    return np.concatenate([np.stack([a, b, d], 2).reshape(-1, 3, 3), np.stack([a, d, c], 2).reshape(-1, 3, 3)])
+
+
+class Case:
+    """A mesh in a partition, and the cells that it should have."""
+
+    def __init__(self, folder, rings, resolution):
+        self.mesh = bumpy_sphere(rings)
+        self.grid = tribox.grid_around(self.mesh, resolution)
+        self.folder, self.path = folder, os.path.join(folder, "partition")
+        self.partition = tribox.partition(self.mesh, *self.grid, self.path, tile=TILE)
+
+    @functools.cached_property
+    def words(self):
+        return tribox.voxelize(self.mesh, *self.grid, packed=True)
+
+    @functools.cached_property
+    def bricks(self):
+        return tribox.bricks(self.mesh, *self.grid, tile=TILE)
+
+
+def same_bricks(bricks, expected):
+    """Whether they are the same, in whatever order."""
+    orders = [np.lexsort(part.at.T) for part in (bricks, expected)]
+    return all(np.array_equal(one[orders[0]], other[orders[1]]) for one, other in zip(bricks, expected))
+
+
+def flip(path, place):
+    """Changes a bit of a file."""
+    with open(path, "r+b") as file:
+        file.seek(place)
+        octet = file.read(1)[0]
+        file.seek(place)
+        file.write(bytes([octet ^ 1]))
+
+
+class Engine:
+    """An example as a command: where its answer appears, and which processes do its work."""
+
+    needs, environment, numbers = {}, {}, (2,)  # numbers: of workers, to try
+    owns_workers = True  # they are processes that the command starts
+
+    def __init__(self, case, workers=2):
+        self.case, self.path, self.workers = case, os.path.join(case.folder, self.out), workers
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def clear(self):
+        """Removes what the last run left."""
+        for name in os.listdir(self.case.folder):
+            path = os.path.join(self.case.folder, name)
+            if name.startswith(self.out):
+                shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
+
+    def is_worker(self, command):
+        """Whether a process with this command line does the engine's work."""
+        return self.word in command
+
+    @contextlib.contextmanager
+    def damaged(self):
+        """A bit of the triangles is another."""
+        path = os.path.join(self.case.path, "triangles")
+        flip(path, os.path.getsize(path) // 2)
+        yield
+        flip(path, os.path.getsize(path) // 2)
+
+    def said(self, printed):
+        """All that a run has said."""
+        return printed
+
+
+class Dask(Engine):
+    """dask_zarr.py; its workers are processes that it starts."""
+
+    needs = dict(modules=("dask.distributed", "zarr"))
+    name, out, word, suits = "dask", "out.zarr", "spawn_main", (40, 300)
+
+    def command(self, limit):
+        return [sys.executable, os.path.join(EXAMPLES, "dask_zarr.py"), self.case.path, self.path, "--workers", str(self.workers),
+                "--timeout", str(limit)]
+
+    def is_right(self):
+        import zarr
+        return np.array_equal(zarr.open(self.path, mode="r")[:], self.case.words)
+
+
+class Mpi(Engine):
+    """mpi_bricks.py; its workers are the ranks."""
+
+    needs = dict(modules=("mpi4py",), programs=("mpirun",))
+    name, out, word, suits, numbers = "mpi", "out.npy", "mpi_bricks.py", (60, 600), (1, 3)
+    environment = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+
+    def command(self, limit):
+        return ["mpirun", "--timeout", str(limit), "-n", str(self.workers), sys.executable, "-m", "mpi4py",
+                os.path.join(EXAMPLES, "mpi_bricks.py"), self.case.path, self.path]
+
+    def is_right(self):
+        bricks = np.load(self.path)
+        return np.array_equal(bricks["at"], self.case.bricks.at) and np.array_equal(bricks["bits"], self.case.bricks.bits)
+
+
+class Slurm(Engine):
+    """slurm.sh on a cluster of one node; its workers are the program tribox in jobs."""
+
+    needs = dict(programs=slurm_cluster.PROGRAMS)
+    name, out, owns_workers, suits, numbers = "slurm", "out.npz", False, (200, 2000), (4,)
+
+    def __init__(self, case, workers=4):
+        super().__init__(case, workers)
+        self.mesh = os.path.join(case.folder, "mesh.f32")
+        case.mesh.tofile(self.mesh)
+
+    def __enter__(self):
+        self.cluster = slurm_cluster.Cluster()
+        try:
+            self.cluster.__enter__()
+        except slurm_cluster.CannotStart as error:
+            leave_out(error)
+        program = os.path.dirname(os.environ["TRIBOX_PROGRAM"])
+        self.environment = {**self.cluster.environment, "PATH": f"{program}:{self.cluster.environment['PATH']}"}
+        return self
+
+    def is_worker(self, command):
+        return command.startswith("tribox ") and self.case.folder in command
+
+    def __exit__(self, *_):
+        self.cluster.__exit__()
+
+    @contextlib.contextmanager
+    def damaged(self):
+        """A part that is none."""
+        part = os.path.join(self.path + ".jobs", "1.part")
+        os.mkdir(os.path.dirname(part))
+        with open(part, "wb") as file:
+            file.write(b"tribox part 3\n, damaged")
+        yield
+        os.remove(part)
+
+    def said(self, printed):
+        logs = sorted(glob.glob(os.path.join(self.path + ".jobs", "*.log")))
+        return printed + "".join(Path(log).read_text() for log in logs)
+
+    def command(self, limit):
+        return ["timeout", str(limit), "sh", os.path.join(EXAMPLES, "slurm.sh"), self.mesh, str(max(self.case.grid.size)),
+                str(self.workers), self.path]
+
+    def is_right(self):
+        bricks = np.load(self.path)
+        return same_bricks(tribox.Bricks(bricks["at"], bricks["bits"]), self.case.bricks)
+
+
+ENGINES = {engine.name: engine for engine in (Dask, Mpi, Slurm)}
+
+
+@contextlib.contextmanager
+def engine_of(name, folder, rings, resolution):
+    """An engine that is ready; the test is left out where it cannot be."""
+    need(**ENGINES[name].needs)
+    with ENGINES[name](Case(folder, rings, resolution)) as engine:
+        yield engine
+
+
+def start(engine, limit, log):
+    """Starts the command in a group of its own, what it prints in a file."""
+    return subprocess.Popen(engine.command(limit), stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
+                            cwd=engine.case.folder, env={**os.environ, **engine.environment})

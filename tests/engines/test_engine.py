@@ -1,0 +1,88 @@
+"""An example of an engine gives the cells of one process, or an error and no cells: test_engine.py ENGINE [--seed N]"""
+
+import argparse
+import contextlib
+import os
+import random
+import sys
+import tempfile
+import unittest
+
+import faults
+import runs
+
+LIMIT = 120  # seconds that a run may take
+
+
+class Engines(unittest.TestCase):
+    name = None  # of the engine
+
+    @classmethod
+    def setUpClass(cls):
+        with contextlib.ExitStack() as stack:
+            folder = stack.enter_context(tempfile.TemporaryDirectory())
+            cls.engine = stack.enter_context(runs.engine_of(cls.name, folder, *runs.ENGINES[cls.name].suits))
+            cls.addClassCleanup(stack.pop_all().close)
+
+    def setUp(self):
+        self.engine.clear()
+        self.log = tempfile.TemporaryFile("w+")
+        self.addCleanup(self.log.close)
+
+    def run_once(self, **options):
+        """How a run ended, and what it printed."""
+        self.log.truncate(0)
+        how, age, _ = faults.run(self.engine, LIMIT, self.log, **options)
+        self.log.seek(0)
+        return how, age, self.log.read()
+
+    def left(self):
+        """What a run left beside its answer."""
+        return [name for name in os.listdir(self.engine.case.folder) if name.startswith(self.engine.out)]
+
+    def test_right(self):
+        for workers in self.engine.numbers:
+            self.engine.clear()
+            self.engine.workers = workers
+            how, _, said = self.run_once()
+            self.assertEqual(how, "right", said)
+            self.assertEqual(self.left(), [self.engine.out])
+
+    def test_there_already(self):
+        """What there is under the name is not touched."""
+        os.mkdir(self.engine.path)
+        process = runs.start(self.engine, LIMIT, self.log)
+        self.assertNotEqual(process.wait(LIMIT + runs.GRACE), 0)
+        self.assertEqual((self.left(), os.listdir(self.engine.path)), ([self.engine.out], []))
+
+    def test_damaged(self):
+        """What a task refuses ends the run, and says why."""
+        with self.engine.damaged():
+            how, _, said = self.run_once()
+        self.assertEqual(how, "error", said)
+        self.assertRegex(self.engine.said(said), "damaged: the checksum|not a part file")
+
+    def test_killed(self):
+        """The same command again is right after an error."""
+        pick = random.Random(self.seed)
+        how, age, said = self.run_once(moment=pick.uniform(0, 3), pick=pick)
+        print(f"{self.name}: {'not killed' if age is None else f'killed at {age:.2f} s'}: {how}", file=sys.stderr)
+        self.assertIn(how, ("right", "error"), said)
+        if how == "error":
+            self.assertIsNotNone(age, said)
+            self.assertEqual(self.run_once()[0], "right")
+
+
+def main():
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("engine", choices=runs.ENGINES)
+    parser.add_argument("--seed", type=int, default=int(os.environ.get("TRIBOX_TEST_SEED", "1")))
+    options, rest = parser.parse_known_args()
+    print(f"seed {options.seed}", file=sys.stderr)
+    runs.need(**runs.ENGINES[options.engine].needs)
+    Engines.name, Engines.seed = options.engine, options.seed
+    unittest.main("__main__", argv=[sys.argv[0], *rest])
+
+
+if __name__ == "__main__":
+    main()
