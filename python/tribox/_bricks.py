@@ -61,8 +61,8 @@ def cut(words, corners):
 
 def bricks_of(lists, tiling, options, threads):
     """The bricks of the tiles that have triangles. lists: a Listed, or what has its numbers, places and of()."""
-    tile = tiling.tile
-    shape = tile, tile, (tile + 63) >> 6
+    nx, ny, nz = (-(-size // 8) * 8 for size in np.minimum(tiling.tile, tiling.size).tolist())
+    shape = nz, ny, (nx + 63) >> 6
     most = max(1, min(BATCH_MAX, BATCH_BYTES // (8 * shape[0] * shape[1] * shape[2])))
     first, size = tiling.windows(lists.numbers)
 

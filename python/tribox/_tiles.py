@@ -121,7 +121,7 @@ def set_tile(held_, grid, first, size, options, words):
 
 
 def set_padded_tile(held_, grid, first, size, options, padded):
-    """The same for words of a whole tile, of which the grid may have a part only."""
+    """The same for words of the largest tile, of which this one may have a part only."""
     words = (size[0] + 63) >> 6
     if padded.shape == (size[2], size[1], words):
         set_tile(held_, grid, first, size, options, padded)

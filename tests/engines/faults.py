@@ -1,6 +1,6 @@
 """Kills a worker of an engine (SIGKILL) at a random moment, again and again, and looks at how each run ends.
 
-    faults.py ENGINE [--runs N] [--seed N] [--limit SECONDS] [--rings N] [--resolution N]
+    faults.py ENGINE [--kills N] [--seed N] [--limit SECONDS] [--rings N] [--resolution N]
 
 ENGINE is dask, mpi or slurm. A run may end with the right cells, or with an error and no cells, after which the same command again
 has to give the right ones. Wrong cells, and a run that goes on for longer than the limit, are failures.
@@ -94,22 +94,24 @@ def run(engine, limit, log, moment=None, pick=None):
 
 
 def faults(engine, count, pick, limit, log):
-    """That many runs with a kill, and after each error one without; returns how many ended how, by whether it was again."""
+    """Runs until that many had a worker killed, and after each error again; returns how many ended how."""
     ended, begin = collections.Counter(), time.monotonic()
     first, _, takes = run(engine, limit, log)
     print(f"{engine.name}: without a kill {first}, {takes:.1f} s", flush=True)
     ended["undisturbed", first] += 1
-    for number in range(count):
+    number = 0
+    while number < count:
         engine.clear()
         how, age, seconds = run(engine, limit, log, pick.uniform(0, takes), pick)
         again = run(engine, limit, log)[0] if how == "error" else None
         kind = "not killed" if age is None else "killed"
+        number += age is not None
         ended[kind, how] += 1
         if again:
             ended["again", again] += 1
         when = "it ended before a worker was killed" if age is None else f"a worker killed at {age:.2f} s"
-        print(f"{engine.name} {number + 1}: {when}: {how}, {seconds:.1f} s{f'; again: {again}' if again else ''}", flush=True)
-    print(f"{engine.name}: {count} runs in {time.monotonic() - begin:.0f} s: "
+        print(f"{engine.name} {number}: {when}: {how}, {seconds:.1f} s{f'; again: {again}' if again else ''}", flush=True)
+    print(f"{engine.name}: {time.monotonic() - begin:.0f} s: "
           + ", ".join(f"{kind} {how} {n}" for (kind, how), n in sorted(ended.items())), flush=True)
     return ended
 
@@ -122,7 +124,7 @@ def are_good(ended):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("engine", choices=runs.ENGINES)
-    parser.add_argument("--runs", type=int, default=2)
+    parser.add_argument("--kills", type=int, default=2)
     parser.add_argument("--seed", type=int, default=int(os.environ.get("TRIBOX_TEST_SEED", "1")))
     parser.add_argument("--limit", type=int, default=120, help="seconds that a run may take")
     parser.add_argument("--rings", type=int, default=40, help="of the sphere: it has 4 times the square of triangles")
@@ -131,7 +133,7 @@ def main():
     print(f"seed {options.seed}", flush=True)
     with tempfile.TemporaryDirectory() as folder, open(os.path.join(folder, "log"), "w+") as log:
         with runs.engine_of(options.engine, folder, options.rings, options.resolution) as engine:
-            ended = faults(engine, options.runs, random.Random(options.seed), options.limit, log)
+            ended = faults(engine, options.kills, random.Random(options.seed), options.limit, log)
         if not are_good(ended):
             log.seek(0)
             print(log.read()[-20000:], file=sys.stderr)
