@@ -1,6 +1,4 @@
 /* bricks.c - the cells of a grid tile by tile, as bricks: the calls. */
-#include "brick_sink.h"
-
 #include <string.h>
 
 #include "environment.h"
@@ -121,9 +119,8 @@ static tribox_status hand_on(share *s)
         if (!are_all_below(list, count, triangles))
             return TRIBOX_BAD_INDEX;
         const window w = window_of(&s->tiling, s->tiling.from + t);
-        memset(s->bits, 0, (size_t)tribox_mask_words(w.size[0]) * w.size[1] * w.size[2] * sizeof *s->bits);
         (s->soup ? set_window : set_window_f64)(s, &w, list, count);
-        if (!tribox_bricks_hand_on(s->bits, w.first, w.size, &s->hand))
+        if (!s->voxels.plan.kernel->cells->hand_on(s->bits, w.first, w.size, &s->hand))
             return TRIBOX_STOPPED;
     }
     return TRIBOX_OK;
@@ -149,11 +146,16 @@ static bool is_share(share *s, const uint32_t size[3], uint32_t tile, size_t fro
     return true;
 }
 
+/* What a tile leaves behind is clear. */
 static void use_scratch(share *s, void *scratch)
 {
+    uint32_t most[3];
     char *const aligned = (char *)scratch + (LINE - (uintptr_t)scratch % LINE) % LINE;
     s->block = aligned;
     s->bits = (uint64_t *)(void *)(aligned + BLOCK_BYTES);
+    for (int a = 0; a < 3; a++)
+        most[a] = s->tiling.size[a] < s->tiling.tile ? s->tiling.size[a] : s->tiling.tile;
+    memset(s->bits, 0, (size_t)tribox_mask_words(most[0]) * most[1] * most[2] * sizeof *s->bits);
 }
 
 /* Not by an initializer: it would clear the room for a voxelization, too. */

@@ -6,6 +6,8 @@
 #ifndef TRIBOX_KERNEL_GRID_H
 #define TRIBOX_KERNEL_GRID_H
 
+#include <stdbool.h>
+
 #include "tribox.h"
 
 typedef struct tribox_voxels tribox_voxels; /* one call: voxels.h */
@@ -87,11 +89,26 @@ typedef struct tribox_tile_range {
 typedef void tribox_find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, size_t first, size_t count,
                                tribox_tile_range *range);
 
+/* A sink, and the cells that it was handed. */
+typedef struct tribox_hand {
+    tribox_sink *sink;
+    void *data;
+    size_t cells;
+} tribox_hand;
+
+/*
+ * Hands on the bricks of a window of bits that are not empty, by z, then y, then x, and clears the bits. Its first cell, `first`, is
+ * the first of a brick, and it has 1024 along x at most. Returns whether to go on; if not, some bits are left. In the environment of
+ * the caller, as nothing is counted in floats.
+ */
+typedef bool tribox_hand_on(uint64_t *bits, const uint32_t first[3], const uint32_t size[3], tribox_hand *hand);
+
 typedef struct tribox_cells_kernel {
     tribox_sort_soup *sort;
     tribox_finish *finish;
     tribox_write *write;
     tribox_find_tiles *find_tiles;
+    tribox_hand_on *hand_on;
 } tribox_cells_kernel;
 
 typedef struct tribox_grid_kernel {

@@ -8,4 +8,5 @@
 #include "runs.h"
 #include "bricks.h"
 #include "flats.h"
+#include "beams.h"
 #include "sorted.h"

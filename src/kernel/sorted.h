@@ -1,6 +1,6 @@
 /*
  * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch. Of a mesh of
- * doubles it holds the floats that stand for some of its triangles. After: bricks.h, flats.h. Needs: KERNEL.
+ * doubles it holds the floats that stand for some of its triangles. After: bricks.h, flats.h, beams.h. Needs: KERNEL.
  *
  * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and bricks of
  * few cells wait in queues until they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the
@@ -241,4 +241,5 @@ const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .finish = finish,
     .write = write_listed,
     .find_tiles = find_tiles,
+    .hand_on = hand_on_bricks,
 };
