@@ -23,6 +23,19 @@ Triangles that are asked about many boxes belong in an Index, whose answers are 
     >>> index.list((-1, -1, -1), (1, 1, 1))
     array([0], dtype=uint32)
 
+A grid can be laid around a mesh, voxelized by threads, filled, and asked for a window of its cells. Where its cells need not fit
+into memory it comes as bricks of 8 x 8 x 8 cells, those that are not empty:
+
+    >>> cells, grid = tribox.voxelize(triangles, resolution=64, threads=2, fill="outside")
+    >>> cells.shape, grid.size
+    ((54, 64, 64), (64, 64, 54))
+    >>> at, bits = tribox.bricks(triangles, *tribox.grid_around(triangles, 4096))
+    >>> at.shape, bits.shape
+    ((18532, 3), (18532, 8))
+
+For many machines partition() sorts a mesh by tiles of the grid into a folder, of which each task maps what it needs: see Partition,
+and examples/engines, which run it with Dask, MPI and Slurm.
+
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64; bounds of boxes and grids are taken as they are, too: 0.1 is the double, np.float32(0.1) the float, which is faster where
 triangles are float32. Only oriented boxes are float32 throughout. Indices and Soups hold float32; of larger numbers they are made

@@ -3,7 +3,9 @@
 import os
 import pickle
 import shutil
+import subprocess
 import tempfile
+import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -96,6 +98,42 @@ class PartitionTests(cases.TestCase):
             self.assertEqual(len(partition.bricks().at), 0)
             self.assertEqual(partition.shares(2)[1][1], partition.tile_count)
             self.assertFalse(partition.voxelize(0).any())
+
+    def program(self, *arguments, mesh=b""):
+        """Runs the program in the folder."""
+        subprocess.run([os.environ["TRIBOX_PROGRAM"], *arguments, "--quiet"], input=mesh, cwd=self.folder, capture_output=True,
+                       timeout=120, check=True)
+
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_by_program(self):
+        """Its partitions are read, with a shift as well."""
+        for triangles in (self.triangles, self.triangles.astype(float) + [0.1, 5e6, 0]):
+            for shift in ((0, 0, 0), (1, 2, 0.5)):
+                self.count += 1
+                name, moved = f"by_program_{self.count}", (triangles - shift).astype(triangles.dtype)
+                self.program("partition", "-", "--format", f"f{8 * triangles.itemsize}", "-r", "300", "-o", name, "--shift",
+                             ",".join(map(str, shift)), mesh=triangles.tobytes())
+                partition = tribox.Partition(os.path.join(self.folder, name))
+                partition.check()
+                self.assertEqual(partition.shift, shift)
+                if triangles.dtype == float or not any(shift):
+                    self.assertEqual(partition.grid, tribox.grid_around(moved, 300))
+                    self.assert_equal(partition.bricks(), tribox.bricks(moved, *partition.grid, tile=partition.tile))
+
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_for_program(self):
+        """The program voxelizes those of tribox.partition, whole and in shards."""
+        for form, grid in self.variants():
+            partition = self.new(form, grid, tile=16)
+            self.program("voxelize", partition.folder, "-o", "whole.npz")
+            parts = [f"{shard}.part" for shard in (1, 2, 3)]
+            for shard, part in enumerate(parts, 1):
+                self.program("voxelize", partition.folder, "--shard", f"{shard}/3", "-o", part)
+            self.program("merge", *parts, "-o", "merged.npz")
+            for name in ("whole.npz", "merged.npz"):
+                with np.load(os.path.join(self.folder, name)) as file:
+                    self.assert_equal(tribox.Bricks(file["at"], file["bits"]), partition.bricks())
+                    self.assertEqual(tuple(file["size"]), grid[2])
 
     def test_pickle(self):
         partition = self.new(self.triangles, FLOATS)
