@@ -3,40 +3,60 @@
 import base64
 import itertools
 import json
+import math
 import random
 import struct
 from fractions import Fraction
 
 
-def clip(points, normal, bound):
-    """The part of a convex polygon on the closed side normal . p <= bound."""
+def integers(numbers):
+    """These numbers times one that makes them all integers, and that one."""
+    ratios = [x.as_integer_ratio() for x in numbers]
+    scale = math.lcm(*(q for _, q in ratios))
+    return [p * (scale // q) for p, q in ratios], scale
+
+
+def clip(points, plane):
+    """The part of a convex polygon on the closed side a x + b y + c z <= d of a plane (a, b, c, d). A point is (x w, y w, z w, w)
+    with any w > 0: all are integers."""
+    a, b, c, d = plane
     kept = []
-    for a, b in zip(points, points[1:] + points[:1]):
-        depth_a, depth_b = (bound - sum(n * x for n, x in zip(normal, p)) for p in (a, b))
-        if depth_a >= 0:
-            kept.append(a)
-        if depth_a * depth_b < 0:
-            t = depth_a / (depth_a - depth_b)
-            kept.append([p + t * (q - p) for p, q in zip(a, b)])
+    depths = [d * w - a * x - b * y - c * z for x, y, z, w in points]
+    for k, (p, depth) in enumerate(zip(points, depths)):
+        q, depth_q = points[k - 1], depths[k - 1]
+        if depth_q < 0 < depth or depth < 0 < depth_q:
+            kept.append([abs(depth_q) * x + abs(depth) * y for x, y in zip(p, q)])
+        if depth >= 0:
+            kept.append(p)
     return kept
 
 
-def overlaps_slabs(triangle, slabs):
-    """slabs: (axis, least, most), the points p with least <= axis . p <= most."""
-    points = [[Fraction(x) for x in vertex] for vertex in triangle]
+def planes_of(slabs):
+    """slabs: (axis, least, most), the points p with least <= axis . p <= most. Two planes each."""
     for axis, least, most in slabs:
-        points = clip(points, [-x for x in axis], -least)
-        points = clip(points, axis, most)
+        (a, b, c, low, high), _ = integers([*axis, least, most])
+        yield from ((-a, -b, -c, -low), (a, b, c, high))
+
+
+def overlaps_planes(triangle, planes):
+    numbers, scale = integers([x for vertex in triangle for x in vertex])
+    points = [[*numbers[k:k + 3], scale] for k in (0, 3, 6)]
+    for plane in planes:
+        points = clip(points, plane)
     return bool(points)
 
 
+def planes_of_box(box):
+    return list(planes_of(((a == 0, a == 1, a == 2), box[a], box[3 + a]) for a in range(3)))
+
+
 def overlaps(triangle, box):
-    axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-    return overlaps_slabs(triangle, [(axes[a], Fraction(box[a]), Fraction(box[3 + a])) for a in range(3)])
+    return overlaps_planes(triangle, planes_of_box(box))
 
 
 def overlapping(triangles, box):
-    return [i for i, triangle in enumerate(triangles) if overlaps(triangle, box)]
+    planes = planes_of_box(box)
+    return [i for i, triangle in enumerate(triangles) if overlaps_planes(triangle, planes)]
 
 
 def floats(numbers):
@@ -52,7 +72,8 @@ def overlapping_oriented(triangles, box):
         axis = numbers[6 + 3 * k:9 + 3 * k]
         middle = sum(x * y for x, y in zip(axis, center))
         slabs.append((axis, middle - half[k], middle + half[k]))
-    return [i for i, triangle in enumerate(triangles) if overlaps_slabs(triangle, slabs)]
+    planes = list(planes_of(slabs))
+    return [i for i, triangle in enumerate(triangles) if overlaps_planes(triangle, planes)]
 
 
 def inside(triangles, box):
