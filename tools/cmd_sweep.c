@@ -42,6 +42,7 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
                            "                            float32 then; auto: near its corner\n"
                            "\n"
                            "The answer:\n"
+                           "  --quick                   5 rounds, and the advice of a first look\n"
                            "  -v, --verbose             also the tables: the times of all, and which axis rejects what\n"
                            "  -j, --json                a JSON object, with the times of all rounds\n"
                            "  --chart FILE.svg          draws nanoseconds by order, for each kernel and accuracy\n"
@@ -58,19 +59,19 @@ static const char help[] = "tribox sweep - which order of the axes is the fastes
                            "  tribox sweep bunny.ply\n"
                            "  tribox sweep bunny.ply --grid 64 --verbose --chart bunny.svg\n";
 
-enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_SHIFT, OPTION_VERBOSE, OPTION_JSON, OPTION_CHART };
+enum { OPTION_BOX, OPTION_OCTREE, OPTION_GRID, OPTION_SHIFT, OPTION_QUICK, OPTION_VERBOSE, OPTION_JSON, OPTION_CHART };
 
-static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},          [OPTION_OCTREE] = {"octree", 0, true},
-                                       [OPTION_GRID] = {"grid", 0, true},          [OPTION_SHIFT] = {"shift", 0, true},
-                                       [OPTION_VERBOSE] = {"verbose", 'v', false}, [OPTION_JSON] = {"json", 'j', false},
-                                       [OPTION_CHART] = {"chart", 0, true},        {NULL, 0, false}};
+static const option_entry options[] = {
+    [OPTION_BOX] = {"box", 'b', true},    [OPTION_OCTREE] = {"octree", 0, true}, [OPTION_GRID] = {"grid", 0, true},
+    [OPTION_SHIFT] = {"shift", 0, true},  [OPTION_QUICK] = {"quick", 0, false},  [OPTION_VERBOSE] = {"verbose", 'v', false},
+    [OPTION_JSON] = {"json", 'j', false}, [OPTION_CHART] = {"chart", 0, true},   {NULL, 0, false}};
 
 typedef struct request {
     const char *mesh_path, *chart_path;
     mesh_shift shift;
     sweep_wish wish;
     int wishes; /* options that say what to test against */
-    bool wants_json, wants_tables;
+    bool is_quick, wants_json, wants_tables;
 } request;
 
 static int read_box(const char *text, tribox_box *box)
@@ -107,6 +108,9 @@ static int take(void *context, int which, const char *value)
         return take_wish(r, SWEEP_GRID, value);
     case OPTION_SHIFT:
         return mesh_shift_read(value, &r->shift);
+    case OPTION_QUICK:
+        r->is_quick = true;
+        return EXIT_CODE_OK;
     case OPTION_VERBOSE:
         r->wants_tables = true;
         return EXIT_CODE_OK;
@@ -189,7 +193,7 @@ static int find(findings *f)
     generator turns = {1};
     if (isatty(STDERR_FILENO))
         message_say("timing %zu pairs", f->work->pairs);
-    const char *const failure = sweep_run(&f->s, f->work, 2, &turns);
+    const char *const failure = sweep_run(&f->s, f->work, f->r->is_quick ? 0 : 2, &turns);
     if (failure)
         return message_failure("%s: %s", f->r->mesh_path, failure);
     why_find(f->work, &f->w);

@@ -51,7 +51,9 @@ class Sweep(support.TestCase):
         self.kernels = json.loads(self.succeed("info", "--json"))["kernels"]
 
     def sweep(self, *options):
-        return json.loads(self.succeed("sweep", self.mesh, "--json", *options))
+        found = json.loads(self.succeed("sweep", self.mesh, "--json", "--quick", *options))
+        self.assertEqual(found["rounds"], 5)
+        return found
 
     def check(self, found):
         """What has to hold of every sweep."""
@@ -115,7 +117,8 @@ class Sweep(support.TestCase):
 
     @support.unless_sanitized
     def test_default_is_an_octree(self):
-        found = self.sweep()
+        found = json.loads(self.succeed("sweep", self.mesh, "--json"))
+        self.assertTrue(self.sweep()["rounds"] <= found["rounds"] <= 32)
         self.check(found)
         self.assertRegex(found["tested"], r"^\d+ leaves of an octree of depth 3,")
 
@@ -127,14 +130,14 @@ class Sweep(support.TestCase):
 
     @support.unless_sanitized
     def test_text(self):
-        short = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX)
+        short = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX, "--quick")
         advice, empty, *lines = short.splitlines()
         self.assertRegex(advice, r"\AUse .* here.*\.\Z")
         self.assertEqual(empty, "")
         self.assertEqual([line.split()[0] for line in lines], ["mesh", "triangles", "tested", "pairs", "time"])
 
     def test_tables(self):
-        text = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX, "--verbose")
+        text = self.succeed("sweep", self.mesh, "--box", support.UNIT_BOX, "--verbose", "--quick")
         self.assertLessEqual(max(map(len, text.splitlines()[1:])), 100)
         rows = re.findall(r"(?m)^(\w+) +(?:(fast|conservative|exact) +)?((?:[\d.]+ +|- +){7})(none|-|\d{3}, by [\d.]+ %)$", text)
         expected = [("paper", "")] + [(k, a) for k in self.kernels for a in ("fast", "conservative", "exact")]
@@ -144,7 +147,7 @@ class Sweep(support.TestCase):
 
     def test_chart(self):
         path = os.path.join(self.folder, "chart.svg")
-        self.succeed("sweep", self.mesh, "--chart", path)
+        self.succeed("sweep", self.mesh, "--quick", "--chart", path)
         root = xml.etree.ElementTree.parse(path).getroot()
         rectangles = root.findall("{http://www.w3.org/2000/svg}rect")
         self.assertEqual(len(rectangles), 1 + 7 + 7 * 3 * len(self.kernels) + 6)
@@ -172,7 +175,7 @@ class Help(support.TestCase):
         text = self.succeed("sweep", "--help")
         self.assertEqual(self.succeed("sweep", "-h"), text)
         self.assertRegex(text, r"(?m)^Usage: tribox sweep MESH ")
-        for option in ("--octree", "--grid", "--box", "--verbose", "--json", "--chart", "--help"):
+        for option in ("--octree", "--grid", "--box", "--quick", "--verbose", "--json", "--chart", "--help"):
             self.assertRegex(text, r"(?m)^  (-\w, )?%s " % option)
         self.assertLessEqual(max(map(len, text.splitlines())), 100)
         self.assertRegex(self.succeed("--help"), r"(?m)^  sweep ")
@@ -214,10 +217,10 @@ class Wrong(support.TestCase):
             self.skipTest("no /dev/full here")
         mesh = self.write("mesh.ply", meshes.ply_binary([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
         with open("/dev/full", "wb") as full:
-            done = subprocess.run([support.program(), "sweep", mesh], stdout=full, stderr=subprocess.PIPE, timeout=120)
+            done = subprocess.run([support.program(), "sweep", mesh, "--quick"], stdout=full, stderr=subprocess.PIPE, timeout=120)
         self.assertEqual(done.returncode, 1)
         self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
-        self.fail_with(1, "--chart: '/dev/full' could not be written to its end", "sweep", mesh, "--chart", "/dev/full")
+        self.fail_with(1, "--chart: '/dev/full' could not be written to its end", "sweep", mesh, "--quick", "--chart", "/dev/full")
 
 
 if __name__ == "__main__":
