@@ -37,7 +37,7 @@ static void find_rows(const tribox_middles *m, int a, const tribox_seen_along *s
 /* A triangle as it is seen along x, and what rounding can do to it. */
 typedef struct view {
     double u[3][3];         /* u[j][a] */
-    double lo[3], hi[3];    /* its box */
+    double lo[3], hi[3];    /* its box, and what middles can be off by */
     double dy[3], dz[3];    /* edge j, from vertex j on */
     double error;           /* of a side */
     double sign;            /* that of n_x: 1 or -1 */
@@ -52,26 +52,31 @@ static bool is_same(const double a[3], const double b[3]) { return (a[1] == b[1]
 
 static certainty look(view *v, const tribox_middles *m)
 {
-    double(*const u)[3] = v->u;
+    double(*const u)[3] = v->u, F[3];
     for (int a = 0; a < 3; a++) {
         v->lo[a] = least_of(least_of(u[0][a], u[1][a]), u[2][a]);
         v->hi[a] = most_of(most_of(u[0][a], u[1][a]), u[2][a]);
+        F[a] = v->hi[a] - v->lo[a];
     }
-    const double Fx = v->hi[0] - v->lo[0], Fy = v->hi[1] - v->lo[1], Fz = v->hi[2] - v->lo[2];
-    if (is_same(u[0], u[1]) | is_same(u[1], u[2]) | is_same(u[2], u[0]) | !(Fy > 0) | !(Fz > 0))
+    if (is_same(u[0], u[1]) | is_same(u[1], u[2]) | is_same(u[2], u[0]) | !(F[1] > 0) | !(F[2] > 0))
         return EMPTY;
+    for (int a = 1; a < 3; a++) {
+        v->lo[a] -= m->off[a];
+        v->hi[a] += m->off[a];
+        F[a] = v->hi[a] - v->lo[a];
+    }
     for (int j = 0; j < 3; j++) {
         v->dy[j] = u[(j + 1) % 3][1] - u[j][1];
         v->dz[j] = u[(j + 1) % 3][2] - u[j][2];
         v->dx[j] = u[j][0] - u[0][0];
     }
     const double area = v->dy[0] * v->dz[1] - v->dz[0] * v->dy[1];
-    v->error = 0x1p-49 * (Fy * Fz) + 0x1p-1000;
-    if (!(fabs(area) > 16 * v->error) || Fx > 0x1p300 || Fy > 0x1p300 || Fz > 0x1p300)
+    v->error = 0x1p-49 * (F[1] * F[2]) + (F[1] * m->off[2] + F[2] * m->off[1]) + 0x1p-1000;
+    if (!(fabs(area) > 16 * v->error) || F[0] > 0x1p300 || F[1] > 0x1p300 || F[2] > 0x1p300)
         return OPEN;
     v->sign = area > 0 ? 1 : -1;
     v->per_area = 1 / area;
-    v->place_error = (Fx * (8 * v->error * fabs(v->per_area) + 0x1p-49)) * m->per_cell[0] + m->error[0];
+    v->place_error = (F[0] * (8 * v->error * fabs(v->per_area) + 0x1p-49)) * m->per_cell[0] + m->error[0];
     return v->place_error < 0.25 ? CERTAIN : OPEN;
 }
 
@@ -110,15 +115,13 @@ static void cross_rows(tribox_crossings *c, view *v, const int64_t first[2], con
 {
     const tribox_middles *const m = &c->middles;
     for (int64_t k = first[1]; k <= last[1]; k++) {
-        const double z = tribox_middle(m, 2, k);
+        const double z = tribox_middle_near(m, 2, k);
         if (z < v->lo[2] || z > v->hi[2])
             continue;
-        double lo = tribox_middles_plane(m, 1, first[0]);
         for (int64_t j = first[0]; j <= last[0]; j++) {
-            const double hi = tribox_middles_plane(m, 1, j + 1), y = tribox_mean(lo, hi);
+            const double y = tribox_middle_near(m, 1, j);
             if (y >= v->lo[1] && y <= v->hi[1])
                 cross(c, v, j, k, y, z);
-            lo = hi;
         }
     }
 }

@@ -9,8 +9,10 @@ static void set_places(tribox_middles *m, int a, double cell)
     const double lowest = tribox_middles_plane(m, a, 0), highest = tribox_middles_plane(m, a, m->size[a]);
     const double farthest = -lowest > highest ? -lowest : highest;
     m->origin[a] = lowest;
+    m->cell[a] = cell;
     m->per_cell[a] = 1 / cell;
     m->error[a] = (m->grid ? 0x1.01p-24 : 0x1p-51) * farthest * m->per_cell[a] + 0x1p-50 * ((double)m->size[a] + 4);
+    m->off[a] = m->grid ? 0 : 0x1p-50 * farthest + m->error[a] * cell;
     m->has_places = m->has_places && cell >= 0x1p-700 && cell <= 0x1p700 && m->error[a] < 0.25;
 }
 

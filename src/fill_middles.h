@@ -14,7 +14,8 @@ typedef struct tribox_middles {
     const tribox_grid *grid; /* of floats, or NULL */
     tribox_planes planes;    /* of doubles */
     const uint32_t *size;
-    double origin[3], per_cell[3], error[3];
+    double origin[3], cell[3], per_cell[3], error[3];
+    double off[3];   /* by which tribox_middle_near errs at the most */
     bool has_places; /* errors are less than a quarter of a cell */
 } tribox_middles;
 
@@ -36,6 +37,12 @@ static inline double tribox_mean(double lo, double hi)
 static inline double tribox_middle(const tribox_middles *m, int a, int64_t cell)
 {
     return tribox_mean(tribox_middles_plane(m, a, cell), tribox_middles_plane(m, a, cell + 1));
+}
+
+/* Planes of doubles are rounded once, which takes its time. */
+static inline double tribox_middle_near(const tribox_middles *m, int a, int64_t cell)
+{
+    return m->grid ? tribox_middle(m, a, cell) : m->origin[a] + ((double)cell + 0.5) * m->cell[a];
 }
 
 /* The closed cells of axis a that an interval touches, -1 and size standing for those beside the grid. */
