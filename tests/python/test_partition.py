@@ -11,6 +11,7 @@ from unittest import mock
 
 import numpy as np
 import tribox
+from tribox._checksum import checksum, checksums
 
 import cases
 
@@ -57,6 +58,8 @@ class PartitionTests(cases.TestCase):
                     self.assertEqual(len(shares), count)
                     self.assertEqual([share[0] for share in shares] + [partition.tile_count],
                                      [0] + [share[1] for share in shares])
+                    work = [partition.work[(first <= partition.numbers) & (partition.numbers < end)].sum() for first, end in shares]
+                    self.assertLessEqual(max(work), partition.work.sum() / count + partition.work.max())
                     if count < 10:
                         parts = [partition.bricks(share) for share in shares]
                         self.assert_equal(tribox.Bricks(*map(np.concatenate, zip(*parts))), expected)
@@ -135,6 +138,19 @@ class PartitionTests(cases.TestCase):
                     self.assert_equal(tribox.Bricks(file["at"], file["bits"]), partition.bricks())
                     self.assertEqual(tuple(file["size"]), grid[2])
 
+    def test_checksums(self):
+        """Those of many parts are those of each."""
+        pick = np.random.default_rng(cases.seed())
+        halves = pick.integers(0, 1 << 32, 4000, dtype=np.uint32)
+        for longest in (1, 4, 40, 400):
+            starts = pick.integers(0, 3600, 60)
+            ends = starts + pick.integers(1, longest + 1, 60)
+            each = [checksum(np.append(halves[a:b], np.zeros((b - a) % 2, np.uint32)).tobytes()) for a, b in zip(starts, ends)]
+            for count in (0, 1, 15, 16, 60):
+                for block in (1 << 19, 100):
+                    with mock.patch("tribox._checksum.BLOCK", block):
+                        self.assertEqual(checksums(halves, starts[:count], ends[:count]).tolist(), each[:count])
+
     def test_pickle(self):
         partition = self.new(self.triangles, FLOATS)
         again = pickle.loads(pickle.dumps(partition))
@@ -191,6 +207,7 @@ class PartitionTests(cases.TestCase):
             copy = tribox.Partition(self.damaged(partition, "triangles", flip(place)))
             number = partition.numbers[np.searchsorted(partition._ends, place // 36, "right")]
             refuse(tribox.InputError, None, f"the checksum of tile {number} does not match; make", copy.check)
+            refuse(tribox.InputError, None, f"of tile {number} does", copy.check, (int(number), copy.tile_count))
             copy.check((0, int(number)))
             copy.check((int(number) + 1, copy.tile_count))
         for name, change in (("index", lambda content: content[:100]), ("index", lambda content: content[:-32]),

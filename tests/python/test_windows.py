@@ -55,10 +55,15 @@ class Windows(cases.TestCase):
                     self.assert_same(out, expected)
 
     def test_forms_agree(self):
-        """float32 in columns has the planes of float32 in rows."""
-        answers = [tribox.voxelize(form, *GRIDS["floats"]) for form in self.forms()]
-        for answer in answers[1:4]:
-            self.assert_same(answer, answers[0])
+        """Points on planes that are rounded to float32: where float32 lies in columns they are those planes, too."""
+        cell = np.float32(0.1)
+        rows = np.repeat((np.arange(41) * float(cell) - 2).astype(np.float32), 9).reshape(41, 3, 3)
+        columns = tribox.Mesh(np.asfortranarray(rows.reshape(-1, 3)), np.arange(123).reshape(-1, 3))
+        grid = (-2,) * 3, cell, (40,) * 3
+        expected = tribox.voxelize(rows, *grid)
+        self.assertGreater(np.count_nonzero(tribox.voxelize(rows.astype(float), *grid) != expected), 0)
+        self.assert_same(tribox.voxelize(columns, *grid), expected)
+        self.assert_same(tribox.voxelize(tribox.Soup.of(rows), *grid), expected)
 
     def test_beyond_memory(self):
         """A grid of 2^60 cells has windows; the whole of it is refused."""
