@@ -4,7 +4,7 @@
  * The first sweep takes every row once, while the rows beside it are in the nearest cache, and notes which rows it has left behind
  * that could be reached from where it went. Sweeps back and forth then take the rows noted, until there are none.
  */
-#include "fill.h"
+#include "fill_row.h"
 #include "grid_cells.h"
 
 tribox_rows tribox_rows_of(const uint32_t size[3])
@@ -17,7 +17,7 @@ bool tribox_fill_is_served(const uint32_t size[3]) { return size[0] && size[1] &
 
 size_t tribox_fill_bytes(const uint32_t size[3])
 {
-    const uint64_t rows = (uint64_t)size[1] * size[2], bytes = (rows / 64 + 2) * sizeof(uint64_t);
+    const uint64_t rows = (uint64_t)size[1] * size[2], bytes = (2 * (rows / 64 + 1) + 1) * sizeof(uint64_t);
     return bytes > SIZE_MAX ? SIZE_MAX : (size_t)bytes;
 }
 
@@ -25,7 +25,7 @@ uint64_t *tribox_fill_row_bits(void *scratch, const tribox_rows *rows)
 {
     const size_t off = (uintptr_t)scratch % sizeof(uint64_t);
     uint64_t *const bits = (uint64_t *)(void *)((char *)scratch + (off ? sizeof(uint64_t) - off : 0));
-    memset(bits, 0, tribox_words_of(rows->count) * sizeof *bits);
+    memset(bits, 0, 2 * tribox_words_of(rows->count) * sizeof *bits);
     return bits;
 }
 
@@ -49,6 +49,7 @@ typedef struct flood {
     const uint64_t *occupied;
     uint64_t *solid; /* cells that are not reached */
     uint64_t *noted; /* rows with free cells beside reached ones of other rows */
+    uint64_t *done;  /* rows whose free cells are all reached */
     span now, next;  /* layers of this sweep and of the next */
     bool is_upwards; /* this sweep */
     size_t inside;   /* free cells that are not reached, in the rows that were started */
@@ -58,49 +59,14 @@ static const uint64_t *occupied_row(const flood *f, size_t row) { return f->occu
 
 static uint64_t *solid_row(const flood *f, size_t row) { return f->solid + row * f->rows.words; }
 
-/* Every bit of `is_free` above a seed, up to the end of its run, and the seeds: a run turns to zeros as the carry goes through it. */
-static uint64_t spread_up(uint64_t seeds, uint64_t is_free) { return (is_free & ~(is_free + seeds)) | seeds; }
-
-static uint64_t spread_down(uint64_t seeds, uint64_t is_free)
-{
-    for (int step = 1; step < 64; step *= 2) {
-        seeds |= is_free & seeds >> step;
-        is_free &= is_free >> step;
-    }
-    return seeds;
-}
-
-/* From the end of the row towards its start. Returns how many cells of the row are free and not reached. */
-static size_t spread_row_down(const flood *f, const uint64_t *occupied, uint64_t *solid)
-{
-    const size_t words = f->rows.words;
-    uint64_t beyond = UINT64_C(1) << 63, off = ~f->rows.last; /* reached: the cell above the word, and bits that are no cells */
-    size_t inside = 0;
-    for (size_t w = words; w-- > 0;) {
-        const uint64_t before = solid[w], left = before & ~occupied[w];
-        uint64_t reached = ~(before | occupied[w]) | off;
-        const uint64_t seeds = left & (reached >> 1 | beyond);
-        if (seeds) {
-            reached |= spread_down(seeds, left);
-            solid[w] = before & ~reached;
-        }
-        inside += tribox_count_most(left & ~reached);
-        beyond = reached << 63;
-        off = 0;
-    }
-    return inside;
-}
-
 /* Whether a row has a free cell beside a reached one of `from`: if so it is noted. */
 static bool is_noted(const flood *f, const uint64_t *from, size_t row)
 {
-    const uint64_t *const occupied = occupied_row(f, row), *const solid = solid_row(f, row);
-    uint64_t is_new = 0;
-    for (size_t w = 0; w < f->rows.words; w++)
-        is_new |= ~from[w] & solid[w] & ~occupied[w];
-    if (is_new)
+    const bool is_done = f->done[row / 64] >> row % 64 & 1;
+    const bool is = !is_done && tribox_row_is_beside(f->rows.words, from, occupied_row(f, row), solid_row(f, row));
+    if (is)
         f->noted[row / 64] |= UINT64_C(1) << row % 64;
-    return is_new;
+    return is;
 }
 
 /* The rows around row j of layer k that were started. */
@@ -118,25 +84,31 @@ static void note_beside(flood *f, size_t j, size_t k)
         extend(f->is_upwards ? &f->now : &f->next, k + 1);
 }
 
+/* What has come into a row spreads; what is left of its free cells is counted. */
+static void settle_row(flood *f, size_t row, bool has_left)
+{
+    const uint64_t last = f->rows.last, *const occupied = occupied_row(f, row);
+    uint64_t *const solid = solid_row(f, row);
+    if (has_left && tribox_row_is_open(f->rows.words, last, occupied, solid))
+        tribox_row_close(f->rows.words, last, occupied, solid);
+    const size_t left = has_left ? tribox_row_left(f->rows.words, occupied, solid) : 0;
+    f->inside += left;
+    f->done[row / 64] |= (uint64_t)!left << row % 64;
+}
+
 /* A row for the first time: from its ends, from the rows before it on both axes, and at the border of the grid from all around. */
 static void start_row(flood *f, size_t j, size_t k)
 {
     const size_t words = f->rows.words, row = k * f->lines + j;
     const bool is_border = j == 0 || k == 0 || j + 1 == f->lines || k == f->last_layer;
-    const uint64_t *const occupied = occupied_row(f, row);
+    const uint64_t last = f->rows.last, *const occupied = occupied_row(f, row);
     uint64_t *const solid = solid_row(f, row);
-    const uint64_t *const below = is_border ? solid : solid - words, *const behind = is_border ? solid : solid - f->lines * words;
-    uint64_t before = 1; /* reached: the cell below the word */
-    for (size_t w = 0; w < words; w++) {
-        const uint64_t mask = tribox_row_mask(&f->rows, w), is_free = ~occupied[w] & mask;
-        const uint64_t beside = is_border ? is_free : ~(below[w] & behind[w]);
-        uint64_t reached = spread_up(is_free & beside, is_free);
-        if (before & is_free & ~reached) /* seldom: words do not wait for each other */
-            reached |= spread_up(before, is_free);
-        solid[w] = mask & ~reached;
-        before = reached >> 63;
-    }
-    f->inside += spread_row_down(f, occupied, solid);
+    bool has_left = false;
+    if (is_border)
+        tribox_row_open(words, last, occupied, solid);
+    else
+        has_left = tribox_row_start(words, last, occupied, solid - words, solid - f->lines * words, solid);
+    settle_row(f, row, has_left);
     if (j)
         is_noted(f, solid, row - 1);
     if (k && is_noted(f, solid, row - f->lines))
@@ -151,17 +123,10 @@ static void take_row(flood *f, size_t j, size_t k)
     uint64_t *const solid = solid_row(f, row);
     const uint64_t *const at[4] = {j ? solid - words : solid, j + 1 < f->lines ? solid + words : solid, k ? solid - layer : solid,
                                    k + 1 < f->layers ? solid + layer : solid};
-    uint64_t before = 0;
-    size_t was = 0;
     f->noted[row / 64] &= ~(UINT64_C(1) << row % 64);
-    for (size_t w = 0; w < words; w++) {
-        const uint64_t left = solid[w] & ~occupied[w], beside = ~(at[0][w] & at[1][w] & at[2][w] & at[3][w]);
-        const uint64_t reached = spread_up(left & (beside | before), left);
-        was += tribox_count_most(left);
-        solid[w] &= ~reached;
-        before = reached >> 63;
-    }
-    f->inside -= was - spread_row_down(f, occupied, solid);
+    f->inside -= tribox_row_left(words, occupied, solid);
+    tribox_row_take(words, occupied, at, solid);
+    settle_row(f, row, true);
     note_beside(f, j, k);
 }
 
@@ -239,6 +204,7 @@ tribox_status tribox_fill_outside(const uint32_t size[3], const uint64_t *occupi
         return TRIBOX_BAD_GRID;
     flood f = {.rows = tribox_rows_of(size), .lines = size[1], .last_layer = size[2] - 1, .occupied = occupied, .solid = solid};
     f.noted = tribox_fill_row_bits(scratch, &f.rows);
+    f.done = f.noted + tribox_words_of(f.rows.count);
     f.now = f.next = none;
     start_layers(&f);
     while (f.next.from <= f.next.to)

@@ -69,7 +69,7 @@ static int write_picture(const char *folder, const char *name)
 
 static int show(const char *folder, const fill_kind *kind)
 {
-    uint64_t scratch[(NY * NZ) / 64 + 2];
+    uint64_t scratch[2 * (NY * NZ) / 64 + 3];
     size_t outside, inside, odd_rows;
     body.count = 0;
     kind->make(&body);

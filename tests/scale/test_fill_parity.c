@@ -85,7 +85,7 @@ static void check_regions(const fill_case *c)
 /* What parity fills of a closed mesh in the grid is not reached from outside; what alone is not reached, pockets, is on no border. */
 static void check_both_ways(const fill_case *c, const answer *parity)
 {
-    uint64_t flood[CASE_WORDS_MAX], scratch[ORACLE_CELLS / 64 + 2];
+    uint64_t flood[CASE_WORDS_MAX], scratch[2 * ORACLE_CELLS / 64 + 3];
     assert_int_equal(tribox_fill_outside(fill_case_size(c), c->occupied, flood, scratch, NULL), TRIBOX_OK);
     for (size_t row = 0; row < rows_of(c); row++)
         for (uint32_t i = 0; i < c->at.size[0]; i++) {
@@ -140,7 +140,7 @@ static void test_environment(void **state)
         ask(&drawn, drawn.occupied, &expected);
         const fill_mesh mesh = fill_mesh_make(&drawn);
         for (unsigned k = 0; k < SETTINGS; k++) {
-            uint64_t scratch[ORACLE_CELLS / 64 + 2];
+            uint64_t scratch[2 * ORACLE_CELLS / 64 + 3];
             const unsigned normal = environment_get();
             environment_set(setting(k));
             const tribox_status status =
