@@ -8,7 +8,14 @@
 #include "voxels.h"
 
 /* Triangles are gathered a block at a time: as nine streams of float, or as doubles in half the number. */
-enum { TILE_MAX = 1024, BLOCK = 1024, BLOCK_F64 = BLOCK / 2, BLOCK_BYTES = BLOCK * 9 * sizeof(float), LINE = 64 };
+enum {
+    TILE_MAX = 1024,
+    BLOCK = 1024,
+    BLOCK_F64 = BLOCK / 2,
+    STREAM = BLOCK + 16,
+    BLOCK_BYTES = STREAM * 9 * sizeof(float),
+    LINE = 64
+};
 
 /* One call. */
 typedef struct share {
@@ -39,16 +46,26 @@ size_t tribox_bricks_bytes(uint32_t tile)
     return bytes > SIZE_MAX - rest ? SIZE_MAX : bytes + rest;
 }
 
-/* Triangles list[0] .. list[count - 1] as a soup of their own. */
+/*
+ * Triangles list[0] .. list[count - 1] as a soup of their own. Its streams do not begin at one place of a page each: caches would
+ * have them all in few of their sets, and loads wait for stores.
+ */
 static tribox_soup gather(const share *s, const uint32_t *list, size_t count)
 {
+    enum { AHEAD = 32 };
     float *const to = s->block;
     for (int n = 0; n < 9; n++) {
         const float *const stream = tribox_soup_axis(s->soup, n / 3)[n % 3];
-        for (size_t i = 0; i < count; i++)
-            to[(size_t)n * BLOCK + i] = stream[list[i]];
+        float *const at = to + (size_t)n * STREAM;
+        size_t i = 0;
+        for (; i + AHEAD < count; i++) {
+            tribox_will_read(stream + list[i + AHEAD]);
+            at[i] = stream[list[i]];
+        }
+        for (; i < count; i++)
+            at[i] = stream[list[i]];
     }
-    return tribox_soup_of(to, BLOCK, count);
+    return tribox_soup_of(to, STREAM, count);
 }
 
 static tribox_mesh gather_f64(const share *s, const uint32_t *list, size_t count)
