@@ -9,13 +9,15 @@
 #include "spool.h"
 #include "zip_out.h"
 
-enum { AT_BYTES = 12, BITS_BYTES = 64, CHUNK = 1 << 16, SHAPE = 32 };
+enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512, CHUNK = 1 << 16, SHAPE = 32 };
 
 /* The file gets the bits as they come; the places wait beside it. */
 typedef struct npz {
     zip_out zip;
     FILE *places;
     deflater *deflater; /* NULL: not deflated */
+    size_t waiting;     /* bricks that are in neither yet: for a few bytes each call costs too much */
+    unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES];
 } npz;
 
 static void free_npz(npz *z)
@@ -44,17 +46,23 @@ static int open_npz(brick_out *out)
     return EXIT_CODE_OK;
 }
 
+static int write_waiting(brick_out *out)
+{
+    npz *const z = out->state;
+    fwrite(z->place, AT_BYTES, z->waiting, z->places);
+    zip_add(&z->zip, z->words, z->waiting * BITS_BYTES);
+    z->waiting = 0;
+    return !ferror(z->places) ? EXIT_CODE_OK : file_out_failure(out->file);
+}
+
 static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     npz *const z = out->state;
-    unsigned char place[AT_BYTES], words[BITS_BYTES];
     for (int a = 0; a < 3; a++)
-        little_put32(place + 4 * a, at[a]);
+        little_put32(z->place[z->waiting] + 4 * a, at[a]);
     for (int k = 0; k < 8; k++)
-        little_put64(words + 8 * k, bits[k]);
-    fwrite(place, 1, sizeof place, z->places);
-    zip_add(&z->zip, words, sizeof words);
-    return !ferror(z->places) ? EXIT_CODE_OK : file_out_failure(out->file);
+        little_put64(z->words[z->waiting] + 8 * k, bits[k]);
+    return ++z->waiting < BLOCK ? EXIT_CODE_OK : write_waiting(out);
 }
 
 static void end_array(npz *z, const char *type, const char *shape)
@@ -120,8 +128,11 @@ static int end_npz(brick_out *out, progress *bar)
     npz *const z = out->state;
     const voxels *const v = &out->cells;
     (void)bar;
+    int code = write_waiting(out);
+    if (code)
+        return code;
     end_rows(out, "<u8", 8);
-    const int code = add_places(out);
+    code = add_places(out);
     if (code)
         return code;
     add_point(z, "origin.npy", v->grid.origin, v->is_float);

@@ -80,7 +80,7 @@ part_writer part_start(FILE *to, const part_header *header)
 
 void part_put(part_writer *w, const uint32_t at[3], const uint64_t bits[8])
 {
-    part_brick brick = {.at = {at[0], at[1], at[2]}, .cells = (uint32_t)tribox_mask_indices(bits, 512, NULL)};
+    part_brick brick = {.at = {at[0], at[1], at[2]}, .cells = (uint32_t)voxels_count(bits, 8)};
     memcpy(brick.bits, bits, sizeof brick.bits);
     w->end.bricks++;
     w->end.cells += brick.cells;

@@ -14,10 +14,25 @@ const uint64_t *voxels_layer(const voxels *v, uint32_t k)
     return v->slab[low].bits + (size_t)(k - v->slab[low].first) * voxels_layer_words(&v->grid);
 }
 
+/* Of so few words that no byte of the sum overflows: first pairs of bits are added, then fours, then bytes. */
+static uint64_t count_few(const uint64_t *words, size_t count)
+{
+    const uint64_t twos = UINT64_C(0x5555555555555555), fours = UINT64_C(0x3333333333333333), bytes = UINT64_C(0x0f0f0f0f0f0f0f0f);
+    uint64_t sum = 0;
+    for (size_t w = 0; w < count; w++) {
+        const uint64_t pairs = words[w] - (words[w] >> 1 & twos), nibbles = (pairs & fours) + (pairs >> 2 & fours);
+        sum += (nibbles + (nibbles >> 4)) & bytes;
+    }
+    const uint64_t doubled = (sum & UINT64_C(0x00ff00ff00ff00ff)) + (sum >> 8 & UINT64_C(0x00ff00ff00ff00ff));
+    return doubled * UINT64_C(0x0001000100010001) >> 48;
+}
+
 uint64_t voxels_count(const uint64_t *words, size_t count)
 {
-    enum { WORDS_MAX = 1 << 26 }; /* the library counts up to 2^32 bits at once */
+    enum { FEW = 8, WORDS_MAX = 1 << 26 }; /* the library counts up to 2^32 bits at once */
     uint64_t bits = 0;
+    if (count <= FEW)
+        return count_few(words, count); /* a brick, of which there are many */
     for (size_t w = 0; w < count; w += WORDS_MAX)
         bits += tribox_mask_indices(words + w, 64 * (count - w < WORDS_MAX ? count - w : WORDS_MAX), NULL);
     return bits;
