@@ -118,6 +118,24 @@ def voxelize():
     return files
 
 
+def bricks():
+    source = random.Random(18)
+    files = {}
+    for name, way in WAYS.items():
+        triangles = b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(5))
+        for row in (2, 5, 7):
+            grid = bytes([LATTICE]) + lattice(-8, -4, -2) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([row, 4, 6])
+            files["%s_%d" % (name, row)] = bytes([UNIT_ONE]) + options() + grid + bytes([row % 4, 1]) + triangles
+    for axes in (1, 2, 4, 5):
+        grid = bytes([LATTICE]) + lattice(-3, -2, -1) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([4, 3, 2])
+        files["axes_%d" % axes] = (bytes([UNIT_EIGHTH]) + options(axes) + grid + bytes([0, 0, 2]) +
+                                   shape(LATTICE, lattice(*range(-4, 5))))
+    for name, unit in UNITS.items():
+        grid = bytes([LATTICE]) + lattice(-8, -4, 0) + bytes([LATTICE]) + lattice(2, 4, 2) + bytes([6, 6, 6])
+        files[name] = bytes([unit]) + options() + grid + bytes([1, 1]) + shape(LATTICE, lattice(*range(-4, 5)))
+    return files
+
+
 def fill():
     source = random.Random(17)
     files = {}
@@ -468,8 +486,9 @@ def command():
     return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
 
 
-TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "fill": fill, "indexed": indexed,
-           "soup": soup, "overlap_f64": overlap_f64, "index": index, "oriented": oriented, "grid": grid, "files": files, "command": command}
+TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "bricks": bricks,
+           "fill": fill, "indexed": indexed, "soup": soup, "overlap_f64": overlap_f64, "index": index,
+           "oriented": oriented, "grid": grid, "files": files, "command": command}
 
 
 def main():
