@@ -1,6 +1,6 @@
 /*
- * fill_crossings.c - triangles and the rays along x through the middles of rows of cells: in double, and by exact signs where rounding
- * could turn one (PROOFS.md 15.4).
+ * fill_crossings.c - triangles and the rays along x through the middles of rows of cells: in double, and by exact signs where
+ * rounding could turn one (PROOFS.md 15.4).
  */
 #include "fill_crossings.h"
 

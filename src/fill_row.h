@@ -1,5 +1,5 @@
 /*
- * fill_row.h - one row of cells along x: the outside comes in from rows beside it and from its ends, and spreads through free cells.
+ * fill_row.h - one row of cells along x: the outside comes in from rows beside it and its ends, and spreads through free cells.
  * `solid` has a bit for each cell that is not reached, and none past the last cell; `last` has those of the last word's cells.
  *
  * Loops over all words are free of branches, so that compilers make vectors of them; few rows need more.
@@ -11,7 +11,7 @@
 
 #include "fill.h"
 
-/* Every bit of `is_free` above a seed, up to the end of its run, and the seeds: a run turns to zeros as the carry goes through it. */
+/* The seeds, and all bits of `is_free` above them in their runs: a run turns to zeros as the carry goes through it. */
 static inline uint64_t tribox_spread_up(uint64_t seeds, uint64_t is_free) { return (is_free & ~(is_free + seeds)) | seeds; }
 
 static inline uint64_t tribox_spread_down(uint64_t seeds, uint64_t is_free)
@@ -59,7 +59,7 @@ static inline void tribox_row_take(size_t words, const uint64_t *restrict occupi
     }
 }
 
-/* Whether a cell that is free and not reached lies beside a reached one: within words only below it. Ends lie beside the outside. */
+/* Whether a cell that is free and not reached lies beside a reached one, within words below it. Ends lie beside the outside. */
 static inline bool tribox_row_is_open(size_t words, uint64_t last, const uint64_t *occupied, const uint64_t *solid)
 {
     const uint64_t end = last & ~(last >> 1);

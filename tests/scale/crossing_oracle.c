@@ -23,8 +23,8 @@ static void get_ready(void)
 }
 
 /*
- * The point is moved by e^3, e and e^2. Sides and heights are polynomials in e, of coefficients that are multiples of 2^(-3 bits) and
- * below 2^(3 bits + 3): where e is 2^(-6 bits - 10), the first of them has its way. The unit is e^3 2^-bits.
+ * The point is moved by e^3, e and e^2. Sides and heights are polynomials in e, of coefficients that are multiples of 2^(-3 bits)
+ * and below 2^(3 bits + 3): where e is 2^(-6 bits - 10), the first of them has its way. The unit is e^3 2^-bits.
  */
 static unsigned long moved_by(const crossing_case *c, int power) { return (unsigned long)(power * (6 * c->bits + 10)); }
 

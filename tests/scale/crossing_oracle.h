@@ -1,6 +1,6 @@
 /*
- * crossing_oracle.h - crossings of rays along x by integers, about a point that is moved by so little that less would change nothing:
- * no sign of a coefficient is asked.
+ * crossing_oracle.h - crossings of rays along x by integers, about a point that is moved by so little that less would change
+ * nothing: no sign of a coefficient is asked.
  */
 #ifndef TRIBOX_TESTS_CROSSING_ORACLE_H
 #define TRIBOX_TESTS_CROSSING_ORACLE_H

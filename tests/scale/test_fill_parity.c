@@ -82,7 +82,7 @@ static void check_regions(const fill_case *c)
             }
 }
 
-/* What parity fills of a closed mesh in the grid is not reached from outside; what alone is not reached, pockets, is on no border. */
+/* What parity fills of a closed mesh in the grid is not reached from outside; what else is not, pockets, is on no border. */
 static void check_both_ways(const fill_case *c, const answer *parity)
 {
     uint64_t flood[CASE_WORDS_MAX], scratch[2 * ORACLE_CELLS / 64 + 3];
