@@ -4,7 +4,8 @@ PARTITION is a folder that `tribox partition MESH --resolution N -o PARTITION` w
 (i, j, k) as its bit i % 64, as tribox.voxelize(packed=True) has it; chunks without cells are not stored.
 
 A tile is a chunk and a task owns its chunks: it reads its triangles from the partition, asks no other task, and writes each chunk
-whole, so that a task which a killed worker had begun is simply run again. OUT.zarr appears when all tasks have ended.
+whole, so that a task which a killed worker had begun is simply run again. OUT.zarr appears when all tasks have ended; a run that is
+killed, or takes longer than the timeout, leaves OUT.zarr.draft-* at most.
 """
 
 import argparse
@@ -56,7 +57,7 @@ def main():
         parser.error(f"tiles of {partition.tile} cells are no chunks of whole words; make them of a multiple of 64")
     new_array(partition, draft)
     # Workers come when they can: a cluster that is made with some waits for each, for ever where one dies on its way.
-    cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=None)
+    cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=":0")
     client = Client(cluster)
     try:
         cluster.scale(options.workers)

@@ -1,6 +1,6 @@
 """Kills a worker of an engine (SIGKILL) at a random moment, again and again, and looks at how each run ends.
 
-    faults.py ENGINE [--kills N] [--seed N] [--limit SECONDS] [--rings N] [--resolution N]
+    faults.py ENGINE [--kills N] [--seed N] [--limit SECONDS] [--workers N] [--rings N] [--resolution N]
 
 ENGINE is dask, mpi or slurm. A run may end with the right cells, or with an error and no cells, after which the same command again
 has to give the right ones. Wrong cells, and a run that goes on for longer than the limit, are failures.
@@ -80,8 +80,8 @@ def outcome(engine, process, limit):
     except subprocess.TimeoutExpired:
         end(process)
         return "hung"
-    if code:
-        return "wrong" if os.path.exists(engine.path) else "error"
+    if code and not os.path.exists(engine.path):
+        return "error"
     return "right" if engine.is_right() else "wrong"
 
 
@@ -127,12 +127,14 @@ def main():
     parser.add_argument("--kills", type=int, default=2)
     parser.add_argument("--seed", type=int, default=int(os.environ.get("TRIBOX_TEST_SEED", "1")))
     parser.add_argument("--limit", type=int, default=120, help="seconds that a run may take")
+    parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--rings", type=int, default=40, help="of the sphere: it has 4 times the square of triangles")
     parser.add_argument("--resolution", type=int, default=300)
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
     with tempfile.TemporaryDirectory() as folder, open(os.path.join(folder, "log"), "w+") as log:
         with runs.engine_of(options.engine, folder, options.rings, options.resolution) as engine:
+            engine.workers = options.workers
             ended = faults(engine, options.kills, random.Random(options.seed), options.limit, log)
         if not are_good(ended):
             log.seek(0)

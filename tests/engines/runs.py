@@ -125,6 +125,10 @@ class Dask(Engine):
     needs = dict(modules=("dask.distributed", "zarr"))
     name, out, word, suits = "dask", "out.zarr", "spawn_main", (40, 300)
 
+    def __init__(self, case, workers=2):
+        super().__init__(case, workers)
+        self.environment = {"DASK_TEMPORARY_DIRECTORY": case.folder}
+
     def command(self, limit):
         return [sys.executable, os.path.join(EXAMPLES, "dask_zarr.py"), self.case.path, self.path, "--workers", str(self.workers),
                 "--timeout", str(limit)]

@@ -62,6 +62,12 @@ class Engines(unittest.TestCase):
         self.assertEqual(how, "error", said)
         self.assertRegex(self.engine.said(said), "damaged: the checksum|not a part file")
 
+    def test_limit(self):
+        """A run that takes longer than it may ends, and without an answer unless it had just written it."""
+        if self.engine.owns_workers:
+            process = runs.start(self.engine, 1, self.log)
+            self.assertIn(faults.outcome(self.engine, process, runs.GRACE), ("error", "right"))
+
     def test_killed(self):
         """The same command again is right after an error."""
         pick = random.Random(self.seed)
