@@ -229,6 +229,13 @@ class Progress(Failures):
             self.assertRegex(text, r"\A(\r(voxelizing|writing) \[#*\.*\] +\d+ %  [^\r\n]* left *)+\r +\r")
             self.assertTrue(text.endswith(" \r"))
 
+    def test_what_is_done(self):
+        """By tiles the bar also says how many of them are done, and how many in a second."""
+        text = self.on_terminal("voxelize", self.mesh, "--resolution", "2500", "--count", "--threads", "1")
+        if text:  # the work has taken long enough
+            self.assertRegex(text, r"\A(\rvoxelizing \[#*\.*\] +\d+ %  [\d.]+k? of [\d.]+k? tiles, [\d.]+k?/s, [^\r\n]* left *)+\r +\r")
+            self.assertLessEqual(max(map(len, text.split("\r"))), 85)
+
 
 if __name__ == "__main__":
     support.main()

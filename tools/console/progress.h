@@ -1,4 +1,4 @@
-/* progress.h - a bar on the terminal that shows what is done, the rate and the time left, for work that takes more than a moment. */
+/* progress.h - a bar on the terminal for work that takes more than a moment: what is done, the rate, and the time left. */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 

@@ -6,7 +6,8 @@
  *   triangles  nine numbers a triangle, x, y and z of its three vertices, floats or doubles as position_bytes says, and nothing
  *              else: the triangles of the first record, those of the second, and so on. A triangle is in the file once for each
  *              tile that it is in. The triangles of a tile are in the order of the mesh.
- * A tile has every triangle that touches the box of its cells, as tribox_tiles_count states it, and may have others that come close.
+ * A tile has every triangle that touches the box of its cells, as tribox_tiles_count states it, and may have others that come
+ * close.
  * Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are size[0] and size[1] divided by `tile` and rounded up.
  */
 #ifndef PARTITION_H
@@ -40,7 +41,7 @@ typedef struct partition_header {
 typedef struct partition_tile {
     uint64_t tile;     /*  0: its number */
     uint64_t first;    /*  8: the place of its first triangle in the file */
-    uint64_t work;     /* 16: about how many nanoseconds it takes: what shards share evenly; see partition_shard */
+    uint64_t work;     /* 16: about how many nanoseconds it takes: what shards share evenly: tile_set_shard */
     uint64_t checksum; /* 24: of its triangles' bytes */
 } partition_tile;
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/interrupt.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "picture_png.h"
@@ -68,6 +69,7 @@ int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsig
 {
     if (!out->stream)
         return EXIT_CODE_OK;
+    interrupt_advise("the cells are written, the picture is not; run it again");
     unsigned char *pixels = malloc(pixel_bytes(look));
     progress bar = progress_start("drawing", wants_progress);
     const bool is_drawn = pixels && picture_draw(v, look, threads, pixels, &bar);
