@@ -58,7 +58,10 @@ static certainty look(view *v, const tribox_middles *m)
         v->hi[a] = most_of(most_of(u[0][a], u[1][a]), u[2][a]);
         F[a] = v->hi[a] - v->lo[a];
     }
-    if (is_same(u[0], u[1]) | is_same(u[1], u[2]) | is_same(u[2], u[0]) | !(F[1] > 0) | !(F[2] > 0))
+    bool is_empty = !(F[1] > 0 && F[2] > 0);
+    for (int j = 0; j < 3; j++)
+        is_empty |= is_same(u[j], u[(j + 1) % 3]);
+    if (is_empty)
         return EMPTY;
     for (int a = 1; a < 3; a++) {
         v->lo[a] -= m->off[a];
