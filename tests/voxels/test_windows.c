@@ -1,0 +1,412 @@
+/*
+ * test_windows.c - windows of a grid: EXACT has the bits of the whole, every cell that tribox_overlap reports and no other, in grids
+ * too large to be asked as a whole, too; CONSERVATIVE has them all. No word is touched besides, and of bad windows none.
+ */
+#include "occupancy.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "common/arguments.h"
+#include "common/contact.h"
+#include "common/float_environment.h"
+#include "grid_kinds.h"
+#include "common/guard.h"
+#include "triangle_kinds.h"
+
+enum { PAIRS = 100000, ROUNDS = 100, FEW_ROUNDS = 10, CELLS_MAX = 8000, TRIANGLES = 60, WINDOWS = 5, LONG_ROW = 330 };
+
+typedef struct window {
+    uint32_t first[3], size[3];
+} window;
+
+static grid_planes at;
+static triangle_list triangles;
+static uint64_t whole[CELLS_MAX], expected[CELLS_MAX], before[CELLS_MAX];
+
+/* Where rows of a window begin and end beside words. */
+static const uint32_t lengths[] = {1, 2, 63, 64, 65, 130};
+enum { LENGTHS = sizeof lengths / sizeof lengths[0] };
+
+static size_t row_words(const window *w) { return (w->size[0] + 63) / 64; }
+static size_t window_words(const window *w) { return row_words(w) * w->size[1] * w->size[2]; }
+
+static uint64_t *word_of(const window *w, uint64_t *words, uint32_t i, uint32_t j, uint32_t k)
+{
+    return &words[((size_t)k * w->size[1] + j) * row_words(w) + i / 64];
+}
+
+/* The cells of the window among those of the whole. */
+static void expect_of_whole(const window *w)
+{
+    memset(expected, 0, window_words(w) * sizeof *expected);
+    for (uint32_t k = 0; k < w->size[2]; k++)
+        for (uint32_t j = 0; j < w->size[1]; j++)
+            for (uint32_t i = 0; i < w->size[0]; i++) {
+                const bool is = grid_planes_bit(&at, whole, (int)(w->first[0] + i), (int)(w->first[1] + j), (int)(w->first[2] + k));
+                *word_of(w, expected, i, j, k) |= (uint64_t)is << i % 64;
+            }
+}
+
+static void tell(const window *w, const tribox_grid *grid, const tribox_options *options)
+{
+    snprintf(doing, sizeof doing, "window %u %u %u, %u x %u x %u of %u x %u x %u, accuracy %d, axes %u, kernel %s",
+             (unsigned)w->first[0], (unsigned)w->first[1], (unsigned)w->first[2], (unsigned)w->size[0], (unsigned)w->size[1],
+             (unsigned)w->size[2], (unsigned)grid->size[0], (unsigned)grid->size[1], (unsigned)grid->size[2],
+             (int)options->accuracy, options->axes, options->kernel);
+}
+
+/* What the words have to be: `expected` and what was there before; at accuracies but EXACT at least that, and no bits past rows. */
+static void check_words(const window *w, const tribox_grid *grid, const tribox_options *options, const uint64_t *words)
+{
+    for (size_t n = 0; n < window_words(w); n++) {
+        const uint32_t rest = w->size[0] % 64;
+        const uint64_t cells = rest && (n + 1) % row_words(w) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
+        const uint64_t wanted = expected[n] | before[n];
+        const uint64_t lost = options->accuracy == TRIBOX_FAST ? before[n] & ~words[n] : wanted & ~words[n];
+        const uint64_t extra = words[n] & ~(options->accuracy == TRIBOX_EXACT ? wanted : cells);
+        if (lost | extra) {
+            grid_planes_print(stderr, grid);
+            fail_msg("%s: word %zu lacks %#llx, has %#llx too many", doing, n, (unsigned long long)lost, (unsigned long long)extra);
+        }
+    }
+}
+
+/* The window's words lie between guards, first against the page after, then against the one before. */
+static void ask_window(const window *w, const tribox_grid *grid, const tribox_options *options)
+{
+    const tribox_soup soup = triangle_list_soup(&triangles);
+    const size_t words = window_words(w), bytes = words * sizeof(uint64_t);
+    const guarded g = guarded_make(bytes ? bytes : 1);
+    tell(w, grid, options);
+    for (int side = 0; side < 2; side++) {
+        uint64_t *const occupied = side ? guarded_tail(g, bytes) : (void *)g.first;
+        tribox_report report;
+        memcpy(occupied, before, bytes);
+        assert_int_equal(tribox_voxelize_window(&soup, grid, w->first, w->size, options, occupied, &report), TRIBOX_OK);
+        check_words(w, grid, options, occupied);
+        assert_int_equal(report.overlapping, occupancy_count(occupied, words) - occupancy_count(before, words));
+    }
+    guarded_free(g);
+}
+
+/* Some cells of the window, or none. */
+static void draw_before(random_source *r, const window *w)
+{
+    memset(before, 0, sizeof before);
+    if (random_int(r, 3) == 0 && window_words(w))
+        for (int n = 0; n < 20; n++) {
+            const uint32_t i = (uint32_t)random_int(r, (int)w->size[0]), j = (uint32_t)random_int(r, (int)w->size[1]);
+            *word_of(w, before, i, j, (uint32_t)random_int(r, (int)w->size[2])) |= UINT64_C(1) << i % 64;
+        }
+}
+
+/* `length` cells of an axis, or what fits: at either end, anywhere, or about the border of a word. */
+static void put_span(random_source *r, const tribox_grid *grid, int a, uint32_t length, window *w)
+{
+    const uint32_t size = grid->size[a];
+    w->size[a] = length < size ? length : size;
+    const uint32_t last = size - w->size[a];
+    const int way = random_int(r, 4);
+    const uint32_t anywhere = (uint32_t)random_below(r, (size_t)last + 1);
+    w->first[a] = way == 0 ? 0 : way == 1 ? last : anywhere;
+    if (way == 2 && (anywhere | 63) + 2 <= last)
+        w->first[a] = (anywhere | 63) + (uint32_t)random_int(r, 3);
+}
+
+static window draw_window(random_source *r, const tribox_grid *grid)
+{
+    window w;
+    for (int a = 0; a < 3; a++)
+        put_span(r, grid, a,
+                 a == 0 && random_int(r, 2) ? lengths[random_int(r, LENGTHS)]
+                                            : (uint32_t)random_int_between(r, 1, (int)grid->size[a]),
+                 &w);
+    return w;
+}
+
+static void draw_triangles(random_source *r)
+{
+    triangles.count = 0;
+    if (random_int(r, 4) == 0)
+        draw_mesh(r, &at, &triangles);
+    const size_t wanted = triangles.count + (size_t)random_int_between(r, 1, TRIANGLES);
+    while (triangles.count < wanted) {
+        float u[3][3];
+        draw_triangle(r, triangle_kind_at((size_t)random_int(r, (int)triangle_kind_count())), &at, u);
+        triangle_list_put(&triangles, (const_vertices)u);
+    }
+}
+
+static tribox_options any_options(random_source *r)
+{
+    const char *kernels[KERNELS_MAX];
+    const int kernel_count = kernels_here(kernels);
+    return (tribox_options){.axes = (unsigned)(random_int(r, 4) ? 0 : random_int_between(r, 1, AXIS_SETS)),
+                            .kernel = kernels[random_int(r, kernel_count)]};
+}
+
+/* Small grids and long rows of every kind; the whole is what test_cells.c compares with the oracle. */
+static void draw_pairs(random_source *r, size_t round)
+{
+    const grid_kind *const kind = grid_kind_at(round % grid_kind_count());
+    if (random_int(r, 2))
+        draw_grid_of_kind(r, kind, CELLS_MAX, &at);
+    else
+        draw_grid_of_size(r, kind, (const uint32_t[]){LONG_ROW, (uint32_t)random_int_between(r, 1, 4), 3}, &at);
+    draw_triangles(r);
+}
+
+static void ask_whole(const tribox_options *options)
+{
+    const tribox_soup soup = triangle_list_soup(&triangles);
+    memset(whole, 0, at.words * sizeof *whole);
+    assert_int_equal(tribox_voxelize(&soup, &at.grid, options, whole, NULL), TRIBOX_OK);
+}
+
+static void test_parts(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "windows");
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+        draw_pairs(&r, round);
+        tribox_options options = any_options(&r);
+        ask_whole(&options);
+        for (int n = 0; n < WINDOWS; n++) {
+            const window w = draw_window(&r, &at.grid);
+            draw_before(&r, &w);
+            expect_of_whole(&w);
+            for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+                options.accuracy = (tribox_accuracy)accuracy;
+                ask_window(&w, &at.grid, &options);
+            }
+        }
+    }
+}
+
+/* The window's first plane, its last, or another, and a float beside it. */
+static float near_plane(random_source *r, const tribox_grid *grid, const window *w, int a)
+{
+    const int which = random_int(r, 3), steps = random_int_between(r, -1, 1);
+    const uint32_t on = which == 0 ? 0 : which == 1 ? w->size[a] : (uint32_t)random_int(r, (int)w->size[a] + 1);
+    const float plane = grid_planes_place(grid, a, (double)w->first[a] + on);
+    return steps ? nextafterf(plane, steps < 0 ? -INFINITY : INFINITY) : plane;
+}
+
+/* Two vertices about the window or anywhere in the grid, and a third that has a point of the window between them. */
+static void draw_through(random_source *r, const tribox_grid *grid, const window *w, bool is_long, float u[3][3])
+{
+    const double part = random_double(r, 0.1, 1.5), other = random_double(r, 0, 1.5);
+    for (int a = 0; a < 3; a++) {
+        const double from = grid_planes_place(grid, a, w->first[a] + random_double(r, -0.5, w->size[a] + 0.5));
+        for (int j = 0; j < 2; j++)
+            u[j][a] = grid_planes_place(grid, a,
+                                        is_long ? random_double(r, -9, grid->size[a] + 9.0)
+                                                : w->first[a] + random_double(r, -2, w->size[a] + 2.0));
+        u[2][a] = nearest_float(from - part * (u[0][a] - from) - other * (u[1][a] - from));
+    }
+}
+
+/* Some of it on planes, flat on one, of one point or of two. */
+static void draw_about(random_source *r, const tribox_grid *grid, const window *w, float u[3][3])
+{
+    const int flat = random_int(r, 6), exact = random_int(r, 4), like = random_int(r, 12);
+    draw_through(r, grid, w, random_int(r, 3) == 0, u);
+    for (int a = 0; a < 3; a++) {
+        const float plane = near_plane(r, grid, w, a);
+        for (int j = 0; j < 3; j++)
+            if (a == flat)
+                u[j][a] = plane;
+            else if (exact == 0 || (exact == 1 && random_int(r, 2)))
+                u[j][a] = near_plane(r, grid, w, a);
+    }
+    if (like < 3)
+        memcpy(u[like], u[(like + 1) % 3], sizeof u[0]);
+    if (like == 0)
+        memcpy(u[2], u[0], sizeof u[0]);
+}
+
+/* Sizes whose whole exceeds 2^31 words or whose planes exceed what floats count; planes of whole numbers, rounded, and far away. */
+static void draw_large_grid(random_source *r, tribox_grid *grid)
+{
+    static const float cells[] = {1, 0.25f, 0.7f, 1.3f, 1.9999999f};
+    const int longest = random_int(r, 16), way = random_int(r, 3);
+    for (int a = 0; a < 3; a++) {
+        grid->size[a] = a == longest ? 1 << 24 : 65536;
+        grid->cell[a] = cells[random_int(r, sizeof cells / sizeof cells[0])];
+        grid->origin[a] = a == longest || way == 0 ? -0.5f * (float)grid->size[a] * grid->cell[a]
+                          : way == 1               ? 0
+                                                   : nearest_float(random_double(r, 1, 2) * 0x1p18); /* a cell has few floats */
+    }
+}
+
+static void expect_by_boxes(const window *w, const tribox_grid *grid, unsigned axes)
+{
+    static float bound[6][CELLS_MAX];
+    uint64_t mask[(CELLS_MAX + 63) / 64];
+    tribox_boxes boxes = {.lo = {bound[0], bound[1], bound[2]}, .hi = {bound[3], bound[4], bound[5]}, .count = 0};
+    for (uint32_t k = 0; k < w->size[2]; k++)
+        for (uint32_t j = 0; j < w->size[1]; j++)
+            for (uint32_t i = 0; i < w->size[0]; i++, boxes.count++) {
+                const tribox_box box = tribox_grid_cell(grid, w->first[0] + i, w->first[1] + j, w->first[2] + k);
+                for (int a = 0; a < 3; a++) {
+                    bound[a][boxes.count] = box.lo[a];
+                    bound[3 + a][boxes.count] = box.hi[a];
+                }
+            }
+    memset(expected, 0, window_words(w) * sizeof *expected);
+    for (size_t t = 0; t < triangles.count; t++) {
+        const tribox_options options = {.axes = axes};
+        float u[3][3];
+        triangle_list_get(&triangles, t, u);
+        assert_int_equal(tribox_overlap_boxes((const_vertices)u, &boxes, &options, mask, NULL), TRIBOX_OK);
+        for (size_t n = 0; n < boxes.count; n++) {
+            const uint32_t i = (uint32_t)(n % w->size[0]);
+            expected[n / w->size[0] * row_words(w) + i / 64] |= (uint64_t)bit_of(mask, n) << i % 64;
+        }
+    }
+}
+
+/* Every cell by tribox_overlap, where no call can write the whole. */
+static void test_large_grids(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "windows of large grids");
+    size_t set = 0;
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+        tribox_grid grid;
+        window w;
+        draw_large_grid(&r, &grid);
+        for (int a = 0; a < 3; a++)
+            put_span(&r, &grid, a, a == 0 ? lengths[random_int(&r, LENGTHS)] : (uint32_t)random_int_between(&r, 1, 6), &w);
+        for (triangles.count = 0; triangles.count < 20;) {
+            float u[3][3];
+            draw_about(&r, &grid, &w, u);
+            triangle_list_put(&triangles, (const_vertices)u);
+        }
+        tribox_options options = any_options(&r);
+        draw_before(&r, &w);
+        expect_by_boxes(&w, &grid, options.axes);
+        set += occupancy_count(expected, window_words(&w));
+        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            options.accuracy = (tribox_accuracy)accuracy;
+            ask_window(&w, &grid, &options);
+        }
+    }
+    assert_true(set > 20 * arguments_rounds(args, PAIRS / ROUNDS));
+}
+
+/* Whole layers have the bits of the whole at every accuracy. */
+static void test_layers(void **state)
+{
+    const arguments *const args = *state;
+    random_source r = random_named(args->seed, "windows of layers");
+    memset(before, 0, sizeof before);
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+        draw_pairs(&r, round);
+        tribox_options options = any_options(&r);
+        options.accuracy = (tribox_accuracy)random_int(&r, 3);
+        ask_whole(&options);
+        window w = draw_window(&r, &at.grid);
+        for (int a = 0; a < 2; a++) {
+            w.first[a] = 0;
+            w.size[a] = at.grid.size[a];
+        }
+        const tribox_soup soup = triangle_list_soup(&triangles);
+        static uint64_t occupied[CELLS_MAX];
+        memset(occupied, 0, window_words(&w) * sizeof *occupied);
+        assert_int_equal(tribox_voxelize_window(&soup, &at.grid, w.first, w.size, &options, occupied, NULL), TRIBOX_OK);
+        tell(&w, &at.grid, &options);
+        if (memcmp(occupied, whole + w.first[2] * at.row_words * at.grid.size[1], window_words(&w) * sizeof *occupied))
+            fail_msg("%s: the bits are not those of the whole", doing);
+    }
+}
+
+/* The caller's rounding, flushing and traps change no bit, and come back. */
+static void test_environment(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "windows in any environment");
+    const unsigned normal = environment_get();
+    memset(before, 0, sizeof before);
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
+        draw_pairs(&r, round);
+        const tribox_options options = any_options(&r);
+        const window w = draw_window(&r, &at.grid);
+        const tribox_soup soup = triangle_list_soup(&triangles);
+        ask_whole(&options);
+        expect_of_whole(&w);
+        tell(&w, &at.grid, &options);
+        for (unsigned k = 0; k < SETTINGS; k++) {
+            static uint64_t occupied[CELLS_MAX];
+            memset(occupied, 0, window_words(&w) * sizeof *occupied);
+            environment_set(setting(k));
+            const tribox_status status = tribox_voxelize_window(&soup, &at.grid, w.first, w.size, &options, occupied, NULL);
+            const unsigned left = environment_get();
+            environment_set(normal);
+            assert_int_equal(status, TRIBOX_OK);
+            assert_int_equal(left, setting(k));
+            check_words(&w, &at.grid, &options, occupied);
+        }
+    }
+}
+
+/* The status of a call that must not write: the words cannot be touched, and the report stays. */
+static tribox_status refused(const tribox_grid *grid, const uint32_t *first, const uint32_t *size, const tribox_options *options)
+{
+    static const float zeros[4];
+    const tribox_soup soup = {.x = {zeros, zeros, zeros}, .y = {zeros, zeros, zeros}, .z = {zeros, zeros, zeros}, .count = 1};
+    const guarded g = guarded_make(1);
+    tribox_report report = {77, 77};
+    const tribox_status status = tribox_voxelize_window(&soup, grid, first, size, options, guarded_tail(g, 0), &report);
+    guarded_free(g);
+    assert_int_equal(report.overlapping, status == TRIBOX_OK ? 0 : 77);
+    return status;
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    catch_faults();
+    snprintf(doing, sizeof doing, "a bad window, or an empty one");
+    const tribox_grid grid = {{-4, -4, -4}, {1, 1, 1}, {8, 9, 10}}, falling = {{1, 0, 0}, {0x1p-30f, 1, 1}, {1 << 24, 9, 10}};
+    const tribox_grid large = {{0, 0, 0}, {1, 1, 1}, {65536, 65536, 65536}};
+    const uint32_t none[3] = {0, 0, 0};
+    for (int a = 0; a < 3; a++)
+        for (uint32_t first = 0; first <= 11; first++) {
+            uint32_t from[3] = {1, 1, 1}, size[3] = {1, 1, 1};
+            from[a] = first;
+            size[a] = 0;
+            assert_int_equal(refused(&grid, from, size, NULL), first <= grid.size[a] ? TRIBOX_OK : TRIBOX_BAD_ARGUMENT);
+            size[a] = first < grid.size[a] ? grid.size[a] - first + 1 : 1;
+            assert_int_equal(refused(&grid, from, size, NULL), TRIBOX_BAD_ARGUMENT);
+            size[a] = UINT32_MAX - first + 1; /* their sum is 2^32 */
+            assert_int_equal(refused(&grid, from, size, NULL), first ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK);
+            from[a] = UINT32_MAX;
+            size[a] = first + 1; /* goes round */
+            assert_int_equal(refused(&grid, from, size, NULL), TRIBOX_BAD_ARGUMENT);
+        }
+    assert_int_equal(refused(NULL, none, none, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(refused(&grid, NULL, none, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(refused(&grid, none, NULL, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(refused(&falling, none, none, NULL), TRIBOX_BAD_GRID);
+    assert_int_equal(refused(&large, none, large.size, NULL), TRIBOX_BAD_GRID); /* 2^42 words */
+    assert_int_equal(refused(&large, none, (const uint32_t[]){65536, 65536, 33}, NULL), TRIBOX_BAD_GRID);
+    assert_int_equal(refused(&large, none, (const uint32_t[]){65536, 65536, 0}, NULL), TRIBOX_OK);
+    assert_int_equal(refused(&grid, none, none, &(tribox_options){.axes = 8}), TRIBOX_BAD_OPTION);
+    assert_int_equal(refused(&grid, none, none, &(tribox_options){.kernel = "none"}), TRIBOX_NO_KERNEL);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_parts, &args),    cmocka_unit_test_prestate(test_large_grids, &args),
+        cmocka_unit_test_prestate(test_layers, &args),   cmocka_unit_test_prestate(test_environment, &args),
+        cmocka_unit_test_prestate(test_refusals, &args),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
