@@ -42,11 +42,27 @@ def new_array(partition, path):
     array.attrs.update(origin=partition.grid.origin, cell=partition.grid.cell, size=partition.grid.size)
 
 
+def with_dask(partition, path, workers):
+    """Runs the tasks; returns how many cells all have."""
+    # Workers come when they can: a cluster that is made with some waits for each, for ever where one dies on its way.
+    cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=":0")
+    client = Client(cluster)
+    try:
+        cluster.scale(workers)
+        tasks = [client.submit(voxelize_share, partition, path, share, retries=3, pure=False)
+                 for share in partition.shares(SHARES_EACH * workers)]
+        return sum(client.gather(tasks))
+    finally:
+        for part in client, cluster:  # which do not end either where a worker died on its way
+            with contextlib.suppress(Exception):
+                part.close(timeout=5)
+
+
 def main():
     parser = argparse.ArgumentParser(description="A partition into a Zarr array of packed cells, with Dask.")
     parser.add_argument("partition")
     parser.add_argument("out")
-    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes; 0: this one, without Dask")
     parser.add_argument("--timeout", type=int, default=3600, help="seconds after which the run ends with an error")
     options = parser.parse_args()
     faulthandler.dump_traceback_later(options.timeout, exit=True)
@@ -56,20 +72,13 @@ def main():
     if partition.tile % 64:
         parser.error(f"tiles of {partition.tile} cells are no chunks of whole words; make them of a multiple of 64")
     new_array(partition, draft)
-    # Workers come when they can: a cluster that is made with some waits for each, for ever where one dies on its way.
-    cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=":0")
-    client = Client(cluster)
     try:
-        cluster.scale(options.workers)
-        tasks = [client.submit(voxelize_share, partition, draft, share, retries=3, pure=False)
-                 for share in partition.shares(SHARES_EACH * options.workers)]
-        print(f"{sum(client.gather(tasks))} cells")
+        whole = 0, partition.tile_count
+        cells = with_dask(partition, draft, options.workers) if options.workers else voxelize_share(partition, draft, whole)
         os.rename(draft, options.out)
     finally:
         shutil.rmtree(draft, ignore_errors=True)
-        for part in client, cluster:  # which do not end either where a worker died on its way
-            with contextlib.suppress(Exception):
-                part.close(timeout=5)
+    print(f"{cells} cells")
 
 
 if __name__ == "__main__":

@@ -123,7 +123,7 @@ class Dask(Engine):
     """dask_zarr.py; its workers are processes that it starts."""
 
     needs = dict(modules=("dask.distributed", "zarr"))
-    name, out, word, suits = "dask", "out.zarr", "spawn_main", (40, 300)
+    name, out, word, suits, numbers = "dask", "out.zarr", "spawn_main", (40, 300), (0, 2)
 
     def __init__(self, case, workers=2):
         super().__init__(case, workers)
