@@ -1,98 +1,156 @@
 /*
- * main.c - draws cuts through bodies: their surface, what tribox_fill_outside fills, and what tribox_fill_parity fills, beside each
- * other in a picture for each body.
- *
- *     build/bench/fill-picture examples/insides
- *
- * Dark: the surface. Blue: filled. White: free.
+ * main.c - what does filling cost beside the surface? CPU time, page faults included: every call gets memory that was never touched.
  */
+#define _POSIX_C_SOURCE 200809L
+#include <math.h>
 #include <stdio.h>
-#include <stdbool.h>
-#include <string.h>
+#include <stdlib.h>
+#include <time.h>
 
+#include "common/header.h"
+#include "common/whole.h"
 #include "console/message.h"
-#include "fill_bodies.h"
-#include "picture/picture_png.h"
+#include "console/option_reader.h"
+#include "read/mesh.h"
 
-enum {
-    CELL = 4,
-    GAP = 12,
-    PANELS = 3,
-    NX = 64,
-    NY = 48,
-    NZ = 48,
-    WIDTH = PANELS * NX * CELL + (PANELS - 1) * GAP,
-    HEIGHT = NY * CELL
-};
+enum { MESHES_MAX = 64, RESOLUTIONS = 2 };
 
-static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {NX, NY, NZ}};
+typedef enum step { SURFACE, OUTSIDE, PARITY, STEPS } step;
 
-static fill_body body;
-static uint64_t occupied[NY * NZ], solid[PANELS][NY * NZ];
-static unsigned char pixels[HEIGHT][WIDTH][3];
+typedef struct settings {
+    uint64_t rounds;
+    uint32_t resolution[RESOLUTIONS];
+    const char *mesh[MESHES_MAX];
+    size_t meshes;
+} settings;
 
-/* Row (j, k) in a picture whose y is up. */
-static void paint_cell(int panel, int i, int j, const unsigned char colour[3])
+static const char usage[] =
+    "Usage: fill [--rounds N] [--quick] MESH...\n"
+    "Times the surface of a mesh, and what fills it, in grids of 512 and 1024 cells along the longest side.\n"
+    "  MESH        a mesh file\n"
+    "  --rounds N  rounds, of which the least times count; without it 5\n"
+    "  --quick     64 and 128 cells, one round\n";
+
+static tribox_grid grid_within(const mesh *m, uint32_t resolution)
 {
-    for (int y = 0; y < CELL; y++)
-        for (int x = 0; x < CELL; x++) {
-            const bool is_line = !x || !y; /* between cells */
-            unsigned char *const pixel = pixels[(NY - 1 - j) * CELL + y][panel * (NX * CELL + GAP) + i * CELL + x];
-            for (int c = 0; c < 3; c++)
-                pixel[c] = is_line ? (unsigned char)(colour[c] - colour[c] / 8) : colour[c];
-        }
+    tribox_box_f64 box = {{0, 0, 0}, {1, 1, 1}};
+    double longest = 0;
+    tribox_grid grid;
+    mesh_bounds(m, &box);
+    for (int a = 0; a < 3; a++)
+        longest = fmax(longest, box.hi[a] - box.lo[a]);
+    for (int a = 0; a < 3; a++) {
+        grid.cell[a] = nextafterf((float)(longest / resolution), INFINITY);
+        grid.origin[a] = (float)box.lo[a];
+        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / (double)grid.cell[a]));
+    }
+    return grid;
 }
 
-static void paint(void)
+static double processor_time(void)
 {
-    static const unsigned char free_cell[3] = {250, 250, 250}, surface[3] = {50, 50, 60}, filled[3] = {110, 165, 230};
-    memset(pixels, 255, sizeof pixels);
-    for (int panel = 0; panel < PANELS; panel++)
-        for (int j = 0; j < NY; j++)
-            for (int i = 0; i < NX; i++) {
-                const size_t row = NZ / 2 * NY + (size_t)j;
-                paint_cell(panel, i, j, occupied[row] >> i & 1 ? surface : solid[panel][row] >> i & 1 ? filled : free_cell);
-            }
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static int write_picture(const char *folder, const char *name)
+typedef struct answer {
+    double seconds[STEPS];
+    size_t outside, parity, odd_rows;
+} answer;
+
+static bool find_answer(const mesh *m, const tribox_grid *grid, answer *a)
 {
-    char path[4096];
-    if (snprintf(path, sizeof path, "%s/%s.png", folder, name) >= (int)sizeof path)
-        return message_usage("the folder's name is too long");
-    FILE *const to = fopen(path, "wb");
-    const bool is_written = to && picture_png_write(to, &pixels[0][0][0], WIDTH, HEIGHT) && !ferror(to);
-    if ((to && fclose(to)) || !is_written)
-        return message_failure("%s: cannot be written%s", path, picture_png_is_there ? "" : ": built without libpng");
-    return EXIT_CODE_OK;
+    const size_t words = tribox_grid_words(grid);
+    uint64_t *const occupied = calloc(words, sizeof *occupied), *solid[2] = {malloc(words * 8), malloc(words * 8)};
+    void *const scratch = malloc(tribox_fill_bytes(grid->size));
+    bool is = occupied && solid[0] && solid[1] && scratch;
+    for (step s = SURFACE; is && s < STEPS; s++) {
+        const double from = processor_time();
+        is = !(s == SURFACE   ? tribox_voxelize(&m->soup, grid, NULL, occupied, NULL)
+               : s == OUTSIDE ? tribox_fill_outside(grid->size, occupied, solid[0], scratch, &a->outside)
+                              : tribox_fill_parity(&m->soup, grid, occupied, solid[1], scratch, &a->parity, &a->odd_rows));
+        a->seconds[s] = processor_time() - from;
+    }
+    free(occupied);
+    free(solid[0]);
+    free(solid[1]);
+    free(scratch);
+    return is;
 }
 
-static int show(const char *folder, const fill_kind *kind)
+static bool run_grid(const mesh *m, uint32_t resolution, uint64_t rounds)
 {
-    uint64_t scratch[2 * (NY * NZ) / 64 + 3];
-    size_t outside, inside, odd_rows;
-    body.count = 0;
-    kind->make(&body);
-    const tribox_soup soup = fill_body_soup(&body);
-    memset(occupied, 0, sizeof occupied);
-    if (tribox_fill_bytes(grid.size) > sizeof scratch || tribox_voxelize(&soup, &grid, NULL, occupied, NULL) ||
-        tribox_fill_outside(grid.size, occupied, solid[1], scratch, &outside) ||
-        tribox_fill_parity(&soup, &grid, occupied, solid[2], scratch, &inside, &odd_rows))
-        return message_failure("%s: cannot be filled", kind->name);
-    memcpy(solid[0], occupied, sizeof occupied);
-    printf("%-9s %5zu triangles: outside fills %6zu cells, parity %6zu; odd rows %4zu\n", kind->name, soup.count, outside, inside,
-           odd_rows);
-    paint();
-    return write_picture(folder, kind->name);
+    const tribox_grid grid = grid_within(m, resolution);
+    answer least = {.outside = 0}, a;
+    for (uint64_t round = 0; round < rounds; round++) {
+        if (!find_answer(m, &grid, &a))
+            return message_failure("%u cells: cannot be filled; is there memory for it?", (unsigned)resolution) == 0;
+        for (step s = SURFACE; s < STEPS; s++)
+            a.seconds[s] = round && least.seconds[s] < a.seconds[s] ? least.seconds[s] : a.seconds[s];
+        least = a;
+    }
+    const double surface = least.seconds[SURFACE];
+    printf("  %5u %9.1f %9.1f %6.2f %9.1f %6.2f %12zu %12zu %9zu\n", (unsigned)resolution, 1e3 * surface,
+           1e3 * least.seconds[OUTSIDE], least.seconds[OUTSIDE] / surface, 1e3 * least.seconds[PARITY],
+           least.seconds[PARITY] / surface, least.outside, least.parity, least.odd_rows);
+    fflush(stdout);
+    return true;
+}
+
+static bool run_mesh(const char *path, const settings *s)
+{
+    mesh m;
+    if (mesh_read(path, &m))
+        return false;
+    printf("\n%s, %zu triangles\n  %5s %9s %9s %6s %9s %6s %12s %12s %9s\n", path, m.soup.count, "cells", "surface", "outside", "x",
+           "parity", "x", "filled", "filled", "odd rows");
+    bool is_run = true;
+    for (int n = 0; is_run && n < RESOLUTIONS; n++)
+        is_run = run_grid(&m, s->resolution[n], s->rounds);
+    mesh_free(&m);
+    return is_run;
+}
+
+enum { OPTION_ROUNDS, OPTION_QUICK };
+static const option_entry options[] = {{"rounds", 0, true}, {"quick", 0, false}, {NULL, 0, false}};
+
+static int take(void *request, int which, const char *value)
+{
+    settings *const s = request;
+    switch (which) {
+    case OPTION_ROUNDS:
+        return whole_read(value, "rounds", 1, 101, &s->rounds);
+    case OPTION_QUICK:
+        s->resolution[0] = 64;
+        s->resolution[1] = 128;
+        s->rounds = 1;
+        return EXIT_CODE_OK;
+    default:
+        if (s->meshes == MESHES_MAX)
+            return message_usage("'%s' is one mesh too many: give %d at most", value, MESHES_MAX);
+        s->mesh[s->meshes++] = value;
+        return EXIT_CODE_OK;
+    }
 }
 
 int main(int argc, char **argv)
 {
-    message_set_program("fill-picture");
-    if (argc != 2)
-        return message_usage("name the folder to write pictures to");
-    int code = EXIT_CODE_OK;
-    for (size_t n = 0; !code && n < fill_kind_count(); n++)
-        code = show(argv[1], fill_kind_at(n));
-    return code;
+    options_found found;
+    settings s = {.rounds = 5, .resolution = {512, 1024}};
+    message_set_program("fill");
+    const int code = options_read(argc, argv, options, take, &s, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return fputs(usage, stdout) < 0;
+    if (!s.meshes)
+        return message_usage("name a mesh file");
+    const run r = {argc, argv, 0, machine_here()};
+    header_text(stdout, "", &r);
+    printf("ms of CPU time, and times the surface; cells that each way fills\n");
+    for (size_t n = 0; n < s.meshes; n++)
+        if (!run_mesh(s.mesh[n], &s))
+            return EXIT_CODE_FAILURE;
+    return EXIT_CODE_OK;
 }
