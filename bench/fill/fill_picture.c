@@ -1,5 +1,5 @@
 /*
- * fill_picture.c - draws cuts through bodies: their surface, what tribox_fill_outside fills, and what tribox_fill_parity fills, beside each
+ * fill_picture.c - draws cuts through bodies: their surface, what tribox_fill_outside and what tribox_fill_parity fill, beside each
  * other in a picture for each body.
  *
  *     build/bench/fill-picture examples/insides
