@@ -10,7 +10,7 @@ processor=${processor%-}
 results=bench/results/${NAME:-${processor:-unknown}}
 build=${BUILD:-build-bench}
 test -d "$build" || meson setup "$build" -Dpeers=enabled
-meson compile -C "$build" accuracy ratios cgal inputs doubles:executable voxels:executable index:executable peers
+meson compile -C "$build" accuracy ratios cgal inputs doubles:executable voxels:executable index:executable scale peers
 mkdir -p "$results"
 bench/accuracy/chart.sh "$build/bench/accuracy" bench/accuracy/accuracy.gp "$results" "$@"
 rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # the repository keeps the table and the short chart
@@ -20,6 +20,7 @@ rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # th
 { "$build/bench/doubles" && "$build/bench/doubles" --kernel avx2; } >"$results/doubles.txt"
 "$build/bench/voxels" --limit 1 "$@" >"$results/voxels.txt"
 "$build/bench/index" "$@" >"$results/index.txt"
+"$build/bench/scale" "$@" >"$results/scale.txt"
 "$build/tests/peers/peers" --csv "$results/peers.csv" "$@" >"$results/peers.txt"
 gnuplot -c bench/index/index.gp "$results/peers.csv" "$results/index.svg"
 rm "$results/peers.csv"

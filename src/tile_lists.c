@@ -35,7 +35,7 @@ static void put_at(void *about, const int64_t at[3])
     put(l, ((size_t)at[2] * l->tiling.along[1] + (size_t)at[1]) * l->tiling.along[0] + (size_t)at[0]);
 }
 
-/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis, and on how many axes there are more, even if some lie outside the grid. */
+/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis, and on how many axes there are several, even if some lie outside the grid. */
 typedef struct tile_range {
     int64_t base[3], tiles[3];
     int spans;
@@ -101,17 +101,29 @@ static void list_by_planes(tribox_listing *l, const double u[9])
     put_range(l, u, &range);
 }
 
-/* One whose tiles a kernel found. */
+/* Where a kernel found more than one tile along one axis alone: their numbers, by steps. Whether it is so. */
+static bool put_line(tribox_listing *l, size_t first, unsigned more)
+{
+    size_t step = 1;
+    for (int a = 0; a < 3; step *= l->tiling.along[a], a++, more >>= TRIBOX_TILES_BITS) {
+        const unsigned others = more & TRIBOX_TILES_MORE;
+        if (others && others != more)
+            return false;
+        for (unsigned n = 0; others && n <= others; n++)
+            put(l, first + n * step);
+    }
+    return true;
+}
+
+/* Where it found more along two axes or three. */
 static void list_by_range(tribox_listing *l, const double u[9], size_t first, unsigned more)
 {
     const size_t *const along = l->tiling.along;
     tile_range range = {
-        .base = {(int64_t)(first % along[0]), (int64_t)(first / along[0] % along[1]), (int64_t)(first / along[0] / along[1])}};
-    for (int a = 0; a < 3; a++) {
-        const unsigned others = more >> a * TRIBOX_TILES_BITS & TRIBOX_TILES_MORE;
-        range.tiles[a] = 1 + (int64_t)others;
-        range.spans += others > 0;
-    }
+        .base = {(int64_t)(first % along[0]), (int64_t)(first / along[0] % along[1]), (int64_t)(first / along[0] / along[1])},
+        .spans = 2};
+    for (int a = 0; a < 3; a++)
+        range.tiles[a] = 1 + (int64_t)(more >> a * TRIBOX_TILES_BITS & TRIBOX_TILES_MORE);
     put_range(l, u, &range);
 }
 
@@ -135,15 +147,18 @@ static void list_by_one(tribox_listing *l)
     }
 }
 
-/* Those of whose bounding boxes a kernel does not say that they touch one tile, or none. */
+/* One of whose bounding box a kernel does not say that it touches one tile, or none. */
 static void put_other(tribox_listing *l, int32_t first, int32_t more)
 {
+    const bool is_known = more != TRIBOX_TILES_UNKNOWN;
     double u[9];
+    if (is_known && put_line(l, (size_t)first, (unsigned)more))
+        return;
     read_triangle(l, u);
-    if (more == TRIBOX_TILES_UNKNOWN)
-        list_by_planes(l, u);
-    else
+    if (is_known)
         list_by_range(l, u, (size_t)first, (unsigned)more);
+    else
+        list_by_planes(l, u);
 }
 
 /* What a kernel found of triangles `from` on. */

@@ -89,6 +89,46 @@ static void test_lists(void **state)
     }
 }
 
+/* More triangles than a kernel is asked about at once, one in each tile of a long row; the last of them spans all the tiles. */
+static void test_long_row(void **state)
+{
+    (void)state;
+    enum { TILES = 1400 };
+    static float streams[9][TILES];
+    static double corners[TILES][9];
+    static size_t starts[TILES + 1];
+    static uint32_t list[2 * TILES];
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {TILES, 1, 1}};
+    const tribox_grid_f64 grid_f64 = {{0, 0, 0}, {1, 1, 1}, {TILES, 1, 1}};
+    tribox_soup soup = {.count = TILES};
+    for (int v = 0; v < 3; v++) {
+        soup.x[v] = streams[3 * v];
+        soup.y[v] = streams[3 * v + 1];
+        soup.z[v] = streams[3 * v + 2];
+    }
+    for (int i = 0; i < TILES; i++)
+        for (int n = 0; n < 9; n++) {
+            corners[i][n] = n % 3 ? 0.1 * n : i == TILES - 1 && n == 0 ? 0.5 : i + 0.25 + 0.05 * n;
+            streams[n][i] = (float)corners[i][n];
+        }
+    const tribox_mesh mesh = {.positions = corners, .vertices = 3 * TILES, .count = TILES, .position_bytes = 8};
+    for (const char *const *kernel = (const char *[]){"scalar", tribox_kernel_name(NULL), NULL}; *kernel; kernel++)
+        for (int is_double = 0; is_double < 2; is_double++) {
+            const tribox_options options = {.kernel = *kernel};
+            assert_int_equal(is_double ? tribox_tiles_count_f64(&mesh, &grid_f64, 1, 0, TILES, &options, starts)
+                                       : tribox_tiles_count(&soup, &grid, 1, 0, TILES, &options, starts),
+                             TRIBOX_OK);
+            assert_int_equal(starts[TILES], 2 * TILES - 1);
+            assert_int_equal(is_double ? tribox_tiles_fill_f64(&mesh, &grid_f64, 1, 0, TILES, &options, starts, list)
+                                       : tribox_tiles_fill(&soup, &grid, 1, 0, TILES, &options, starts, list),
+                             TRIBOX_OK);
+            for (uint32_t t = 0; t < TILES; t++) {
+                assert_int_equal(list[starts[t]], t);
+                assert_int_equal(list[starts[t + 1] - 1], TILES - 1);
+            }
+        }
+}
+
 static void test_numbers_of_tiles(void **state)
 {
     (void)state;
@@ -110,6 +150,7 @@ int main(int argc, char **argv)
     arguments args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(test_lists, &args),
+        cmocka_unit_test(test_long_row),
         cmocka_unit_test_prestate(test_numbers_of_tiles, &args),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
