@@ -14,7 +14,16 @@
 #include "common/guard.h"
 #include "triangle_kinds.h"
 
-enum { PAIRS = 100000, ROUNDS = 100, FEW_ROUNDS = 10, CELLS_MAX = 8000, TRIANGLES = 60, WINDOWS = 5, LONG_ROW = 330 };
+enum {
+    PAIRS = 100000,
+    ROUNDS = 100,
+    FEW_ROUNDS = 10,
+    LATE_ROUNDS = 4,
+    CELLS_MAX = 8000,
+    TRIANGLES = 60,
+    WINDOWS = 5,
+    LONG_ROW = 330
+};
 
 typedef struct window {
     uint32_t first[3], size[3];
@@ -268,34 +277,54 @@ static void expect_by_boxes(const window *w, const tribox_grid *grid, unsigned a
     }
 }
 
+/* EXACT and the others of 20 triangles about the window, as tribox_overlap answers. Returns the cells that are set. */
+static size_t ask_large(random_source *r, const window *w, const tribox_grid *grid)
+{
+    tribox_options options = any_options(r);
+    for (triangles.count = 0; triangles.count < 20;) {
+        float u[3][3];
+        draw_about(r, grid, w, u);
+        triangle_list_put(&triangles, (const_vertices)u);
+    }
+    draw_before(r, w);
+    expect_by_boxes(w, grid, options.axes);
+    for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+        options.accuracy = (tribox_accuracy)accuracy;
+        ask_window(w, grid, &options);
+    }
+    return occupancy_count(expected, window_words(w));
+}
+
 /* Every cell by tribox_overlap, where no call can write the whole. */
 static void test_large_grids(void **state)
 {
     const arguments *const args = *state;
     catch_faults();
     random_source r = random_named(args->seed, "windows of large grids");
+    const size_t rounds = arguments_rounds(args, PAIRS / ROUNDS);
     size_t set = 0;
-    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+    for (size_t round = 0; round < rounds; round++) {
         tribox_grid grid;
         window w;
         draw_large_grid(&r, &grid);
         for (int a = 0; a < 3; a++)
             put_span(&r, &grid, a, a == 0 ? lengths[random_int(&r, LENGTHS)] : (uint32_t)random_int_between(&r, 1, 6), &w);
-        for (triangles.count = 0; triangles.count < 20;) {
-            float u[3][3];
-            draw_about(&r, &grid, &w, u);
-            triangle_list_put(&triangles, (const_vertices)u);
-        }
-        tribox_options options = any_options(&r);
-        draw_before(&r, &w);
-        expect_by_boxes(&w, &grid, options.axes);
-        set += occupancy_count(expected, window_words(&w));
-        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            options.accuracy = (tribox_accuracy)accuracy;
-            ask_window(&w, &grid, &options);
-        }
+        set += ask_large(&r, &w, &grid);
     }
-    assert_true(set > 20 * arguments_rounds(args, PAIRS / ROUNDS));
+    assert_true(set > 20 * rounds);
+}
+
+/* Windows near the origin, where floats are fine, but not the numbers of planes: they begin beyond 2^24. */
+static void test_late_windows(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "late windows");
+    const tribox_grid grid = {{-0x1p24f, -8, -8}, {1, 1, 1}, {1 << 25, 16, 16}};
+    for (size_t round = 0; round < LATE_ROUNDS; round++) {
+        const uint32_t first = (1 << 24) + (1 << 14) + (uint32_t)random_int(&r, 1 << 22);
+        ask_large(&r, &(window){.first = {first, 5, 5}, .size = {lengths[round % LENGTHS], 6, 6}}, &grid);
+    }
 }
 
 /* Whole layers have the bits of the whole at every accuracy. */
@@ -404,9 +433,9 @@ int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_parts, &args),    cmocka_unit_test_prestate(test_large_grids, &args),
-        cmocka_unit_test_prestate(test_layers, &args),   cmocka_unit_test_prestate(test_environment, &args),
-        cmocka_unit_test_prestate(test_refusals, &args),
+        cmocka_unit_test_prestate(test_parts, &args),        cmocka_unit_test_prestate(test_large_grids, &args),
+        cmocka_unit_test_prestate(test_late_windows, &args), cmocka_unit_test_prestate(test_layers, &args),
+        cmocka_unit_test_prestate(test_environment, &args),  cmocka_unit_test_prestate(test_refusals, &args),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
