@@ -1,4 +1,4 @@
-/* fuzz_voxelize.c - tribox_voxelize and tribox_voxelize_layers: a soup and a small grid. */
+/* fuzz_voxelize.c - tribox_voxelize, of a whole grid, of layers and of a window: a soup and a small grid. */
 #include <math.h>
 #include <string.h>
 
@@ -14,8 +14,9 @@ typedef struct fuzz_case {
     tribox_soup soup;
     tribox_options options;
     size_t words;
-    uint32_t cut;           /* the layers in two parts: those below it, and the others */
-    const uint64_t *before; /* what is set already */
+    uint32_t cut;               /* the layers in two parts: those below it, and the others */
+    uint32_t first[3], size[3]; /* a window */
+    const uint64_t *before;     /* what is set already */
 } fuzz_case;
 
 /* By the definition in tribox.h. */
@@ -130,6 +131,36 @@ static uint64_t *voxelize(const fuzz_case *q, const tribox_options *o)
     return whole;
 }
 
+/* The bit of a cell, in rows of that many words. */
+static bool cell_bit(const uint64_t *words, size_t row_words, uint32_t rows, uint32_t i, uint32_t j, uint32_t k)
+{
+    return mask_bit(words, 64 * row_words * ((size_t)k * rows + j) + i);
+}
+
+/* A window has what EXACT sets in the whole, beside what was there before. */
+static void check_window(const fuzz_case *q, const tribox_options *o, const uint64_t *expected)
+{
+    const uint32_t *const first = q->first, *const size = q->size;
+    const size_t row_words = ((size_t)size[0] + 63) / 64, words = row_words * size[1] * size[2];
+    uint64_t *const occupied = tight_mask(64 * words);
+    tribox_report report;
+    memset(occupied, 0, words * sizeof *occupied);
+    status_fits("tribox_voxelize_window", 0, tribox_voxelize_window(&q->soup, &q->grid, first, size, o, occupied, &report));
+    ensure(report.overlapping == population(occupied, words), "%zu cells reported of a window", report.overlapping);
+    for (uint32_t k = 0; k < size[2]; k++)
+        for (uint32_t j = 0; j < size[1]; j++)
+            for (uint32_t i = 0; i < size[0]; i++) {
+                const size_t whole = tribox_grid_row_words(&q->grid);
+                const uint32_t rows = q->grid.size[1], at[3] = {first[0] + i, first[1] + j, first[2] + k};
+                const bool is = cell_bit(occupied, row_words, size[1], i, j, k);
+                const bool wanted = cell_bit(expected, whole, rows, at[0], at[1], at[2]);
+                ensure(is == wanted || (is && o->accuracy != TRIBOX_EXACT) || o->accuracy == TRIBOX_FAST ||
+                           cell_bit(q->before, whole, rows, at[0], at[1], at[2]),
+                       "cell %u %u %u of a window from %u %u %u on: accuracy %d, axes %u, kernel %s", i, j, k, first[0], first[1],
+                       first[2], (int)o->accuracy, o->axes, o->kernel);
+            }
+}
+
 static void check_answers(const fuzz_case *q, const float u[][3][3])
 {
     const uint64_t *const expected = cells_of_each(q, u);
@@ -139,6 +170,7 @@ static void check_answers(const fuzz_case *q, const float u[][3][3])
             o.kernel = *kernel;
             o.accuracy = (tribox_accuracy)accuracy;
             const uint64_t *const set = voxelize(q, &o);
+            check_window(q, &o, expected);
             for (size_t w = 0; w < q->words; w++) {
                 const uint64_t lost = accuracy == TRIBOX_FAST ? 0 : expected[w] & ~set[w];
                 const uint64_t extra = set[w] & ~(accuracy == TRIBOX_EXACT ? expected[w] : cells_of_word(&q->grid, w));
@@ -178,6 +210,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     fuzz_case q = {.grid = draw_grid(&in, asks_every_cell), .options = a.how.options};
     q.cut = q.grid.size[2] ? input_below(&in, q.grid.size[2] + 1) : 0;
     const unsigned before = input_byte(&in);
+    for (int n = 0; n < 3; n++) {
+        q.first[n] = input_below(&in, q.grid.size[n] + 1);
+        q.size[n] = input_below(&in, q.grid.size[n] - q.first[n] + 1);
+    }
     float u[TRIANGLES_MAX][3][3];
     do {
         input_triangle(&in, u[a.drawn]);

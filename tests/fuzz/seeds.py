@@ -96,17 +96,18 @@ def voxelize():
     source = random.Random(2)
     triangles = {name: (lambda way: b"".join(shape(way, drawn(source, way, 9), source.randrange(4)) for _ in range(3)))(way)
                  for name, way in WAYS.items()}
-    tail = bytes([1, 0])  # the cut and what is set before
+    window = bytes([1, 64, 1, 2, 0, 3])  # its first cell and its size on each axis, modulo what there is
+    tail = bytes([1, 0]) + window  # the cut and what is set before
     files = {}
     for name, bits in triangles.items():
         grid = bytes([LATTICE]) + lattice(-8, -2, -2) + bytes([LATTICE]) + lattice(1, 2, 3) + bytes([source.randrange(12), 3, 3])
         files["grid_of_units_" + name] = bytes([UNIT_ONE]) + options() + grid + tail + bits
     for axes in (1, 2, 4):
         grid = bytes([LATTICE]) + lattice(-3, -2, -1) + bytes([LATTICE]) + lattice(1, 2, 1) + bytes([8, 3, 2])
-        files["axes_%d" % axes] = bytes([UNIT_EIGHTH]) + options(axes) + grid + bytes([2, 5]) + triangles["lattice"]
+        files["axes_%d" % axes] = bytes([UNIT_EIGHTH]) + options(axes) + grid + bytes([2, 5]) + window + triangles["lattice"]
     for row in (0, 6, 11):
         grid = bytes([BITS]) + floats(-0.7, -0.3, 0.1) + bytes([BITS]) + floats(0.01, 0.3, 0.2) + bytes([row, 2, 3])
-        files["row_%d" % row] = bytes([UNIT_ONE]) + options() + grid + bytes([0, 255]) + triangles["bits"]
+        files["row_%d" % row] = bytes([UNIT_ONE]) + options() + grid + bytes([0, 255]) + window + triangles["bits"]
     fine = bytes([FAR_LATTICE]) + lattice(0, 1, 2) + bytes([BITS]) + floats(0.125, 0.125, 0.0625) + bytes([4, 3, 3])
     files["as_fine_as_float"] = bytes([UNIT_ONE]) + options() + fine + tail + triangles["near"]
     for name, cells in {"none": (0, 1, 1), "nan": (float("nan"), 1, 1), "infinite": (float("inf"), 1, 1)}.items():
