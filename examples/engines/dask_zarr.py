@@ -25,20 +25,21 @@ SHARES_EACH = 8  # of each worker: what is lost with a worker, and how long othe
 def voxelize_share(partition, path, share):
     """The task: writes the chunks of its tiles; returns how many cells they have."""
     partition.check(share)
-    array, cells = zarr.open(path, mode="r+"), 0
+    array, cells = zarr.open(path, mode="r+", write_empty_chunks=True), 0  # none is empty: it need not look
     for number in partition.numbers[np.isin(partition.numbers, range(*share))].tolist():
         words = partition.voxelize(number, packed=True)
-        (i, j, k), _ = partition.window(number)
-        array[k:k + words.shape[0], j:j + words.shape[1], i // 64:i // 64 + words.shape[2]] = words
-        cells += int(np.unpackbits(words[words != 0].view(np.uint8)).sum())
+        some = words[words != 0]
+        if len(some):
+            (i, j, k), _ = partition.window(number)
+            array[k:k + words.shape[0], j:j + words.shape[1], i // 64:i // 64 + words.shape[2]] = words
+            cells += int(np.unpackbits(some.view(np.uint8)).sum())
     return cells
 
 
 def new_array(partition, path):
     nx, ny, nz = partition.grid.size
     tile = partition.tile
-    array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(tile, tile, tile // 64), dtype="<u8", fill_value=0,
-                      write_empty_chunks=False)
+    array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(tile, tile, tile // 64), dtype="<u8", fill_value=0)
     array.attrs.update(origin=partition.grid.origin, cell=partition.grid.cell, size=partition.grid.size)
 
 

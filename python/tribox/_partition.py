@@ -113,8 +113,7 @@ class Partition:
     def window(self, number):
         """The cells of a tile, as the window of tribox.voxelize: (first, size)."""
         self._place(number)
-        first, size = self._tiling.windows(np.array([number]))
-        return tuple(first[0].tolist()), tuple(size[0].tolist())
+        return self._tiling.window(int(number))
 
     def voxelize(self, number, *, accuracy="exact", axes=ALL, kernel=None, packed=False):
         """The cells of a tile: tribox.voxelize of the mesh with window=self.window(number)."""
@@ -122,7 +121,7 @@ class Partition:
         place, (first, size) = self._place(number), self.window(number)
         words = np.zeros((size[2], size[1], (size[0] + 63) >> 6), WORD)
         if place is not None:
-            lists = Mapped(self, np.array([place]))
+            lists = Mapped(self, [place])
             set_tile(lists.of(place, Room(lists.most)), self._tiling.grid, first, size, options, words)
         return words if packed else bools(words, size[0])
 

@@ -65,6 +65,13 @@ class Tiling:
         return first, np.minimum(self.tile, self.size - first)
 
 
+    def window(self, number):
+        """The same of one tile, as tuples."""
+        ni, nj, _ = self.along.tolist()
+        first = tuple(at * self.tile for at in (number % ni, number // ni % nj, number // (ni * nj)))
+        return first, tuple(min(self.tile, size - at) for size, at in zip(self.grid.size, first))
+
+
 class Listed:
     """Triangles by tile, as lists of their numbers: those of tiles first .. end - 1 of a tiling."""
 
