@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ._arguments import check, options_of
+from ._arguments import options_of
 from ._grids import check_grid, grid_for
 from ._masks import BYTE, WORD
 from ._overlap import ALL
