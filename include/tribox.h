@@ -634,7 +634,7 @@ TRIBOX_API tribox_status tribox_tiles_fill(const tribox_soup *soup, const tribox
 /**
  * Takes a brick, 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
  * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. data is what the caller handed on. Returns whether to go on: 0 ends
- * the call. It may call the library, and must return.
+ * the call. It runs in the caller's floating-point environment, may call the library, and must return.
  */
 typedef int tribox_sink(void *data, const uint32_t at[3], const uint64_t bits[8]);
 
@@ -646,19 +646,20 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
  * cells of tribox_voxelize; the others may differ from it within rounding of contact.
  *
  * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. A share of the tiles has the bricks of
- * the whole, so shares may be of any threads, tasks and machines. Tiles without triangles cost next to nothing.
+ * the whole, so shares may be of any threads, tasks and machines. Tiles without triangles cost next to nothing. The call takes as
+ * much stack as tribox_voxelize.
  *
  * soup, grid: as for tribox_voxelize.
  * tile: a multiple of 8, at most 1024.
  * from, to: the tiles from .. to - 1 alone.
- * starts, list: by tile, which triangles to look at: starts[0] is of tile `from`. Those of tribox_tiles_fill, at any accuracy that
- *   misses none, or any others: triangles that are not listed for a tile are not in its bricks.
+ * starts, list: by tile, which triangles to look at: starts[0] is of tile `from`. Those of tribox_tiles_fill for the same axes, at
+ *   any accuracy, or any others: triangles that are not listed for a tile are not in its bricks.
  * scratch: tribox_bricks_bytes(tile) bytes, at any alignment; one for each thread.
  * sink, data: the sink, and what it is handed.
  * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.
  *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, or fewer tiles than `to`;
- * TRIBOX_BAD_INDEX if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then;
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, fewer tiles than `to`, or starts that
+ * fall; TRIBOX_BAD_INDEX if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then;
  * TRIBOX_STOPPED if the sink ended the call: the report is then of what it was handed.
  */
 TRIBOX_API tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from,

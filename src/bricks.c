@@ -24,8 +24,8 @@ typedef struct share {
     const tribox_grid *grid;
     tribox_mesh mesh; /* its strides set; */
     const tribox_grid_f64 *grid_f64;
-    tribox_options options;
-    tribox_voxels voxels;
+    tribox_options options; /* of doubles */
+    tribox_plan plan;
     const size_t *starts;
     const uint32_t *list;
     uint64_t *bits;
@@ -94,8 +94,9 @@ static window window_of(const tribox_tiling *t, size_t tile)
 
 static void set_window(share *s, const window *w, const uint32_t *list, size_t count)
 {
-    tribox_voxels *const v = &s->voxels;
+    tribox_voxels voxels, *const v = &voxels;
     const tribox_environment callers = tribox_environment_enter();
+    v->plan = s->plan;
     tribox_voxels_open(v, s->grid, w->first, w->size, s->bits);
     for (size_t at = 0; at < count; at += BLOCK) {
         const tribox_soup soup = gather(s, list + at, count - at < BLOCK ? count - at : BLOCK);
@@ -137,7 +138,7 @@ static tribox_status hand_on(share *s)
             return TRIBOX_BAD_INDEX;
         const window w = window_of(&s->tiling, s->tiling.from + t);
         (s->soup ? set_window : set_window_f64)(s, &w, list, count);
-        if (!s->voxels.plan.kernel->cells->hand_on(s->bits, w.first, w.size, &s->hand))
+        if (!s->plan.kernel->cells->hand_on(s->bits, w.first, w.size, &s->hand))
             return TRIBOX_STOPPED;
     }
     return TRIBOX_OK;
@@ -175,19 +176,11 @@ static void use_scratch(share *s, void *scratch)
     memset(s->bits, 0, (size_t)tribox_mask_words(most[0]) * most[1] * most[2] * sizeof *s->bits);
 }
 
-/* Not by an initializer: it would clear the room for a voxelization, too. */
-static void start(share *s, const tribox_options *options, tribox_sink *sink, void *data)
-{
-    s->options = options ? *options : (tribox_options){0};
-    s->hand = (tribox_hand){sink, data, 0};
-    s->counts = (tribox_report){0, 0};
-}
-
 static tribox_status finish(share *s, tribox_status status, tribox_report *report)
 {
     s->counts.overlapping = s->hand.cells;
     if (status == TRIBOX_OK || status == TRIBOX_STOPPED)
-        tribox_plan_report(&s->voxels.plan, s->counts, report);
+        tribox_plan_report(&s->plan, s->counts, report);
     return status;
 }
 
@@ -195,13 +188,10 @@ tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid 
                                      const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
                                      tribox_sink *sink, void *data, tribox_report *report)
 {
-    share s;
-    start(&s, options, sink, data);
-    s.soup = soup;
-    s.grid = grid;
+    share s = {.soup = soup, .grid = grid, .hand = {.sink = sink, .data = data}};
     if (!grid || !starts || !scratch || !sink || !tribox_soup_is_readable(soup))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = tribox_plan_make(options, &s.voxels.plan);
+    const tribox_status status = tribox_plan_make(options, &s.plan);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
@@ -219,13 +209,10 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
                                          size_t to, const size_t *starts, const uint32_t *list, const tribox_options *options,
                                          void *scratch, tribox_sink *sink, void *data, tribox_report *report)
 {
-    share s;
-    start(&s, options, sink, data);
-    s.soup = NULL;
-    s.grid_f64 = grid;
+    share s = {.grid_f64 = grid, .options = options ? *options : (tribox_options){0}, .hand = {.sink = sink, .data = data}};
     if (!grid || !starts || !scratch || !sink || !tribox_mesh_is_readable_f64(mesh))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = tribox_plan_make(options, &s.voxels.plan);
+    const tribox_status status = tribox_plan_make(options, &s.plan);
     if (status)
         return status;
     s.mesh = tribox_mesh_with_strides(mesh);
@@ -236,7 +223,7 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
         return TRIBOX_BAD_GRID;
     if (!is_share(&s, grid->size, tile, from, to, starts, list))
         return TRIBOX_BAD_ARGUMENT;
-    if (!tribox_mesh_is_in_range(&s.mesh, s.voxels.plan.kernel, 0, mesh->count))
+    if (!tribox_mesh_is_in_range(&s.mesh, s.plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_INDEX;
     use_scratch(&s, scratch);
     return finish(&s, hand_on(&s), report);

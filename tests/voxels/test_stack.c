@@ -70,6 +70,40 @@ static void *voxelize_f64(void *options)
     return NULL;
 }
 
+/* Tiles, and bricks of them: a voxelization beside what they hold themselves. */
+enum { TILE = 40, TILES = 64 };
+static size_t starts[TILES + 1];
+static uint32_t list[TILES * TRIANGLES];
+static unsigned char scratch[256 * 1024];
+
+static int take_none(void *data, const uint32_t at[3], const uint64_t bits[8])
+{
+    (void)data, (void)at, (void)bits;
+    return 1;
+}
+
+static void *make_bricks(void *options)
+{
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    assert_true(tribox_bricks_bytes(TILE) <= sizeof scratch);
+    assert_int_equal(tribox_tiles_count(&soup, &grid, TILE, 0, TILES, options, starts), TRIBOX_OK);
+    assert_int_equal(tribox_tiles_fill(&soup, &grid, TILE, 0, TILES, options, starts, list), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize_bricks(&soup, &grid, TILE, 0, TILES, starts, list, options, scratch, take_none, NULL, NULL),
+                     TRIBOX_OK);
+    return NULL;
+}
+
+static void *make_bricks_f64(void *options)
+{
+    const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
+    const tribox_grid_f64 grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    assert_int_equal(tribox_tiles_count_f64(&mesh, &grid, TILE, 0, TILES, options, starts), TRIBOX_OK);
+    assert_int_equal(tribox_tiles_fill_f64(&mesh, &grid, TILE, 0, TILES, options, starts, list), TRIBOX_OK);
+    assert_int_equal(
+        tribox_voxelize_bricks_f64(&mesh, &grid, TILE, 0, TILES, starts, list, options, scratch, take_none, NULL, NULL), TRIBOX_OK);
+    return NULL;
+}
+
 static void check_stack(void *(*voxelize_by)(void *), const char *name, tribox_options *options)
 {
     const size_t taken = stack_of(voxelize_by, options);
@@ -92,6 +126,8 @@ static void test_stack(void **state)
             tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[k]};
             check_stack(voxelize, "tribox_voxelize", &options);
             check_stack(voxelize_f64, "tribox_voxelize_f64", &options);
+            check_stack(make_bricks, "tribox_voxelize_bricks", &options);
+            check_stack(make_bricks_f64, "tribox_voxelize_bricks_f64", &options);
         }
 }
 
