@@ -167,7 +167,8 @@ static void try_scene(const scene *s, const arguments *args, reached *count)
             judged.truth[k] = oracle_separating(&pair);
             check_oracles(&where, &pair, judged.truth[k], k % 16 == 0);
             check_integers(&where, &pair, judged.truth[k], count);
-            check_oriented(&where, &pair, 1 + (unsigned)k % AXIS_SETS);
+            if (k % 4 == 0) /* tests/inputs has an oracle for them */
+                check_oriented(&where, &pair, 1 + (unsigned)(k / 4) % AXIS_SETS);
         }
         for (unsigned axes = 1; axes <= AXIS_SETS; axes++)
             check_settling(&where, &judged, axes, count);
