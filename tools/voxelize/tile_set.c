@@ -150,23 +150,28 @@ size_t tile_set_triangles(const tile_set *set, size_t record)
     return (size_t)(end - set->records[record].first);
 }
 
+/* Tiles of a partition go to the library some at a time, as each call clears the scratch. */
+enum { BATCH_TRIANGLES = 4096, BATCH_TILES = 256 };
+
 struct tile_room {
     void *scratch;
-    size_t most;          /* triangles of a tile of a partition */
-    float *numbers;       /* nine streams of as many floats */
-    uint32_t *numbers_of; /* 0, 1, 2, ... */
+    size_t most;                    /* triangles of a partition at once */
+    float *numbers;                 /* nine streams of as many floats */
+    uint32_t *list;                 /* 0, 1, 2, ... */
+    size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
 };
 
 static bool make_streams(const tile_set *set, size_t from, size_t to, tile_room *room)
 {
+    room->most = BATCH_TRIANGLES;
     for (size_t r = from; r < to; r++)
         if (tile_set_triangles(set, r) > room->most)
             room->most = tile_set_triangles(set, r);
-    room->numbers_of = malloc((room->most + 1) * sizeof *room->numbers_of);
-    room->numbers = set->task.soup ? malloc((room->most + 1) * 9 * sizeof *room->numbers) : NULL;
-    for (size_t i = 0; room->numbers_of && i < room->most; i++)
-        room->numbers_of[i] = (uint32_t)i;
-    return room->numbers_of && (room->numbers || !set->task.soup);
+    room->list = malloc(room->most * sizeof *room->list);
+    room->numbers = set->task.soup ? malloc(room->most * 9 * sizeof *room->numbers) : NULL;
+    for (size_t i = 0; room->list && i < room->most; i++)
+        room->list[i] = (uint32_t)i;
+    return room->list && (room->numbers || !set->task.soup);
 }
 
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
@@ -187,7 +192,7 @@ void tile_room_free(tile_room *room)
         return;
     free(room->scratch);
     free(room->numbers);
-    free(room->numbers_of);
+    free(room->list);
     free(room);
 }
 
@@ -203,45 +208,66 @@ static tribox_status run_lists(const tile_set *set, size_t from, size_t to, void
                                                 sink, data, report);
 }
 
-static tribox_mesh mesh_of_record(const partition *p, size_t record)
+/* Records from .. to - 1 of a partition, whose triangles lie one after the other. */
+typedef struct batch {
+    size_t from, to;
+    size_t first, end; /* tiles */
+    tribox_mesh mesh;
+} batch;
+
+static batch take_batch(const tile_set *set, size_t from, size_t to, const tile_room *room)
 {
-    const size_t count = partition_count(p, record);
-    return (tribox_mesh){.positions = partition_triangles(p, record),
-                         .vertices = 3 * count,
-                         .count = count,
-                         .position_bytes = p->header.position_bytes};
+    batch b = {.from = from, .to = from, .first = (size_t)set->records[from].tile};
+    while (b.to < to && set->records[b.to].tile - b.first < BATCH_TILES &&
+           b.mesh.count + tile_set_triangles(set, b.to) <= room->most)
+        b.mesh.count += tile_set_triangles(set, b.to++);
+    b.end = (size_t)set->records[b.to - 1].tile + 1;
+    b.mesh.positions = partition_triangles(set->from, from);
+    b.mesh.vertices = 3 * b.mesh.count;
+    b.mesh.position_bytes = set->from->header.position_bytes;
+    return b;
 }
 
-static tribox_status run_soup(const tile_set *set, size_t tile, const tribox_mesh *mesh, const tile_room *room, tribox_sink *sink,
-                              void *data, tribox_report *report)
+/* Where the list of each tile begins, among those of the batch. */
+static void set_starts(const tile_set *set, const batch *b, size_t *starts)
 {
-    const size_t starts[2] = {0, mesh->count};
-    tribox_soup soup = {.count = mesh->count};
+    size_t r = b->from, before = 0;
+    for (size_t t = b->first; t < b->end; t++) {
+        starts[t - b->first] = before;
+        if (set->records[r].tile == t)
+            before += tile_set_triangles(set, r++);
+    }
+    starts[b->end - b->first] = before;
+}
+
+static tribox_status run_soup(const tile_set *set, const batch *b, const tile_room *room, tribox_sink *sink, void *data,
+                              tribox_report *report)
+{
+    tribox_soup soup = {.count = b->mesh.count};
     float *to[9];
     for (size_t k = 0; k < 9; k++)
         to[k] = room->numbers + k * room->most;
-    const tribox_status status = tribox_mesh_to_streams(mesh, 0, mesh->count, set->task.options, to, to + 3, to + 6);
+    const tribox_status status = tribox_mesh_to_streams(&b->mesh, 0, b->mesh.count, set->task.options, to, to + 3, to + 6);
     for (size_t v = 0; v < 3; v++) {
         soup.x[v] = to[v];
         soup.y[v] = to[3 + v];
         soup.z[v] = to[6 + v];
     }
     return status ? status
-                  : tribox_voxelize_bricks(&soup, set->task.grid, set->tile, tile, tile + 1, starts, room->numbers_of,
+                  : tribox_voxelize_bricks(&soup, set->task.grid, set->tile, b->first, b->end, room->starts, room->list,
                                            set->task.options, room->scratch, sink, data, report);
 }
 
-static tribox_status run_record(const tile_set *set, size_t record, const tile_room *room, tribox_sink *sink, void *data,
-                                tribox_report *report)
+static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, tribox_sink *sink, void *data,
+                               tribox_report *report)
 {
-    const size_t tile = (size_t)set->records[record].tile;
-    const tribox_mesh mesh = mesh_of_record(set->from, record);
-    const size_t starts[2] = {0, mesh.count};
-    if (!partition_is_sound(set->from, record))
-        return TRIBOX_BAD_INDEX;
+    for (size_t r = b->from; r < b->to; r++)
+        if (!partition_is_sound(set->from, r))
+            return TRIBOX_BAD_INDEX;
+    set_starts(set, b, room->starts);
     if (set->task.soup)
-        return run_soup(set, tile, &mesh, room, sink, data, report);
-    return tribox_voxelize_bricks_f64(&mesh, set->task.wide_grid, set->tile, tile, tile + 1, starts, room->numbers_of,
+        return run_soup(set, b, room, sink, data, report);
+    return tribox_voxelize_bricks_f64(&b->mesh, set->task.wide_grid, set->tile, b->first, b->end, room->starts, room->list,
                                       set->task.options, room->scratch, sink, data, report);
 }
 
@@ -255,9 +281,10 @@ tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_roo
     if (!set->from)
         return run_lists(set, (size_t)set->records[from].tile, (size_t)set->records[to - 1].tile + 1, room->scratch, sink, data,
                          report);
-    for (size_t r = from; !status && r < to; r++) {
+    for (batch b = {.to = from}; !status && b.to < to;) {
         tribox_report one = {0, 0};
-        status = run_record(set, r, room, sink, data, &one);
+        b = take_batch(set, b.to, to, room);
+        status = run_batch(set, &b, room, sink, data, &one);
         report->overlapping += one.overlapping;
         report->undecided += one.undecided;
     }
