@@ -91,7 +91,7 @@ static bool has_rough_planes(const tribox_voxels *v)
 {
     bool is_rough = false, is_near = true;
     for (int a = 0; a < 3; a++) {
-        is_rough |= v->lattice.error[a] > 0x1p-10;
+        is_rough |= v->lattice.error[a] > 0x1p-14;
         is_near &= v->lattice.error[a] < 0x1.fp-2;
     }
     return is_rough && is_near;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 /* Nanoseconds, roughly: only their ratios matter. */
-static const double tile_cost = 34000, place_cost = 18, row_cost = 2.5, cell_cost = 1.6, reach_cost = 8.5, exact_cost = 15;
+static const double tile_cost = 34000, place_cost = 18, row_cost = 2.5, cell_cost = 1.6, reach_cost = 8.5;
 
 /* In cells. */
 static double place(const voxel_task *task, int a, double x) { return (x - task->origin[a]) / task->cell[a]; }
@@ -18,14 +18,6 @@ static double area(const double x[3], const double y[3])
     return 0.5 * fabs((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]));
 }
 
-/* Float hardly tells where such a triangle, all but parallel to x, crosses a row: many of its cells are settled exactly. */
-static bool is_hard(double along_x, double along_y, double along_z)
-{
-    static const double nearly = 0x1p-20, aslant = 0x1p-10;
-    const double all = along_x + along_y + along_z;
-    return along_x > 0 && along_x < nearly * all && along_y > aslant * all && along_z > aslant * all;
-}
-
 /* What a triangle costs beyond the tiles that it is in, all of them together. */
 static double triangle_work(const voxel_task *task, size_t t)
 {
@@ -36,15 +28,14 @@ static double triangle_work(const voxel_task *task, size_t t)
             u[a][v] = place(task, a, u[a][v]);
     const double along[3] = {area(u[1], u[2]), area(u[0], u[2]), area(u[0], u[1])}, all = along[0] + along[1] + along[2];
     const double around = reach(u[0]) + reach(u[1]) + reach(u[2]);
-    const double each = cell_cost + (is_hard(along[0], along[1], along[2]) ? exact_cost : 0);
-    const double work = row_cost * along[0] + each * all + reach_cost * around;
+    const double work = row_cost * along[0] + cell_cost * all + reach_cost * around;
     return isfinite(work) ? work : 0;
 }
 
 /* Replaces how many tiles a triangle is in by its work in each. */
 static void share_work(const tile_set *set, double *share)
 {
-    const double most = 3 * (row_cost + cell_cost + exact_cost) * set->tile * set->tile;
+    const double most = 3 * (row_cost + cell_cost) * set->tile * set->tile;
     for (size_t t = 0; t < set->task.count; t++)
         if (share[t] > 0)
             share[t] = fmin(triangle_work(&set->task, t) / share[t], most);
