@@ -694,8 +694,8 @@ TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint6
  * Fills by parity: sets every cell below whose middle, on the line along x, the surface crosses an odd number of times. Exact:
  * crossings are told by the signs of determinants of the numbers themselves, and a middle whose line meets an edge or a vertex, or
  * that is itself on the surface, is moved a little, by the same rule for all triangles (symbolic perturbation). On a closed mesh it
- * fills what tribox_fill_outside fills, but for pockets outside the mesh that the surface seals, cell by cell; where a mesh overlaps
- * itself twice is outside. Where it is open, it streaks along x: see odd_rows, and examples/insides for pictures.
+ * fills what tribox_fill_outside fills, but for pockets outside the mesh that the surface seals, cell by cell; what a mesh covers
+ * twice is outside. Where it is open, it streaks along x: see odd_rows, and examples/insides for pictures.
  *
  * soup, grid: those of the surface. The middle of a cell lies at the double nearest to that of its planes.
  * occupied, solid, scratch, inside: as for tribox_fill_outside, for the words of the grid.

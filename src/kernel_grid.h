@@ -97,9 +97,9 @@ typedef struct tribox_hand {
 } tribox_hand;
 
 /*
- * Hands on the bricks of a window of bits that are not empty, by z, then y, then x, and clears the bits. Its first cell, `first`, is
- * the first of a brick, and it has 1024 along x at most. Returns whether to go on; if not, some bits are left. In the environment of
- * the caller, as nothing is counted in floats.
+ * Hands on the bricks of a window of bits that are not empty, by z, then y, then x, and clears the bits. Its first cell, `first`,
+ * is the first of a brick, and it has 1024 along x at most. Returns whether to go on; if not, some bits are left. In the
+ * environment of the caller, as nothing is counted in floats.
  */
 typedef bool tribox_hand_on(uint64_t *bits, const uint32_t first[3], const uint32_t size[3], tribox_hand *hand);
 

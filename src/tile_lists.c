@@ -35,7 +35,7 @@ static void put_at(void *about, const int64_t at[3])
     put(l, ((size_t)at[2] * l->tiling.along[1] + (size_t)at[1]) * l->tiling.along[0] + (size_t)at[0]);
 }
 
-/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis, and on how many axes there are several, even if some lie outside the grid. */
+/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis, and on how many axes there are several, even outside the grid. */
 typedef struct tile_range {
     int64_t base[3], tiles[3];
     int spans;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "common/grid_about.h"
 #include "common/header.h"
 #include "common/whole.h"
 #include "console/message.h"
@@ -30,22 +31,6 @@ static const char usage[] =
     "  MESH        a mesh file\n"
     "  --rounds N  rounds, of which the least times count; without it 5\n"
     "  --quick     64 and 128 cells, one round\n";
-
-static tribox_grid grid_within(const mesh *m, uint32_t resolution)
-{
-    tribox_box_f64 box = {{0, 0, 0}, {1, 1, 1}};
-    double longest = 0;
-    tribox_grid grid;
-    mesh_bounds(m, &box);
-    for (int a = 0; a < 3; a++)
-        longest = fmax(longest, box.hi[a] - box.lo[a]);
-    for (int a = 0; a < 3; a++) {
-        grid.cell[a] = nextafterf((float)(longest / resolution), INFINITY);
-        grid.origin[a] = (float)box.lo[a];
-        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / (double)grid.cell[a]));
-    }
-    return grid;
-}
 
 static double processor_time(void)
 {
@@ -81,7 +66,7 @@ static bool find_answer(const mesh *m, const tribox_grid *grid, answer *a)
 
 static bool run_grid(const mesh *m, uint32_t resolution, uint64_t rounds)
 {
-    const tribox_grid grid = grid_within(m, resolution);
+    const tribox_grid grid = grid_about(m, resolution);
     answer least = {.outside = 0}, a;
     for (uint64_t round = 0; round < rounds; round++) {
         if (!find_answer(m, &grid, &a))

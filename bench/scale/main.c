@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/grid_about.h"
 #include "common/header.h"
 #include "common/whole.h"
 #include "console/message.h"
@@ -37,22 +38,6 @@ static const char usage[] =
     "  --tile N         cells of a tile along an axis, a multiple of 8; without it 128\n"
     "  --kernel NAME    without it the widest\n"
     "  --quick          256 cells, one round\n";
-
-static tribox_grid grid_about(const mesh *m, uint32_t resolution)
-{
-    tribox_box_f64 box = {{0, 0, 0}, {1, 1, 1}};
-    double longest = 0;
-    tribox_grid grid;
-    mesh_bounds(m, &box);
-    for (int a = 0; a < 3; a++)
-        longest = fmax(longest, box.hi[a] - box.lo[a]);
-    for (int a = 0; a < 3; a++) {
-        grid.origin[a] = (float)box.lo[a];
-        grid.cell[a] = (float)(longest / resolution) * 1.00001f; /* what lies on the far side lies inside */
-        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / (double)grid.cell[a]));
-    }
-    return grid;
-}
 
 /* Whether dense bits of 2^31 words would do. */
 static bool is_for_dense(const tribox_grid *grid) { return tribox_grid_words(grid) <= (size_t)1 << 31; }

@@ -24,7 +24,7 @@ typedef struct scale_answer {
     uint64_t sum; /* of all bricks, in any order */
 } scale_answer;
 
-/* Answers in a process of its own. False, with a line on standard error, if it fails: there is no memory, or the grid is refused. */
+/* Answers in a process of its own. False, with a line on standard error, where there is no memory, or the grid is refused. */
 bool scale_answer_find(scale_way way, const scale_question *question, scale_answer *answer);
 
 #endif

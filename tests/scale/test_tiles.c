@@ -1,4 +1,4 @@
-/* test_tiles.c - the triangles listed for each tile are those that overlap its box, in float and double, of whole grids and shares. */
+/* test_tiles.c - the triangles listed for each tile are those that overlap its box, float and double, in whole grids and shares. */
 #include "tile_case.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /*
- * test_windows.c - windows of a grid: EXACT has the bits of the whole, every cell that tribox_overlap reports and no other, in grids
+ * test_windows.c - windows of a grid: EXACT has the bits of the whole, all cells that tribox_overlap reports and no other, in grids
  * too large to be asked as a whole, too; CONSERVATIVE has them all. No word is touched besides, and of bad windows none.
  */
 #include "occupancy.h"

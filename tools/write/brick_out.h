@@ -27,8 +27,8 @@ typedef struct brick_out {
 int brick_out_open(brick_out *out, const volume_format *format, const volume_options *options, file_out *file, const voxels *about);
 
 /*
- * Adds a brick as a tribox_sink is handed it: in any order, each place once, one call at a time. Bits of cells outside the grid must
- * be 0. Returns an exit_code; after a failure, which has said its line, brick_out_drop is all that is left.
+ * Adds a brick as a tribox_sink is handed it: in any order, each place once, one call at a time. Bits of cells outside the grid are
+ * to be 0. Returns an exit_code; after a failure, which has said its line, brick_out_drop is all that is left.
  */
 int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
 

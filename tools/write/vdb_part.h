@@ -24,7 +24,7 @@ typedef struct vdb_part {
     /* An empty tree of bricks; NULL if it fails. */
     void *(*make)(const vdb_grid *grid, char *reason);
 
-    /* Each returns whether it did it. put: a brick as a tribox_sink is handed it. can_seek: of the stream, which is at its start. */
+    /* Each returns whether it did it. put: a brick as a tribox_sink gets it. can_seek: of the stream, which is at its start. */
     int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], char *reason);
     int (*write)(void *tree, FILE *to, int can_seek, char *reason);
 
