@@ -652,8 +652,8 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
  * soup, grid: as for tribox_voxelize.
  * tile: a multiple of 8, at most 1024.
  * from, to: the tiles from .. to - 1 alone.
- * starts, list: by tile, which triangles to look at: starts[0] is of tile `from`. Those of tribox_tiles_fill for the same axes, at
- *   any accuracy, or any others: triangles that are not listed for a tile are not in its bricks.
+ * starts, list: by tile, which triangles to look at; starts[0] is that of the first tile. They are those of tribox_tiles_fill for
+ *   the same axes, at any accuracy, or any others: triangles that are not listed for a tile are not in its bricks.
  * scratch: tribox_bricks_bytes(tile) bytes, at any alignment; one for each thread.
  * sink, data: the sink, and what it is handed.
  * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.

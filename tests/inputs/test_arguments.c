@@ -452,11 +452,11 @@ static void test_options(void **state)
 static void test_status_text(void **state)
 {
     (void)state;
-    const char *const text = tribox_status_text(TRIBOX_BAD_INDEX);
+    const char *const text = tribox_status_text(TRIBOX_STOPPED);
     assert_true(strlen(text) > 0 && text[strlen(text) - 1] != '.');
-    for (int s = TRIBOX_OK; s < TRIBOX_BAD_INDEX; s++)
+    for (int s = TRIBOX_OK; s < TRIBOX_STOPPED; s++)
         assert_string_not_equal(text, tribox_status_text((tribox_status)s));
-    assert_string_equal(tribox_status_text((tribox_status)(TRIBOX_BAD_INDEX + 1)), tribox_status_text((tribox_status)99));
+    assert_string_equal(tribox_status_text((tribox_status)(TRIBOX_STOPPED + 1)), tribox_status_text((tribox_status)99));
     assert_string_not_equal(text, tribox_status_text((tribox_status)99));
 }
 

@@ -295,7 +295,7 @@ static void test_not_finite_without_streams(void **state)
 static void test_status_texts(void **state)
 {
     (void)state;
-    for (int s = TRIBOX_OK; s <= TRIBOX_BAD_INDEX; s++) {
+    for (int s = TRIBOX_OK; s <= TRIBOX_STOPPED; s++) {
         const char *const text = tribox_status_text((tribox_status)s);
         assert_non_null(text);
         assert_true(strlen(text) > 0);
@@ -303,7 +303,7 @@ static void test_status_texts(void **state)
         for (int other = TRIBOX_OK; other < s; other++)
             assert_string_not_equal(text, tribox_status_text((tribox_status)other));
     }
-    static const int unknown[] = {TRIBOX_BAD_INDEX + 1, 99, -1, INT_MAX, INT_MIN};
+    static const int unknown[] = {TRIBOX_STOPPED + 1, 99, -1, INT_MAX, INT_MIN};
     for (size_t k = 0; k < sizeof unknown / sizeof unknown[0]; k++) {
         assert_non_null(tribox_status_text((tribox_status)unknown[k]));
         assert_true(strlen(tribox_status_text((tribox_status)unknown[k])) > 0);
