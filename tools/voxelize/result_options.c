@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "console/message.h"
-#include "write/deflate.h"
 
 static int read_vdb_grid(const char *word, bool *is_of_booleans)
 {
@@ -68,8 +67,6 @@ static int check_format(const result_request *r, const options_found *found)
         return message_usage("--deflate is for .npz alone");
     if (options_has(found, RESULT_VDB_GRID) && !is_word(r->format, "vdb"))
         return message_usage("--vdb-grid is for .vdb alone");
-    if (r->options.is_deflated && !deflate_is_there)
-        return message_usage("--deflate: this tribox was built without zlib");
     return EXIT_CODE_OK;
 }
 

@@ -93,7 +93,6 @@ int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     const int code = writer(out)->put(out, at, bits);
     out->bricks++;
-    out->occupied += voxels_count(bits, 8);
     return code ? code : check_stream(out);
 }
 

@@ -16,7 +16,8 @@ typedef struct brick_out {
     file_out *file;
     FILE *to;                  /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
     voxels cells;              /* the grid and the shift, and in a dense format one slab with the words */
-    uint64_t bricks, occupied; /* put so far */
+    uint64_t bricks;           /* put so far */
+    uint64_t occupied;         /* cells in them, where the format counts them */
     void *state;               /* the format's own */
 } brick_out;
 

@@ -13,8 +13,9 @@ typedef struct brick_writer {
     void (*drop)(brick_out *out); /* frees the state */
 } brick_writer;
 
-/* Arrays of NumPy's: at[n, 3], bits[n, 8], origin, cell, size and shift. */
+/* Arrays of NumPy's: at[n, 3], bits[n, 8], origin, cell, size and shift. The check refuses where zlib is not there. */
 extern const brick_writer bricks_npz;
+int bricks_check_npz(const char *path, const tribox_grid_f64 *grid);
 
 /* An array of NumPy's: the coordinates of cells, [n, 3]. */
 extern const brick_writer bricks_cells;

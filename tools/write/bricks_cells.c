@@ -48,6 +48,7 @@ static int put_cells(brick_out *out, const uint32_t at[3], const uint64_t bits[8
             little_put32(to + 8, 8 * at[2] + k);
         }
     fwrite(cells, 1, (size_t)(to - cells), out->to);
+    out->occupied += (uint64_t)(to - cells) / CELL_BYTES;
     return EXIT_CODE_OK;
 }
 

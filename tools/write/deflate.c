@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <zlib.h>
 
-const bool deflate_is_there = true;
-
 enum { CHUNK = 1 << 16, LEVEL = 4, WINDOW_BITS = 15, MEMORY_LEVEL = 9 };
 
 struct deflater {

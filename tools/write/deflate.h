@@ -2,13 +2,9 @@
 #ifndef DEFLATE_H
 #define DEFLATE_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-
-/* Whether the program was built with zlib; the other calls do nothing without. */
-extern const bool deflate_is_there;
 
 typedef struct deflater deflater;
 

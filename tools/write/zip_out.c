@@ -3,6 +3,7 @@
 #include "zip_out.h"
 
 #include <string.h>
+#include <zlib.h>
 
 #include "read/little.h"
 
@@ -95,11 +96,7 @@ static void write_header(zip_out *zip, const unsigned char header[NPY_HEADER])
     zip->written += fwrite(header, 1, NPY_HEADER, zip->to);
 }
 
-void zip_begin(zip_out *zip, FILE *to, deflater *by)
-{
-    *zip = (zip_out){.to = to, .deflater = by};
-    crc32_make_tables(&zip->crc);
-}
+void zip_begin(zip_out *zip, FILE *to, deflater *by) { *zip = (zip_out){.to = to, .deflater = by}; }
 
 void zip_begin_member(zip_out *zip, const char *name)
 {
@@ -116,7 +113,7 @@ void zip_begin_member(zip_out *zip, const char *name)
 void zip_add(zip_out *zip, const void *bytes, size_t count)
 {
     zip_member *const m = &zip->members[zip->count - 1];
-    m->crc = crc32_add(&zip->crc, m->crc, bytes, count);
+    m->crc = (uint32_t)crc32_z(m->crc, bytes, count);
     m->bytes += count;
     zip->written += zip->deflater ? deflater_add(zip->deflater, bytes, count, zip->to) : fwrite(bytes, 1, count, zip->to);
 }
@@ -133,12 +130,21 @@ static void fill_in(zip_out *zip, const zip_member *m, const unsigned char heade
     zip->written = end;
 }
 
+/* The checksum of two runs of bytes from that of each, and the length of the second, which zlib takes as a long at times. */
+static uint32_t crc_of_both(uint32_t first, uint32_t second, uint64_t bytes)
+{
+    const uint64_t step = (uint64_t)1 << 30;
+    for (; bytes > step; bytes -= step)
+        first = (uint32_t)crc32_combine(first, 0, (z_off_t)step);
+    return (uint32_t)crc32_combine(first, second, (z_off_t)bytes);
+}
+
 void zip_end_member(zip_out *zip, const unsigned char header[NPY_HEADER])
 {
     zip_member *const m = &zip->members[zip->count - 1];
     if (zip->deflater)
         zip->written += deflater_end(zip->deflater, zip->to);
-    m->crc = crc32_join(crc32_add(&zip->crc, 0, header, NPY_HEADER), m->crc, m->bytes);
+    m->crc = crc_of_both((uint32_t)crc32_z(0, header, NPY_HEADER), m->crc, m->bytes);
     m->bytes += NPY_HEADER;
     m->stored = zip->written - m->start - (30 + strlen(m->name) + 20);
     fill_in(zip, m, header);

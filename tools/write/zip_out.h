@@ -6,7 +6,6 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "crc32.h"
 #include "deflate.h"
 #include "npy_header.h"
 
@@ -25,7 +24,6 @@ typedef struct zip_out {
     zip_member members[ZIP_MEMBERS_MAX];
     unsigned count;     /* the last one of them is open until its end */
     deflater *deflater; /* NULL: members are stored as they are */
-    crc32_tables crc;
 } zip_out;
 
 /* Members are deflated if a deflater is given, which stays the caller's. The stream is at its first byte. */
