@@ -1,7 +1,7 @@
 /*
  * oracle.h - the true answer for one pair, twice over, in exact integers. Shares no line of arithmetic with the library.
  *
- *   oracle_separating   the classical two-sided test: the three vertices and the eight corners projected on each of the axes
+ *   oracle_separating   the classical two-sided test: the triangle and the box projected on each of the axes
  *   oracle_clip         no axis at all: the triangle clipped against the six half-spaces of the box
  *
  * Both are for finite triangles and finite boxes with lo <= hi.

@@ -12,6 +12,7 @@ static void int128_set(int128 *r, const int128 *a) { *r = *a; }
 static void int128_set_si(int128 *r, long a) { *r = a; }
 static void int128_set_d(int128 *r, double a) { *r = (int128)(int64_t)a; }
 static void int128_mul_2exp(int128 *r, const int128 *a, unsigned long shift) { *r = *a * ((int128)1 << shift); }
+static void int128_add(int128 *r, const int128 *a, const int128 *b) { *r = *a + *b; }
 static void int128_sub(int128 *r, const int128 *a, const int128 *b) { *r = *a - *b; }
 static void int128_mul(int128 *r, const int128 *a, const int128 *b) { *r = *a * *b; }
 static void int128_addmul(int128 *r, const int128 *a, const int128 *b) { *r += *a * *b; }

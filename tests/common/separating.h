@@ -5,16 +5,16 @@
  * names there.
  */
 
-/* The bodies as points: the three vertices, then the eight corners. */
-enum { FIRST_VERTEX = 0, VERTICES = 3, FIRST_CORNER = 3, CORNERS = 8, POINTS = 11 };
+enum { VERTICES = 3, BODIES = 2 };
 
 static struct {
-    num point[POINTS][3];
+    num vertex[VERTICES][3];
+    num bound[2][3]; /* of the box: lo, hi */
     num unit[3][3];
     num edge[3][3];
     num axis[3];
-    num least[2], most[2];
-    num scratch;
+    num least[BODIES], most[BODIES]; /* of the triangle, of the box */
+    num scratch[2];
 } w;
 
 static void prepare(void)
@@ -24,20 +24,21 @@ static void prepare(void)
         return;
     is_ready = true;
     for (int a = 0; a < 3; a++) {
-        for (int k = 0; k < POINTS; k++)
-            NUM(init)(w.point[k][a]);
+        for (int side = 0; side < 2; side++)
+            NUM(init)(w.bound[side][a]);
         for (int k = 0; k < 3; k++) {
+            NUM(init)(w.vertex[k][a]);
             NUM(init)(w.edge[k][a]);
             NUM(init)(w.unit[k][a]);
             NUM(set_si)(w.unit[k][a], k == a);
         }
         NUM(init)(w.axis[a]);
     }
-    for (int body = 0; body < 2; body++) {
-        NUM(init)(w.least[body]);
-        NUM(init)(w.most[body]);
+    for (int k = 0; k < 2; k++) {
+        NUM(init)(w.least[k]);
+        NUM(init)(w.most[k]);
+        NUM(init)(w.scratch[k]);
     }
-    NUM(init)(w.scratch);
 }
 
 static void load_number(num to, const oracle_integers *in, int k)
@@ -50,11 +51,11 @@ static void load_points(const oracle_integers *in)
 {
     for (int a = 0; a < 3; a++) {
         for (int j = 0; j < VERTICES; j++)
-            load_number(w.point[FIRST_VERTEX + j][a], in, 3 * j + a);
-        for (int c = 0; c < CORNERS; c++)
-            load_number(w.point[FIRST_CORNER + c][a], in, (c >> a & 1 ? 12 : 9) + a);
+            load_number(w.vertex[j][a], in, 3 * j + a);
+        for (int side = 0; side < 2; side++)
+            load_number(w.bound[side][a], in, 9 + 3 * side + a);
         for (int j = 0; j < 3; j++)
-            NUM(sub)(w.edge[j][a], w.point[(j + 1) % 3][a], w.point[j][a]);
+            NUM(sub)(w.edge[j][a], w.vertex[(j + 1) % 3][a], w.vertex[j][a]);
     }
 }
 
@@ -67,17 +68,33 @@ static void axis_is_cross(num p[3], num q[3])
     }
 }
 
-/* The interval that some points span on the axis. */
-static void project(int first, int count, num least, num most)
+/* The interval that the vertices span on the axis. */
+static void project_vertices(num least, num most)
 {
-    for (int k = first; k < first + count; k++) {
-        NUM(mul)(w.scratch, w.axis[0], w.point[k][0]);
-        NUM(addmul)(w.scratch, w.axis[1], w.point[k][1]);
-        NUM(addmul)(w.scratch, w.axis[2], w.point[k][2]);
-        if (k == first || NUM(cmp)(w.scratch, least) < 0)
-            NUM(set)(least, w.scratch);
-        if (k == first || NUM(cmp)(w.scratch, most) > 0)
-            NUM(set)(most, w.scratch);
+    for (int j = 0; j < VERTICES; j++) {
+        NUM(mul)(w.scratch[0], w.axis[0], w.vertex[j][0]);
+        NUM(addmul)(w.scratch[0], w.axis[1], w.vertex[j][1]);
+        NUM(addmul)(w.scratch[0], w.axis[2], w.vertex[j][2]);
+        if (j == 0 || NUM(cmp)(w.scratch[0], least) < 0)
+            NUM(set)(least, w.scratch[0]);
+        if (j == 0 || NUM(cmp)(w.scratch[0], most) > 0)
+            NUM(set)(most, w.scratch[0]);
+    }
+}
+
+/* The interval that the corners span: each coordinate is the box's lo or hi, whatever the other two are. */
+static void project_corners(num least, num most)
+{
+    NUM(set_si)(least, 0);
+    NUM(set_si)(most, 0);
+    for (int a = 0; a < 3; a++) {
+        if (!NUM(sgn)(w.axis[a]))
+            continue;
+        for (int side = 0; side < 2; side++)
+            NUM(mul)(w.scratch[side], w.axis[a], w.bound[side][a]);
+        const int lesser = NUM(cmp)(w.scratch[0], w.scratch[1]) > 0;
+        NUM(add)(least, least, w.scratch[lesser]);
+        NUM(add)(most, most, w.scratch[!lesser]);
     }
 }
 
@@ -85,8 +102,8 @@ static void compare_on_axis(int number, oracle_axes *result)
 {
     if (!NUM(sgn)(w.axis[0]) && !NUM(sgn)(w.axis[1]) && !NUM(sgn)(w.axis[2]))
         return;
-    project(FIRST_VERTEX, VERTICES, w.least[0], w.most[0]);
-    project(FIRST_CORNER, CORNERS, w.least[1], w.most[1]);
+    project_vertices(w.least[0], w.most[0]);
+    project_corners(w.least[1], w.most[1]);
     const int above = NUM(cmp)(w.least[0], w.most[1]), below = NUM(cmp)(w.least[1], w.most[0]);
     if (above > 0 || below > 0)
         result->apart |= 1u << number;
