@@ -50,10 +50,12 @@ static const struct source {
     {"cube", cube, 16, 32},
 };
 
+/* Scaled by a power of two, every number of the same pairs rounds alike: one grid is enough there. */
 static const struct frame {
     const char *name;
     float scale, shift;
-} frames[] = {{"", 1, 0}, {" + 2^20", 1, 0x1p20f}, {" * 2^-10", 0x1p-10f, 0}};
+    bool has_all_grids;
+} frames[] = {{"", 1, 0, true}, {" + 2^20", 1, 0x1p20f, true}, {" * 2^-10", 0x1p-10f, 0, false}};
 
 static void check_source(const struct source *from, const struct frame *in, const int h[3], uint64_t seed)
 {
@@ -79,7 +81,7 @@ static void check_frame(const struct frame *in, uint64_t seed)
 {
     data_set_print_heading();
     for (size_t k = 0; k < sizeof sources / sizeof sources[0]; k++) {
-        for (int h = FINEST; h <= COARSEST; h *= 2)
+        for (int h = FINEST; in->has_all_grids && h <= COARSEST; h *= 2)
             check_source(&sources[k], in, (const int[3]){h, h, h}, seed);
         check_source(&sources[k], in, (const int[3]){1, 4, 2}, seed);
     }
