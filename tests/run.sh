@@ -1,15 +1,16 @@
 #!/bin/sh
 # From a clone on a Debian machine to the sum of all tests: packages, build with every optional part, run.
-# Arguments go to `meson setup`; BUILD names the build directory, SUITES the suites (all of them), CC and CXX the compilers.
+# Arguments go to `meson setup`; BUILD names the build directory, SUITES the suites (all of them), CC and CXX the compilers,
+# PACKAGES what else is to be installed.
 set -eu
 cd "$(dirname "$0")/.."
-packaging/packages.sh gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
+# shellcheck disable=SC2086
+packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
     libassimp-dev libpng-dev zlib1g-dev libopenvdb-dev \
     libcmocka-dev libgmp-dev libembree-dev libcgal-dev libmpfr-dev libbullet-dev \
     python3-numpy python3-cffi python3-cffi-backend python3-dask python3-distributed python3-zarr \
     parallel openmpi-bin python3-mpi4py slurm-wlm munge \
     libopenvdb-tools python3-openvdb python3-vtk9 teem-apps \
-    python3-dask python3-distributed python3-zarr python3-mpi4py slurm-wlm munge \
     git xz-utils doxygen mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross \
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
@@ -21,7 +22,8 @@ meson compile -C "$build"
 status=0
 suites=
 for suite in ${SUITES:-}; do suites="$suites --suite $suite"; done
+# One more than there are processors: engines and servers wait for each other.
 # shellcheck disable=SC2086
-meson test -C "$build" --no-rebuild --print-errorlogs $suites || status=$?
+meson test -C "$build" --no-rebuild --print-errorlogs --num-processes $(($(nproc) + 1)) $suites || status=$?
 python3 tests/sum.py "$build/meson-logs/testlog.json"
 exit "$status"
