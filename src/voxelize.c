@@ -87,14 +87,14 @@ static void set_soup_by_cells(tribox_voxels *v, const tribox_soup *soup)
 }
 
 /* By more than what ties leave open; but by less than half a cell, as own_planes.h needs it. */
-static bool has_rough_planes(const tribox_voxels *v)
+static tribox_roughness roughness_of(const tribox_voxels *v)
 {
-    bool is_rough = false, is_near = true;
-    for (int a = 0; a < 3; a++) {
-        is_rough |= v->lattice.error[a] > 0x1p-14;
-        is_near &= v->lattice.error[a] < 0x1.fp-2;
-    }
-    return is_rough && is_near;
+    double most = 0;
+    for (int a = 0; a < 3; a++)
+        most = v->lattice.error[a] > most ? v->lattice.error[a] : most;
+    if (!(most > 0x1p-14 && most < 0x1.fp-2))
+        return TRIBOX_EVEN;
+    return most > 0x1p-7 ? TRIBOX_VERY_ROUGH : TRIBOX_ROUGH;
 }
 
 void tribox_voxels_open(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
@@ -108,7 +108,7 @@ void tribox_voxels_open(tribox_voxels *v, const tribox_grid *grid, const uint32_
     v->first_layer = 0;
     v->end_layer = size[2];
     v->lattice = lattice_of(v);
-    v->has_rough_planes = has_rough_planes(v);
+    v->roughness = roughness_of(v);
     v->is_for_float = is_for_float(v);
     tribox_voxels_start(v, occupied);
 }

@@ -104,7 +104,7 @@ static void set_mesh(tribox_voxels *v, const tribox_mesh *mesh, uint64_t *occupi
     v->end_layer = v->size[2];
     v->lattice = lattice_of(v);
     v->has_limits = is_for_limits(v);
-    v->has_rough_planes = false;
+    v->roughness = TRIBOX_EVEN;
     tribox_voxels_start(v, occupied);
     for (v->first_triangle = 0; v->first_triangle < mesh->count; v->first_triangle += PART)
         set_part(v, mesh->count - v->first_triangle < PART ? mesh->count - v->first_triangle : PART);

@@ -73,6 +73,12 @@ typedef struct tribox_waiting {
     int32_t at[3][TRIBOX_WAITING + TRIBOX_LANES_MAX], bits[TRIBOX_WAITING + TRIBOX_LANES_MAX];
 } tribox_waiting;
 
+/*
+ * How far the planes of a grid in float are from evenly spaced: where limits by the very planes of a row pay for rows with open
+ * cells, and where for all rows, as most have some (PROOFS.md 7.13).
+ */
+typedef enum tribox_roughness { TRIBOX_EVEN, TRIBOX_ROUGH, TRIBOX_VERY_ROUGH } tribox_roughness;
+
 /* One call: the layers that it writes of a grid, or a window of one as a grid of its own; in double always a window. */
 struct tribox_voxels {
     const tribox_grid *grid; /* NULL for a grid in double */
@@ -81,9 +87,9 @@ struct tribox_voxels {
     size_t first_triangle;   /* the one with the number 0 */
     int32_t first_number;    /* that of the soup's first */
     tribox_planes planes;
-    bool has_rough_planes; /* of a grid in float: where limits by the very planes of a row pay (PROOFS.md 7.13) */
-    bool is_for_float;     /* whether the soup's packets are sorted in float: PROOFS.md 7.9 */
-    bool has_limits;       /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
+    tribox_roughness roughness;
+    bool is_for_float; /* whether the soup's packets are sorted in float: PROOFS.md 7.9 */
+    bool has_limits;   /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
 
     uint32_t size[3]; /* of the grid or window */
     tribox_plan plan;

@@ -1,21 +1,10 @@
 /*
- * columns.h - what the projection along x leaves of each layer of a triangle: an interval of j. After: rows.h, voxels.h.
+ * columns.h - what the projection along x leaves of each layer of a triangle: an interval of j. After: own_planes.h.
  *
  * Where the triangle is flat along x these are its cells, a column in each layer. Elsewhere they are rows (packed_rows.h).
  *
  * EXACT (`has_certain`) sets the cells that certainly overlap, and those that may wait. The others set all that may.
  */
-/* One triangle. Its layers from `first` to before `end`, counted from its own first, are asked. */
-typedef struct strip_place {
-    tribox_voxels *v;
-    const tribox_strip *strip;
-    const strip_limits *limits;
-    unsigned t;
-    int64_t first, end;
-    strip_limits *own; /* by its own planes (own_planes.h), once they are needed */
-    bool *has_own;
-} strip_place;
-
 /* The intervals of V_LANES layers: from first to before end, none where end <= first. */
 typedef struct layer_packet {
     int32_t first_maybe[V_LANES], end_maybe[V_LANES], first_certain[V_LANES], end_certain[V_LANES];
@@ -30,9 +19,12 @@ TRIBOX_INLINE vnum count_from(int64_t first)
 
 TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packet *layers)
 {
-    const vnum wide = v_splat(p->strip->cells[1][p->t]);
+    const vnum wide = v_splat(p->strip->cells[1][p->t]), k = count_from(first);
     lane_run run = whole_run(wide);
-    narrow_by_shadow(&run, p->limits, p->t, 0, count_from(first), true);
+    if (p->is_by_own_planes)
+        run = layers_by_own_planes(p, wide, k);
+    else
+        narrow_by_shadow(&run, p->limits, p->t, 0, k, true);
     write_ends(layers->first_maybe, layers->end_maybe, run.first_maybe, run.end_maybe, wide);
     write_ends(layers->first_certain, layers->end_certain, run.first_certain, run.end_certain, wide);
 }

@@ -1,6 +1,5 @@
 /*
- * own_planes.h - rows that have open cells, limited once more by the very planes of their cells.
- * After: packed_rows.h. Needs: v_nearest_float.
+ * own_planes.h - rows limited by the very planes of their cells. After: rows.h. Needs: v_nearest_float.
  *
  * Limits take planes as evenly spaced, and where they are nearly as close as floats that leaves every fourth cell open. Here the
  * places of the planes that a limit is about are computed: those across the row, and the one plane along it that may lie on either
@@ -77,99 +76,55 @@ TRIBOX_INLINE lane_run endless_run(void)
 /* A place, not farther than two cells from the row of `cells`. */
 TRIBOX_INLINE vnum near_row(vnum place, vnum cells) { return v_min(v_max(place, v_splat(-2)), v_add(cells, v_splat(2))); }
 
-/* How many cells of the row have their lower plane at the end or below: the plane next to the end is asked. */
-TRIBOX_INLINE vnum cells_to(const strip_place *p, vnum end, vnum cells)
+/* How many of the cells along axis a have their lower plane at the end or below: the plane next to the end is asked. */
+TRIBOX_INLINE vnum cells_to(const strip_place *p, int a, vnum end, vnum cells)
 {
     const vnum one = v_splat(1), at = near_row(v_sub(end, one), cells), n = nearest_whole(at);
-    return v_min(v_select(v_gt(plane_place(p, 0, n), at), n, v_add(n, one)), cells);
+    return v_min(v_select(v_gt(plane_place(p, a, n), at), n, v_add(n, one)), cells);
 }
 
 /* The first cell whose upper plane is at this place or above. */
-TRIBOX_INLINE vnum cells_from(const strip_place *p, vnum first, vnum cells)
+TRIBOX_INLINE vnum cells_from(const strip_place *p, int a, vnum first, vnum cells)
 {
     const vnum at = near_row(first, cells), n = nearest_whole(at);
-    return v_max(v_select(v_gt(at, plane_place(p, 0, n)), n, v_sub(n, v_splat(1))), v_splat(0));
+    return v_max(v_select(v_gt(at, plane_place(p, a, n)), n, v_sub(n, v_splat(1))), v_splat(0));
 }
 
-/* Rows that the shadow along x may, and those that it certainly does, leave. */
-typedef struct rows_left {
-    vmask maybe, certain;
-} rows_left;
-
-TRIBOX_INLINE vmask is_between(vnum first, vnum end, const row_planes *j)
+/* From places to the cells along axis a. */
+TRIBOX_INLINE lane_run cells_between(const strip_place *p, int a, const lane_run *run, vnum cells)
 {
-    const vnum one = v_splat(1);
-    return m_not(m_or(v_gt(v_add(j->lower, one), end), v_gt(first, v_add(j->upper, one))));
+    return (lane_run){cells_from(p, a, run->first_maybe, cells), cells_to(p, a, run->end_maybe, cells),
+                      cells_from(p, a, run->first_certain, cells), cells_to(p, a, run->end_certain, cells)};
 }
 
-TRIBOX_INLINE rows_left rows_by_own(const strip_place *p, const row_planes *j, const row_planes *k)
+/* What the shadow along x leaves of layers k: rows, of `cells` along y. */
+TRIBOX_INLINE lane_run layers_by_own_planes(const strip_place *p, vnum cells, vnum k)
 {
+    const row_planes planes = planes_of_rows(p, 2, k);
     lane_run run = endless_run();
-    narrow_by_own(&run, p->own, p->t, 0, k);
-    return (rows_left){is_between(run.first_maybe, run.end_maybe, j), is_between(run.first_certain, run.end_certain, j)};
+    narrow_by_own(&run, p->limits, p->t, 0, &planes);
+    return cells_between(p, 1, &run, cells);
 }
 
-/* A packet of rows. */
-TRIBOX_INLINE void limit_rows_by_own(const strip_place *p, row_list *rows, unsigned at, tribox_shape shape)
+/* What the other limits leave of rows, of `cells` along x. */
+TRIBOX_INLINE lane_run rows_by_own_planes(const strip_place *p, const strip_limits *limits, vnum cells, const row_planes *j,
+                                          const row_planes *k, tribox_shape shape)
 {
-    const vnum cells = v_splat(p->strip->cells[0][p->t]), zero = v_splat(0);
-    const row_planes j = planes_of_rows(p, 1, v_read(&rows->j[at])), k = planes_of_rows(p, 2, v_read(&rows->k[at]));
     lane_run run = endless_run();
     if (shape != TRIBOX_FLAT_Z)
-        narrow_by_own(&run, p->own, p->t, 1, &k);
+        narrow_by_own(&run, limits, p->t, 1, k);
     if (shape != TRIBOX_FLAT_Y)
-        narrow_by_own(&run, p->own, p->t, 2, &j);
+        narrow_by_own(&run, limits, p->t, 2, j);
     if (shape == TRIBOX_SOLID)
-        narrow_by_own_plane(&run, &p->own->plane, p->t, &j, &k);
-    vnum end_maybe = cells_to(p, run.end_maybe, cells), end_certain = cells_to(p, run.end_certain, cells);
-    if (shape == TRIBOX_SOLID) {
-        const rows_left left = rows_by_own(p, &j, &k);
-        end_maybe = v_select(left.maybe, end_maybe, zero);
-        end_certain = v_select(left.certain, end_certain, zero);
-    }
-    write_ends(&rows->maybe.first[at], &rows->maybe.end[at], cells_from(p, run.first_maybe, cells), end_maybe, cells);
-    write_ends(&rows->certain.first[at], &rows->certain.end[at], cells_from(p, run.first_certain, cells), end_certain, cells);
+        narrow_by_own_plane(&run, &limits->plane, p->t, j, k);
+    return cells_between(p, 0, &run, cells);
 }
 
-/* Those of the rows that have open cells. */
-static void take_open_rows(const row_list *rows, row_list *open)
+/* For limits as if planes were where they should be, but for the rounding of their places. */
+TRIBOX_INLINE tribox_lattice lattice_by_own_planes(const tribox_voxels *v)
 {
-    open->count = 0;
-    for (unsigned n = 0; n < rows->count; n++) {
-        open->j[open->count] = rows->j[n];
-        open->k[open->count] = rows->k[n];
-        open->word[open->count] = rows->word[n];
-        open->count += rows->maybe.first[n] < rows->maybe.end[n] &&
-                       (rows->maybe.first[n] != rows->certain.first[n] || rows->maybe.end[n] != rows->certain.end[n]);
-    }
-    for (unsigned n = open->count; n % V_LANES; n++) {
-        open->j[n] = open->j[open->count - 1];
-        open->k[n] = open->k[open->count - 1];
-    }
-}
-
-/* Limits of a strip as if planes were where they should be, but for the rounding of their places. */
-static void prepare_own(const strip_place *p, tribox_shape shape)
-{
-    tribox_lattice lattice = p->v->lattice;
+    tribox_lattice lattice = v->lattice;
     for (int a = 0; a < 3; a++)
-        lattice.error[a] = 0x1p-50 * ((double)p->v->size[a] + 4);
-    prepare(p->strip, &lattice, p->v->plan.axes, 1, p->own, shape);
-    *p->has_own = true;
-}
-
-/* Sets what is certain by now; what is open still waits. */
-static void settle_open_rows(const strip_place *p, const row_list *rows, tribox_shape shape)
-{
-    row_list open;
-    take_open_rows(rows, &open);
-    if (!open.count)
-        return;
-    if (!*p->has_own)
-        prepare_own(p, shape);
-    for (unsigned at = 0; at < open.count; at += V_LANES)
-        limit_rows_by_own(p, &open, at, shape);
-    p->v->counts.overlapping += set_wide_rows(p->v->occupied, &open, &open.certain, p->strip->bit[p->t]);
-    if (may_be_open(&open))
-        wait_for_rows(p, &open);
+        lattice.error[a] = 0x1p-50 * ((double)v->size[a] + 4);
+    return lattice;
 }

@@ -29,6 +29,18 @@ TRIBOX_INLINE lane_places strip_places(const tribox_strip *strip, unsigned at, c
                      v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
 }
 
+/* One triangle. Its layers from `first` to before `end`, counted from its own first, are asked. */
+typedef struct strip_place {
+    tribox_voxels *v;
+    const tribox_strip *strip;
+    const strip_limits *limits;
+    unsigned t;
+    int64_t first, end;
+    bool is_by_own_planes; /* as limits are, then (own_planes.h); else: */
+    strip_limits *own;     /* those by its own planes, once they are needed */
+    bool *has_own;
+} strip_place;
+
 TRIBOX_INLINE void write_limit(strip_limit *limit, unsigned at, const shadow_limit *from)
 {
     v_write(&limit->slope[at], from->slope);

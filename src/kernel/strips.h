@@ -3,7 +3,7 @@
 TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_certain)
 {
     const int bit = p->strip->bit[p->t];
-    const bool is_narrow = bit + p->strip->cells[0][p->t] < 64;
+    const bool is_rough = p->v->roughness != TRIBOX_EVEN, is_narrow = bit + p->strip->cells[0][p->t] < 64;
     row_cursor at = first_rows(p, shape);
     row_list rows;
     while (list_rows(p, &at, &rows, shape, has_certain)) {
@@ -11,7 +11,7 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
         limit_all_rows(p, &rows, shape, has_certain);
         p->v->counts.overlapping += (is_narrow ? set_narrow_rows : set_wide_rows)(p->v->occupied, &rows, cells, bit);
         if (has_certain && may_be_open(&rows))
-            (p->v->has_rough_planes ? settle_open_rows(p, &rows, shape) : wait_for_rows(p, &rows));
+            (is_rough && !p->is_by_own_planes ? settle_open_rows(p, &rows, shape) : wait_for_rows(p, &rows));
     }
 }
 
@@ -20,12 +20,20 @@ TRIBOX_INLINE void set_strip_by(tribox_voxels *v, tribox_shape shape, bool has_c
     const tribox_strip *const strip = &v->strip[shape];
     strip_limits limits, own;
     bool has_own = false;
-    prepare(strip, &v->lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
+    const bool is_by_own_planes = has_certain && v->roughness == TRIBOX_VERY_ROUGH;
+    const tribox_lattice lattice = is_by_own_planes ? lattice_by_own_planes(v) : v->lattice;
+    prepare(strip, &lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
     for (unsigned t = 0; t < strip->count; t++) {
         const int64_t base = (int64_t)strip->base[2][t], layers = (int64_t)strip->cells[2][t];
-        const strip_place p = {
-            v,    strip,   &limits, t, tribox_greatest(v->first_layer - base, 0), tribox_least(layers, v->end_layer - base),
-            &own, &has_own};
+        const strip_place p = {v,
+                               strip,
+                               &limits,
+                               t,
+                               tribox_greatest(v->first_layer - base, 0),
+                               tribox_least(layers, v->end_layer - base),
+                               is_by_own_planes,
+                               &own,
+                               &has_own};
         if (shape == TRIBOX_FLAT_X)
             set_columns(&p, has_certain);
         else
