@@ -13,6 +13,7 @@ enum {
     BLOCK = 1024,
     BLOCK_F64 = BLOCK / 2,
     STREAM = BLOCK + 16,
+    FEW = 4,
     BLOCK_BYTES = STREAM * 9 * sizeof(float),
     LINE = 64
 };
@@ -46,25 +47,42 @@ size_t tribox_bricks_bytes(uint32_t tile)
     return bytes > SIZE_MAX - rest ? SIZE_MAX : bytes + rest;
 }
 
+/* How many of the next FEW triangles of a list follow each other in the soup. */
+static size_t successors(const uint32_t list[FEW])
+{
+    size_t some = 1;
+    bool follows = true;
+    for (uint32_t n = 1; n < FEW; n++) {
+        follows &= list[n] == list[0] + n;
+        some += follows;
+    }
+    return some;
+}
+
 /*
- * Triangles list[0] .. list[count - 1] as a soup of their own. Its streams do not begin at one place of a page each: caches would
- * have them all in few of their sets, and loads wait for stores.
+ * Triangles list[0] .. list[count - 1] as a soup of their own. FEW are copied at a time, as many follow each other: what is not of
+ * the list is overwritten by the next. Its streams do not begin at one place of a page each: caches would have them all in few of
+ * their sets, and loads wait for stores.
  */
 static tribox_soup gather(const share *s, const uint32_t *list, size_t count)
 {
     enum { AHEAD = 32 };
     float *const to = s->block;
-    for (int n = 0; n < 9; n++) {
-        const float *const stream = tribox_soup_axis(s->soup, n / 3)[n % 3];
-        float *const at = to + (size_t)n * STREAM;
-        size_t i = 0;
-        for (; i + AHEAD < count; i++) {
-            tribox_will_read(stream + list[i + AHEAD]);
-            at[i] = stream[list[i]];
+    const float *stream[9];
+    size_t i = 0;
+    for (int n = 0; n < 9; n++)
+        stream[n] = tribox_soup_axis(s->soup, n / 3)[n % 3];
+    for (size_t some; count - i >= FEW && s->soup->count - list[i] >= FEW; i += some) {
+        const uint32_t later = list[count - i > AHEAD ? i + AHEAD : count - 1];
+        for (size_t n = 0; n < 9; n++) {
+            tribox_will_read(stream[n] + later);
+            memcpy(to + n * STREAM + i, stream[n] + list[i], FEW * sizeof *to);
         }
-        for (; i < count; i++)
-            at[i] = stream[list[i]];
+        some = successors(list + i);
     }
+    for (; i < count; i++)
+        for (size_t n = 0; n < 9; n++)
+            to[n * STREAM + i] = stream[n][list[i]];
     return tribox_soup_of(to, STREAM, count);
 }
 
