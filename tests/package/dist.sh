@@ -1,15 +1,18 @@
 #!/bin/sh
-# `meson dist` makes the same tarball twice, byte for byte, and the library builds from it: dist.sh ROOT
+# `meson dist` makes the same tarball twice, byte for byte, and the library that builds from it is that of a clone: dist.sh ROOT
 set -eu
 root=$1
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 . "$here/snapshot.sh"
+. "$here/same_library.sh"
+export CCACHE_DISABLE=1 # or the second library would be a copy of the first
 
 only_library='-Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=0'
 snapshot "$root" "$work/repository"
-name=tribox-$("$root/packaging/version.sh")
+version=$("$root/packaging/version.sh")
+name=tribox-$version
 
 # tarball NAME UMASK: what meson dist writes from a clone of its own
 tarball() (
@@ -43,4 +46,7 @@ test ! -e "$work/asked" || { echo "configuring the library runs CMake" >&2; exit
 "$MESON" compile -C "$work/build" >/dev/null
 "$MESON" install -C "$work/build" --no-rebuild --quiet --destdir "$work/root"
 test "$(find "$work/root" -name tribox.h -o -name tribox.3 -o -name tribox.pc -o -name triboxConfig.cmake | wc -l)" = 4
+# As a release, whatever the way from one folder to the other.
+"$MESON" compile -C "$work/one-build" >/dev/null
+same_library "$work" "$version" "$work/build" "$work/one-build"
 echo "$name.tar.xz: $(sha256sum <"$work/one.tar.xz")"

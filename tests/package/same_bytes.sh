@@ -1,13 +1,14 @@
 #!/bin/sh
 # Two builds of the libraries in different folders are the same, byte for byte: same_bytes.sh ROOT
-#   as a release, whatever the way from one folder to the other
-#   with debug information, for which the compiler has to be told to forget where the source lay
+# With debug information, for which the compiler has to be told to forget where the source lay; without, see dist.sh.
 # Not optimised, in a third of the time: what tells folders apart is in paths, dates and archives.
 set -eu
 root=$1
 version=$("$root/packaging/version.sh")
+here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+. "$here/same_library.sh"
 export CCACHE_DISABLE=1 # or the second build would be a copy of the first
 
 # build SOURCE BUILD ARGUMENTS...: a copy of the tree, built
@@ -22,23 +23,7 @@ build() {
     "$MESON" compile -C "$build" >/dev/null
 }
 
-# same BUILD BUILD: what was built there
-same() {
-    for name in libtribox.a "libtribox.so.$version"; do
-        cmp "$work/$1/src/$name" "$work/$2/src/$name" || exit 1
-        if grep -q "$work" "$work/$1/src/$name"; then
-            echo "$name has the folder that it was built in" >&2
-            exit 1
-        fi
-        echo "$1: $name is the same"
-    done
-}
-
-build release release/build
-build release-longer/again build-elsewhere
-same release/build build-elsewhere
-
 build debug debug/build -Ddebug=true -Dc_args="-ffile-prefix-map=$work/debug=."
 build debug-longer/again debug-longer/again/build -Ddebug=true \
     -Dc_args="-ffile-prefix-map=$work/debug-longer/again=."
-same debug/build debug-longer/again/build
+same_library "$work" "$version" "$work/debug/build" "$work/debug-longer/again/build"
