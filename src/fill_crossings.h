@@ -4,6 +4,7 @@
 
 #include "fill.h"
 #include "fill_middles.h"
+#include "kernel.h"
 
 /* Bits to be turned, so that many words can be fetched at a time. */
 enum { TRIBOX_TURNS = 256, TRIBOX_TURNS_AHEAD = 16 };
@@ -13,19 +14,20 @@ typedef struct tribox_turns {
 } tribox_turns;
 
 /* The rows that crossings are written to. */
-typedef struct tribox_crossings {
+struct tribox_crossings {
+    const tribox_kernel *kernel;
     tribox_middles middles;
     tribox_rows rows;
     uint64_t *solid;  /* in the first cell whose middle lies past a crossing, the bit is turned; */
     uint64_t *beyond; /* if there is none, the bit of the row */
     tribox_turns turns;
-} tribox_crossings;
+};
 
 /* Triangles at a time, as everywhere: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2. */
 enum { TRIBOX_SEEN_ALONG = 64 };
-typedef struct tribox_seen_along {
+struct tribox_seen_along {
     double number[9][TRIBOX_SEEN_ALONG];
-} tribox_seen_along;
+};
 
 /* Turns a bit for each crossing of the first `count` triangles. Nothing of those that are not finite. */
 void tribox_crossings_add(tribox_crossings *c, const tribox_seen_along *seen, size_t count);
@@ -33,22 +35,24 @@ void tribox_crossings_add(tribox_crossings *c, const tribox_seen_along *seen, si
 /* The same for one triangle u[j][a], axis a of vertex j, by exact signs alone. */
 void tribox_crossings_exactly(tribox_crossings *c, double u[3][3]);
 
+/* The same for a triangle whose area, or whether it is finite, is in doubt. */
+void tribox_crossings_doubtful(tribox_crossings *c, double u[3][3]);
+
 /* The same for one row of cells. */
 void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_t k);
 
 /* Turns what is listed. */
 void tribox_crossings_finish(tribox_crossings *c);
 
-/* Lists the bit of a cell, 0 to size, of row (j, k) if the ray crosses: without a branch, as that cannot be foreseen. */
-static inline void tribox_crossings_turn(tribox_crossings *c, int64_t j, int64_t k, int64_t cell, bool is_crossed)
+/* Lists the bit of a cell, 0 to size, of row (j, k): without a branch, as that cannot be foreseen. */
+static inline void tribox_crossings_turn(tribox_crossings *c, int64_t j, int64_t k, int64_t cell)
 {
     const size_t row = (size_t)k * c->middles.size[1] + (size_t)j;
     const bool is_within = cell < c->middles.size[0];
     const size_t bit = is_within ? (size_t)cell : row;
     tribox_turns *const turns = &c->turns;
     turns->word[turns->count] = (is_within ? c->solid + row * c->rows.words : c->beyond) + bit / 64;
-    turns->bit[turns->count] = UINT64_C(1) << bit % 64;
-    turns->count += is_crossed;
+    turns->bit[turns->count++] = UINT64_C(1) << bit % 64;
     if (turns->count == TRIBOX_TURNS)
         tribox_crossings_finish(c);
 }

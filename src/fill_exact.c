@@ -55,7 +55,7 @@ void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_
     const double at[2] = {tribox_middle(&c->middles, 1, j), tribox_middle(&c->middles, 2, k)};
     const int side = side_of(u, at);
     if (side)
-        tribox_crossings_turn(c, j, k, cell_past(c, u, at, side), true);
+        tribox_crossings_turn(c, j, k, cell_past(c, u, at, side));
 }
 
 void tribox_crossings_exactly(tribox_crossings *c, double u[3][3])

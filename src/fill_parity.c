@@ -45,8 +45,9 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
         *odd_rows = odd;
 }
 
-static void start(tribox_crossings *c, const uint32_t size[3], uint64_t *solid, void *scratch)
+static void start(tribox_crossings *c, const tribox_kernel *kernel, const uint32_t size[3], uint64_t *solid, void *scratch)
 {
+    c->kernel = kernel;
     c->rows = tribox_rows_of(size);
     c->solid = solid;
     c->beyond = tribox_fill_row_bits(scratch, &c->rows);
@@ -56,7 +57,7 @@ static void start(tribox_crossings *c, const uint32_t size[3], uint64_t *solid, 
 
 static void add_soup(tribox_crossings *c, const tribox_soup *soup)
 {
-    tribox_seen_along seen;
+    tribox_seen_along seen = {0};
     for (size_t first = 0; first < soup->count; first += TRIBOX_SEEN_ALONG) {
         const size_t count = soup->count - first < TRIBOX_SEEN_ALONG ? soup->count - first : TRIBOX_SEEN_ALONG;
         for (int n = 0; n < 9; n++) {
@@ -71,13 +72,17 @@ static void add_soup(tribox_crossings *c, const tribox_soup *soup)
 tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied, uint64_t *solid,
                                  void *scratch, size_t *inside, size_t *odd_rows)
 {
+    tribox_plan plan;
     if (!grid || !occupied || !solid || !scratch || !tribox_soup_is_readable(soup))
         return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = tribox_plan_make(NULL, &plan);
+    if (status)
+        return status;
     const tribox_environment callers = tribox_environment_enter();
     const bool is_served = tribox_fill_is_served(grid->size) && tribox_grid_is_sound(grid);
     if (is_served) {
         tribox_crossings c;
-        start(&c, grid->size, solid, scratch);
+        start(&c, plan.kernel, grid->size, solid, scratch);
         c.middles = tribox_middles_of(grid, NULL);
         add_soup(&c, soup);
         tribox_crossings_finish(&c);
@@ -89,7 +94,7 @@ tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *gri
 
 static void add_mesh(tribox_crossings *c, const tribox_mesh *mesh)
 {
-    tribox_seen_along seen;
+    tribox_seen_along seen = {0};
     double corner[3 * TRIBOX_SEEN_ALONG][3];
     for (size_t first = 0; first < mesh->count; first += TRIBOX_SEEN_ALONG) {
         const size_t count = mesh->count - first < TRIBOX_SEEN_ALONG ? mesh->count - first : TRIBOX_SEEN_ALONG;
@@ -118,7 +123,7 @@ tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_
         status = TRIBOX_BAD_INDEX;
     if (!status) {
         tribox_crossings c;
-        start(&c, grid->size, solid, scratch);
+        start(&c, plan.kernel, grid->size, solid, scratch);
         c.middles = tribox_middles_of(NULL, grid);
         add_mesh(&c, &strided);
         tribox_crossings_finish(&c);

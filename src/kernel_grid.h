@@ -111,8 +111,14 @@ typedef struct tribox_cells_kernel {
     tribox_hand_on *hand_on;
 } tribox_cells_kernel;
 
+/* Turns a bit for each crossing of the first `count` triangles, in a grid that has places. Nothing of those that are not finite. */
+typedef struct tribox_crossings tribox_crossings;
+typedef struct tribox_seen_along tribox_seen_along;
+typedef void tribox_cross(tribox_crossings *c, const tribox_seen_along *seen, size_t count);
+
 typedef struct tribox_grid_kernel {
     tribox_set_strip *set_strip[TRIBOX_SHAPES];
+    tribox_cross *cross;
 } tribox_grid_kernel;
 
 #endif

@@ -1,4 +1,5 @@
 /* grid.h - the texts about rows of a grid, in order. After: a vocabulary of double, and KERNEL, the kernel's name. */
+#include "fill_crossings.h"
 #include "voxels.h"
 #include "axes.h"
 #include "limits.h"
@@ -7,4 +8,5 @@
 #include "columns.h"
 #include "packed_rows.h"
 #include "open_rows.h"
+#include "crossings.h"
 #include "strips.h"

@@ -1,4 +1,4 @@
-/* strips.h - the cells of triangles in strips, and the kernel's table. After: columns.h, own_planes.h. Needs: KERNEL. */
+/* strips.h - the cells of triangles in strips, and the kernel's table. After: columns.h, own_planes.h, crossings.h. Needs: KERNEL. */
 
 TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_certain)
 {
@@ -57,4 +57,5 @@ static void set_flat_z(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Z); }
 extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
 const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
     .set_strip = {set_solid, set_flat_x, set_flat_y, set_flat_z},
+    .cross = cross_triangles,
 };
