@@ -11,7 +11,7 @@
 #include "fill_case.h"
 #include "fill_crossings.h"
 
-enum { PAIRS = 100000, ROUNDS = 150 };
+enum { PAIRS = 100000, ROUNDS = 1500 };
 
 static fill_case drawn;
 
