@@ -1,4 +1,5 @@
 /* bricks.c - the cells of a grid tile by tile, as bricks: the calls. */
+#include <float.h>
 #include <string.h>
 
 #include "environment.h"
@@ -12,7 +13,7 @@ enum {
     TILE_MAX = 1024,
     BLOCK = 1024,
     BLOCK_F64 = BLOCK / 2,
-    STREAM = BLOCK + 16,
+    STREAM = BLOCK + TRIBOX_LANES_MAX,
     FEW = 4,
     BLOCK_BYTES = STREAM * 9 * sizeof(float),
     LINE = 64
@@ -110,22 +111,49 @@ static window window_of(const tribox_tiling *t, size_t tile)
     return w;
 }
 
-static void set_window(share *s, const window *w, const uint32_t *list, size_t count)
+/* Of a block of triangles: whole packets are asked, and what follows the last triangle repeats it. */
+static void find_ends(const share *s, size_t count, tribox_ends *z)
+{
+    for (size_t n = 6; n < 9; n++) {
+        float *const number = (float *)s->block + n * STREAM;
+        for (size_t i = count; i < count + TRIBOX_LANES_MAX; i++)
+            number[i] = number[count - 1];
+        s->plan.kernel->cells->find_ends(number, count, z);
+    }
+}
+
+/* Leaves the layers that triangles touch, from the first of a brick on: the others are empty. */
+static void cut_layers(const share *s, const tribox_ends *z, window *w)
+{
+    const int64_t size = w->size[2];
+    const float least = z->least < -FLT_MAX ? -FLT_MAX : z->least, most = z->most > FLT_MAX ? FLT_MAX : z->most;
+    if (!(s->plan.axes & TRIBOX_AXES_BOX))
+        return;
+    const tribox_cells cells = tribox_grid_cells(s->grid, 2, w->first[2], size, least, most);
+    const int64_t from = cells.first < 0 ? 0 : cells.first / 8 * 8, end = cells.last < size ? cells.last + 1 : size;
+    w->first[2] += (uint32_t)from;
+    w->size[2] = least <= most && from < end ? (uint32_t)(end - from) : 0;
+}
+
+static void set_window(share *s, window *w, const uint32_t *list, size_t count)
 {
     tribox_voxels voxels, *const v = &voxels;
+    tribox_ends z = {FLT_MAX, -FLT_MAX};
     const tribox_environment callers = tribox_environment_enter();
     v->plan = s->plan;
     tribox_voxels_open(v, s->grid, w->first, w->size, s->bits);
     for (size_t at = 0; at < count; at += BLOCK) {
         const tribox_soup soup = gather(s, list + at, count - at < BLOCK ? count - at : BLOCK);
         tribox_voxels_put(v, &soup);
+        find_ends(s, soup.count, &z);
     }
     tribox_voxels_close(v);
     s->counts.undecided += v->counts.undecided;
+    cut_layers(s, &z, w);
     tribox_environment_leave(callers);
 }
 
-static void set_window_f64(share *s, const window *w, const uint32_t *list, size_t count)
+static void set_window_f64(share *s, window *w, const uint32_t *list, size_t count)
 {
     for (size_t at = 0; at < count; at += BLOCK_F64) {
         const tribox_mesh mesh = gather_f64(s, list + at, count - at < BLOCK_F64 ? count - at : BLOCK_F64);
@@ -154,9 +182,11 @@ static tribox_status hand_on(share *s)
             continue;
         if (!are_all_below(list, count, triangles))
             return TRIBOX_BAD_INDEX;
-        const window w = window_of(&s->tiling, s->tiling.from + t);
+        const window all = window_of(&s->tiling, s->tiling.from + t);
+        window w = all;
         (s->soup ? set_window : set_window_f64)(s, &w, list, count);
-        if (!s->plan.kernel->cells->hand_on(s->bits, w.first, w.size, &s->hand))
+        uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_mask_words(all.size[0]);
+        if (!s->plan.kernel->cells->hand_on(bits, w.first, w.size, &s->hand))
             return TRIBOX_STOPPED;
     }
     return TRIBOX_OK;

@@ -89,6 +89,14 @@ typedef struct tribox_tile_range {
 typedef void tribox_find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, size_t first, size_t count,
                                tribox_tile_range *range);
 
+/* The least and the greatest of numbers. */
+typedef struct tribox_ends {
+    float least, most;
+} tribox_ends;
+
+/* Widens them to these numbers, but NaN. Whole packets are read: any of the numbers has to follow them. */
+typedef void tribox_find_ends(const float *number, size_t count, tribox_ends *ends);
+
 /* A sink, and the cells that it was handed. */
 typedef struct tribox_hand {
     tribox_sink *sink;
@@ -108,6 +116,7 @@ typedef struct tribox_cells_kernel {
     tribox_finish *finish;
     tribox_write *write;
     tribox_find_tiles *find_tiles;
+    tribox_find_ends *find_ends;
     tribox_hand_on *hand_on;
 } tribox_cells_kernel;
 

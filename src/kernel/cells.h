@@ -3,6 +3,7 @@
 #include "axes.h"
 #include "reach.h"
 #include "tile_ranges.h"
+#include "ends.h"
 #include "writes.h"
 #include "limits.h"
 #include "runs.h"

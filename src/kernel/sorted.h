@@ -241,5 +241,6 @@ const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .finish = finish,
     .write = write_listed,
     .find_tiles = find_tiles,
+    .find_ends = find_ends,
     .hand_on = hand_on_bricks,
 };
