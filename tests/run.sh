@@ -1,7 +1,7 @@
 #!/bin/sh
 # From a clone on a Debian machine to the sum of all tests: packages, build with every optional part, run.
 # Arguments go to `meson setup`; BUILD names the build directory, SUITES the suites (all of them), CC and CXX the compilers,
-# PACKAGES what else is to be installed.
+# PACKAGES what else is to be installed. `run.sh packages` installs and ends there.
 set -eu
 cd "$(dirname "$0")/.."
 # shellcheck disable=SC2086
@@ -14,6 +14,7 @@ packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf 
     git xz-utils doxygen mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross \
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
+test "${1-}" != packages || exit 0
 build=${BUILD:-build-tests}
 # C++ is CGAL and OpenVDB, a minute of templates at -O3.
 test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled -Dpeers=enabled \
