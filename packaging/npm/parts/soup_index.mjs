@@ -1,0 +1,80 @@
+// soup_index.mjs - an index over a soup, and what it is asked.
+import { checkKeys, optionKeys, whole } from './arguments.mjs';
+import { maskWords } from './mask.mjs';
+import { placeIn, Questions } from './questions.mjs';
+
+const INDEX_BYTES = 8, LINE = 64;
+
+export class Index extends Questions {
+    #address;
+    #nodes;
+    #soup;
+
+    constructor(memory, soup) {
+        const bytes = memory.exports.tribox_index_bytes(soup.length) >>> 0;
+        const room = memory.take(bytes + INDEX_BYTES + LINE, `an index of ${soup.length} triangles`);
+        super(memory, [room], 'index', 'tribox_index_overlap');
+        this.#address = room;
+        this.#nodes = LINE * Math.ceil((room + INDEX_BYTES) / LINE);
+        this.#soup = soup;
+        memory.call('tribox_index_build', soup.address, 0, this.#nodes, this.#address);
+    }
+
+    get soup() {
+        return this.#soup;
+    }
+
+    get length() {
+        return this.#soup.length;
+    }
+
+    /** Throws where the soup was freed. */
+    get asked() {
+        return [this.#address, this.#soup.address];
+    }
+
+    classifyInto(memory, first, hit, inside) {
+        const words = maskWords(this.length), most = words / 2;
+        memory.words(hit, words).fill(0);
+        memory.words(inside, words).fill(0);
+        memory.borrow(20 * most, 'the words of an index', (bits) => {
+            const insides = bits + 8 * most, numbers = insides + 8 * most;
+            memory.call('tribox_index_words', ...first, most, numbers, bits, insides, memory.number, memory.report);
+            const found = memory.readNumber(), places = memory.words(numbers, found);
+            for (const [to, from] of [[hit, bits], [inside, insides]]) {
+                const mask = memory.words(to, words), written = memory.words(from, 2 * found);
+                for (let k = 0; k < found; k++) {
+                    mask[2 * places[k]] = written[2 * k];
+                    mask[2 * places[k] + 1] = written[2 * k + 1];
+                }
+            }
+        });
+    }
+
+    list(box, options) {
+        const { ids = false, ...others } = options ?? {};
+        const memory = this.held, original = ids ? this.#soup.ids : null;
+        checkKeys(options, [...optionKeys, 'ids']);
+        const { first, suffix } = this.prepareAny(box, others, []);
+        const list = (room, address) => {
+            memory.call(`tribox_index_list${suffix}`, ...first, 0, room, address, memory.number);
+            return memory.readNumber();
+        };
+        const room = list(0, 0);
+        const found = memory.borrow(4 * room, `a list of ${room} triangles`, (address) =>
+            memory.words(address, list(room, address)).slice());
+        return original ? found.map((i) => original[i]) : found;
+    }
+
+    any(box, options) {
+        const memory = this.held;
+        memory.call('tribox_index_any', ...this.prepare(box, options), memory.number);
+        return placeIn(memory, this.length);
+    }
+
+    update(first = 0, count = this.length - first) {
+        whole(first, 'first', 0, this.length);
+        whole(count, 'count', 0, this.length - first, 'so that first + count is within the soup');
+        this.held.call('tribox_index_update', this.#soup.address, first, count, 0, this.#nodes);
+    }
+}

@@ -1,0 +1,94 @@
+// tribox.mjs - loads tribox.wasm, and makes soups, meshes, masks and voxels in its memory. Types and manual: tribox.d.ts.
+import { whole } from './parts/arguments.mjs';
+import { shown, TriboxError } from './parts/errors.mjs';
+import { Mask, maskWords } from './parts/mask.mjs';
+import { Memory } from './parts/memory.mjs';
+import { Mesh } from './parts/mesh.mjs';
+import { soupOf, soupOfNaN } from './parts/soup.mjs';
+import { voxelsIn } from './parts/voxels.mjs';
+
+export { TriboxError };
+
+const COUNT_MAX = 2 ** 32 - 1;
+
+class Tribox {
+    #memory;
+
+    constructor(module, instance) {
+        const { exports } = instance;
+        this.#memory = new Memory(exports);
+        this.version = '@VERSION@';
+        this.kernel = this.#memory.text(exports.tribox_kernel_name(0));
+        this.module = module;
+        this.memory = exports.memory;
+        this.exports = exports;
+        Object.freeze(this);
+    }
+
+    soup(mesh, options) {
+        return soupOf(this.#memory, mesh, options);
+    }
+
+    allocSoup(length) {
+        return soupOfNaN(this.#memory, whole(length, 'length', 0, COUNT_MAX));
+    }
+
+    mesh(mesh) {
+        return new Mesh(this.#memory, mesh);
+    }
+
+    mask(length) {
+        const memory = this.#memory, words = maskWords(whole(length, 'length', 0, COUNT_MAX));
+        const address = memory.take(4 * words, `a mask of ${length} bits`);
+        memory.words(address, words).fill(0);
+        return new Mask(memory, address, length);
+    }
+
+    voxels(grid) {
+        return voxelsIn(this.#memory, grid);
+    }
+}
+
+/** The bytes of a file: engines that have no fetch of file: have this. */
+function fileBytes(url) {
+    return globalThis.process?.getBuiltinModule?.('node:fs').promises.readFile(url);
+}
+
+function fetched(url) {
+    return (url.protocol === 'file:' && fileBytes(url)) || fetch(url);
+}
+
+async function compiled(response) {
+    if (!response.ok)
+        throw new TriboxError(`${response.url} answers ${response.status} ${response.statusText}: serve tribox.wasm there, or give ` +
+            'load() its address or its bytes');
+    if (response.headers.get('content-type') === 'application/wasm')
+        return WebAssembly.compileStreaming(response);
+    return WebAssembly.compile(await response.arrayBuffer());
+}
+
+async function moduleOf(source) {
+    if (source instanceof WebAssembly.Module)
+        return source;
+    if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
+        return WebAssembly.compile(source);
+    if (source instanceof Response)
+        return compiled(source);
+    throw new TypeError(`source = ${shown(source)}: give an address, a Response, bytes or a WebAssembly.Module`);
+}
+
+/** Addresses may be relative to the page or the worker, where there is one. */
+const addressOf = (source) => new URL(source, globalThis.document?.baseURI ?? globalThis.location?.href);
+
+export async function load(source = new URL('./tribox.wasm', import.meta.url)) {
+    const given = await source;
+    try {
+        const module = await moduleOf(typeof given === 'string' || given instanceof URL ? await fetched(addressOf(given)) : given);
+        return new Tribox(module, await WebAssembly.instantiate(module, {}));
+    } catch (error) {
+        if (error instanceof WebAssembly.CompileError)
+            throw new TriboxError(`tribox.wasm does not compile: ${error.message}. It needs 128-bit SIMD (Chrome 91, Firefox 89, ` +
+                'Safari 16.4, Node.js 16.4)', { cause: error });
+        throw error;
+    }
+}
