@@ -28,6 +28,11 @@ static bool runs_avx512(void) { return __builtin_cpu_supports("avx512f") && has_
 extern const tribox_kernel tribox_kernel_neon;
 #endif
 
+/* An engine without SIMD takes no module that has it: whatever runs, runs this. */
+#if defined(TRIBOX_WASM)
+extern const tribox_kernel tribox_kernel_wasm128;
+#endif
+
 static const struct {
     const tribox_kernel *kernel;
     bool (*runs_here)(void);
@@ -38,6 +43,8 @@ static const struct {
     {&tribox_kernel_sse2, runs_sse2},
 #elif defined(TRIBOX_NEON)
     {&tribox_kernel_neon, runs_anywhere},
+#elif defined(TRIBOX_WASM)
+    {&tribox_kernel_wasm128, runs_anywhere},
 #endif
     {&tribox_kernel_scalar, runs_anywhere},
 };

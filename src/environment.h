@@ -54,6 +54,14 @@ static inline void tribox_environment_leave(tribox_environment callers)
     __asm__ volatile("msr fpcr, %0" ::"r"(callers.control) : "memory");
 }
 
+#elif defined(__wasm__)
+
+typedef char tribox_environment;
+
+/* WebAssembly always rounds to nearest, keeps subnormal numbers and has no flags. */
+static inline tribox_environment tribox_environment_enter(void) { return 0; }
+static inline void tribox_environment_leave(tribox_environment callers) { (void)callers; }
+
 #else
 #include <fenv.h>
 

@@ -7,7 +7,7 @@
  * |d_a| of the points that are moved together, plus V_ETA (PROOFS.md 8.1).
  */
 
-enum { FRAME_K = 8 };
+#define FRAME_K 8
 
 /* Lanes beyond this, or not finite, are left to integers: below it nothing overflows (PROOFS.md 8.1). */
 #define FRAME_LIMIT 0x1p100f
