@@ -54,6 +54,13 @@ static inline unsigned environment_get(void)
 static inline void environment_set(unsigned set) { __asm__ volatile("vmsr fpscr, %0" ::"r"(set) : "memory"); }
 #endif
 
+#elif defined(__wasm__)
+enum { SETTINGS = 1 }; /* there is nothing to set */
+
+static inline unsigned setting(unsigned k) { return k; }
+static inline unsigned environment_get(void) { return 0; }
+static inline void environment_set(unsigned set) { (void)set; }
+
 #else
 #include <fenv.h>
 

@@ -23,6 +23,9 @@ static inline int kernels_here(const char *names[KERNELS_MAX])
 }
 
 /* Whether v_fma and v_fms of a kernel round once. */
-static inline bool kernel_is_fused(const char *name) { return strcmp(name, "scalar") && strcmp(name, "sse2"); }
+static inline bool kernel_is_fused(const char *name)
+{
+    return strcmp(name, "scalar") && strcmp(name, "sse2") && strcmp(name, "wasm128");
+}
 
 #endif

@@ -8,11 +8,11 @@ set -eu
 root=$1 folder=$2/$3 tests=$4
 shift 4
 
-# has_programs CROSS_FILE: the compiler that it names, and the emulator.
+# has_programs CROSS_FILE: the compiler that it names, its library where that is apart, and the emulator.
 has_programs() {
     # shellcheck disable=SC2013
-    for program in $(sed -nE "s/^(c|exe_wrapper) = \[?'([^']*)'.*/\2/p" "$1"); do
-        command -v "$program" >/dev/null || { echo "no $program: skipped"; return 1; }
+    for program in $(sed -nE "s/^(c|clang|libc|exe_wrapper) = \[?'([^']*)'.*/\2/p" "$1"); do
+        command -v "$program" >/dev/null || test -e "$program" || { echo "no $program: skipped"; return 1; }
     done
 }
 for option; do

@@ -16,6 +16,8 @@
 #include "common/thread_stack.h"
 #include "tribox.h"
 
+static arguments args;
+
 enum { TRIANGLES = 5000, CELLS = 130, STATED = 96 * 1024 };
 
 static double positions[TRIANGLES][3][3];
@@ -114,8 +116,8 @@ static void check_stack(void *(*voxelize_by)(void *), const char *name, tribox_o
 
 static void test_stack(void **state)
 {
-    const arguments *const args = *state;
-    random_source r = random_named(args->seed, "stack");
+    (void)state;
+    random_source r = random_named(args.seed, "stack");
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
     if (!is_ordinary_build())
@@ -133,7 +135,7 @@ static void test_stack(void **state)
 
 int main(int argc, char **argv)
 {
-    arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_stack, &args)};
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_stack)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
