@@ -1,0 +1,46 @@
+// box.js - the box in the units of the mesh, in floats: from the pose on the stage, and from numbers that were typed.
+import { Matrix4, Quaternion, Vector3 } from "three";
+import { shortest } from "./numbers.js";
+
+const UPRIGHT = new Quaternion();
+
+/** Half an ulp or so: a turn that leaves every axis where it is. */
+export const isUpright = (pose) => Math.abs(pose.quaternion.dot(UPRIGHT)) > 1 - 1e-12;
+
+export function boxOfPose(pose, { middle, scale }) {
+    const center = pose.position.toArray().map((c, a) => middle[a] + scale * c);
+    const half = pose.scale.toArray().map((h) => scale * h);
+    if (isUpright(pose))
+        return { lo: center.map((c, a) => Math.fround(c - half[a])), hi: center.map((c, a) => Math.fround(c + half[a])) };
+    const matrix = new Matrix4().makeRotationFromQuaternion(pose.quaternion).elements;
+    const axes = [0, 1, 2, 4, 5, 6, 8, 9, 10].map((e) => Math.fround(matrix[e]));
+    return { turned: true, center: center.map(Math.fround), half: half.map(Math.fround), axes };
+}
+
+export function poseBox(pose, { middle, scale }, box) {
+    const center = box.center ?? box.lo.map((l, a) => l / 2 + box.hi[a] / 2);
+    const half = box.half ?? box.lo.map((l, a) => box.hi[a] / 2 - l / 2);
+    pose.position.fromArray(center.map((c, a) => (c - middle[a]) / scale));
+    pose.scale.fromArray(half.map((h) => h / scale));
+    pose.quaternion.identity();
+    if (box.turned) {
+        const [u, v, w] = [0, 3, 6].map((at) => new Vector3().fromArray(box.axes, at));
+        pose.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(u, v, w)).normalize();
+    }
+}
+
+const numbersOf = (box) => (box.turned ? [...box.center, ...box.half, ...box.axes] : [...box.lo, ...box.hi]);
+
+export const textOfBox = (box) => numbersOf(box).map(shortest).join(",");
+
+/** Six numbers are an upright box, fifteen a turned one; anything else is null. */
+export function boxOfText(text) {
+    const numbers = text.trim().split(/[\s,]+/).map(Number).map(Math.fround);
+    if (!numbers.every(Number.isFinite)) return null;
+    if (numbers.length === 6) {
+        const box = { lo: numbers.slice(0, 3), hi: numbers.slice(3) };
+        return box.lo.every((l, a) => l <= box.hi[a]) ? box : null;
+    }
+    if (numbers.length !== 15 || !numbers.slice(3, 6).every((h) => h >= 0)) return null;
+    return { turned: true, center: numbers.slice(0, 3), half: numbers.slice(3, 6), axes: numbers.slice(6) };
+}

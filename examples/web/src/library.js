@@ -1,0 +1,121 @@
+// library.js - tribox over one part of a mesh, in one instance of the wasm.
+import { load } from "tribox";
+
+const GROUPS = [[1, "box"], [2, "plane"], [4, "edges"]];
+
+const optionsOf = ({ accuracy, axes, order }) => ({
+    accuracy,
+    axes: GROUPS.filter(([bit]) => axes & bit).map(([, word]) => word),
+    ...(order && { order }),
+});
+
+const orientedOf = ({ center, half, axes }) => ({ center, half, axis: [axes.slice(0, 3), axes.slice(3, 6), axes.slice(6)] });
+
+export class Library {
+    static async open(module) {
+        const library = new Library();
+        library.tribox = await load(module);
+        return library;
+    }
+
+    get kernel() {
+        return this.tribox.kernel;
+    }
+
+    /** triangles: nine floats each, in the order of the file. */
+    load(triangles) {
+        for (const held of [this.index, this.sorted, this.soup, this.mask, this.insideMask, this.other]) held?.free();
+        this.index = this.sorted = null;
+        this.triangles = triangles;
+        this.count = triangles.length / 9;
+        this.soup = this.tribox.soup({ positions: triangles });
+        for (const name of ["mask", "insideMask", "other"]) this[name] = this.tribox.mask(this.count);
+    }
+
+    /** Near triangles become near in number, in a copy: what an index wants. */
+    buildIndex() {
+        this.sorted ??= this.tribox.soup({ positions: this.triangles }, { sort: true });
+        this.index ??= this.sorted.index();
+    }
+
+    /** Which triangles overlap the box, to `mask`; if it is upright those wholly inside, to `insideMask`. */
+    ask(box, test, of = this.soup) {
+        const options = { ...optionsOf(test), into: this.mask };
+        if (box.turned) return of.overlap(orientedOf(box), options).undecided;
+        return of.classify(box, { ...options, insideInto: this.insideMask }).undecided;
+    }
+
+    /** The same by the index, in the order of its copy. */
+    askIndex(box, test) {
+        return this.ask(box, test, this.index);
+    }
+
+    /** Brings what the index answered into the order of the file. */
+    putInFileOrder() {
+        const { ids } = this.sorted;
+        for (const mask of [this.mask, this.insideMask]) {
+            const from = mask.words.slice(), to = mask.words.fill(0);
+            for (let w = 0; w < from.length; w++)
+                for (let left = from[w]; left; left &= left - 1) {
+                    const triangle = ids[32 * w + 31 - Math.clz32(left & -left)];
+                    to[triangle >>> 5] |= 1 << (triangle & 31);
+                }
+        }
+    }
+
+    /** What EXACT answers: words that the next call overwrites. */
+    askExact(box, test) {
+        const options = { ...optionsOf(test), accuracy: "exact", into: this.other };
+        this.soup.overlap(box.turned ? orientedOf(box) : box, options);
+        return this.other.words;
+    }
+
+    /**
+     * The library tells insides of upright boxes alone. A triangle is inside a turned one where its three vertices are: points, or
+     * triangles of three equal vertices, whose streams are those of one vertex.
+     */
+    findInsideTurned(box) {
+        const box15 = orientedOf(box), inside = this.insideMask.words;
+        for (let vertex = 0; vertex < 3; vertex++) {
+            const found = this.pointsInside(vertex, box15);
+            if (vertex) for (let i = 0; i < inside.length; i++) inside[i] &= found[i];
+            else inside.set(found);
+        }
+    }
+
+    pointsInside(vertex, oriented) {
+        const { exports, memory } = this.tribox, room = exports.malloc(128);
+        const soup = new Uint32Array(memory.buffer, room, 10), from = new Uint32Array(memory.buffer, this.soup.address, 10);
+        for (let axis = 0; axis < 3; axis++) soup.fill(from[3 * axis + vertex], 3 * axis, 3 * axis + 3);
+        soup[9] = this.count;
+        new Float32Array(memory.buffer, room + 40, 15).set([...oriented.center, ...oriented.half, ...oriented.axis.flat()]);
+        new Uint32Array(memory.buffer, room + 100, 4).set([0, 1, 0, 0]); // exact, by the axes of the box, which do for points
+        exports.tribox_overlap_oriented(room, room + 40, room + 100, this.other.words.byteOffset, 0);
+        exports.free(room);
+        return this.other.words;
+    }
+
+    /** The cells of a grid that these triangles mark: words of 32 cells, and how long it took. */
+    voxelize(grid, test) {
+        const start = performance.now(), voxels = this.soup.voxelize(grid, optionsOf(test));
+        return { bits: voxels.bits, milliseconds: performance.now() - start };
+    }
+
+    /** The paper's test reads nine floats a triangle, one after another: a copy for it alone. */
+    openPaper() {
+        const { exports, memory } = this.tribox, bytes = 4 * this.triangles.length;
+        this.paper = exports.malloc(bytes + 24);
+        if (!this.paper) throw new Error("no memory for the paper's copy of the mesh: take a smaller one");
+        new Float32Array(memory.buffer, this.paper + 24, this.triangles.length).set(this.triangles);
+    }
+
+    askPaper({ lo, hi }) {
+        const { exports, memory } = this.tribox, numbers = new Float32Array(memory.buffer, this.paper, 6);
+        numbers.set([...lo.map((l, a) => (l + hi[a]) / 2), ...lo.map((l, a) => (hi[a] - l) / 2)]);
+        exports.paper_overlap(this.paper, this.paper + 12, this.paper + 24, this.count, this.other.words.byteOffset);
+    }
+
+    closePaper() {
+        this.tribox.exports.free(this.paper);
+    }
+}

@@ -1,0 +1,56 @@
+// measure.js - times the paper's test and tribox's in turns, until the compiler of the browser has done its best.
+
+import { breathe } from "./breathe.js";
+
+const ROUNDS = 15;
+const WARM_MS = 400; // the least that browsers run code that they have compiled in a hurry
+const MOST_MS = 3000;
+
+/** Milliseconds a call, of as many calls as a coarse clock needs. */
+function time(run, calls) {
+    const start = performance.now();
+    for (let i = 0; i < calls; i++) run();
+    return (performance.now() - start) / calls;
+}
+
+const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1];
+
+/** Runs each until the best of its times no longer falls; how many calls make a time long enough for the clock. */
+async function warmUp(contestants) {
+    const start = performance.now();
+    let best = contestants.map(() => Infinity), calm = 0;
+    for (let passed = 0; passed < MOST_MS && (passed < WARM_MS || calm < 3); passed = performance.now() - start) {
+        const times = contestants.map((c) => time(c.run, c.calls));
+        contestants.forEach((c, i) => {
+            if (times[i] * c.calls < 2) c.calls = Math.min(1000, Math.ceil(2 / Math.max(times[i], 0.002)));
+        });
+        calm = times.every((t, i) => t > 0.97 * best[i]) ? calm + 1 : 0;
+        best = best.map((b, i) => Math.min(b, times[i]));
+        await breathe();
+    }
+}
+
+/** Nanoseconds a triangle, medians over rounds in which all take turns. */
+export async function measure(library, box, axes, say) {
+    const test = (accuracy) => () => library.ask(box, { accuracy, axes, order: 0 });
+    const contestants = [
+        { name: "paper", run: () => library.askPaper(box) },
+        { name: "fast", run: test("fast") },
+        { name: "conservative", run: test("conservative") },
+        { name: "exact", run: test("exact") },
+    ].map((c) => ({ ...c, calls: 1, times: [] }));
+    library.openPaper();
+    try {
+        say({ stage: "warming up" });
+        await warmUp(contestants);
+        say({ stage: "measuring" });
+        for (let round = 0; round < ROUNDS; round++) {
+            for (const c of contestants) c.times.push(time(c.run, c.calls));
+            await breathe();
+        }
+    } finally {
+        library.closePaper();
+    }
+    const rows = contestants.map(({ name, times }) => ({ name, ns: (1e6 * median(times)) / library.count }));
+    return { rows, rounds: ROUNDS, triangles: library.count };
+}

@@ -1,0 +1,86 @@
+// cells.js - the cells of a voxelization as cubes, one instance each.
+import { BoxGeometry, BufferAttribute, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
+import { setSrgb } from "./triangles.js";
+
+/** What a phone still draws; more are counted, and not drawn. */
+export const MOST_CELLS = 200000;
+
+const vertexShader = /* glsl */ `
+uniform vec3 origin, cell;
+in vec3 at;
+out vec3 seen, side;
+out vec3 place;
+void main() {
+    vec4 where = modelViewMatrix * vec4(origin + cell * (at + position), 1);
+    seen = where.xyz;
+    side = normal;
+    place = position;
+    gl_Position = projectionMatrix * where;
+}`;
+
+const fragmentShader = /* glsl */ `
+uniform vec3 colour;
+in vec3 seen, side, place;
+out vec4 pixel;
+void main() {
+    float light = 0.62 + 0.30 * side.z + 0.16 * side.x - 0.12 * side.y + 0.12 * abs(side.y);
+    vec3 off = min(place, 1.0 - place) + abs(side); // of the two axes along the face
+    vec3 width = max(fwidth(place), vec3(1e-6));
+    vec3 near_edge = smoothstep(vec3(0), width * 1.2, off);
+    float edge = 1.0 - min(near_edge.x, min(near_edge.y, near_edge.z));
+    float size = 1.0 / max(width.x, max(width.y, width.z));
+    pixel = vec4(colour * light * (1.0 - 0.45 * edge * smoothstep(3.0, 10.0, size)), 1);
+}`;
+
+export class Cells {
+    constructor(stage) {
+        this.stage = stage;
+        this.uniforms = { origin: { value: new Vector3() }, cell: { value: new Vector3() }, colour: { value: new Color() } };
+        this.mesh = new Mesh(new InstancedBufferGeometry(), new ShaderMaterial({
+            glslVersion: GLSL3, uniforms: this.uniforms, vertexShader, fragmentShader,
+        }));
+        this.mesh.frustumCulled = false;
+        this.mesh.visible = false;
+        stage.scene.add(this.mesh);
+    }
+
+    /** Draws the first cells of the grid, by layers from below. Returns how many there are, and how many are drawn. */
+    show(grid, bits, { middle, scale }) {
+        const { at, count, drawn } = listCells(grid.size, bits);
+        const unit = new BoxGeometry().translate(0.5, 0.5, 0.5), geometry = new InstancedBufferGeometry();
+        geometry.index = unit.index;
+        for (const name of ["position", "normal"]) geometry.setAttribute(name, unit.getAttribute(name));
+        geometry.setAttribute("at", new InstancedBufferAttribute(at, 3));
+        geometry.instanceCount = drawn;
+        this.mesh.geometry.dispose();
+        this.mesh.geometry = geometry;
+        this.uniforms.origin.value.fromArray(grid.origin.map((o, a) => (o - middle[a]) / scale));
+        this.uniforms.cell.value.fromArray(grid.cell.map((c) => c / scale));
+        this.mesh.visible = true;
+        this.stage.draw();
+        return { count, drawn };
+    }
+
+    hide() {
+        this.mesh.visible = false;
+        this.stage.draw();
+    }
+
+    paint(colours) {
+        setSrgb(this.uniforms.colour.value, colours.cells);
+    }
+}
+
+/** The coordinates of the first set cells, and how many there are in all. Rows along x are whole pairs of words. */
+function listCells(size, bits) {
+    const rowWords = 2 * Math.ceil(size[0] / 64), at = new Uint16Array(3 * MOST_CELLS);
+    let count = 0;
+    for (let w = 0; w < bits.length; w++) {
+        if (!bits[w]) continue;
+        const row = Math.floor(w / rowWords), first = 32 * (w % rowWords), j = row % size[1], k = Math.floor(row / size[1]);
+        for (let left = bits[w]; left; left &= left - 1, count++)
+            if (count < MOST_CELLS) at.set([first + 31 - Math.clz32(left & -left), j, k], 3 * count);
+    }
+    const drawn = Math.min(count, MOST_CELLS);
+    return { at: at.slice(0, 3 * drawn), count, drawn };
+}
