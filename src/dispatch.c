@@ -7,7 +7,9 @@
 #error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"
 #endif
 
+#if !defined(TRIBOX_SMALL)
 extern const tribox_kernel tribox_kernel_scalar;
+#endif
 static bool runs_anywhere(void) { return true; }
 
 /* __builtin_cpu_supports asks CPUID, and XGETBV for the registers that the operating system has to save. */
@@ -46,7 +48,9 @@ static const struct {
 #elif defined(TRIBOX_WASM)
     {&tribox_kernel_wasm128, runs_anywhere},
 #endif
+#if !defined(TRIBOX_SMALL)
     {&tribox_kernel_scalar, runs_anywhere},
+#endif
 };
 
 size_t tribox_kernel_count(void) { return sizeof table / sizeof table[0]; }

@@ -66,6 +66,16 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
     return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
 }
 
+/*
+ * A small build (packaging/npm) has no scalar kernel, and walks of soups alone: it reads meshes by way of streams, and is without
+ * tribox_overlap_boxes.
+ */
+#if defined(TRIBOX_SMALL)
+enum { TRIBOX_WALKS_SOUPS_ALONE = 1 };
+#else
+enum { TRIBOX_WALKS_SOUPS_ALONE = 0 };
+#endif
+
 /* EXACT and CONSERVATIVE take one walk: they differ in how the pairs that it leaves open are settled. */
 typedef enum tribox_walk_kind { TRIBOX_BY_MARGIN, TRIBOX_BY_SIGN, TRIBOX_WALK_KINDS } tribox_walk_kind;
 TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)

@@ -50,7 +50,8 @@ static size_t answer_block(const tribox_mesh_question *q, const tribox_mesh *mes
     if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
         return 0;
     const tribox_pairs pairs = {.corners = &corners, .box = box, .count = count};
-    const bool is_direct = corners.base && corners.has_all && plan->axes == TRIBOX_AXES_ALL && count >= plan->kernel->lanes;
+    const bool is_direct = !TRIBOX_WALKS_SOUPS_ALONE && corners.base && corners.has_all && plan->axes == TRIBOX_AXES_ALL &&
+                           count >= plan->kernel->lanes;
     add(counts, is_direct ? tribox_pairs_answer(&pairs, plan, mask) : answer_streams(mesh, first, streamed, box, plan, mask));
     return is_direct ? count : streamed;
 }

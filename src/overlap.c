@@ -49,6 +49,7 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
     return TRIBOX_OK;
 }
 
+#if !defined(TRIBOX_SMALL)
 tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
                                    uint64_t *mask, tribox_report *report)
 {
@@ -63,6 +64,7 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
     answer_pairs(&(tribox_pairs){.triangle = triangle, .boxes = packets, .count = boxes->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
+#endif
 
 /*
  * The first pair whose bit differs from that of `usual`, or the count of pairs. The first blocks are small, as they often have it.

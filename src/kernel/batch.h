@@ -65,7 +65,7 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
 #define WALK(decides, sequence) \
     static void walk_##decides##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \
     { \
-        if (pairs->soup) \
+        if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
             walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false, false, false}); \
         else if (sequence > 99 && pairs->corners) \
             walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, true, false, false}); \

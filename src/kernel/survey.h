@@ -81,7 +81,7 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_k
     static uint64_t survey_##decides(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open) \
     { \
         const bool looks_again = TRIBOX_##decides == TRIBOX_BY_MARGIN; \
-        if (pairs->soup) \
+        if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
             return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, false, false, looks_again}, seen, open); \
         if (pairs->corners) \
             return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, true, false, looks_again}, seen, open); \
