@@ -1,4 +1,7 @@
-/* consumer.c - somebody else's program, in C11 and in C++17: prints the version that it was compiled for. */
+/*
+ * consumer.c - somebody else's program, in C11 and in C++17: prints the version that it was compiled for; with an argument, the
+ * kernels that it finds.
+ */
 #include <stdio.h>
 
 #include <tribox.h>
@@ -36,8 +39,15 @@ static int boxes_are_right(const tribox_box *box)
     return tribox_overlap_boxes(triangle, &boxes, NULL, &mask, NULL) == TRIBOX_OK && mask == tribox_mask_words(1);
 }
 
-int main(void)
+static void print_kernels(void)
 {
+    for (size_t i = 0; tribox_kernel_list(i); i++)
+        printf("%s\n", tribox_kernel_list(i));
+}
+
+int main(int count, char **arguments)
+{
+    (void)arguments;
     const tribox_box box = {{-1, -1, -1}, {1, 1, 1}};
     if (!soup_is_right(&box) || !boxes_are_right(&box)) {
         fprintf(stderr, "wrong answer from kernel %s\n", tribox_kernel_name(NULL));
@@ -47,6 +57,9 @@ int main(void)
         fprintf(stderr, "no error, though there should be: %s\n", tribox_status_text(TRIBOX_BAD_ARGUMENT));
         return 1;
     }
-    printf("%d.%d.%d\n", TRIBOX_VERSION_MAJOR, TRIBOX_VERSION_MINOR, TRIBOX_VERSION_PATCH);
+    if (count > 1)
+        print_kernels();
+    else
+        printf("%d.%d.%d\n", TRIBOX_VERSION_MAJOR, TRIBOX_VERSION_MINOR, TRIBOX_VERSION_PATCH);
     return 0;
 }

@@ -1,0 +1,11 @@
+# digests.sh - read by the scripts beside it.
+# build_digests PROGRAM ROOT LIBRARY COMPILER...: the program of tests/cross that compares answers with masks.txt, with that library
+
+build_digests() {
+    program=$1 tree=$2 library=$3
+    shift 3
+    "$@" -std=c11 -ffp-contract=off -I"$tree/include" -I"$tree/src" -I"$tree/tools" -I"$tree/tests" -I"$tree/tests/kernels" \
+        "$tree"/tests/cross/masks*.c "$tree/tests/kernels/drawn_pairs.c" "$tree"/tests/doubles/scenes_f64*.c \
+        "$tree/tests/doubles/contact_f64.c" "$tree"/tests/common/scenes*.c "$tree/tests/common/arguments.c" \
+        "$tree/tests/common/contact.c" "$library" -lm -o "$program"
+}
