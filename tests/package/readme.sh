@@ -1,7 +1,8 @@
 #!/bin/sh
 # What a reader of README.md types works: readme.sh example|by-hand ROOT LIBDIR
 #   example  the first C block with a main compiles without a warning and runs
-#   by-hand  the block that begins with "cc " builds without meson, on x86-64; a program that it makes runs
+#   by-hand  the block with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and the library has
+#            the kernels of the one in LIBDIR
 set -eu
 what=$1 root=$2 libdir=$3
 work=$(mktemp -d)
@@ -32,17 +33,21 @@ if test "$what" = example; then
     exit
 fi
 
-test "$(uname -m)" = x86_64 || skip "the line that builds by hand is for x86-64"
-commands=$(block '^```' '^cc ')
-test -n "$commands" || skip "README.md has no line that builds by hand"
+test "$(uname -m)" = x86_64 || skip "the lines that build by hand are for x86-64"
+commands=$(block '^```' 'ar rcs')
+test -n "$commands" || skip "README.md has no lines that build by hand"
 cp -R "$root/include" "$root/src" "$work"
 cd "$work"
-# The program that the line names and the tree does not have is the example.
+# The program that the lines name and the tree does not have is the example.
 for file in $(printf '%s\n' "$commands" | grep -oE '[A-Za-z0-9_/]+\.c\>'); do
     test -f "$file" || printf '%s\n' "$example" >"$file"
 done
 cc() { command $CC "$@" -O0; } # in a third of the time
 eval "$commands"
-find . -type f -perm -u+x ! -name '*.so*' ! -path './src/*' | while read -r program; do
-    "$program"
-done
+./example
+
+consumer=$root/tests/package/consumer/consumer.c
+cc -Iinclude "$consumer" libtribox.a -lm -o by_hand
+cc -Iinclude "$consumer" -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir" -o by_meson
+./by_meson kernels >kernels
+./by_hand kernels | diff kernels - || { echo "other kernels (>) than meson's library has (<)" >&2; exit 1; }
