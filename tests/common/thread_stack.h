@@ -31,6 +31,13 @@ static inline size_t stack_touched(void *(*run)(void *), void *data)
         untouched++;
     return BELOW - untouched;
 }
+#elif defined(_WIN32)
+/* Threads take no stack that is made for them. */
+static inline size_t stack_touched(void *(*run)(void *), void *data)
+{
+    run(data);
+    return 0;
+}
 #else
 /* The bytes of stack that a thread touches. */
 static inline size_t stack_touched(void *(*run)(void *), void *data)
@@ -53,12 +60,13 @@ static inline size_t stack_touched(void *(*run)(void *), void *data)
 }
 #endif
 
-/* Instrumented code, and code that is not optimised, takes more, but not where vectors live outside of memory. */
+/* Whether what is measured counts: instrumented code, and code that is not optimised, takes more, but not where vectors live outside
+   of memory. */
 static inline bool is_ordinary_build(void)
 {
 #if defined(__wasm__)
     return true;
-#elif !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__)
+#elif !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__) || defined(_WIN32)
     return false;
 #elif defined(__has_feature)
     return !__has_feature(address_sanitizer) && !__has_feature(memory_sanitizer);

@@ -1,13 +1,11 @@
 /*
  * test_any_all.c - the first triangle that overlaps, and the first that does not, wherever it stands; the search ends there.
  */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include <cmocka.h>
 
@@ -15,6 +13,7 @@
 #include "drawn_pairs.h"
 #include "fences.h"
 #include "common/kernels_here.h"
+#include "common/pages.h"
 
 static arguments args;
 static drawn_numbers numbers;
@@ -232,9 +231,9 @@ static void test_stops(void **state)
         for (size_t at = 0; at < 4096; at = 3 * at + 1) {
             pair_list q = {.count = count, .box = &cube};
             for (int s = 0; s < SOUP_STREAMS; s++) {
-                float *const stream = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-                assert_true(stream != MAP_FAILED);
-                assert_int_equal(mprotect(stream, READABLE * sizeof(float), PROT_READ | PROT_WRITE), 0);
+                float *const stream = pages_reserve(bytes);
+                assert_non_null(stream);
+                assert_true(pages_allow(stream, READABLE * sizeof(float), PAGES_OPEN));
                 for (size_t i = 0; s < 3 && i < READABLE; i++)
                     stream[i] = i == at ? 0.0f : 3.0f;
                 q.stream[s] = stream;
@@ -243,7 +242,7 @@ static void test_stops(void **state)
             expect(tribox_overlap_any, "any", &q, &options, at);
             expect(tribox_overlap_all, "all", &q, &options, at == 0);
             for (int s = 0; s < SOUP_STREAMS; s++)
-                munmap((void *)(uintptr_t)q.stream[s], bytes);
+                pages_free((void *)(uintptr_t)q.stream[s], bytes);
         }
 }
 

@@ -1,11 +1,8 @@
 /* test_bad_indices.c - an index that names no vertex is reported, counted and found wherever it stands, and nothing is written. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -13,6 +10,7 @@
 #include "fences.h"
 #include "mesh_layout.h"
 #include "common/kernels_here.h"
+#include "common/pages.h"
 
 static arguments args;
 static const char *names[KERNELS_MAX];
@@ -281,17 +279,17 @@ static void test_greatest_numbers(void **state)
     static const uint32_t number[] = {0,          1,          0x15555555, 0x2aaaaaaa, 0x55555555, 0x7fffffff,
                                       0x80000000, 0x80000001, 0xaaaaaaaa, 0xd5555555, 0xfffffffe, 0xffffffff};
     enum { NUMBERS = sizeof number / sizeof number[0], CORNERS = 3 * 150 };
-    const size_t page = (size_t)sysconf(_SC_PAGESIZE), vertices = (size_t)1 << 32, bytes = 12 * vertices;
+    const size_t page = page_size(), vertices = (size_t)1 << 32, bytes = 12 * vertices;
     catch_faults();
-    unsigned char *const all = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (all == MAP_FAILED) {
+    unsigned char *const all = pages_reserve(bytes);
+    if (!all) {
         print_message("no %zu bytes of addresses here\n", bytes);
         skip();
     }
     random_source r = random_named(args.seed, "greatest");
     for (int n = 0; n < NUMBERS; n++) {
         const size_t at = 12 * (size_t)number[n], from = page_of(at, page), end = page_of(at + 15, page) + page;
-        assert_int_equal(mprotect(all + from, (end < bytes ? end : bytes) - from, PROT_READ | PROT_WRITE), 0);
+        assert_true(pages_allow(all + from, (end < bytes ? end : bytes) - from, PAGES_OPEN));
         const float position[3] = {(float)n, 0, random_int(&r, 2) ? 2 : 0};
         memcpy(all + at, position, sizeof position);
     }
@@ -319,7 +317,7 @@ static void test_greatest_numbers(void **state)
         for (int k = 0; k < kernels; k++)
             check_answers_refused(&less, names[k]);
     }
-    munmap(all, bytes);
+    pages_free(all, bytes);
 }
 #else
 static void test_greatest_numbers(void **state)
