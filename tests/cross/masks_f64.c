@@ -75,7 +75,7 @@ static void die(const char *scene, const tribox_options *options, const char *ho
 /* EXACT from every kernel and in every layout; CONSERVATIVE misses nothing of it. */
 static answer exact_answer(const char *scene, const laid *l, unsigned axes)
 {
-    const char *names[KERNELS_MAX];
+    const char *names[KERNELS_MAX] = {NULL};
     const int kernels = kernels_here(names);
     tribox_options options = {.axes = axes, .kernel = names[0]};
     const answer expected = answer_of(l, 0, &options);

@@ -47,13 +47,22 @@ static lane_number number_of_bits(lane_bits bits)
     return number;
 }
 
+#if defined(__MINGW32__) /* its libm rounds twice; wide kernels run only where the processor has the instruction */
+#define FUSED __attribute__((target("fma"))) static
+FUSED float fused_float(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+FUSED double fused_double(double a, double b, double c) { return __builtin_fma(a, b, c); }
+#else
+#define fused_float fmaf
+#define fused_double fma
+#endif
+
 /* As the vocabulary says: rounded once, as libm defines it, or twice: the product is stored, so that no compiler fuses it. */
 static lane_number multiply_add(lane_number a, lane_number b, lane_number c)
 {
     if (lanes_fused && sizeof a == sizeof(float))
-        return (lane_number)fmaf((float)a, (float)b, (float)c);
+        return (lane_number)fused_float((float)a, (float)b, (float)c);
     if (lanes_fused)
-        return (lane_number)fma((double)a, (double)b, (double)c);
+        return (lane_number)fused_double((double)a, (double)b, (double)c);
     const volatile lane_number product = a * b;
     return product + c;
 }

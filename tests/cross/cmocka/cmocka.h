@@ -8,7 +8,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
+
+#if defined(__MINGW_PRINTF_FORMAT) /* mingw-w64's own printf, or that of Windows, which does not know %zu */
+#define CMOCKA_PRINTF __MINGW_PRINTF_FORMAT
+#else
+#define CMOCKA_PRINTF printf
+#endif
 
 struct CMUnitTest {
     const char *name;
@@ -27,9 +34,9 @@ int run_tests(const struct CMUnitTest *tests, size_t count, int (*setup)(void **
 /* Leaves the test at hand. */
 _Noreturn void skip(void);
 
-void print_message(const char *format, ...) __attribute__((format(printf, 1, 2)));
-void print_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
-_Noreturn void fail_at(const char *file, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void print_message(const char *format, ...) __attribute__((format(CMOCKA_PRINTF, 1, 2)));
+void print_error(const char *format, ...) __attribute__((format(CMOCKA_PRINTF, 1, 2)));
+_Noreturn void fail_at(const char *file, int line, const char *format, ...) __attribute__((format(CMOCKA_PRINTF, 3, 4)));
 
 #define fail() fail_at(__FILE__, __LINE__, "failed")
 #define fail_msg(...) fail_at(__FILE__, __LINE__, __VA_ARGS__)
