@@ -24,11 +24,12 @@ static int bounds_of(const char *path, const mesh *m, tribox_box_f64 *bounds)
     return mesh_bounds(m, bounds) ? EXIT_CODE_OK : message_failure("%s: none of its triangles has finite coordinates", path);
 }
 
-/* As tribox_grid and tribox_grid_f64 state it. */
+/* As tribox_grid and tribox_grid_f64 state it; p is whole. The library rounds once, which not every libm's fma does. */
 static double plane(const draft *d, int a, double p)
 {
     const double origin = d->grid.origin[a], cell = d->grid.cell[a];
-    return d->is_float ? (double)(float)(origin + p * cell) : fma(p, cell, origin);
+    const tribox_grid_f64 axis = {{origin, 0, 0}, {cell, 1, 1}, {UINT32_MAX, 1, 1}};
+    return d->is_float ? (double)(float)(origin + p * cell) : tribox_grid_cell_f64(&axis, (uint32_t)p, 0, 0).lo[0];
 }
 
 static double next(const draft *d, double number)
