@@ -70,11 +70,18 @@ async function compiled(response) {
 async function moduleOf(source) {
     if (source instanceof WebAssembly.Module)
         return source;
-    if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
+    if (source instanceof ArrayBuffer)
         return WebAssembly.compile(source);
+    if (ArrayBuffer.isView(source))
+        return WebAssembly.compile(new Uint8Array(source.buffer, source.byteOffset, source.byteLength));
     if (source instanceof Response)
         return compiled(source);
     throw new TypeError(`source = ${shown(source)}: give an address, a Response, bytes or a WebAssembly.Module`);
+}
+
+function checkModule(module) {
+    if (!WebAssembly.Module.exports(module).some(({ name }) => name === 'tribox_kernel_name'))
+        throw new TriboxError('source is another WebAssembly module: give that of tribox.wasm');
 }
 
 /** Addresses may be relative to the page or the worker, where there is one. */
@@ -84,6 +91,7 @@ export async function load(source = new URL('./tribox.wasm', import.meta.url)) {
     const given = await source;
     try {
         const module = await moduleOf(typeof given === 'string' || given instanceof URL ? await fetched(addressOf(given)) : given);
+        checkModule(module);
         return new Tribox(module, await WebAssembly.instantiate(module, {}));
     } catch (error) {
         if (error instanceof WebAssembly.CompileError)

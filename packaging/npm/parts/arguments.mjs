@@ -78,7 +78,7 @@ function oneOf(value, name, known) {
 }
 
 /** The groups of axes as bits; 0 for all. */
-function axesBits(axes) {
+export function axesBits(axes) {
     if (axes === undefined)
         return 0;
     if (!Array.isArray(axes) || !axes.length)

@@ -4,6 +4,8 @@ export class TriboxError extends Error {
     name = 'TriboxError';
 }
 
+const withArticle = (noun) => `${/^[AEIOU]/.test(noun) ? 'an' : 'a'} ${noun}`;
+
 /** A value in a few words. */
 export function shown(value) {
     if (typeof value === 'string')
@@ -14,11 +16,11 @@ export function shown(value) {
         return Object.is(value, -0) ? '-0' : String(value);
     const name = Object.prototype.toString.call(value) === '[object Object]' ? value.constructor?.name : undefined;
     if (name && name !== 'Object')
-        return `a ${name}`;
+        return withArticle(name);
     if (Array.isArray(value) && value.length <= 4)
         return `[${value.map(shown).join(', ')}]`;
     if (typeof value.length === 'number')
-        return `${Array.isArray(value) ? 'an Array' : `a ${value.constructor?.name ?? 'list'}`} of ${value.length}`;
+        return `${withArticle(value.constructor?.name ?? 'list')} of ${value.length}`;
     const keys = Object.keys(value);
     return keys.length ? `an object with ${keys.slice(0, 4).join(', ')}${keys.length > 4 ? ', ...' : ''}` : 'an empty object';
 }

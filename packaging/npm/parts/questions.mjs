@@ -1,5 +1,5 @@
 // questions.mjs - what soups, indices and meshes are asked alike: which triangles overlap a box, how many, the first.
-import { boxNumbers, checkKeys, isOriented, optionKeys, orientedBoxNumbers } from './arguments.mjs';
+import { axesBits, boxNumbers, checkKeys, isOriented, optionKeys, orientedBoxNumbers } from './arguments.mjs';
 import { Held } from './held.mjs';
 import { countBits, withMask } from './mask.mjs';
 
@@ -7,6 +7,12 @@ import { countBits, withMask } from './mask.mjs';
 export function placeIn(memory, length) {
     const place = memory.readNumber();
     return place === length ? -1 : place;
+}
+
+/** The rounded frame of an oriented box leaves the directions of its other axes open. */
+function checkOrientedAxes(options) {
+    if ((options?.accuracy ?? 'exact') === 'exact' && ![0, 1, 7].includes(axesBits(options?.axes)))
+        throw new RangeError("options.axes: an oriented box takes all groups or ['box'] where the accuracy is exact");
 }
 
 /** Which triangles overlap, and how many. A subclass has `length` and `asked`: the addresses that its calls begin with. */
@@ -39,6 +45,7 @@ export class Questions extends Held {
             return { first: this.prepare(box, options, more), suffix: '' };
         const memory = this.held;
         checkKeys(options, [...optionKeys, ...more]);
+        checkOrientedAxes(options);
         const address = memory.box(orientedBoxNumbers(box));
         return { first: [...this.asked, address, memory.options(options)], suffix: '_oriented' };
     }

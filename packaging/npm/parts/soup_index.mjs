@@ -1,5 +1,5 @@
 // soup_index.mjs - an index over a soup, and what it is asked.
-import { checkKeys, optionKeys, whole } from './arguments.mjs';
+import { axesBits, checkKeys, optionKeys, whole } from './arguments.mjs';
 import { maskWords } from './mask.mjs';
 import { placeIn, Questions } from './questions.mjs';
 
@@ -31,6 +31,21 @@ export class Index extends Questions {
     /** Throws where the soup was freed. */
     get asked() {
         return [this.#address, this.#soup.address];
+    }
+
+    prepare(box, options, more) {
+        this.#checkAxes(options);
+        return super.prepare(box, options, more);
+    }
+
+    prepareAny(box, options, more) {
+        this.#checkAxes(options);
+        return super.prepareAny(box, options, more);
+    }
+
+    #checkAxes(options) {
+        if (options?.axes !== undefined && !(axesBits(options.axes) & 1))
+            throw new RangeError("options.axes: an index needs 'box' among them; without it ask the soup");
     }
 
     classifyInto(memory, first, hit, inside) {

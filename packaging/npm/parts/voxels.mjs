@@ -67,8 +67,8 @@ export class Voxels extends Words {
 function checkGrid(memory, grid) {
     const isServed = !memory.exports.tribox_voxelize_layers(memory.emptySoup, memory.grid(grid), 0, 0, 0, memory.number, 0);
     if (!isServed)
-        throw new RangeError(`grid: floats cannot tell planes ${shown(grid.cell)} apart from ${shown(grid.origin)} on, ${
-            shown(grid.size)} cells long, or they end beyond the largest float; choose larger cells, or move the mesh towards 0`);
+        throw new RangeError(`grid: floats cannot tell its planes apart, or it ends beyond the largest float (origin ${
+            shown(grid.origin)}, cell ${shown(grid.cell)}, size ${shown(grid.size)}); choose larger cells, or move the mesh towards 0`);
 }
 
 /** Cells in the memory, all clear. */

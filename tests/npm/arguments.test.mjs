@@ -1,0 +1,147 @@
+// arguments.test.mjs - every bad argument is refused by a line that says which it is, what is wrong and what to do; nothing changes.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { load, middleBox as box, randomPositions } from './package_under_test.mjs';
+
+const tribox = await load();
+const positions = randomPositions(100), soup = tribox.soup({ positions }), index = soup.index();
+const mesh = tribox.mesh({ positions: Float64Array.from(positions) });
+const mask = tribox.mask(100), grid = { origin: [0, 0, 0], cell: 1, size: [4, 4, 4] }, voxels = tribox.voxels(grid);
+const axis = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], oriented = { center: [0, 0, 0], half: [1, 1, 1], axis };
+
+/** [call, the error's class, its message] */
+const wrong = {
+    'boxes': [
+        [() => soup.overlap(), TypeError, /^box = undefined: give \{lo: /],
+        [() => soup.overlap(7), TypeError, /^box = 7: give/],
+        [() => soup.overlap('box'), TypeError, /^box = "box": give/],
+        [() => soup.overlap({}), TypeError, /^box = an empty object: give/],
+        [() => soup.count({ lo: [0, 0, 0] }), TypeError, /^box = an object with lo: give/],
+        [() => soup.classify({ lo: [0, 0, 0], max: [1, 1, 1] }), TypeError, /^box = an object with lo, max: give/],
+        [() => soup.first({ lo: [0, 0], hi: [1, 1, 1] }), TypeError, /^box\.lo = \[0, 0\]: give three numbers/],
+        [() => soup.firstMiss({ lo: [0, 0, 0], hi: ['1', 1, 1] }), TypeError, /^box\.hi = \["1", 1, 1\]: give three numbers/],
+        [() => soup.overlap({ min: { x: 0, y: 0 }, max: [1, 1, 1] }), TypeError, /^box\.min = an object with x, y: give three/],
+        [() => soup.overlap({ lo: [0, 0, 0], hi: null }), TypeError, /^box\.hi = null: give three numbers/],
+        [() => soup.overlap({ lo: [0, NaN, 0], hi: [1, 1, 1] }), RangeError, /^box\.lo: y is NaN; give finite/],
+        [() => index.any({ lo: [0, 0, 0], hi: [1, 1, Infinity] }), RangeError, /^box\.hi: z is Infinity; give finite/],
+        [() => soup.overlap({ lo: [-4e38, 0, 0], hi: [1, 1, 1] }), RangeError, /^box\.lo: x is -4e\+38, beyond the largest float/],
+        [() => mesh.overlap({ lo: [-Infinity, 0, 0], hi: [1, 1, 1] }), RangeError, /^box\.lo: x is -Infinity; give finite/],
+    ],
+    'oriented boxes': [
+        [() => soup.overlap({ ...oriented, axis: undefined }), TypeError, /^box\.axis = undefined: give the directions/],
+        [() => soup.overlap({ ...oriented, axis: axis.slice(1) }), TypeError, /^box\.axis = \[\[0, 1, 0\], \[0, 0, 1\]\]: give/],
+        [() => soup.overlap({ ...oriented, axis: [axis[0], axis[1], [1, 2]] }), TypeError, /^box\.axis\[2\] = \[1, 2\]: give/],
+        [() => index.list({ ...oriented, half: [1, 1, -Infinity] }), RangeError, /^box\.half: z is -Infinity/],
+        [() => index.count({ ...oriented, center: 1 }), TypeError, /^box\.center = 1: give/],
+        [() => soup.classify(oriented), TypeError, /^box is oriented, which this call does not take/],
+        [() => soup.first(oriented), TypeError, /^box is oriented/],
+        [() => index.any(oriented), TypeError, /^box is oriented/],
+        [() => mesh.overlap(oriented), TypeError, /^box is oriented, which a mesh does not take: soup\(\) does/],
+        [() => soup.overlap(oriented, { axes: ['box', 'plane'] }), RangeError, /^options\.axes: .*oriented.*'box'/],
+    ],
+    'options': [
+        [() => soup.overlap(box, 7), TypeError, /^options = 7: give an object/],
+        [() => soup.overlap(box, null), TypeError, /^options = null: give an object/],
+        [() => soup.overlap(box, { acuracy: 'fast' }), TypeError, /^options\.acuracy is unknown; there are accuracy, axes, order, into$/],
+        [() => soup.count(box, { into: mask }), TypeError, /^options\.into is unknown; there are accuracy, axes, order$/],
+        [() => index.list(box, { id: true }), TypeError, /^options\.id is unknown; there are accuracy, axes, order, ids$/],
+        [() => soup.overlap(box, { accuracy: 'Exact' }), RangeError, /^options\.accuracy = "Exact": give one of "exact", "cons/],
+        [() => soup.overlap(box, { accuracy: 0 }), RangeError, /^options\.accuracy = 0: give one of/],
+        [() => soup.overlap(box, { axes: 'box' }), TypeError, /^options\.axes = "box": give a list of groups/],
+        [() => soup.overlap(box, { axes: [] }), TypeError, /^options\.axes = \[\]: give a list of groups/],
+        [() => soup.overlap(box, { axes: ['box', 'edge'] }), RangeError, /^options\.axes = "edge": give one of "box", "plane", "edges"/],
+        [() => soup.overlap(box, { axes: ['toString'] }), RangeError, /^options\.axes = "toString": give one of/],
+        [() => soup.overlap(box, { order: 111 }), RangeError, /^options\.order = 111: give one of 123, 132/],
+        [() => soup.overlap(box, { order: '123' }), RangeError, /^options\.order = "123": give one of/],
+        [() => index.overlap(box, { axes: ['plane'] }), RangeError, /^options\.axes: .*index.*'box'/],
+        [() => soup.overlap(box, { into: new Uint32Array(4) }), TypeError, /^options\.into: give a mask that tribox\.mask\(100\) made/],
+        [() => soup.overlap(box, { into: tribox.mask(99) }), RangeError, /^options\.into has 99 bits: give one of 100/],
+        [() => soup.overlap(box, { into: soup.overlap(box).mask }), TypeError, /^options\.into is not in the memory/],
+        [() => soup.classify(box, { insideInto: tribox.mask(101) }), RangeError, /^options\.insideInto has 101 bits/],
+        [() => soup.classify(box, { into: mask, insideInto: mask }), TypeError, /^options\.insideInto is the mask of options\.into/],
+    ],
+    'soups and meshes': [
+        [() => tribox.soup(), TypeError, /^mesh = undefined: give \{positions, indices\}/],
+        [() => tribox.soup(positions), TypeError, /^mesh\.positions = undefined: give a Float32Array/],
+        [() => tribox.soup({ positions: [1, 2, 3] }), TypeError, /^mesh\.positions = \[1, 2, 3\]: give a Float32Array/],
+        [() => tribox.soup({ positions: new Float64Array(9) }), TypeError, /a Float64Array of 9: a soup has floats; mesh\(\) takes/],
+        [() => tribox.mesh({ positions: new Int32Array(9) }), TypeError, /an? Int32Array of 9: give a Float64Array or a Float32Array/],
+        [() => tribox.soup({ positions: new Float32Array(10) }), RangeError, /^mesh\.positions has 10 numbers: give nine a triangle/],
+        [() => tribox.soup({ positions: new Float32Array(10), indices: new Uint32Array(3) }), RangeError, /10 numbers: give three a vert/],
+        [() => tribox.soup({ positions, indices: [0, 1, 2] }), TypeError, /^mesh\.indices = \[0, 1, 2\]: give a Uint32Array or a/],
+        [() => tribox.soup({ positions, indices: new Int32Array(3) }), TypeError, /^mesh\.indices = an? Int32Array of 3: give/],
+        [() => tribox.soup({ positions, indices: new Uint32Array(4) }), RangeError, /^mesh\.indices has 4 numbers: give three/],
+        [() => tribox.mesh({ positions, indices: Uint16Array.of(0, 1, 300) }), RangeError,
+            /^mesh\.indices\[2\] = 300: the mesh has 300 vertices, numbered from 0/],
+        [() => tribox.soup({ positions: new Float32Array(), indices: Uint32Array.of(0, 0, 0) }), RangeError, /has 0 vertices/],
+        [() => tribox.soup({ positions }, { sorted: true }), TypeError, /^options\.sorted is unknown; there are sort$/],
+        [() => tribox.allocSoup(-1), RangeError, /^length = -1: give a whole number from 0/],
+        [() => tribox.allocSoup(1.5), RangeError, /^length = 1\.5: give a whole number/],
+        [() => tribox.mask('100'), TypeError, /^length = "100": give a whole number/],
+    ],
+    'places': [
+        [() => mask.has(100), RangeError, /^i = 100: give a whole number from 0 to 99/],
+        [() => mask.has(-1), RangeError, /^i = -1: give/],
+        [() => voxels.has(0, 4, 0), RangeError, /^j = 4: give a whole number from 0 to 3/],
+        [() => voxels.has(0, 0), TypeError, /^k = undefined: give a whole number/],
+        [() => voxels.box(4, 0, 0), RangeError, /^i = 4: give/],
+        [() => index.update(101), RangeError, /^first = 101: give a whole number from 0 to 100/],
+        [() => index.update(50, 51), RangeError, /^count = 51: give a whole number from 0 to 50, so that first \+ count is within/],
+    ],
+    'grids': [
+        [() => soup.voxelize(), TypeError, /^grid = undefined: give \{resolution\}, or \{origin, cell, size\}/],
+        [() => soup.voxelize(64), TypeError, /^grid = 64: give/],
+        [() => soup.voxelize({ resolution: 0 }), RangeError, /^grid\.resolution = 0: give a whole number from 1 to/],
+        [() => soup.voxelize({ resolution: '64' }), TypeError, /^grid\.resolution = "64": give a whole number/],
+        [() => soup.voxelize({ ...grid, origin: [0, 0] }), TypeError, /^grid\.origin = \[0, 0\]: give three numbers/],
+        [() => soup.voxelize({ ...grid, origin: [0, 0, NaN] }), RangeError, /^grid\.origin: z is NaN/],
+        [() => soup.voxelize({ ...grid, cell: 0 }), RangeError, /^grid\.cell = 0: give lengths greater than 0/],
+        [() => soup.voxelize({ ...grid, cell: [1, 1, -1] }), RangeError, /^grid\.cell = \[1, 1, -1\]: give lengths greater/],
+        [() => soup.voxelize({ ...grid, cell: undefined }), TypeError, /^grid\.cell = undefined: give three numbers/],
+        [() => soup.voxelize({ ...grid, cell: 1e-46 }), RangeError, /^grid\.cell = 1e-46: give lengths greater than 0/],
+        [() => tribox.voxels({ ...grid, size: [4, 0, 4] }), RangeError, /^grid\.size\[1\] = 0: give a whole number from 1 to/],
+        [() => tribox.voxels({ ...grid, size: [4, 4, 2.5] }), RangeError, /^grid\.size\[2\] = 2\.5: give a whole number/],
+        [() => soup.voxelize({ ...grid, origin: [1e9, 0, 0] }), RangeError, /^grid: floats cannot tell its planes apart.*larger cells/],
+        [() => tribox.voxels({ ...grid, cell: 3e38 }), RangeError, /^grid: .*beyond the largest float/],
+        [() => soup.voxelize(grid, { into: mask }), TypeError, /^options\.into: give voxels that tribox\.voxels\(grid\) made/],
+        [() => soup.voxelize({ ...grid, cell: 2 }, { into: voxels }), RangeError, /^options\.into has another grid/],
+        [() => soup.voxelize(grid, { into: soup.voxelize(grid) }), TypeError, /^options\.into is not in the memory/],
+        [() => tribox.soup({ positions: new Float32Array(9).fill(3) }).voxelize({ resolution: 2 }), RangeError,
+            /^all triangles lie in the point \[3, 3, 3\], which has no longest side: give \{origin, cell, size\}/],
+        [() => tribox.soup({ positions: new Float32Array(9).fill(NaN) }).voxelize({ resolution: 2 }), RangeError,
+            /no triangle with finite coordinates/],
+    ],
+};
+
+for (const [name, cases] of Object.entries(wrong))
+    test(name, () => {
+        const written = () => [mask.words.slice(), voxels.bits.slice()], before = written();
+        for (const [call, kind, message] of cases)
+            assert.throws(call, (error) => {
+                assert.equal(error.constructor, kind, `${call}: ${error.message}`);
+                assert.match(error.message, message);
+                assert.ok(!/\n|undefined is not|\[object/.test(error.message), error.message);
+                return true;
+            });
+        assert.deepEqual(written(), before);
+    });
+
+test('boxes in other words are the same box', () => {
+    const { words } = soup.overlap(box).mask, [x, y, z] = box.lo;
+    for (const same of [
+        { min: box.lo, max: box.hi },
+        { min: { x, y, z }, max: { x: 0.5, y: 0.5, z: 0.5 } },
+        { lo: Float32Array.from(box.lo), hi: Float64Array.from(box.hi) },
+        Object.create(box),
+    ])
+        assert.deepEqual(soup.overlap(same).mask.words, words);
+    assert.equal(soup.count({ lo: [1, 0, 0], hi: [-1, 1, 1] }), 0, 'the empty box');
+    assert.equal(soup.overlap(box, { accuracy: undefined, axes: undefined, order: undefined, into: undefined }).mask.length, 100);
+});
+
+test('boxes are rounded to floats, but not those of meshes', () => {
+    const third = tribox.soup({ positions: new Float32Array(9).fill(1 / 3) }), point = { lo: [1 / 3, 1 / 3, 1 / 3], hi: [1 / 3, 1 / 3, 1 / 3] };
+    assert.equal(third.count(point), 1);
+    assert.equal(tribox.mesh({ positions: new Float32Array(9).fill(1 / 3) }).count(point), 0);
+    assert.equal(tribox.mesh({ positions: new Float64Array(9).fill(1 / 3) }).count(point), 1);
+});

@@ -1,0 +1,246 @@
+// memory.test.mjs - views, masks and voxels in the memory, its growth and its end, and what is freed.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { load, middleBox, randomPositions, TriboxError } from './package_under_test.mjs';
+
+const COUNT = 1000;
+const positions = randomPositions(COUNT);
+const oriented = { center: [0, 0, 0], half: [0.5, 0.5, 0.5], axis: [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]] };
+const grid = { origin: [-2, -2, -2], cell: 0.5, size: [8, 8, 8] };
+
+const bytesOf = (tribox) => tribox.memory.buffer.byteLength;
+
+/** Takes memory without touching it, until it has grown. */
+function grow(tribox) {
+    const before = bytesOf(tribox), taken = tribox.exports.malloc(before);
+    assert.ok(bytesOf(tribox) > before);
+    return taken;
+}
+
+/** Takes all memory that there is, down to pieces of 16 bytes, and returns what it took. */
+function exhaust(tribox) {
+    const taken = [];
+    for (let bytes = 2 ** 30; bytes >= 16; bytes /= 2)
+        for (let address; (address = tribox.exports.malloc(bytes));)
+            taken.push(address);
+    return taken;
+}
+
+test('a soup that is filled in place is the one that is copied', async () => {
+    const tribox = await load(), copied = tribox.soup({ positions }), filled = tribox.allocSoup(COUNT);
+    assert.equal(filled.count({ lo: [-9, -9, -9], hi: [9, 9, 9] }), 0, 'NaN at first');
+    for (const [a, axis] of ['x', 'y', 'z'].entries())
+        filled[axis].forEach((stream, v) => {
+            assert.equal(stream.buffer, tribox.memory.buffer);
+            assert.equal(stream.length, COUNT);
+            for (let i = 0; i < COUNT; i++)
+                stream[i] = positions[9 * i + 3 * v + a];
+        });
+    assert.deepEqual(filled.overlap(middleBox).mask.words, copied.overlap(middleBox).mask.words);
+});
+
+test('views die when the memory grows, and new ones show the same', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), mesh = tribox.mesh({ positions });
+    const mask = tribox.mask(COUNT), voxels = tribox.voxels(grid), own = soup.overlap(middleBox, {}).mask;
+    soup.overlap(middleBox, { into: mask });
+    soup.voxelize(grid, { into: voxels });
+    const views = () => [soup.x[1], soup.z[2], mesh.positions, mask.words, voxels.bits], old = views();
+    const copies = old.map((view) => view.slice()), ownWords = own.words;
+    grow(tribox);
+    old.forEach((view) => assert.equal(view.length, 0));
+    assert.deepEqual(views(), copies);
+    assert.deepEqual(own.words, ownWords);
+    assert.ok(ownWords.length > 0);
+    assert.deepEqual(soup.overlap(middleBox).mask.words, copies[3]);
+});
+
+test('masks in the memory are written without a copy', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), mesh = tribox.mesh({ positions });
+    const into = tribox.mask(COUNT), insideInto = tribox.mask(COUNT), bytes = bytesOf(tribox);
+    for (const asked of [soup, index, mesh]) {
+        const own = asked.classify(middleBox);
+        into.words.fill(~0);
+        insideInto.words.fill(~0);
+        const classes = asked.classify(middleBox, { into, insideInto });
+        assert.equal(classes.mask, into);
+        assert.equal(classes.insideMask, insideInto);
+        assert.equal(into.words.buffer, tribox.memory.buffer);
+        assert.deepEqual(into.words, own.mask.words);
+        assert.deepEqual(insideInto.words, own.insideMask.words);
+        assert.equal(classes.inside, own.inside);
+        into.words.fill(~0);
+        assert.equal(asked.overlap(middleBox, { into }).overlapping, own.overlapping);
+        assert.deepEqual(into.words, own.mask.words);
+    }
+    assert.equal(bytesOf(tribox), bytes);
+});
+
+test('voxels in the memory accumulate', async () => {
+    const tribox = await load(), into = tribox.voxels(grid), halves = [positions.subarray(0, 4500), positions.subarray(4500)];
+    const whole = tribox.soup({ positions }).voxelize(grid);
+    assert.equal(into.count(), 0);
+    for (const half of halves)
+        assert.equal(tribox.soup({ positions: half }).voxelize(into, { into }), into);
+    assert.deepEqual(into.bits, whole.bits);
+    assert.equal(into.bits.buffer, tribox.memory.buffer);
+});
+
+test('a grid of a resolution just holds the triangles', async () => {
+    const tribox = await load(), scales = [1, 1e-30, 3e37, 7];
+    for (const [k, scale] of scales.entries())
+        for (const resolution of [1, 2, 37]) {
+            const soup = tribox.soup({ positions: randomPositions(10, k + 1).map((number) => number * scale + (k === 3 ? 1000 : 0)) });
+            const { lo, hi } = soup.bounds(), voxels = soup.voxelize({ resolution }), { origin, cell, size } = voxels;
+            const plane = (a, p, length) => Math.fround(origin[a] + p * length), shorter = Math.fround(cell[0] * (1 - 2 ** -24));
+            const longest = [0, 1, 2].reduce((most, a) => (hi[a] - lo[a] > hi[most] - lo[most] ? a : most), 0);
+            assert.deepEqual(origin, lo);
+            assert.equal(size[longest], resolution);
+            const nearest = Math.fround((hi[longest] - lo[longest]) / resolution);
+            assert.ok(cell[0] === nearest || plane(longest, resolution, shorter) < hi[longest]);
+            assert.ok(cell[0] >= nearest);
+            for (let a = 0; a < 3; a++) {
+                assert.equal(cell[a], cell[0]);
+                assert.ok(plane(a, size[a], cell[a]) >= hi[a]);
+                assert.ok(size[a] === 1 || plane(a, size[a] - 1, cell[a]) < hi[a]);
+            }
+            assert.ok(voxels.count() > 0);
+        }
+});
+
+test('bounds leave out triangles that are not finite', async () => {
+    const tribox = await load(), three = Float32Array.of(0, 1, 2, 3, 4, 5, 6, 7, 8, -90, 1, 1, 1, NaN, 1, 1, 1, 1, 9, 9, 9, 9, 9, -Infinity, 9, 99, 9);
+    assert.deepEqual(tribox.soup({ positions: three }).bounds(), { lo: [0, 1, 2], hi: [6, 7, 8] });
+    assert.equal(tribox.soup({ positions: three.subarray(9) }).bounds(), null);
+    assert.throws(() => tribox.soup({ positions: three.subarray(9) }).voxelize({ resolution: 3 }), RangeError);
+    assert.equal(tribox.soup({ positions: new Float32Array() }).bounds(), null);
+});
+
+test('nothing at all is a soup, a mesh, a mask', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions: new Float32Array() }, { sort: true }), index = soup.index();
+    const empty = { overlapping: 0, undecided: 0, inside: 0 };
+    for (const asked of [soup, index, tribox.mesh({ positions: new Float64Array() }), tribox.allocSoup(0)]) {
+        const { mask, insideMask, ...counts } = asked.classify(middleBox);
+        assert.deepEqual(counts, empty);
+        assert.deepEqual([mask.length, mask.words.length, insideMask.count(), asked.count(middleBox)], [0, 0, 0, 0]);
+    }
+    assert.deepEqual([soup.first(middleBox), soup.firstMiss(middleBox), index.any(middleBox)], [-1, -1, -1]);
+    assert.equal(index.list(middleBox).length, 0);
+    assert.equal(soup.voxelize(grid).count(), 0);
+    assert.equal(tribox.mask(0).list().length, 0);
+});
+
+test('an index is brought up to date', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index();
+    const far = { lo: [99, 99, 99], hi: [101, 101, 101] };
+    for (const place of [0, 63, 64, 500, COUNT - 1]) {
+        assert.equal(index.any(far), -1);
+        const old = ['x', 'y', 'z'].map((axis) => soup[axis][0][place]);
+        for (const axis of ['x', 'y', 'z'])
+            soup[axis][0][place] = 100;
+        index.update(place, 1);
+        assert.deepEqual(Array.from(index.list(far)), [place]);
+        ['x', 'y', 'z'].forEach((axis, a) => {
+            soup[axis][0][place] = old[a];
+        });
+        index.update();
+    }
+});
+
+test('what is freed says so', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), mesh = tribox.mesh({ positions });
+    const mask = tribox.mask(COUNT), voxels = tribox.voxels(grid), own = soup.overlap(middleBox).mask;
+    soup.free();
+    soup.free();
+    for (const call of [() => soup.x, () => soup.ids, () => soup.address, () => soup.overlap(middleBox), () => soup.count(oriented),
+        () => soup.classify(middleBox), () => soup.first(middleBox), () => soup.voxelize(grid), () => soup.voxelize({ resolution: 2 }),
+        () => soup.index(), () => soup.bounds(), () => index.overlap(middleBox), () => index.list(middleBox), () => index.update()])
+        assert.throws(call, { name: 'TriboxError', message: 'this soup was freed' }, String(call));
+    index.free();
+    assert.throws(() => index.any(middleBox), { message: 'this index was freed' });
+    mesh[Symbol.dispose]();
+    assert.throws(() => mesh.positions, { message: 'this mesh was freed' });
+    assert.throws(() => mesh.first(middleBox), { message: 'this mesh was freed' });
+    mask.free();
+    const other = tribox.soup({ positions });
+    assert.throws(() => mask.words, { message: 'this mask was freed' });
+    assert.throws(() => other.overlap(middleBox, { into: mask }), { message: 'this mask was freed' });
+    voxels.free();
+    assert.throws(() => voxels.has(0, 0, 0), { message: 'this set of voxels was freed' });
+    assert.throws(() => other.voxelize(grid, { into: voxels }), { message: 'this set of voxels was freed' });
+    assert.equal(own.count(), other.count(middleBox), 'a mask of the caller outlives its soup');
+    own.free();
+    assert.throws(() => own.list(), { message: 'this mask was freed' });
+});
+
+test('calls leave nothing behind in the memory', async () => {
+    const tribox = await load();
+    const round = () => {
+        const soup = tribox.soup({ positions }, { sort: true }), index = soup.index(), mesh = tribox.mesh({ positions });
+        const mask = tribox.mask(COUNT), voxels = tribox.voxels(grid);
+        for (const asked of [soup, index, mesh]) {
+            asked.overlap(middleBox, { accuracy: 'fast' });
+            asked.classify(middleBox);
+        }
+        soup.overlap(oriented);
+        index.list(oriented);
+        index.list(middleBox, { ids: true });
+        soup.voxelize({ resolution: 5 });
+        soup.voxelize(voxels, { into: voxels });
+        assert.throws(() => soup.overlap(middleBox, { into: tribox }));
+        assert.throws(() => soup.voxelize({ ...grid, cell: 1e-12 }));
+        [soup, index, mesh, mask, voxels].forEach((object) => object.free());
+    };
+    round();
+    const bytes = bytesOf(tribox);
+    for (let k = 0; k < 300; k++)
+        round();
+    assert.equal(bytesOf(tribox), bytes);
+});
+
+test('out of memory is an error, after which there is as much as before', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), { exports } = tribox;
+    const calls = [() => tribox.soup({ positions }), () => tribox.soup({ positions }, { sort: true }), () => tribox.allocSoup(COUNT),
+        () => tribox.mesh({ positions }), () => tribox.mask(COUNT), () => tribox.voxels(grid), () => soup.overlap(middleBox),
+        () => soup.overlap(oriented), () => soup.classify(middleBox), () => soup.voxelize(grid), () => soup.index(),
+        () => index.list(middleBox), () => index.classify(middleBox)];
+    const taken = exhaust(tribox);
+    for (const call of calls)
+        assert.throws(call, (error) => error instanceof TriboxError && /^out of memory: .* would take .* free\(\)/.test(error.message));
+    assert.equal(soup.count(middleBox), index.count(middleBox), 'what takes no memory goes on');
+    taken.forEach((address) => exports.free(address));
+    for (const call of calls)
+        call();
+    for (const length of [2 ** 26, 2 ** 31, 2 ** 32 - 1])
+        assert.throws(() => tribox.allocSoup(length), TriboxError, `${length} triangles`);
+    assert.throws(() => tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [2 ** 17, 2 ** 17, 2 ** 17] }), /out of memory|grid/);
+});
+
+test('sorting that runs out of memory gives back what it took', async () => {
+    const tribox = await load(), room = 36 * COUNT * 2;
+    const taken = exhaust(tribox), free = tribox.exports.malloc(room);
+    assert.equal(free, 0);
+    // A room that two soups fit into, but not what sorting takes besides.
+    tribox.exports.free(taken.splice(0, 1)[0]);
+    const rest = [];
+    for (let address; (address = tribox.exports.malloc(2 * room));)
+        rest.push(address);
+    tribox.exports.free(rest.pop());
+    const small = { positions: positions.subarray(0, 9 * 800) };
+    for (let k = 0; k < 50; k++) {
+        try {
+            tribox.soup(small, { sort: true }).free();
+        } catch (error) {
+            assert.ok(error instanceof TriboxError, error.message);
+        }
+    }
+    tribox.soup(small).free();
+});
+
+test('instances know nothing of each other', async () => {
+    const [one, other] = await Promise.all([load(), load()]);
+    const soup = one.soup({ positions });
+    assert.throws(() => soup.overlap(middleBox, { into: other.mask(COUNT) }), TypeError);
+    assert.throws(() => soup.voxelize(grid, { into: other.voxels(grid) }), TypeError);
+    assert.deepEqual(soup.overlap(middleBox).mask.words, other.soup({ positions }).overlap(middleBox).mask.words);
+    assert.notEqual(one.memory, other.memory);
+});

@@ -1,0 +1,126 @@
+// package.test.mjs - what is packed: its files, its size, its types; and that it runs where nothing else is installed.
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import test from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { folder, load } from './package_under_test.mjs';
+
+const here = path.dirname(fileURLToPath(import.meta.url)), root = path.join(here, '../..');
+const source = path.join(root, 'packaging/npm');
+const textOf = (...names) => readFileSync(path.join(...names), 'utf8');
+const manifest = JSON.parse(textOf(folder, 'package.json'));
+
+const npm = (cwd, ...words) => execFileSync('npm', [...words, '--offline', '--no-audit', '--no-fund', '--loglevel=error'], { cwd, encoding: 'utf8' });
+
+/** Runs work in an empty folder. */
+async function inFolder(work) {
+    const made = mkdtempSync(path.join(tmpdir(), 'tribox-npm-'));
+    try {
+        return await work(made);
+    } finally {
+        rmSync(made, { recursive: true });
+    }
+}
+
+/** Packs the package and installs it where nothing else is. */
+const installed = (work) => inFolder(async (made) => {
+    const [{ filename }] = JSON.parse(npm(folder, 'pack', '--json', '--pack-destination', made));
+    writeFileSync(path.join(made, 'package.json'), '{"private": true, "type": "module"}');
+    npm(made, 'install', `./${filename}`);
+    return work(made);
+});
+
+test('tribox.wasm is small, and wants nothing of its host', () => {
+    const bytes = readFileSync(path.join(folder, 'tribox.wasm')), compressed = gzipSync(bytes, { level: 9 }).length;
+    console.log(`tribox.wasm: ${bytes.length} bytes, ${compressed} compressed`);
+    assert.ok(bytes.length <= 350e3);
+    assert.ok(compressed <= 110e3);
+    const module = new WebAssembly.Module(bytes);
+    assert.deepEqual(WebAssembly.Module.imports(module), []);
+    assert.deepEqual(WebAssembly.Module.customSections(module, 'name'), []);
+});
+
+test('exports the functions that the module calls, and no others', () => {
+    const parts = readdirSync(path.join(source, 'parts')).map((name) => textOf(source, 'parts', name));
+    const text = [...parts, textOf(source, 'tribox.mjs')].join('\n');
+    const exports = WebAssembly.Module.exports(new WebAssembly.Module(readFileSync(path.join(folder, 'tribox.wasm'))));
+    // Names that are put together at run time.
+    const made = { tribox_overlap_any: ['', '_f64'], tribox_overlap_all: ['', '_f64'], tribox_classify: ['', '_f64'],
+        tribox_overlap: ['', '_oriented'], tribox_index_overlap: ['', '_oriented'], tribox_index_list: ['', '_oriented'] };
+    const called = [...text.matchAll(/exports\.([a-z_0-9]+)|['`](tribox_[a-z_0-9]+)/g)].map((match) => match[1] ?? match[2])
+        .flatMap((name) => made[name]?.map((end) => name + end) ?? [name]);
+    assert.deepEqual(exports.map(({ name }) => name).sort(), [...new Set(called)].sort());
+});
+
+test('states the version once', () => {
+    const version = execFileSync('sh', [path.join(root, 'packaging/version.sh')], { encoding: 'utf8' }).trim();
+    assert.equal(manifest.version, version);
+    for (const name of readdirSync(source, { recursive: true }).filter((name) => /\.(mjs|ts|in|sh)$/.test(name)))
+        assert.ok(!textOf(source, name).includes(`"${version}"`), name);
+});
+
+test('is described for npm', () => {
+    assert.equal(manifest.name, 'tribox');
+    assert.equal(manifest.type, 'module');
+    assert.equal(manifest.license, 'MIT');
+    for (const kind of ['dependencies', 'devDependencies', 'peerDependencies', 'scripts'])
+        assert.equal(manifest[kind], undefined);
+});
+
+test('packs these files', () => {
+    const [{ files }] = JSON.parse(npm(folder, 'pack', '--dry-run', '--json'));
+    assert.deepEqual(files.map((file) => file.path).sort(), [
+        'LICENSE', 'README.md', 'package.json', ...readdirSync(path.join(source, 'parts')).map((name) => `parts/${name}`), 'tribox.d.ts',
+        'tribox.mjs', 'tribox.wasm'].sort());
+    assert.ok(files.every((file) => file.mode === 0o644));
+});
+
+test('runs where it is installed, offline, as its README says', () => installed((made) => {
+    const example = textOf(source, 'README.md').match(/```js\n([\s\S]*?)```/)[1];
+    assert.ok(example.trim().split('\n').length <= 20);
+    writeFileSync(path.join(made, 'example.mjs'), example);
+    const ran = spawnSync(process.execPath, ['example.mjs'], { cwd: made, encoding: 'utf8' });
+    assert.equal(ran.status, 0, ran.stderr);
+    const expected = [...example.matchAll(/\/\/ (?:prints )(.*)/g)].map((match) => match[1]);
+    assert.ok(expected.length > 0);
+    assert.deepEqual(ran.stdout.trim().split('\n'), expected);
+    const required = createRequire(path.join(made, 'x.js'));
+    assert.ok(required.resolve('tribox/tribox.wasm').endsWith('tribox.wasm'));
+    assert.deepEqual(readdirSync(path.join(made, 'node_modules')).filter((name) => !name.startsWith('.')), ['tribox']);
+}));
+
+const compiler = process.env.TRIBOX_TYPESCRIPT;
+
+test('has types that TypeScript takes', () => installed((made) => {
+    copyFileSync(path.join(here, 'types.mts'), path.join(made, 'types.mts'));
+    for (const way of ['nodenext', 'bundler']) {
+        const compilerOptions = { noEmit: true, strict: true, noUncheckedIndexedAccess: true, types: [], target: 'esnext',
+            lib: ['esnext', 'dom'], moduleResolution: way, module: way === 'bundler' ? 'esnext' : way };
+        writeFileSync(path.join(made, 'tsconfig.json'), JSON.stringify({ compilerOptions, files: ['types.mts'] }));
+        const ran = spawnSync(process.execPath, [path.join(compiler, 'node_modules/typescript/bin/tsc')], { cwd: made, encoding: 'utf8' });
+        assert.equal(ran.stdout, '', way);
+        assert.equal(ran.status, 0, way);
+    }
+}));
+
+test('has what its types say', async () => {
+    const typescript = createRequire(path.join(compiler, 'x.js'))('typescript');
+    const types = typescript.createSourceFile('tribox.d.ts', textOf(folder, 'tribox.d.ts'), typescript.ScriptTarget.Latest);
+    const membersOf = (name) => types.statements.find((one) => one.name?.text === name).members.map((one) => one.name.text).filter(Boolean);
+    const tribox = await load(), soup = tribox.soup({ positions: new Float32Array(9) });
+    const made = { Tribox: tribox, Soup: soup, Index: soup.index(), Mesh: tribox.mesh({ positions: new Float64Array(9) }),
+        Mask: tribox.mask(1), Voxels: tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [1, 1, 1] }), Classes: soup.classify({
+            lo: [0, 0, 0], hi: [1, 1, 1] }), Overlap: soup.overlap({ lo: [0, 0, 0], hi: [1, 1, 1] }) };
+    for (const [name, object] of Object.entries(made)) {
+        const members = membersOf(name);
+        assert.ok(members.length > 1, name);
+        for (const member of [...members, ...('free' in object ? ['free', Symbol.dispose] : [])])
+            assert.ok(member in object, `${name}.${String(member)}`);
+    }
+    assert.deepEqual(Object.keys(made.Classes).sort(), [...membersOf('Classes'), ...membersOf('Overlap')].sort());
+});
