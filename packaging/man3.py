@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""Makes the manual page tribox(3) from the public header and the example in README.md: man3.py HEADER README PAGE
-
-The header is written so that this is simple. A comment that begins at the left edge belongs to the declaration after it; in it,
-"name: ..." is about a parameter, and an empty line ends a paragraph. Comments at the end of a line are about a member. The comment
-at the top has a table of what holds for every function, and a title between two rules opens a section."""
+"""Makes the manual page tribox(3) from the public header and the example in README.md: man3.py HEADER README PAGE"""
 
 import re
 import sys
 import textwrap
+
+from public_header import (banner_of, blocks_of, declared_by, function_of, is_function, members, prototype, sections_of, title_of,
+                           without_comments)
 
 DATE = "November 22, 2026"  # when the interface last changed
 
@@ -45,9 +44,6 @@ Compile it with
 """
 
 WORD = re.compile(r"(?<!\S)(TRIBOX_\w+|NULL|tribox_\w+)([.,;:]*)(?!\S)")
-PART = re.compile(r"""^/\*\ =+\ \*/\n/\*\ +(?P<title>.*?)\ +\*/\n/\*\ =+\ \*/$
-                    | ^/\*\*(?P<comment>.*?)\*/\n(?P<code>(?:\#define[^\n]*\n)+ | TRIBOX_API[^;]*;$ | typedef[^;]*?\{.*?^\}[^;]*; | enum.*?^\};)""",
-                  re.M | re.S | re.X)
 
 
 def escaped(text):
@@ -80,12 +76,11 @@ def listed(items):
 
 def paragraphs(comment):
     """The paragraphs of a comment: a text, or a list of what is said about parameters."""
-    for block in re.split(r"\n\s*\n", re.sub(r"(?m)^ \*( |$)", "", comment).strip()):
-        about = re.split(r"(?m)^([a-z]+(?:, [a-z]+)*): ", block)
-        if about[0].strip():
-            yield prose(about[0])
-        if about[1:]:
-            yield listed((f"Fa {names.replace(', ', ' , ')}", text) for names, text in zip(about[1::2], about[2::2]))
+    for text, about in blocks_of(comment):
+        if text:
+            yield prose(text)
+        if about:
+            yield listed((f"Fa {names.replace(', ', ' , ')}", said) for names, said in about)
 
 
 def joined(blocks):
@@ -94,80 +89,48 @@ def joined(blocks):
     return "\n".join(block if number == 0 or block.startswith((".Bl", ".Bd")) else ".Pp\n" + block for number, block in enumerate(blocks))
 
 
-def is_function(code):
-    return code.startswith("TRIBOX_API")
-
-
-def function_of(code):
-    return re.search(r"(\w+)\(", code)[1]
-
-
 def synopsis(code):
-    result, name, arguments = re.match(r"TRIBOX_API (.*?)(\w+)\((.*)\);", " ".join(code.split())).groups()
-    return "\n".join([f".Ft {result.strip()}", f".Fo {name}", *(f'.Fa "{each}"' for each in arguments.split(", ")), ".Fc"])
+    result, name, arguments = prototype(code)
+    return "\n".join([f".Ft {result}", f".Fo {name}", *(f'.Fa "{each}"' for each in arguments), ".Fc"])
 
 
-def members(code):
-    """What stands beside the members of a struct, or the constants of an enum."""
-    for line in code.split("\n"):
-        member = re.match(r"    ([^;]*?)(\w+)([\[\]\d]*)(?: = \d+)?[;,]? +/\* (.*) \*/$", line)
-        if member:
-            yield f"{'Va' if member[1] else 'Dv'} {member[2]}", member[4]
+def said_of_members(code):
+    return [(f"{'Va' if is_variable else 'Dv'} {name}", text) for is_variable, name, text in members(code)]
 
 
 def described(comment, code):
     """The declaration and its comment, as an entry of a section."""
+    names = declared_by(code)
     if is_function(code):
-        heading = f".It Fn {function_of(code)}"
+        heading = f".It Fn {names[0]}"
     elif code.startswith("#define"):
-        heading = ".It Xo\n" + "\n".join(f".Dv {name}" for name in re.findall(r"#define (\w+)", code)) + "\n.Xc"
-    elif code.startswith("typedef"):
-        heading = ".It Vt " + re.search(r"(\w+);$", code)[1]
+        heading = ".It Xo\n" + "\n".join(f".Dv {name}" for name in names) + "\n.Xc"
     else:
-        heading = ".It Vt enum"
+        heading = f".It Vt {names[0] if names else 'enum'}"
     blocks = list(paragraphs(comment))
-    if code.startswith("typedef struct"):
-        blocks.append(literal(textwrap.dedent(re.sub(r" */\*.*?\*/", "", code))))
-    if list(members(code)):
-        blocks.append(listed(members(code)))
+    if code.startswith("typedef") and not code.startswith("typedef enum"):
+        blocks.append(literal(textwrap.dedent(without_comments(code))))
+    if said_of_members(code):
+        blocks.append(listed(said_of_members(code)))
     return f"{heading}\n{joined(blocks)}"
 
 
-def guarantees(banner):
-    """The table in the comment at the top."""
-    rows = re.findall(r"(?m)^ \*   (\w.*?) {2,}(.*(?:\n \* {5,}.*)*)", banner)
-    return listed((name, text.replace("\n *", " ")) for name, text in rows)
-
-
-def sections_of(header):
-    """(title, list of (comment, declaration)) for each section."""
-    sections = [("Version", [])]
-    for part in PART.finditer(header):
-        if part["title"]:
-            sections.append((part["title"], []))
-        else:
-            sections[-1][1].append((part["comment"], part["code"].strip()))
-    return sections
-
-
 def page_of(header, example):
-    title = re.match(r"/\*\n \* tribox\.h - (.*)", header)[1]
-    banner = header[:header.index("*/")]
-    introduction, promise = re.search(r"\n \*\n(.*?)\n \*\n \* ([^\n]*)\n", banner, re.S).groups()
+    introduction, promise, guarantees = banner_of(header)
     sections = sections_of(header)
     declared = [entry for _, entries in sections for entry in entries]
     status = next(entry for entry in declared if entry[1].endswith("} tribox_status;"))
     names = ["tribox", *(function_of(code) for _, code in declared if is_function(code))]
 
-    yield HEAD.strip().format(date=DATE, title=title, names=" ,\n".join(f".Nm {name}" for name in names))
+    yield HEAD.strip().format(date=DATE, title=title_of(header), names=" ,\n".join(f".Nm {name}" for name in names))
     for title, entries in sections:
         calls = [synopsis(code) for _, code in entries if is_function(code)]
         if calls:
             yield "\n".join([f".Ss {title}", *calls])
-    yield f".Sh DESCRIPTION\n{prose(introduction.replace(chr(10) + ' *', ' ').strip(' *'))}\n.Ss {promise}\n{guarantees(banner)}"
+    yield f".Sh DESCRIPTION\n{prose(introduction)}\n.Ss {promise}\n{listed(guarantees)}"
     for title, entries in sections:
         yield "\n".join([f".Ss {title}", ".Bl -tag -width Ds", *(described(*entry) for entry in entries if entry is not status), ".El"])
-    yield f".Sh RETURN VALUES\n{prose(RETURNS)}\n.Pp\n{joined(paragraphs(status[0]))}\n{listed(members(status[1]))}"
+    yield f".Sh RETURN VALUES\n{prose(RETURNS)}\n.Pp\n{joined(paragraphs(status[0]))}\n{listed(said_of_members(status[1]))}"
     yield EXAMPLES.strip().format(code=literal(example))
 
 

@@ -14,4 +14,4 @@
 }
 # A comment after a member is about that member; the version needs no other words than its name.
 s!^( +[^ *].*) /\* (.*\*/)$!\1 /**< \2!
-s!^#define TRIBOX_VERSION_([A-Z]+) .*$!/** The version of this header: \L\1. */\n&!
+s!^#define TRIBOX_VERSION_([A-Z]+) .*$!/** The version of this header: \L\1\E. */\n&!
