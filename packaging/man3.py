@@ -3,10 +3,9 @@
 
 import re
 import sys
-import textwrap
 
-from public_header import (banner_of, blocks_of, declared_by, function_of, is_function, members, prototype, sections_of, title_of,
-                           without_comments)
+from public_header import (banner_of, blocks_of, declared_by, function_of, is_function, is_type, members, prototype, sections_of,
+                           title_of, without_comments)
 
 DATE = "November 22, 2026"  # when the interface last changed
 
@@ -108,10 +107,11 @@ def described(comment, code):
     else:
         heading = f".It Vt {names[0] if names else 'enum'}"
     blocks = list(paragraphs(comment))
-    if code.startswith("typedef") and not code.startswith("typedef enum"):
-        blocks.append(literal(textwrap.dedent(without_comments(code))))
-    if said_of_members(code):
-        blocks.append(listed(said_of_members(code)))
+    said = said_of_members(code)
+    if is_type(code) and not ("enum" in code and said):
+        blocks.append(literal(without_comments(code)))
+    if said:
+        blocks.append(listed(said))
     return f"{heading}\n{joined(blocks)}"
 
 

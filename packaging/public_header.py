@@ -8,7 +8,7 @@ import re
 
 PART = re.compile(r"""^/\*\ =+\ \*/\n/\*\ +(?P<title>.*?)\ +\*/\n/\*\ =+\ \*/$
                     | ^/\*\*(?P<comment>.*?)\*/\n(?P<code>(?:\#define[^\n]*\n)+ | TRIBOX_API[^;]*;$ | typedef[^;]*?\{.*?^\}[^;]*;
-                                                         | typedef[^;{]*;$ | enum.*?^\};)""",
+                                                         | typedef[^;{]*;$ | enum\ \{[^}]*\};)""",
                   re.M | re.S | re.X)
 
 
@@ -45,6 +45,10 @@ def blocks_of(comment):
 
 def is_function(code):
     return code.startswith("TRIBOX_API")
+
+
+def is_type(code):
+    return code.startswith(("typedef", "enum"))
 
 
 def function_of(code):
