@@ -1,7 +1,8 @@
 /*
  * inexact_flag.h - did any operation round since the watch began? The processor's sticky inexact flag knows; where it is out of
- * reach the answer is no, and costs only time. The arithmetic to be watched stands between the two calls: it starts from memory,
- * and what it comes to is the argument of the second, so that the compiler cannot move it out.
+ * reach the answer is yes, and costs only time. The arithmetic to be watched stands between the two calls: it starts from memory,
+ * and what it comes to is the argument of the second, so that the compiler cannot move it out. TRIBOX_NO_INEXACT_FLAG puts the flag
+ * out of reach, for tests.
  */
 #ifndef TRIBOX_INEXACT_FLAG_H
 #define TRIBOX_INEXACT_FLAG_H
@@ -9,7 +10,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#if defined(__GNUC__) && defined(__SSE2__)
+#if defined(__GNUC__) && defined(__SSE2__) && !defined(TRIBOX_NO_INEXACT_FLAG)
+#define TRIBOX_HAS_INEXACT_FLAG 1
 
 /* Between AVX instructions the old encoding makes the processor save and restore the upper halves of its registers. */
 #if defined(__AVX__)
@@ -31,7 +33,8 @@ static inline bool tribox_exactness_kept(uint64_t result)
     return !(state & 0x20);
 }
 
-#elif defined(__GNUC__) && defined(__aarch64__)
+#elif defined(__GNUC__) && defined(__aarch64__) && !defined(TRIBOX_NO_INEXACT_FLAG)
+#define TRIBOX_HAS_INEXACT_FLAG 1
 
 static inline void tribox_exactness_watch(void)
 {
@@ -46,6 +49,7 @@ static inline bool tribox_exactness_kept(uint64_t result)
 }
 
 #else
+#define TRIBOX_HAS_INEXACT_FLAG 0
 
 static inline void tribox_exactness_watch(void) {}
 static inline bool tribox_exactness_kept(uint64_t result)

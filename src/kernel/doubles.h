@@ -3,9 +3,9 @@
  * After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
  *
  * The processor's inexact flag shows for a whole packet at once that every slack is exact; then the signs decide ties as well. That
- * is for EXACT alone: CONSERVATIVE must give a pair the same answer whatever pairs share its packet (PROOFS.md 6.4). The flag only
- * saves time. Otherwise redundant axes are left out (PROOFS.md 2), and the rest are compared with the bounds of bounds.h (PROOFS.md
- * 6.3).
+ * is for EXACT alone: CONSERVATIVE must give a pair the same answer whatever pairs share its packet (PROOFS.md 6.4). Where the flag
+ * is out of reach, short numbers show it lane by lane (6.5). Either only saves time. Otherwise redundant axes are left out (PROOFS.md
+ * 2), and the rest are compared with the bounds of bounds.h (6.3).
  */
 
 /* Nine edge slacks and the plane's; infinite for groups that axes leaves out. */
@@ -98,6 +98,35 @@ TRIBOX_INLINE vmask is_finite_triangle(const lane_triangle *t)
     return v_gt(v_splat(1), sum);
 }
 
+/* What is lost of the size of a number where it is added to one so far from zero. */
+TRIBOX_INLINE vnum lost_beside(vnum a, vnum far_away)
+{
+    const vnum size = v_abs(a);
+    return v_abs(v_sub(size, v_sub(v_add(size, far_away), far_away)));
+}
+
+/*
+ * The lanes whose numbers are so short that nothing of them is rounded: all are multiples of one power of two, and no distance
+ * between a point of the triangle and a point of the box on an axis reaches 2^16 of it (PROOFS.md 6.5).
+ */
+TRIBOX_INLINE vmask has_short_numbers(const lane_triangle *t, const lane_box *box)
+{
+    vnum longest = v_splat(0), lost = v_splat(0);
+    for (int a = 0; a < 3; a++) {
+        const vnum least = lane_min3(t->u[0][a], t->u[1][a], t->u[2][a]), most = lane_max3(t->u[0][a], t->u[1][a], t->u[2][a]);
+        longest = v_max(longest, v_max(v_sub(most, box->lo[a]), v_sub(box->hi[a], least)));
+    }
+    const vnum far_away = v_mul(v_splat(0x1p37), longest);
+    for (int a = 0; a < 3; a++)
+        lost = v_add(lost, lost_beside(t->u[0][a], far_away));
+    if (!m_bits(is_zero(lost))) /* most numbers are long, and one vertex shows it */
+        return m_none();
+    for (int a = 0; a < 3; a++)
+        lost = v_add(lost, v_add(v_add(lost_beside(t->u[1][a], far_away), lost_beside(t->u[2][a], far_away)),
+                                 v_add(lost_beside(box->lo[a], far_away), lost_beside(box->hi[a], far_away))));
+    return m_and(is_zero(lost), is_tame(longest));
+}
+
 /* One packet of the batch, from pair `at`. */
 TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact)
 {
@@ -115,13 +144,16 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     const lane_slacks slack = slacks_of(&s, axes);
     const uint64_t negative = m_bits(v_gt(v_splat(0), least_slack(&slack)));
     const uint64_t finite = m_bits(is_finite_triangle(&t));
-    if (tribox_exactness_kept(negative) && is_exact)
+    uint64_t exact = tribox_exactness_kept(negative) && is_exact ? LANES_ALL : 0;
+    if (!TRIBOX_HAS_INEXACT_FLAG && is_exact)
+        exact = m_bits(has_short_numbers(&t, &box));
+    if (exact == LANES_ALL)
         return (tribox_verdict){finite & ~negative, 0, finite, 0};
     const lane_range range = range_of(&slack, &t, &box, &s, axes & TRIBOX_AXES_BOX);
     const vmask inside = has_vertex_inside(&t, &box), above = v_gt(range.least, v_splat(0)), below = v_gt(v_splat(0), range.most);
     const uint64_t apart = m_bits(m_and(range.is_certain, below));
-    const uint64_t overlapping = m_bits(m_or(m_and(range.is_certain, above), inside));
-    const uint64_t open = finite & ~(apart | overlapping);
+    const uint64_t overlapping = m_bits(m_or(m_and(range.is_certain, above), inside)) | (exact & ~negative);
+    const uint64_t open = finite & ~(apart | overlapping | exact);
     return (tribox_verdict){finite & overlapping, open, finite, open & ~m_bits(range.is_certain)};
 }
 

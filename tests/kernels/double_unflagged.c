@@ -1,0 +1,5 @@
+/* double_unflagged.c - the second stage of one vocabulary as it is where the inexact flag is out of reach. */
+#define TRIBOX_NO_INEXACT_FLAG
+#include VOCABULARY
+#define KERNEL unflagged
+#include "kernel/double.h"
