@@ -1,37 +1,48 @@
-// bundle.mjs - one HTML file of the page: bundle.mjs TRIBOX OUT.html, with the folder of the npm package, in a folder with node_modules.
-import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
-import { createRequire } from "node:module";
-import { dirname, join, resolve } from "node:path";
+// bundle.mjs - makes one HTML file of the page, in a folder with node_modules: bundle.mjs FOLDER-OF-NPM-PACKAGE OUT.html
+import { mkdir, readFile, rename, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
 
 const [tribox, out] = process.argv.slice(2);
-const here = import.meta.dirname, modules = resolve("node_modules");
-const { build } = createRequire(join(modules, "x"))("esbuild");
+const here = import.meta.dirname,
+    modules = resolve('node_modules');
+const { build } = createRequire(join(modules, 'x'))('esbuild');
 
 /** Names that begin with built: stand for what is made here. */
 const built = (parts) => ({
-    name: "built",
+    name: 'built',
     setup(from) {
-        from.onResolve({ filter: /^built:/ }, ({ path }) => ({ path, namespace: "built" }));
-        from.onLoad({ filter: /.*/, namespace: "built" }, ({ path }) => ({ contents: parts[path.slice(6)], loader: "text" }));
+        from.onResolve({ filter: /^built:/ }, ({ path }) => ({ path, namespace: 'built' }));
+        from.onLoad({ filter: /.*/, namespace: 'built' }, ({ path }) => ({ contents: parts[path.slice(6)], loader: 'text' }));
     },
 });
 
 async function bundle(entry, parts = {}) {
     const { outputFiles } = await build({
-        entryPoints: [join(here, entry)], bundle: true, write: false, minify: true, format: "iife", target: "es2022", charset: "utf8",
-        legalComments: "inline", logLevel: "warning", nodePaths: [modules], alias: { tribox: resolve(tribox, "tribox.mjs") },
-        define: { "import.meta.url": '"file:///"' }, plugins: [built(parts)],
+        entryPoints: [join(here, entry)],
+        bundle: true,
+        write: false,
+        minify: true,
+        format: 'iife',
+        target: 'es2022',
+        charset: 'utf8',
+        legalComments: 'inline',
+        logLevel: 'warning',
+        nodePaths: [modules],
+        alias: { tribox: resolve(tribox, 'tribox.mjs') },
+        define: { 'import.meta.url': '"file:///"' },
+        plugins: [built(parts)],
     });
     return outputFiles[0].text;
 }
 
-const worker = await bundle("src/worker.js");
-const wasm = (await readFile(join(tribox, "tribox.wasm"))).toString("base64");
-const script = await bundle("src/main.js", { worker, wasm });
-const style = (await bundle("style.css")).trim();
-const page = (await readFile(join(here, "index.html"), "utf8"))
-    .replace("/* built:style */", () => style)
-    .replace("/* built:script */", () => script.replaceAll("</script", "<\\/script"));
+const worker = await bundle('src/worker.js');
+const wasm = (await readFile(join(tribox, 'tribox.wasm'))).toString('base64');
+const script = await bundle('src/main.js', { worker, wasm });
+const style = (await bundle('style.css')).trim();
+const page = (await readFile(join(here, 'index.html'), 'utf8'))
+    .replace('/* built:style */', () => style)
+    .replace('/* built:script */', () => script.replaceAll('</script', '<\\/script'));
 
 // Whole or not at all.
 await mkdir(dirname(resolve(out)), { recursive: true });

@@ -1,6 +1,6 @@
 // box.js - the box in the units of the mesh, in floats: from the pose on the stage, and from numbers that were typed.
-import { Matrix4, Quaternion, Vector3 } from "three";
-import { shortest } from "./numbers.js";
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import { shortest } from './numbers.js';
 
 const UPRIGHT = new Quaternion();
 
@@ -31,11 +31,15 @@ export function poseBox(pose, { middle, scale }, box) {
 
 const numbersOf = (box) => (box.turned ? [...box.center, ...box.half, ...box.axes] : [...box.lo, ...box.hi]);
 
-export const textOfBox = (box) => numbersOf(box).map(shortest).join(",");
+export const textOfBox = (box) => numbersOf(box).map(shortest).join(',');
 
 /** Six numbers are an upright box, fifteen a turned one; anything else is null. */
 export function boxOfText(text) {
-    const numbers = text.trim().split(/[\s,]+/).map(Number).map(Math.fround);
+    const numbers = text
+        .trim()
+        .split(/[\s,]+/)
+        .map(Number)
+        .map(Math.fround);
     if (!numbers.every(Number.isFinite)) return null;
     if (numbers.length === 6) {
         const box = { lo: numbers.slice(0, 3), hi: numbers.slice(3) };

@@ -2,18 +2,18 @@
 
 export function takeDrops(body, onFile) {
     let depth = 0; // dragenter and dragleave come from every element on the way
-    const show = () => body.classList.toggle("is-dragging", depth > 0);
-    body.addEventListener("dragenter", (event) => {
+    const show = () => body.classList.toggle('is-dragging', depth > 0);
+    body.addEventListener('dragenter', (event) => {
         event.preventDefault();
         depth++;
         show();
     });
-    body.addEventListener("dragleave", () => {
+    body.addEventListener('dragleave', () => {
         depth--;
         show();
     });
-    body.addEventListener("dragover", (event) => event.preventDefault());
-    body.addEventListener("drop", (event) => {
+    body.addEventListener('dragover', (event) => event.preventDefault());
+    body.addEventListener('drop', (event) => {
         event.preventDefault();
         depth = 0;
         show();

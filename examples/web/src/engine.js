@@ -1,13 +1,13 @@
 // engine.js - the Workers as one: deals a mesh out, asks each about its part, joins their answers.
-import workerSource from "built:worker";
-import { joinBits, setBits } from "./bits.js";
+import workerSource from 'built:worker';
+import { joinBits, setBits } from './bits.js';
 
-const url = URL.createObjectURL(new Blob([workerSource], { type: "text/javascript" }));
+const url = URL.createObjectURL(new Blob([workerSource], { type: 'text/javascript' }));
 
 /** One Worker, whose answers are promises. */
 class Hand {
     constructor() {
-        this.worker = new Worker(url, { name: "tribox" });
+        this.worker = new Worker(url, { name: 'tribox' });
         this.waiting = new Map();
         this.next = 0;
         this.worker.onmessage = ({ data: { id, answer, news, error } }) => {
@@ -18,7 +18,7 @@ class Hand {
             else asked.done(answer);
         };
         this.worker.onerror = (event) => {
-            for (const asked of this.waiting.values()) asked.fail(new Error(event.message || "a Worker could not be started"));
+            for (const asked of this.waiting.values()) asked.fail(new Error(event.message || 'a Worker could not be started'));
             this.waiting.clear();
         };
     }
@@ -41,7 +41,7 @@ export class Engine {
         const engine = new Engine();
         const module = await WebAssembly.compile(bytes);
         engine.hands = Array.from({ length: workers }, () => new Hand());
-        const [{ kernel }] = await Promise.all(engine.hands.map((hand) => hand.ask("open", { module })));
+        const [{ kernel }] = await Promise.all(engine.hands.map((hand) => hand.ask('open', { module })));
         engine.kernel = kernel;
         return engine;
     }
@@ -52,12 +52,15 @@ export class Engine {
 
     /** triangles: nine floats each. Parts are whole words of the masks. */
     async load(triangles) {
-        const count = triangles.length / 9, share = 64 * Math.ceil(count / 64 / this.workers);
+        const count = triangles.length / 9,
+            share = 64 * Math.ceil(count / 64 / this.workers);
         this.starts = this.hands.map((_, w) => Math.min(w * share, count));
-        await Promise.all(this.hands.map((hand, w) => {
-            const part = triangles.slice(9 * this.starts[w], 9 * Math.min((w + 1) * share, count));
-            return hand.ask("load", { triangles: part }, { transfer: [part.buffer] });
-        }));
+        await Promise.all(
+            this.hands.map((hand, w) => {
+                const part = triangles.slice(9 * this.starts[w], 9 * Math.min((w + 1) * share, count));
+                return hand.ask('load', { triangles: part }, { transfer: [part.buffer] });
+            }),
+        );
         this.count = count;
     }
 
@@ -68,14 +71,28 @@ export class Engine {
     /** Which triangles overlap the box, lie inside, and are answered unlike EXACT. */
     async ask(question) {
         const start = performance.now();
-        const answers = await this.all("ask", question);
+        const answers = await this.all('ask', question);
         return {
-            mask: joinBits(answers.map((answer) => answer.mask), this.starts, this.count),
-            inside: joinBits(answers.map((answer) => answer.inside), this.starts, this.count),
-            unlike: answers[0].unlike && joinBits(answers.map((answer) => answer.unlike), this.starts, this.count),
-            overlapping: sum(answers, "overlapping"),
-            insides: sum(answers, "insides"),
-            undecided: sum(answers, "undecided"),
+            mask: joinBits(
+                answers.map((answer) => answer.mask),
+                this.starts,
+                this.count,
+            ),
+            inside: joinBits(
+                answers.map((answer) => answer.inside),
+                this.starts,
+                this.count,
+            ),
+            unlike:
+                answers[0].unlike &&
+                joinBits(
+                    answers.map((answer) => answer.unlike),
+                    this.starts,
+                    this.count,
+                ),
+            overlapping: sum(answers, 'overlapping'),
+            insides: sum(answers, 'insides'),
+            undecided: sum(answers, 'undecided'),
             milliseconds: longest(answers),
             roundTrip: performance.now() - start,
         };
@@ -83,12 +100,12 @@ export class Engine {
 
     /** The time of a question that was asked, measured with care while nothing else is; null if something was. */
     async settle(question) {
-        const answers = await this.all("settle", question);
+        const answers = await this.all('settle', question);
         return answers.every((answer) => answer.milliseconds !== null) ? longest(answers) : null;
     }
 
     async voxelize(grid, test) {
-        const answers = await this.all("voxelize", { grid, test });
+        const answers = await this.all('voxelize', { grid, test });
         const bits = answers[0].bits;
         for (const answer of answers.slice(1)) setBits(bits, answer.bits);
         return { bits, milliseconds: longest(answers) };
@@ -96,6 +113,6 @@ export class Engine {
 
     /** On one Worker, so on its part of the mesh. */
     measure(question, onNews) {
-        return this.hands[0].ask("measure", question, { onNews });
+        return this.hands[0].ask('measure', question, { onNews });
     }
 }

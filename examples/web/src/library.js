@@ -1,7 +1,11 @@
 // library.js - tribox over one part of a mesh, in one instance of the wasm.
-import { load } from "tribox";
+import { load } from 'tribox';
 
-const GROUPS = [[1, "box"], [2, "plane"], [4, "edges"]];
+const GROUPS = [
+    [1, 'box'],
+    [2, 'plane'],
+    [4, 'edges'],
+];
 
 const optionsOf = ({ accuracy, axes, order }) => ({
     accuracy,
@@ -29,7 +33,7 @@ export class Library {
         this.triangles = triangles;
         this.count = triangles.length / 9;
         this.soup = this.tribox.soup({ positions: triangles });
-        for (const name of ["mask", "insideMask", "other"]) this[name] = this.tribox.mask(this.count);
+        for (const name of ['mask', 'insideMask', 'other']) this[name] = this.tribox.mask(this.count);
     }
 
     /** Near triangles become near in number, in a copy: what an index wants. */
@@ -54,7 +58,8 @@ export class Library {
     putInFileOrder() {
         const { ids } = this.sorted;
         for (const mask of [this.mask, this.insideMask]) {
-            const from = mask.words.slice(), to = mask.words.fill(0);
+            const from = mask.words.slice(),
+                to = mask.words.fill(0);
             for (let w = 0; w < from.length; w++)
                 for (let left = from[w]; left; left &= left - 1) {
                     const triangle = ids[32 * w + 31 - Math.clz32(left & -left)];
@@ -65,7 +70,7 @@ export class Library {
 
     /** What EXACT answers: words that the next call overwrites. */
     askExact(box, test) {
-        const options = { ...optionsOf(test), accuracy: "exact", into: this.other };
+        const options = { ...optionsOf(test), accuracy: 'exact', into: this.other };
         this.soup.overlap(box.turned ? orientedOf(box) : box, options);
         return this.other.words;
     }
@@ -75,7 +80,8 @@ export class Library {
      * triangles of three equal vertices, whose streams are those of one vertex.
      */
     findInsideTurned(box) {
-        const box15 = orientedOf(box), inside = this.insideMask.words;
+        const box15 = orientedOf(box),
+            inside = this.insideMask.words;
         for (let vertex = 0; vertex < 3; vertex++) {
             const found = this.pointsInside(vertex, box15);
             if (vertex) for (let i = 0; i < inside.length; i++) inside[i] &= found[i];
@@ -84,8 +90,10 @@ export class Library {
     }
 
     pointsInside(vertex, oriented) {
-        const { exports, memory } = this.tribox, room = exports.malloc(128);
-        const soup = new Uint32Array(memory.buffer, room, 10), from = new Uint32Array(memory.buffer, this.soup.address, 10);
+        const { exports, memory } = this.tribox,
+            room = exports.malloc(128);
+        const soup = new Uint32Array(memory.buffer, room, 10),
+            from = new Uint32Array(memory.buffer, this.soup.address, 10);
         for (let axis = 0; axis < 3; axis++) soup.fill(from[3 * axis + vertex], 3 * axis, 3 * axis + 3);
         soup[9] = this.count;
         new Float32Array(memory.buffer, room + 40, 15).set([...oriented.center, ...oriented.half, ...oriented.axis.flat()]);
@@ -97,20 +105,23 @@ export class Library {
 
     /** The cells of a grid that these triangles mark: words of 32 cells, and how long it took. */
     voxelize(grid, test) {
-        const start = performance.now(), voxels = this.soup.voxelize(grid, optionsOf(test));
+        const start = performance.now(),
+            voxels = this.soup.voxelize(grid, optionsOf(test));
         return { bits: voxels.bits, milliseconds: performance.now() - start };
     }
 
     /** The paper's test reads nine floats a triangle, one after another: a copy for it alone. */
     openPaper() {
-        const { exports, memory } = this.tribox, bytes = 4 * this.triangles.length;
+        const { exports, memory } = this.tribox,
+            bytes = 4 * this.triangles.length;
         this.paper = exports.malloc(bytes + 24);
         if (!this.paper) throw new Error("no memory for the paper's copy of the mesh: take a smaller one");
         new Float32Array(memory.buffer, this.paper + 24, this.triangles.length).set(this.triangles);
     }
 
     askPaper({ lo, hi }) {
-        const { exports, memory } = this.tribox, numbers = new Float32Array(memory.buffer, this.paper, 6);
+        const { exports, memory } = this.tribox,
+            numbers = new Float32Array(memory.buffer, this.paper, 6);
         numbers.set([...lo.map((l, a) => (l + hi[a]) / 2), ...lo.map((l, a) => (hi[a] - l) / 2)]);
         exports.paper_overlap(this.paper, this.paper + 12, this.paper + 24, this.count, this.other.words.byteOffset);
     }

@@ -1,32 +1,34 @@
 // main.js - starts the page: the stage, the Workers, the panel, and what passes between them.
-import wasm from "built:wasm";
-import { allowedTest } from "./allowed.js";
-import { boxOfPose, boxOfText, poseBox } from "./box.js";
-import { drawChart } from "./chart.js";
-import { makeChoice } from "./choices.js";
-import { takeDrops } from "./drop.js";
-import { Engine } from "./engine.js";
-import { boundsOf, frameOf, gridAround } from "./mesh.js";
-import { Motion } from "./motion.js";
-import { Panel } from "./panel.js";
-import { readMesh } from "./readers/read.js";
-import { scenes } from "./scenes/scenes.js";
-import { startTheme } from "./theme.js";
-import { addBoxKeys } from "./view/box_keys.js";
-import { BoxView } from "./view/box_view.js";
-import { Cells } from "./view/cells.js";
-import { Stage } from "./view/stage.js";
-import { Triangles } from "./view/triangles.js";
+import wasm from 'built:wasm';
+import { allowedTest } from './allowed.js';
+import { boxOfPose, boxOfText, poseBox } from './box.js';
+import { drawChart } from './chart.js';
+import { makeChoice } from './choices.js';
+import { takeDrops } from './drop.js';
+import { Engine } from './engine.js';
+import { boundsOf, frameOf, gridAround } from './mesh.js';
+import { Motion } from './motion.js';
+import { Panel } from './panel.js';
+import { readMesh } from './readers/read.js';
+import { scenes } from './scenes/scenes.js';
+import { startTheme } from './theme.js';
+import { addBoxKeys } from './view/box_keys.js';
+import { BoxView } from './view/box_view.js';
+import { Cells } from './view/cells.js';
+import { Stage } from './view/stage.js';
+import { Triangles } from './view/triangles.js';
 
-const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const given = new URLSearchParams(location.search); // ?workers=1, ?scene=million
 
 const panel = new Panel();
 let stage, triangles, cells, box, engine;
 let mesh = null; // name, triangles, up, box, bounds, frame
 let typed = null; // a box as typed, until the pose changes
-let isAsking = false, isWanted = false;
-let isVoxelizing = false, areCellsWanted = false;
+let isAsking = false,
+    isWanted = false;
+let isVoxelizing = false,
+    areCellsWanted = false;
 
 const boxNow = () => typed ?? boxOfPose(box.pose, mesh.frame);
 
@@ -38,8 +40,11 @@ async function ask() {
     try {
         while (isWanted) {
             isWanted = false;
-            const asked = mesh, now = boxNow(), byIndex = panel.isByIndex();
-            const { test, note } = allowedTest(panel.test(), now, byIndex), question = { box: now, test, byIndex };
+            const asked = mesh,
+                now = boxNow(),
+                byIndex = panel.isByIndex();
+            const { test, note } = allowedTest(panel.test(), now, byIndex),
+                question = { box: now, test, byIndex };
             const answer = await engine.ask(question);
             if (asked !== mesh) continue;
             triangles.classify(answer);
@@ -47,9 +52,9 @@ async function ask() {
             panel.noteTest(note);
             settle(question);
         }
-        panel.clearMessage("ask");
+        panel.clearMessage('ask');
     } catch (error) {
-        panel.say("ask", error.message);
+        panel.say('ask', error.message);
     } finally {
         isAsking = false;
     }
@@ -62,7 +67,8 @@ let resting = 0;
 function settle(question) {
     clearTimeout(resting);
     resting = setTimeout(async () => {
-        const asked = mesh, milliseconds = await engine.settle(question).catch(() => null);
+        const asked = mesh,
+            milliseconds = await engine.settle(question).catch(() => null);
         if (milliseconds !== null && asked === mesh && !isAsking) panel.showTime(milliseconds, question.byIndex, engine);
     }, REST_MS);
 }
@@ -81,17 +87,26 @@ async function voxelize() {
                 panel.hideCells();
                 continue;
             }
-            const asked = mesh, resolution = panel.resolution(), test = { ...panel.test(), axes: 7, order: 0 };
-            const grid = gridAround(asked.bounds, resolution), start = performance.now();
+            const asked = mesh,
+                resolution = panel.resolution(),
+                test = { ...panel.test(), axes: 7, order: 0 };
+            const grid = gridAround(asked.bounds, resolution),
+                start = performance.now();
             const { bits, milliseconds } = await engine.voxelize(grid, test);
             if (asked !== mesh) continue;
-            panel.showCells({ ...cells.show(grid, bits, asked.frame), grid, resolution, milliseconds, wall: performance.now() - start });
+            panel.showCells({
+                ...cells.show(grid, bits, asked.frame),
+                grid,
+                resolution,
+                milliseconds,
+                wall: performance.now() - start,
+            });
         }
-        panel.clearMessage("cells");
+        panel.clearMessage('cells');
     } catch (error) {
         triangles.mesh.visible = true;
         cells.hide();
-        panel.say("cells", error.message);
+        panel.say('cells', error.message);
     } finally {
         isVoxelizing = false;
     }
@@ -105,7 +120,8 @@ function placeBox(to) {
 }
 
 function boxFor({ lo, hi }) {
-    const middle = lo.map((l, a) => (l + hi[a]) / 2), half = Math.max(...lo.map((l, a) => hi[a] - l)) / 5 || 1;
+    const middle = lo.map((l, a) => (l + hi[a]) / 2),
+        half = Math.max(...lo.map((l, a) => hi[a] - l)) / 5 || 1;
     return { center: middle.map((m, a) => m + (hi[a] - lo[a]) / 5), half: [half, half, half] };
 }
 
@@ -113,7 +129,8 @@ async function show(next) {
     panel.busy(true);
     try {
         const bounds = boundsOf(next.triangles);
-        if (!(bounds.lo[0] <= bounds.hi[0])) throw new Error(`${next.name}: none of its triangles has finite coordinates. Export it again.`);
+        if (!(bounds.lo[0] <= bounds.hi[0]))
+            throw new Error(`${next.name}: none of its triangles has finite coordinates. Export it again.`);
         await engine.load(next.triangles);
         mesh = { ...next, bounds, frame: frameOf(bounds), box: next.box ?? boxFor(bounds) };
         triangles.show(mesh.triangles, mesh.frame);
@@ -130,7 +147,8 @@ async function showScene(name) {
     const { make, box } = scenes[name];
     panel.showScene(name);
     await nextFrame();
-    await show({ box, triangles: make(), up: "z" });
+    await show({ box, triangles: make(), up: 'z' });
+    panel.clearMessage('file');
 }
 
 /** Files come one after another, whatever becomes of each. */
@@ -139,9 +157,9 @@ async function showFile(file) {
     await nextFrame();
     try {
         await show(await readMesh(file));
-        panel.clearMessage("file");
+        panel.clearMessage('file');
     } catch (error) {
-        panel.say("file", error.message);
+        panel.say('file', error.message);
     } finally {
         panel.busy(false);
     }
@@ -150,7 +168,7 @@ async function showFile(file) {
 const nextFrame = () => new Promise((go) => setTimeout(go, 0));
 
 async function measure() {
-    panel.measuring("warming up…");
+    panel.measuring('warming up…');
     try {
         const now = boxNow();
         if (now.turned) throw new Error("The paper's test takes upright boxes. Press Reset, or type one.");
@@ -164,7 +182,7 @@ async function measure() {
 }
 
 function startStage() {
-    stage = new Stage(document.getElementById("canvas"), isStill);
+    stage = new Stage(document.getElementById('canvas'), isStill);
     triangles = new Triangles(stage);
     cells = new Cells(stage);
     box = new BoxView(stage, () => {
@@ -173,14 +191,14 @@ function startStage() {
         ask();
     });
     stage.addOrbit();
-    const setMode = makeChoice(document.getElementById("mode"), (mode) => box.setMode(mode));
+    const setMode = makeChoice(document.getElementById('mode'), (mode) => box.setMode(mode));
     addBoxKeys(stage, box, setMode);
-    startTheme(document.getElementById("theme"), (colours) => {
+    startTheme(document.getElementById('theme'), (colours) => {
         for (const painted of [triangles, cells, box]) painted.paint(colours);
     });
 }
 
-const motion = new Motion(document.getElementById("play"), (to) => {
+const motion = new Motion(document.getElementById('play'), (to) => {
     if (mesh) placeBox({ ...to(mesh.box) });
 });
 
@@ -192,7 +210,7 @@ function listen() {
     panel.onCells = voxelize;
     panel.onMeasure = measure;
     panel.onFile = showFile;
-    panel.onScene = (name) => showScene(name).catch((error) => panel.say("file", error.message));
+    panel.onScene = (name) => showScene(name).catch((error) => panel.say('file', error.message));
     panel.onNumbers = (text) => {
         const read = boxOfText(text);
         if (read) {
@@ -201,7 +219,7 @@ function listen() {
         }
         return Boolean(read);
     };
-    document.getElementById("reset").addEventListener("click", () => {
+    document.getElementById('reset').addEventListener('click', () => {
         motion.stop();
         if (!mesh) return;
         stage.lookFrom(mesh.up);
@@ -216,11 +234,11 @@ async function start() {
     try {
         startStage();
         listen();
-        const workers = Number(given.get("workers")) || Math.min(2, navigator.hardwareConcurrency || 1);
+        const workers = Number(given.get('workers')) || Math.min(2, navigator.hardwareConcurrency || 1);
         engine = await Engine.start(bytesOf(wasm), workers);
-        await showScene(scenes[given.get("scene")] ? given.get("scene") : "knot");
+        await showScene(scenes[given.get('scene')] ? given.get('scene') : 'knot');
     } catch (error) {
-        panel.say("start", `The page does not start: ${error.message}. It needs WebGL 2 and WebAssembly with SIMD.`);
+        panel.say('start', `The page does not start: ${error.message}. It needs WebGL 2 and WebAssembly with SIMD.`);
     }
 }
 

@@ -1,6 +1,6 @@
 // measure.js - times the paper's test and tribox's in turns, until the compiler of the browser has done its best.
 
-import { breathe } from "./breathe.js";
+import { breathe } from './breathe.js';
 
 const ROUNDS = 15;
 const WARM_MS = 400; // the least that browsers run code that they have compiled in a hurry
@@ -18,7 +18,8 @@ const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 /** Runs each until the best of its times no longer falls; how many calls make a time long enough for the clock. */
 async function warmUp(contestants) {
     const start = performance.now();
-    let best = contestants.map(() => Infinity), calm = 0;
+    let best = contestants.map(() => Infinity),
+        calm = 0;
     for (let passed = 0; passed < MOST_MS && (passed < WARM_MS || calm < 3); passed = performance.now() - start) {
         const times = contestants.map((c) => time(c.run, c.calls));
         contestants.forEach((c, i) => {
@@ -34,16 +35,16 @@ async function warmUp(contestants) {
 export async function measure(library, box, axes, say) {
     const test = (accuracy) => () => library.ask(box, { accuracy, axes, order: 0 });
     const contestants = [
-        { name: "paper", run: () => library.askPaper(box) },
-        { name: "fast", run: test("fast") },
-        { name: "conservative", run: test("conservative") },
-        { name: "exact", run: test("exact") },
+        { name: 'paper', run: () => library.askPaper(box) },
+        { name: 'fast', run: test('fast') },
+        { name: 'conservative', run: test('conservative') },
+        { name: 'exact', run: test('exact') },
     ].map((c) => ({ ...c, calls: 1, times: [] }));
     library.openPaper();
     try {
-        say({ stage: "warming up" });
+        say({ stage: 'warming up' });
         await warmUp(contestants);
-        say({ stage: "measuring" });
+        say({ stage: 'measuring' });
         for (let round = 0; round < ROUNDS; round++) {
             for (const c of contestants) c.times.push(time(c.run, c.calls));
             await breathe();

@@ -2,7 +2,8 @@
 
 /** Bounds of the triangles that are finite; how many are not. */
 export function boundsOf(triangles) {
-    const lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
+    const lo = [Infinity, Infinity, Infinity],
+        hi = [-Infinity, -Infinity, -Infinity];
     let notFinite = 0;
     for (let i = 0; i < triangles.length; i += 9) {
         let sum = 0;
@@ -12,7 +13,8 @@ export function boundsOf(triangles) {
             continue;
         }
         for (let k = 0; k < 9; k++) {
-            const x = triangles[i + k], a = k % 3;
+            const x = triangles[i + k],
+                a = k % 3;
             if (x < lo[a]) lo[a] = x;
             if (x > hi[a]) hi[a] = x;
         }
@@ -42,8 +44,9 @@ const plane = (origin, cell, p) => Math.fround(origin + p * cell);
 
 /** Cubes, so many along the longest side, that just reach its end: the grid of `tribox voxelize --resolution`. */
 export function gridAround({ lo, hi }, resolution) {
-    const sides = lo.map((l, a) => hi[a] - l), longest = sides.indexOf(Math.max(...sides));
-    if (!(sides[longest] > 0)) throw new Error("the whole mesh lies in one point: there is no grid around it");
+    const sides = lo.map((l, a) => hi[a] - l),
+        longest = sides.indexOf(Math.max(...sides));
+    if (!(sides[longest] > 0)) throw new Error('the whole mesh lies in one point: there is no grid around it');
     let cell = Math.fround(sides[longest] / resolution);
     while (plane(lo[longest], cell, resolution) < hi[longest]) cell = nextFloat(cell);
     const size = lo.map((l, a) => {

@@ -6,7 +6,7 @@ export class Motion {
         this.button = button;
         this.place = place;
         this.time = 0;
-        button.addEventListener("click", () => (this.isRunning ? this.stop() : this.run()));
+        button.addEventListener('click', () => (this.isRunning ? this.stop() : this.run()));
     }
 
     run() {
@@ -29,12 +29,13 @@ export class Motion {
     }
 
     show() {
-        this.button.setAttribute("aria-pressed", this.isRunning);
-        this.button.textContent = this.isRunning ? "Stop" : "Play";
+        this.button.setAttribute('aria-pressed', this.isRunning);
+        this.button.textContent = this.isRunning ? 'Stop' : 'Play';
     }
 
     moved({ center, half }) {
-        const waves = [0.61, 0.83, 0.47], reach = Math.max(...half) * 1.3;
+        const waves = [0.61, 0.83, 0.47],
+            reach = Math.max(...half) * 1.3;
         return { center: center.map((c, a) => c + reach * Math.sin(waves[a] * this.time)), half };
     }
 }

@@ -9,7 +9,7 @@ export function shortest(float) {
     return String(float);
 }
 
-export const whole = (number) => number.toLocaleString("en-US");
+export const whole = (number) => number.toLocaleString('en-US');
 
 /** Three digits. */
 export function three(number) {

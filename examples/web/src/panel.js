@@ -1,44 +1,44 @@
 // panel.js - what the page says and what is chosen in it: every element beside the stage.
-import { listBits } from "./bits.js";
-import { textOfBox } from "./box.js";
-import { makeChoice } from "./choices.js";
-import { commandOf } from "./command.js";
-import { milliseconds, three, whole } from "./numbers.js";
-import { scenes } from "./scenes/scenes.js";
+import { listBits } from './bits.js';
+import { textOfBox } from './box.js';
+import { makeChoice } from './choices.js';
+import { commandOf } from './command.js';
+import { milliseconds, three, whole } from './numbers.js';
+import { scenes } from './scenes/scenes.js';
 
 const element = (id) => document.getElementById(id);
 const MOST_LISTED = 2000;
 const SPEAK_AFTER = 700;
 
 const NOTES = {
-    exact: "The true answer for every finite float.",
-    conservative: "Never misses an overlap; may report a triangle that comes within rounding of contact.",
-    fast: "Single precision: errs either way within rounding of contact.",
+    exact: 'The true answer for every finite float.',
+    conservative: 'Never misses an overlap; may report a triangle that comes within rounding of contact.',
+    fast: 'Single precision: errs either way within rounding of contact.',
 };
 
 export class Panel {
     constructor() {
         this.messages = new Map();
-        this.chart = element("chart");
-        for (const [name, { title }] of Object.entries(scenes)) element("scene").add(new Option(title, name));
-        this.accuracy = "exact";
-        makeChoice(element("accuracy"), (accuracy) => {
+        this.chart = element('chart');
+        for (const [name, { title }] of Object.entries(scenes)) element('scene').add(new Option(title, name));
+        this.accuracy = 'exact';
+        makeChoice(element('accuracy'), (accuracy) => {
             this.accuracy = accuracy;
             this.testChanged();
         });
-        for (const id of ["order", "by-index"]) element(id).addEventListener("change", () => this.testChanged());
-        for (const box of this.axisBoxes()) box.addEventListener("change", () => this.axisChanged(box));
-        element("cells").addEventListener("change", () => this.onCells());
-        element("resolution").addEventListener("input", () => this.resolutionChanged());
-        element("measure").addEventListener("click", () => this.onMeasure());
-        element("scene").addEventListener("change", ({ target }) => target.value && this.onScene(target.value));
-        element("open").addEventListener("click", () => element("file").click());
-        element("file").addEventListener("change", ({ target }) => {
+        for (const id of ['order', 'by-index']) element(id).addEventListener('change', () => this.testChanged());
+        for (const box of this.axisBoxes()) box.addEventListener('change', () => this.axisChanged(box));
+        element('cells').addEventListener('change', () => this.onCells());
+        element('resolution').addEventListener('input', () => this.resolutionChanged());
+        element('measure').addEventListener('click', () => this.onMeasure());
+        element('scene').addEventListener('change', ({ target }) => target.value && this.onScene(target.value));
+        element('open').addEventListener('click', () => element('file').click());
+        element('file').addEventListener('change', ({ target }) => {
             const [file] = target.files;
-            target.value = "";
+            target.value = '';
             if (file) this.onFile(file);
         });
-        element("numbers").addEventListener("change", ({ target }) => this.numbersChanged(target));
+        element('numbers').addEventListener('change', ({ target }) => this.numbersChanged(target));
         this.showAccuracy();
     }
 
@@ -58,43 +58,53 @@ export class Panel {
     }
 
     noteTest(text) {
-        element("test-note").textContent = text;
-        element("test-note").hidden = !text;
+        element('test-note').textContent = text;
+        element('test-note').hidden = !text;
     }
 
     showAccuracy() {
-        element("accuracy-note").textContent = NOTES[this.accuracy];
-        element("unlike-row").hidden = this.accuracy === "exact";
+        element('accuracy-note').textContent = NOTES[this.accuracy];
+        element('unlike-row').hidden = this.accuracy === 'exact';
     }
 
     resolutionChanged() {
-        element("resolution-value").value = element("resolution").value;
-        element("cells").checked = true;
+        element('resolution-value').value = element('resolution').value;
+        element('cells').checked = true;
         this.onCells();
+    }
+
+    showNumbers(text) {
+        element('numbers').value = text;
+        element('numbers').removeAttribute('aria-invalid');
+        this.clearMessage('numbers');
     }
 
     numbersChanged(input) {
         const isRead = this.onNumbers(input.value);
-        input.setAttribute("aria-invalid", !isRead);
-        if (isRead) this.clearMessage("numbers");
-        else this.say("numbers", `"${input.value}" is no box. Six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1`);
+        input.setAttribute('aria-invalid', !isRead);
+        if (isRead) this.clearMessage('numbers');
+        else
+            this.say(
+                'numbers',
+                `"${input.value}" is no box. Six numbers are wanted, the lower corner and then the upper: 0,0,0,1,1,1`,
+            );
     }
 
     test() {
         const axes = this.axisBoxes().reduce((sum, box) => sum + (box.checked ? Number(box.value) : 0), 0);
-        return { accuracy: this.accuracy, axes, order: Number(element("order").value) };
+        return { accuracy: this.accuracy, axes, order: Number(element('order').value) };
     }
 
     isByIndex() {
-        return element("by-index").checked;
+        return element('by-index').checked;
     }
 
     wantsCells() {
-        return element("cells").checked;
+        return element('cells').checked;
     }
 
     resolution() {
-        return Number(element("resolution").value);
+        return Number(element('resolution').value);
     }
 
     /** One message at a time is seen, the latest of those that still hold. */
@@ -110,89 +120,97 @@ export class Panel {
 
     showMessage() {
         const text = [...this.messages.values()].at(-1);
-        element("message").textContent = text ?? "";
-        element("message").hidden = !text;
-        if (text) element("message").scrollIntoView({ block: "nearest" });
+        element('message').textContent = text ?? '';
+        element('message').hidden = !text;
+        if (text) element('message').scrollIntoView({ block: 'nearest' });
     }
 
     busy(isBusy) {
-        document.body.classList.toggle("is-busy", isBusy);
+        document.body.classList.toggle('is-busy', isBusy);
     }
 
     showScene(name) {
-        element("scene").value = name;
+        element('scene').value = name;
     }
 
     showMesh({ name, triangles, bounds }) {
-        const left = bounds.notFinite ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.` : "";
-        if (name) element("scene").value = "";
-        element("mesh-note").textContent = `${name ? `${name}: ${whole(triangles.length / 9)} triangles.` : ""}${left} ` +
-            "Or drop a file: .stl, .obj, .ply, .off, .glb. It stays on this machine.";
+        const left = bounds.notFinite
+            ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.`
+            : '';
+        if (name) element('scene').value = '';
+        element('mesh-note').textContent =
+            `${name ? `${name}: ${whole(triangles.length / 9)} triangles.` : ''}${left} ` +
+            'Or drop a file: .stl, .obj, .ply, .off, .glb. It stays on this machine.';
     }
 
     /** Returns the triangles that are answered unlike EXACT. */
     showAnswer(answer, { box, test, byIndex }, mesh, engine) {
-        const { overlapping, insides, unlike } = answer, { count } = engine;
+        const { overlapping, insides, unlike } = answer,
+            { count } = engine;
         this.showTime(answer.milliseconds, byIndex, engine);
-        element("straddling").textContent = whole(overlapping - insides);
-        element("inside").textContent = whole(insides);
-        element("missed").textContent = whole(count - overlapping);
-        if (document.activeElement !== element("numbers")) element("numbers").value = textOfBox(box);
-        element("numbers-label").textContent = box.turned ? "Centre, half lengths, three axes" : "Lower and upper corner";
-        element("command").textContent = commandOf(mesh.name, box, test);
-        this.speak(`${whole(overlapping - insides)} triangles straddle the box, ${whole(insides)} lie inside, ` +
-            `${whole(count - overlapping)} miss it.`);
+        element('straddling').textContent = whole(overlapping - insides);
+        element('inside').textContent = whole(insides);
+        element('missed').textContent = whole(count - overlapping);
+        if (document.activeElement !== element('numbers')) this.showNumbers(textOfBox(box));
+        element('numbers-label').textContent = box.turned ? 'Centre, half lengths, three axes' : 'Lower and upper corner';
+        element('command').textContent = commandOf(mesh.name, box, test);
+        this.speak(
+            `${whole(overlapping - insides)} triangles straddle the box, ${whole(insides)} lie inside, ` +
+                `${whole(count - overlapping)} miss it.`,
+        );
         return this.listUnlike(unlike, test.accuracy);
     }
 
     showTime(ms, byIndex, { workers, count, kernel }) {
-        element("time").value = milliseconds(ms);
-        const rate = byIndex ? "by the index" : `${three((1e6 * ms) / count)} ns a triangle`;
-        element("rate").textContent = `${rate}, ${kernel}${workers > 1 ? ` on ${workers} threads` : ""}`;
+        element('time').value = milliseconds(ms);
+        const rate = byIndex ? 'by the index' : `${three((1e6 * ms) / count)} ns a triangle`;
+        element('rate').textContent = `${rate}, ${kernel}${workers > 1 ? `, ${workers} threads` : ''}`;
     }
 
     listUnlike(unlike, accuracy) {
-        element("unlike-list").hidden = !unlike;
+        element('unlike-list').hidden = !unlike;
         if (!unlike) return [];
-        const numbers = listBits(unlike), more = numbers.length - MOST_LISTED;
-        element("unlike").textContent = whole(numbers.length);
-        element("unlike-title").textContent = numbers.length
-            ? `${accuracy.toUpperCase()} differs from EXACT on ${whole(numbers.length)} triangle${numbers.length === 1 ? "" : "s"}`
+        const numbers = listBits(unlike),
+            more = numbers.length - MOST_LISTED;
+        element('unlike').textContent = whole(numbers.length);
+        element('unlike-title').textContent = numbers.length
+            ? `${accuracy.toUpperCase()} differs from EXACT on ${whole(numbers.length)} triangle${numbers.length === 1 ? '' : 's'}`
             : `${accuracy.toUpperCase()} and EXACT agree here on every triangle`;
-        element("unlike-numbers").textContent = numbers.slice(0, MOST_LISTED).join(" ") + (more > 0 ? ` and ${whole(more)} more` : "");
-        element("unlike-numbers").hidden = !numbers.length;
+        element('unlike-numbers').textContent =
+            numbers.slice(0, MOST_LISTED).join(' ') + (more > 0 ? ` and ${whole(more)} more` : '');
+        element('unlike-numbers').hidden = !numbers.length;
         return numbers;
     }
 
     /** For those who cannot see the counts, once the box rests. */
     speak(text) {
         clearTimeout(this.speaking);
-        this.speaking = setTimeout(() => (element("spoken").textContent = text), SPEAK_AFTER);
+        this.speaking = setTimeout(() => (element('spoken').textContent = text), SPEAK_AFTER);
     }
 
     showCells({ count, drawn, grid, resolution, milliseconds: ms }) {
-        const cut = drawn < count ? ` The first ${whole(drawn)} are drawn: more would be slow.` : "";
-        element("cells-note").textContent = `${whole(count)} of ${grid.size.join(" × ")} cells in ${milliseconds(ms)}.${cut}`;
-        element("resolution-value").value = resolution;
+        const cut = drawn < count ? ` The first ${whole(drawn)} are drawn: more would be slow.` : '';
+        element('cells-note').textContent = `${whole(count)} of ${grid.size.join(' × ')} cells in ${milliseconds(ms)}.${cut}`;
+        element('resolution-value').value = resolution;
     }
 
     hideCells() {
-        element("cells-note").textContent = "Every cell of a grid that a triangle overlaps.";
+        element('cells-note').textContent = 'Every cell of a grid that a triangle overlaps.';
     }
 
     measuring(text) {
-        element("measure").disabled = true;
-        element("measure").textContent = text;
+        element('measure').disabled = true;
+        element('measure').textContent = text;
     }
 
     measured() {
-        element("measure").disabled = false;
-        element("measure").textContent = "Measure";
+        element('measure').disabled = false;
+        element('measure').textContent = 'Measure';
     }
 
     chartNote(text) {
-        const note = document.createElement("p");
-        note.className = "note";
+        const note = document.createElement('p');
+        note.className = 'note';
         note.textContent = text;
         this.chart.replaceChildren(note);
     }

@@ -1,6 +1,6 @@
 // theme.js - dark or light: what the system prefers, until the button is pressed. Colours of the stage come from the style sheet.
 
-const names = ["missed", "straddling", "inside", "unlike", "box", "cells"];
+const names = ['missed', 'straddling', 'inside', 'unlike', 'box', 'cells'];
 
 function coloursOf(root) {
     const style = getComputedStyle(root);
@@ -9,18 +9,19 @@ function coloursOf(root) {
 
 /** paint is called with the colours now and at every change. */
 export function startTheme(button, paint) {
-    const root = document.documentElement, system = matchMedia("(prefers-color-scheme: light)");
+    const root = document.documentElement,
+        system = matchMedia('(prefers-color-scheme: light)');
     let chosen = null;
     const apply = () => {
-        const theme = chosen ?? (system.matches ? "light" : "dark");
+        const theme = chosen ?? (system.matches ? 'light' : 'dark');
         root.dataset.theme = theme;
-        button.textContent = theme === "dark" ? "Light" : "Dark";
+        button.textContent = theme === 'dark' ? 'Light' : 'Dark';
         paint(coloursOf(root));
     };
-    button.addEventListener("click", () => {
-        chosen = root.dataset.theme === "dark" ? "light" : "dark";
+    button.addEventListener('click', () => {
+        chosen = root.dataset.theme === 'dark' ? 'light' : 'dark';
         apply();
     });
-    system.addEventListener("change", apply);
+    system.addEventListener('change', apply);
     apply();
 }

@@ -1,8 +1,8 @@
 // worker.js - answers questions about one part of a mesh, off the page's thread: messages in, messages out.
-import { countBits } from "./bits.js";
-import { breathe } from "./breathe.js";
-import { Library } from "./library.js";
-import { measure } from "./measure.js";
+import { countBits } from './bits.js';
+import { breathe } from './breathe.js';
+import { Library } from './library.js';
+import { measure } from './measure.js';
 
 let library = null;
 
@@ -12,7 +12,8 @@ let asked = 0; // questions so far: what takes its time gives way to the next
 /** Runs a call again until it fills a millisecond, as clocks of browsers are coarse. Returns milliseconds a call. */
 function time(call) {
     const start = performance.now();
-    let calls = 0, passed = 0;
+    let calls = 0,
+        passed = 0;
     do {
         call();
         calls++;
@@ -39,8 +40,9 @@ const answers = {
         const milliseconds = time(() => (undecided = ask()));
         if (byIndex) library.putInFileOrder();
         if (box.turned) library.findInsideTurned(box);
-        const mask = library.mask.words.slice(), inside = library.insideMask.words.slice();
-        const unlike = test.accuracy === "exact" ? null : library.askExact(box, test).slice();
+        const mask = library.mask.words.slice(),
+            inside = library.insideMask.words.slice();
+        const unlike = test.accuracy === 'exact' ? null : library.askExact(box, test).slice();
         if (unlike) for (let i = 0; i < mask.length; i++) unlike[i] ^= mask[i];
         return { mask, inside, unlike, milliseconds, undecided, overlapping: countBits(mask), insides: countBits(inside) };
     },
@@ -48,7 +50,8 @@ const answers = {
     /** The least time of the same question, once the browser has compiled its best; null if another question came. */
     async settle({ box, test, byIndex }) {
         const ask = byIndex ? () => library.askIndex(box, test) : () => library.ask(box, test);
-        const start = performance.now(), mine = asked;
+        const start = performance.now(),
+            mine = asked;
         let milliseconds = Infinity;
         while (performance.now() - start < SETTLE_MS) {
             milliseconds = Math.min(milliseconds, time(ask));
@@ -63,7 +66,8 @@ const answers = {
     measure: ({ box, axes }, say) => measure(library, box, axes, say),
 };
 
-const buffersOf = (answer) => ["mask", "inside", "unlike", "bits"].filter((name) => answer[name]).map((name) => answer[name].buffer);
+const buffersOf = (answer) =>
+    ['mask', 'inside', 'unlike', 'bits'].filter((name) => answer[name]).map((name) => answer[name].buffer);
 
 self.onmessage = async ({ data }) => {
     asked++;

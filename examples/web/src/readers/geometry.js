@@ -2,15 +2,18 @@
 
 /** A BufferGeometry, with or without an index, moved by a matrix if there is one. */
 export function trianglesOf(geometry, matrix) {
-    const position = geometry.getAttribute("position");
+    const position = geometry.getAttribute('position');
     if (!position) return new Float32Array(0);
     if (matrix) position.applyMatrix4(matrix);
-    const numbers = geometry.index?.array, count = 3 * Math.floor((numbers ? numbers.length : position.count) / 3);
+    const numbers = geometry.index?.array,
+        count = 3 * Math.floor((numbers ? numbers.length : position.count) / 3);
     const triangles = new Float32Array(3 * count);
     for (let i = 0; i < count; i++) {
         const vertex = numbers ? numbers[i] : i;
         if (vertex >= position.count)
-            throw new Error(`face ${Math.floor(i / 3)} refers to vertex ${vertex}, and there are ${position.count}. Export the mesh again.`);
+            throw new Error(
+                `face ${Math.floor(i / 3)} refers to vertex ${vertex}, and there are ${position.count}. Export the mesh again.`,
+            );
         triangles[3 * i] = position.getX(vertex);
         triangles[3 * i + 1] = position.getY(vertex);
         triangles[3 * i + 2] = position.getZ(vertex);

@@ -1,16 +1,18 @@
 // glb.js - GLB files by three's loader: all meshes of the scene, each where it stands. Textures are not read.
-import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { trianglesUnder } from "./geometry.js";
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { trianglesUnder } from './geometry.js';
 
 const MAGIC = 0x46546c67; // glTF
 
 export async function readGlb(buffer) {
     const view = new DataView(buffer);
     if (buffer.byteLength < 20 || view.getUint32(0, true) !== MAGIC)
-        throw new Error("does not begin as a GLB file. Export it as glTF binary.");
+        throw new Error('does not begin as a GLB file. Export it as glTF binary.');
     if (view.getUint32(8, true) > buffer.byteLength)
-        throw new Error(`promises ${view.getUint32(8, true)} bytes and has ${buffer.byteLength}: the file is cut. Download it again.`);
-    const { scene } = await new GLTFLoader().parseAsync(withoutPictures(buffer), "");
+        throw new Error(
+            `promises ${view.getUint32(8, true)} bytes and has ${buffer.byteLength}: the file is cut. Download it again.`,
+        );
+    const { scene } = await new GLTFLoader().parseAsync(withoutPictures(buffer), '');
     return trianglesUnder(scene);
 }
 
@@ -18,10 +20,12 @@ export async function readGlb(buffer) {
 function withoutPictures(buffer) {
     const length = new DataView(buffer).getUint32(12, true);
     const json = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, length)));
-    for (const name of ["materials", "textures", "images", "samplers", "animations"]) delete json[name];
+    for (const name of ['materials', 'textures', 'images', 'samplers', 'animations']) delete json[name];
     for (const mesh of json.meshes ?? []) for (const primitive of mesh.primitives) delete primitive.material;
-    const text = new TextEncoder().encode(JSON.stringify(json)), padded = 4 * Math.ceil(text.length / 4);
-    const rest = new Uint8Array(buffer, 20 + length), out = new Uint8Array(20 + padded + rest.length).fill(0x20);
+    const text = new TextEncoder().encode(JSON.stringify(json)),
+        padded = 4 * Math.ceil(text.length / 4);
+    const rest = new Uint8Array(buffer, 20 + length),
+        out = new Uint8Array(20 + padded + rest.length).fill(0x20);
     out.set(new Uint8Array(buffer, 0, 20));
     out.set(text, 20);
     out.set(rest, 20 + padded);

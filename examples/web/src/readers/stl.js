@@ -1,10 +1,11 @@
 // stl.js - STL files, binary or text, by three's loader; a file that ends early is refused before.
-import { STLLoader } from "three/addons/loaders/STLLoader.js";
-import { trianglesOf } from "./geometry.js";
+import { STLLoader } from 'three/addons/loaders/STLLoader.js';
+import { trianglesOf } from './geometry.js';
 
-const HEADER = 84, TRIANGLE = 50;
+const HEADER = 84,
+    TRIANGLE = 50;
 
-const startsAsText = (bytes) => new TextDecoder().decode(bytes.subarray(0, 10)).includes("solid");
+const startsAsText = (bytes) => new TextDecoder().decode(bytes.subarray(0, 10)).includes('solid');
 
 export function readStl(buffer) {
     const bytes = new Uint8Array(buffer);
@@ -14,10 +15,12 @@ export function readStl(buffer) {
     const isBinary = bytes.length === HEADER + TRIANGLE * promised;
     if (!isBinary && !startsAsText(bytes)) {
         const there = Math.floor((bytes.length - HEADER) / TRIANGLE);
-        throw new Error(`its header promises ${promised.toLocaleString("en")} triangles, and the file has room for ` +
-            `${there.toLocaleString("en")}. Export or download it again.`);
+        throw new Error(
+            `its header promises ${promised.toLocaleString('en')} triangles, and the file has room for ` +
+                `${there.toLocaleString('en')}. Export or download it again.`,
+        );
     }
-    if (!isBinary && !new TextDecoder().decode(bytes.subarray(-200)).includes("endsolid"))
-        throw new Error("ends before the line endsolid: the file is cut. Export or download it again.");
+    if (!isBinary && !new TextDecoder().decode(bytes.subarray(-200)).includes('endsolid'))
+        throw new Error('ends before the line endsolid: the file is cut. Export or download it again.');
     return trianglesOf(new STLLoader().parse(buffer));
 }

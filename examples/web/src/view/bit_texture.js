@@ -1,5 +1,5 @@
 // bit_texture.js - a mask as a texture of 32-bit words, so that a shader asks for the bit of its triangle.
-import { DataTexture, NearestFilter, RedIntegerFormat, UnsignedIntType } from "three";
+import { DataTexture, NearestFilter, RedIntegerFormat, UnsignedIntType } from 'three';
 
 const WIDTH = 1024;
 
@@ -8,7 +8,7 @@ export class BitTexture {
         const height = Math.max(1, Math.ceil(bits / 32 / WIDTH));
         this.words = new Uint32Array(WIDTH * height);
         this.texture = new DataTexture(this.words, WIDTH, height, RedIntegerFormat, UnsignedIntType);
-        this.texture.internalFormat = "R32UI";
+        this.texture.internalFormat = 'R32UI';
         this.texture.minFilter = this.texture.magFilter = NearestFilter;
         this.texture.needsUpdate = true;
     }

@@ -1,11 +1,18 @@
 // box_keys.js - the keyboard on the canvas: moves, turns and sizes the box as the camera sees it.
-import { Quaternion, Vector3 } from "three";
+import { Quaternion, Vector3 } from 'three';
 
-const STEP = 0.02, FINE = 0.1, ANGLE = Math.PI / 36, GROWTH = 1.05;
+const STEP = 0.02,
+    FINE = 0.1,
+    ANGLE = Math.PI / 36,
+    GROWTH = 1.05;
 
 const ARROWS = {
-    ArrowLeft: ["right", -1], ArrowRight: ["right", 1], ArrowDown: ["up", -1], ArrowUp: ["up", 1],
-    PageDown: ["away", -1], PageUp: ["away", 1],
+    ArrowLeft: ['right', -1],
+    ArrowRight: ['right', 1],
+    ArrowDown: ['up', -1],
+    ArrowUp: ['up', 1],
+    PageDown: ['away', -1],
+    PageUp: ['away', 1],
 };
 
 /** The axes of the scene that lie nearest to right, up and away as seen. */
@@ -13,8 +20,9 @@ function axesSeen(camera) {
     const seen = { right: new Vector3(), up: new Vector3(), away: new Vector3() };
     camera.matrixWorld.extractBasis(seen.right, seen.up, seen.away);
     seen.away.negate();
-    const left = ["x", "y", "z"], axes = {};
-    for (const name of ["up", "right", "away"]) {
+    const left = ['x', 'y', 'z'],
+        axes = {};
+    for (const name of ['up', 'right', 'away']) {
         left.sort((a, b) => Math.abs(seen[name][b]) - Math.abs(seen[name][a]));
         const axis = left.shift();
         axes[name] = new Vector3();
@@ -27,18 +35,21 @@ export function addBoxKeys(stage, box, setMode) {
     const { pose } = box;
     const move = (name, sign, factor) => pose.position.addScaledVector(axesSeen(stage.camera)[name], sign * STEP * factor);
     const turn = (name, sign, factor) => {
-        const about = { right: "up", up: "right", away: "away" }[name];
-        const angle = (name === "up" ? -1 : 1) * sign * ANGLE * factor;
+        const about = { right: 'up', up: 'right', away: 'away' }[name];
+        const angle = (name === 'up' ? -1 : 1) * sign * ANGLE * factor;
         pose.quaternion.premultiply(new Quaternion().setFromAxisAngle(axesSeen(stage.camera)[about], angle)).normalize();
     };
     const others = {
-        "+": () => pose.scale.multiplyScalar(GROWTH), "=": () => pose.scale.multiplyScalar(GROWTH),
-        "-": () => pose.scale.multiplyScalar(1 / GROWTH), "_": () => pose.scale.multiplyScalar(1 / GROWTH),
+        '+': () => pose.scale.multiplyScalar(GROWTH),
+        '=': () => pose.scale.multiplyScalar(GROWTH),
+        '-': () => pose.scale.multiplyScalar(1 / GROWTH),
+        _: () => pose.scale.multiplyScalar(1 / GROWTH),
     };
-    const modes = { m: "translate", t: "rotate", s: "scale" };
-    stage.canvas.addEventListener("keydown", (event) => {
+    const modes = { m: 'translate', t: 'rotate', s: 'scale' };
+    stage.canvas.addEventListener('keydown', (event) => {
         if (event.ctrlKey || event.metaKey) return;
-        const arrow = ARROWS[event.key], factor = event.altKey ? FINE : 1;
+        const arrow = ARROWS[event.key],
+            factor = event.altKey ? FINE : 1;
         if (arrow) (event.shiftKey ? turn : move)(...arrow, factor);
         else if (others[event.key]) others[event.key]();
         else if (modes[event.key]) return setMode(modes[event.key]);

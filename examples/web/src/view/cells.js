@@ -1,9 +1,10 @@
 // cells.js - the cells of a voxelization as cubes, one instance each.
-import { BoxGeometry, BufferAttribute, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
-import { setSrgb } from "./triangles.js";
+import { BoxGeometry, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from 'three';
+import { listCells } from './cell_list.js';
+import { setSrgb } from './triangles.js';
 
 /** What a phone still draws; more are counted, and not drawn. */
-export const MOST_CELLS = 200000;
+const MOST_CELLS = 200000;
 
 const vertexShader = /* glsl */ `
 uniform vec3 origin, cell;
@@ -36,9 +37,15 @@ export class Cells {
     constructor(stage) {
         this.stage = stage;
         this.uniforms = { origin: { value: new Vector3() }, cell: { value: new Vector3() }, colour: { value: new Color() } };
-        this.mesh = new Mesh(new InstancedBufferGeometry(), new ShaderMaterial({
-            glslVersion: GLSL3, uniforms: this.uniforms, vertexShader, fragmentShader,
-        }));
+        this.mesh = new Mesh(
+            new InstancedBufferGeometry(),
+            new ShaderMaterial({
+                glslVersion: GLSL3,
+                uniforms: this.uniforms,
+                vertexShader,
+                fragmentShader,
+            }),
+        );
         this.mesh.frustumCulled = false;
         this.mesh.visible = false;
         stage.scene.add(this.mesh);
@@ -46,11 +53,12 @@ export class Cells {
 
     /** Draws the first cells of the grid, by layers from below. Returns how many there are, and how many are drawn. */
     show(grid, bits, { middle, scale }) {
-        const { at, count, drawn } = listCells(grid.size, bits);
-        const unit = new BoxGeometry().translate(0.5, 0.5, 0.5), geometry = new InstancedBufferGeometry();
+        const { at, count, drawn } = listCells(grid.size, bits, MOST_CELLS);
+        const unit = new BoxGeometry().translate(0.5, 0.5, 0.5),
+            geometry = new InstancedBufferGeometry();
         geometry.index = unit.index;
-        for (const name of ["position", "normal"]) geometry.setAttribute(name, unit.getAttribute(name));
-        geometry.setAttribute("at", new InstancedBufferAttribute(at, 3));
+        for (const name of ['position', 'normal']) geometry.setAttribute(name, unit.getAttribute(name));
+        geometry.setAttribute('at', new InstancedBufferAttribute(at, 3));
         geometry.instanceCount = drawn;
         this.mesh.geometry.dispose();
         this.mesh.geometry = geometry;
@@ -69,18 +77,4 @@ export class Cells {
     paint(colours) {
         setSrgb(this.uniforms.colour.value, colours.cells);
     }
-}
-
-/** The coordinates of the first set cells, and how many there are in all. Rows along x are whole pairs of words. */
-function listCells(size, bits) {
-    const rowWords = 2 * Math.ceil(size[0] / 64), at = new Uint16Array(3 * MOST_CELLS);
-    let count = 0;
-    for (let w = 0; w < bits.length; w++) {
-        if (!bits[w]) continue;
-        const row = Math.floor(w / rowWords), first = 32 * (w % rowWords), j = row % size[1], k = Math.floor(row / size[1]);
-        for (let left = bits[w]; left; left &= left - 1, count++)
-            if (count < MOST_CELLS) at.set([first + 31 - Math.clz32(left & -left), j, k], 3 * count);
-    }
-    const drawn = Math.min(count, MOST_CELLS);
-    return { at: at.slice(0, 3 * drawn), count, drawn };
 }

@@ -1,6 +1,6 @@
 // triangles.js - the mesh, each triangle in the colour of its class: missed, straddling, inside, or unlike EXACT.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, Points, ShaderMaterial, Sphere, Vector3 } from "three";
-import { BitTexture, readBit } from "./bit_texture.js";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, Points, ShaderMaterial, Sphere, Vector3 } from 'three';
+import { BitTexture, readBit } from './bit_texture.js';
 
 const vertexShader = /* glsl */ `
 uniform highp usampler2D mask, inside, unlike;
@@ -63,17 +63,41 @@ export class Triangles {
         this.stage = stage;
         const colour = () => ({ value: new Color() });
         this.uniforms = {
-            mask: { value: null }, inside: { value: null }, unlike: { value: null }, edge_strength: { value: 0.35 },
-            missed_colour: colour(), straddling_colour: colour(), inside_colour: colour(), unlike_colour: colour(),
+            mask: { value: null },
+            inside: { value: null },
+            unlike: { value: null },
+            edge_strength: { value: 0.35 },
+            missed_colour: colour(),
+            straddling_colour: colour(),
+            inside_colour: colour(),
+            unlike_colour: colour(),
         };
-        this.mesh = new Mesh(new BufferGeometry(), new ShaderMaterial({
-            glslVersion: GLSL3, uniforms: this.uniforms, vertexShader, fragmentShader, side: DoubleSide,
-            polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-        }));
-        this.marks = new Points(new BufferGeometry(), new ShaderMaterial({
-            glslVersion: GLSL3, uniforms: this.uniforms, vertexShader: markVertex, fragmentShader: markFragment, transparent: true,
-            premultipliedAlpha: true, depthTest: false, defines: { MARK_SIZE: (12 * stage.renderer.getPixelRatio()).toFixed(1) },
-        }));
+        this.mesh = new Mesh(
+            new BufferGeometry(),
+            new ShaderMaterial({
+                glslVersion: GLSL3,
+                uniforms: this.uniforms,
+                vertexShader,
+                fragmentShader,
+                side: DoubleSide,
+                polygonOffset: true,
+                polygonOffsetFactor: 1,
+                polygonOffsetUnits: 1,
+            }),
+        );
+        this.marks = new Points(
+            new BufferGeometry(),
+            new ShaderMaterial({
+                glslVersion: GLSL3,
+                uniforms: this.uniforms,
+                vertexShader: markVertex,
+                fragmentShader: markFragment,
+                transparent: true,
+                premultipliedAlpha: true,
+                depthTest: false,
+                defines: { MARK_SIZE: (12 * stage.renderer.getPixelRatio()).toFixed(1) },
+            }),
+        );
         this.mesh.frustumCulled = this.marks.frustumCulled = false;
         this.marks.renderOrder = 3;
         stage.scene.add(this.mesh, this.marks);
@@ -88,9 +112,9 @@ export class Triangles {
         }
         this.mesh.geometry.dispose();
         this.mesh.geometry = new BufferGeometry();
-        this.mesh.geometry.setAttribute("position", new BufferAttribute(places, 3));
+        this.mesh.geometry.setAttribute('position', new BufferAttribute(places, 3));
         this.mesh.geometry.boundingSphere = new Sphere(new Vector3(), 2);
-        for (const name of ["mask", "inside", "unlike"]) {
+        for (const name of ['mask', 'inside', 'unlike']) {
             this[name]?.dispose();
             this[name] = new BitTexture(triangles.length / 9);
             this.uniforms[name].value = this[name].texture;
@@ -109,20 +133,22 @@ export class Triangles {
 
     /** Rings around the middles of these triangles. */
     mark(numbers) {
-        const shown = numbers.slice(0, MOST_MARKS), middles = new Float32Array(3 * shown.length);
+        const shown = numbers.slice(0, MOST_MARKS),
+            middles = new Float32Array(3 * shown.length);
         shown.forEach((n, m) => {
             for (let a = 0; a < 3; a++)
                 middles[3 * m + a] = (this.places[9 * n + a] + this.places[9 * n + 3 + a] + this.places[9 * n + 6 + a]) / 3;
         });
         this.marks.geometry.dispose();
         this.marks.geometry = new BufferGeometry();
-        this.marks.geometry.setAttribute("position", new BufferAttribute(middles, 3));
+        this.marks.geometry.setAttribute('position', new BufferAttribute(middles, 3));
         this.marks.visible = shown.length > 0;
         this.stage.draw();
     }
 
     paint(colours) {
-        for (const name of ["missed", "straddling", "inside", "unlike"]) setSrgb(this.uniforms[`${name}_colour`].value, colours[name]);
+        for (const name of ['missed', 'straddling', 'inside', 'unlike'])
+            setSrgb(this.uniforms[`${name}_colour`].value, colours[name]);
         this.stage.draw();
     }
 }
