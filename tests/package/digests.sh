@@ -1,5 +1,6 @@
 # digests.sh - read by the scripts beside it.
 # build_digests PROGRAM ROOT LIBRARY COMPILER...: the program of tests/cross that compares answers with masks.txt, with that library
+# or these objects, which a file names after an @
 
 build_digests() {
     program=$1 tree=$2 library=$3

@@ -1,0 +1,47 @@
+#!/bin/sh
+# CMake builds the DLL for Windows as meson does, for a project that adds it or finds it installed; the answers are right under wine:
+# cmake.sh ROOT FOLDER. Wants $MESON.
+set -eu
+root=$1 folder=$2 here=$(cd "$(dirname "$0")" && pwd)
+package=$root/tests/package
+"$here/build.sh" "$root" "$folder"
+command -v cmake >/dev/null || { echo "no cmake: skipped"; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. "$package/digests.sh"
+toolchain='-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc-posix -DCMAKE_BUILD_TYPE=None'
+cc='x86_64-w64-mingw32-gcc-posix -D__USE_MINGW_ANSI_STDIO=1 -static'
+
+# shellcheck disable=SC2086
+python3 "$package/same_flags.py" "$folder" "$root" $toolchain -DBUILD_SHARED_LIBS=ON
+
+# runs NAME DLL: the consumer in the folder of that name finds the kernels that it finds with meson's library
+runs() {
+    cp "$2" "$work/$1"
+    "$here/wine.sh" "$folder" "$work/$1/tribox_c.exe" kernels | diff "$work/kernels" - || exit 1
+    echo "$1: right"
+}
+
+# shellcheck disable=SC2086
+$cc -I"$root/include" "$package/consumer/consumer.c" "$folder/src/libtribox.a" -o "$work/by_meson.exe"
+"$here/wine.sh" "$folder" "$work/by_meson.exe" kernels >"$work/kernels"
+
+# shellcheck disable=SC2086
+cmake -S "$package/consumer" -B "$work/added" $toolchain -DLANGUAGES=C -DADDED="$root" -DBUILD_SHARED_LIBS=ON
+cmake --build "$work/added" --parallel 2
+dll=$work/added/_deps/tribox-build/libtribox-0.dll
+runs added "$dll"
+x86_64-w64-mingw32-objdump -p "$dll" | sed -n '/^\[Ordinal.Name Pointer/,/^$/s/^\t\[.*\] //p' | LC_ALL=C sort >"$work/exported"
+"$root/packaging/symbols.sh" | diff - "$work/exported"
+
+cmake --install "$work/added/_deps/tribox-build" --prefix "$work/first" >/dev/null
+mv "$work/first" "$work/second"
+# shellcheck disable=SC2086
+cmake -S "$package/consumer" -B "$work/found" $toolchain -DLANGUAGES=C -DCMAKE_PREFIX_PATH="$work/second"
+cmake --build "$work/found"
+runs found "$work/second/bin/libtribox-0.dll"
+
+find "$work/added/_deps" -name '*.obj' >"$work/objects"
+# shellcheck disable=SC2086
+build_digests "$work/masks.exe" "$root" "@$work/objects" $cc
+"$here/wine.sh" "$folder" "$work/masks.exe" "$root/tests/cross/masks.txt" --short
