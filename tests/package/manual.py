@@ -82,10 +82,11 @@ faults += difference("type", structs(header), structs(page))
 faults += difference("name", functions, set(re.findall(r"^\.Nm (\w+)", name_section, re.M)) - {"tribox"})
 faults += [f"constant of the header that the page does not name: {name}" for name in sorted(constants) if name not in page]
 faults += lost_sentences(text, page)
-faults += [f"a comment's mark in the page: {line}" for line in page.split(".Sh EXAMPLES")[0].splitlines() if re.search(r"/\*|\*/", line)]
+described = page.split(".Sh EXAMPLES")[0]
+faults += [f"a comment's mark in the page: {line}" for line in described.splitlines() if re.search(r"/\*|\*/", line)]
 faults += [f"type of the header that has no entry: {name}"
-           for name in re.findall(r"(?m)^(?:\}|typedef\b[^{;]*?) (\w+)(?:\([^)]*\))?;$", header) if f".It Vt {name}\n" not in page + "\n"
-           and name != "tribox_status"]
+           for name in re.findall(r"(?m)^(?:\}|typedef\b[^{;]*?) (\w+)(?:\([^)]*\))?;$", header)
+           if f".It Vt {name}\n" not in page and name != "tribox_status"]
 
 for fault in faults:
     print(fault, file=sys.stderr)

@@ -1,0 +1,132 @@
+"""The Python reference, from the docstrings of the package; nothing is imported, so it needs neither NumPy nor the library."""
+import ast
+import html
+import os
+import re
+
+from look import read
+
+
+def rendered(docstring):
+    """Paragraphs, sessions of Python, and lists of what is said about arguments."""
+    for block in re.split(r"\n\s*\n", ast_clean(docstring)):
+        if re.match(r"\s*>>>| {4}", block):
+            yield f"<pre>{html.escape(strip_indent(block), quote=False)}</pre>\n"
+            continue
+        about = re.split(r"(?m)^(\w+(?:, \w+)*): ", block)
+        if about[0].strip():
+            yield f"<p>{marked(about[0])}</p>\n"
+        if about[1:]:
+            rows = "".join(f"<dt><code>{name}</code></dt><dd>{marked(text)}</dd>\n" for name, text in zip(about[1::2], about[2::2]))
+            yield f"<dl>\n{rows}</dl>\n"
+
+
+def ast_clean(docstring):
+    lines = docstring.expandtabs().split("\n")
+    return "\n".join([lines[0].strip(), *strip_indent("\n".join(lines[1:])).split("\n")]).strip()
+
+
+def strip_indent(text):
+    margin = min((len(line) - len(line.lstrip()) for line in text.split("\n") if line.strip()), default=0)
+    return "\n".join(line[margin:] for line in text.split("\n"))
+
+
+def marked(text):
+    return re.sub(r"`+([^`]+)`+", r"<code>\1</code>", html.escape(text.strip(), quote=False))
+
+
+class PythonPage:
+    def __init__(self, package):
+        self.package = package
+        self.module = ast.parse(read(os.path.join(package, "__init__.py")))
+        self.origin = {}
+        for node in self.module.body:
+            if isinstance(node, ast.ImportFrom) and node.level == 1:
+                self.origin.update({alias.asname or alias.name: (node.module, alias.name) for alias in node.names})
+
+    def public(self):
+        """The names of __all__."""
+        for node in self.module.body:
+            if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "__all__":
+                return sorted(ast.literal_eval(node.value), key=str.lower)
+        raise SystemExit("the package has no __all__")
+
+    def definition(self, name):
+        """The function or class of that name; None if it is neither."""
+        if name not in self.origin:
+            return None
+        module, original = self.origin[name]
+        tree = ast.parse(read(os.path.join(self.package, module + ".py")))
+        found = [node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name == original]
+        return found[-1] if found else None
+
+    def signature(self, name, function, is_method):
+        arguments = function.args
+        if is_method and arguments.args:
+            arguments.args = arguments.args[1:]
+        result = f" -> {ast.unparse(function.returns)}" if function.returns and function.name != "__init__" else ""
+        line = f"{name}({ast.unparse(arguments)}){result}"
+        if len(line) > 90:
+            parts = [ast.unparse(argument) for argument in split_arguments(arguments)]
+            line = f"{name}(\n    " + ",\n    ".join(parts) + f"\n){result}"
+        return f"<pre>{html.escape(line, quote=False)}</pre>\n"
+
+    def function(self, name, function, heading, is_method=False):
+        decorators = {ast.unparse(decorator) for decorator in function.decorator_list}
+        yield f'<h{heading} id="{name}"><code>{name}</code></h{heading}>\n'
+        if "property" not in decorators:
+            yield self.signature(name.split(".")[-1], function, is_method and "staticmethod" not in decorators)
+        yield from rendered(ast.get_docstring(function) or "")
+
+    def a_class(self, name, node):
+        yield f'<h3 id="{name}"><code>{name}</code></h3>\n'
+        bases = [ast.unparse(base) for base in node.bases]
+        methods = [item for item in node.body if isinstance(item, ast.FunctionDef)]
+        start = next((method for method in methods if method.name == "__init__"), None)
+        if start:
+            yield self.signature(name, start, True)
+        elif bases:
+            yield f"<pre>class {name}({', '.join(bases)})</pre>\n"
+        yield from rendered(ast.get_docstring(node) or "")
+        for method in methods:
+            if not method.name.startswith("_") and ast.get_docstring(method):
+                yield from self.function(f"{name}.{method.name}", method, 4, True)
+
+    def body(self):
+        """The page, and what stands beside it."""
+        kinds = {"Functions": [], "Classes": [], "Errors": [], "Constants": []}
+        for name in self.public():
+            node = self.definition(name)
+            kind = "Constants" if node is None else "Functions" if isinstance(node, ast.FunctionDef) else \
+                "Errors" if re.search(r"(Error|Warning)$", name) else "Classes"
+            kinds[kind].append((name, node))
+        parts, contents = ["<h1>tribox for Python</h1>\n", *rendered(ast.get_docstring(self.module))], []
+        for kind, entries in kinds.items():
+            contents.append((kind.lower(), kind, False))
+            parts.append(f'<h2 id="{kind.lower()}">{kind}</h2>\n')
+            if kind == "Constants":
+                names = ", ".join(f'<code id="{name}">{name}</code>' for name, _ in entries)
+                parts.append(f"<p>{names}</p>\n")
+                continue
+            for name, node in entries:
+                contents.append((name, name, True))
+                parts.extend(self.function(name, node, 3) if kind == "Functions" else self.a_class(name, node))
+        return "".join(parts), contents
+
+
+def split_arguments(arguments):
+    """Each argument with its default, as something that ast can write."""
+    plain = [*arguments.posonlyargs, *arguments.args]
+    defaults = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
+    for argument, default in zip(plain, defaults):
+        yield one(ast.arguments([], [argument], None, [], [], None, [default] if default else []))
+    if arguments.vararg or arguments.kwonlyargs:
+        yield one(ast.arguments([], [], arguments.vararg, [], [], None, [])) if arguments.vararg else ast.Name("*")
+    for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults):
+        yield one(ast.arguments([], [argument], None, [], [], None, [default] if default else []))
+    if arguments.kwarg:
+        yield one(ast.arguments([], [], None, [], [], arguments.kwarg, []))
+
+
+def one(arguments):
+    return arguments
