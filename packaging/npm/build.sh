@@ -9,6 +9,7 @@ if test $# -eq 0; then
 fi
 root=$(cd "$(dirname "$0")/../.." && pwd)
 cc="${WASM_CC:-clang-19} --target=wasm32-wasi"
+command -v ccache >/dev/null && cc="ccache $cc"
 folder=$1 from=$PWD
 shift
 work=$(mktemp -d)

@@ -124,6 +124,8 @@ test('an index', () => eachQuestion((question, { soup, box, oriented, what }) =>
     expectWords(classes.mask.words, question.axes7, what);
     expectWords(classes.insideMask.words, question.inside, what);
     assert.equal(classes.overlapping, set.length, what);
+    const everywhere = { lo: [-3e38, -3e38, -3e38], hi: [3e38, 3e38, 3e38] };
+    assert.deepEqual(Array.from(index.list(everywhere)), bitsIn(soup.overlap(everywhere).mask), what);
     index.free();
 }));
 

@@ -66,6 +66,7 @@ const wrong = {
         [() => tribox.soup({ positions: [1, 2, 3] }), TypeError, /^mesh\.positions = \[1, 2, 3\]: give a Float32Array/],
         [() => tribox.soup({ positions: new Float64Array(9) }), TypeError, /a Float64Array of 9: a soup has floats; mesh\(\) takes/],
         [() => tribox.mesh({ positions: new Int32Array(9) }), TypeError, /an? Int32Array of 9: give a Float64Array or a Float32Array/],
+        [() => tribox.soup({ positions: new Float32Array(12) }), RangeError, /^mesh\.positions has 12 numbers: give nine a triangle/],
         [() => tribox.soup({ positions: new Float32Array(10) }), RangeError, /^mesh\.positions has 10 numbers: give nine a triangle/],
         [() => tribox.soup({ positions: new Float32Array(10), indices: new Uint32Array(3) }), RangeError, /10 numbers: give three a vert/],
         [() => tribox.soup({ positions, indices: [0, 1, 2] }), TypeError, /^mesh\.indices = \[0, 1, 2\]: give a Uint32Array or a/],

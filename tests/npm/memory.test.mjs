@@ -215,6 +215,18 @@ test('out of memory is an error, after which there is as much as before', async 
     assert.throws(() => tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [2 ** 17, 2 ** 17, 2 ** 17] }), /out of memory|grid/);
 });
 
+test('addresses beyond 2 GiB serve', async () => {
+    const tribox = await load(), low = tribox.soup({ positions }), { exports } = tribox;
+    while (exports.malloc(2 ** 20) >= 0);
+    const high = tribox.soup({ positions }, { sort: true }), index = high.index(), into = tribox.mask(COUNT);
+    const mesh = tribox.mesh({ positions });
+    assert.ok(high.address > 2 ** 31);
+    assert.deepEqual(Array.from(index.list(middleBox, { ids: true })).sort((i, j) => i - j), Array.from(low.overlap(middleBox).mask.list()));
+    assert.deepEqual(mesh.overlap(middleBox, { into }).mask.words, low.overlap(middleBox).mask.words);
+    assert.deepEqual(high.voxelize(grid, { into: tribox.voxels(grid) }).bits, low.voxelize(grid).bits);
+    [high, index, into, mesh].forEach((object) => object.free());
+});
+
 test('sorting that runs out of memory gives back what it took', async () => {
     const tribox = await load(), room = 36 * COUNT * 2;
     const taken = exhaust(tribox), free = tribox.exports.malloc(room);

@@ -5,6 +5,9 @@ import { placeIn, Questions } from './questions.mjs';
 
 const INDEX_BYTES = 8, LINE = 64;
 
+// The numbers that most lists have room for. Longer ones are asked for twice.
+const LIST_ROOM = 1024;
+
 export class Index extends Questions {
     #address;
     #nodes;
@@ -71,14 +74,14 @@ export class Index extends Questions {
         const memory = this.held, original = ids ? this.#soup.ids : null;
         checkKeys(options, [...optionKeys, 'ids']);
         const { first, suffix } = this.prepareAny(box, others, []);
-        const list = (room, address) => {
+        const listUpTo = (room) => memory.borrow(4 * room, `a list of ${room} triangles`, (address) => {
             memory.call(`tribox_index_list${suffix}`, ...first, 0, room, address, memory.number);
-            return memory.readNumber();
-        };
-        const room = list(0, 0);
-        const found = memory.borrow(4 * room, `a list of ${room} triangles`, (address) =>
-            memory.words(address, list(room, address)).slice());
-        return original ? found.map((i) => original[i]) : found;
+            const found = memory.readNumber();
+            return found > room ? found : memory.words(address, found).slice();
+        });
+        let list = listUpTo(LIST_ROOM);
+        list = typeof list === 'number' ? listUpTo(list) : list;
+        return original ? list.map((i) => original[i]) : list;
     }
 
     any(box, options) {
