@@ -12,7 +12,7 @@
 #include "common/scenes.h"
 #include "tribox.h"
 
-enum { BATCHES = 4, BATCHES_SHORT = 1, MANY = 30, COUNT_MAX = MANY * SCENE_TRIANGLES, WORDS_MAX = (COUNT_MAX + 63) / 64 };
+enum { BATCHES = 2, MANY = 30, COUNT_MAX = MANY * SCENE_TRIANGLES, WORDS_MAX = (COUNT_MAX + 63) / 64 };
 enum { GRID_X = 70, GRID_Y = 9, GRID_Z = 5, GRID_WORDS = (GRID_X + 63) / 64 * GRID_Y * GRID_Z };
 
 /* A batch in every form that the package takes. */
@@ -191,13 +191,12 @@ static void answer(const scene *s, random_source *r, int batches, bool is_finite
 int main(int argc, char **argv)
 {
     const arguments args = arguments_parse(argc, argv);
-    const int batches = arguments_are_short(&args) ? BATCHES_SHORT : BATCHES;
     for (size_t i = 0; i < scene_count(); i++) {
         const scene *const s = scene_at(i);
         random_source r = random_named(args.seed, s->name);
         if (!scene_is_called(s, args.scenes))
             continue;
-        for (int k = 0; k < batches; k++)
+        for (int k = 0; k < BATCHES; k++)
             answer(s, &r, 1, k != 1);
         if (i % 7 == 0)
             answer(s, &r, MANY, true);
