@@ -10,7 +10,13 @@ const TIMEOUT = 20000; // on a busy machine
 
 export const DESK = { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' };
 export const SMALL = { viewport: { width: 900, height: 480 }, colorScheme: 'dark' }; // soon drawn without a graphics card
-export const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, colorScheme: 'dark' };
+export const PHONE = {
+    viewport: { width: 360, height: 740 },
+    deviceScaleFactor: 2,
+    isMobile: true,
+    hasTouch: true,
+    colorScheme: 'dark',
+};
 const fileUrl = pathToFileURL(process.env.PAGE).href;
 
 let browser = null;

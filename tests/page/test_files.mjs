@@ -83,7 +83,9 @@ export async function damagedFiles() {
     for (const [name, content, said] of files) {
         await page.evaluate(() => (document.getElementById('message').textContent = ''));
         await dropFile(page, name, content);
-        await page.waitForFunction(() => document.getElementById('message').textContent).catch(() => assert.fail(`${name}: no message`));
+        await page
+            .waitForFunction(() => document.getElementById('message').textContent)
+            .catch(() => assert.fail(`${name}: no message`));
         const message = await page.textContent('#message');
         assert.match(message, said);
         assert.ok(message.startsWith(`${name}: `), message);

@@ -28,7 +28,7 @@ export function drawChart(to, { rows, rounds, triangles }, kernel) {
     list.append(...rows.flatMap((row) => bar(row, paper, most)));
     note.className = 'note';
     note.textContent =
-        `Nanoseconds a triangle for this box: ${whole(triangles)} triangles on one thread, medians of ${rounds} rounds. ` +
+        `Nanoseconds a triangle for this box: ${whole(triangles)} triangles on one thread, the least of ${rounds} rounds. ` +
         `The paper's algorithm is in the same WebAssembly as tribox's ${kernel}.`;
     to.replaceChildren(list, note);
 }

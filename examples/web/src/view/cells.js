@@ -6,6 +6,9 @@ import { setSrgb } from './triangles.js';
 /** What a phone still draws; more are counted, and not drawn. */
 const MOST_CELLS = 200000;
 
+/** By the axis that is up. */
+const LIGHT_FROM = { z: [0.14, -0.1, 0.28], y: [0.14, 0.28, 0.1] };
+
 const vertexShader = /* glsl */ `
 uniform vec3 origin, cell;
 in vec3 at;
@@ -20,11 +23,11 @@ void main() {
 }`;
 
 const fragmentShader = /* glsl */ `
-uniform vec3 colour;
+uniform vec3 colour, light_from;
 in vec3 seen, side, place;
 out vec4 pixel;
 void main() {
-    float light = 0.62 + 0.30 * side.z + 0.16 * side.x - 0.12 * side.y + 0.12 * abs(side.y);
+    float light = 0.72 + dot(side, light_from);
     vec3 off = min(place, 1.0 - place) + abs(side); // of the two axes along the face
     vec3 width = max(fwidth(place), vec3(1e-6));
     vec3 near_edge = smoothstep(vec3(0), width * 1.2, off);
@@ -36,7 +39,12 @@ void main() {
 export class Cells {
     constructor(stage) {
         this.stage = stage;
-        this.uniforms = { origin: { value: new Vector3() }, cell: { value: new Vector3() }, colour: { value: new Color() } };
+        this.uniforms = {
+            origin: { value: new Vector3() },
+            cell: { value: new Vector3() },
+            colour: { value: new Color() },
+            light_from: { value: new Vector3() },
+        };
         this.mesh = new Mesh(
             new InstancedBufferGeometry(),
             new ShaderMaterial({
@@ -52,7 +60,7 @@ export class Cells {
     }
 
     /** Draws the first cells of the grid, by layers from below. Returns how many there are, and how many are drawn. */
-    show(grid, bits, { middle, scale }) {
+    show(grid, bits, { up, frame: { middle, scale } }) {
         const { at, count, drawn } = listCells(grid.size, bits, MOST_CELLS);
         const unit = new BoxGeometry().translate(0.5, 0.5, 0.5),
             geometry = new InstancedBufferGeometry();
@@ -64,6 +72,7 @@ export class Cells {
         this.mesh.geometry = geometry;
         this.uniforms.origin.value.fromArray(grid.origin.map((o, a) => (o - middle[a]) / scale));
         this.uniforms.cell.value.fromArray(grid.cell.map((c) => c / scale));
+        this.uniforms.light_from.value.fromArray(LIGHT_FROM[up]);
         this.mesh.visible = true;
         this.stage.draw();
         return { count, drawn };
