@@ -2,7 +2,7 @@
 #ifndef TRIBOX_AHEAD_H
 #define TRIBOX_AHEAD_H
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define TRIBOX_AHEAD(at, is_write) __builtin_prefetch(at, is_write)
 #else
 #define TRIBOX_AHEAD(at, is_write) ((void)(at))

@@ -32,7 +32,7 @@ static inline unsigned tribox_set_bits(uint64_t *word, uint64_t bits)
 /* The index of the lowest bit of a word that has one. */
 static inline unsigned tribox_lowest_bit(uint64_t word)
 {
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
     return (unsigned)__builtin_ctzll(word);
 #else
     return tribox_count_bits((word & (~word + 1)) - 1);
@@ -42,7 +42,7 @@ static inline unsigned tribox_lowest_bit(uint64_t word)
 /* How many bits a word has up to its highest: 0 of 0. */
 static inline unsigned tribox_bit_length(uint64_t word)
 {
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
     return word ? 64 - (unsigned)__builtin_clzll(word) : 0;
 #else
     unsigned length = 0;

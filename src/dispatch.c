@@ -1,7 +1,6 @@
 /* dispatch.c - which kernel runs: the widest that this processor and operating system can, or the one that was named. */
 #include "dispatch.h"
-
-#include <stdatomic.h>
+#include "relaxed.h"
 
 #if defined(__AVX__)
 #error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"
@@ -12,17 +11,9 @@ extern const tribox_kernel tribox_kernel_scalar;
 #endif
 static bool runs_anywhere(void) { return true; }
 
-/* __builtin_cpu_supports asks CPUID, and XGETBV for the registers that the operating system has to save. */
 #if defined(TRIBOX_X86)
+#include "x86.h"
 extern const tribox_kernel tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512;
-static bool runs_sse2(void) { return __builtin_cpu_supports("sse2"); }
-/* The compiler uses these beside wide vectors. Every processor with AVX2 has them, but an emulated one may not. */
-static bool has_bit_instructions(void)
-{
-    return __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-}
-static bool runs_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_bit_instructions(); }
-static bool runs_avx512(void) { return __builtin_cpu_supports("avx512f") && has_bit_instructions(); }
 #endif
 
 /* NEON is in every AArch64 processor that runs an operating system. */
@@ -40,9 +31,9 @@ static const struct {
     bool (*runs_here)(void);
 } table[] = {
 #if defined(TRIBOX_X86)
-    {&tribox_kernel_avx512, runs_avx512},
-    {&tribox_kernel_avx2, runs_avx2},
-    {&tribox_kernel_sse2, runs_sse2},
+    {&tribox_kernel_avx512, tribox_x86_runs_avx512},
+    {&tribox_kernel_avx2, tribox_x86_runs_avx2},
+    {&tribox_kernel_sse2, tribox_x86_runs_sse2},
 #elif defined(TRIBOX_NEON)
     {&tribox_kernel_neon, runs_anywhere},
 #elif defined(TRIBOX_WASM)
@@ -57,13 +48,7 @@ size_t tribox_kernel_count(void) { return sizeof table / sizeof table[0]; }
 
 const tribox_kernel *tribox_kernel_at(size_t i) { return table[i].kernel; }
 
-bool tribox_kernel_runs_here(size_t i)
-{
-#if defined(TRIBOX_X86)
-    __builtin_cpu_init();
-#endif
-    return table[i].runs_here();
-}
+bool tribox_kernel_runs_here(size_t i) { return table[i].runs_here(); }
 
 const char *tribox_kernel_list(size_t i)
 {
@@ -87,12 +72,12 @@ static bool is_name(const char *name, const char *other)
 static unsigned kernels_here(void)
 {
     /* Two threads may both ask on first use: they learn the same. */
-    static _Atomic unsigned known;
-    unsigned here = atomic_load_explicit(&known, memory_order_relaxed);
+    static tribox_relaxed known;
+    unsigned here = tribox_relaxed_read(&known);
     if (!here) {
         for (size_t i = 0; i < tribox_kernel_count(); i++)
             here |= (unsigned)tribox_kernel_runs_here(i) << i;
-        atomic_store_explicit(&known, here, memory_order_relaxed);
+        tribox_relaxed_write(&known, here);
     }
     return here;
 }

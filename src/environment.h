@@ -33,11 +33,31 @@ static inline void tribox_environment_leave(tribox_environment callers)
         _mm_setcsr(callers);
 }
 
-#elif defined(__aarch64__)
+#elif defined(__aarch64__) || defined(_M_ARM64)
 
 typedef struct tribox_environment {
     uint64_t control, status; /* FPCR, and in FPSR the sticky flags */
 } tribox_environment;
+
+#if defined(_MSC_VER)
+#include <intrin.h>
+
+enum { TRIBOX_FPCR = 0x5a20, TRIBOX_FPSR = 0x5a21 }; /* ARM64_SYSREG(3, 3, 4, 4, 0), and 1 */
+
+static inline tribox_environment tribox_environment_enter(void)
+{
+    const tribox_environment callers = {(uint64_t)_ReadStatusReg(TRIBOX_FPCR), (uint64_t)_ReadStatusReg(TRIBOX_FPSR)};
+    _WriteStatusReg(TRIBOX_FPCR, 0); /* nearest, no FZ, no trap */
+    return callers;
+}
+
+static inline void tribox_environment_leave(tribox_environment callers)
+{
+    _WriteStatusReg(TRIBOX_FPSR, (int64_t)callers.status);
+    _WriteStatusReg(TRIBOX_FPCR, (int64_t)callers.control);
+}
+
+#else
 
 static inline tribox_environment tribox_environment_enter(void)
 {
@@ -53,6 +73,8 @@ static inline void tribox_environment_leave(tribox_environment callers)
     __asm__ volatile("msr fpsr, %0" ::"r"(callers.status) : "memory");
     __asm__ volatile("msr fpcr, %0" ::"r"(callers.control) : "memory");
 }
+
+#endif
 
 #elif defined(__wasm__)
 

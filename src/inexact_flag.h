@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#if defined(__GNUC__) && defined(__SSE2__) && !defined(TRIBOX_NO_INEXACT_FLAG)
+#if (defined(__GNUC__) || defined(__clang__)) && defined(__SSE2__) && !defined(TRIBOX_NO_INEXACT_FLAG)
 #define TRIBOX_HAS_INEXACT_FLAG 1
 
 /* Between AVX instructions the old encoding makes the processor save and restore the upper halves of its registers. */
@@ -33,7 +33,7 @@ static inline bool tribox_exactness_kept(uint64_t result)
     return !(state & 0x20);
 }
 
-#elif defined(__GNUC__) && defined(__aarch64__) && !defined(TRIBOX_NO_INEXACT_FLAG)
+#elif (defined(__GNUC__) || defined(__clang__)) && defined(__aarch64__) && !defined(TRIBOX_NO_INEXACT_FLAG)
 #define TRIBOX_HAS_INEXACT_FLAG 1
 
 static inline void tribox_exactness_watch(void)

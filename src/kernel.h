@@ -25,8 +25,17 @@
 #error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
+/* No FMA but by a vocabulary's word: what -ffp-contract=off says, which these compilers do not know by that name. */
+#if defined(_MSC_VER) && defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+
 /* Not forced in unoptimised and sanitized builds: with every word inlined and little folded, gcc takes minutes for a kernel. */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(_MSC_VER) && !defined(__clang__)
+#define TRIBOX_INLINE static __forceinline
+#elif (defined(__GNUC__) || defined(__clang__)) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 #define TRIBOX_INLINE static inline __attribute__((always_inline))
 #else
 #define TRIBOX_INLINE static inline

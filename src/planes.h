@@ -12,7 +12,7 @@ typedef struct tribox_planes {
     double first[3];           /* the number of the window's first plane among those of the grid */
 } tribox_planes;
 
-#if defined(__GNUC__) && (defined(__FMA__) || defined(__aarch64__))
+#if (defined(__GNUC__) || defined(__clang__)) && (defined(__FMA__) || defined(__aarch64__))
 
 static inline double tribox_plane_rounded(double origin, double cell, double p) { return __builtin_fma(p, cell, origin); }
 

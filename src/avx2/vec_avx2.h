@@ -1,5 +1,5 @@
 /* vec_avx2.h - eight lanes of AVX2 with FMA. kernel/README.md defines the words. */
-#if !defined(__AVX2__) || !defined(__FMA__)
+#if !defined(__AVX2__) || !(defined(__FMA__) || defined(_MSC_VER))
 #error "compile this file with AVX2 and FMA"
 #endif
 #if defined(TRIBOX_VEC_H)

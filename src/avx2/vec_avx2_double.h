@@ -1,5 +1,5 @@
 /* vec_avx2_double.h - four lanes of double. */
-#if !defined(__AVX2__) || !defined(__FMA__)
+#if !defined(__AVX2__) || !(defined(__FMA__) || defined(_MSC_VER))
 #error "compile this file with AVX2 and FMA"
 #endif
 #if defined(TRIBOX_VEC_H)

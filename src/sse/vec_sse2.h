@@ -1,5 +1,5 @@
 /* vec_sse2.h - four lanes of SSE2, the baseline of x86-64. kernel/README.md defines the words. */
-#if !defined(__SSE2__)
+#if !defined(__SSE2__) && !defined(_M_X64)
 #error "compile this file with SSE2"
 #endif
 #if defined(TRIBOX_VEC_H)

@@ -1,5 +1,5 @@
 /* vec_sse2_double.h - two lanes of double. */
-#if !defined(__SSE2__)
+#if !defined(__SSE2__) && !defined(_M_X64)
 #error "compile this file with SSE2"
 #endif
 #if defined(TRIBOX_VEC_H)
