@@ -1,0 +1,3 @@
+/* stdlib.h - stands for MSVC's: what the compiler's own headers take from it. */
+#pragma once
+#include <stddef.h>
