@@ -31,7 +31,9 @@ def manual():
 
 
 def in_contents(name):
-    return name.capitalize() if name.isupper() else name
+    """What a manual has in capitals, in lower case; the name of the program has no capital."""
+    name = name.capitalize() if name.isupper() else name
+    return name.replace("Tribox", "tribox")
 
 
 site = Site(folder)

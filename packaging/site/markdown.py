@@ -1,6 +1,7 @@
 """Pages from the Markdown of the repository, beginning with README.md and following every link to a file: to other Markdown, to
 pictures, to sources and folders, which become pages of their own."""
 import html
+import itertools
 import os
 import posixpath
 import re
@@ -9,7 +10,6 @@ import subprocess
 
 from look import plain, read, relative
 
-FIRST_LINE = re.compile(r"^\W*(?:[\w.-]+ - )?(\w.*?)(?: \*/|\W*\"\"\"|-->)?$")
 PICTURES = (".png", ".svg")
 SOURCES = (".c", ".cc", ".h", ".js", ".mjs", ".py", ".sh")
 
@@ -119,14 +119,17 @@ class Tree:
             inner = posixpath.join(path, name)
             if name.startswith((".", "__pycache__")):
                 continue
-            about = "" if os.path.isdir(self.full(inner)) or not self.is_text(inner) else self.about(inner)
+            about = self.about(inner)
             href = html.escape(self.link(name, posixpath.join(path, "index"), page))
             rows.append(f'<tr><td><a href="{href}">{name}{"/" * os.path.isdir(self.full(inner))}</a></td><td>{about}</td></tr>')
         table = "\n".join(rows)
         self.site.add(page, path, f'<h1>{path}</h1>\n<div class="wide"><table>\n{table}\n</table></div>')
 
     def about(self, path):
-        """What a file says it is for, in its first lines."""
-        lines = [line for line in read(self.full(path)).split("\n")[:3] if line and not line.startswith("#!") and line != "/*"]
-        match = FIRST_LINE.match(lines[0].strip()) if lines and path.endswith(SOURCES) else None
-        return html.escape(match[1]) if match else ""
+        """The first sentence of what a source says it is for."""
+        if not path.endswith(SOURCES):
+            return ""
+        comment = re.match(r"(?:#![^\n]*\n)?(/\*.*?\*/|\"\"\".*?\"\"\"|(?:(?:#|//)[^\n]*\n)+)", read(self.full(path)), re.S)
+        lines = [line.strip(' /*#"') for line in comment[1].split("\n")] if comment else []
+        text = " ".join(itertools.takewhile(bool, itertools.dropwhile(lambda line: not line, lines)))
+        return html.escape(re.split(r"(?<=[.?!]) (?=[A-Z])", re.sub(r"^[\w.-]+ - ", "", text))[0], quote=False)

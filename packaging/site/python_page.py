@@ -3,32 +3,31 @@ import ast
 import html
 import os
 import re
+import textwrap
 
 from look import read
 
 
-def rendered(docstring):
-    """Paragraphs, sessions of Python, and lists of what is said about arguments."""
-    for block in re.split(r"\n\s*\n", ast_clean(docstring)):
+def rendered(docstring, function=None):
+    """Paragraphs, sessions of Python, and lists of what is said about the arguments of a function."""
+    name = "|".join(argument.arg for argument in arguments_of(function)) if function else r"\w+"
+    start = rf"(?:^|(?<=\.) )((?:{name})(?:, (?:{name}))*): "
+    for block in re.split(r"\n\s*\n", docstring or ""):
         if re.match(r"\s*>>>| {4}", block):
-            yield f"<pre>{html.escape(strip_indent(block), quote=False)}</pre>\n"
+            yield f"<pre>{html.escape(textwrap.dedent(block), quote=False)}</pre>\n"
             continue
-        about = re.split(r"(?m)^(\w+(?:, \w+)*): ", block)
+        about = re.split(start, block, flags=re.M)
         if about[0].strip():
             yield f"<p>{marked(about[0])}</p>\n"
         if about[1:]:
-            rows = "".join(f"<dt><code>{name}</code></dt><dd>{marked(text)}</dd>\n" for name, text in zip(about[1::2], about[2::2]))
-            yield f"<dl>\n{rows}</dl>\n"
+            rows = (f"<dt><code>{names}</code></dt><dd>{marked(text)}</dd>\n" for names, text in zip(about[1::2], about[2::2]))
+            yield f"<dl>\n{''.join(rows)}</dl>\n"
 
 
-def ast_clean(docstring):
-    lines = docstring.expandtabs().split("\n")
-    return "\n".join([lines[0].strip(), *strip_indent("\n".join(lines[1:])).split("\n")]).strip()
-
-
-def strip_indent(text):
-    margin = min((len(line) - len(line.lstrip()) for line in text.split("\n") if line.strip()), default=0)
-    return "\n".join(line[margin:] for line in text.split("\n"))
+def arguments_of(function):
+    arguments = function.args
+    every = [*arguments.posonlyargs, *arguments.args, arguments.vararg, *arguments.kwonlyargs, arguments.kwarg]
+    return [argument for argument in every if argument]
 
 
 def marked(text):
@@ -67,8 +66,7 @@ class PythonPage:
         result = f" -> {ast.unparse(function.returns)}" if function.returns and function.name != "__init__" else ""
         line = f"{name}({ast.unparse(arguments)}){result}"
         if len(line) > 90:
-            parts = [ast.unparse(argument) for argument in split_arguments(arguments)]
-            line = f"{name}(\n    " + ",\n    ".join(parts) + f"\n){result}"
+            line = f"{name}(\n    " + ",\n    ".join(written(arguments)) + f"){result}"
         return f"<pre>{html.escape(line, quote=False)}</pre>\n"
 
     def function(self, name, function, heading, is_method=False):
@@ -76,7 +74,7 @@ class PythonPage:
         yield f'<h{heading} id="{name}"><code>{name}</code></h{heading}>\n'
         if "property" not in decorators:
             yield self.signature(name.split(".")[-1], function, is_method and "staticmethod" not in decorators)
-        yield from rendered(ast.get_docstring(function) or "")
+        yield from rendered(ast.get_docstring(function), function)
 
     def a_class(self, name, node):
         yield f'<h3 id="{name}"><code>{name}</code></h3>\n'
@@ -87,7 +85,7 @@ class PythonPage:
             yield self.signature(name, start, True)
         elif bases:
             yield f"<pre>class {name}({', '.join(bases)})</pre>\n"
-        yield from rendered(ast.get_docstring(node) or "")
+        yield from rendered(ast.get_docstring(node), start)
         for method in methods:
             if not method.name.startswith("_") and ast.get_docstring(method):
                 yield from self.function(f"{name}.{method.name}", method, 4, True)
@@ -114,19 +112,19 @@ class PythonPage:
         return "".join(parts), contents
 
 
-def split_arguments(arguments):
-    """Each argument with its default, as something that ast can write."""
+def written(arguments):
+    """Each argument with its default, in Python."""
+    def alone(plain=(), vararg=None, kwarg=None, default=None):
+        return ast.unparse(ast.arguments([], list(plain), vararg, [], [], kwarg, [default] if default else []))
+
     plain = [*arguments.posonlyargs, *arguments.args]
-    defaults = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
-    for argument, default in zip(plain, defaults):
-        yield one(ast.arguments([], [argument], None, [], [], None, [default] if default else []))
-    if arguments.vararg or arguments.kwonlyargs:
-        yield one(ast.arguments([], [], arguments.vararg, [], [], None, [])) if arguments.vararg else ast.Name("*")
+    for argument, default in zip(plain, [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults):
+        yield alone([argument], default=default)
+    if arguments.vararg:
+        yield alone(vararg=arguments.vararg)
+    elif arguments.kwonlyargs:
+        yield "*"
     for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults):
-        yield one(ast.arguments([], [argument], None, [], [], None, [default] if default else []))
+        yield alone([argument], default=default)
     if arguments.kwarg:
-        yield one(ast.arguments([], [], None, [], [], arguments.kwarg, []))
-
-
-def one(arguments):
-    return arguments
+        yield alone(kwarg=arguments.kwarg)
