@@ -185,6 +185,8 @@ export interface Mesh extends Freeable {
     readonly length: number;
     /** A view of the memory: see Soup. */
     readonly positions: Float64Array | Float32Array;
+    /** Where the tribox_mesh of C lies in the memory, for functions of `exports`. */
+    readonly address: number;
     overlap(box: Box, options?: OverlapOptions): Overlap;
     count(box: Box, options?: Options): number;
     classify(box: Box, options?: ClassifyOptions): Classes;

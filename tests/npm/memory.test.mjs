@@ -102,6 +102,8 @@ test('a grid of a resolution just holds the triangles', async () => {
                 assert.equal(cell[a], cell[0]);
                 assert.ok(plane(a, size[a], cell[a]) >= hi[a]);
                 assert.ok(size[a] === 1 || plane(a, size[a] - 1, cell[a]) < hi[a]);
+                const last = size.map((cells) => cells - 1), box = voxels.box(...last);
+                assert.deepEqual([box.lo[a], box.hi[a]], [plane(a, last[a], cell[a]), plane(a, size[a], cell[a])]);
             }
             assert.ok(voxels.count() > 0);
         }

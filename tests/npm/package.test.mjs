@@ -1,14 +1,14 @@
 // package.test.mjs - what is packed: its files, its size, its types; and that it runs where nothing else is installed.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { folder, load } from './package_under_test.mjs';
+import { folder, load, middleBox, randomPositions } from './package_under_test.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url)), root = path.join(here, '../..');
 const source = path.join(root, 'packaging/npm');
@@ -56,6 +56,34 @@ test('exports the functions that the module calls, and no others', () => {
         .flatMap((name) => made[name]?.map((end) => name + end) ?? [name]);
     assert.deepEqual(exports.map(({ name }) => name).sort(), [...new Set(called)].sort());
 });
+
+test('is built with further functions and sources', () => inFolder(async (made) => {
+    const extra = path.join(made, 'extra.c'), out = path.join(made, 'package'), build = path.join(source, 'build.sh');
+    writeFileSync(extra, `#include "tribox.h"
+        TRIBOX_API unsigned count_far(const tribox_soup *soup);
+        TRIBOX_API unsigned count_far(const tribox_soup *soup)
+        {
+            unsigned far = 0;
+            for (size_t i = 0; i < soup->count; i++)
+                far += soup->x[0][i] > 1;
+            return far;
+        }`);
+    execFileSync('sh', [build, out, extra, 'count_far', 'tribox_overlap_indexed']);
+    const tribox = await load(readFileSync(path.join(out, 'tribox.wasm'))), { exports } = tribox;
+    const positions = randomPositions(500), soup = tribox.soup({ positions }), mask = tribox.mask(500);
+    assert.equal(exports.count_far(soup.address), soup.x[0].filter((x) => x > 1).length);
+    const box = exports.malloc(24), words = exports.malloc(64);
+    new Float32Array(tribox.memory.buffer, box, 6).set([...middleBox.lo, ...middleBox.hi]);
+    for (const indices of [null, Uint32Array.from({ length: 1500 }, (_, k) => k)]) {
+        const mesh = tribox.mesh({ positions, indices });
+        assert.equal(exports.tribox_overlap_indexed(mesh.address, box, 0, words, 0), 0);
+        assert.deepEqual(new Uint32Array(tribox.memory.buffer, words, 16), soup.overlap(middleBox, { into: mask }).mask.words);
+    }
+    const failed = spawnSync('sh', [build, path.join(made, 'none'), 'tribox_overlap_boxes'], { encoding: 'utf8' });
+    assert.notEqual(failed.status, 0);
+    assert.match(failed.stderr, /tribox_overlap_boxes/);
+    assert.ok(!existsSync(path.join(made, 'none')));
+}));
 
 test('states the version once', () => {
     const version = execFileSync('sh', [path.join(root, 'packaging/version.sh')], { encoding: 'utf8' }).trim();
