@@ -9,14 +9,16 @@ const LIGHT = { ...DESK, colorScheme: 'light' },
     LIGHT_PHONE = { ...PHONE, colorScheme: 'light' };
 const SETTLED = 700;
 
+/** name: the ending is the format. */
 const pictures = [
-    ['dark', DESK, 'knot', async () => {}],
-    ['light', LIGHT, 'coarse', async () => {}],
-    ['phone', PHONE, 'coarse', async () => {}],
-    ['phone-light', LIGHT_PHONE, 'coarse', async (page) => page.locator('#measure').scrollIntoViewIfNeeded()],
-    ['cells', DESK, 'coarse', async (page) => page.fill('#resolution', '48')],
+    ['page.jpg', DESK, 'knot', async () => {}],
+    ['dark.png', DESK, 'knot', async () => {}],
+    ['light.png', LIGHT, 'coarse', async () => {}],
+    ['phone.png', PHONE, 'coarse', async () => {}],
+    ['phone-light.png', LIGHT_PHONE, 'coarse', async (page) => page.locator('#measure').scrollIntoViewIfNeeded()],
+    ['cells.png', DESK, 'coarse', async (page) => page.fill('#resolution', '48')],
     [
-        'turned',
+        'turned.png',
         LIGHT,
         'coarse',
         async (page) => {
@@ -26,9 +28,9 @@ const pictures = [
                 await page.keyboard.press(key);
         },
     ],
-    ['unlike', LIGHT, 'ties', async (page) => page.click('#accuracy [value=fast]')],
+    ['unlike.png', LIGHT, 'ties', async (page) => page.click('#accuracy [value=fast]')],
     [
-        'chart',
+        'chart.png',
         DESK,
         'knot',
         async (page) => {
@@ -45,8 +47,8 @@ for (const [name, options, scene, act] of pictures) {
     await act(page);
     await settled(page);
     await page.waitForTimeout(SETTLED);
-    await page.screenshot({ path: join(folder, `${name}.png`) });
-    console.log(`${join(folder, name)}.png`);
+    await page.screenshot({ path: join(folder, name) });
+    console.log(join(folder, name));
     await closePages();
 }
 await close();

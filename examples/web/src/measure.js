@@ -3,7 +3,7 @@
 import { breathe } from './breathe.js';
 
 const ROUNDS = 15;
-const WARM_MS = 400; // the least that browsers run code that they have compiled in a hurry
+const WARM_MS = 1000; // the least that browsers run code that they have compiled in a hurry
 const MOST_MS = 3000;
 
 /** Milliseconds a call, of as many calls as a coarse clock needs. */
