@@ -1,11 +1,9 @@
 /* cmd_demo.c - tribox demo: every kernel and the paper's algorithm on two generated scenes. */
-#define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "console/message.h"
 #include "console/option_reader.h"
@@ -13,6 +11,7 @@
 #include "console/output.h"
 #include "demo/comparison.h"
 #include "demo/demo_voxels.h"
+#include "files/named_file.h"
 #include "paper/paper.h"
 #include "picture/picture_png.h"
 #include "picture/preview.h"
@@ -128,7 +127,7 @@ static const char *usual_picture(void)
 {
     if (!picture_png_is_there)
         return NULL;
-    if (!access(".", W_OK))
+    if (named_file_is_writable_here())
         return "tribox-demo.png";
     message_say("note: no picture of the voxels: this folder is not writable; choose another place with --picture");
     return NULL;

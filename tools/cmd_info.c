@@ -2,12 +2,12 @@
 #include "cmd.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "console/json.h"
 #include "console/message.h"
 #include "console/option_reader.h"
 #include "console/output.h"
+#include "console/processors.h"
 
 static const char help[] = "tribox info - version, processor, and the kernels that it can run\n"
                            "\n"
@@ -25,24 +25,6 @@ static const char help[] = "tribox info - version, processor, and the kernels th
                            "  tribox info --json\n";
 
 static const option_entry options[] = {{"json", 'j', false}, {NULL, 0, false}};
-
-/* The processor's model as Linux names it, "unknown" elsewhere. */
-static void read_processor(char *name, size_t size)
-{
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    char line[256];
-    snprintf(name, size, "unknown");
-    while (file && fgets(line, sizeof line, file)) {
-        const char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) || !colon)
-            continue;
-        colon += strspn(colon, ": \t");
-        snprintf(name, size, "%.*s", (int)strcspn(colon, "\n"), colon);
-        break;
-    }
-    if (file)
-        fclose(file);
-}
 
 static int print_json(const char *processor)
 {
@@ -92,6 +74,6 @@ int cmd_info(int count, char **words)
     if (found.wants_help)
         return output_text(help);
     char processor[200];
-    read_processor(processor, sizeof processor);
+    processors_name(processor, sizeof processor);
     return wants_json ? print_json(processor) : print_text(processor);
 }

@@ -1,12 +1,10 @@
 /* cmd_sweep.c - tribox sweep: which order of the axes is the fastest for a mesh, and why? */
-#define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "read/boxes.h"
 #include "console/message.h"
@@ -17,6 +15,8 @@
 #include "sweep/octree.h"
 #include "sweep/order_report.h"
 #include "console/output.h"
+#include "console/terminal.h"
+#include "files/named_file.h"
 #include "read/mesh_shift.h"
 #include "sweep/sweep_advice.h"
 #include "sweep/sweep_chart.h"
@@ -191,7 +191,7 @@ static void print_json(const findings *f)
 static int find(findings *f)
 {
     generator turns = {1};
-    if (isatty(STDERR_FILENO))
+    if (terminal_is(stderr))
         message_say("timing %zu pairs", f->work->pairs);
     const char *const failure = sweep_run(&f->s, f->work, f->r->is_quick ? 0 : 2, &turns);
     if (failure)
@@ -205,7 +205,7 @@ static int find(findings *f)
 /* Before the sweep takes its time, so that it is not in vain. */
 static int open_chart(const char *path, FILE **chart)
 {
-    *chart = path ? fopen(path, "w") : NULL;
+    *chart = path ? named_file_open(path, "wb") : NULL;
     return path && !*chart ? message_failure("--chart: cannot write '%s': %s", path, strerror(errno)) : EXIT_CODE_OK;
 }
 
@@ -217,9 +217,9 @@ static int close_chart(const char *path, FILE *chart)
 
 static void draw_chart(FILE *chart, const findings *f)
 {
-    const char *const slash = strrchr(f->r->mesh_path, '/');
     char title[512];
-    snprintf(title, sizeof title, "%s: %zu pairs, %s", slash ? slash + 1 : f->r->mesh_path, f->work->pairs, f->work_text);
+    snprintf(title, sizeof title, "%s: %zu pairs, %s", f->r->mesh_path + named_file_folder(f->r->mesh_path), f->work->pairs,
+             f->work_text);
     sweep_chart(chart, &f->s, title);
 }
 

@@ -6,6 +6,7 @@
 #include "cmd.h"
 #include "console/message.h"
 #include "console/output.h"
+#include "console/terminal.h"
 
 /* The program never calls setlocale: numbers are read and written with a point everywhere. */
 
@@ -52,15 +53,16 @@ static int run_command(int count, char **words)
     return message_usage(words[0][0] == '-' ? "unknown option '%s'" : "'%s' is not a command", words[0]);
 }
 
-int main(int argc, char **argv)
+int main(int count, char **given)
 {
     static char help_option[] = "--help";
-    if (argc < 2)
+    char **const words = terminal_begin(&count, given);
+    if (count < 2)
         return message_usage("no command given");
-    const bool is_help = !strcmp(argv[1], "help");
-    if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || (is_help && argc == 2))
+    const bool is_help = !strcmp(words[1], "help");
+    if (!strcmp(words[1], "--help") || !strcmp(words[1], "-h") || (is_help && count == 2))
         return output_text(help);
-    if (!strcmp(argv[1], "--version"))
+    if (!strcmp(words[1], "--version"))
         return output_text("tribox " CMD_VERSION "\n");
-    return is_help ? run_command(2, (char *[]){argv[2], help_option, NULL}) : run_command(argc - 1, argv + 1);
+    return is_help ? run_command(2, (char *[]){words[2], help_option, NULL}) : run_command(count - 1, words + 1);
 }

@@ -25,6 +25,7 @@ print_line(const char *format, va_list values, const char *end)
     fputs(": ", stderr);
     vfprintf(stderr, format, values);
     fputs(end, stderr);
+    fflush(stderr);
 }
 
 void message_say(const char *format, ...)
@@ -57,5 +58,6 @@ int message_usage(const char *format, ...)
     va_end(values);
     print_program(stderr);
     fputs(" --help'\n", stderr);
+    fflush(stderr);
     return EXIT_CODE_USAGE;
 }

@@ -4,7 +4,10 @@
 
 #include <stddef.h>
 
-#if defined(__GNUC__)
+#if defined(__MINGW32__) /* whose printf may be that of Windows, which does not know %zu */
+#include <stdio.h>
+#define MESSAGE_FORMAT __attribute__((format(__MINGW_PRINTF_FORMAT, 1, 2)))
+#elif defined(__GNUC__)
 #define MESSAGE_FORMAT __attribute__((format(printf, 1, 2)))
 #else
 #define MESSAGE_FORMAT

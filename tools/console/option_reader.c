@@ -72,6 +72,13 @@ static int refuse_unknown(const option_entry *table, int number, const char *wor
                          word);
 }
 
+/* A value is missing or, as some getopt_long call that as well, too much. */
+static int refuse_value(const option_entry *table, int number)
+{
+    const int i = number == 'h' ? -1 : option_of(table, number);
+    return refuse_option(table, number, i >= 0 && table[i].takes_value ? "needs a value" : "takes no value");
+}
+
 static int take_one(const option_entry *table, int number, option_take *take, void *request, options_found *found)
 {
     if (number == OPERAND)
@@ -95,7 +102,7 @@ int options_read(int count, char **words, const option_entry *table, option_take
         if (found->wants_help)
             return EXIT_CODE_OK;
         code = number == '?'   ? refuse_unknown(table, optopt, words[optind - 1])
-               : number == ':' ? refuse_option(table, optopt, "needs a value")
+               : number == ':' ? refuse_value(table, optopt)
                                : take_one(table, number, take, request, found);
     }
     for (; !code && optind < count; optind++)

@@ -1,18 +1,17 @@
 /* progress.c - draws the bar over itself ten times a second at most. */
-#define _POSIX_C_SOURCE 200809L
 #include "progress.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 #include "clock.h"
+#include "terminal.h"
 
 enum { WIDTH = 30, WIDTH_BESIDE_UNIT = 12, LINE = 79 };
 static const double first_after = 0.7, again_after = 0.1;
 
 progress progress_start(const char *what, bool is_wanted)
 {
-    return (progress){.what = what, .is_wanted = is_wanted && isatty(STDERR_FILENO), .start = clock_seconds()};
+    return (progress){.what = what, .is_wanted = is_wanted && terminal_is(stderr), .start = clock_seconds()};
 }
 
 progress progress_start_of(const char *what, const char *unit, double total, bool is_wanted)
@@ -74,11 +73,12 @@ void progress_tell(void *data, double done)
     if (done > 0)
         print_left(taken / done - taken);
     fputs("      ", stderr);
+    fflush(stderr);
 }
 
 void progress_end(progress *bar)
 {
     if (bar->last > 0)
-        fprintf(stderr, "\r%*s\r", LINE, "");
+        fprintf(stderr, "\r%*s\r", LINE, ""), fflush(stderr);
     bar->last = 0;
 }

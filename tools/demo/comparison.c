@@ -1,14 +1,13 @@
 /* comparison.c - times a scene of tribox demo, and prints what came of it. */
-#define _POSIX_C_SOURCE 200809L
 #include "comparison.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "console/accuracy.h"
 #include "console/message.h"
+#include "console/terminal.h"
 #include "paper/paper.h"
 
 int comparison_make(const scene *at, size_t rounds, comparison *c)
@@ -34,15 +33,12 @@ static double speed_of(const comparison *c, size_t i) { return measure_ratio(&c-
 
 static const char *kernel_of(const contestant *one) { return one->options.kernel ? one->options.kernel : one->name; }
 
-static const char *accuracy_of(const contestant *one)
-{
-    return one->options.kernel ? accuracy_word(one->options.accuracy) : "-";
-}
+static const char *accuracy_of(const contestant *one) { return one->options.kernel ? accuracy_word(one->options.accuracy) : "-"; }
 
 static bool is_bold_wanted(void)
 {
     const char *terminal = getenv("TERM");
-    return isatty(STDOUT_FILENO) && !getenv("NO_COLOR") && terminal && strcmp(terminal, "dumb");
+    return terminal_is(stdout) && !getenv("NO_COLOR") && terminal && strcmp(terminal, "dumb");
 }
 
 static void print_bold(const char *text)

@@ -1,13 +1,13 @@
 /* overlap_stream.c - reads a block of triangles, tests it, lists it and forgets it. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
-#include <unistd.h>
 
 #include "console/clock.h"
 #include "read/mesh.h"
 #include "console/message.h"
 #include "overlap.h"
 #include "console/progress.h"
+#include "console/terminal.h"
 #include "report.h"
 
 /* A block of the file: as nine streams of floats, or as doubles. */
@@ -93,7 +93,7 @@ static int answer_block(const request *r, block *b, answer *a)
 static int answer_blocks(const request *r, triangle_file *file, block *b, answer *a)
 {
     /* Over a list on the same terminal a bar would only be in the way. */
-    progress bar = progress_start("testing", file->promised != UINT64_MAX && !(r->wants_list && isatty(STDOUT_FILENO)));
+    progress bar = progress_start("testing", file->promised != UINT64_MAX && !(r->wants_list && terminal_is(stdout)));
     int code;
     for (size_t count;;) {
         code = read_block(file, b, &count);

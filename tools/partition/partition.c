@@ -1,19 +1,15 @@
 /* partition.c - opens the folder of a partition, and checks that it is whole. */
-#define _POSIX_C_SOURCE 200809L
 #include "partition.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "console/message.h"
 #include "console/numbers.h"
+#include "files/named_file.h"
 #include "write/checksum.h"
 
 _Static_assert(sizeof(partition_header) == 168 && sizeof(partition_tile) == 32,
@@ -23,8 +19,8 @@ enum { PATH_BYTES = 4096, TRIANGLE_NUMBERS = 9 };
 
 bool partition_is_folder(const char *path)
 {
-    struct stat about;
-    return !stat(path, &about) && S_ISDIR(about.st_mode);
+    file_about about;
+    return named_file_about(path, &about) && about.kind == FILE_KIND_FOLDER;
 }
 
 voxels partition_voxels(const partition_header *header)
@@ -47,7 +43,7 @@ size_t partition_count(const partition *p, size_t record)
 
 const void *partition_triangles(const partition *p, size_t record)
 {
-    return p->triangles + p->tiles[record].first * triangle_bytes(p);
+    return (const unsigned char *)p->triangles.bytes + p->tiles[record].first * triangle_bytes(p);
 }
 
 bool partition_is_sound(const partition *p, size_t record)
@@ -61,28 +57,22 @@ static int refuse(const partition *p, const char *why)
     return message_failure("%s: damaged: %s; make the partition again", p->path, why);
 }
 
-/* Maps a file of the folder, or nothing where it is empty. */
-static int map_file(const partition *p, const char *name, void **map, size_t *size)
+static int map_file(const partition *p, const char *name, file_map *map)
 {
     char path[PATH_BYTES];
-    struct stat about;
-    *map = NULL;
     if (snprintf(path, sizeof path, "%s/%s", p->path, name) >= (int)sizeof path)
         return message_failure("%s: its name is too long", p->path);
-    const int file = open(path, O_RDONLY);
-    if (file < 0)
+    switch (file_map_open(map, path)) {
+    case FILE_MAP_OK:
+        return EXIT_CODE_OK;
+    case FILE_MAP_NOT_OPENED:
         return message_failure(
             "%s: cannot open %s in it, so that it is no partition: %s; give a mesh, or what tribox partition wrote", p->path, name,
             strerror(errno));
-    bool is_there = !fstat(file, &about) && S_ISREG(about.st_mode);
-    *size = is_there ? (size_t)about.st_size : 0;
-    if (*size) {
-        *map = mmap(NULL, *size, PROT_READ, MAP_PRIVATE, file, 0);
-        is_there = *map != MAP_FAILED;
-        *map = is_there ? *map : NULL;
+    case FILE_MAP_REFUSED:
+        break;
     }
-    close(file);
-    return is_there ? EXIT_CODE_OK : message_failure("%s: cannot map %s in it", p->path, name);
+    return message_failure("%s: cannot map %s in it", p->path, name);
 }
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
@@ -101,19 +91,19 @@ static bool is_header_sound(const partition_header *header)
 static int check_header(partition *p)
 {
     static const char magic[sizeof p->header.magic] = PARTITION_MAGIC, any_version[] = "tribox tiles ";
-    if (p->index_size < sizeof p->header)
+    if (p->index.size < sizeof p->header)
         return refuse(p, "its index has no whole header");
-    memcpy(&p->header, p->index_map, sizeof p->header);
+    memcpy(&p->header, p->index.bytes, sizeof p->header);
     if (memcmp(p->header.magic, any_version, sizeof any_version - 1))
         return message_failure("%s: no partition; give a mesh, or what tribox partition wrote", p->path);
     if (memcmp(p->header.magic, magic, sizeof magic))
         return refuse(p, "or it is of another version of tribox");
     if (p->header.byte_order != PARTITION_BYTE_ORDER)
         return message_failure("%s: written on a machine of another byte order; make the partition on one like this", p->path);
-    const size_t records = (p->index_size - sizeof p->header) / sizeof(partition_tile);
-    if (records != p->header.records || p->index_size != sizeof p->header + records * sizeof(partition_tile))
+    const size_t records = (p->index.size - sizeof p->header) / sizeof(partition_tile);
+    if (records != p->header.records || p->index.size != sizeof p->header + records * sizeof(partition_tile))
         return refuse(p, "its index has another size than it should");
-    p->tiles = (const partition_tile *)((const unsigned char *)p->index_map + sizeof p->header);
+    p->tiles = (const partition_tile *)((const unsigned char *)p->index.bytes + sizeof p->header);
     uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, &p->header, offsetof(partition_header, checksum));
     sum = checksum_bytes(sum, p->tiles, records * sizeof *p->tiles);
     if (sum != p->header.checksum)
@@ -134,8 +124,8 @@ static int check_records(const partition *p)
         first = end;
         work += tile->work;
     }
-    if (first != p->header.places || p->header.places != p->triangles_size / triangle_bytes(p) ||
-        p->triangles_size % triangle_bytes(p))
+    if (first != p->header.places || p->header.places != p->triangles.size / triangle_bytes(p) ||
+        p->triangles.size % triangle_bytes(p))
         return refuse(p, "its triangles are not as many as its index says");
     return EXIT_CODE_OK;
 }
@@ -143,12 +133,11 @@ static int check_records(const partition *p)
 int partition_open(partition *p, const char *path)
 {
     *p = (partition){.path = path};
-    int code = map_file(p, "index", &p->index_map, &p->index_size);
+    int code = map_file(p, "index", &p->index);
     if (!code)
         code = check_header(p);
     if (!code)
-        code = map_file(p, "triangles", &p->triangles_map, &p->triangles_size);
-    p->triangles = p->triangles_map;
+        code = map_file(p, "triangles", &p->triangles);
     if (!code)
         code = check_records(p);
     if (code)
@@ -158,9 +147,6 @@ int partition_open(partition *p, const char *path)
 
 void partition_close(partition *p)
 {
-    if (p->index_map)
-        munmap(p->index_map, p->index_size);
-    if (p->triangles_map)
-        munmap(p->triangles_map, p->triangles_size);
-    p->index_map = p->triangles_map = NULL;
+    file_map_close(&p->index);
+    file_map_close(&p->triangles);
 }

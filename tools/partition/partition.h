@@ -15,6 +15,7 @@
 
 #include <stdbool.h>
 
+#include "files/file_map.h"
 #include "tribox.h"
 #include "write/voxels.h"
 
@@ -53,9 +54,7 @@ typedef struct partition {
     const char *path; /* of the folder */
     partition_header header;
     const partition_tile *tiles; /* header.records of them */
-    const unsigned char *triangles;
-    void *index_map, *triangles_map; /* NULL for an empty file */
-    size_t index_size, triangles_size;
+    file_map index, triangles;
 } partition;
 
 /* Whether a path is that of a folder, as those of partitions are. */

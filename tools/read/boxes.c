@@ -7,6 +7,7 @@
 #include "console/decimal.h"
 #include "console/message.h"
 #include "console/numbers.h"
+#include "files/named_file.h"
 
 /* Most bytes of a line without its comment, and of a file's name in messages. */
 enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };
@@ -67,7 +68,7 @@ bool box_is_float(const tribox_box_f64 *box, tribox_box *narrow)
 int box_file_open(box_file *boxes, const char *path)
 {
     const bool is_stdin = !strcmp(path, "-");
-    boxes->file = is_stdin ? stdin : fopen(path, "r");
+    boxes->file = is_stdin ? stdin : named_file_open(path, "rb");
     boxes->name = is_stdin ? "stdin" : path;
     boxes->line = 0;
     if (!boxes->file)

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 #include "little.h"
 #include "console/message.h"
+#include "files/named_file.h"
 #include "tribox.h"
 
 enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50, RECORD_MAX = 8 * NUMBERS };
@@ -53,18 +53,18 @@ static triangle_format format_of_name(const char *path)
 
 static int open_stream(const char *path, triangle_file *file)
 {
-    struct stat about;
+    file_about about;
     if (is_stdin(path)) {
         file->stream = stdin;
         return EXIT_CODE_OK;
     }
-    file->stream = fopen(path, "rb");
-    if (!file->stream || fstat(fileno(file->stream), &about))
-        return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
-    if (S_ISDIR(about.st_mode))
+    if (named_file_about(path, &about) && about.kind == FILE_KIND_FOLDER)
         return message_failure("%s: is a directory; give a mesh file", path);
-    file->is_sized = S_ISREG(about.st_mode);
-    file->size = file->is_sized ? (uint64_t)about.st_size : UINT64_MAX;
+    file->stream = named_file_open(path, "rb");
+    if (!file->stream || !named_file_about_open(file->stream, &about))
+        return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
+    file->is_sized = about.kind == FILE_KIND_REGULAR;
+    file->size = file->is_sized ? about.size : UINT64_MAX;
     return file->size ? EXIT_CODE_OK : message_failure("%s: the file is empty", path);
 }
 

@@ -1,5 +1,4 @@
 /* whole_file.c - reads a whole file, with a reason for each way that can fail. */
-#define _POSIX_C_SOURCE 200809L
 #include "whole_file.h"
 
 #include <errno.h>
@@ -7,9 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "console/message.h"
+#include "files/named_file.h"
 
 static int read_bytes(const char *path, FILE *stream, whole_file *file)
 {
@@ -28,21 +27,22 @@ static int read_bytes(const char *path, FILE *stream, whole_file *file)
 
 int whole_file_read(const char *path, whole_file *file)
 {
-    struct stat about;
+    file_about about;
     *file = (whole_file){NULL, 0};
-    if (stat(path, &about))
+    if (!named_file_about(path, &about))
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
-    if (!S_ISREG(about.st_mode))
-        return message_failure("%s: is %s; give a mesh file", path, S_ISDIR(about.st_mode) ? "a directory" : "not a regular file");
-    if (about.st_size == 0)
+    if (about.kind != FILE_KIND_REGULAR)
+        return message_failure("%s: is %s; give a mesh file", path,
+                               about.kind == FILE_KIND_FOLDER ? "a directory" : "not a regular file");
+    if (about.size == 0)
         return message_failure("%s: the file is empty", path);
-    if ((uintmax_t)about.st_size >= SIZE_MAX)
+    if (about.size >= SIZE_MAX)
         return message_failure("%s: the file is too large for the address space", path);
 
-    FILE *stream = fopen(path, "rb");
+    FILE *stream = named_file_open(path, "rb");
     if (!stream)
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
-    file->size = (size_t)about.st_size;
+    file->size = (size_t)about.size;
     const int code = read_bytes(path, stream, file);
     fclose(stream);
     return code;

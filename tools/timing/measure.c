@@ -9,11 +9,18 @@
 
 #include "console/clock.h"
 
+/* Windows counts the time of threads in ticks of 15 ms. */
+static bool has_fine_thread_time(void)
+{
+    struct timespec step;
+    return !clock_getres(CLOCK_THREAD_CPUTIME_ID, &step) && !step.tv_sec && step.tv_nsec <= 1000;
+}
+
 /* Of the processor, which other work does not move as it moves those of the clock; of the clock where threads share the work. */
 static double seconds_now(const contestant *one)
 {
     struct timespec now;
-    if (one->has_threads || clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now))
+    if (one->has_threads || !has_fine_thread_time() || clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now))
         return clock_seconds();
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }

@@ -1,6 +1,7 @@
 /* work.c - soups and boxes to time. */
 #include "work.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,17 +11,20 @@ size_t timing_work_room(size_t triangles) { return (triangles + LINE_FLOATS - 1)
 
 bool timing_work_make(timing_work *work, size_t jobs, size_t room)
 {
-    const size_t floats = 9 * sizeof(float);
+    const size_t bytes = 9 * sizeof(float);
     *work = (timing_work){.jobs = NULL};
-    if (room > SIZE_MAX / floats || jobs > SIZE_MAX / sizeof(timing_job))
+    if (room > (SIZE_MAX - CACHE_LINE) / (2 * bytes) || jobs > SIZE_MAX / sizeof(timing_job))
         return false;
     work->jobs = malloc(jobs * sizeof *work->jobs);
-    work->streams = aligned_alloc(CACHE_LINE, room * floats);
-    work->triangles = aligned_alloc(CACHE_LINE, room * floats);
-    if (work->jobs && work->streams && work->triangles)
-        return true;
-    timing_work_free(work);
-    return false;
+    work->memory = malloc(2 * room * bytes + CACHE_LINE);
+    if (!work->jobs || !work->memory) {
+        timing_work_free(work);
+        return false;
+    }
+    unsigned char *const first = (unsigned char *)work->memory + (CACHE_LINE - (uintptr_t)work->memory % CACHE_LINE);
+    work->streams = (float *)(void *)first;
+    work->triangles = (float(*)[3][3])(void *)(first + room * bytes);
+    return true;
 }
 
 timing_job timing_work_soup(timing_work *work, size_t count)
@@ -78,7 +82,6 @@ void timing_work_shorten(timing_work *work, size_t triangles)
 void timing_work_free(timing_work *work)
 {
     free(work->jobs);
-    free(work->streams);
-    free(work->triangles);
+    free(work->memory);
     *work = (timing_work){.jobs = NULL};
 }

@@ -23,6 +23,7 @@ typedef struct timing_work {
     size_t count;             /* jobs */
     size_t pairs;             /* of a triangle and a box, in all jobs */
     size_t words;             /* of the masks of all jobs, which follow one another */
+    void *memory;             /* of the next two */
     float *streams;           /* what the soups point into */
     float (*triangles)[3][3]; /* what the jobs' triangles point into */
     size_t used;              /* of the room */

@@ -1,12 +1,11 @@
 /* result_options.c - the options that voxelize and merge share. */
-#define _POSIX_C_SOURCE 200809L
 #include "result_options.h"
 
 #include <stddef.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "console/message.h"
+#include "console/terminal.h"
 
 static int read_vdb_grid(const char *word, bool *is_of_booleans)
 {
@@ -53,7 +52,7 @@ static int check_stdout(const result_request *r, bool takes_part)
         return message_usage("standard output needs its format, --out-format WORD: one of " VOLUME_WORDS);
     if (r->wants_json)
         return message_usage("--json and -o - exclude each other, since both go to standard output");
-    if (isatty(STDOUT_FILENO))
+    if (terminal_is(stdout))
         return message_usage("-o -: standard output is a terminal; send it to a program or a file");
     return EXIT_CODE_OK;
 }

@@ -1,39 +1,34 @@
 /* file_out.c - writes beside the name and renames, so that nobody finds half a file. */
-#define _XOPEN_SOURCE 700
 #include "file_out.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "console/interrupt.h"
 #include "console/message.h"
+#include "files/named_file.h"
+#include "files/new_file.h"
 
 bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
 
-/* Replaces a link by what it leads to, so that the link stays and the file behind it is the one that is written. */
 static int find_target(file_out *out)
 {
-    struct stat about;
-    const bool is_link = !lstat(out->path, &about) && S_ISLNK(about.st_mode);
-    out->target = is_link ? realpath(out->path, NULL) : strdup(out->path);
+    file_about about;
+    out->target = new_file_target(out->path);
     if (!out->target)
         return message_failure("%s: cannot follow this link: %s", out->path, strerror(errno));
-    if (stat(out->target, &about) || S_ISREG(about.st_mode))
+    if (!named_file_about(out->target, &about) || about.kind == FILE_KIND_REGULAR)
         return EXIT_CODE_OK;
     return message_failure("%s: %s; give the name of a file", out->path,
-                           S_ISDIR(about.st_mode) ? "is a directory" : "is not a regular file");
+                           about.kind == FILE_KIND_FOLDER ? "is a directory" : "is not a regular file");
 }
 
 /* A name of its own in the target's folder: one made from the target's name could be too long. */
 static int name_beside(file_out *out)
 {
     static const char name[] = ".tribox-XXXXXX";
-    const char *slash = strrchr(out->target, '/');
-    const size_t folder = slash ? (size_t)(slash - out->target) + 1 : 0;
+    const size_t folder = named_file_folder(out->target);
     out->beside = malloc(folder + sizeof name);
     if (!out->beside)
         return message_failure("%s: out of memory", out->path);
@@ -42,30 +37,15 @@ static int name_beside(file_out *out)
     return EXIT_CODE_OK;
 }
 
-/* mkstemp gives its file to the owner alone; this one gets the rights of any new file. */
-static void allow_usual(int file)
-{
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(file, 0666 & ~mask);
-}
-
 static int make_beside(file_out *out)
 {
     interrupt_hold();
-    const int file = mkstemp(out->beside);
-    if (file >= 0)
+    out->stream = new_file_open(out->beside);
+    const int reason = errno;
+    if (out->stream)
         interrupt_watch(out->beside);
     interrupt_release();
-    if (file < 0)
-        return message_failure("%s: cannot write there: %s", out->path, strerror(errno));
-    allow_usual(file);
-    out->stream = fdopen(file, "wb");
-    if (out->stream)
-        return EXIT_CODE_OK;
-    unlink(out->beside);
-    close(file);
-    return message_failure("%s: cannot write there: %s", out->path, strerror(errno));
+    return out->stream ? EXIT_CODE_OK : message_failure("%s: cannot write there: %s", out->path, strerror(reason));
 }
 
 static void forget(file_out *out)
@@ -81,9 +61,8 @@ int file_out_open(file_out *out, const char *path)
     *out = (file_out){.path = path};
     if (!path)
         return EXIT_CODE_OK;
-    signal(SIGXFSZ, SIG_IGN); /* beyond a limit on file sizes, writing then fails and is reported as on a full disk */
+    new_file_fail_quietly(file_out_is_stdout(path));
     if (file_out_is_stdout(path)) {
-        signal(SIGPIPE, SIG_IGN); /* the same where nobody reads on */
         out->stream = stdout;
         return EXIT_CODE_OK;
     }
@@ -119,11 +98,11 @@ int file_out_keep(file_out *out)
         forget(out);
         return code;
     }
-    if ((fclose(out->stream) || (!is_lost && rename(out->beside, out->target))) && !reason)
+    if ((fclose(out->stream) || (!is_lost && !new_file_rename(out->beside, out->target))) && !reason)
         reason = errno;
     int code = EXIT_CODE_OK;
     if (is_lost || reason) {
-        unlink(out->beside);
+        new_file_remove(out->beside);
         code = fail(out, reason);
     }
     forget(out);
@@ -136,7 +115,7 @@ void file_out_drop(file_out *out)
         return;
     if (out->stream != stdout) {
         fclose(out->stream);
-        unlink(out->beside);
+        new_file_remove(out->beside);
     }
     forget(out);
 }

@@ -1,30 +1,25 @@
 /* folder_out.c - writes a folder beside its name and renames it, so that nobody finds half of it. */
-#define _XOPEN_SOURCE 700
 #include "folder_out.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "console/interrupt.h"
 #include "console/message.h"
+#include "files/named_file.h"
+#include "files/new_file.h"
 
-/* `folder` up to its last slash, if it has one, and then `name`. NULL without memory. */
+/* The folder in which `folder` is, and then `name`. NULL without memory. */
 static char *beside(const char *folder, const char *name)
 {
-    size_t length = strlen(folder);
-    while (length > 1 && folder[length - 1] == '/')
-        length--;
-    while (length && folder[length - 1] != '/')
-        length--;
-    char *const path = malloc(length + strlen(name) + 1);
+    char *const path = malloc(strlen(folder) + strlen(name) + 1);
     if (path) {
-        memcpy(path, folder, length);
-        strcpy(path + length, name);
+        strcpy(path, folder);
+        for (size_t end = strlen(path); end > 1 && named_file_folder(path) == end; end--)
+            path[end - 1] = '\0'; /* separators at the end */
+        strcpy(path + named_file_folder(path), name);
     }
     return path;
 }
@@ -52,32 +47,23 @@ static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
         if (!out->name[i])
             return message_failure("%s: out of memory", out->path);
         interrupt_watch(out->name[i]);
-        out->file[i] = fopen(out->name[i], "wb");
+        out->file[i] = named_file_open(out->name[i], "wb");
         if (!out->file[i])
             return fail(out, errno);
     }
     return EXIT_CODE_OK;
 }
 
-/* mkdtemp gives its folder to the owner alone; this one gets the rights of any new folder. */
-static void allow_usual(const char *folder)
-{
-    const mode_t mask = umask(0);
-    umask(mask);
-    chmod(folder, 0777 & ~mask);
-}
-
 int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES])
 {
-    struct stat about;
     *out = (folder_out){.path = path};
-    if (!lstat(path, &about))
+    if (named_file_is_there(path))
         return message_failure("%s: is there already; remove it, or give another name", path);
     out->beside = beside(path, ".tribox-XXXXXX");
     if (!out->beside)
         return message_failure("%s: out of memory", path);
     interrupt_hold();
-    const bool is_made = mkdtemp(out->beside);
+    const bool is_made = new_file_make_folder(out->beside);
     const int reason = errno;
     if (is_made)
         interrupt_watch(out->beside);
@@ -87,8 +73,7 @@ int folder_out_open(folder_out *out, const char *path, const char *const names[F
         out->beside = NULL;
         return message_failure("%s: cannot write there: %s", path, strerror(reason));
     }
-    signal(SIGXFSZ, SIG_IGN); /* beyond a limit on file sizes, writing then fails and is reported as on a full disk */
-    allow_usual(out->beside);
+    new_file_fail_quietly(false);
     const int code = make_files(out, names);
     if (code)
         folder_out_drop(out);
@@ -117,7 +102,7 @@ int folder_out_keep(folder_out *out)
             reason = errno;
         out->file[i] = NULL;
     }
-    if (!reason && rename(out->beside, out->path))
+    if (!reason && !new_file_rename_folder(out->beside, out->path))
         reason = errno;
     const int code = reason ? fail(out, reason) : EXIT_CODE_OK;
     if (code)
@@ -135,8 +120,8 @@ void folder_out_drop(folder_out *out)
         if (out->file[i])
             fclose(out->file[i]);
         if (out->name[i])
-            unlink(out->name[i]);
+            new_file_remove(out->name[i]);
     }
-    rmdir(out->beside);
+    new_file_remove_folder(out->beside);
     forget(out);
 }

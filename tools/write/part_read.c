@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "checksum.h"
 #include "console/message.h"
 #include "console/numbers.h"
+#include "files/named_file.h"
 #include "part.h"
 
 enum { BRICK = 8, TILE_MOST = 1024, BLOCK = 1024 };
@@ -47,11 +47,11 @@ static int refuse(const part *p, const char *why)
 
 static FILE *open_file(const char *path)
 {
-    FILE *const file = fopen(path, "rb");
-    struct stat about;
+    FILE *const file = named_file_open(path, "rb");
+    file_about about;
     if (!file) {
         message_failure("%s: cannot open the part: %s", path, strerror(errno));
-    } else if (fstat(fileno(file), &about) || !S_ISREG(about.st_mode)) {
+    } else if (!named_file_about_open(file, &about) || about.kind != FILE_KIND_REGULAR) {
         message_failure("%s: not a regular file; give the files that tribox voxelize --shard wrote", path);
         fclose(file);
         return NULL;
@@ -67,14 +67,14 @@ static int read_ends(part *p, FILE *file)
     const int code = check_header(p->path, &p->header);
     if (code)
         return code;
-    struct stat about;
-    if (fstat(fileno(file), &about) || about.st_size < (off_t)(sizeof p->header + sizeof p->end) ||
-        fseeko(file, about.st_size - (off_t)sizeof p->end, SEEK_SET) || fread(&p->end, sizeof p->end, 1, file) != 1)
+    file_about about;
+    if (!named_file_about_open(file, &about) || about.size < sizeof p->header + sizeof p->end ||
+        fseeko(file, (off_t)(about.size - sizeof p->end), SEEK_SET) || fread(&p->end, sizeof p->end, 1, file) != 1)
         return refuse(p, "it ends early");
-    const uint64_t size = (uint64_t)about.st_size - sizeof p->header - sizeof p->end;
+    const uint64_t size = about.size - sizeof p->header - sizeof p->end;
     if (size % sizeof(part_brick) || size / sizeof(part_brick) != p->end.bricks)
         return message_failure("%s: damaged: it has %llu bytes, which do not fit its number of bricks; run shard %u of %u again",
-                               p->path, (unsigned long long)about.st_size, p->header.shard, p->header.whole.shards);
+                               p->path, (unsigned long long)about.size, p->header.shard, p->header.whole.shards);
     return EXIT_CODE_OK;
 }
 

@@ -1,52 +1,49 @@
 /* spool.c - makes nameless files and copies them. */
-#define _XOPEN_SOURCE 700
+#define _POSIX_C_SOURCE 200809L
 #include "spool.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "console/interrupt.h"
 #include "console/message.h"
+#include "files/named_file.h"
+#include "files/new_file.h"
 
 enum { CHUNK = 1 << 16 };
 
-/* The folder of the output with its last slash, or a place for such files. Returns how many of its characters count. */
-static int folder_of(const file_out *out, const char **folder)
+/* A name in the folder of the output, or in a place for such files. To be freed; NULL without memory. */
+static char *name_within(const file_out *out)
 {
-    const char *const chosen = getenv("TMPDIR"), *const slash = out->target ? strrchr(out->target, '/') : NULL;
-    *folder = out->target ? out->target : chosen && *chosen ? chosen : "/tmp";
-    return out->target ? (int)(slash ? slash - out->target + 1 : 0) : (int)strlen(*folder);
-}
-
-static FILE *open_nameless(const char *pattern, char *name)
-{
-    interrupt_hold(); /* until it has no name */
-    const int file = mkstemp(name), reason = errno;
-    if (file >= 0)
-        unlink(name);
-    interrupt_release();
-    if (file < 0)
-        return message_failure("%s: cannot write there: %s", pattern, strerror(reason)), NULL;
-    FILE *const spool = fdopen(file, "w+b");
-    if (!spool)
-        close(file);
-    return spool ? spool : (message_failure("%s: cannot write there: %s", pattern, strerror(errno)), NULL);
+    static const char within[] = "/.tribox-XXXXXX";
+    char *const folder = out->target ? NULL : new_file_passing_folder();
+    const char *const from = out->target ? out->target : folder;
+    const size_t length = !from ? 0 : folder ? strlen(folder) : named_file_folder(from);
+    char *const name = from ? malloc(length + sizeof within) : NULL;
+    if (name) {
+        memcpy(name, from, length);
+        strcpy(name + length, folder ? within : within + 1);
+    }
+    free(folder);
+    return name;
 }
 
 FILE *spool_open(const file_out *out)
 {
-    static const char beside[] = ".tribox-XXXXXX", within[] = "/.tribox-XXXXXX";
-    const char *folder;
-    const int length = folder_of(out, &folder);
-    const char *const last = out->target ? beside : within;
-    const size_t size = (size_t)length + sizeof within;
-    char *const name = malloc(size);
+    char *const name = name_within(out);
     if (!name)
         return message_failure("%s: out of memory", out->path), NULL;
-    snprintf(name, size, "%.*s%s", length, folder, last);
-    FILE *const spool = open_nameless(out->target ? out->path : folder, name);
+    interrupt_hold(); /* until it has no name */
+    FILE *const spool = new_file_open_nameless(name);
+    const int reason = errno;
+    interrupt_release();
+    if (!spool) {
+        char *const slash = strrchr(name, '/');
+        if (slash)
+            *slash = '\0';
+        message_failure("%s: cannot write there: %s", out->target ? out->path : name, strerror(reason));
+    }
     free(name);
     return spool;
 }

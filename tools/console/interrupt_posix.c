@@ -1,4 +1,4 @@
-/* interrupt.c - removes unfinished files when a signal ends the program. */
+/* interrupt_posix.c - removes unfinished files when a signal ends the program. */
 #define _POSIX_C_SOURCE 200809L
 #include "interrupt.h"
 

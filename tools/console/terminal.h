@@ -1,0 +1,14 @@
+/* terminal.h - how the system hands over words and streams. */
+#ifndef TERMINAL_H
+#define TERMINAL_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Before anything else: from now on streams carry bytes as they are, text is UTF-8. Returns the words of the command line as such. */
+char **terminal_begin(int *count, char **words);
+
+/* Whether a person looks on. */
+bool terminal_is(FILE *stream);
+
+#endif

@@ -1,0 +1,19 @@
+/* file_map.h - the bytes of a file in memory, read as they are looked at. */
+#ifndef FILE_MAP_H
+#define FILE_MAP_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct file_map {
+    void *bytes; /* NULL for an empty file */
+    size_t size;
+} file_map;
+
+typedef enum file_map_result { FILE_MAP_OK, FILE_MAP_NOT_OPENED, FILE_MAP_REFUSED } file_map_result;
+
+/* NOT_OPENED with errno. REFUSED: no regular file, or no addresses. */
+file_map_result file_map_open(file_map *map, const char *path);
+void file_map_close(file_map *map);
+
+#endif

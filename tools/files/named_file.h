@@ -1,0 +1,33 @@
+/* named_file.h - what stands under a name. Names are UTF-8 on Windows, and elsewhere the bytes that the system takes. */
+#ifndef NAMED_FILE_H
+#define NAMED_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef enum file_kind { FILE_KIND_REGULAR, FILE_KIND_FOLDER, FILE_KIND_OTHER } file_kind;
+
+typedef struct file_about {
+    file_kind kind;
+    uint64_t size; /* of a regular file */
+} file_about;
+
+/* Mode "rb" or "wb". NULL with errno. */
+FILE *named_file_open(const char *path, const char *mode);
+
+/* Of what links lead to. False with errno. */
+bool named_file_about(const char *path, file_about *about);
+bool named_file_about_open(FILE *stream, file_about *about);
+
+/* Whether there is anything, be it a link that leads nowhere. */
+bool named_file_is_there(const char *path);
+
+/* How many of the name's characters are its folder, the last separator among them. */
+size_t named_file_folder(const char *path);
+
+/* Whether files can be made in the current folder. */
+bool named_file_is_writable_here(void);
+
+#endif

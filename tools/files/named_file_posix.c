@@ -1,0 +1,47 @@
+/* named_file_posix.c - files by their names, as POSIX has them. */
+#define _POSIX_C_SOURCE 200809L
+#include "named_file.h"
+
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+FILE *named_file_open(const char *path, const char *mode) { return fopen(path, mode); }
+
+static void tell(const struct stat *found, file_about *about)
+{
+    about->kind = S_ISREG(found->st_mode) ? FILE_KIND_REGULAR : S_ISDIR(found->st_mode) ? FILE_KIND_FOLDER : FILE_KIND_OTHER;
+    about->size = about->kind == FILE_KIND_REGULAR ? (uint64_t)found->st_size : 0;
+}
+
+bool named_file_about(const char *path, file_about *about)
+{
+    struct stat found;
+    if (stat(path, &found))
+        return false;
+    tell(&found, about);
+    return true;
+}
+
+bool named_file_about_open(FILE *stream, file_about *about)
+{
+    struct stat found;
+    if (fstat(fileno(stream), &found))
+        return false;
+    tell(&found, about);
+    return true;
+}
+
+bool named_file_is_there(const char *path)
+{
+    struct stat found;
+    return !lstat(path, &found);
+}
+
+size_t named_file_folder(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    return slash ? (size_t)(slash - path) + 1 : 0;
+}
+
+bool named_file_is_writable_here(void) { return !access(".", W_OK); }
