@@ -1,0 +1,21 @@
+/* windows_file.h - files of Windows as streams, and its errors as errno. */
+#ifndef WINDOWS_FILE_H
+#define WINDOWS_FILE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <windows.h>
+
+/* How CreateFileW is called; others may always read, rename and remove the file. */
+typedef struct windows_way {
+    DWORD access, disposition, flags;
+    const char *mode; /* of the stream */
+} windows_way;
+
+/* NULL with errno. */
+FILE *windows_file_open(const char *path, const windows_way *way);
+
+/* Sets errno by GetLastError. Returns false. */
+bool windows_file_failed(void);
+
+#endif
