@@ -1,0 +1,231 @@
+"""The program for Windows under wine, beside the one of this machine: the same bytes, names in UTF-16, interrupts.
+
+program.py HERE WINE FOLDER [TEST...]: the program of this machine, wine.sh, and the folder of the build for Windows.
+"""
+
+import json
+import os
+import signal
+import stat
+import struct
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
+import meshes  # noqa: E402
+import support  # noqa: E402
+
+HERE, WINE, BUILD = map(os.path.abspath, sys.argv[1:4])
+NAMES = ("plain", "with a space", "h\u00e9 \u65e5\u672c", "\U0001f389 \u00df'%PATH%")
+TRIANGLES = meshes.lattice_triangles(3000, seed=4)
+GRID = ("--cell", "0.0625", "--origin", "-2,-2,-2", "--size", "70,65,130")
+OF_THE_TIME = ("runs", "seconds", "ns_per_triangle", "total_seconds", "processor")
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+class Windows(support.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.f32", meshes.pack_floats(TRIANGLES))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def ask_both(self, *arguments, stdin=b""):
+        """What both programs print, which is the same."""
+        done = [subprocess.run([program, *arguments], input=stdin, capture_output=True, timeout=120)
+                for program in (HERE, support.program())]
+        self.assertEqual((done[0].returncode, done[0].stderr), (done[1].returncode, done[1].stderr), arguments)
+        return [one.stdout for one in done]
+
+    def assert_same(self, *arguments, stdin=b""):
+        here, there = self.ask_both(*arguments, stdin=stdin)
+        self.assertEqual(here, there, arguments)
+        return there
+
+    def assert_same_files(self, name, *arguments):
+        """The file or folder that both write."""
+        contents = []
+        for program, where in ((HERE, "here"), (support.program(), "there")):
+            os.makedirs(self.path(where), exist_ok=True)
+            path = os.path.join(self.path(where), name)
+            done = subprocess.run([program, *arguments, "--quiet", "-o", path], capture_output=True, timeout=120)
+            self.assertEqual((done.returncode, done.stderr), (0, b""), arguments)
+            contents.append([read(os.path.join(path, one)) for one in ("index", "triangles")] if os.path.isdir(path) else read(path))
+        self.assertEqual(contents[0], contents[1], arguments)
+        return os.path.join(self.path("there"), name)
+
+
+class Answers(Windows):
+    def test_overlap(self):
+        mesh = self.write("mesh.obj", meshes.obj(TRIANGLES[:300]))
+        for path, stdin, form in ((mesh, b"", ()), ("-", meshes.stl_binary(TRIANGLES), ("--format", "stl")),
+                                  ("-", read(self.mesh), ("--format", "f32"))):
+            self.assert_same("overlap", path, *form, "--box", support.UNIT_BOX, "--list", stdin=stdin)
+            here, there = map(json.loads, self.ask_both("overlap", path, *form, "--box", support.UNIT_BOX, "--json", stdin=stdin))
+            self.assertEqual(*({key: one[key] for key in one if key not in OF_THE_TIME} for one in (here, there)))
+        self.assertIn(b"kernel", self.ask_both("overlap", mesh, "--box", "0.1,0.1,0.1,0.2,1e-7,3")[1])
+
+    def test_boxes_with_line_ends_of_windows(self):
+        boxes = self.write("boxes.txt", "# two\r\n-0.5,-0.5,-0.5,0.5,0.5,0.5\r\n\r\n0 0 0 1 1 1\r\n")
+        self.assertEqual(len(self.ask_both("overlap", self.mesh, "--boxes", boxes)[1].splitlines()), 2)
+
+    def test_each_way_of_testing(self):
+        for way in (("--kernel", "scalar"), ("--kernel", "sse2"), ("--accuracy", "fast"), ("--axes", "box"), ("--order", "321")):
+            self.assert_same("overlap", self.mesh, "--box", support.UNIT_BOX, "--list", *way)
+
+    def test_words(self):
+        for arguments in (("--version",), ("overlap", "--help"), ("info", "--js", "--json"), ("overlap", "m.obj", "--o", "1"),
+                          ("overlap", "--list=yes"), ("overlap", "m.obj", "--box"), ("overlap", "m.obj", "-lb", "1,2"), ("-x",), ()):
+            self.assert_same(*arguments)
+
+    def test_info_and_demo(self):
+        about = json.loads(self.succeed("info", "--json"))
+        self.assertIn("scalar", about["kernels"])
+        self.assertNotIn("unknown", about["processor"])
+        exact = [one for scene in json.loads(self.succeed("demo", "--quick", "--json"))["scenes"]
+                 for one in scene["rows"] if one.get("accuracy") == "exact"]
+        self.assertTrue(exact)
+        self.assertEqual({one["unlike_exact"] for one in exact}, {0})
+
+
+class Files(Windows):
+    def test_voxels(self):
+        for threads in ("1", "4"):
+            for ending in ("npy", "npz", "nrrd", "raw"):
+                self.assert_same_files("voxels." + ending, "voxelize", self.mesh, *GRID, "--threads", threads)
+        self.assert_same_files("filled.npz", "voxelize", self.mesh, *GRID, "--fill", "outside")
+        wide = self.write("wide.f64", struct.pack("<18d", *(0.1 * n * n % 3 + 1e9 / 7 for n in range(18))))
+        for grid in (("--resolution", "300"), ("--cell", "0.0123456789,0.02,0.03")):
+            self.assert_same_files("wide.npz", "voxelize", wide, *grid)
+
+    def test_pipes(self):
+        for word in ("npy", "npz"):
+            self.assert_same("voxelize", "-", "--format", "f32", *GRID, "--out-format", word, "-o", "-", stdin=read(self.mesh))
+
+    def test_shards(self):
+        whole = self.assert_same_files("whole.npz", "voxelize", self.mesh, *GRID)
+        tiles = self.assert_same_files("tiles", "partition", self.mesh, *GRID)
+        for mesh, grid in ((self.mesh, GRID), (tiles, ())):
+            parts = [self.assert_same_files("%d.part" % n, "voxelize", mesh, *grid, "--shard", "%d/3" % n) for n in (1, 2, 3)]
+            merged = self.assert_same_files("merged.npz", "merge", *parts)
+            self.assertEqual(read(merged), read(whole))
+
+    def test_names(self):
+        for name in NAMES:
+            folder = self.path(name)
+            os.mkdir(folder)
+            mesh = os.path.join(folder, name + ".stl")
+            with open(mesh, "wb") as file:
+                file.write(meshes.stl_binary(TRIANGLES[:10]))
+            self.assertIn(name.encode(), self.ask_both("overlap", mesh, "--box", support.UNIT_BOX)[1])
+            for out in (name + ".npz", name + ".npy"):
+                self.succeed("voxelize", mesh, "--resolution", "9", "--quiet", "-o", os.path.join(folder, out))
+            self.succeed("partition", mesh, "--resolution", "9", "--quiet", "-o", os.path.join(folder, name + " tiles"))
+            self.succeed("voxelize", os.path.join(folder, name + " tiles"), "--quiet", "-o", os.path.join(folder, "of tiles.npz"))
+            self.assertEqual(read(os.path.join(folder, "of tiles.npz")), read(os.path.join(folder, name + ".npz")))
+            self.assertEqual(sorted(os.listdir(folder)), sorted([name + ".stl", name + ".npz", name + ".npy", name + " tiles",
+                                                                 "of tiles.npz"]))
+            self.fail_with(1, "%s.ply: cannot open the mesh file: No such file or directory" % name.replace("%", ".PATH.")[:4],
+                           "overlap", os.path.join(folder, name[:4] + ".ply"), "--box", support.UNIT_BOX)
+
+    def test_separators(self):
+        """Backslashes part folders, too."""
+        os.mkdir(self.path("deep"))
+        self.succeed("voxelize", self.mesh, "--resolution", "9", "--quiet", "-o", "deep\\x.npz", cwd=self.folder)
+        self.assertEqual(os.listdir(self.path("deep")), ["x.npz"])
+
+    def test_takes_the_place_of_another(self):
+        out = self.write("out.npy", "what was there")
+        self.succeed("voxelize", self.mesh, "--resolution", "9", "--quiet", "-o", out)
+        self.assertEqual(read(out)[:6], b"\x93NUMPY")
+        self.assertEqual(stat.S_IMODE(os.stat(out).st_mode) & 0o400, 0o400)
+
+
+class Refused(Windows):
+    def tearDown(self):
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".tribox")], [])
+
+    def test_bad_meshes(self):
+        for name, content in (("empty.ply", ""), ("notes.obj", "hello\n"), ("short.stl", b"\0" * 83), ("cut.f32", b"\0" * 37),
+                              ("half.off", "OFF\n3 1 0\n0 0 0\n"), ("scene.dae", "{}")):
+            self.assert_same_lines("overlap", self.write(name, content), "--box", support.UNIT_BOX)
+        self.assert_same_lines("overlap", self.path("nowhere.ply"), "--box", support.UNIT_BOX)
+        self.assert_same_lines("overlap", self.folder, "--box", support.UNIT_BOX)
+
+    def assert_same_lines(self, *arguments):
+        """One line from each, the same but for the advice about libassimp, which this machine may have."""
+        done = [subprocess.run([program, *arguments], capture_output=True, timeout=60, stdin=subprocess.DEVNULL)
+                for program in (HERE, support.program())]
+        self.assertEqual([one.returncode for one in done], [1, 1], arguments)
+        self.assert_one_line(done[1].stderr.decode(), "^tribox overlap: ")
+        if not arguments[1].endswith(".dae"):
+            self.assertEqual(done[0].stderr, done[1].stderr)
+
+    def test_outputs(self):
+        for out, why in ((self.folder, "is a directory; give the name of a file"),
+                         (self.path("nowhere/x.npy"), "cannot write there: No such file or directory")):
+            self.fail_with(1, why, "voxelize", self.mesh, "--resolution", "9", "--out-format", "npy", "-o", out)
+        os.mkdir(self.path("there"))
+        self.fail_with(1, "is there already; remove it", "partition", self.mesh, "--resolution", "9", "-o", self.path("there"))
+        self.fail_with(1, "cannot open index in it, so that it is no partition: No such file", "voxelize", self.path("there"), "-o", "x.npz")
+
+    def test_picture(self):
+        self.fail_with(1, "--preview: this program was built without libpng", "voxelize", self.mesh, "--resolution", "9", "-o",
+                       self.path("x.npy"), "--preview", self.path("x.png"))
+        self.assertEqual(os.listdir(self.folder), ["mesh.f32"])
+
+    def test_damaged_part(self):
+        self.succeed("voxelize", self.mesh, *GRID, "--quiet", "--shard", "1/1", "-o", self.path("1.part"))
+        with open(self.path("1.part"), "r+b") as part:
+            part.seek(-40, os.SEEK_END)
+            part.write(b"damage")
+        self.fail_with(1, "1.part: damaged", "merge", self.path("1.part"), "-o", self.path("x.npz"))
+
+
+class Interrupted(Windows):
+    GRID = ("--cell", "0.001", "--origin", "-2,-2,-2", "--size", "4000,4000,4000")
+
+    def end(self, number, *arguments):
+        """Ends a run once it has begun to write. What it leaves, and says."""
+        before = set(os.listdir(self.folder))
+        process = subprocess.Popen([support.program(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE)
+        deadline = time.monotonic() + 60
+        while set(os.listdir(self.folder)) == before and time.monotonic() < deadline:
+            time.sleep(0.001)
+        process.send_signal(number)
+        said = process.communicate(timeout=60)[1].decode()
+        self.assertNotEqual(process.returncode, 0)
+        return set(os.listdir(self.folder)) - before, said
+
+    def test_ctrl_c(self):
+        """wine makes Ctrl-C of SIGINT."""
+        self.write("x.npz", "what was there")
+        for command in (("voxelize", "-o", self.path("x.npz")), ("voxelize", "--shard", "1/2", "-o", self.path("x.part")),
+                        ("partition", "-o", self.path("x"))):
+            left, said = self.end(signal.SIGINT, command[0], self.mesh, *self.GRID, "--quiet", *command[1:])
+            self.assertEqual(left, set(), command)
+            self.assert_one_line(said, "interrupted: nothing was written; run ")
+        self.assertEqual(read(self.path("x.npz")), b"what was there")
+
+    def test_killed(self):
+        self.write("x.npy", "what was there")
+        left, _ = self.end(signal.SIGKILL, "voxelize", self.mesh, "--resolution", "900", "--quiet", "-o", self.path("x.npy"))
+        self.assertTrue(all(name.startswith(".tribox-") for name in left), left)
+        self.assertEqual(read(self.path("x.npy")), b"what was there")
+
+
+if __name__ == "__main__":
+    program = os.path.join(BUILD, "tribox")
+    with open(program, "w") as script:
+        script.write('#!/bin/sh\nexec "%s" "%s" "%s/tools/tribox.exe" "$@"\n' % (WINE, BUILD, BUILD))
+    os.chmod(program, 0o755)
+    os.environ["TRIBOX_PROGRAM"] = program
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
