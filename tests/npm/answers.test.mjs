@@ -23,6 +23,14 @@ const axesOf = (bits) => groups.filter((_, k) => bits >> k & 1);
 const orders = [123, 132, 213, 231, 312, 321];
 const bitsIn = (mask) => Array.from({ length: mask.length }, (_, i) => i).filter((i) => mask.has(i));
 
+/** The vertices, the last one first. */
+function inReverse(positions) {
+    const reversed = positions.slice().reverse();
+    for (let n = 0; n < reversed.length; n += 3)
+        reversed.subarray(n, n + 3).reverse();
+    return reversed;
+}
+
 /** All that a question is about, in the memory of the instance. */
 function prepare(question) {
     const streams = Array.from({ length: 9 }, (_, k) => floats(question[`s${k}`])), count = streams[0].length;
@@ -100,8 +108,8 @@ test('oriented boxes', () => eachQuestion((question, { soup, oriented, what }) =
 
 test('doubles, as they are and by indices', () => eachQuestion((question, { what, count }) => {
     const box = boxOf(doubles(question.boxF64)), positions = doubles(question.positions);
-    const indices = Uint32Array.from({ length: 3 * count }, (_, k) => k);
-    for (const given of [{ positions }, { positions, indices }, { positions, indices: Uint16Array.from(indices) }]) {
+    const reversed = inReverse(positions), indices = Uint32Array.from({ length: 3 * count }, (_, k) => 3 * count - 1 - k);
+    for (const given of [{ positions }, { positions: reversed, indices }, { positions: reversed, indices: Uint16Array.from(indices) }]) {
         const mesh = tribox.mesh(given), classes = mesh.classify(box), place = classes.mask.list()[0] ?? -1;
         expectWords(classes.mask.words, question.maskF64, what);
         expectWords(classes.insideMask.words, question.insideF64, what);
@@ -144,10 +152,7 @@ test('a sorted soup', () => eachQuestion((question, { soup, positions, box, coun
 }));
 
 test('triangles by indices', () => eachQuestion((question, { positions, box, count, what }) => {
-    // Vertices in reverse, the three of a triangle still in order.
-    const vertices = 3 * count, reversed = new Float32Array(positions.length);
-    for (let n = 0; n < vertices; n++)
-        reversed.set(positions.subarray(3 * n, 3 * n + 3), 3 * (vertices - 1 - n));
+    const vertices = 3 * count, reversed = inReverse(positions);
     for (const Indices of [Uint32Array, Uint16Array]) {
         const soup = tribox.soup({ positions: reversed, indices: Indices.from({ length: vertices }, (_, k) => vertices - 1 - k) });
         expectWords(soup.overlap(box).mask.words, question.axes7, what);
