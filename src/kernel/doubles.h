@@ -4,8 +4,8 @@
  *
  * The processor's inexact flag shows for a whole packet at once that every slack is exact; then the signs decide ties as well. That
  * is for EXACT alone: CONSERVATIVE must give a pair the same answer whatever pairs share its packet (PROOFS.md 6.4). Where the flag
- * is out of reach, short numbers show it lane by lane (6.5). Either only saves time. Otherwise redundant axes are left out (PROOFS.md
- * 2), and the rest are compared with the bounds of bounds.h (6.3).
+ * is out of reach, short numbers show it lane by lane (6.5). Either only saves time. Otherwise redundant axes are left out (2), and
+ * the rest are compared with the bounds of bounds.h (6.3).
  */
 
 /* Nine edge slacks and the plane's; infinite for groups that axes leaves out. */
