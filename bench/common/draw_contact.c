@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { EIGHTHS_OF_HALF = 4 }; /* the box is [-4, 4]^3 in eighths, in which everything here is drawn */
+#define EIGHTHS_OF_HALF 4.0 /* the box is [-4, 4]^3 in eighths, in which everything here is drawn */
 
 /* A plane of contact: p, and two directions across m. */
 typedef struct contact {
