@@ -1,5 +1,6 @@
 #!/bin/sh
-# `meson dist` makes the same tarball twice, byte for byte, and the library that builds from it is that of a clone: dist.sh ROOT
+# `meson dist` makes the same tarball twice, byte for byte, of what is committed and nothing else, and the library that builds from
+# it is that of a clone: dist.sh ROOT
 set -eu
 root=$1
 here=$(cd "$(dirname "$0")" && pwd)
@@ -34,9 +35,9 @@ fi
 
 mkdir "$work/unpacked"
 tar -x -C "$work/unpacked" -f "$work/one.tar.xz"
-for file in $(git -C "$work/repository" ls-files); do
-    test -e "$work/unpacked/$name/$file" || { echo "$file is not in the tarball" >&2; exit 1; }
-done
+git -C "$work/repository" ls-files | sort >"$work/committed"
+(cd "$work/unpacked/$name" && find . ! -type d | sed 's,^\./,,' | sort) | diff "$work/committed" - >&2 ||
+    { echo "the tarball lacks (<) or adds (>) these files" >&2; exit 1; }
 # The library wants a C compiler and meson: the CMake package needs no CMake to be made.
 mkdir "$work/bin"
 printf '#!/bin/sh\necho "CMake was run" >&2\ntouch "%s"\nexit 1\n' "$work/asked" >"$work/bin/cmake"
