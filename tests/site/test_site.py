@@ -16,6 +16,9 @@ sys.dont_write_bytecode = True
 from links import check  # noqa: E402
 
 ROOT = os.path.abspath(sys.argv.pop(1))
+sys.path.append(os.path.join(ROOT, "packaging/site"))
+from markdown import rendered  # noqa: E402
+
 WITHOUT = {"PAGE": ""}
 
 
@@ -80,9 +83,15 @@ class Site(unittest.TestCase):
         page = read(self.folder, "reference/c.html")
         self.assertNotRegex(page, r"\*/|/\*")
         words = " ".join(re.findall(r"\w+", html.unescape(re.sub(r"<[^>]*>", " ", page))))
-        for comment in re.findall(r"(?s)(?<=[;,\d]) +/\* ([^\n]*?) \*/\n|^/\*\*(.*?)\*/", read(ROOT, "include/tribox.h")):
-            for sentence in re.split(r"\n \*\n", "".join(comment)):
-                self.assertIn(" ".join(re.findall(r"\w+", sentence)), words)
+        comments = re.findall(r"(?ms)(?<=[;,\d]) +/\* ([^\n]*?) \*/$|^/\*\*(.*?)\*/", read(ROOT, "include/tribox.h"))
+        self.assertGreater(len(comments), 100)
+        for comment in comments:
+            for paragraph in re.split(r"\n \*\n", "".join(comment)):
+                self.assertIn(" ".join(re.findall(r"\w+", paragraph)), words)
+
+    def test_headings_of_one_name_have_two_anchors(self):
+        markup = rendered("# A\n\n## B, c\n\n## B, `c`\n")
+        self.assertEqual(re.findall(r'<h\d id="(.*?)">', markup), ["a", "b-c", "b-c-1"])
 
     def test_a_page_that_is_not_there_is_not_linked(self):
         folder = os.path.join(self.work, "without")
