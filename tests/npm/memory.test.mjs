@@ -75,6 +75,13 @@ test('masks in the memory are written without a copy', async () => {
     assert.equal(bytesOf(tribox), bytes);
 });
 
+test('a mask in the memory is clear, whatever was there', async () => {
+    const tribox = await load(), used = tribox.exports.malloc(4096);
+    new Uint8Array(tribox.memory.buffer, used, 4096).fill(255);
+    tribox.exports.free(used);
+    assert.equal(tribox.mask(9 * COUNT).count(), 0);
+});
+
 test('voxels in the memory accumulate', async () => {
     const tribox = await load(), into = tribox.voxels(grid), halves = [positions.subarray(0, 4500), positions.subarray(4500)];
     const whole = tribox.soup({ positions }).voxelize(grid);
