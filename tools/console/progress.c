@@ -1,4 +1,5 @@
 /* progress.c - draws the bar over itself ten times a second at most. */
+#define _POSIX_C_SOURCE 200809L
 #include "progress.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* wide_text.c - UTF-8 to UTF-16 and back, by Windows itself. */
 #include "wide_text.h"
 
 #include <stdlib.h>

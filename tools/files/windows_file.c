@@ -1,3 +1,4 @@
+/* windows_file.c - opens files by CreateFileW, and says by errno what Windows says otherwise. */
 #include "windows_file.h"
 
 #include <errno.h>
