@@ -5,7 +5,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$1 TRIBOX_ANSWERS=$2
-for program in "${WASM_CC:-clang-19}" wasm-ld node npm; do
+for program in "${WASM_CC:-clang-19}" node npm; do
     command -v "$program" >/dev/null || { echo "no $program: skipped"; exit 77; }
 done
 TRIBOX_PACKAGE=$folder/package TRIBOX_TYPESCRIPT=$folder/typescript
