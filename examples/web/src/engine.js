@@ -70,7 +70,6 @@ export class Engine {
 
     /** Which triangles overlap the box, lie inside, and are answered unlike EXACT. */
     async ask(question) {
-        const start = performance.now();
         const answers = await this.all('ask', question);
         return {
             mask: joinBits(
@@ -94,7 +93,6 @@ export class Engine {
             insides: sum(answers, 'insides'),
             undecided: sum(answers, 'undecided'),
             milliseconds: longest(answers),
-            roundTrip: performance.now() - start,
         };
     }
 
