@@ -9,9 +9,10 @@
             [1, 1, 0],
             [1, 0, 0]]])
 
-Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, whatever else has `vertices` and `faces`, as the meshes of
-trimesh do, or a Soup of nine streams. float32 and float64 are read in place, rows and columns alike; lists, whole numbers and other
-layouts are copied. Nothing is rounded: numbers that cannot be taken as they are, are an error that says which and what to do.
+Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, a mesh of trimesh, Open3D, PyVista or meshio as it is, or a
+Soup of nine streams. Coordinates, boxes and cells are in one unit of length, whatever that is. float32 and float64 are read in
+place, rows and columns alike; lists, whole numbers and other layouts are copied. Nothing is rounded: numbers that cannot be taken
+as they are, are an error that says which and what to do.
 
     >>> utm = triangles + np.array([557820.1, 5108010.2, 700.3])
     >>> tribox.overlap(utm, (557820, 5108010, 700), (557821, 5108011, 701))
@@ -42,7 +43,8 @@ triangles are float32. Only oriented boxes are float32 throughout. Indices and S
 about an origin. A triangle with a NaN or an infinity overlaps nothing. Whatever is wrong with an argument is a tribox.Error. Calls
 release the interpreter's lock, so threads run at once.
 
-The library is the installed libtribox.so.0, or the file that the environment variable TRIBOX_LIBRARY names.
+The library is that in the wheel, or else the installed libtribox.so.0; the environment variable TRIBOX_LIBRARY may name another.
+All is typed; tribox.TrianglesLike is the type of what is taken for triangles.
 """
 
 from ._bricks import Bricks, bricks
@@ -56,6 +58,7 @@ from ._overlap import classify, overlap, overlap_all, overlap_any, overlap_boxes
 from ._partition import Partition, partition
 from ._tiles import tile_count
 from ._triangles import Mesh, Soup
+from ._typing import TrianglesLike as TrianglesLike
 from ._voxelize import voxelize
 
 AXES_BOX, AXES_PLANE, AXES_EDGES = lib.TRIBOX_AXES_BOX, lib.TRIBOX_AXES_PLANE, lib.TRIBOX_AXES_EDGES
@@ -63,7 +66,7 @@ AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
     "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "Error", "Grid", "Index", "InputError",
-    "InputTypeError", "Mesh", "OpenMeshWarning", "Partition", "Soup", "bricks", "classify", "grid_around", "kernel_name",
-    "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented", "partition",
-    "tile_count", "voxelize",
+    "InputTypeError", "Mesh", "OpenMeshWarning", "Partition", "Soup", "bricks", "classify", "grid_around",
+    "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes", "overlap_oriented",
+    "partition", "tile_count", "voxelize",
 ]

@@ -2,9 +2,10 @@
 
 import sys
 from functools import reduce
-from typing import NamedTuple
+from typing import NamedTuple, Optional, SupportsIndex
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arguments import options_of
 from ._grids import check_grid, grid_for
@@ -13,6 +14,7 @@ from ._overlap import ALL
 from ._threads import in_threads, threads_of
 from ._tiles import NUMBER, Listed, Tiling, Workshop, range_of, set_padded_tile, tile_of
 from ._triangles import held
+from ._typing import Accuracy, Cell, Cells, Range, TrianglesLike, Vector
 
 BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks at once
 
@@ -25,10 +27,10 @@ class Bricks(NamedTuple):
     numpy.savez(file, **bricks._asdict()) writes what the program tribox writes, but for the grid.
     """
 
-    at: np.ndarray
-    bits: np.ndarray
+    at: NDArray[np.uint32]
+    bits: NDArray[np.uint64]
 
-    def cells(self):
+    def cells(self) -> NDArray[np.int64]:
         """The cells that are set, (i, j, k) each: an array of int64 of shape (m, 3), in the order of the bricks."""
         octets = (self.bits.byteswap() if sys.byteorder == "big" else self.bits).view(BYTE).reshape(-1, 8, 8, 1)
         brick, k, j, i = np.nonzero(np.unpackbits(octets, -1, bitorder="little"))
@@ -80,7 +82,9 @@ def bricks_of(lists, tiling, options, threads):
     return joined(in_threads(threads, work, range(0, len(lists.numbers), most)))
 
 
-def bricks(triangles, origin, cell, size, *, tile=128, tiles=None, threads=1, accuracy="exact", axes=ALL, kernel=None):
+def bricks(triangles: TrianglesLike, origin: Vector, cell: Cell, size: Cells, *, tile: SupportsIndex = 128,
+           tiles: Optional[Range] = None, threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact", axes: int = ALL,
+           kernel: Optional[str] = None) -> Bricks:
     """voxelize for grids whose cells need not fit into memory: Bricks, at and bits, of the cells that some triangle overlaps.
 
     triangles, origin, cell, size, threads, accuracy, axes, kernel: as for voxelize. bricks(mesh, *grid_around(mesh, 4096)) lays the
@@ -89,11 +93,12 @@ def bricks(triangles, origin, cell, size, *, tile=128, tiles=None, threads=1, ac
         order: by the number of their tile, then by z, y and x.
     tiles: (first, end) for tiles first .. end - 1 of tile_count(size, tile) alone: the share of a task or a machine.
 
-    Bricks take 76 bytes each; a surface has 64 to 69 cells in each, however fine the grid.
+    Raises errors as voxelize does. Bricks take 76 bytes each; a surface has 64 to 69 cells in each, however fine the grid.
     """
-    held_, options, threads = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads)
+    held_, options, threads_ = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads)
     listing = options_of("exact" if accuracy == "exact" else "conservative", axes, 0, kernel)
     grid = grid_for(held_, origin, cell, size)
     check_grid(grid, options, axes, origin=origin, cell=cell, size=size)
     tiling = Tiling(grid, tile_of(tile))
-    return bricks_of(Listed(held_, tiling, *range_of(tiles, tiling.count), listing), tiling, options, threads)
+    first, end = range_of(tiles, tiling.count)
+    return bricks_of(Listed(held_, tiling, first, end, listing), tiling, options, threads_)

@@ -1,5 +1,7 @@
 """The exceptions, and how a status of the library becomes one."""
 
+from typing import Optional
+
 from ._ffi import ffi
 from ._library import lib
 
@@ -13,7 +15,7 @@ class Error(Exception):
     status: the library's name for it, such as "BAD_BOX"; None if the arguments could not be passed to the library.
     """
 
-    def __init__(self, text, status=None):
+    def __init__(self, text: str, status: Optional[str] = None) -> None:
         super().__init__(text)
         self.status = status
 
@@ -59,3 +61,10 @@ def bad_index(mesh, faces):
     face, corner = divmod(first[0], 3)
     return BadIndexError(f"faces[{face}, {corner}] is {faces[face, corner]}, but there are {mesh.vertices} vertices; "
                          f"wrong indices in all: {wrong}", "BAD_INDEX")
+
+
+def check_indices(held_):
+    """Raises what is wrong with the indices of a mesh."""
+    error = held_.faces is not None and bad_index(held_.struct, held_.faces)
+    if error:
+        raise error

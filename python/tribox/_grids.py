@@ -3,16 +3,18 @@
 from fractions import Fraction
 from math import floor, inf, isfinite, nextafter
 from operator import index
-from typing import NamedTuple, Tuple
+from typing import NamedTuple, SupportsIndex, Tuple
 
 import numpy as np
 
 from ._arguments import are_floats, check, three
+from ._bounds import bounds_of
 from ._errors import InputError, named, shown
 from ._ffi import ffi
 from ._library import lib
 from ._numbers import DOUBLE, FLOAT
-from ._triangles import check_indices, held
+from ._triangles import held
+from ._typing import TrianglesLike
 
 GRID, GRID_F64 = ffi.typeof("tribox_grid *"), ffi.typeof("tribox_grid_f64 *")
 WORDS_MAX = 1 << 31  # of one call
@@ -117,29 +119,6 @@ def grid_for(held_, origin, cell, size):
     return in_double(grid) if has_doubles(held_) else grid
 
 
-def bounds_of(held_):
-    """The least and the greatest x, y, z of all triangles that are finite; None if there is none."""
-    if held_.is_soup:
-        streams = [stream for axis in held_.streams for stream in axis]
-        is_used = np.logical_and.reduce([np.isfinite(stream) for stream in streams])
-        if not is_used.any():
-            return None
-        used = [[stream[is_used] for stream in axis] for axis in held_.streams]
-        return [[float(min(map(np.min, axis))) for axis in used], [float(max(map(np.max, axis))) for axis in used]]
-    points, is_finite = held_.vertices, np.isfinite(held_.vertices)
-    if held_.faces is None:
-        is_used = np.repeat(is_finite.all((1, 2)), 3)
-        points = points.reshape(-1, 3)
-    else:
-        check_indices(held_)
-        is_used, faces = np.zeros(len(points), bool), held_.faces
-        is_used[faces[is_finite.all(1)[faces].all(1)]] = True
-    if not is_used.any():
-        return None
-    points = points if is_used.all() else points[is_used]
-    return [points.min(0).tolist(), points.max(0).tolist()]
-
-
 def single(number):
     """Rounded to float32; infinite beyond it."""
     with np.errstate(over="ignore", under="ignore"):
@@ -225,12 +204,13 @@ def cubes_around(held_, resolution):
     return grid_for(held_, *chosen), chosen
 
 
-def grid_around(triangles, resolution):
+def grid_around(triangles: TrianglesLike, resolution: SupportsIndex) -> Grid:
     """The Grid of cubes that holds the triangles, `resolution` of them along their longest side, as the program tribox chooses it.
 
-    triangles: as for voxelize; those with a NaN or an infinity do not count.
+    triangles: as for voxelize; those with a NaN or an infinity do not count. resolution: a whole number from 1 on.
 
     Its origin is the lower corner of the box around the triangles; the cell is the smallest with which the planes reach the upper.
+    Raises InputError where no triangle is finite, or where all lie in one point.
     """
     grid, chosen = cubes_around(held(triangles), resolution)
     check_grid(grid, ffi.NULL, None, resolution=resolution)

@@ -1,17 +1,21 @@
 """One soup, box after box: a question costs what its answer and the border of the box cost, not the soup."""
 
 import sys
+from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import check, finite_three, options_of, three, three_times_three
-from ._errors import InputError, error_of
+from ._bounds import extent
+from ._errors import InputError, check_indices, error_of
 from ._ffi import ffi
 from ._library import VERSION, lib
 from ._masks import bools, check_out, new_words, packed_bits, pointer_to
 from ._numbers import FLOAT
 from ._overlap import ALL, BOX_F64, ORIENTED, bounds, box_of, boxes_of, fill_words, floats_about
-from ._triangles import Soup, check_indices, gathered, held
+from ._triangles import Soup, gathered, held
+from ._typing import Accuracy, Answer, Frame, TrianglesLike, Vector
 
 NUMBER, SIZE = np.dtype(np.uint32), np.dtype(np.uintp)
 NUMBERS, SIZES, FOUND = ffi.typeof("uint32_t[]"), ffi.typeof("size_t[]"), ffi.typeof("size_t *")
@@ -48,8 +52,7 @@ def is_double_box(box):
 class Index:
     """An index over triangles, for many questions about them: each costs what its answer costs, and no longer what the soup does.
 
-    triangles: an array of shape (n, 3, 3), a Mesh or a Soup; at most 2^32 triangles. float64 that float32 cannot hold needs an
-        origin.
+    triangles: as for overlap, at most 2^32. float64 that float32 cannot hold needs an origin.
     keep_order: False copies the triangles into an order in which near ones are near in number, which takes some 100 ns and 40 bytes
         for each, 16 more on the way, and makes questions fastest. True leaves them as they come: a Soup is then read where it lies
         and must not change; others are copied.
@@ -59,10 +62,10 @@ class Index:
     Answers are those of tribox.overlap, for boxes of any numbers, and have the numbers that the triangles have in the array, Mesh
     or Soup. Boxes that float32 holds, once moved, are answered fastest. accuracy, axes, order and kernel are as for overlap; axes
     must include AXES_BOX, and "fast" may report triangles more. Threads may ask one Index at once. It can be pickled, and copied by
-    the module copy; len() is the number of triangles.
+    the module copy; len() is the number of triangles. Errors are those of overlap.
     """
 
-    def __init__(self, triangles, *, keep_order=False, origin=None):
+    def __init__(self, triangles: TrianglesLike, *, keep_order: bool = False, origin: Optional[Vector] = None) -> None:
         held_ = held(triangles)
         self.origin = None if origin is None else finite_three("origin", origin)
         if self.origin or held_.is_double:
@@ -79,18 +82,19 @@ class Index:
         self._struct = ffi.new("tribox_index *", (ffi.from_buffer(self.nodes), len(soup)))
         self._ids = ffi.NULL if ids is None else ffi.from_buffer(NUMBERS, ids)
 
-    def __len__(self):
-        return self._struct.count
+    def __len__(self) -> int:
+        return int(self._struct.count)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         order = "as given" if self.ids is None else "in order"
-        return f"<tribox.Index: {len(self)} triangles {order}, {len(self.nodes)} bytes>"
+        where = extent(self.soup, self.origin) if self.origin else extent(self.soup)
+        return f"<tribox.Index: {len(self)} triangles {order}, {len(self.nodes)} bytes, {where}>"
 
-    def __getstate__(self):
+    def __getstate__(self) -> Dict[str, Any]:
         return {"version": VERSION, "byteorder": sys.byteorder, "streams": np.asarray(self.soup.streams, order="C"),
                 "ids": self.ids, "nodes": self.nodes, "origin": self.origin}
 
-    def __setstate__(self, state):
+    def __setstate__(self, state: Dict[str, Any]) -> None:
         """Nodes that another version of the library, or the other byte order, wrote are built again."""
         soup, nodes, ids, self.origin = Soup(state["streams"]), state["nodes"], state["ids"], state.get("origin")
         if ids is not None and (ids.dtype, ids.shape) != (NUMBER, (len(soup),)):
@@ -98,7 +102,8 @@ class Index:
         fits = (state["version"], state["byteorder"], len(nodes)) == (VERSION, sys.byteorder, lib.tribox_index_bytes(len(soup)))
         self._set(soup, ids, nodes if fits else None)
 
-    def overlap(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False, out=None):
+    def overlap(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+                kernel: Optional[str] = None, packed: bool = False, out: Optional[Answer] = None) -> Answer:
         """Tells which triangles overlap the closed box from lo to hi: an array of n bool, as tribox.overlap returns it.
 
         lo, hi: three numbers each. packed, out: as for tribox.overlap. All n are written; list() is faster where few overlap.
@@ -112,22 +117,25 @@ class Index:
         out[:] = answer
         return out
 
-    def overlap_oriented(self, center, half, frame, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
+    def overlap_oriented(self, center: Vector, half: Vector, frame: Frame, *, accuracy: Accuracy = "exact", axes: int = ALL,
+                         order: int = 0, kernel: Optional[str] = None, packed: bool = False) -> Answer:
         """overlap() for the oriented box of the points p with abs(frame[k] @ (p - center)) <= half[k], k = 0, 1, 2.
 
         frame: the three directions of the box, shape (3, 3).
         """
         return self._mask("_oriented", self._oriented(center, half, frame), (accuracy, axes, order, kernel), packed)
 
-    def count(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
+    def count(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+              kernel: Optional[str] = None) -> int:
         """The number of triangles that overlap the closed box from lo to hi, three numbers each."""
         box, test, report = self._straight(lo, hi), (accuracy, axes, order, kernel), ffi.new("tribox_report *")
         if is_double_box(box):
             return len(self._numbers("", box, test))
         self._ask(lib.tribox_index_overlap, box, test, ffi.NULL, report)
-        return report.overlapping
+        return int(report.overlapping)
 
-    def any(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
+    def any(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+            kernel: Optional[str] = None) -> bool:
         """Whether any triangle overlaps the closed box from lo to hi, three numbers each."""
         box, test, found = self._straight(lo, hi), (accuracy, axes, order, kernel), ffi.new(FOUND)
         if is_double_box(box):
@@ -135,18 +143,21 @@ class Index:
         self._ask(lib.tribox_index_any, box, test, found)
         return found[0] < len(self)
 
-    def list(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
+    def list(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+             kernel: Optional[str] = None) -> NDArray[np.uint32]:
         """The numbers of the triangles that overlap the closed box from lo to hi, three numbers each: an array of uint32.
 
         They come in the order of the index, which is ascending with keep_order=True alone.
         """
         return self._numbers("", self._straight(lo, hi), (accuracy, axes, order, kernel))
 
-    def list_oriented(self, center, half, frame, *, accuracy="exact", axes=ALL, order=0, kernel=None):
+    def list_oriented(self, center: Vector, half: Vector, frame: Frame, *, accuracy: Accuracy = "exact", axes: int = ALL,
+                      order: int = 0, kernel: Optional[str] = None) -> NDArray[np.uint32]:
         """list() for an oriented box, as for overlap_oriented()."""
         return self._numbers("_oriented", self._oriented(center, half, frame), (accuracy, axes, order, kernel))
 
-    def lists(self, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
+    def lists(self, lo: ArrayLike, hi: ArrayLike, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+              kernel: Optional[str] = None) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
         """list() for many boxes: (list, start), where list[start[i]:start[i + 1]] has the triangles of box i.
 
         lo, hi: arrays of shape (3, m): axis, box. A box that is empty or not finite has no triangles. list: an array of uint32.

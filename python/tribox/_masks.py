@@ -3,6 +3,7 @@
 import sys
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import InputError, InputTypeError
 from ._ffi import ffi
@@ -49,8 +50,11 @@ def check_out(out, shape, packed_shape):
     return dtype == WORD
 
 
-def mask_indices(mask):
-    """The indices of the set bits of packed words, in ascending order, as uint32."""
+def mask_indices(mask: NDArray[np.uint64]) -> NDArray[np.uint32]:
+    """The indices of the set bits of packed words, in ascending order: an array of uint32.
+
+    mask: a contiguous array of uint64, such as packed=True returns, of at most 2^26 words. Anything else raises an Error.
+    """
     if not isinstance(mask, np.ndarray) or mask.dtype != WORD or not mask.flags.c_contiguous:
         raise InputTypeError("mask must be a contiguous array of uint64, as packed=True returns it")
     words, count = pointer_to(mask), 64 * mask.size

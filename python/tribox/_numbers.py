@@ -28,14 +28,14 @@ def first_of(array, wrong):
     return array[tuple(np.argwhere(wrong)[0])]
 
 
-def numbers(name, value):
+def numbers(name, value, form="in a NumPy array or in nested lists"):
     """An array of float32 or float64 with these numbers, the caller's own where it is one."""
     array = array_of(name, value)
     dtype = array.dtype
     if dtype == FLOAT or dtype == DOUBLE:
         return array
     if dtype.kind not in "iuf":
-        raise InputTypeError(f"{name} is {type(value).__name__} of {dtype}; give real numbers, in a NumPy array or in nested lists")
+        raise InputTypeError(f"{name} is {type(value).__name__} of {dtype}; give real numbers, {form}")
     if np.can_cast(dtype, FLOAT):
         return array.astype(FLOAT)
     with np.errstate(over="ignore"):

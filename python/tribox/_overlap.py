@@ -1,14 +1,18 @@
 """Which triangles overlap a box?"""
 
+from typing import Optional, Tuple
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ._arguments import are_floats, check, options_of, three, three_times_three
-from ._errors import InputError
+from ._errors import InputError, check_indices
 from ._ffi import ffi
 from ._library import lib
 from ._masks import bools, check_out, new_words, packed_bits, pointer_to
 from ._numbers import DOUBLE, FLOAT, numbers
-from ._triangles import check_indices, gathered, held, meshes, soups
+from ._triangles import gathered, held, meshes, soups
+from ._typing import Accuracy, Answer, Frame, TrianglesLike, Vector
 
 BOX, BOX_F64, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_box_f64 *"), ffi.typeof("tribox_oriented_box *")
 ALL = lib.TRIBOX_AXES_ALL
@@ -83,15 +87,21 @@ def double_box(box):
     return box if ffi.typeof(box) is BOX_F64 else ffi.new(BOX_F64, (tuple(box.lo), tuple(box.hi)))
 
 
-def overlap(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False, out=None):
+def overlap(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+            kernel: Optional[str] = None, packed: bool = False, out: Optional[Answer] = None) -> Answer:
     """Tests every triangle against the closed box from lo to hi. Returns an array of n bool.
 
-    triangles: an array of shape (n, 3, 3), a Mesh or a Soup; float32 and float64 are read in place.
-    lo, hi: three numbers each, taken as they are. lo > hi on an axis makes the empty box.
+    triangles: an array of shape (n, 3, 3): triangle, vertex, axis; a Mesh, a mesh of another library, or a Soup. float32 and
+        float64 are read in place. One with a NaN or an infinity overlaps nothing.
+    lo, hi: three finite numbers each, x, y, z, in the unit of the triangles, taken as they are. lo > hi on an axis makes the empty
+        box, which nothing overlaps.
     accuracy: "exact", "conservative" or "fast". axes: a union of AXES_BOX, AXES_PLANE and AXES_EDGES.
     order: the order of the groups of axes, such as 132; 0: found as it goes. It changes no answer. kernel: a name, such as "avx2".
     packed: returns uint64 words instead; bit i % 64 of word i // 64 is triangle i.
     out: an array to write to and return: n bool, or uint64 words for packed bits.
+
+    Raises InputError (a ValueError), InputTypeError (a TypeError) or BadIndexError (an IndexError): which argument is wrong, how,
+    and what to give. Nothing is written to out then.
     """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
     count = held_.struct.count
@@ -124,20 +134,29 @@ def is_any(held_, box, options, name, **arguments):
     return False
 
 
-def overlap_any(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
-    """Whether any triangle overlaps the box. Most of what follows the first that does is not tested."""
+def overlap_any(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+                kernel: Optional[str] = None) -> bool:
+    """Whether any triangle overlaps the box: False where there is none. Arguments and errors are as for overlap.
+
+    Most of what follows the first that does is not tested.
+    """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
     return is_any(held_, box, options, "tribox_overlap_any", axes=axes, order=order, lo=lo, hi=hi)
 
 
-def overlap_all(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None):
-    """Whether all triangles overlap the box."""
+def overlap_all(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+                kernel: Optional[str] = None) -> bool:
+    """Whether all triangles overlap the box: True where there is none. Arguments and errors are as for overlap."""
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
     return not is_any(held_, box, options, "tribox_overlap_all", axes=axes, order=order, lo=lo, hi=hi)
 
 
-def classify(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
-    """Tells which triangles overlap the box, and which of them lie wholly inside: two arrays of bool, or of packed bits."""
+def classify(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+             kernel: Optional[str] = None, packed: bool = False) -> Tuple[Answer, Answer]:
+    """Tells which triangles overlap the box, and which of them lie wholly inside: two arrays of n bool, or of packed bits.
+
+    A triangle that touches the border from inside is inside. Arguments and errors are as for overlap.
+    """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
     is_double, count = held_.is_double or ffi.typeof(box) is BOX_F64, held_.struct.count
     call, box = lib.tribox_classify_f64 if is_double else lib.tribox_classify, double_box(box) if is_double else box
@@ -148,12 +167,15 @@ def classify(triangles, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=N
     return (mask, inside) if packed else (bools(mask, count), bools(inside, count))
 
 
-def overlap_oriented(triangles, center, half, frame, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
+def overlap_oriented(triangles: TrianglesLike, center: Vector, half: Vector, frame: Frame, *, accuracy: Accuracy = "exact",
+                     axes: int = ALL, order: int = 0, kernel: Optional[str] = None, packed: bool = False) -> Answer:
     """overlap for the oriented box of the points p with abs(frame[k] @ (p - center)) <= half[k], k = 0, 1, 2.
 
-    frame: the three directions of the box, shape (3, 3).
+    center, half: three finite numbers each, in the unit of the triangles.
+    frame: the three directions of the box, shape (3, 3), finite; of length 1 where half is to be in that unit.
 
-    Here all is float32: the numbers of the box are rounded to it, and triangles of float64 that it cannot hold are an error.
+    Here all is float32: the numbers of the box are rounded to it, and triangles of float64 that it cannot hold are an error. Other
+    arguments and errors are as for overlap.
     """
     box = ffi.new(ORIENTED, (three("center", center), three("half", half), three_times_three("frame", frame)))
     options = options_of(accuracy, axes, order, kernel)
@@ -166,10 +188,12 @@ def overlap_oriented(triangles, center, half, frame, *, accuracy="exact", axes=A
     return mask if packed else bools(mask, count)
 
 
-def overlap_boxes(triangle, lo, hi, *, accuracy="exact", axes=ALL, order=0, kernel=None, packed=False):
+def overlap_boxes(triangle: Frame, lo: ArrayLike, hi: ArrayLike, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+                  kernel: Optional[str] = None, packed: bool = False) -> Answer:
     """Tests one triangle against many boxes. Returns an array of n bool.
 
-    triangle: three vertices of three numbers. lo, hi: arrays of shape (3, n): axis, box. A box that is not finite overlaps nothing.
+    triangle: three vertices of three numbers. lo, hi: arrays of shape (3, n): axis, box. A box that is not finite
+        overlaps nothing, nor does a triangle that is not. Other arguments and errors are as for overlap.
 
     Numbers that float32 cannot hold take a call for each box, of a microsecond; else thousands of boxes take as long.
     """

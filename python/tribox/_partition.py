@@ -4,11 +4,14 @@ import hashlib
 import os
 import secrets
 import shutil
+from typing import Any, List, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arguments import check, options_of
-from ._bricks import bricks_of
+from ._bounds import point
+from ._bricks import Bricks, bricks_of
 from ._checksum import checksum, checksums
 from ._errors import InputError, shown
 from ._ffi import ffi
@@ -19,6 +22,7 @@ from ._overlap import ALL
 from ._threads import threads_of
 from ._tiles import Listed, Room, Tiling, range_of, set_tile, tile_of
 from ._triangles import Array, held
+from ._typing import Accuracy, Answer, Cell, Cells, Range, TrianglesLike, Vector
 
 MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 1\n", 0x01020304, 8
 HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("origin", "f8", 3), ("cell", "f8", 3),
@@ -28,6 +32,10 @@ HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("ori
 RECORD = np.dtype([("tile", "u8"), ("first", "u8"), ("work", "u8"), ("checksum", "u8")])
 TILE_COST, PLACE_COST, CELL_COST = 20000, 60, 10  # nanoseconds, roughly: only their ratios matter
 BLOCK = 1 << 20  # triangles that are written at once
+
+
+def grid_in(header):
+    return Grid(*(tuple(header[name].tolist()) for name in ("origin", "cell", "size")))
 
 
 class Partition:
@@ -41,12 +49,12 @@ class Partition:
     the index; check() the triangles.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder: Union[str, "os.PathLike[str]"]) -> None:
         self.folder = os.path.abspath(os.fspath(folder))
         with open(os.path.join(self.folder, "index"), "rb") as file:
             octets = file.read()
         header, records = self._index(octets)
-        self.grid = Grid(*(tuple(header[name].tolist()) for name in ("origin", "cell", "size")))
+        self.grid = grid_in(header)
         self.tile, self.shift = int(header["tile"]), tuple(header["shift"].tolist())
         self.numbers, self.work = records["tile"].astype(np.int64), records["work"].astype(np.int64)
         self._checksums = records["checksum"]
@@ -87,10 +95,13 @@ class Partition:
     def __reduce__(self):
         return Partition, (self.folder,)
 
-    def __repr__(self):
-        return f"<tribox.Partition: {len(self.numbers)} of {self.tile_count} tiles have triangles, {shown(self.folder)}>"
+    def __repr__(self) -> str:
+        ends = [start + count * cell for start, count, cell in zip(self.grid.origin, self.grid.size, self.grid.cell)]
+        size = " x ".join(map(str, self.grid.size))
+        return (f"<tribox.Partition: {len(self.numbers)} of {self.tile_count} tiles have triangles, {len(self._map)} in all, "
+                f"{size} cells from {point(self.grid.origin)} to {point(ends)}, {shown(self.folder)}>")
 
-    def shares(self, count):
+    def shares(self, count: SupportsIndex) -> List[Tuple[int, int]]:
         """`count` shares of about equal work, (first, end) for tiles first .. end - 1 each; together they are all tiles."""
         middles = np.cumsum(self.work) - self.work / 2
         cuts = np.searchsorted(middles, self.work.sum() * np.arange(1, count) / count)
@@ -105,17 +116,18 @@ class Partition:
         place = int(np.searchsorted(self.numbers, number))
         return place if place < len(self.numbers) and self.numbers[place] == number else None
 
-    def triangles(self, number):
+    def triangles(self, number: SupportsIndex) -> NDArray[Any]:
         """The triangles of a tile, and some that come close: an array of shape (n, 3, 3), which is read as it is used."""
         place = self._place(number)
         return self._map[:0] if place is None else self._map[self._starts[place]:self._ends[place]]
 
-    def window(self, number):
+    def window(self, number: SupportsIndex) -> Tuple[Tuple[int, int, int], Tuple[int, int, int]]:
         """The cells of a tile, as the window of tribox.voxelize: (first, size)."""
         self._place(number)
         return self._tiling.window(int(number))
 
-    def voxelize(self, number, *, accuracy="exact", axes=ALL, kernel=None, packed=False):
+    def voxelize(self, number: SupportsIndex, *, accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None,
+                 packed: bool = False) -> Answer:
         """The cells of a tile: tribox.voxelize of the mesh with window=self.window(number)."""
         options = self._options(accuracy, axes, kernel)
         place, (first, size) = self._place(number), self.window(number)
@@ -125,7 +137,8 @@ class Partition:
             set_tile(lists.of(place, Room(lists.most)), self._tiling.grid, first, size, options, words)
         return words if packed else bools(words, size[0])
 
-    def bricks(self, tiles=None, *, threads=1, accuracy="exact", axes=ALL, kernel=None):
+    def bricks(self, tiles: Optional[Range] = None, *, threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact",
+               axes: int = ALL, kernel: Optional[str] = None) -> Bricks:
         """tribox.bricks of the mesh and the grid. tiles: (first, end), such as one of shares()."""
         options, threads = self._options(accuracy, axes, kernel), threads_of(threads)
         places = np.arange(*np.searchsorted(self.numbers, range_of(tiles, self.tile_count)))
@@ -136,7 +149,7 @@ class Partition:
         check_grid(self._tiling.grid, options, axes)
         return options
 
-    def check(self, tiles=None):
+    def check(self, tiles: Optional[Range] = None) -> None:
         """Reads the triangles of tiles (first, end), by default of all, and raises an InputError if they are not those written."""
         first, end = np.searchsorted(self.numbers, range_of(tiles, self.tile_count))
         halves = self._map.reshape(-1).view(np.uint32)
@@ -226,11 +239,12 @@ def write_index(file, held_, tiling, lists, records):
     file.write(header.tobytes() + records.tobytes())
 
 
-def partition(triangles, origin, cell, size, folder, *, tile=128):
+def partition(triangles: TrianglesLike, origin: Vector, cell: Cell, size: Cells, folder: Union[str, "os.PathLike[str]"], *,
+              tile: SupportsIndex = 128) -> Partition:
     """Sorts triangles by the tiles of a grid into a new folder, which tasks and machines map: returns its Partition.
 
     triangles, origin, cell, size: as for voxelize. tile: the side of the tiles in cells, a multiple of 8.
-    folder: must not exist. It appears when all of it is written, or not at all.
+    folder: must not exist (FileExistsError). It appears when all of it is written, or not at all.
 
     A triangle takes 36 bytes, of float64 72, for each tile that it is in. The program tribox takes the folder in place of a mesh.
     """

@@ -2,17 +2,19 @@
 
 import threading
 from operator import index
+from typing import SupportsIndex
 
 import numpy as np
 
 from ._arguments import check
-from ._errors import InputError, shown
+from ._errors import InputError, check_indices, shown
 from ._ffi import ffi
 from ._grids import is_single
 from ._library import lib
 from ._masks import WORD, pointer_to
 from ._numbers import FLOAT
-from ._triangles import Soup, array_held, check_indices, mesh_held
+from ._triangles import Soup, array_held, mesh_held
+from ._typing import Cells
 
 TILE_MAX = 1024
 SIZE, NUMBER = np.dtype(np.uintp), np.dtype(np.uint32)
@@ -29,14 +31,14 @@ def tile_of(tile):
     return cells
 
 
-def tile_count(size, tile=128):
+def tile_count(size: Cells, tile: SupportsIndex = 128) -> int:
     """The number of tiles of a grid of (nx, ny, nz) cells: tile (i, j, k) is number (k * nj + j) * ni + i of ni x nj x nk."""
     try:
         sizes = ffi.new("uint32_t[3]", tuple(map(index, size)))
         _, _, _ = size
     except (IndexError, OverflowError, TypeError, ValueError):
         raise InputError(f"size = {shown(size)}; give three numbers of cells, x, y, z, each less than 2^32") from None
-    return lib.tribox_tiles(sizes, tile_of(tile))
+    return int(lib.tribox_tiles(sizes, tile_of(tile)))
 
 
 def range_of(tiles, count):

@@ -1,12 +1,18 @@
 """Triangles in NumPy arrays as the structs of the library: pointers into the arrays, without copies where it can read them."""
 
+from typing import Any, Optional, Sequence, Union
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import finite_three
-from ._errors import BadIndexError, InputError, InputTypeError, bad_index, error_of
+from ._bounds import extent
+from ._errors import BadIndexError, InputError, InputTypeError, check_indices, error_of
 from ._ffi import ffi
 from ._library import lib
+from ._meshes import parts_of
 from ._numbers import DOUBLE, FLOAT, array_of, first_of, floats, numbers, place_of
+from ._typing import MeshLike, TrianglesLike, Vector
 
 INDEX = np.dtype(np.uint32)
 INDEX_BYTES = {np.dtype(np.uint16): 2, INDEX: 4, np.dtype(np.int32): 4}
@@ -72,22 +78,22 @@ def array_held(triangles):
     return Array(np.ascontiguousarray(triangles), 0, 0)
 
 
-def faces_of(faces, vertices):
+def faces_of(name, faces, vertices):
     """Faces as the library reads them: the caller's array, or a copy whose indices are then known to be right."""
-    array = array_of("faces", faces)
+    array = array_of(name, faces)
     if array.dtype.kind not in "iu":
-        raise InputTypeError(f"faces is {type(faces).__name__} of {array.dtype}; give whole numbers, the numbers of three vertices "
-                             "for each triangle")
+        raise InputTypeError(f"{name} is {type(faces).__name__} of {array.dtype}; give whole numbers, the numbers of three "
+                             "vertices for each triangle")
     if array.ndim != 2 or array.shape[1] != 3:
-        raise InputError(f"faces has shape {array.shape}; give (n, 3): triangle, vertex")
+        raise InputError(f"{name} has shape {array.shape}; give (n, 3): triangle, vertex")
     if array.dtype in INDEX_BYTES:
         return np.ascontiguousarray(array)
     wrong = array >= vertices if array.dtype.kind == "u" else (array < 0) | (array >= vertices)
     if wrong.any():
-        raise BadIndexError(f"faces[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {vertices} vertices; "
+        raise BadIndexError(f"{name}[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {vertices} vertices; "
                             f"wrong indices in all: {np.count_nonzero(wrong)}", "BAD_INDEX")
     if vertices > 1 << 32 and array.size and array.max() > np.iinfo(INDEX).max:
-        raise InputError("faces refers to vertices beyond 2^32, and an index has 32 bits; give fewer vertices at a time")
+        raise InputError(f"{name} refers to vertices beyond 2^32, and an index has 32 bits; give fewer vertices at a time")
     return np.ascontiguousarray(array, INDEX)
 
 
@@ -98,21 +104,45 @@ class Mesh:
         (order="F"), fields of a structured dtype. Other real numbers and lists are copied, without rounding.
     faces: arrays of uint16, uint32 and int32 are read in place if contiguous; other whole numbers and lists are copied.
 
-    Whatever has attributes `vertices` and `faces`, as the meshes of trimesh do, can be given to every call in place of a Mesh; a
-    Mesh made of it once saves copying the faces in each.
+    Coordinates are in whatever unit those of boxes and grids are in. A triangle with a NaN or an infinity overlaps nothing.
+
+    Meshes of other libraries can be given to every call in place of a Mesh, and Mesh.of(mesh) saves copying their faces in each:
+    what has `vertices` and `faces` (trimesh), `vertices` and `triangles` (Open3D), `points` and `faces` (PyVista), or `points` and
+    `cells_dict` (meshio).
+
+    Raises InputError, InputTypeError or BadIndexError where vertices or faces cannot be taken. Indices that are read in place are
+    looked at by the calls.
     """
 
     is_soup = False
 
-    def __init__(self, vertices, faces):
-        vertices = numbers("vertices", vertices)
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+        self._set("vertices", vertices, "faces", faces)
+
+    @classmethod
+    def of(cls, mesh: MeshLike) -> "Mesh":
+        """A Mesh of a mesh of another library, once and for many calls; a Mesh as it is.
+
+        Raises InputTypeError where it has no vertices and faces, InputError where it has faces that are no triangles.
+        """
+        if isinstance(mesh, cls):
+            return mesh
+        made = foreign(mesh)
+        if made is None:
+            raise InputTypeError(f"mesh is of type {type(mesh).__name__}; give what has vertices and faces, as the meshes of "
+                                 "trimesh, Open3D, PyVista and meshio have")
+        return made
+
+    def _set(self, vertices_name, vertices, faces_name, faces):
+        """The names are those by which the caller knows the arrays."""
+        vertices = numbers(vertices_name, vertices)
         if vertices.ndim != 2 or vertices.shape[1] != 3:
-            raise InputError(f"vertices has shape {vertices.shape}; give (m, 3): vertex, axis")
+            raise InputError(f"{vertices_name} has shape {vertices.shape}; give (m, 3): vertex, axis")
         count = len(vertices)
         strides = strides_of(count, *vertices.strides, vertices.itemsize)
         if not strides:
             vertices, strides = np.ascontiguousarray(vertices), (0, 0)
-        faces = faces_of(faces, count)
+        faces = faces_of(faces_name, faces, count)
         self.vertices, self.faces = vertices, faces
         if faces.dtype.kind == "i":
             count = min(count, 1 << 31)  # negative numbers, read as unsigned, refer to no vertex
@@ -120,11 +150,12 @@ class Mesh:
                                  vertices.itemsize, strides[1]))
         self.is_double = vertices.dtype == DOUBLE or strides[1] != 0
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.faces)
 
-    def __repr__(self):
-        return f"<tribox.Mesh: {len(self.vertices)} vertices of {self.vertices.dtype}, {len(self)} faces of {self.faces.dtype}>"
+    def __repr__(self) -> str:
+        return (f"<tribox.Mesh: {len(self.vertices)} vertices of {self.vertices.dtype}, {len(self)} faces of {self.faces.dtype}, "
+                f"{extent(self)}>")
 
 
 class Soup:
@@ -135,7 +166,7 @@ class Soup:
 
     faces, is_soup, is_double = None, True, False
 
-    def __init__(self, streams):
+    def __init__(self, streams: Union[NDArray[Any], Sequence[Any]]) -> None:
         try:
             nested = [list(axis) for axis in streams] if len(streams) == 3 else []
         except TypeError:
@@ -151,14 +182,14 @@ class Soup:
         pointers = [[ffi.cast("float *", address_of(stream)) for stream in axis] for axis in nested]
         self.struct = new(SOUP, (*pointers, len(nested[0][0])))
 
-    def __len__(self):
-        return self.struct.count
+    def __len__(self) -> int:
+        return int(self.struct.count)
 
-    def __repr__(self):
-        return f"<tribox.Soup: {len(self)} triangles>"
+    def __repr__(self) -> str:
+        return f"<tribox.Soup: {len(self)} triangles, {extent(self)}>"
 
     @classmethod
-    def of(cls, triangles, origin=None):
+    def of(cls, triangles: TrianglesLike, origin: Optional[Vector] = None) -> "Soup":
         """A copy of triangles in any form as streams: for triangles that are tested many times.
 
         origin: three numbers, which are subtracted in float64 before the coordinates are rounded to float32. Answers about the Soup
@@ -182,9 +213,18 @@ def held(triangles):
     """Triangles in any form as a Mesh, a Soup or an Array: what has a struct, and keeps alive what that points to."""
     if isinstance(triangles, (Mesh, Soup, Array)):
         return triangles
-    if not isinstance(triangles, np.ndarray) and hasattr(triangles, "vertices") and hasattr(triangles, "faces"):
-        return Mesh(triangles.vertices, triangles.faces)
-    return array_held(numbers("triangles", triangles))
+    mesh = None if isinstance(triangles, np.ndarray) else foreign(triangles)
+    return array_held(numbers("triangles", triangles, "in an array of shape (n, 3, 3), or a mesh")) if mesh is None else mesh
+
+
+def foreign(mesh):
+    """A mesh of another library as a Mesh; None if it is none."""
+    parts = parts_of(mesh)
+    if parts is None:
+        return None
+    made = Mesh.__new__(Mesh)
+    made._set(*parts[0], *parts[1])
+    return made
 
 
 def mesh_held(held_):
@@ -196,12 +236,6 @@ def check_single(held_):
     """Raises what float32 cannot hold of the coordinates."""
     if not held_.is_soup:
         floats("triangles" if held_.faces is None else "vertices", held_.vertices, LOCAL)
-
-
-def check_indices(held_):
-    error = held_.faces is not None and bad_index(held_.struct, held_.faces)
-    if error:
-        raise error
 
 
 def fill(soup, at, mesh, first, count, origin=None):

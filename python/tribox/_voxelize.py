@@ -1,19 +1,21 @@
 """Triangles into the cells of a grid."""
 
 from operator import index
+from typing import Optional, SupportsIndex, Tuple, Union, overload
 
 import numpy as np
 
 from ._arguments import check, options_of
-from ._errors import InputError, named, shown
+from ._errors import InputError, check_indices, named, shown
 from ._ffi import ffi
 from ._fill import fill_of, filled
-from ._grids import WORDS_MAX, check_grid, cubes_around, grid_for, is_single
+from ._grids import WORDS_MAX, Grid, check_grid, cubes_around, grid_for, is_single
 from ._library import lib
 from ._masks import WORD, bools, check_out, pointer_to
 from ._overlap import ALL
 from ._threads import in_threads, threads_of
-from ._triangles import Soup, check_indices, held, meshes, soups
+from ._triangles import Soup, held, meshes, soups
+from ._typing import Accuracy, Answer, Cell, Cells, Fill, Range, TrianglesLike, Vector, Window
 
 PARTS_EACH = 8  # of each thread: some have far more triangles than others
 
@@ -95,12 +97,30 @@ def set_cells_at_once(held_, grid, first, size, options, words, threads):
     return max(in_threads(threads, work, slabs_of(size[2], threads)))
 
 
-def voxelize(triangles, origin=None, cell=None, size=None, *, resolution=None, window=None, layers=None, threads=1, fill=None,
-             accuracy="exact", axes=ALL, kernel=None, packed=False, out=None):
+@overload
+def voxelize(triangles: TrianglesLike, *, resolution: SupportsIndex, window: Optional[Window] = None,
+             layers: Optional[Range] = None, threads: Optional[SupportsIndex] = 1, fill: Optional[Fill] = None,
+             accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, packed: bool = False,
+             out: Optional[Answer] = None) -> Tuple[Answer, Grid]: ...
+
+
+@overload
+def voxelize(triangles: TrianglesLike, origin: Vector, cell: Cell, size: Cells, *, window: Optional[Window] = None,
+             layers: Optional[Range] = None, threads: Optional[SupportsIndex] = 1, fill: Optional[Fill] = None,
+             accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, packed: bool = False,
+             out: Optional[Answer] = None) -> Answer: ...
+
+
+def voxelize(triangles: TrianglesLike, origin: Optional[Vector] = None, cell: Optional[Cell] = None, size: Optional[Cells] = None,
+             *, resolution: Optional[SupportsIndex] = None, window: Optional[Window] = None, layers: Optional[Range] = None,
+             threads: Optional[SupportsIndex] = 1, fill: Optional[Fill] = None, accuracy: Accuracy = "exact", axes: int = ALL,
+             kernel: Optional[str] = None, packed: bool = False,
+             out: Optional[Answer] = None) -> Union[Answer, Tuple[Answer, Grid]]:
     """Tells which cells of a grid some triangle overlaps, the surface alone: an array of bool of shape (nz, ny, nx).
 
-    triangles: as for overlap.
-    origin: the lower corner of the grid. cell: the length of a cell, or three. size: the cells on each axis, (nx, ny, nz).
+    triangles: as for overlap; one with a NaN or an infinity sets no cell.
+    origin: the lower corner of the grid. cell: the length of a cell, or three; both in the unit of the triangles. size: the cells
+        on each axis, (nx, ny, nz).
         Plane p lies at origin + p * cell, rounded to float32 where triangles, origin and cell are float32 and that tells all planes
         apart, and else to float64: the number 0.1 is the double, np.float32(0.1) the float, which is faster.
     resolution: in their place, the number of cells along the longest side of the triangles: the grid is that of grid_around, and
@@ -114,6 +134,8 @@ def voxelize(triangles, origin=None, cell=None, size=None, *, resolution=None, w
         empty, and warns (OpenMeshWarning) where the mesh is certainly not closed. For whole grids.
     packed: returns uint64 words of shape (nz, ny, words) instead; bit i % 64 of word i // 64 of a row is cell i along x.
     out: an array of either kind, in which cells are set; those already set stay set.
+
+    Raises errors as overlap does: also for a grid whose planes float64 cannot tell apart, and for one that needs more than 16 GiB.
     """
     held_, options, threads, fill_call = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads), fill_of(fill)
     grid, chosen, given = grid_given(held_, resolution, origin=origin, cell=cell, size=size)

@@ -202,12 +202,6 @@ class Documents(unittest.TestCase):
         self.assertIsNone(tribox.kernel_name("sse9"))
         self.assertEqual((tribox.kernel_name(), tribox.kernel_name("scalar")), (KERNELS[0], KERNELS[-1]))
 
-    def test_repr(self):
-        triangles = np.zeros((4, 3, 3), np.float32)
-        mesh = tribox.Mesh(triangles[0], np.array([[0, 1, 2]], np.uint16))
-        self.assertEqual(repr(mesh), "<tribox.Mesh: 3 vertices of float32, 1 faces of uint16>")
-        self.assertEqual(repr(tribox.Soup.of(triangles)), "<tribox.Soup: 4 triangles>")
-
 
 if __name__ == "__main__":
     cases.main()

@@ -1,0 +1,76 @@
+"""Type hints: the module is consistent, a program that uses it passes mypy --strict, and mistakes are found."""
+
+import inspect
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import tribox
+
+import cases
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+
+
+def mypy(*arguments, folder):
+    """What it prints: errors alone."""
+    done = subprocess.run([sys.executable, "-m", "mypy", "--no-error-summary", "--hide-error-context", f"--cache-dir={folder}",
+                           *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=folder,
+                          env={**os.environ, "MYPYPATH": os.path.dirname(os.path.dirname(tribox.__file__))})
+    if "No module named mypy" in done.stdout:
+        raise unittest.SkipTest("there is no mypy")
+    return done.stdout
+
+
+class Types(cases.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_module(self):
+        config = os.path.join(ROOT, "pyproject.toml")
+        self.assertEqual(mypy("--config-file", config, "-p", "tribox", folder=self.folder.name), "")
+
+    def test_user(self):
+        path = os.path.join(HERE, "typed.py")
+        said = mypy("--strict", "--config-file=", path, folder=self.folder.name)
+        found = {int(line) for line in re.findall(r"typed\.py:(\d+): error", said)}
+        with open(path, encoding="utf-8") as file:
+            wrong = {number for number, line in enumerate(file, 1) if line.endswith("# wrong\n")}
+        self.assertTrue(wrong)
+        self.assertEqual(found, wrong, said)
+
+    def test_everything_public(self):
+        """Functions and methods without an underscore have types and a docstring."""
+        def missing(name, thing):
+            if not inspect.isroutine(thing):
+                return []
+            hints = getattr(thing, "__annotations__", {})
+            code = thing.__code__
+            names = [n for n in code.co_varnames[:code.co_argcount + code.co_kwonlyargcount] if n not in ("self", "cls")]
+            return [name] if not thing.__doc__ or {*names, "return"} - hints.keys() else []
+
+        found = []
+        for name in tribox.__all__:
+            thing = getattr(tribox, name)
+            found += missing(name, thing)
+            if isinstance(thing, type) and "tribox" in thing.__module__:
+                self.assertTrue(thing.__doc__, name)
+                for inner in vars(thing):
+                    if not inner.startswith("_") and not hasattr(tuple, inner):
+                        found += missing(f"{name}.{inner}", getattr(thing, inner))
+        self.assertEqual(found, [])
+
+
+if __name__ == "__main__":
+    cases.main()
