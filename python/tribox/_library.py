@@ -1,15 +1,23 @@
-"""Loads libtribox: the file that the environment variable TRIBOX_LIBRARY names, or the installed library."""
+"""Loads libtribox: the file that the environment variable TRIBOX_LIBRARY names, or that in a wheel, or the installed library."""
 
 import os
 from itertools import count, takewhile
+from typing import List, Optional
 
 from ._ffi import ffi
 
 NAME = "libtribox.so.0"
+BESIDE = "tribox.dll" if os.name == "nt" else "libtribox.so"
+
+
+def library_path():
+    """Where the library is; a name alone is looked for by the system."""
+    beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), BESIDE)
+    return os.environ.get("TRIBOX_LIBRARY") or (beside if os.path.exists(beside) else NAME)
 
 
 def load():
-    path = os.environ.get("TRIBOX_LIBRARY") or NAME
+    path = library_path()
     try:
         library = ffi.dlopen(path)
     except OSError as error:
@@ -33,12 +41,12 @@ VERSION = f"{lib.TRIBOX_VERSION_MAJOR}.{lib.TRIBOX_VERSION_MINOR}.{lib.TRIBOX_VE
 KERNELS = list_kernels()
 
 
-def kernels():
+def kernels() -> List[str]:
     """The names of the kernels that this processor runs, widest first. The first is the default."""
     return list(KERNELS)
 
 
-def kernel_name(name=None):
+def kernel_name(name: Optional[str] = None) -> Optional[str]:
     """The kernel that calls run with kernel=name; None if the name is unknown, or this processor cannot run that kernel."""
     if name is None:
         return kernels()[0]

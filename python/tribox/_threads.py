@@ -7,10 +7,15 @@ from operator import index
 from ._errors import InputError, shown
 
 
+def processors():
+    """Those that this process may use, where the system tells."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 def threads_of(threads):
     """How many threads are wanted; one for each processor that this process may use where it is None."""
     try:
-        count = len(os.sched_getaffinity(0)) if threads is None else index(threads)
+        count = processors() if threads is None else index(threads)
     except TypeError:
         count = 0
     if count < 1:

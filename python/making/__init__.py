@@ -1,0 +1,1 @@
+"""Makes the Python package: see pyproject.toml."""
