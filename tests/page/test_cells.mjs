@@ -66,6 +66,12 @@ export async function unlikeExact() {
         assert.equal(answer.unlike, unlike.length);
         assert.ok(accuracy !== 'fast' || unlike.length > 100, `only ${unlike.length} triangles differ`);
     }
+    await page.click('#accuracy [value=fast]');
+    await page.waitForFunction(() => document.getElementById('unlike-title').textContent.startsWith('FAST'));
+    const { numbers } = await answerOf(page);
+    await page.check('#by-index');
+    await page.waitForFunction(() => document.getElementById('rate').textContent.startsWith('by the index'));
+    assert.deepEqual((await answerOf(page)).numbers, numbers, 'by the index');
     await page.click('#accuracy [value=exact]');
     await page.waitForFunction(() => document.getElementById('unlike-list').hidden);
 }
