@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
     libassimp-dev libpng-dev zlib1g-dev libopenvdb-dev \
     libcmocka-dev libgmp-dev libembree-dev libcgal-dev libmpfr-dev libbullet-dev \
-    python3-numpy python3-cffi python3-cffi-backend python3-dask python3-distributed python3-zarr \
+    python3-numpy python3-cffi python3-cffi-backend mypy python3-dask python3-distributed python3-zarr \
     parallel openmpi-bin python3-mpi4py slurm-wlm munge \
     libopenvdb-tools python3-openvdb python3-vtk9 teem-apps \
     git xz-utils doxygen mandoc groff man-db debhelper dh-python devscripts lintian fakeroot dpkg-dev \
