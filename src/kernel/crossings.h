@@ -5,7 +5,7 @@
  * A triangle and a row whose middle its box may hold are a pair. Triangles of few pairs are taken a packet at once; of others, a
  * packet of pairs.
  */
-enum { FEW_PAIRS = 16 };
+static const double FEW_PAIRS = 16;
 
 /* The nearest whole number, for sizes below 2^51. */
 TRIBOX_INLINE vnum whole_near(vnum a) { return v_sub(v_add(a, v_splat(0x1.8p52)), v_splat(0x1.8p52)); }
