@@ -6,7 +6,7 @@ root=$1 folder=$2 here=$(cd "$(dirname "$0")" && pwd)
 for program in x86_64-w64-mingw32-gcc-posix /usr/lib/wine/wine64; do
     command -v "$program" >/dev/null || { echo "no $program: skipped"; exit 77; }
 done
-mkdir -p "$folder"
+mkdir -p "$folder/wine"
 cd "$folder"
 exec 9>lock
 flock 9
