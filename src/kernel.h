@@ -77,7 +77,7 @@ TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
 
 /*
  * A small build (packaging/npm) has no scalar kernel, and walks of soups alone: it reads meshes by way of streams, and is without
- * tribox_overlap_boxes.
+ * tribox_overlap_boxes and tribox_fill_parity.
  */
 #if defined(TRIBOX_SMALL)
 enum { TRIBOX_WALKS_SOUPS_ALONE = 1 };

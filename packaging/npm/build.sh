@@ -29,7 +29,7 @@ END
 {
     cd "$root/src"
     find wasm pairs.c -name '*.c' -exec echo -O3 {} \;
-    find . exact -maxdepth 1 -name '*.c' ! -name pairs.c -exec echo -Os {} \;
+    find . exact -maxdepth 1 -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

@@ -8,5 +8,7 @@
 #include "columns.h"
 #include "packed_rows.h"
 #include "open_rows.h"
+#if !defined(TRIBOX_SMALL)
 #include "crossings.h"
+#endif
 #include "strips.h"

@@ -57,5 +57,7 @@ static void set_flat_z(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Z); }
 extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
 const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
     .set_strip = {set_solid, set_flat_x, set_flat_y, set_flat_z},
+#if !defined(TRIBOX_SMALL)
     .cross = cross_triangles,
+#endif
 };
