@@ -39,6 +39,14 @@ class BadMeshes(support.TestCase):
         for name in ("notes.txt", "notes.gltf", "no_ending"):
             self.refuse(self.write(name, "hello\n"),
                         "not a (mesh that libassimp can read, or a damaged one|PLY, OFF, OBJ, STL, .f32 or .f64 file)")
+    def test_part_is_damaged(self):
+        mesh = self.write("scene.gltf", "{}")
+        self.write("tribox_assimp.so", "no library\n")
+        result = support.run("overlap", mesh, "--box", support.UNIT_BOX, env={"LD_LIBRARY_PATH": self.folder})
+        self.assertEqual(result.code, 1)
+        self.assert_one_line(result.stderr, "scene.gltf: not a PLY, .* file, and what reads others cannot be loaded: .*tribox_assimp.so")
+
+    def test_no_mesh_of_a_kind(self):
         self.refuse(self.write("notes.obj", "hello\n"), "not an OBJ file, or an empty one: it has no line with a vertex, 'v X Y Z'")
         self.refuse(self.write("notes.ply", "hello\n"), "not a PLY file: it does not begin with 'ply'")
         self.refuse(self.write("notes.stl", "hello\n"), "truncated, or not an STL file")

@@ -1,0 +1,31 @@
+/* assimp_part.h - what the program asks of the part that knows libassimp, which is loaded when a file needs it. */
+#ifndef ASSIMP_PART_H
+#define ASSIMP_PART_H
+
+#include <stddef.h>
+
+typedef struct assimp_counts {
+    size_t triangles;        /* polygons are cut */
+    size_t points_and_lines; /* left out */
+    size_t uncut;            /* triangles missing, since a polygon that crosses itself could not be cut */
+} assimp_counts;
+
+/* Room for why a file cannot be read. */
+enum { ASSIMP_REASON = 300 };
+
+typedef struct assimp_part {
+    /* The scene in a file, and what is in it; NULL if it fails, with the reason. */
+    const void *(*open)(const char *path, assimp_counts *counts, char *reason);
+
+    /* Writes its triangles, so many, as nine streams, one after another: x of the three vertices, then y, then z. */
+    void (*put)(const void *scene, size_t triangles, float *streams);
+
+    void (*close)(const void *scene);
+} assimp_part;
+
+/* Its file, and its one symbol. */
+#define ASSIMP_PART_FILE "tribox_assimp.so"
+#define ASSIMP_PART_SYMBOL "tribox_assimp_part"
+extern const assimp_part tribox_assimp_part;
+
+#endif
