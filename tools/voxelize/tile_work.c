@@ -1,21 +1,21 @@
-/* tile_work.c - estimates the work in each tile: what it costs by itself, by its triangles, and by the cells that they cross. */
+/* tile_work.c - estimates the work in each tile: what it costs by itself, by the rows that triangles cross, and by their reach. */
 #include "tile_work.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 /* Nanoseconds, roughly: only their ratios matter. */
-static const double tile_cost = 34000, place_cost = 18, row_cost = 2.5, cell_cost = 1.6, reach_cost = 8.5;
+static const double tile_cost = 62000, row_cost = 10, reach_cost = 23;
 
 /* In cells. */
 static double place(const voxel_task *task, int a, double x) { return (x - task->origin[a]) / task->cell[a]; }
 
 static double reach(const double x[3]) { return fmax(fmax(x[0], x[1]), x[2]) - fmin(fmin(x[0], x[1]), x[2]); }
 
-/* Of the triangle seen along the third axis. */
-static double area(const double x[3], const double y[3])
+/* Of the triangle seen along x: how many rows it crosses. */
+static double area(const double y[3], const double z[3])
 {
-    return 0.5 * fabs((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]));
+    return 0.5 * fabs((y[1] - y[0]) * (z[2] - z[0]) - (y[2] - y[0]) * (z[1] - z[0]));
 }
 
 /* What a triangle costs beyond the tiles that it is in, all of them together. */
@@ -26,16 +26,14 @@ static double triangle_work(const voxel_task *task, size_t t)
     for (int a = 0; a < 3; a++)
         for (int v = 0; v < 3; v++)
             u[a][v] = place(task, a, u[a][v]);
-    const double along[3] = {area(u[1], u[2]), area(u[0], u[2]), area(u[0], u[1])}, all = along[0] + along[1] + along[2];
-    const double around = reach(u[0]) + reach(u[1]) + reach(u[2]);
-    const double work = row_cost * along[0] + cell_cost * all + reach_cost * around;
+    const double work = row_cost * area(u[1], u[2]) + reach_cost * (reach(u[0]) + reach(u[1]) + reach(u[2]));
     return isfinite(work) ? work : 0;
 }
 
 /* Replaces how many tiles a triangle is in by its work in each. */
 static void share_work(const tile_set *set, double *share)
 {
-    const double most = 3 * (row_cost + cell_cost) * set->tile * set->tile;
+    const double most = 3 * row_cost * set->tile * set->tile;
     for (size_t t = 0; t < set->task.count; t++)
         if (share[t] > 0)
             share[t] = fmin(triangle_work(&set->task, t) / share[t], most);
@@ -52,7 +50,7 @@ bool tile_work_estimate(const tile_set *set, partition_tile *records)
     for (size_t r = 0; r < set->count; r++) {
         const size_t triangles = tile_set_triangles(set, r);
         const uint32_t *const list = set->list + records[r].first;
-        double work = tile_cost + place_cost * (double)triangles;
+        double work = tile_cost;
         for (size_t i = 0; i < triangles; i++)
             work += share[list[i]];
         records[r].work = (uint64_t)work;
