@@ -16,9 +16,9 @@ packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf 
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
 test "${1-}" != packages || exit 0
 build=${BUILD:-build-tests}
-# C++ is CGAL and OpenVDB, a minute of templates at -O3.
+# C++ is CGAL and OpenVDB, a minute of templates if it is optimised.
 test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled -Dpeers=enabled \
-    -Dpython=enabled -Dcpp_args=-O1 "$@"
+    -Dpython=enabled -Dcpp_args=-O0 "$@"
 meson compile -C "$build"
 status=0
 suites=
