@@ -78,9 +78,24 @@ class Index:
 
     def _set(self, soup, ids, nodes=None):
         """soup: the triangles in the order of the index. ids: the number that each has for the caller; None: its place in soup."""
-        self.soup, self.ids, self.nodes = soup, ids, built(soup) if nodes is None else nodes
-        self._struct = ffi.new("tribox_index *", (ffi.from_buffer(self.nodes), len(soup)))
-        self._ids = ffi.NULL if ids is None else ffi.from_buffer(NUMBERS, ids)
+        self._soup, self._ids, self._nodes = soup, ids, built(soup) if nodes is None else nodes
+        self._struct = ffi.new("tribox_index *", (ffi.from_buffer(self._nodes), len(soup)))
+        self._id_pointer = ffi.NULL if ids is None else ffi.from_buffer(NUMBERS, ids)
+
+    @property
+    def soup(self) -> Soup:
+        """The triangles in the order of the index."""
+        return self._soup
+
+    @property
+    def ids(self) -> Optional[NDArray[np.uint32]]:
+        """The number that each triangle of the soup has for the caller; None: its place there."""
+        return self._ids
+
+    @property
+    def nodes(self) -> NDArray[np.uint8]:
+        """The tree, as bytes."""
+        return self._nodes
 
     def __len__(self) -> int:
         return int(self._struct.count)
@@ -175,7 +190,7 @@ class Index:
         start, room = np.empty(boxes.count + 1, SIZE), FIRST_ROOM + 64 * boxes.count
         while True:
             numbers = np.empty(room, NUMBER)
-            check(lib.tribox_index_lists(self._struct, self.soup.struct, boxes, options, self._ids, room,
+            check(lib.tribox_index_lists(self._struct, self.soup.struct, boxes, options, self._id_pointer, room,
                                          ffi.from_buffer(NUMBERS, numbers), ffi.from_buffer(SIZES, start)), axes=axes, order=order)
             total = int(start[-1])
             if total <= room:
@@ -228,7 +243,7 @@ class Index:
         return packed_bits(mask) if packed else mask
 
     def _numbers(self, kind, box, test):
-        return self._exactly(box, test) if is_double_box(box) else self._listed(kind, box, test, self._ids)
+        return self._exactly(box, test) if is_double_box(box) else self._listed(kind, box, test, self._id_pointer)
 
     def _listed(self, kind, box, test, ids):
         """ids: the numbers to list the triangles by; NULL: their places in the soup."""

@@ -143,15 +143,25 @@ class Mesh:
         if not strides:
             vertices, strides = np.ascontiguousarray(vertices), (0, 0)
         faces = faces_of(faces_name, faces, count)
-        self.vertices, self.faces = vertices, faces
+        self._vertices, self._faces = vertices, faces
         if faces.dtype.kind == "i":
             count = min(count, 1 << 31)  # negative numbers, read as unsigned, refer to no vertex
         self.struct = new(MESH, (address_of(vertices), strides[0], count, address_of(faces), faces.itemsize, len(faces),
                                  vertices.itemsize, strides[1]))
         self.is_double = vertices.dtype == DOUBLE or strides[1] != 0
 
+    @property
+    def vertices(self) -> NDArray[Any]:
+        """The array that is read. Other vertices are another Mesh."""
+        return self._vertices
+
+    @property
+    def faces(self) -> NDArray[Any]:
+        """The array that is read."""
+        return self._faces
+
     def __len__(self) -> int:
-        return len(self.faces)
+        return len(self._faces)
 
     def __repr__(self) -> str:
         return (f"<tribox.Mesh: {len(self.vertices)} vertices of {self.vertices.dtype}, {len(self)} faces of {self.faces.dtype}, "
@@ -159,7 +169,7 @@ class Mesh:
 
 
 class Soup:
-    """Triangles as nine streams, the fastest form: streams[axis][vertex] is a contiguous array of n float32. Nothing is copied.
+    """Triangles as nine streams, the fastest form: streams[axis][vertex] is a contiguous array of n float32. Arrays are not copied.
 
     streams: an array of shape (3, 3, n), or sequences of nine arrays.
     """
@@ -168,7 +178,7 @@ class Soup:
 
     def __init__(self, streams: Union[NDArray[Any], Sequence[Any]]) -> None:
         try:
-            nested = [list(axis) for axis in streams] if len(streams) == 3 else []
+            nested = tuple(tuple(axis) for axis in streams) if len(streams) == 3 else ()
         except TypeError:
             raise InputTypeError(f"streams is of type {type(streams).__name__}; give an array of shape (3, 3, n)") from None
         if [len(axis) for axis in nested] != [3, 3, 3]:
@@ -178,9 +188,16 @@ class Soup:
             if stream.ndim != 1 or len(stream) != len(nested[0][0]) or len(stream) > 1 and stream.strides[0] != 4:
                 raise InputError(f"a stream has shape {stream.shape} and strides {stream.strides}; give nine contiguous "
                                  "arrays of one length")
-        self.streams = streams
+        self._arrays = nested  # what the struct points into: a container may hand out copies, or change
+        is_whole = isinstance(streams, np.ndarray) and streams.dtype == FLOAT
+        self._streams: Union[NDArray[Any], Sequence[Any]] = streams if is_whole else nested
         pointers = [[ffi.cast("float *", address_of(stream)) for stream in axis] for axis in nested]
         self.struct = new(SOUP, (*pointers, len(nested[0][0])))
+
+    @property
+    def streams(self) -> Union[NDArray[Any], Sequence[Any]]:
+        """The array of shape (3, 3, n) that is read, or the nine arrays, as tuples."""
+        return self._streams
 
     def __len__(self) -> int:
         return int(self.struct.count)

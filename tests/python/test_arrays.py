@@ -3,6 +3,7 @@
 import os
 import tempfile
 import tracemalloc
+import weakref
 
 import numpy as np
 import tribox
@@ -115,6 +116,54 @@ class Layouts(cases.TestCase):
             np.full((200, 3, 3), np.nan, np.float32)
             self.assert_same(tribox.overlap(mesh, LO, HI), self.expected)
             self.assert_same(tribox.overlap(soup, LO, HI), self.expected)
+
+
+    def nine(self):
+        return [[self.triangles[:, v, axis].copy() for v in range(3)] for axis in range(3)]
+
+    def test_containers_change(self):
+        """A Soup keeps its nine arrays where a container hands out copies, or loses them."""
+        handed = []
+
+        class Axis:
+            def __init__(self, streams):
+                self.streams = streams
+
+            def __len__(self):
+                return 3
+
+            def __getitem__(self, v):
+                if v > 2:
+                    raise IndexError
+                copy = self.streams[v].copy()
+                handed.append(weakref.ref(copy))
+                return copy
+
+        copies = tribox.Soup([Axis(streams) for streams in self.nine()])
+        nested, objects = self.nine(), np.empty((3, 3), object)
+        for axis, v in np.ndindex(3, 3):
+            objects[axis, v] = nested[axis][v].copy()
+            handed += weakref.ref(nested[axis][v]), weakref.ref(objects[axis, v])
+        lost, lost_objects = tribox.Soup(nested), tribox.Soup(objects)
+        objects[:] = None
+        for streams in nested:
+            streams[:] = [None] * 3
+        self.assertEqual([reference for reference in handed if reference() is None], [])
+        self.assertEqual(len(handed), 27)
+        for soup in (copies, lost, lost_objects):
+            self.assert_same(tribox.overlap(soup, LO, HI), self.expected)
+            self.assert_same(np.array(soup.streams), np.ascontiguousarray(self.triangles.T))
+            self.assert_same(tribox.Soup.of(soup).streams, np.ascontiguousarray(self.triangles.T))
+
+    def test_arrays_stay(self):
+        """What a struct points into cannot be replaced."""
+        mesh, streams = tribox.Mesh(*cases.shared_vertices(self.triangles, np.uint32)), np.ascontiguousarray(self.triangles.T)
+        soup = tribox.Soup(streams)
+        self.assertIs(soup.streams, streams)
+        for thing, name in ((mesh, "vertices"), (mesh, "faces"), (soup, "streams")):
+            with self.assertRaises(AttributeError, msg=name):
+                setattr(thing, name, getattr(thing, name)[:1].copy())
+            self.assert_same(tribox.overlap(thing, LO, HI), self.expected)
 
 
 class Memory(cases.TestCase):

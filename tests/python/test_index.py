@@ -142,6 +142,14 @@ class Arrays(cases.TestCase):
             np.full((200, 3, 3), np.nan, np.float32)
             self.assert_same(index.overlap(LO, HI), expected)
 
+    def test_arrays_stay(self):
+        """What a struct points into cannot be replaced."""
+        index, triangles = tribox.Index(cases.lattice(200)), cases.lattice(200)
+        for name, other in (("soup", tribox.Soup.of(triangles[:1])), ("ids", index.ids[:1]), ("nodes", index.nodes[:1])):
+            with self.assertRaises(AttributeError, msg=name):
+                setattr(index, name, other)
+        self.assert_same(index.overlap(LO, HI), cases.truth(triangles, LO, HI))
+
     def test_threads(self):
         triangles = np.resize(cases.lattice(500), (20000, 3, 3))
         index, wrong = tribox.Index(triangles), []
