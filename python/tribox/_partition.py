@@ -4,6 +4,7 @@ import hashlib
 import os
 import secrets
 import shutil
+from operator import index
 from typing import Any, List, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
@@ -32,10 +33,21 @@ HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("ori
 RECORD = np.dtype([("tile", "u8"), ("first", "u8"), ("work", "u8"), ("checksum", "u8")])
 TILE_COST, PLACE_COST, CELL_COST = 20000, 60, 10  # nanoseconds, roughly: only their ratios matter
 BLOCK = 1 << 20  # triangles that are written at once
+SHARES_MAX = (1 << 31) - 1
 
 
 def grid_in(header):
     return Grid(*(tuple(header[name].tolist()) for name in ("origin", "cell", "size")))
+
+
+def shares_of(count):
+    try:
+        shares = index(count)
+    except TypeError:
+        shares = 0
+    if not 1 <= shares <= SHARES_MAX:
+        raise InputError(f"count = {shown(count)}; give how many shares to make, a whole number, 1 to 2^31 - 1")
+    return shares
 
 
 class Partition:
@@ -103,6 +115,7 @@ class Partition:
 
     def shares(self, count: SupportsIndex) -> List[Tuple[int, int]]:
         """`count` shares of about equal work, (first, end) for tiles first .. end - 1 each; together they are all tiles."""
+        count = shares_of(count)
         middles = np.cumsum(self.work) - self.work / 2
         cuts = np.searchsorted(middles, self.work.sum() * np.arange(1, count) / count)
         numbers = np.append(self.numbers, self.tile_count)

@@ -93,6 +93,12 @@ class PartitionTests(cases.TestCase):
             for call in (partition.window, partition.triangles, partition.voxelize):
                 self.refuse(tribox.InputError, None, "^number = .*; give that of a tile", call, wrong)
 
+    def test_wrong_shares(self):
+        partition = self.new(self.triangles, FLOATS, tile=32)
+        self.assertEqual(partition.shares(np.int64(3)), partition.shares(3))
+        for wrong in (0, -3, 1 << 31, 10 ** 400, 2.5, "x", None, (1, 2)):
+            self.refuse(tribox.InputError, None, "^count = .*; give how many shares to make", partition.shares, wrong)
+
     def test_nothing(self):
         for nothing in (self.triangles[:0], np.full((5, 3, 3), np.nan), self.triangles + np.float32(1e20)):
             partition = self.new(nothing, FLOATS)
