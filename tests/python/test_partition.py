@@ -144,6 +144,22 @@ class PartitionTests(cases.TestCase):
                     self.assert_equal(tribox.Bricks(file["at"], file["bits"]), partition.bricks())
                     self.assertEqual(tuple(file["size"]), grid[2])
 
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_hashes(self):
+        """Parts of the program's partition merge with those of the mesh; those of tribox.partition, as FORMATS says, do not."""
+        mesh = cases.lattice(40)
+        Path(self.folder, "mesh.f32").write_bytes(mesh.tobytes())
+        self.program("partition", "mesh.f32", "-r", "300", "-o", "by_program")
+        by_program = tribox.Partition(os.path.join(self.folder, "by_program"))
+        tribox.partition(mesh, *by_program.grid, os.path.join(self.folder, "by_python"), tile=by_program.tile)
+        self.program("voxelize", "mesh.f32", "-r", "300", "--shard", "2/2", "-o", "2.part")
+        for name in ("by_program", "by_python"):
+            self.program("voxelize", name, "--shard", "1/2", "-o", f"{name}.part")
+        self.program("merge", "by_program.part", "2.part", "-o", "merged.npz")
+        with self.assertRaises(subprocess.CalledProcessError) as refused:
+            self.program("merge", "by_python.part", "2.part", "-o", "mixed.npz")
+        self.assertIn(b"they differ in the mesh", refused.exception.stderr)
+
     def test_checksums(self):
         """Those of many parts are those of each."""
         pick = np.random.default_rng(cases.seed())
