@@ -6,6 +6,8 @@
 # OUT.npz.jobs, on a file system that all nodes see, holds what they read and write, and their logs. Where a job fails, those that
 # wait for it are cancelled, and the run ends with an error. The same command again goes on: it leaves out the jobs whose files are
 # there, as a file has its name only when it is whole.
+#
+# OUT_SECONDS: how long OUT.npz may take to be seen here when the jobs have ended, 60 by default.
 set -eu
 mesh=$1 resolution=$2 shards=$3 out=$4 jobs=$4.jobs
 export mesh resolution shards out jobs
@@ -35,7 +37,20 @@ submit --job-name=merge --output="$jobs/merge.log" <<'END'
 exec tribox merge "$jobs"/*.part --quiet -o "$out"
 END
 
-until test -e "$out" || test -z "$(squeue --noheader --jobs="$last" 2>/dev/null)"; do
+# Whether the last job is over. Where squeue fails for another reason, as when Slurm does not answer, the jobs may still run.
+has_ended() {
+    if found=$(squeue --noheader --jobs="$last" 2>"$jobs/squeue.log"); then
+        test -z "$found"
+    else
+        grep -q "Invalid job id" "$jobs/squeue.log"
+    fi
+}
+
+until test -e "$out" || has_ended; do
+    sleep 1
+done
+for _ in $(seq "${OUT_SECONDS:-60}"); do
+    test ! -e "$out" || break
     sleep 1
 done
 test -e "$out" || { echo "a job failed: $jobs/*.log say why; then run this again" >&2; exit 1; }

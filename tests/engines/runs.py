@@ -172,7 +172,8 @@ class Slurm(Engine):
         except slurm_cluster.CannotStart as error:
             leave_out(error)
         program = os.path.dirname(os.environ["TRIBOX_PROGRAM"])
-        self.environment = {**self.cluster.environment, "PATH": f"{program}:{self.cluster.environment['PATH']}"}
+        path = f"{program}:{self.cluster.environment['PATH']}"
+        self.environment = {**self.cluster.environment, "PATH": path, "OUT_SECONDS": "1"}
         return self
 
     def is_worker(self, command):
