@@ -5,7 +5,7 @@
 #
 # OUT.npz.jobs, on a file system that all nodes see, holds what they read and write, and their logs. Where a job fails, those that
 # wait for it are cancelled, and the run ends with an error. The same command again goes on: it leaves out the jobs whose files are
-# there, as a file has its name only when it is whole.
+# there, as a file has its name only when it is whole. Another command is refused, for those files are none of its own.
 #
 # OUT_SECONDS: how long OUT.npz may take to be seen here when the jobs have ended, 60 by default.
 set -eu
@@ -13,6 +13,13 @@ mesh=$1 resolution=$2 shards=$3 out=$4 jobs=$4.jobs
 export mesh resolution shards out jobs
 test ! -e "$out" || { echo "$out exists" >&2; exit 2; }
 mkdir -p "$jobs"
+
+command="$(realpath "$mesh") $resolution $shards"
+test -e "$jobs/command" || printf '%s\n' "$command" >"$jobs/command"
+test "$(cat "$jobs/command")" = "$command" || {
+    echo "$jobs is of another command, $(cat "$jobs/command"): repeat that one, remove $jobs, or give another OUT" >&2
+    exit 2
+}
 
 # submit OPTION...: a job, its script on standard input, that starts when the job submitted before it has succeeded
 last=

@@ -1,4 +1,4 @@
-"""slurm.sh where Slurm does not answer, and where OUT is seen late: with commands that only play Slurm's."""
+"""slurm.sh where Slurm does not answer, where OUT is seen late, and what it refuses: with commands that only play Slurm's."""
 
 import os
 import shutil
@@ -76,6 +76,19 @@ class ScriptTests(unittest.TestCase):
         for end in ("", FORGOTTEN + "\n"):
             self.assertEqual(self.run_script(RUNS, f"{MADE_LATE}\n{end}", seconds=20), (0, "", 3))
             os.remove(self.path("out.npz"))
+
+    def test_other_command(self):
+        """What a failed run left is taken by the same command alone."""
+        self.assertEqual(self.run_script()[::2], (1, 3))
+        os.mkdir(self.path("out.npz.jobs/tiles"))
+        for other in (dict(resolution=4096), dict(shards=2), dict(mesh="other.f32")):
+            code, said, submitted = self.run_script(MADE, **other)
+            self.assertEqual((code, submitted), (2, 0), other)
+            self.assertRegex(said, "^out.npz.jobs is of another command, /.*/mesh.f32 1024 3: .* remove out.npz.jobs, or")
+        self.assertEqual(self.run_script(MADE, mesh=self.path("mesh.f32")), (0, "", 2))
+        self.assertEqual(self.run_script()[:2], (2, "out.npz exists\n"))
+        os.remove(self.path("out.npz"))
+        self.assertEqual(self.run_script(MADE, resolution=4096), (0, "", 3))
 
 
 if __name__ == "__main__":
