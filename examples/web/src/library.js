@@ -116,6 +116,7 @@ export class Library {
             bytes = 4 * this.triangles.length;
         this.paper = exports.malloc(bytes + 24);
         if (!this.paper) throw new Error("no memory for the paper's copy of the mesh: take a smaller one");
+        this.paperCount = this.count;
         new Float32Array(memory.buffer, this.paper + 24, this.triangles.length).set(this.triangles);
     }
 
@@ -123,7 +124,7 @@ export class Library {
         const { exports, memory } = this.tribox,
             numbers = new Float32Array(memory.buffer, this.paper, 6);
         numbers.set([...lo.map((l, a) => (l + hi[a]) / 2), ...lo.map((l, a) => (hi[a] - l) / 2)]);
-        exports.paper_overlap(this.paper, this.paper + 12, this.paper + 24, this.count, this.other.words.byteOffset);
+        exports.paper_overlap(this.paper, this.paper + 12, this.paper + 24, this.paperCount, this.other.words.byteOffset);
     }
 
     closePaper() {

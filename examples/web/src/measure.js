@@ -14,7 +14,7 @@ function time(run, calls) {
 }
 
 /** Runs each until the best of its times no longer falls; how many calls make a time long enough for the clock. */
-async function warmUp(contestants) {
+async function warmUp(contestants, pause) {
     const start = performance.now();
     let best = contestants.map(() => Infinity),
         calm = 0;
@@ -25,8 +25,17 @@ async function warmUp(contestants) {
         });
         calm = times.every((t, i) => t > 0.97 * best[i]) ? calm + 1 : 0;
         best = best.map((b, i) => Math.min(b, times[i]));
-        await breathe();
+        await pause();
     }
+}
+
+/** Lets other questions in; throws if one of them has put another mesh in place of the one that is measured. */
+function pauseOf(library) {
+    const { triangles } = library;
+    return async () => {
+        await breathe();
+        if (library.triangles !== triangles) throw new Error('Another mesh was shown meanwhile. Press Measure again.');
+    };
 }
 
 /** Nanoseconds a triangle, the least of rounds in which all take turns, as others on the machine only ever add to it. */
@@ -38,14 +47,15 @@ export async function measure(library, box, axes, say) {
         { name: 'conservative', run: test('conservative') },
         { name: 'exact', run: test('exact') },
     ].map((c) => ({ ...c, calls: 1, times: [] }));
+    const pause = pauseOf(library);
     library.openPaper();
     try {
         say({ stage: 'warming up' });
-        await warmUp(contestants);
+        await warmUp(contestants, pause);
         say({ stage: 'measuring' });
         for (let round = 0; round < ROUNDS; round++) {
             for (const c of contestants) c.times.push(time(c.run, c.calls));
-            await breathe();
+            await pause();
         }
     } finally {
         library.closePaper();
