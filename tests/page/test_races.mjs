@@ -1,6 +1,37 @@
 // test_races.mjs - another mesh is wished for while something about the one before is on its way.
 import assert from 'node:assert/strict';
-import { usualPage } from './browser.mjs';
+import { answerAfter, assertSame } from './answer.mjs';
+import { openPage, usualPage } from './browser.mjs';
+import { coarseFile } from './meshes.mjs';
+
+/** Asks about the mesh once more just before Workers are handed the next; keeps what the page says of it in `said`. */
+function askAtLoad() {
+    const { postMessage } = Worker.prototype;
+    window.said = [];
+    for (const id of ['message', 'unlike-numbers']) {
+        const element = document.getElementById(id);
+        new MutationObserver(() => window.said.push(element.textContent)).observe(element, { childList: true });
+    }
+    Worker.prototype.postMessage = function (...all) {
+        if (all[0].what === 'load') {
+            Worker.prototype.postMessage = postMessage;
+            document.getElementById('reset').click();
+        }
+        postMessage.apply(this, all);
+    };
+}
+
+/** What is on its way is an answer about the mesh before, joined as that was dealt out. */
+export async function questionBeforeLoad() {
+    const page = await openPage({ query: '?scene=ties&workers=2' });
+    await page.click('#accuracy [value=fast]');
+    await page.waitForFunction(() => document.getElementById('unlike-numbers').textContent);
+    const numbers = await page.textContent('#unlike-numbers');
+    await page.evaluate(askAtLoad);
+    assertSame(await answerAfter(page, () => page.selectOption('#scene', 'coarse')), coarseFile);
+    const said = await page.evaluate(() => [...new Set(window.said)].filter(Boolean));
+    assert.deepEqual(said, [numbers, await page.textContent('#unlike-numbers')].filter(Boolean));
+}
 
 export async function measureEndsAtLoad() {
     const page = await usualPage();

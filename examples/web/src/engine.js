@@ -50,17 +50,20 @@ export class Engine {
         return this.hands.length;
     }
 
-    /** triangles: nine floats each. Parts are whole words of the masks. */
+    /**
+     * triangles: nine floats each. Parts are whole words of the masks. `parts` are those of the next question, `count` is that of
+     * the mesh in use, which answers that are on their way are still about.
+     */
     async load(triangles) {
         const count = triangles.length / 9,
             share = 64 * Math.ceil(count / 64 / this.workers);
-        this.starts = this.hands.map((_, w) => Math.min(w * share, count));
-        await Promise.all(
-            this.hands.map((hand, w) => {
-                const part = triangles.slice(9 * this.starts[w], 9 * Math.min((w + 1) * share, count));
-                return hand.ask('load', { triangles: part }, { transfer: [part.buffer] });
-            }),
-        );
+        const starts = this.hands.map((_, w) => Math.min(w * share, count));
+        const loads = this.hands.map((hand, w) => {
+            const part = triangles.slice(9 * starts[w], 9 * Math.min((w + 1) * share, count));
+            return hand.ask('load', { triangles: part }, { transfer: [part.buffer] });
+        });
+        this.parts = { starts, count };
+        await Promise.all(loads);
         this.count = count;
     }
 
@@ -70,25 +73,18 @@ export class Engine {
 
     /** Which triangles overlap the box, lie inside, and are answered unlike EXACT. */
     async ask(question) {
-        const answers = await this.all('ask', question);
+        const { starts, count } = this.parts,
+            answers = await this.all('ask', question);
+        const join = (name) =>
+            joinBits(
+                answers.map((answer) => answer[name]),
+                starts,
+                count,
+            );
         return {
-            mask: joinBits(
-                answers.map((answer) => answer.mask),
-                this.starts,
-                this.count,
-            ),
-            inside: joinBits(
-                answers.map((answer) => answer.inside),
-                this.starts,
-                this.count,
-            ),
-            unlike:
-                answers[0].unlike &&
-                joinBits(
-                    answers.map((answer) => answer.unlike),
-                    this.starts,
-                    this.count,
-                ),
+            mask: join('mask'),
+            inside: join('inside'),
+            unlike: answers[0].unlike && join('unlike'),
             overlapping: sum(answers, 'overlapping'),
             insides: sum(answers, 'insides'),
             undecided: sum(answers, 'undecided'),
