@@ -1,8 +1,9 @@
 // test_races.mjs - another mesh is wished for while something about the one before is on its way.
 import assert from 'node:assert/strict';
-import { answerAfter, assertSame } from './answer.mjs';
+import { answerAfter, answerOf, assertSame, settled } from './answer.mjs';
 import { openPage, usualPage } from './browser.mjs';
-import { coarseFile } from './meshes.mjs';
+import { dropFile } from './drop.mjs';
+import { coarseFile, small, stlBytes } from './meshes.mjs';
 
 /** Asks about the mesh once more just before Workers are handed the next; keeps what the page says of it in `said`. */
 function askAtLoad() {
@@ -43,4 +44,25 @@ export async function measureEndsAtLoad() {
     });
     await page.waitForSelector('#measure:enabled');
     assert.equal(await page.textContent('#chart'), 'Another mesh was shown meanwhile. Press Measure again.');
+}
+
+/** A file that takes long to read does not replace what was chosen after it. */
+export async function latestMeshStays() {
+    const page = await usualPage();
+    await page.evaluate(() => {
+        const { arrayBuffer } = Blob.prototype;
+        Blob.prototype.arrayBuffer = async function () {
+            Blob.prototype.arrayBuffer = arrayBuffer;
+            await new Promise((go) => (window.readOn = go));
+            return arrayBuffer.call(this);
+        };
+    });
+    await dropFile(page, 'slow.stl', stlBytes(small));
+    await page.waitForFunction(() => window.readOn);
+    const chosen = await answerAfter(page, () => page.selectOption('#scene', 'ties'));
+    await page.evaluate(() => window.readOn());
+    await settled(page);
+    await page.waitForTimeout(300);
+    assert.equal((await answerOf(page)).command, chosen.command);
+    assert.equal(await page.inputValue('#scene'), 'ties');
 }

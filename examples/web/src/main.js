@@ -36,17 +36,23 @@ function startView(onMove) {
     return view;
 }
 
-/** Shows what `make` returns once the page has said that it is busy. */
+let wishes = 0;
+
+/** Shows what `make` returns once the page has said that it is busy, unless another is wished for meanwhile. */
 async function showMade(page, panel, make) {
+    const mine = ++wishes,
+        isLatest = () => mine === wishes;
     panel.busy(true);
     await new Promise((go) => setTimeout(go));
     try {
-        await page.show(await make());
-        panel.clearMessage('file');
+        const mesh = await make();
+        if (!isLatest()) return;
+        await page.show(mesh);
+        if (isLatest()) panel.clearMessage('file');
     } catch (error) {
-        panel.say('file', error.message);
+        if (isLatest()) panel.say('file', error.message);
     } finally {
-        panel.busy(false);
+        if (isLatest()) panel.busy(false);
     }
 }
 
