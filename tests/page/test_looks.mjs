@@ -170,3 +170,8 @@ export async function countsAreSpoken() {
     const page = await usualPage();
     await page.waitForFunction(() => document.getElementById('spoken').textContent.includes('straddle the box'));
 }
+
+/** The time changes at every move; an output is read aloud by itself. */
+export async function timeIsNotSpoken() {
+    assert.equal(await (await usualPage()).getAttribute('#time', 'aria-live'), 'off');
+}
