@@ -17,7 +17,7 @@ fi
 mkdir -p "$BUILD"
 cd "$BUILD"
 cp "$here/package.json" .
-npm install --silent --no-audit --no-fund --no-package-lock --prefer-offline
+npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline
 test -n "${TRIBOX:-}" || {
     sh "$root/packaging/npm/build.sh" tribox "$here/paper.c" paper_overlap
     TRIBOX=tribox

@@ -14,5 +14,5 @@ sh "$here/../../packaging/npm/build.sh" "$TRIBOX_PACKAGE"
 
 mkdir -p "$TRIBOX_TYPESCRIPT"
 cp "$here/package.json" "$TRIBOX_TYPESCRIPT"
-(cd "$TRIBOX_TYPESCRIPT" && npm install --silent --no-audit --no-fund --no-package-lock --prefer-offline)
+(cd "$TRIBOX_TYPESCRIPT" && npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline)
 node --test "$here"

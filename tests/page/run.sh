@@ -21,7 +21,7 @@ fi
 export PAGE
 cd "$BUILD/browser"
 cp "$here/package.json" .
-npm install --silent --no-audit --no-fund --no-package-lock --prefer-offline
+npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline
 case ${1:-} in
 measure) PLAYWRIGHT=$PWD node "$here/measure.mjs" ;;
 pictures) shift && PLAYWRIGHT=$PWD node "$here/pictures.mjs" "$@" ;;
