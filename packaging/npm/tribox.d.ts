@@ -112,6 +112,7 @@ export interface Tribox {
 /**
  * positions: x, y, z of vertex after vertex. indices: three vertices a triangle; without them vertices 3 i, 3 i + 1 and 3 i + 2 are
  * triangle i. As three.js has them: geometry.attributes.position.array and geometry.index.array.
+ * Views of the memory of the instance serve, too, such as the positions of a Mesh.
  */
 export interface MeshOfFloats {
     readonly positions: Float32Array;

@@ -54,6 +54,39 @@ test('views die when the memory grows, and new ones show the same', async () => 
     assert.deepEqual(soup.overlap(middleBox).mask.words, copies[3]);
 });
 
+test('views of the memory are read as they were, though it grows for what is made of them', async () => {
+    const tribox = await load(), many = randomPositions(7000), order = Uint32Array.from({ length: 21000 }, (_, k) => k);
+    const expected = tribox.soup({ positions: many }).overlap(middleBox).mask.words;
+    for (const [make, positions, indices] of [['soup', many, null], ['soup', many, order], ['soup', many, Uint16Array.from(order)],
+        ['mesh', many, order], ['mesh', Float64Array.from(many), Uint16Array.from(order)]])
+        for (const [name, own] of Object.entries(indices ? { positions, indices } : { positions }))
+            for (let isGrown = false; !isGrown;) {
+                const address = tribox.exports.malloc(own.byteLength);
+                const view = new own.constructor(tribox.memory.buffer, address, own.length);
+                view.set(own);
+                const made = tribox[make]({ positions, indices, [name]: view });
+                isGrown = view.length === 0;
+                assert.deepEqual(made.overlap(middleBox).mask.words, expected, `${make} of ${name} in the memory`);
+            }
+    const mesh = tribox.mesh({ positions: many }), { positions } = mesh;
+    assert.deepEqual(tribox.soup({ positions }, { sort: true }).count(middleBox), mesh.count(middleBox));
+});
+
+test('a mesh that cannot be copied gives its room back', async () => {
+    // Says that it is shorter than it is.
+    class Short extends Float32Array {
+        get length() {
+            return super.length - 9;
+        }
+    }
+    const tribox = await load(), refused = () => assert.throws(() => tribox.mesh({ positions: new Short(90000) }), RangeError);
+    refused();
+    const bytes = bytesOf(tribox);
+    for (let k = 0; k < 30; k++)
+        refused();
+    assert.equal(bytesOf(tribox), bytes);
+});
+
 test('masks in the memory are written without a copy', async () => {
     const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), mesh = tribox.mesh({ positions });
     const into = tribox.mask(COUNT), insideInto = tribox.mask(COUNT), bytes = bytesOf(tribox);

@@ -98,8 +98,11 @@ export function optionNumbers(options = {}) {
 /** What all calls know. */
 export const optionKeys = ['accuracy', 'axes', 'order'];
 
-/** The positions and indices of a mesh, and its numbers of vertices and triangles. */
-export function meshArrays(mesh, kinds, otherwise) {
+/** The numbers, copied if they lie in the memory itself: such a view dies when the memory grows for what is made of them. */
+const lasting = (numbers, memory) => (numbers?.buffer === memory.buffer ? numbers.slice() : numbers);
+
+/** The positions and indices of a mesh that is to be copied into the memory, and its numbers of vertices and triangles. */
+export function meshArrays(memory, mesh, kinds, otherwise) {
     if (!isObject(mesh))
         throw new TypeError(`mesh = ${shown(mesh)}: give {positions, indices}`);
     const { positions, indices = null } = mesh;
@@ -115,7 +118,8 @@ export function meshArrays(mesh, kinds, otherwise) {
     const vertices = positions.length / 3;
     if (indices)
         checkIndices(indices, vertices);
-    return { positions, indices, vertices, count: (indices ?? positions).length / (indices ? 3 : 9) };
+    const count = (indices ?? positions).length / (indices ? 3 : 9);
+    return { positions: lasting(positions, memory), indices: lasting(indices, memory), vertices, count };
 }
 
 function checkIndices(indices, vertices) {

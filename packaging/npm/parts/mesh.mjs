@@ -10,7 +10,8 @@ export class Mesh extends Triangles {
     #positions;
 
     constructor(memory, mesh) {
-        const { positions, indices, vertices, count } = meshArrays(mesh, kinds, () => 'give a Float64Array or a Float32Array');
+        const { positions, indices, vertices, count } = meshArrays(memory, mesh, kinds,
+            () => 'give a Float64Array or a Float32Array');
         const bytes = MESH_BYTES + positions.byteLength + (indices?.byteLength ?? 0);
         const room = memory.take(bytes, `a mesh of ${count} triangles`);
         super(memory, [room], 'mesh', 'tribox_overlap_indexed_f64', '_f64');
@@ -18,12 +19,17 @@ export class Mesh extends Triangles {
         Object.defineProperty(this, 'length', { value: count, enumerable: true });
         this.#address = room;
         this.#positions = { Kind, at: room + MESH_BYTES, length: positions.length };
-        this.positions.set(positions);
-        const at = room + MESH_BYTES + positions.byteLength;
-        if (indices)
-            new indices.constructor(memory.buffer, at, indices.length).set(indices);
-        memory.words(room, MESH_BYTES / 4).set([
-            room + MESH_BYTES, 0, vertices, indices ? at : 0, indices?.BYTES_PER_ELEMENT ?? 0, count, Kind.BYTES_PER_ELEMENT, 0]);
+        try {
+            this.positions.set(positions);
+            const at = room + MESH_BYTES + positions.byteLength;
+            if (indices)
+                new indices.constructor(memory.buffer, at, indices.length).set(indices);
+            memory.words(room, MESH_BYTES / 4).set([room + MESH_BYTES, 0, vertices, indices ? at : 0,
+                indices?.BYTES_PER_ELEMENT ?? 0, count, Kind.BYTES_PER_ELEMENT, 0]);
+        } catch (error) {
+            this.free();
+            throw error;
+        }
     }
 
     get address() {

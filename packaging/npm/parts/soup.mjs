@@ -114,7 +114,7 @@ function spread(soup, positions, indices) {
 }
 
 export function soupOf(memory, mesh, options) {
-    const { positions, indices, count } = meshArrays(mesh, [Float32Array], refusePositions);
+    const { positions, indices, count } = meshArrays(memory, mesh, [Float32Array], refusePositions);
     checkKeys(options, ['sort']);
     const soup = new Soup(memory, count);
     spread(soup, positions, indices);
