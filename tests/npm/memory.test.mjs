@@ -277,6 +277,29 @@ test('out of memory is an error, after which there is as much as before', async 
     assert.throws(() => tribox.voxels({ origin: [0, 0, 0], cell: 1, size: [2 ** 17, 2 ** 17, 2 ** 17] }), /out of memory|grid/);
 });
 
+test('calls with into take no memory, nor do counts and places', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), mesh = tribox.mesh({ positions });
+    const into = tribox.mask(COUNT), insideInto = tribox.mask(COUNT), cells = tribox.voxels(grid), own = soup.classify(middleBox);
+    const expected = [own.mask.words, own.insideMask.words, own.overlapping];
+    exhaust(tribox);
+    for (const asked of [soup, index, mesh]) {
+        assert.throws(() => asked.classify(middleBox, { into }), /^TriboxError: out of memory: a mask/);
+        asked.classify(middleBox, { into, insideInto });
+        assert.deepEqual([into.words, insideInto.words, asked.count(middleBox)], expected);
+        into.words.fill(0);
+        asked.overlap(middleBox, { into });
+        assert.deepEqual(into.words, own.mask.words);
+    }
+    for (const asked of [soup, index])
+        assert.ok(asked.overlap(oriented, { into }).overlapping > 0);
+    for (const asked of [soup, mesh])
+        assert.deepEqual([asked.first(middleBox), asked.firstMiss(middleBox)], [soup.first(middleBox), soup.firstMiss(middleBox)]);
+    assert.ok(index.any(middleBox) >= 0);
+    assert.ok(soup.voxelize(cells, { into: cells }).count() > 0);
+    index.update();
+    assert.throws(() => index.list(middleBox), TriboxError);
+});
+
 test('addresses beyond 2 GiB serve', async () => {
     const tribox = await load(), low = tribox.soup({ positions }), { exports } = tribox;
     while (exports.malloc(2 ** 20) >= 0);

@@ -5,20 +5,26 @@ import { placeIn, Questions } from './questions.mjs';
 
 const INDEX_BYTES = 8, LINE = 64;
 
+// What classify finds of 64 triangles: which overlap, which lie inside, and the number of the 64. There is room for it from the
+// beginning, so that classify takes none.
+const FOUND_BYTES = 20;
+
 // The numbers that most lists have room for. Longer ones are asked for twice.
 const LIST_ROOM = 1024;
 
 export class Index extends Questions {
     #address;
     #nodes;
+    #found;
     #soup;
 
     constructor(memory, soup) {
-        const bytes = memory.exports.tribox_index_bytes(soup.length) >>> 0;
-        const room = memory.take(bytes + INDEX_BYTES + LINE, `an index of ${soup.length} triangles`);
+        const bytes = 8 * Math.ceil((memory.exports.tribox_index_bytes(soup.length) >>> 0) / 8), words = maskWords(soup.length) / 2;
+        const room = memory.take(INDEX_BYTES + LINE + bytes + FOUND_BYTES * words, `an index of ${soup.length} triangles`);
         super(memory, [room], 'index', 'tribox_index_overlap');
         this.#address = room;
         this.#nodes = LINE * Math.ceil((room + INDEX_BYTES) / LINE);
+        this.#found = this.#nodes + bytes;
         this.#soup = soup;
         memory.call('tribox_index_build', soup.address, 0, this.#nodes, this.#address);
     }
@@ -55,18 +61,16 @@ export class Index extends Questions {
         const words = maskWords(this.length), most = words / 2;
         memory.words(hit, words).fill(0);
         memory.words(inside, words).fill(0);
-        memory.borrow(20 * most, 'the words of an index', (bits) => {
-            const insides = bits + 8 * most, numbers = insides + 8 * most;
-            memory.call('tribox_index_words', ...first, most, numbers, bits, insides, memory.number, memory.report);
-            const found = memory.readNumber(), places = memory.words(numbers, found);
-            for (const [to, from] of [[hit, bits], [inside, insides]]) {
-                const mask = memory.words(to, words), written = memory.words(from, 2 * found);
-                for (let k = 0; k < found; k++) {
-                    mask[2 * places[k]] = written[2 * k];
-                    mask[2 * places[k] + 1] = written[2 * k + 1];
-                }
+        const bits = this.#found, insides = bits + 8 * most, numbers = insides + 8 * most;
+        memory.call('tribox_index_words', ...first, most, numbers, bits, insides, memory.number, memory.report);
+        const found = memory.readNumber(), places = memory.words(numbers, found);
+        for (const [to, from] of [[hit, bits], [inside, insides]]) {
+            const mask = memory.words(to, words), written = memory.words(from, 2 * found);
+            for (let k = 0; k < found; k++) {
+                mask[2 * places[k]] = written[2 * k];
+                mask[2 * places[k] + 1] = written[2 * k + 1];
             }
-        });
+        }
     }
 
     list(box, options) {
