@@ -48,7 +48,7 @@ export interface Options {
 }
 
 export interface OverlapOptions extends Options {
-    /** A mask of tribox.mask(soup.length) to write, in place of a new one: nothing is copied or allocated. */
+    /** A mask of tribox.mask(soup.length) to write, in place of a new one: it is neither copied nor allocated. */
     readonly into?: Mask;
 }
 
@@ -138,8 +138,8 @@ export interface Soup extends Freeable {
     readonly length: number;
     /**
      * x[v][i] is the x of vertex v (0, 1, 2) of triangle i: views of the memory, without a copy. They die when the memory grows,
-     * which any call may do that allocates (soup, mesh, mask, voxels, index; others, the first time). So do not keep them: each
-     * look at the property makes new ones.
+     * which may be caused by whatever makes something (soup, allocSoup, mesh, mask, voxels, index), by Index.list, and by calls
+     * that return masks or voxels without `into`. So do not keep them: each look at the property makes new ones.
      */
     readonly x: readonly [Float32Array, Float32Array, Float32Array];
     readonly y: readonly [Float32Array, Float32Array, Float32Array];
@@ -167,7 +167,10 @@ export interface Soup extends Freeable {
     bounds(): { lo: [number, number, number]; hi: [number, number, number] } | null;
 }
 
-/** An index over a soup: the same answers, sooner. It pays where triangles near in number are near in space: see SoupOptions. */
+/**
+ * An index over a soup: the same answers, sooner. It pays where triangles near in number are near in space: see SoupOptions. The
+ * soup alone has first and firstMiss; any says sooner whether some triangle overlaps.
+ */
 export interface Index extends Freeable {
     readonly soup: Soup;
     overlap(box: Box | OrientedBox, options?: OverlapOptions): Overlap;
