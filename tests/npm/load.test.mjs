@@ -84,6 +84,19 @@ const worker = `
     });
     parentPort.postMessage('ready');`;
 
+test('shares of any size join as the README says', async () => {
+    const example = readFileSync(path.join(folder, 'README.md'), 'utf8').match(/## Workers[^]*?```js\n([^]*?)```/)[1];
+    const AsyncFunction = (async () => {}).constructor;
+    const joined = new AsyncFunction('positions', 'workers', 'ask', `${example}return words;`);
+    const tribox = await load(), ask = async (part) => tribox.soup({ positions: part }).overlap(middleBox).mask.words;
+    for (const count of [0, 1, 63, 64, 65, 96, 128, 192, 300, 1000])
+        for (const workers of [1, 2, 3, 4, 7]) {
+            const some = positions.subarray(0, 9 * count), words = await joined(some, workers, ask), whole = await ask(some);
+            assert.deepEqual(words.slice(0, whole.length), whole, `${count} triangles, ${workers} Workers`);
+            assert.ok(words.subarray(whole.length).every((word) => word === 0));
+        }
+});
+
 test('two Workers answer for half the triangles each', async () => {
     const { module } = await load(), split = 512 * 9;
     const heard = (one) => new Promise((resolve, reject) => one.once('message', resolve).once('error', reject));
