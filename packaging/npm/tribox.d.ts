@@ -3,7 +3,8 @@
 
 /**
  * Where tribox.wasm comes from: an address, a response, its bytes, or a module that is compiled already (which can be posted to
- * Workers). Without one it is looked for beside tribox.mjs.
+ * Workers). Without one it is looked for beside tribox.mjs. Where there is no page, as in Node.js, addresses are whole ones: a
+ * file: URL, and not a path.
  */
 export type Source = string | URL | Response | PromiseLike<Response> | BufferSource | WebAssembly.Module;
 

@@ -85,7 +85,13 @@ function checkModule(module) {
 }
 
 /** Addresses may be relative to the page or the worker, where there is one. */
-const addressOf = (source) => new URL(source, globalThis.document?.baseURI ?? globalThis.location?.href);
+function addressOf(source) {
+    try {
+        return new URL(source, globalThis.document?.baseURI ?? globalThis.location?.href);
+    } catch (error) {
+        throw new TypeError(`source = ${shown(source)} is no whole address: give a file: URL or the bytes`, { cause: error });
+    }
+}
 
 export async function load(source = new URL('./tribox.wasm', import.meta.url)) {
     const given = await source;

@@ -55,6 +55,8 @@ test('loads from a server', () => serving(async (address) => {
 test('says what it cannot load', async () => {
     for (const source of [7, {}, null, [], true])
         await assert.rejects(load(source), { name: 'TypeError', message: /^source = .*: give an address, a Response, bytes or a WebAss/ });
+    for (const address of ['tribox.wasm', './parts/tribox.wasm', file, ''])
+        await assert.rejects(load(address), { name: 'TypeError', message: /^source = ".*" is no whole address: give a file: URL or/ });
     for (const broken of [new Uint8Array(), bytes.subarray(0, 9999), Uint8Array.of(0, 1, 2, 3), ofType('application/wasm', 'hello')])
         await assert.rejects(load(broken), (error) => error instanceof TriboxError && /^tribox\.wasm does not compile: .*SIMD/.test(error.message)
             && error.cause instanceof WebAssembly.CompileError);
