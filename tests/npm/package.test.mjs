@@ -150,5 +150,7 @@ test('has what its types say', async () => {
         for (const member of [...members, ...('free' in object ? ['free', Symbol.dispose] : [])])
             assert.ok(member in object, `${name}.${String(member)}`);
     }
+    const [, row] = textOf(folder, 'README.md').match(/\| `soup\.index\(\)` \| (.*) \|/), named = [...row.matchAll(/`(\w+)`/g)];
+    assert.deepEqual(named.map((match) => match[1]).concat('soup', 'update').sort(), membersOf('Index').sort());
     assert.deepEqual(Object.keys(made.Classes).sort(), [...membersOf('Classes'), ...membersOf('Overlap')].sort());
 });

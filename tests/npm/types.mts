@@ -32,6 +32,8 @@ soup.overlap({ ...oriented, axis: [[1, 0, 0]] });
 soup.classify(oriented);
 // @ts-expect-error nor does a mesh
 mesh.overlap(oriented);
+// @ts-expect-error the soup has first
+soup.index().first(box);
 // @ts-expect-error there is no such accuracy
 soup.overlap(box, { accuracy: 'Exact' });
 // @ts-expect-error there is no such option
