@@ -72,6 +72,16 @@ test('views of the memory are read as they were, though it grows for what is mad
     assert.deepEqual(tribox.soup({ positions }, { sort: true }).count(middleBox), mesh.count(middleBox));
 });
 
+test('views that died are refused', async () => {
+    const tribox = await load(), view = tribox.mesh({ positions }).positions, indices = new Uint32Array(6);
+    grow(tribox);
+    structuredClone(indices, { transfer: [indices.buffer] });
+    for (const make of ['soup', 'mesh']) {
+        assert.throws(() => tribox[make]({ positions: view }), { name: 'TypeError', message: /^mesh\.positions is a view of a memo/ });
+        assert.throws(() => tribox[make]({ positions, indices }), { name: 'TypeError', message: /^mesh\.indices is a view of a memory/ });
+    }
+});
+
 test('a mesh that cannot be copied gives its room back', async () => {
     // Says that it is shorter than it is.
     class Short extends Float32Array {

@@ -101,6 +101,15 @@ export const optionKeys = ['accuracy', 'axes', 'order'];
 /** The numbers, copied if they lie in the memory itself: such a view dies when the memory grows for what is made of them. */
 const lasting = (numbers, memory) => (numbers?.buffer === memory.buffer ? numbers.slice() : numbers);
 
+/** Throws if the numbers are gone, which leaves an empty view. */
+function checkThere(numbers, name) {
+    try {
+        new Uint8Array(numbers.buffer);
+    } catch {
+        throw new TypeError(`${name} is a view of a memory that has grown since, or was posted away: make the view anew`);
+    }
+}
+
 /** The positions and indices of a mesh that is to be copied into the memory, and its numbers of vertices and triangles. */
 export function meshArrays(memory, mesh, kinds, otherwise) {
     if (!isObject(mesh))
@@ -110,6 +119,9 @@ export function meshArrays(memory, mesh, kinds, otherwise) {
         throw new TypeError(`mesh.positions = ${shown(positions)}: ${otherwise(positions)}`);
     if (indices !== null && !isTypedArray(indices, [Uint32Array, Uint16Array]))
         throw new TypeError(`mesh.indices = ${shown(indices)}: give a Uint32Array or a Uint16Array`);
+    checkThere(positions, 'mesh.positions');
+    if (indices)
+        checkThere(indices, 'mesh.indices');
     if (positions.length % (indices ? 3 : 9))
         throw new RangeError(`mesh.positions has ${positions.length} numbers: give ${
             indices ? 'three a vertex' : 'nine a triangle, or indices'}`);
