@@ -16,38 +16,40 @@ FILE *named_file_open(const char *path, const char *mode)
     return windows_file_open(path, mode[0] == 'r' ? &reading : &writing);
 }
 
-bool named_file_about(const char *path, file_about *about)
+static bool describe(HANDLE file, file_about *about)
 {
-    WIN32_FILE_ATTRIBUTE_DATA found;
-    wchar_t *const wide = wide_of_utf8(path);
-    const bool is_found = wide && GetFileAttributesExW(wide, GetFileExInfoStandard, &found);
-    const DWORD error = GetLastError();
-    free(wide);
-    SetLastError(error);
-    if (!is_found)
+    BY_HANDLE_FILE_INFORMATION found;
+    *about = (file_about){FILE_KIND_OTHER, 0};
+    if (GetFileType(file) != FILE_TYPE_DISK)
+        return true;
+    if (!GetFileInformationByHandle(file, &found))
         return windows_file_failed();
-    about->kind = found.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY ? FILE_KIND_FOLDER
-                  : found.dwFileAttributes & FILE_ATTRIBUTE_DEVICE  ? FILE_KIND_OTHER
-                                                                    : FILE_KIND_REGULAR;
+    about->kind = found.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY ? FILE_KIND_FOLDER : FILE_KIND_REGULAR;
     about->size = (uint64_t)found.nFileSizeHigh << 32 | found.nFileSizeLow;
     return true;
 }
 
-bool named_file_about_open(FILE *stream, file_about *about)
+/* By a handle: attributes asked for by name are those of a link itself, whose size is 0. */
+bool named_file_about(const char *path, file_about *about)
 {
-    const HANDLE file = (HANDLE)_get_osfhandle(_fileno(stream));
-    LARGE_INTEGER size = {.QuadPart = 0};
-    about->kind = GetFileType(file) == FILE_TYPE_DISK ? FILE_KIND_REGULAR : FILE_KIND_OTHER;
-    if (about->kind == FILE_KIND_REGULAR && !GetFileSizeEx(file, &size))
-        return windows_file_failed();
-    about->size = (uint64_t)size.QuadPart;
-    return true;
+    const HANDLE file = windows_file_behind(path);
+    if (file == INVALID_HANDLE_VALUE)
+        return false;
+    const bool is_told = describe(file, about);
+    const int reason = errno;
+    CloseHandle(file);
+    errno = reason;
+    return is_told;
 }
+
+bool named_file_about_open(FILE *stream, file_about *about) { return describe((HANDLE)_get_osfhandle(_fileno(stream)), about); }
 
 bool named_file_is_there(const char *path)
 {
-    file_about about;
-    return named_file_about(path, &about) || errno != ENOENT;
+    wchar_t *const wide = wide_of_utf8(path);
+    const bool is_there = wide && (GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES || windows_file_failed() || errno != ENOENT);
+    free(wide);
+    return is_there;
 }
 
 size_t named_file_folder(const char *path)

@@ -42,15 +42,28 @@ static FILE *stream_of(HANDLE file, const char *mode)
     return stream;
 }
 
-FILE *windows_file_open(const char *path, const windows_way *way)
+static HANDLE open_by(const char *path, const windows_way *way, DWORD shared)
 {
     wchar_t *const wide = wide_of_utf8(path);
     if (!wide)
-        return NULL;
-    const HANDLE file =
-        CreateFileW(wide, way->access, FILE_SHARE_READ | FILE_SHARE_DELETE, NULL, way->disposition, way->flags, NULL);
-    const DWORD error = GetLastError();
+        return INVALID_HANDLE_VALUE;
+    const HANDLE file = CreateFileW(wide, way->access, shared, NULL, way->disposition, way->flags, NULL);
+    if (file == INVALID_HANDLE_VALUE)
+        windows_file_failed();
+    const int reason = errno;
     free(wide);
-    SetLastError(error);
-    return file != INVALID_HANDLE_VALUE ? stream_of(file, way->mode) : (windows_file_failed(), NULL);
+    errno = reason;
+    return file;
+}
+
+FILE *windows_file_open(const char *path, const windows_way *way)
+{
+    const HANDLE file = open_by(path, way, FILE_SHARE_READ | FILE_SHARE_DELETE);
+    return file == INVALID_HANDLE_VALUE ? NULL : stream_of(file, way->mode);
+}
+
+HANDLE windows_file_behind(const char *path)
+{
+    static const windows_way asking = {0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, NULL}; /* folders, too */
+    return open_by(path, &asking, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE);
 }
