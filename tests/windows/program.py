@@ -147,6 +147,18 @@ class Files(Windows):
         self.assertEqual(read(out)[:6], b"\x93NUMPY")
         self.assertEqual(stat.S_IMODE(os.stat(out).st_mode) & 0o400, 0o400)
 
+    def test_links(self):
+        """The file that a symbolic link leads to is written, wherever it is, and the link stays."""
+        os.mkdir(self.path("elsewhere"))
+        real = self.write("elsewhere/h\u00e9.npy", "what was there")
+        os.symlink("elsewhere/h\u00e9.npy", self.path("link.npy"))
+        os.symlink("link.npy", self.path("link_to_link.npy"))
+        self.succeed("voxelize", self.mesh, "--resolution", "9", "--quiet", "-o", self.path("link_to_link.npy"))
+        self.assertEqual(os.readlink(self.path("link_to_link.npy")), "link.npy")
+        self.assertEqual(os.readlink(self.path("link.npy")), "elsewhere/h\u00e9.npy")
+        self.assertEqual(read(real)[:6], b"\x93NUMPY")
+        self.assertEqual(os.listdir(self.path("elsewhere")), ["h\u00e9.npy"])
+
 
 class Refused(Windows):
     def tearDown(self):

@@ -1,4 +1,5 @@
 /* new_file_windows.c - new files by CreateFileW, which others may remove while they are open, as interrupt_windows.c does. */
+#define _WIN32_WINNT 0x0601
 #include "new_file.h"
 
 #include <errno.h>
@@ -94,7 +95,37 @@ void new_file_remove_folder(const char *name)
     free(wide);
 }
 
-char *new_file_target(const char *path) { return _strdup(path); }
+static bool is_link(const char *path)
+{
+    wchar_t *const wide = wide_of_utf8(path);
+    const DWORD attributes = wide ? GetFileAttributesW(wide) : INVALID_FILE_ATTRIBUTES;
+    free(wide);
+    return attributes != INVALID_FILE_ATTRIBUTES && attributes & FILE_ATTRIBUTE_REPARSE_POINT;
+}
+
+static char *name_of(HANDLE file)
+{
+    const DWORD room = GetFinalPathNameByHandleW(file, NULL, 0, FILE_NAME_NORMALIZED);
+    wchar_t *const wide = malloc((room + 1) * sizeof *wide);
+    const DWORD length = wide && room ? GetFinalPathNameByHandleW(file, wide, room, FILE_NAME_NORMALIZED) : 0;
+    char *const name = length && length < room ? utf8_of_wide(wide) : (windows_file_failed(), NULL);
+    free(wide);
+    return name;
+}
+
+/* What is no link keeps its name where there is no other: there is no such file yet, or its drive tells none. */
+char *new_file_target(const char *path)
+{
+    const HANDLE file = windows_file_behind(path);
+    char *const name = file == INVALID_HANDLE_VALUE ? NULL : name_of(file);
+    const int reason = errno;
+    if (file != INVALID_HANDLE_VALUE)
+        CloseHandle(file);
+    if (!name && !is_link(path))
+        return _strdup(path);
+    errno = reason;
+    return name;
+}
 
 char *new_file_passing_folder(void)
 {
