@@ -46,10 +46,13 @@ static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
         out->name[i] = within(out->beside, names[i]);
         if (!out->name[i])
             return message_failure("%s: out of memory", out->path);
+        interrupt_hold();
         interrupt_watch(out->name[i]);
         out->file[i] = named_file_open(out->name[i], "wb");
+        const int reason = errno;
+        interrupt_release();
         if (!out->file[i])
-            return fail(out, errno);
+            return fail(out, reason);
     }
     return EXIT_CODE_OK;
 }
