@@ -5,6 +5,7 @@ program.py HERE WINE FOLDER [TEST...]: the program of this machine, wine.sh, and
 
 import json
 import os
+import pty
 import signal
 import stat
 import struct
@@ -233,6 +234,28 @@ class Interrupted(Windows):
             self.assertEqual(self.what_stays(left), set(), command)
             self.assert_one_line(said, "interrupted: nothing was written; run ")
         self.assertEqual(read(self.path("x.npz")), b"what was there")
+
+    def end_in_console(self, *arguments):
+        """Presses Ctrl-C once a run in a console shows UTF-8 there and, if it writes, has begun to. What in_console says last."""
+        screen, console = pty.openpty()
+        command = subprocess.list2cmdline(["tools/tribox.exe", *arguments])
+        process = subprocess.Popen([WINE, BUILD, "in_console.exe", command], cwd=BUILD, stdin=subprocess.PIPE, stdout=console,
+                                   stderr=subprocess.PIPE)
+        self.assertEqual(process.stderr.readline().rstrip(), b"shows UTF-8")
+        deadline = time.monotonic() + 60
+        while "-o" in arguments and os.listdir(self.folder) == ["mesh.f32"] and time.monotonic() < deadline:
+            time.sleep(0.001)
+        said = process.communicate(b"\n", timeout=60)[1].decode().splitlines()[-1]
+        os.close(screen)
+        os.close(console)
+        return said
+
+    def test_console_left_as_it_was(self):
+        for arguments in (("voxelize", self.mesh, *self.GRID, "--quiet", "-o", self.path("x.npz")),
+                          ("overlap", "-", "--format", "f32", "--box", support.UNIT_BOX)):
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.end_in_console(*arguments), "leaves 437")
+            self.assertEqual(self.what_stays(set(os.listdir(self.folder)) - {"mesh.f32"}), set())
 
     def test_killed(self):
         self.write("x.npy", "what was there")

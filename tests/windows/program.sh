@@ -9,4 +9,6 @@ if x86_64-w64-mingw32-objdump -p "$folder/tools/tribox.exe" | sed -n 's/.*DLL Na
     echo "tribox.exe needs these beside the libraries of the system" >&2
     exit 1
 fi
+x86_64-w64-mingw32-gcc-posix -std=c11 -Wall -Wextra -Werror -D__USE_MINGW_ANSI_STDIO=1 "$here/in_console.c" \
+    -o "$folder/in_console.exe"
 exec "$python" -B "$here/program.py" "$program" "$here/wine.sh" "$folder"

@@ -8,6 +8,7 @@
 #include <windows.h>
 
 #include "message.h"
+#include "terminal.h"
 #include "wide_text.h"
 
 enum { WATCHED_MOST = 16 };
@@ -54,6 +55,7 @@ static BOOL WINAPI clean(DWORD event)
         if (watched[i])
             clean_one(watched[i]);
     WriteFile(GetStdHandle(STD_ERROR_HANDLE), line, (DWORD)strlen(line), &written, NULL);
+    terminal_end();
     TerminateProcess(GetCurrentProcess(), STATUS_CONTROL_C_EXIT); /* as the system would, but before the others go on */
     return TRUE;
 }

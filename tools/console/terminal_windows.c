@@ -12,7 +12,19 @@ enum { LINE_BYTES = 1024 };
 
 static UINT code_page_before;
 
-static void restore_code_page(void) { SetConsoleOutputCP(code_page_before); }
+void terminal_end(void)
+{
+    if (code_page_before)
+        SetConsoleOutputCP(code_page_before);
+}
+
+/* The system ends the program after this one, without atexit. */
+static BOOL WINAPI end_interrupted(DWORD event)
+{
+    (void)event;
+    terminal_end();
+    return FALSE;
+}
 
 bool terminal_is(FILE *stream)
 {
@@ -30,8 +42,9 @@ static void prepare_streams(void)
     if (!terminal_is(stdout) && !terminal_is(stderr))
         return;
     code_page_before = GetConsoleOutputCP();
+    atexit(terminal_end);
+    SetConsoleCtrlHandler(end_interrupted, TRUE);
     SetConsoleOutputCP(CP_UTF8);
-    atexit(restore_code_page);
 }
 
 char **terminal_begin(int *count, char **words)
