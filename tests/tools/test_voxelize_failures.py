@@ -129,15 +129,16 @@ class NothingHalfWritten(Failures):
         os.umask(mask)
         self.assertEqual(os.stat(self.path("new.npy")).st_mode & 0o777, 0o666 & ~mask)
 
-    def interrupt(self, number):
+    def interrupt(self, number, times=1):
         self.write("big.npy", "what was there")
-        self.there = sorted(self.there + ["big.npy"])
+        self.there = sorted({*self.there, "big.npy"})
         process = subprocess.Popen([support.program(), "voxelize", self.mesh, "--resolution", "900", "--quiet", "-o",
                                     self.path("big.npy")], stderr=subprocess.PIPE)
         deadline = time.monotonic() + 60
         while sorted(os.listdir(self.folder)) == self.there and time.monotonic() < deadline:
             time.sleep(0.001)
-        process.send_signal(number)
+        for _ in range(times):
+            os.kill(process.pid, number)
         error = process.communicate()[1]
         self.assertEqual(process.returncode, -number)
         return set(os.listdir(self.folder)) - set(self.there), error.decode()
@@ -148,6 +149,21 @@ class NothingHalfWritten(Failures):
         self.assertEqual(left, set())
         self.assert_one_line(error, "^tribox voxelize: interrupted: nothing was written; run it again$")
         self.assertEqual(volumes.read(self.path("big.npy")), b"what was there")
+
+    def test_interrupted_twice(self):
+        """At once, as programs with a limit of time do it: to the child and to its group."""
+        for _ in range(20):
+            left, error = self.interrupt(signal.SIGTERM, times=2)
+            self.assertEqual(left, set())
+            self.assert_one_line(error, "^tribox voxelize: interrupted: nothing was written; run it again$")
+
+    def test_binvox_of_a_long_grid(self):
+        """The cube that binvox fills up a grid to is not written on where the disk is full, nor begun where it cannot be counted."""
+        for size in ("100,20000,100", "20000,100,100"):
+            self.refuse(1, "long.binvox: cannot write all of it", "voxelize", self.mesh, "--cell", "1", "--origin", "0,0,0", "--size",
+                        size, "-o", self.path("long.binvox"), limit=(resource.RLIMIT_FSIZE, 20000))
+        self.refuse(1, r"long.binvox: binvox fills a grid up to a cube, here of 3000000\^3 cells, and 2097152\^3 are the most",
+                    "voxelize", self.mesh, "--cell", "1", "--origin", "0,0,0", "--size", "1,3000000,1", "-o", self.path("long.binvox"))
 
     def test_killed(self):
         """Here the unfinished file stays, which has a name of its own."""

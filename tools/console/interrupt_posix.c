@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -18,10 +19,13 @@ static const char *volatile watched[WATCHED_MOST];
 static char line[512];
 static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
 
-/* Nothing but what a handler may call. The action is reset by then, so that the signal ends the program. */
+/* Nothing but what a handler may call. Signals often come twice, the second perhaps to another thread, which waits for the end. */
 static void clean(int number)
 {
+    static atomic_flag is_cleaning = ATOMIC_FLAG_INIT;
     const int reason = errno;
+    while (atomic_flag_test_and_set(&is_cleaning))
+        pause();
     for (int i = WATCHED_MOST; i-- > 0;)
         if (watched[i] && unlink(watched[i]))
             rmdir(watched[i]);
@@ -29,6 +33,7 @@ static void clean(int number)
         errno = reason;
     if (write(STDERR_FILENO, line, strlen(line)) < 0)
         errno = reason;
+    signal(number, SIG_DFL);
     raise(number);
     errno = reason;
 }
@@ -44,8 +49,9 @@ static void start(void)
         interrupt_advise("nothing was written; run it again");
     memset(&action, 0, sizeof action);
     action.sa_handler = clean;
-    action.sa_flags = (int)SA_RESETHAND;
     sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+        sigaddset(&action.sa_mask, ends[i]);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
         if (!sigaction(ends[i], NULL, &before) && before.sa_handler == SIG_DFL)
             sigaction(ends[i], &action, NULL);

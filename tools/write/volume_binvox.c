@@ -4,8 +4,22 @@
 #include "console/message.h"
 #include "volume.h"
 
+/* Of the cube that a grid is filled up to: its cells can be counted. */
+enum { SIDE_MOST = 1 << 21 };
+
+static uint32_t longest(const tribox_grid_f64 *grid)
+{
+    uint32_t side = grid->size[0];
+    for (int a = 1; a < 3; a++)
+        side = grid->size[a] > side ? grid->size[a] : side;
+    return side;
+}
+
 int volume_check_binvox(const char *path, const tribox_grid_f64 *grid)
 {
+    if (longest(grid) > SIDE_MOST)
+        return message_failure("%s: binvox fills a grid up to a cube, here of %u^3 cells, and %d^3 are the most; choose .npz or .raw",
+                               path, longest(grid), (int)SIDE_MOST);
     if (grid->cell[0] == grid->cell[1] && grid->cell[1] == grid->cell[2])
         return EXIT_CODE_OK;
     return message_failure("%s: binvox takes cubic cells only, these are %.9g x %.9g x %.9g; give --cell one length, or "
@@ -22,7 +36,7 @@ typedef struct run {
 
 static void end_run(run *r)
 {
-    for (; r->length; r->length -= r->length < 255 ? r->length : 255) {
+    for (; r->length && !ferror(r->to); r->length -= r->length < 255 ? r->length : 255) {
         putc(r->value, r->to);
         putc(r->length < 255 ? (int)r->length : 255, r->to);
     }
@@ -34,14 +48,6 @@ static void add_cells(run *r, int value, uint64_t count)
         end_run(r);
     r->value = value;
     r->length += count;
-}
-
-static uint32_t longest(const tribox_grid_f64 *grid)
-{
-    uint32_t side = grid->size[0];
-    for (int a = 1; a < 3; a++)
-        side = grid->size[a] > side ? grid->size[a] : side;
-    return side;
 }
 
 /* The grid is placed where the mesh was before it was shifted. */
