@@ -615,7 +615,8 @@ TRIBOX_API size_t tribox_tiles(const uint32_t size[3], uint32_t tile);
  * starts: to - from + 1 numbers; written. The list of tile t is what lies from starts[t - from] to before starts[t - from + 1];
  *   the last number is the length of all lists.
  *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if tile is 0, if from > to, and if there are fewer tiles than `to`.
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if tile is 0, if from > to, if there are fewer tiles than `to`, and
+ * if there are more triangles.
  */
 TRIBOX_API tribox_status tribox_tiles_count(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
                                             const tribox_options *options, size_t *starts);
@@ -796,21 +797,27 @@ TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const trib
                                              const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
                                              tribox_report *report);
 
-/** tribox_tiles_count for such a mesh, of at most 2^32 triangles, and grid; tiles are as there. */
+/**
+ * tribox_tiles_count for such a mesh, of at most 2^32 triangles, and grid; tiles are as there. TRIBOX_BAD_INDEX if a triangle
+ * refers to a vertex that does not exist.
+ */
 TRIBOX_API tribox_status tribox_tiles_count_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
                                                 size_t to, const tribox_options *options, size_t *starts);
 
-/** tribox_tiles_fill for such a mesh and grid. */
+/** tribox_tiles_fill for such a mesh and grid; TRIBOX_BAD_INDEX as above. */
 TRIBOX_API tribox_status tribox_tiles_fill_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
                                                size_t to, const tribox_options *options, size_t *starts, uint32_t *list);
 
-/** tribox_voxelize_bricks for such a mesh and grid: EXACT has the cells of tribox_voxelize_f64. */
+/**
+ * tribox_voxelize_bricks for such a mesh and grid: EXACT has the cells of tribox_voxelize_f64. TRIBOX_BAD_INDEX also if a triangle
+ * of a list refers to a vertex that does not exist; others are not looked at.
+ */
 TRIBOX_API tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile,
                                                     size_t from, size_t to, const size_t *starts, const uint32_t *list,
                                                     const tribox_options *options, void *scratch, tribox_sink *sink, void *data,
                                                     tribox_report *report);
 
-/** tribox_fill_parity for such a mesh and grid. */
+/** tribox_fill_parity for such a mesh and grid; TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist. */
 TRIBOX_API tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint64_t *occupied,
                                                 uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows);
 

@@ -171,6 +171,19 @@ static bool are_all_below(const uint32_t *list, size_t count, size_t end)
     return !count || greatest < end;
 }
 
+/* Of the triangles of a list alone: a call about few tiles of a large mesh looks at few of its indices. */
+static bool have_vertices(const tribox_mesh *mesh, const uint32_t *list, size_t count)
+{
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    size_t greatest = 0;
+    for (size_t i = 0; i < count; i++)
+        for (size_t v = 0; v < 3; v++) {
+            const size_t number = tribox_vertex_number(mesh, bytes, 3 * (size_t)list[i] + v);
+            greatest = number > greatest ? number : greatest;
+        }
+    return greatest < mesh->vertices;
+}
+
 /* The environment of the sink is the caller's. */
 static tribox_status hand_on(share *s)
 {
@@ -180,7 +193,7 @@ static tribox_status hand_on(share *s)
         const size_t count = s->starts[t + 1] - s->starts[t];
         if (!count)
             continue;
-        if (!are_all_below(list, count, triangles))
+        if (!are_all_below(list, count, triangles) || (!s->soup && !have_vertices(&s->mesh, list, count)))
             return TRIBOX_BAD_INDEX;
         const window all = window_of(&s->tiling, s->tiling.from + t);
         window w = all;
@@ -271,7 +284,7 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
         return TRIBOX_BAD_GRID;
     if (!is_share(&s, grid->size, tile, from, to, starts, list))
         return TRIBOX_BAD_ARGUMENT;
-    if (!tribox_mesh_is_in_range(&s.mesh, s.plan.kernel, 0, mesh->count))
+    if (!mesh->indices && !tribox_mesh_is_in_range(&s.mesh, s.plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_INDEX;
     use_scratch(&s, scratch);
     return finish(&s, hand_on(&s), report);

@@ -264,6 +264,33 @@ static void test_lists(void **state)
     }
 }
 
+/* Wrong indices count in the triangles of a list alone. */
+static void test_indices(call *c)
+{
+    uint32_t corners[3 * COUNT];
+    tribox_report report;
+    for (uint32_t i = 0; i < 3 * COUNT; i++)
+        corners[i] = i;
+    c->mesh.vertices = 3 * COUNT;
+    c->mesh.indices = corners;
+    c->mesh.index_bytes = sizeof *corners;
+    assert_int_equal(voxelize(c, &report), TRIBOX_OK);
+    for (uint32_t i = 0; i < 3 * COUNT; i++) {
+        bool is_listed = false;
+        for (size_t at = 0; at < c->starts[TILES]; at++)
+            is_listed |= c->list[at] == i / 3;
+        corners[i] = 3 * COUNT;
+        assert_int_equal(voxelize(c, &report), is_listed ? TRIBOX_BAD_INDEX : TRIBOX_OK);
+        corners[i] = i;
+    }
+    for (size_t at = 0; at < c->starts[TILES]; at++)
+        c->list[at] = 0;
+    corners[3 * COUNT - 1] = UINT32_MAX;
+    assert_int_equal(voxelize(c, &report), TRIBOX_OK);
+    c->mesh.indices = NULL;
+    c->mesh.index_bytes = 0;
+}
+
 /* Vertices that a mesh does not have, and none at all. */
 static void test_meshes(void **state)
 {
@@ -271,6 +298,7 @@ static void test_meshes(void **state)
     call *const c = right_call(true);
     c->mesh.vertices = 3 * COUNT - 1;
     check_all(c, TRIBOX_BAD_INDEX);
+    test_indices(c);
     c->mesh.vertices = 3 * COUNT;
     c->mesh.position_bytes = 5;
     check_all(c, TRIBOX_BAD_ARGUMENT);
