@@ -96,7 +96,7 @@ def bricks(triangles: TrianglesLike, origin: Vector, cell: Cell, size: Cells, *,
     Raises errors as voxelize does. Bricks take 76 bytes each; a surface has 64 to 69 cells in each, however fine the grid.
     """
     held_, options, threads_ = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads)
-    listing = options_of("exact" if accuracy == "exact" else "conservative", axes, 0, kernel)
+    listing = options_of("exact", axes, 0, kernel) # as a Partition's: cells that are not exact depend on which tiles are asked
     grid = grid_for(held_, origin, cell, size)
     check_grid(grid, options, axes, origin=origin, cell=cell, size=size)
     tiling = Tiling(grid, tile_of(tile))

@@ -51,6 +51,19 @@ class Shards(support.TestCase):
         self.assertEqual([f["first_tile"] for f in found], [sum(tiles[:n]) for n in range(shards)])
         self.check_merge([self.path("p%d.part" % n) for n in range(shards, 0, -1)])
 
+    def test_other_accuracies(self):
+        """A triangle whose rounded cells reach into a tile that it does not touch itself."""
+        corners = ((float.fromhex("0x1.fffffep-38"), float.fromhex("0x1.000002p+8"), .5),
+                   (float.fromhex("0x1.fffffcp+7"), 0, .5), (1, 1, .5))
+        mesh = self.write("long.ply", meshes.ply_binary([corners]))
+        grid = ("--cell", "1", "--origin", "0,0,0", "--size", "384,384,8")
+        for accuracy in ("conservative", "fast"):
+            options = ("--accuracy", accuracy)
+            whole = json.loads(self.succeed("voxelize", mesh, *grid, *options, "--json", "-o", self.path("one.npz")))
+            merged = self.merge(self.parts(2, *options, mesh=mesh, grid=grid), "two.npz")
+            self.assertEqual((merged["occupied"], merged["bricks"]), (whole["occupied"], whole["bricks"]))
+            self.assertEqual(volumes.read(self.path("two.npz")), volumes.read(self.path("one.npz")))
+
     def test_any_number(self):
         for shards in (1, 2, 3, 7, 64):
             self.check_shards(shards, "--threads", str(1 + shards % 3))

@@ -83,7 +83,9 @@ static int make_records(tile_set *set, bool has_work)
 int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set)
 {
     *set = (tile_set){.task = *task, .tile = tile_set_side(task->size), .listing = *task->options};
-    set->listing.accuracy = has_work ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE; /* shards are the same on every processor */
+    /* Shards are the same on every processor, and in sum the whole: only exact cells are not decided by which tiles are asked. */
+    const bool is_exact = has_work || task->options->accuracy != TRIBOX_EXACT;
+    set->listing.accuracy = is_exact ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE;
     if (!set->tile)
         return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", task->size[0],
                                task->size[1], task->size[2]);
