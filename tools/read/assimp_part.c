@@ -137,11 +137,9 @@ static bool refuse(char *reason)
     return false;
 }
 
-/* Cuts polygons, and counts. */
-static bool prepare(const struct aiScene *scene, assimp_counts *counts, char *reason)
+/* Cuts polygons, and counts. What fails has released the scene, as libassimp does. */
+static bool cut(const struct aiScene *scene, assimp_counts *counts, char *reason)
 {
-    if (!check_indices(scene, reason))
-        return false;
     const faces before = faces_of(scene);
     if (before.to_cut && !aiApplyPostProcessing(scene, aiProcess_Triangulate))
         return refuse(reason);
@@ -155,12 +153,15 @@ static bool prepare(const struct aiScene *scene, assimp_counts *counts, char *re
 static const void *open_scene(const char *path, assimp_counts *counts, char *reason)
 {
     const struct aiScene *const scene = aiImportFile(path, 0);
-    if (!scene)
+    if (!scene) {
         refuse(reason);
-    else if (prepare(scene, counts, reason))
-        return scene;
-    aiReleaseImport(scene);
-    return NULL;
+        return NULL;
+    }
+    if (!check_indices(scene, reason)) {
+        aiReleaseImport(scene);
+        return NULL;
+    }
+    return cut(scene, counts, reason) ? scene : NULL;
 }
 
 static void put_scene(const void *scene, size_t triangles, float *to)
