@@ -63,7 +63,8 @@ export function plyBytes(triangles) {
     return bytes;
 }
 
-export function glbBytes(triangles) {
+/** With one node that has one mesh, unless change makes something else of the JSON. */
+export function glbBytes(triangles, change = () => {}) {
     const json = {
         asset: { version: '2.0' },
         scene: 0,
@@ -77,6 +78,7 @@ export function glbBytes(triangles) {
             { bufferView: 0, componentType: 5126, count: triangles.length / 3, type: 'VEC3', min: [-9, -9, -9], max: [9, 9, 9] },
         ],
     };
+    change(json);
     const text = JSON.stringify(json).padEnd(4 * Math.ceil(JSON.stringify(json).length / 4));
     const bytes = new Uint8Array(28 + text.length + triangles.byteLength),
         view = new DataView(bytes.buffer);
