@@ -1,12 +1,14 @@
 // test_readers.mjs - files that are right and unusual: no triangle of them is lost or moved.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { answerAfter, assertSame } from './answer.mjs';
 import { usualPage } from './browser.mjs';
 import { dropFile } from './drop.mjs';
-import { glbBytes, raw, small } from './meshes.mjs';
+import { everyKind, glbBytes, raw, small } from './meshes.mjs';
 
 const moved = (triangles, by) => Float32Array.from(triangles, (x, i) => x + by[i % 3]);
 const together = (...parts) => Float32Array.from(parts.flatMap((part) => Array.from(part)));
+const contentOf = (name) => readFileSync(everyKind(small).find((file) => file.name === name).path, 'utf8');
 
 async function assertRead(name, content, triangles) {
     const page = await usualPage(),
@@ -59,4 +61,9 @@ export async function positionsAreWholeNumbers() {
         Object.assign(json.accessors[0], { componentType: 5123, count: small.length / 3, ...range });
     });
     await assertRead('whole.glb', content, Float32Array.from(small, (_, i) => whole[4 * Math.floor(i / 3) + (i % 3)] / 8192 - 4));
+}
+
+export async function headerIsNotAscii() {
+    const comment = `comment by ${'M\u00fcller '.repeat(100)}`;
+    await assertRead('mueller.ply', contentOf('text.ply').replace('element', `${comment}\nelement`), small);
 }

@@ -1,5 +1,4 @@
 // ply.js - PLY files, binary or text. Polygons become fans. (three's loader leaves out faces of five corners and more.)
-
 const BYTES = { char: 1, uchar: 1, short: 2, ushort: 2, int: 4, uint: 4, float: 4, double: 8 };
 const LONG = {
     int8: 'char',
@@ -59,7 +58,7 @@ function numbersIn(buffer, { format, length }) {
             return number;
         };
     }
-    const words = new TextDecoder().decode(buffer).slice(length).split(/\s+/).filter(Boolean);
+    const words = new TextDecoder().decode(new Uint8Array(buffer, length)).split(/\s+/).filter(Boolean);
     let at = 0;
     return () => {
         if (at >= words.length) throw new RangeError();
