@@ -56,6 +56,12 @@ export async function damagedFiles() {
         '1 0 0',
         '0 1 0',
     );
+    const points = ['0 0 0', '1 0 0', '0 1 0', '1 1 0', '0 0 1', '1 0 1', '0 1 1', '1 1 1'];
+    const cutCubes = [11, 8, 6, 4].map((faces) => [
+        `cube_${faces}.off`,
+        text('OFF', '8 12 0', ...points, ...Array(faces).fill('3 0 1 2')),
+        new RegExp(`promises 12 faces; lines after the 8 of its vertices: ${faces}\\.`),
+    ]);
     const files = [
         ['mesh.step', 'ISO-10303-21;', /mesh\.step: not a kind of file .* Export the mesh as \.stl/],
         ['noending', 'x', /noending: not a kind of file/],
@@ -71,6 +77,10 @@ export async function damagedFiles() {
         ['index.ply', `${ply}3 0 1 7\n`, /refers to vertex 7, and there are 3/],
         ['type.ply', ply.replace('float x', 'real x'), /the type real, which PLY does not/],
         ['prose.ply', 'no header', /does not begin with ply/],
+        ['blank.off', ' \n\n', /does not begin with the word OFF/],
+        ['comment.off', '# OFF\n', /does not begin with the word OFF/],
+        ...cutCubes,
+        ['more.off', text('OFF', '2 1 0', '0 0 0', '1 0 0', '0 1 0', '3 0 1 2'), /promises 1 faces; lines after the 2 .*: 2\./],
         ['cut.off', text('OFF', '3 1 0', '0 0 0', '1 0 0'), /ends before vertex 2/],
         ['index.off', text('OFF', '3 1 0', '0 0 0', '1 0 0', '0 1 0', '3 0 1 3'), /face 0, "3 0 1 3", does not name vertices/],
         ['word.off', text('OFF', '3 1 0', '0 0 zero', '1 0 0', '0 1 0', '3 0 1 2'), /"zero" in place of a number: vertex 0/],
