@@ -37,7 +37,7 @@ export function stlBytes(triangles) {
     return new Uint8Array(bytes.buffer);
 }
 
-function stlText(triangles) {
+export function stlText(triangles) {
     const lines = corners(triangles).map((point) => `vertex ${point.join(' ')}`);
     const facets = faces(triangles).map(
         (face) => `facet normal 0 0 0\nouter loop\n${face.map((v) => lines[v]).join('\n')}\nendloop\nendfacet`,

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { answerAfter, answerOf, ask, assertSame, settled } from './answer.mjs';
 import { usualPage } from './browser.mjs';
 import { dropFile } from './drop.mjs';
-import { everyKind, glbBytes, plyBytes, raw, small, stlBytes } from './meshes.mjs';
+import { everyKind, glbBytes, plyBytes, raw, small, stlBytes, stlText } from './meshes.mjs';
 
 export async function everyKindOfFile() {
     const page = await usualPage(),
@@ -77,6 +77,9 @@ export async function damagedFiles() {
         ['index.ply', `${ply}3 0 1 7\n`, /refers to vertex 7, and there are 3/],
         ['type.ply', ply.replace('float x', 'real x'), /the type real, which PLY does not/],
         ['prose.ply', 'no header', /does not begin with ply/],
+        ['zero.stl', stlText(small).replace(/(vertex \S+) \S+/, '$1 zero'), /facet 0 has "zero" in place of a number/],
+        ['two.stl', stlText(small).replace(/vertex.*\n/, ''), /facet 0, .* is not a normal and three vertices/],
+        ['junk.stl', stlText(small).replace('endsolid', 'endsolid x\nfacet\nendsolid'), /"facet .* after facet 419 and/],
         ['blank.off', ' \n\n', /does not begin with the word OFF/],
         ['comment.off', '# OFF\n', /does not begin with the word OFF/],
         ...cutCubes,

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { answerAfter, assertSame } from './answer.mjs';
 import { usualPage } from './browser.mjs';
 import { dropFile } from './drop.mjs';
-import { everyKind, glbBytes, raw, small } from './meshes.mjs';
+import { everyKind, glbBytes, raw, small, stlText } from './meshes.mjs';
 
 const moved = (triangles, by) => Float32Array.from(triangles, (x, i) => x + by[i % 3]);
 const together = (...parts) => Float32Array.from(parts.flatMap((part) => Array.from(part)));
@@ -16,6 +16,7 @@ async function assertRead(name, content, triangles) {
     assert.ok(await page.isHidden('#message'), await page.textContent('#message'));
     assert.ok(answer.straddling > 0);
     assertSame(answer, raw('expected.f32', triangles));
+    return page;
 }
 
 export async function nodesShareMesh() {
@@ -66,4 +67,11 @@ export async function positionsAreWholeNumbers() {
 export async function headerIsNotAscii() {
     const comment = `comment by ${'M\u00fcller '.repeat(100)}`;
     await assertRead('mueller.ply', contentOf('text.ply').replace('element', `${comment}\nelement`), small);
+}
+
+export async function textStlHasNan() {
+    const triangles = small.slice();
+    triangles[3] = NaN;
+    const page = await assertRead('nan.stl', stlText(triangles), triangles);
+    assert.match(await page.textContent('#mesh-note'), /420 triangles\. 1 have coordinates that are not finite/);
 }

@@ -1,6 +1,7 @@
-// stl.js - STL files, binary or text, by three's loader; a file that ends early is refused before.
+// stl.js - STL files, binary by three's loader, or text; a file that ends early is refused before.
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { trianglesOf } from './geometry.js';
+import { readStlText } from './stl_text.js';
 
 const HEADER = 84,
     TRIANGLE = 50;
@@ -20,7 +21,10 @@ export function readStl(buffer) {
                 `${there.toLocaleString('en')}. Export or download it again.`,
         );
     }
-    if (!isBinary && !new TextDecoder().decode(bytes.subarray(-200)).includes('endsolid'))
+    if (isBinary) {
+        return trianglesOf(new STLLoader().parse(buffer));
+    }
+    if (!new TextDecoder().decode(bytes.subarray(-200)).includes('endsolid'))
         throw new Error('ends before the line endsolid: the file is cut. Export or download it again.');
-    return trianglesOf(new STLLoader().parse(buffer));
+    return readStlText(new TextDecoder().decode(buffer));
 }
