@@ -75,3 +75,5 @@ export async function textStlHasNan() {
     const page = await assertRead('nan.stl', stlText(triangles), triangles);
     assert.match(await page.textContent('#mesh-note'), /420 triangles\. 1 have coordinates that are not finite/);
 }
+
+export const objHasLooseEdge = () => assertRead('edge.obj', `${contentOf('mesh.obj')}l 1 4\nl 1 \\\n4\np 3\n`, small);
