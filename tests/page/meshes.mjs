@@ -8,7 +8,7 @@ import { tiesScene } from '../../examples/web/src/scenes/random.js';
 export const folder = mkdtempSync(join(tmpdir(), 'tribox-page-'));
 process.on('exit', () => rmSync(folder, { recursive: true }));
 
-function write(name, content) {
+export function write(name, content) {
     const path = join(folder, name);
     writeFileSync(path, content);
     return path;

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { answerAfter, assertSame } from './answer.mjs';
 import { usualPage } from './browser.mjs';
 import { dropFile } from './drop.mjs';
-import { everyKind, glbBytes, raw, small, stlText } from './meshes.mjs';
+import { everyKind, glbBytes, raw, small, stlText, write } from './meshes.mjs';
 
 const moved = (triangles, by) => Float32Array.from(triangles, (x, i) => x + by[i % 3]);
 const together = (...parts) => Float32Array.from(parts.flatMap((part) => Array.from(part)));
@@ -77,3 +77,26 @@ export async function textStlHasNan() {
 }
 
 export const objHasLooseEdge = () => assertRead('edge.obj', `${contentOf('mesh.obj')}l 1 4\nl 1 \\\n4\np 3\n`, small);
+
+/** Far more triangles than the page takes, all of one polygon. */
+async function assertTooLarge(name, content) {
+    const page = await usualPage();
+    await page.evaluate(() => (document.getElementById('message').textContent = ''));
+    await page.setInputFiles('#file', write(name, content));
+    await page.waitForFunction(() => document.getElementById('message').textContent);
+    const message = await page.textContent('#message');
+    assert.ok(message.startsWith(`${name}: has more than 8 million triangles`), message);
+}
+
+export async function plyIsTooLarge() {
+    const corners = 16e6,
+        header =
+            'ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\n' +
+            'element face 1\nproperty list uint uchar vertex_indices\nend_header\n\0\0\0';
+    const ply = Buffer.alloc(header.length + 4 + corners);
+    ply.write(header);
+    ply.writeUInt32LE(corners, header.length);
+    await assertTooLarge('large.ply', ply);
+}
+
+export const offIsTooLarge = () => assertTooLarge('large.off', `OFF\n1 1 0\n0 0 0\n${16e6}${' 0'.repeat(16e6)}\n`);

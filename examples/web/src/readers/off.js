@@ -1,4 +1,6 @@
 // off.js - OFF files as text: OFF, counts, then a line for each vertex and each face. Polygons become fans.
+import { refuseTooMany } from './limit.js';
+
 const CUT = 'Export or download it again.';
 
 export function readOff(buffer) {
@@ -47,6 +49,7 @@ function trianglesOf(rows, points) {
         const polygon = numbers.slice(0, corners);
         if (!(polygon.length === corners && polygon.every((v) => v >= 0 && 3 * v < points.length)))
             throw new Error(`face ${face}, "${row.slice(0, 40)}", does not name vertices that are there. Export it again.`);
+        refuseTooMany(triangles.length / 9 + corners - 2);
         for (let c = 2; c < corners; c++)
             for (const v of [polygon[0], polygon[c - 1], polygon[c]])
                 triangles.push(points[3 * v], points[3 * v + 1], points[3 * v + 2]);

@@ -1,4 +1,6 @@
 // ply.js - PLY files, binary or text. Polygons become fans. (three's loader leaves out faces of five corners and more.)
+import { refuseTooMany } from './limit.js';
+
 const BYTES = { char: 1, uchar: 1, short: 2, ushort: 2, int: 4, uint: 4, float: 4, double: 8 };
 const LONG = {
     int8: 'char',
@@ -87,6 +89,7 @@ export function readPly(buffer) {
         triangles = [];
     let points = new Float32Array(0);
     const addFan = (corners, face) => {
+        refuseTooMany(triangles.length / 9 + corners.length - 2);
         for (let c = 2; c < corners.length; c++)
             for (const v of [corners[0], corners[c - 1], corners[c]]) {
                 if (!(v >= 0 && 3 * v < points.length))

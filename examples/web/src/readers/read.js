@@ -1,5 +1,6 @@
 // read.js - a file that was dropped, as triangles of nine floats each; or an error that says what, where and what to do.
 import { readGlb } from './glb.js';
+import { refuseTooMany } from './limit.js';
 import { readObj } from './obj.js';
 import { readOff } from './off.js';
 import { readPly } from './ply.js';
@@ -14,8 +15,6 @@ const formats = {
     glb: { read: readGlb, up: 'y' },
 };
 
-const MOST_TRIANGLES = 8e6; // what the memory of a page carries, drawn and asked
-
 const endingOf = (name) => (name.includes('.') ? name.slice(name.lastIndexOf('.') + 1).toLowerCase() : '');
 
 export async function readMesh(file) {
@@ -28,15 +27,11 @@ export async function readMesh(file) {
     let triangles;
     try {
         triangles = await format.read(await file.arrayBuffer());
+        refuseTooMany(triangles.length / 9);
     } catch (error) {
         throw new Error(`${file.name}: ${error.message}`);
     }
-    const count = triangles.length / 9;
-    if (!count) throw new Error(`${file.name}: holds no triangles. Points and lines alone have no surface to test; export faces.`);
-    if (count > MOST_TRIANGLES)
-        throw new Error(
-            `${file.name}: ${count.toLocaleString('en')} triangles are more than this page draws. ` +
-                'Thin the mesh out below 8 million, or use the program tribox.',
-        );
+    if (!triangles.length)
+        throw new Error(`${file.name}: holds no triangles. Points and lines alone have no surface to test; export faces.`);
     return { name: file.name, triangles, up: format.up };
 }

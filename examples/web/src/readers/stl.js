@@ -1,6 +1,7 @@
 // stl.js - STL files, binary by three's loader, or text; a file that ends early is refused before.
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { trianglesOf } from './geometry.js';
+import { refuseTooMany } from './limit.js';
 import { readStlText } from './stl_text.js';
 
 const HEADER = 84,
@@ -22,6 +23,7 @@ export function readStl(buffer) {
         );
     }
     if (isBinary) {
+        refuseTooMany(promised);
         return trianglesOf(new STLLoader().parse(buffer));
     }
     if (!new TextDecoder().decode(bytes.subarray(-200)).includes('endsolid'))

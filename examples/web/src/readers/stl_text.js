@@ -1,4 +1,6 @@
 // stl_text.js - STL files that are text: solids of facets, each a normal, which is left out, and three vertices.
+import { refuseTooMany } from './limit.js';
+
 const VERTEX = String.raw`vertex\s+(\S+)\s+(\S+)\s+(\S+)\s+`;
 const NORMAL = String.raw`normal\s+\S+\s+\S+\s+\S+\s+`;
 const FACET = new RegExp(String.raw`facet\s+${NORMAL}outer\s+loop\s+${VERTEX.repeat(3)}endloop\s+endfacet\s+`, 'iy');
@@ -27,6 +29,7 @@ export function readStlText(text) {
     const there = () => text.slice(at, at + 60).replace(/\s+/g, ' ').trim();
     while (take(SOLID)) {
         for (let facet = take(FACET); facet; facet = take(FACET), facets++) {
+            refuseTooMany(facets + 1);
             for (const word of facet.slice(1)) numbers.push(numberOf(word, facets));
         }
         if (!take(ENDSOLID))
