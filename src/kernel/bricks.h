@@ -58,20 +58,6 @@ TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_que
     return p;
 }
 
-/* The shadow along x keeps a row where at + j_slope * j + k_slope * k >= 0, up to its error. */
-typedef struct brick_side {
-    vnum at, j_slope, k_slope;
-} brick_side;
-
-TRIBOX_INLINE brick_side side_of_shadow(const lane_places *y, const lane_places *z, int j, vmask asked)
-{
-    const vnum zero = v_splat(0);
-    const shadow_axis axis = shadow_axis_of(y, z, j, shadow_normal(y, z));
-    const vmask is_asked = m_and(asked, axis.asked);
-    return (brick_side){v_select(is_asked, axis.slack, v_splat(INFINITY)), v_select(is_asked, v_sub(zero, axis.m_q), zero),
-                        v_select(is_asked, v_sub(zero, axis.m_p), zero)};
-}
-
 /* Where is_exact, certain cells are listed and open ones wait; else all that may overlap are listed. */
 TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
 {
@@ -87,7 +73,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
         p[a] = queued_places(v, queue, at, a, &wild);
     }
     const vnum side_error = v_mul(bound_scale, shadow_error(&p[1], &p[2])), none = v_sub(v_splat(0), side_error);
-    brick_side side[3];
+    shadow_side side[3];
     for (int e = 0; e < 3; e++)
         side[e] = side_of_shadow(&p[1], &p[2], e, has_edges);
     const shadow_limits zx = limits_of(&p[0], &p[2], bound_scale, has_edges), xy = limits_of(&p[0], &p[1], bound_scale, has_edges);
@@ -109,15 +95,15 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
         const row_cells in_layer = cells_within(&zx, cells[0], k, is_exact);
         vnum side_k[3];
         for (int e = 0; e < 3; e++)
-            side_k[e] = v_fma(side[e].k_slope, k, side[e].at);
+            side_k[e] = side_in_row(&side[e], k);
         const vnum plane_k = v_mul(plane.k_slope, k);
         vint half = i_add(bits.half, i_splat((int32_t)((uint32_t)layer * (uint32_t)v->layer_halves)));
         make_room(v);
         for (int row = 0; row < rows; row++) {
             const vnum j = v_splat((float)row);
             const vmask in = m_and(in_k, v_gt(cells[1], j));
-            const vnum slack = lane_min3(v_fma(side[0].j_slope, j, side_k[0]), v_fma(side[1].j_slope, j, side_k[1]),
-                                         v_fma(side[2].j_slope, j, side_k[2]));
+            const vnum slack = lane_min3(side_in_cell(&side[0], j, side_k[0]), side_in_cell(&side[1], j, side_k[1]),
+                                         side_in_cell(&side[2], j, side_k[2]));
             const lane_run of_plane = run_by_plane(&plane, v_fma(plane.j_slope, j, plane_k));
             const row_cells in_plane = cells_of(&of_plane, is_exact);
             const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);

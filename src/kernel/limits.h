@@ -87,33 +87,62 @@ TRIBOX_INLINE shadow_limit select_limit(vmask m, const shadow_limit *a, const sh
     return (shadow_limit){v_select(m, a->slope, b->slope), v_select(m, a->maybe, b->maybe), v_select(m, a->certain, b->certain)};
 }
 
+/* Those of edge j: an upper one where m_q > 0, a lower one where m_q < 0. */
+typedef struct edge_limits {
+    vnum m_q;
+    vmask asked;
+    shadow_limit upper, lower;
+} edge_limits;
+
+TRIBOX_INLINE edge_limits limits_of_edge(const lane_places *q, const lane_places *p, int j, vnum n, vnum error)
+{
+    const shadow_axis axis = shadow_axis_of(q, p, j, n);
+    const vnum per_m = v_div(v_splat(1), axis.m_q);
+    const vnum at = v_fma(axis.slack, per_m, v_splat(1)), slope = v_mul(v_sub(v_splat(0), axis.m_p), per_m);
+    const vnum off = v_mul(error, v_abs(per_m));
+    return (edge_limits){axis.m_q, axis.asked, {slope, v_add(at, off), v_sub(at, off)}, {slope, v_sub(at, off), v_add(at, off)}};
+}
+
 TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p, vnum bound_scale, vmask asked)
 {
     const vnum zero = v_splat(0), most = v_splat(INFINITY), least = v_splat(-INFINITY);
     const vnum n = shadow_normal(q, p), error = v_mul(bound_scale, shadow_error(q, p));
     const shadow_limit no_upper = {zero, most, most}, no_lower = {zero, least, least};
-    shadow_limit upper[3], lower[3];
+    edge_limits edge[3];
     vmask is_upper[3], is_lower[3];
     for (int j = 0; j < 3; j++) {
-        const shadow_axis axis = shadow_axis_of(q, p, j, n);
-        const vnum per_m = v_div(v_splat(1), axis.m_q);
-        const vnum at = v_fma(axis.slack, per_m, v_splat(1)), slope = v_mul(v_sub(zero, axis.m_p), per_m);
-        const vnum off = v_mul(error, v_abs(per_m));
-        const vmask is_asked = m_and(asked, axis.asked);
-        upper[j] = (shadow_limit){slope, v_add(at, off), v_sub(at, off)};
-        lower[j] = (shadow_limit){slope, v_sub(at, off), v_add(at, off)};
-        is_upper[j] = m_and(is_asked, v_gt(axis.m_q, zero));
-        is_lower[j] = m_and(is_asked, v_gt(zero, axis.m_q));
+        edge[j] = limits_of_edge(q, p, j, n, error);
+        const vmask is_asked = m_and(asked, edge[j].asked);
+        is_upper[j] = m_and(is_asked, v_gt(edge[j].m_q, zero));
+        is_lower[j] = m_and(is_asked, v_gt(zero, edge[j].m_q));
     }
-    const shadow_limit third_upper = select_limit(is_upper[2], &upper[2], &no_upper);
-    const shadow_limit third_lower = select_limit(is_lower[2], &lower[2], &no_lower);
+    const shadow_limit third_upper = select_limit(is_upper[2], &edge[2].upper, &no_upper);
+    const shadow_limit third_lower = select_limit(is_lower[2], &edge[2].lower, &no_lower);
     shadow_limits limits;
     for (int j = 0; j < 2; j++) {
-        limits.upper[j] = select_limit(is_upper[j], &upper[j], &third_upper);
-        limits.lower[j] = select_limit(is_lower[j], &lower[j], &third_lower);
+        limits.upper[j] = select_limit(is_upper[j], &edge[j].upper, &third_upper);
+        limits.lower[j] = select_limit(is_lower[j], &edge[j].lower, &third_lower);
     }
     return limits;
 }
+
+/* The shadow keeps cells where at + q_slope q + p_slope p >= 0, up to its error: for those who take or leave whole rows (bricks.h). */
+typedef struct shadow_side {
+    vnum at, q_slope, p_slope;
+} shadow_side;
+
+TRIBOX_INLINE shadow_side side_of_shadow(const lane_places *q, const lane_places *p, int j, vmask asked)
+{
+    const vnum zero = v_splat(0);
+    const shadow_axis axis = shadow_axis_of(q, p, j, shadow_normal(q, p));
+    const vmask is_asked = m_and(asked, axis.asked);
+    return (shadow_side){v_select(is_asked, axis.slack, v_splat(INFINITY)), v_select(is_asked, v_sub(zero, axis.m_q), zero),
+                         v_select(is_asked, v_sub(zero, axis.m_p), zero)};
+}
+
+/* The left side in row p, and in its cell q. */
+TRIBOX_INLINE vnum side_in_row(const shadow_side *side, vnum p) { return v_fma(side->p_slope, p, side->at); }
+TRIBOX_INLINE vnum side_in_cell(const shadow_side *side, vnum q, vnum in_row) { return v_fma(side->q_slope, q, in_row); }
 
 /* Cells of a row from `first` to before `end`, once fractions are cut off: those that may overlap, and those that certainly do. */
 typedef struct lane_run {
