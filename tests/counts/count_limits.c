@@ -71,7 +71,7 @@ static void count_edges(int q_edge, int p_edge)
 }
 
 /* Vertices in places, and the first cell of their range: as E has it. */
-static void count_places(int k)
+static void count_places(int k, bool is_coarse)
 {
     const cone_edge *const at = k < edges.count ? &edges.of[k] : NULL;
     const double base = !at;
@@ -82,8 +82,10 @@ static void count_places(int k)
         u[j] = count_input(0, (at ? at->g[j] : 0) + base, true);
     const lane_places p = places_of(u, count_input(0, base, false), count_input(0, at ? at->cells : 0, false),
                                     count_input(0, 0, true), per_cell(), count_input(0, 0, false));
-    for (int j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++) {
         tally_first(&at_place, count_of(p.g[j]), base + count_of(p.R)->x);
+        COUNT_MUST(is_coarse || V_UNIT * count_first(count_of(p.g[j])) <= count_of(p.E)->x * COUNT_ROOM);
+    }
 }
 
 static void count_all_edges(double beside)
@@ -94,7 +96,7 @@ static void count_all_edges(double beside)
     memset(&at_place, 0, sizeof at_place);
     find_edges_of_cones(&edges, beside);
     for (int k = 0; k <= edges.count; k++) {
-        count_places(k);
+        count_places(k, beside > 1);
         for (int l = 0; l <= edges.count && k + l < 2 * edges.count; l++)
             count_edges(k, l);
     }

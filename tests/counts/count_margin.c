@@ -1,27 +1,41 @@
-/* count_margin.c - how often the margins of margin.h are rounded, beside what their constants leave for it: PROOFS.md 4.4. */
+/*
+ * count_margin.c - how often the margins of margin.h are rounded, beside what their coefficients leave for it: PROOFS.md 4.4.
+ *
+ * Differences of two numbers of the input, rounded once, are given. What coefficients are needed margin.py proves.
+ */
 #include "vec_depth.h"
 #include "kernel/axes.h"
 #include "kernel/margin.h"
 #include "claims.h"
 
-/* What is left of a margin at the least, over what was meant. */
-static double rounded_down(int depth) { return pow(1 - V_UNIT, depth); }
-
-int main(int argc, char **argv)
+/* Of a triangle whose s is this, and a box whose longest side is h. */
+static lane_margin margin_at(double extents, double h)
 {
     lane_box box;
     lane_shape s;
-    claims_start(argc, argv);
     for (int a = 0; a < 3; a++) {
-        box.lo[a] = box.hi[a] = (vnum){0};
-        box.H[a] = (vnum){1};
+        box.lo[a] = box.hi[a] = v_splat(0);
+        box.H[a] = (vnum){h, 1};
         for (int j = 0; j < 3; j++)
-            s.f[j][a] = (vnum){1};
+            s.f[j][a] = (vnum){extents / 6, 1};
     }
     const lane_box_margin of_box = box_margin_of(&box);
-    const lane_margin margin = margin_of(&s, &of_box, true);
-    /* 17 and 34 for 16 and 32; s (17 s + 34 h) for s (16 s / 3 + 16 h): margin.py has the polynomials. */
-    claim("margin of the edges, depth", margin.edges.depth, 16.0 / 17 / rounded_down(margin.edges.depth));
-    claim("margin of the plane, depth", margin.plane.depth, 16.0 / 34 / rounded_down(margin.plane.depth));
+    return margin_of(&s, &of_box, true);
+}
+
+/* `least`: the least of what the margin has over what is needed. */
+static void claim_margin(const char *name, vnum margin, double least)
+{
+    claim(name, margin.depth, 1 / (least * pow(1 - V_UNIT, margin.depth)));
+}
+
+int main(int argc, char **argv)
+{
+    claims_start(argc, argv);
+    const lane_margin of_triangle = margin_at(1, 0), of_both = margin_at(1, 1);
+    const double ss = of_triangle.edges.x / (16 * V_UNIT), sh = (of_both.edges.x - of_triangle.edges.x) / (32 * V_UNIT);
+    const double sss = of_triangle.plane.x / (16 * V_UNIT / 3), ssh = (of_both.plane.x - of_triangle.plane.x) / (16 * V_UNIT);
+    claim_margin("margin of the edges, depth", of_both.edges, fmin(ss, sh));
+    claim_margin("margin of the plane, depth", of_both.plane, fmin(sss, ssh));
     return claims_end();
 }

@@ -30,7 +30,8 @@ static inline void tally_bound(tally *to, const counted *error, const counted *b
 {
     COUNT_MUST(error->order <= 16);
     const double all = count_error(error) + (orders - 1) * V_UNIT * V_UNIT * error->rest * COUNT_ROOM;
-    to->of_bound = most_of(to->of_bound, (all + count_error(bound)) / bound->x);
+    if (all > 0)
+        to->of_bound = most_of(to->of_bound, (all + count_error(bound)) / bound->x);
 }
 
 /* Where the size is 0, so is the error. */
