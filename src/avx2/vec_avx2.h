@@ -16,6 +16,7 @@
 #define V_FUSED 1 /* v_fma and v_fms round once */
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
+#define V_EXTENT 0x1p-54f
 
 typedef __m256 vnum;
 typedef __m256 vmask;

@@ -1,6 +1,6 @@
 /*
  * margin.h - the bounds of bounds.h, cheaper and coarser, for float: one for all nine edge axes and one for the plane.
- * After: axes.h. Needs: V_ETA.
+ * After: axes.h. Needs: V_ETA, V_EXTENT.
  *
  * Both come from the sum of the extents. With s = F_x + F_y + F_z and h the longest side of the box, PROOFS.md 4 has
  *   B_i <= s s / 2 + s h     S <= s s s / 9 + h s s / 3 + tau (s + 3 h)
@@ -27,17 +27,21 @@ typedef struct lane_box_margin {
  * The certificate needs F_a >= 2^-55, but only where a bound of the box lies between the least and the greatest u_ja or is one of
  * them: elsewhere the box spans the triangle on axis a, and no edge separates in a projection that has it. Two floats less than
  * 2^-55 apart are below 2^-31, so for a box without a bound that small, extents do not matter: the result is then at most 0
- * (PROOFS.md 5.2).
+ * (PROOFS.md 5.2). With V_EXTENT = 2^-54 and the unit of any float, 2^-31 is half of it over the unit; the factor 2^60 has only to
+ * be 2 or more.
  */
 TRIBOX_INLINE vnum least_extent(const lane_box *box)
 {
     const vnum nearest = v_min(lane_min3(v_abs(box->lo[0]), v_abs(box->lo[1]), v_abs(box->lo[2])),
                                lane_min3(v_abs(box->hi[0]), v_abs(box->hi[1]), v_abs(box->hi[2])));
-    return v_min(v_mul(v_sub(v_splat(0x1p-31f), nearest), v_splat(0x1p60f)), v_splat(0x1p-54f));
+    return v_min(v_mul(v_sub(v_splat(V_EXTENT / (2 * V_UNIT)), nearest), v_splat(0x1p60f)), v_splat(V_EXTENT));
 }
 
-/* V_ETA + 2^-125 times a length: from a normal product, as one that underflows takes a hundred cycles where nothing is fused. */
-TRIBOX_INLINE vnum tau_of(vnum length) { return v_mul(v_add(length, v_splat(0x1p125f * V_ETA)), v_splat(0x1p-125f)); }
+/*
+ * V_ETA + 2^-125 times a length, 2^-125 being V_ETA / 32: from a normal product, as one that underflows takes a hundred cycles where
+ * nothing is fused.
+ */
+TRIBOX_INLINE vnum tau_of(vnum length) { return v_mul(v_add(length, v_splat(32)), v_splat(V_ETA / 32)); }
 
 TRIBOX_INLINE lane_box_margin box_margin_of(const lane_box *box)
 {

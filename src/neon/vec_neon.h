@@ -17,6 +17,7 @@
 #define V_FUSED 1 /* v_fma and v_fms round once */
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
+#define V_EXTENT 0x1p-54f
 
 typedef float32x4_t vnum;
 typedef uint32x4_t vmask;

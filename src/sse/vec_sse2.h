@@ -17,6 +17,7 @@
 #define V_FUSED 0 /* v_fma and v_fms round twice */
 #define V_UNIT 0x1p-24f
 #define V_ETA 0x1p-120f
+#define V_EXTENT 0x1p-54f
 
 typedef __m128 vnum;
 typedef __m128 vmask;
