@@ -4,10 +4,10 @@
  *
  * With F_a the extent of the triangle on axis a and m_a = max(max_j u_ja - lo_a, hi_a - min_j u_ja), the largest distance between
  * a point of the triangle and a point of the box on that axis:
- *   edges of projection i   2 K u B_i + eta,  B_i = F_a m_b + F_b m_a,                  K = 16 one-sided, 32 two-sided
- *   plane                   2 24 u S + eta,   S = sum over i of (F_a F_b + tau) m_i
- * The factor 2 stands for the doubled units. Counted are 13 u (2 B_i) for the roundings of a one-sided slack, 15 where they turn
- * the sign of n_i, 17 for a two-sided slack, and 22 u (2 S) for the plane: PROOFS.md 3, operation by operation, fused or not.
+ *   edges of projection i   2 16 u B_i + eta,  B_i = F_a m_b + F_b m_a
+ *   plane                   2 24 u S + eta,    S = sum over i of (F_a F_b + tau) m_i
+ * The factor 2 stands for the doubled units. Needed are 8 u (2 B_i) for the roundings of a one-sided slack, 10 where they turn the
+ * sign of n_i, 10.5 for a two-sided slack, and 11 u (2 S) for the plane: the text counts that itself (PROOFS.md 3.8).
  *
  * eta and tau stand for underflow in float (PROOFS.md 3.7) and are zero in double (6.1).
  *
@@ -19,7 +19,7 @@
 typedef struct lane_bounds {
     vnum F[3];     /* extents of the triangle */
     vnum m[3];     /* the largest distances */
-    vnum edges[3]; /* bound on the one-sided slacks of projection i */
+    vnum edges[3]; /* bound on the slacks of projection i, of one side or both */
     vnum plane;    /* bound on the slack of the plane */
 } lane_bounds;
 
@@ -42,6 +42,3 @@ TRIBOX_INLINE lane_bounds bounds_of(const lane_triangle *t, const lane_box *box)
     bound.plane = v_mul(v_splat(2 * 24 * V_UNIT), S);
     return bound;
 }
-
-/* The bound on the two-sided slacks is twice that of the one-sided ones (PROOFS.md 3.2). */
-TRIBOX_INLINE vnum both_sides_bound(const lane_bounds *bound, int i) { return v_add(bound->edges[i], bound->edges[i]); }

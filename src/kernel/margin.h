@@ -76,7 +76,7 @@ TRIBOX_INLINE lane_margin margin_of(const lane_shape *s, const lane_box_margin *
     const vnum edges = v_fma(sigma, v_fma(sigma, v_splat(17 * V_UNIT), box.edges), v_splat(V_ETA));
     return (lane_margin){
         .is_valid = v_gt(box.most, sigma),
-        .edges = is_box_asked ? edges : v_add(edges, edges),
+        .edges = edges,
         .plane = v_fma(sigma, edges, box.eta),
     };
 }

@@ -34,11 +34,17 @@ static inline char *claims_cell(char *at, char *cell, size_t room)
     return at[length] ? at + length + 1 : at + length;
 }
 
-/* The number in the row of this name: NAN if there is none. */
-static inline double claims_stated(const char *name)
+/* What was counted, what it is of the bound, and what the text takes; 0 where there is no bound. */
+typedef struct count_claim {
+    const char *name;
+    double needed, of_bound, taken;
+} count_claim;
+
+/* What the row of this name states: NAN where there is none. */
+static inline count_claim claims_stated(const char *name)
 {
-    char line[512], cell[5][128];
-    double stated = NAN;
+    char line[512], cell[6][128];
+    count_claim stated = {name, NAN, NAN, NAN};
     FILE *const file = fopen(claims_file, "r");
     if (!file) {
         fprintf(stderr, "cannot open %s: name PROOFS.md\n", claims_file);
@@ -48,28 +54,36 @@ static inline double claims_stated(const char *name)
         char *at = line + 1;
         if (line[0] != '|')
             continue;
-        for (int k = 0; k < 5; k++)
+        for (int k = 0; k < 6; k++)
             at = claims_cell(at, cell[k], sizeof cell[k]);
-        if (!strcmp(cell[0], name))
-            stated = strtod(cell[V_FUSED ? 4 : 3], NULL);
+        if (strcmp(cell[0], name) != 0)
+            continue;
+        stated.needed = strtod(cell[V_FUSED ? 4 : 3], NULL);
+        stated.taken = strtod(cell[5], NULL);
     }
     fclose(file);
     return stated;
 }
 
 /* Needed is what was counted, rounded up to hundredths but for what the count itself rounds, and for second orders in constants. */
-static inline void claim(const char *name, double needed, double of_bound)
+static inline void claim(const count_claim *of)
 {
-    const double stated = claims_stated(name), rounded = ceil(needed * 100 - 0.05) / 100;
-    const bool is_stated = fabs(stated - rounded) < 1e-9, is_covered = of_bound < 1;
-    printf("%-32s %7.4g", name, rounded);
-    if (of_bound > 0)
-        printf("   %.4f of the bound%s", of_bound, is_covered ? "" : ": TOO MUCH");
+    const count_claim stated = claims_stated(of->name);
+    const double needed = ceil(of->needed * 100 - 0.05) / 100;
+    const bool is_stated = fabs(stated.needed - needed) < 1e-9, is_covered = of->of_bound < 1;
+    const bool is_taken = !(of->taken > 0) || fabs(stated.taken - of->taken) < 0.01 * of->taken;
+    printf("%-32s %7.4g", of->name, needed);
+    if (of->of_bound > 0)
+        printf("   %.4f of the bound%s", of->of_bound, is_covered ? "" : ": TOO MUCH");
     if (!is_stated)
-        printf("   PROOFS.md states %g, %s", stated, claims_unit);
+        printf("   PROOFS.md states %g, %s", stated.needed, claims_unit);
+    if (!is_taken)
+        printf("   taken is %g, PROOFS.md states %g", of->taken, stated.taken);
     printf("\n");
-    claims_wrong += !is_stated || !is_covered;
+    claims_wrong += !is_stated || !is_covered || !is_taken;
 }
+
+static inline void claim_number(const char *name, double needed) { claim(&(count_claim){name, needed, 0, 0}); }
 
 static inline void claims_start(int argc, char **argv)
 {

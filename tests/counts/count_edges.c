@@ -113,14 +113,14 @@ int main(int argc, char **argv)
         if (own_names[j])
             claim_tally(own_names[j], &own[j]);
         claim_tally(near_names[j], &near_one[j]);
-        claim(under_names[j], under[j], 0);
+        claim_number(under_names[j], under[j]);
     }
     claim_tally("edge, rejected by a turned sign", &rejection);
     claim_tally("edge, rejected near", &near_rejection);
     claim_tally("edge, both sides", &two);
-    claim("edge, both sides, underflow", under_two, 0);
+    claim_number("edge, both sides, underflow", under_two);
     claim_tally("normal", &normal);
-    claim("normal, its sign", turned, 0);
-    claim("normal, underflow", under_normal, 0);
+    claim_number("normal, its sign", turned);
+    claim_number("normal, underflow", under_normal);
     return claims_end();
 }

@@ -70,7 +70,7 @@ int main(int argc, char **argv)
         }
     }
     claim_tally("point in a frame", &point);
-    claim("point in a frame, underflow", under, 0);
+    claim_number("point in a frame, underflow", under);
     claim_tally("corner in a frame", &corner);
     return claims_end();
 }

@@ -110,6 +110,7 @@ static void claim_covered(const char *name)
 {
     const double farthest = at_place.first / 4, needed = edge.alone.first + edge.by_E.first * 2 / 3 + 2.02 * turned * farthest;
     edge.alone.of_bound = needed / taken;
+    edge.alone.taken = taken;
     claim_tally(name, &edge.alone);
 }
 
@@ -121,7 +122,7 @@ int main(int argc, char **argv)
     claim_covered("limit of an edge");
     claim_tally("limit of an edge, of E", &edge.by_E);
     claim_tally("row beside an edge", &row.alone);
-    claim("normal in places, its sign", turned, 0);
+    claim_number("normal in places, its sign", turned);
     if (COUNT_BITS == 53) { /* float is not asked where planes are coarse */
         count_all_edges(6.1);
         claim_tally("coarse place in a grid", &at_place);

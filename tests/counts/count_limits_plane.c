@@ -118,6 +118,7 @@ static void count_all(double beside)
 static void claim_covered(const char *name, double farthest)
 {
     plane.alone.of_bound = (plane.alone.first + plane.by_E.first * 2 / 3 + replaced * farthest) / taken;
+    plane.alone.taken = taken;
     claim_tally(name, &plane.alone);
 }
 

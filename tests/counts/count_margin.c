@@ -26,7 +26,7 @@ static lane_margin margin_at(double extents, double h)
 /* `least`: the least of what the margin has over what is needed. */
 static void claim_margin(const char *name, vnum margin, double least)
 {
-    claim(name, margin.depth, 1 / (least * pow(1 - V_UNIT, margin.depth)));
+    claim(&(count_claim){name, margin.depth, 1 / (least * pow(1 - V_UNIT, margin.depth)), 0});
 }
 
 int main(int argc, char **argv)

@@ -68,7 +68,7 @@ int main(int argc, char **argv)
         count_all(true);
         claim_tally("plane, near", &near_plane);
     }
-    claim("plane, underflow of n", under_normal, 0);
-    claim("plane, underflow of the rest", under_rest, 0);
+    claim_number("plane, underflow of n", under_normal);
+    claim_number("plane, underflow of the rest", under_rest);
     return claims_end();
 }

@@ -61,8 +61,8 @@ int main(int argc, char **argv)
     claims_start(argc, argv);
     for (int corner = 0; corner < CORNERS * CORNERS * CORNERS; corner++)
         count_corner(corner);
-    claim("integers, differences", most[1], 0);
-    claim("integers, products of two", most[2], 0);
-    claim("integers, products of three", most[3], 0);
+    claim_number("integers, differences", most[1]);
+    claim_number("integers, products of two", most[2]);
+    claim_number("integers, products of three", most[3]);
     return claims_end();
 }

@@ -4,6 +4,7 @@
 typedef struct tally {
     double first;               /* to first order */
     double of_bound;            /* all of it, with what rounding does to the bound, over the bound as the text computes it */
+    double taken;               /* the least that bound is, 0 where there is none */
     double of[COUNT_ROUNDINGS]; /* where `first` is the largest: how much of it each rounding is */
     count_place at[COUNT_ROUNDINGS];
     int roundings;
@@ -40,6 +41,7 @@ static inline void tally_both(tally *to, const counted *error, double size, cons
     if (size > 0) {
         tally_first(to, error, size);
         tally_bound(to, error, bound, orders);
+        to->taken = to->taken > 0 ? fmin(to->taken, bound->x / (V_UNIT * size)) : bound->x / (V_UNIT * size);
     } else {
         COUNT_MUST(!(count_error(error) > 0));
     }
@@ -54,7 +56,7 @@ static inline void claims_explain_tally(const tally *of)
 
 static inline void claim_tally(const char *name, const tally *of)
 {
-    claim(name, of->first, of->of_bound);
+    claim(&(count_claim){name, of->first, of->of_bound, of->taken});
     if (claims_explain)
         claims_explain_tally(of);
 }

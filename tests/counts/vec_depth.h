@@ -12,6 +12,7 @@
 #define V_LANES 1
 #define V_UNIT 0x1p-24
 #define V_ETA 0x1p-120
+#define V_EXTENT 0x1p-54
 
 typedef struct vnum {
     double x;
