@@ -26,7 +26,7 @@ import time
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
-SUITES = ("exact", "kernels", "voxels", "inputs", "index", "doubles", "scale")
+SUITES = ("counts", "exact", "kernels", "voxels", "inputs", "index", "doubles", "scale")
 SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
 WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
