@@ -135,7 +135,8 @@ TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen
     for (int e = 0; e < 3; e++)
         side[e] = v_fms(s->dy[e], v_sub(z, s->z[e]), v_mul(s->dz[e], v_sub(y, s->y[e])));
     const vnum least = lane_min3(v_flip(side[0], s->area), v_flip(side[1], s->area), v_flip(side[2], s->area));
-    const vnum x = v_add(s->x, v_mul(v_fma(side[2], s->dx[0], v_mul(side[0], s->dx[1])), s->per_area));
+    const vnum weight[2] = {v_mul(side[2], s->per_area), v_mul(side[0], s->per_area)}; /* two lengths by two: three could vanish */
+    const vnum x = v_add(s->x, v_fma(weight[0], s->dx[0], v_mul(weight[1], s->dx[1])));
     const vnum place = v_mul(v_sub(x, v_splat(m->origin[0])), v_splat(m->per_cell[0]));
     const vnum inside = v_min(v_max(place, v_splat(0)), v_splat(m->size[0]));
     c.cell = whole_near(inside);

@@ -44,21 +44,23 @@ typedef struct scene {
     double origin, cell; /* cells are up to twice as long; origins between both signs of it */
     int bits;            /* as crossing_case has them */
     bool is_whole;       /* origin and cells as they are, so that middles are few units */
+    int powers;          /* by which cells may be scaled further, both ways, each axis by its own */
 } scene;
 
 static const scene scenes[] = {
-    {"unit cells", false, 0, 1, 160, true},
-    {"cells of any length", false, 3, 0.7, 160, false},
-    {"far away", false, 1 << 17, 1, 160, true},
-    {"floats hardly finer than cells", false, 0x1p23, 1, 160, false},
-    {"huge", false, 0x1p100, 0x1p98, 160, false},
-    {"small", false, 0, 0x1p-140, 160, false},
-    {"doubles", true, 3, 0.7, 200, false},
-    {"unit cells of doubles", true, 0, 1, 200, true},
-    {"doubles far away", true, 0x1p46, 0x1p-3, 200, false},
-    {"doubles hardly finer than cells", true, 0x1p51, 0.6, 200, false},
-    {"tiny doubles", true, 0, 0x1p-1040, 1100, false},
-    {"huge doubles", true, 0x1.8p1023, 0x1p1017, 1100, false},
+    {"unit cells", false, 0, 1, 160, true, 0},
+    {"cells of any length", false, 3, 0.7, 160, false, 0},
+    {"far away", false, 1 << 17, 1, 160, true, 0},
+    {"floats hardly finer than cells", false, 0x1p23, 1, 160, false, 0},
+    {"huge", false, 0x1p100, 0x1p98, 160, false, 0},
+    {"small", false, 0, 0x1p-140, 160, false, 0},
+    {"doubles", true, 3, 0.7, 200, false, 0},
+    {"unit cells of doubles", true, 0, 1, 200, true, 0},
+    {"doubles far away", true, 0x1p46, 0x1p-3, 200, false, 0},
+    {"doubles hardly finer than cells", true, 0x1p51, 0.6, 200, false, 0},
+    {"doubles of any length", true, 0, 0x1p-200, 1100, false, 400},
+    {"tiny doubles", true, 0, 0x1p-1040, 1100, false, 0},
+    {"huge doubles", true, 0x1.8p1023, 0x1p1017, 1100, false, 0},
 };
 
 size_t fill_case_scenes(void) { return sizeof scenes / sizeof scenes[0]; }
@@ -70,7 +72,8 @@ static void draw_grid(random_source *r, const scene *s, fill_case *c)
     c->at.bits = s->bits;
     for (int a = 0; a < 3; a++) {
         const double origin = s->is_whole ? s->origin : random_double(r, -1, 1) * s->origin;
-        const double cell = s->is_whole ? s->cell : random_double(r, 1, 2) * s->cell;
+        const int power = s->powers ? random_int_between(r, -s->powers, s->powers) : 0;
+        const double cell = s->is_whole ? s->cell : ldexp(random_double(r, 1, 2) * s->cell, power);
         const uint32_t size = (uint32_t)(a                  ? random_int_between(r, 1, 9)
                                          : random_int(r, 6) ? random_int_between(r, 2, 20)
                                                             : random_int_between(r, 60, 130));
