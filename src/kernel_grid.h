@@ -34,7 +34,7 @@ typedef struct tribox_strip {
     int32_t number[TRIBOX_STRIP];                  /* that of tribox_triangle */
     double base[3][TRIBOX_STRIP];                  /* the first cell of its range, within the grid */
     double cells[3][TRIBOX_STRIP];                 /* how many there are on each axis, within the grid */
-    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* where the first cell's bit is, in words from the first layer's start */
+    int32_t word[TRIBOX_STRIP], bit[TRIBOX_STRIP]; /* of cells base[0], base[1] in the first layer of it that is asked for */
 } tribox_strip;
 
 /*

@@ -52,6 +52,7 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
                  tribox_shape shape)
 {
     tribox_strip *const strip = &v->strip[shape];
+    const int64_t layer = tribox_greatest(base[2], v->first_layer) - v->first_layer;
     const unsigned t = strip->count;
     for (int n = 0; n < 9; n++)
         strip->u[n][t] = triangle->u[n];
@@ -60,7 +61,8 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
         strip->base[a][t] = (double)base[a];
         strip->cells[a][t] = (double)cells[a];
     }
-    strip->word[t] = (int32_t)(((base[2] - v->first_layer) * v->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
+    /* Of the window, which has 2^31 words at most: the grid may have more, and the triangle begin far below (PROOFS.md 7.8). */
+    strip->word[t] = (int32_t)((layer * v->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
     strip->bit[t] = (int32_t)(base[0] % 64);
     if (++strip->count == TRIBOX_STRIP)
         set_strip(v, shape);

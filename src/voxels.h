@@ -88,7 +88,7 @@ struct tribox_voxels {
     int32_t first_number;    /* that of the soup's first */
     tribox_planes planes;
     tribox_roughness roughness;
-    bool is_for_float; /* whether the soup's packets are sorted in float: PROOFS.md 7.9 */
+    bool is_for_float; /* whether the soup's packets are sorted in float: PROOFS.md 7.9, of a mesh 7.11 */
     bool has_limits;   /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
 
     uint32_t size[3]; /* of the grid or window */

@@ -52,7 +52,7 @@ TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end
     const int64_t row = (int64_t)p->v->row_words, layer = row * p->v->size[1];
     if (first >= end)
         return 0;
-    uint64_t *const word = p->v->occupied + (p->strip->word[p->t] + k * layer + first * row);
+    uint64_t *const word = p->v->occupied + (p->strip->word[p->t] + (k - p->first) * layer + first * row);
     return tribox_set_column(word, (size_t)row, end - first, UINT64_C(1) << p->strip->bit[p->t]);
 }
 

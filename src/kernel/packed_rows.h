@@ -120,10 +120,11 @@ TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at,
     write_ends(&rows->maybe.first[at], &rows->maybe.end[at], run.first_maybe, run.end_maybe, cells);
     if (has_certain)
         write_ends(&rows->certain.first[at], &rows->certain.end[at], run.first_certain, run.end_certain, cells);
-    v_write_int(&rows->word[at], v_fma(k, v_splat(layer_words), v_fma(j, v_splat(row_words), v_splat((double)p->strip->word[t]))));
+    const vnum layer = v_sub(k, v_splat((double)p->first)), word = v_splat((double)p->strip->word[t]);
+    v_write_int(&rows->word[at], v_fma(layer, v_splat(layer_words), v_fma(j, v_splat(row_words), word)));
     if (p->v->is_far)
         for (unsigned n = at; n < at + V_LANES; n++)
-            tribox_will_write(p->v->occupied + (rows->word[n] + (p->strip->bit[t] + rows->maybe.first[n]) / 64));
+            tribox_will_write(p->v->occupied + rows->word[n] + (p->strip->bit[t] + rows->maybe.first[n]) / 64);
 }
 
 /* Lanes after the last row repeat it. */

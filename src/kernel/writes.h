@@ -2,7 +2,8 @@
  * writes.h - bits of cells: listed first, then written many at a time, so that misses of the cache overlap.
  * After: voxels.h. Needs: the words of integers.
  *
- * An entry is some of the 32 bits of half a word; the halves of a grid are counted from the start of the first layer.
+ * An entry is some of the 32 bits of half a word. Halves are counted from the start of the first layer asked for, modulo 2^32: a
+ * window has no more of them.
  */
 
 /* Half `half` of the grid: on a machine that stores the high half of a word first, the other one in memory. */
