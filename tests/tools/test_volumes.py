@@ -134,8 +134,9 @@ class Readers(Volumes):
             self.check_place(found, grid, shift)
 
     def test_openvdb(self):
+        """By default a file that OpenVDB's own Python module reads."""
         self.skip_without_openvdb()
-        for found, grid, shift in self.check("openvdb", ".vdb", "--vdb-grid", "bool"):
+        for found, grid, shift in self.check("openvdb", ".vdb"):
             self.check_place(found, grid, shift)
 
     def test_openvdb_and_small_cells(self):
@@ -144,7 +145,7 @@ class Readers(Volumes):
         small = self.write("small.ply", meshes.ply_binary([[[x * 2 ** -20 for x in v] for v in t] for t in
                                                            meshes.lattice_triangles(4, seed=3)]))
         self.succeed_with_note("note: .*small.vdb has lengths of the mesh times 1000, as OpenVDB takes no cells as small as these$",
-                               "voxelize", small, "-r", "40", "-q", "--vdb-grid", "bool", "-o", self.path("small.vdb"))
+                               "voxelize", small, "-r", "40", "-q", "-o", self.path("small.vdb"))
         found, = self.foreign("openvdb", [self.path("small.vdb")])
         for a in range(3):
             self.assertTrue(volumes.is_close(found["middle"][a], 1000 * (found["begins"][a] + found["lengths"][a] / 2)))
@@ -157,7 +158,7 @@ class Readers(Volumes):
         self.skip_without_openvdb()
         for name, grid in GRIDS.items():
             cells, answer = self.dense("dense.npy", *grid)
-            self.succeed("voxelize", self.mesh, "-o", self.path("masks.vdb"), "--quiet", *grid)
+            self.succeed("voxelize", self.mesh, "-o", self.path("masks.vdb"), "--vdb-grid", "mask", "--quiet", *grid)
             about, transform, found = volumes.read_vdb_masks(self.path("masks.vdb"))
             self.assertEqual(found, cells, name)
             self.check_place({"middle": transform[:3], "cell": transform[3:6]}, self.place(answer["grid"]),
@@ -176,8 +177,8 @@ class Readers(Volumes):
         self.skip_without_openvdb()
         self.dense("dense.npy", *GRIDS["odd"])
         with open(self.path("pipe.vdb"), "wb") as file:
-            subprocess.run([support.program(), "voxelize", self.mesh, *GRIDS["odd"], "--out-format", "vdb", "--vdb-grid", "bool",
-                            "-o", "-"], stdout=file, check=True, timeout=60)
+            subprocess.run([support.program(), "voxelize", self.mesh, *GRIDS["odd"], "--out-format", "vdb", "-o", "-"], stdout=file,
+                           check=True, timeout=60)
         found, = self.foreign("openvdb", [self.path("pipe.vdb")])
         self.assertEqual({tuple(cell) for cell in found["cells"]}, volumes.read_npy(self.path("dense.npy"))[1])
 
@@ -256,8 +257,8 @@ class Options(Volumes):
 
     def test_what_a_format_does_not_have(self):
         self.fail_with(2, "--deflate is for .npz alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npy", "--deflate")
-        self.fail_with(2, "--vdb-grid is for .vdb alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npz", "--vdb-grid", "bool")
-        self.fail_with(2, "--vdb-grid: 'float' is neither mask nor bool", "voxelize", self.mesh, "-r", "8", "-o", "x.vdb",
+        self.fail_with(2, "--vdb-grid is for .vdb alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npz", "--vdb-grid", "mask")
+        self.fail_with(2, "--vdb-grid: 'float' is neither bool nor mask", "voxelize", self.mesh, "-r", "8", "-o", "x.vdb",
                        "--vdb-grid", "float")
         self.fail_with(2, "--deflate is for .npz alone", "voxelize", self.mesh, "-r", "8", "-o", "x.part", "--shard", "1/2",
                        "--deflate")

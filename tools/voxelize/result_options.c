@@ -7,11 +7,10 @@
 #include "console/message.h"
 #include "console/terminal.h"
 
-static int read_vdb_grid(const char *word, bool *is_of_booleans)
+static int read_vdb_grid(const char *word, bool *is_mask)
 {
-    *is_of_booleans = !strcmp(word, "bool");
-    return *is_of_booleans || !strcmp(word, "mask") ? EXIT_CODE_OK
-                                                    : message_usage("--vdb-grid: '%s' is neither mask nor bool", word);
+    *is_mask = !strcmp(word, "mask");
+    return *is_mask || !strcmp(word, "bool") ? EXIT_CODE_OK : message_usage("--vdb-grid: '%s' is neither bool nor mask", word);
 }
 
 int result_take(result_request *r, int which, const char *value)
@@ -27,7 +26,7 @@ int result_take(result_request *r, int which, const char *value)
         r->options.is_deflated = true;
         return EXIT_CODE_OK;
     case RESULT_VDB_GRID:
-        return read_vdb_grid(value, &r->options.is_of_booleans);
+        return read_vdb_grid(value, &r->options.is_mask);
     case RESULT_PREVIEW:
         r->preview_path = value;
         return EXIT_CODE_OK;

@@ -36,7 +36,7 @@ enum {
     "      --out-format WORD   " VOLUME_WORDS ":\n" \
     "                          whatever the name of FILE; -o - needs it. cells: their coordinates as .npy\n" \
     "      --deflate           .npz: compressed, which takes longer\n" \
-    "      --vdb-grid WORD     .vdb: mask (default), or bool: larger, but every program reads it\n" \
+    "      --vdb-grid WORD     .vdb: bool (default), or mask: smaller, but not every program reads it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
     "      --up AXIS           the axis that is up in it: x, y, z (default), -x, -y or -z\n" \
     "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \

@@ -20,7 +20,7 @@ int bricks_check_npz(const char *path, const tribox_grid_f64 *grid);
 /* An array of NumPy's: the coordinates of cells, [n, 3]. */
 extern const brick_writer bricks_cells;
 
-/* OpenVDB's MaskGrid or BoolGrid. The check finds out whether OpenVDB is there. */
+/* OpenVDB's BoolGrid or MaskGrid. The check finds out whether OpenVDB is there. */
 extern const brick_writer bricks_vdb;
 int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid);
 

@@ -60,7 +60,7 @@ static int fail(const brick_out *out, const char *reason)
 static vdb_grid grid_of(const brick_out *out)
 {
     const voxels *const v = &out->cells;
-    vdb_grid grid = {.unit = unit_of(&v->grid), .is_of_booleans = out->options.is_of_booleans};
+    vdb_grid grid = {.unit = unit_of(&v->grid), .is_mask = out->options.is_mask};
     for (int a = 0; a < 3; a++)
         grid.origin[a] = v->grid.origin[a] + v->shift[a];
     memcpy(grid.cell, v->grid.cell, sizeof grid.cell);

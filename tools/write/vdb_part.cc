@@ -144,10 +144,10 @@ void *make(const vdb_grid *grid, char *reason)
     attempt(reason, [&] {
         openvdb::initialize();
         std::unique_ptr<tree> t;
-        if (grid->is_of_booleans)
-            t.reset(new tree_of<openvdb::BoolGrid>);
-        else
+        if (grid->is_mask)
             t.reset(new tree_of<openvdb::MaskGrid>);
+        else
+            t.reset(new tree_of<openvdb::BoolGrid>);
         describe(*t->base(), *grid);
         made = t.release();
     });

@@ -14,7 +14,7 @@ typedef struct vdb_grid {
     double cell[3], shift[3];
     uint32_t size[3];
     double unit; /* the transform's lengths are these times it */
-    int is_of_booleans;
+    int is_mask; /* a MaskGrid in place of a BoolGrid */
 } vdb_grid;
 
 /* Where these fail they write why into `reason`, which has room for VDB_REASON bytes. */

@@ -9,8 +9,8 @@
 
 /* What some formats leave open. */
 typedef struct volume_options {
-    bool is_deflated;    /* .npz: smaller, and slower to write */
-    bool is_of_booleans; /* .vdb: a BoolGrid in place of a MaskGrid */
+    bool is_deflated; /* .npz: smaller, and slower to write */
+    bool is_mask;     /* .vdb: a MaskGrid in place of a BoolGrid, smaller, and known to fewer programs */
 } volume_options;
 
 typedef struct volume_format {
