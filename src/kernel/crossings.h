@@ -70,6 +70,9 @@ TRIBOX_INLINE void find_edges(lane_seen *s, const vnum u[9])
     s->per_area = v_div(v_splat(1), s->area);
 }
 
+/* What rounding can do to a side, and to n_x, of a triangle with these extents on y and z. */
+TRIBOX_INLINE vnum side_error(vnum F_y, vnum F_z) { return v_mul(v_splat(16 * V_UNIT), v_mul(F_y, F_z)); }
+
 /* Of triangles that are not finite nothing is certain. */
 TRIBOX_INLINE void see(lane_seen *s, const tribox_middles *m, const vnum u[9])
 {
@@ -87,7 +90,7 @@ TRIBOX_INLINE void see(lane_seen *s, const tribox_middles *m, const vnum u[9])
         }
     }
     const vnum of_middles = v_add(v_mul(F[1], off_z), v_mul(F[2], off_y));
-    s->error = v_add(v_add(v_mul(v_splat(0x1p-49), v_mul(F[1], F[2])), of_middles), v_splat(0x1p-1000));
+    s->error = v_add(v_add(side_error(F[1], F[2]), of_middles), v_splat(0x1p-1000));
     const vnum of_sides = v_mul(v_mul(v_splat(8), s->error), v_abs(s->per_area));
     const vnum of_place = v_mul(v_mul(F[0], v_add(of_sides, v_splat(0x1p-49))), v_splat(m->per_cell[0]));
     s->place_error = v_add(v_add(of_place, v_splat(m->error[0])), lane_lost3(u[0], u[1], u[2]));
@@ -120,6 +123,12 @@ TRIBOX_INLINE vnum middle_near(const tribox_middles *m, int a, vnum cell)
 
 TRIBOX_INLINE vmask is_within(vnum a, vnum lo, vnum hi) { return m_not(m_or(v_gt(lo, a), v_gt(a, hi))); }
 
+/* On which side of edge e the ray at (y, z) is. */
+TRIBOX_INLINE vnum side_of_edge(const lane_seen *s, int e, vnum y, vnum z)
+{
+    return v_fms(s->dy[e], v_sub(z, s->z[e]), v_mul(s->dz[e], v_sub(y, s->y[e])));
+}
+
 /* The pair `number` of each triangle, line by line: its row, where that crosses, and where exact signs have to tell. */
 typedef struct lane_crossing {
     vnum row[2], cell;
@@ -133,7 +142,7 @@ TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen
     const vnum y = middle_near(m, 1, c.row[0]), z = middle_near(m, 2, c.row[1]);
     vnum side[3];
     for (int e = 0; e < 3; e++)
-        side[e] = v_fms(s->dy[e], v_sub(z, s->z[e]), v_mul(s->dz[e], v_sub(y, s->y[e])));
+        side[e] = side_of_edge(s, e, y, z);
     const vnum least = lane_min3(v_flip(side[0], s->area), v_flip(side[1], s->area), v_flip(side[2], s->area));
     const vnum weight[2] = {v_mul(side[2], s->per_area), v_mul(side[0], s->per_area)}; /* two lengths by two: three could vanish */
     const vnum x = v_add(s->x, v_fma(weight[0], s->dx[0], v_mul(weight[1], s->dx[1])));
