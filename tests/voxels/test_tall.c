@@ -1,0 +1,502 @@
+/*
+ * test_tall.c - grids of more than 2^31 words, and triangles that go far beyond the few layers, window or tiles that are asked for:
+ * tall, long and wide ones, flat ones, lines and bricks. Each cell is compared with tribox_overlap, and words lie between guards.
+ */
+#include "occupancy.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "common/arguments.h"
+#include "common/contact.h"
+#include "common/guard.h"
+#include "common/kernels_here.h"
+#include "triangle_kinds.h"
+#include "window_f64.h"
+
+enum {
+    TRIANGLES = 12,
+    PAIRS_A_ROUND = 10000,
+    FEW_PAIRS = 40000,
+    WORDS_MAX = 1 << 16,
+    CELLS_MAX = 65000,
+    TILE = 64,
+    WIDEST = 10000
+};
+
+typedef struct tall_grid {
+    const char *name;
+    tribox_grid grid;
+    uint32_t window; /* as many cells a side of a window that is not of whole layers */
+} tall_grid;
+
+/* Their layers are small. */
+static const tall_grid grids[] = {
+    {"told by floats", {{0, 0, 0}, {1, 1, 1}, {192, 1024, 1 << 20}}, 40},
+    {"cells of many lengths", {{-70, -300, -0x1p17f}, {0.75f, 0.5f, 0.25f}, {192, 1024, 1 << 20}}, 40},
+    {"more layers than floats tell", {{0, 0, 0}, {1, 1, 1}, {64, 4096, 1 << 21}}, 20},
+    {"most layers", {{0, -32, 0}, {1, 1, 1}, {130, 256, 1 << 22}}, 9},
+    {"planes off a little", {{0, 0, -43230}, {1.1f, 0.9f, 0.66f}, {256, 5000, 131000}}, 20},
+    {"planes off by much", {{0, 0, 0}, {0.7f, 1.3f, 0.7f}, {70, 600, 1 << 21}}, 20},
+    {"long rows", {{0, 0, -0x1p19f}, {1, 1, 1}, {65000, 3, 1 << 20}}, 70},
+};
+enum { GRIDS = sizeof grids / sizeof grids[0] };
+
+/* Windows alone: a layer has too many words. */
+static const tall_grid wide_grids[] = {
+    {"wide", {{0, 0, 0}, {1, 1, 1}, {1 << 22, 4096, 8192}}, 20},
+    {"long", {{0, 0, 0}, {1, 0.5f, 1}, {4096, 1 << 22, 4096}}, 20},
+    {"wide and told by floats", {{-0x1p19f, 0, 0}, {1, 1, 1}, {1 << 20, 1 << 20, 1 << 20}}, 40},
+    {"all long", {{-0x1p22f, 0, -3}, {1, 0.7f, 2}, {1 << 23, 1 << 22, 1 << 22}}, 12},
+};
+enum { WIDE_GRIDS = sizeof wide_grids / sizeof wide_grids[0] };
+
+static const struct {
+    const char *name;
+    tribox_grid_f64 grid;
+} grids_f64[] = {
+    {"tall", {{0, 0, -1e6}, {1, 0.1, 1}, {64, 70, UINT32_MAX}}},
+    {"tall layers of many words", {{0, 0, 0}, {1, 1, 0.125}, {130, 30, (uint32_t)1 << 31}}},
+    {"wide", {{-1e9, 3, 0}, {0.3, 1, 1}, {UINT32_MAX, 90, 80}}},
+    {"long", {{0, -1e9, 0}, {1, 0.7, 1}, {90, UINT32_MAX, 80}}},
+    {"all long", {{-5, 1e6, -7}, {0.1, 1, 3}, {UINT32_MAX, UINT32_MAX, 4096}}},
+};
+enum { GRIDS_F64 = sizeof grids_f64 / sizeof grids_f64[0] };
+
+typedef struct window {
+    uint32_t first[3], size[3];
+} window;
+
+/* What is asked: of floats, or of doubles. */
+typedef struct tall_case {
+    const char *name;
+    bool is_double;
+    tribox_grid grid;
+    tribox_grid_f64 grid_f64;
+    const uint32_t *grid_size;
+    window w;
+    triangle_list triangles;
+    double corners[TRIANGLES][3][3]; /* the same triangles in doubles */
+    tribox_options options;
+} tall_case;
+
+static tall_case drawn;
+static uint64_t expected[WORDS_MAX], layer_words[WORDS_MAX];
+
+static size_t row_words(const window *w) { return (w->size[0] + 63) / 64; }
+static size_t words_of(const window *w) { return row_words(w) * w->size[1] * w->size[2]; }
+
+/* Cells are counted from the first of the window. */
+static uint64_t *word_of(const window *w, uint64_t *words, const uint32_t at[3])
+{
+    return &words[((size_t)at[2] * w->size[1] + at[1]) * row_words(w) + at[0] / 64];
+}
+
+static void tell(const tall_case *c)
+{
+    snprintf(doing, sizeof doing, "%s: cells %u %u %u, %u x %u x %u, accuracy %d, axes %u, kernel %s", c->name,
+             (unsigned)c->w.first[0], (unsigned)c->w.first[1], (unsigned)c->w.first[2], (unsigned)c->w.size[0],
+             (unsigned)c->w.size[1], (unsigned)c->w.size[2], (int)c->options.accuracy, c->options.axes, c->options.kernel);
+}
+
+static tribox_mesh mesh_of(const tall_case *c)
+{
+    return (tribox_mesh){.positions = c->corners, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
+}
+
+/* The planes of the window, from the boxes of its cells. */
+static double planes[3][CELLS_MAX + 1];
+static float float_planes[3][CELLS_MAX + 1];
+
+static void read_planes(const tall_case *c)
+{
+    for (int a = 0; a < 3; a++)
+        for (uint32_t n = 0; n <= c->w.size[a]; n++) {
+            const bool is_last = n == c->w.size[a];
+            uint32_t at[3] = {c->w.first[0], c->w.first[1], c->w.first[2]};
+            at[a] += n - is_last;
+            const tribox_box box = tribox_grid_cell(&c->grid, at[0], at[1], at[2]);
+            const tribox_box_f64 box_f64 = tribox_grid_cell_f64(&c->grid_f64, at[0], at[1], at[2]);
+            float_planes[a][n] = is_last ? box.hi[a] : box.lo[a];
+            planes[a][n] = !c->is_double ? (double)float_planes[a][n] : is_last ? box_f64.hi[a] : box_f64.lo[a];
+        }
+}
+
+/* Cells of the window, from `first` to before `end`. */
+typedef struct part {
+    uint32_t first[3], end[3];
+} part;
+
+/* Those that the box of a triangle touches, each plane looked at. */
+static part touched(const tall_case *c, size_t t)
+{
+    part p;
+    for (int a = 0; a < 3; a++) {
+        const double u[3] = {c->corners[t][0][a], c->corners[t][1][a], c->corners[t][2][a]};
+        const double least = fmin(fmin(u[0], u[1]), u[2]), most = fmax(fmax(u[0], u[1]), u[2]);
+        p.first[a] = c->w.size[a];
+        p.end[a] = 0;
+        for (uint32_t n = 0; n < c->w.size[a]; n++)
+            if (planes[a][n] <= most && planes[a][n + 1] >= least) {
+                p.first[a] = n < p.first[a] ? n : p.first[a];
+                p.end[a] = n + 1;
+            }
+    }
+    return p;
+}
+
+/* One row of cells of a triangle in float. */
+static void expect_row(const tall_case *c, size_t t, const part *p, const uint32_t at[3])
+{
+    static float bounds[4][CELLS_MAX];
+    static uint64_t mask[CELLS_MAX / 64 + 1];
+    const tribox_options options = {.axes = c->options.axes};
+    const size_t count = p->end[0] - p->first[0];
+    float u[3][3];
+    for (size_t n = 0; n < count; n++)
+        for (int b = 0; b < 4; b++)
+            bounds[b][n] = float_planes[1 + b % 2][at[1 + b % 2] + (uint32_t)b / 2];
+    const tribox_boxes boxes = {.lo = {float_planes[0] + p->first[0], bounds[0], bounds[1]},
+                                .hi = {float_planes[0] + p->first[0] + 1, bounds[2], bounds[3]},
+                                .count = count};
+    triangle_list_get(&c->triangles, t, u);
+    assert_int_equal(tribox_overlap_boxes((const_vertices)u, &boxes, &options, mask, NULL), TRIBOX_OK);
+    for (uint32_t n = 0; n < count; n++)
+        *word_of(&c->w, expected, (uint32_t[]){p->first[0] + n, at[1], at[2]}) |= (uint64_t)bit_of(mask, n)
+                                                                                  << (p->first[0] + n) % 64;
+}
+
+static void expect_row_f64(const tall_case *c, size_t t, const part *p, const uint32_t at[3])
+{
+    const tribox_mesh mesh = {.positions = c->corners[t], .vertices = 3, .count = 1, .position_bytes = 8};
+    const tribox_options options = {.axes = c->options.axes};
+    for (uint32_t i = p->first[0]; i < p->end[0]; i++) {
+        const tribox_box_f64 box = {{planes[0][i], planes[1][at[1]], planes[2][at[2]]},
+                                    {planes[0][i + 1], planes[1][at[1] + 1], planes[2][at[2] + 1]}};
+        uint64_t mask;
+        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
+        *word_of(&c->w, expected, (uint32_t[]){i, at[1], at[2]}) |= (mask & 1) << i % 64;
+    }
+}
+
+/* Returns how many cells overlap. All axes asked begin with the box normals, so others do not. */
+static size_t expect(const tall_case *c)
+{
+    read_planes(c);
+    memset(expected, 0, words_of(&c->w) * sizeof *expected);
+    for (size_t t = 0; t < TRIANGLES; t++) {
+        const part p = touched(c, t);
+        uint32_t at[3];
+        if (p.first[0] >= p.end[0])
+            continue;
+        for (at[2] = p.first[2]; at[2] < p.end[2]; at[2]++)
+            for (at[1] = p.first[1]; at[1] < p.end[1]; at[1]++)
+                (c->is_double ? expect_row_f64 : expect_row)(c, t, &p, at);
+    }
+    return occupancy_count(expected, words_of(&c->w));
+}
+
+/* EXACT has the cells that overlap, CONSERVATIVE at least these, and no call others than cells. */
+static void check(const tall_case *c, const uint64_t *words)
+{
+    const uint32_t rest = c->w.size[0] % 64;
+    for (size_t n = 0; n < words_of(&c->w); n++) {
+        const uint64_t cells = rest && (n + 1) % row_words(&c->w) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
+        const uint64_t lost = c->options.accuracy == TRIBOX_FAST ? 0 : expected[n] & ~words[n];
+        const uint64_t extra = words[n] & ~(c->options.accuracy == TRIBOX_EXACT ? expected[n] : cells);
+        if (lost | extra)
+            fail_msg("%s: word %zu lacks %#llx, has %#llx too many", doing, n, (unsigned long long)lost, (unsigned long long)extra);
+    }
+}
+
+static tribox_status voxelize(const tall_case *c, const window *w, uint64_t *words, tribox_report *report)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    const bool has_layers = !c->is_double && w->size[0] == c->grid_size[0] && w->size[1] == c->grid_size[1];
+    memset(words, 0, words_of(w) * sizeof *words);
+    return c->is_double ? tribox_voxelize_f64(&mesh, &c->grid_f64, w->first, w->size, &c->options, words, report)
+           : has_layers ? tribox_voxelize_layers(&soup, &c->grid, w->first[2], w->size[2], &c->options, words, report)
+                        : tribox_voxelize_window(&soup, &c->grid, w->first, w->size, &c->options, words, report);
+}
+
+/* Layers have the bits of the grid at every accuracy: so each alone has those of all. */
+static void check_layers(const tall_case *c, const uint64_t *words)
+{
+    window w = c->w;
+    const size_t layer = row_words(&w) * w.size[1];
+    w.size[2] = 1;
+    for (uint32_t k = 0; k < c->w.size[2]; k++, w.first[2]++) {
+        assert_int_equal(voxelize(c, &w, layer_words, NULL), TRIBOX_OK);
+        if (memcmp(layer_words, words + k * layer, layer * sizeof *words))
+            fail_msg("%s: layer %u alone differs", doing, (unsigned)w.first[2]);
+    }
+}
+
+/* First against the page after, then against the one before. */
+static void ask(const tall_case *c, bool has_layers)
+{
+    const size_t bytes = words_of(&c->w) * sizeof(uint64_t);
+    const guarded g = guarded_make(bytes);
+    tell(c);
+    for (int side = 0; side < 2; side++) {
+        uint64_t *const words = side ? guarded_tail(g, bytes) : (void *)g.first;
+        tribox_report report;
+        assert_int_equal(voxelize(c, &c->w, words, &report), TRIBOX_OK);
+        assert_int_equal(report.overlapping, occupancy_count(words, words_of(&c->w)));
+        check(c, words);
+        if (side && has_layers)
+            check_layers(c, words);
+    }
+    guarded_free(g);
+}
+
+/* By every kernel, at every accuracy. Returns the cells that overlap. */
+static size_t ask_all(tall_case *c, bool has_layers)
+{
+    const char *kernels[KERNELS_MAX];
+    const int kernel_count = kernels_here(kernels);
+    const size_t set = expect(c);
+    for (int k = 0; k < kernel_count; k++)
+        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            c->options.kernel = kernels[k];
+            c->options.accuracy = (tribox_accuracy)accuracy;
+            ask(c, has_layers);
+        }
+    return set;
+}
+
+static double place(const tall_case *c, int a, double p)
+{
+    return c->is_double ? window_f64_plane(&c->grid_f64, a, p) : (double)grid_planes_place(&c->grid, a, p);
+}
+
+/*
+ * Through the window: on each axis within one cell, over a few, over more than float takes at a time, or over all of the grid, but on x and
+ * y no more than `widest` to either side. The point that is in the window lies within a cell, or on planes.
+ */
+static void draw_triangles(random_source *r, tall_case *c, double widest)
+{
+    c->triangles.count = 0;
+    for (size_t t = 0; t < TRIANGLES; t++) {
+        const double one = random_double(r, 0.2, 1.5), other = random_double(r, 0.1, 1.5);
+        const bool is_on_planes = random_int(r, 6) == 0;
+        for (int a = 0; a < 3; a++) {
+            const double all = 0.5 * c->grid_size[a], far = a == 2 || all < widest ? all : widest;
+            const double lengths[] = {0.1, 3, 28, far}, most = lengths[random_int(r, 4)];
+            const double within = is_on_planes ? 0 : random_double(r, 0.4, 0.6);
+            const double in = c->w.first[a] + (double)random_below(r, c->w.size[a]) + within;
+            double by[3] = {random_double(r, -most, most), random_double(r, -most, most)};
+            by[2] = -one * by[0] - other * by[1];
+            for (int j = 0; j < 3; j++)
+                c->corners[t][j][a] = place(c, a, in + by[j]);
+        }
+        float u[3][3];
+        for (int n = 0; n < 9; n++)
+            u[n / 3][n % 3] = (float)c->corners[t][n / 3][n % 3];
+        triangle_list_put(&c->triangles, (const_vertices)u);
+    }
+}
+
+static void draw_axes(random_source *r, tall_case *c)
+{
+    static const unsigned axes[] = {0, 0, TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE};
+    c->options = (tribox_options){.axes = axes[random_int(r, 4)]};
+}
+
+static void open_float(tall_case *c, const tall_grid *from)
+{
+    c->name = from->name;
+    c->is_double = false;
+    c->grid_f64 = grids_f64[0].grid; /* any */
+    c->grid = from->grid;
+    c->grid_size = c->grid.size;
+}
+
+/* `length` cells of an axis at either end, anywhere, or the first that lie 2^31 words behind the first layer, or next to them. */
+static void put_span(random_source *r, const tall_case *c, int a, uint32_t length, window *w)
+{
+    const uint32_t size = c->grid_size[a];
+    const uint64_t layer = ((uint64_t)c->grid_size[0] + 63) / 64 * c->grid_size[1], far = (uint64_t)random_int_between(r, 1, 2)
+                                                                                          << 31;
+    w->size[a] = length < size ? length : size;
+    const uint32_t last = size - w->size[a], anywhere = (uint32_t)random_below(r, (size_t)last + 1);
+    const int way = random_int(r, 6);
+    w->first[a] = way == 0 ? 0 : way == 1 ? last : anywhere;
+    if (a == 2 && way > 3)
+        w->first[2] = far / layer < last ? (uint32_t)(far / layer) + (uint32_t)random_int(r, 2) : last;
+}
+
+static void test_layers(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "tall layers");
+    const size_t rounds = arguments_rounds(args, PAIRS_A_ROUND);
+    for (size_t n = 0; n < GRIDS; n++) {
+        size_t set = 0;
+        for (size_t round = 0; round < rounds; round++) {
+            open_float(&drawn, &grids[n]);
+            memset(drawn.w.first, 0, sizeof drawn.w.first);
+            memcpy(drawn.w.size, drawn.grid_size, sizeof drawn.w.size);
+            put_span(&r, &drawn, 2, (uint32_t)random_int_between(&r, 1, 3), &drawn.w);
+            if (words_of(&drawn.w) > WORDS_MAX)
+                drawn.w.size[2] = 1;
+            draw_triangles(&r, &drawn, INFINITY);
+            draw_axes(&r, &drawn);
+            set += ask_all(&drawn, true);
+        }
+        assert_true(set > 10 * rounds);
+    }
+}
+
+static void test_windows(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "tall windows");
+    const size_t rounds = arguments_rounds(args, PAIRS_A_ROUND);
+    for (size_t n = 0; n < GRIDS + WIDE_GRIDS; n++) {
+        const tall_grid *const from = n < GRIDS ? &grids[n] : &wide_grids[n - GRIDS];
+        size_t set = 0;
+        for (size_t round = 0; round < rounds; round++) {
+            open_float(&drawn, from);
+            for (int a = 0; a < 3; a++)
+                put_span(&r, &drawn, a, (uint32_t)random_int_between(&r, 1, a == 2 ? 5 : (int)from->window), &drawn.w);
+            draw_triangles(&r, &drawn, INFINITY);
+            draw_axes(&r, &drawn);
+            set += ask_all(&drawn, false);
+        }
+        assert_true(set > rounds);
+    }
+}
+
+static void open_double(tall_case *c, size_t n)
+{
+    c->name = grids_f64[n].name;
+    c->is_double = true;
+    c->grid = grids[0].grid; /* any */
+    c->grid_f64 = grids_f64[n].grid;
+    c->grid_size = c->grid_f64.size;
+}
+
+/* Whole layers too, where they are small. */
+static void test_doubles(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "tall in double");
+    const size_t rounds = arguments_rounds(args, PAIRS_A_ROUND);
+    for (size_t n = 0; n < GRIDS_F64; n++) {
+        size_t set = 0;
+        for (size_t round = 0; round < rounds; round++) {
+            open_double(&drawn, n);
+            const bool has_layers = drawn.grid_size[0] < 200 && drawn.grid_size[1] < 400 && random_int(&r, 3) == 0;
+            for (int a = 0; a < 3; a++)
+                put_span(&r, &drawn, a, a < 2 && has_layers ? drawn.grid_size[a] : (uint32_t)random_int_between(&r, 1, a ? 5 : 70),
+                         &drawn.w);
+            draw_triangles(&r, &drawn, INFINITY);
+            draw_axes(&r, &drawn);
+            set += ask_all(&drawn, false);
+        }
+        assert_true(set > rounds);
+    }
+}
+
+/* The tile that begins the window. */
+static size_t tile_of(tall_case *c)
+{
+    size_t tile = 0;
+    for (int a = 2; a >= 0; a--) {
+        const uint32_t along = c->grid_size[a] / TILE + (c->grid_size[a] % TILE != 0), at = c->w.first[a] / TILE;
+        c->w.first[a] = at * TILE;
+        c->w.size[a] = c->grid_size[a] - at * TILE < TILE ? c->grid_size[a] - at * TILE : TILE;
+        tile = tile * along + at;
+    }
+    return tile;
+}
+
+static int take(void *words, const uint32_t at[3], const uint64_t bits[8])
+{
+    for (uint32_t n = 0; n < 512; n++) {
+        const uint32_t brick[3] = {n % 8, n / 8 % 8, n / 64};
+        uint32_t cell[3];
+        for (int a = 0; a < 3; a++)
+            cell[a] = 8 * at[a] + brick[a] - drawn.w.first[a];
+        if (bits[n / 64] >> n % 64 & 1)
+            *word_of(&drawn.w, words, cell) |= UINT64_C(1) << cell[0] % 64;
+    }
+    return 1;
+}
+
+/* The list of a tile, and its cells from bricks. */
+static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    size_t starts[2];
+    uint32_t list[TRIANGLES];
+    const size_t bytes = tribox_bricks_bytes(TILE);
+    const guarded g = guarded_make(bytes);
+    void *const scratch = guarded_tail(g, bytes);
+    tribox_report report;
+    memset(words, 0, words_of(&c->w) * sizeof *words);
+    if (c->is_double) {
+        const tribox_grid_f64 *const grid = &c->grid_f64;
+        assert_int_equal(tribox_tiles_count_f64(&mesh, grid, TILE, tile, tile + 1, &c->options, starts), TRIBOX_OK);
+        assert_int_equal(tribox_tiles_fill_f64(&mesh, grid, TILE, tile, tile + 1, &c->options, starts, list), TRIBOX_OK);
+        assert_int_equal(
+            tribox_voxelize_bricks_f64(&mesh, grid, TILE, tile, tile + 1, starts, list, &c->options, scratch, take, words, &report),
+            TRIBOX_OK);
+    } else {
+        assert_int_equal(tribox_tiles_count(&soup, &c->grid, TILE, tile, tile + 1, &c->options, starts), TRIBOX_OK);
+        assert_int_equal(tribox_tiles_fill(&soup, &c->grid, TILE, tile, tile + 1, &c->options, starts, list), TRIBOX_OK);
+        assert_int_equal(
+            tribox_voxelize_bricks(&soup, &c->grid, TILE, tile, tile + 1, starts, list, &c->options, scratch, take, words, &report),
+            TRIBOX_OK);
+    }
+    guarded_free(g);
+    assert_int_equal(report.overlapping, occupancy_count(words, words_of(&c->w)));
+}
+
+/* A tile anywhere in such grids, by one kernel at every accuracy. Triangles cross few of the tiles that lists look at. */
+static void test_bricks(void **state)
+{
+    const arguments *const args = *state;
+    static uint64_t words[TILE * TILE];
+    const char *kernels[KERNELS_MAX];
+    const int kernel_count = kernels_here(kernels);
+    catch_faults();
+    random_source r = random_named(args->seed, "tall bricks");
+    for (size_t round = 0; round < GRIDS_F64 * arguments_rounds(args, FEW_PAIRS); round++) {
+        if (random_int(&r, 2))
+            open_double(&drawn, round % GRIDS_F64);
+        else
+            open_float(&drawn, random_int(&r, 2) ? &grids[round % GRIDS] : &wide_grids[round % WIDE_GRIDS]);
+        for (int a = 0; a < 3; a++)
+            put_span(&r, &drawn, a, 1, &drawn.w);
+        const size_t tile = tile_of(&drawn);
+        draw_triangles(&r, &drawn, WIDEST);
+        draw_axes(&r, &drawn);
+        drawn.options.kernel = kernels[random_int(&r, kernel_count)];
+        expect(&drawn);
+        for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+            drawn.options.accuracy = (tribox_accuracy)accuracy;
+            tell(&drawn);
+            ask_bricks(&drawn, tile, words);
+            check(&drawn, words);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_layers, &args),
+        cmocka_unit_test_prestate(test_windows, &args),
+        cmocka_unit_test_prestate(test_doubles, &args),
+        cmocka_unit_test_prestate(test_bricks, &args),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
