@@ -74,6 +74,7 @@ typedef struct lane_bits {
     vint half, from;
 } lane_bits;
 
+/* Of cells in layers before those asked for, too. Axes have at most 2^20 cells here (PROOFS.md 7.9), and halves are modulo 2^32. */
 TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3])
 {
     const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->first_layer)), i = i_cut(base[0]);
