@@ -298,6 +298,26 @@ static void draw_triangles(random_source *r, tall_case *c, double widest)
     }
 }
 
+/* Of every shape, from the first layers to the last; narrow where n has a bit for the axis. */
+static void put_by_hand(tall_case *c)
+{
+    c->triangles.count = 0;
+    for (size_t t = 0; t < TRIANGLES; t++) {
+        float u[3][3];
+        for (int a = 0; a < 3; a++) {
+            const uint32_t size = c->grid_size[a], beside = (uint32_t)(2 * t) % size;
+            const double from = a == 2 ? 0 : beside, most = a == 2 ? size - 1 : size < 80 ? size / 2 : 40;
+            const double wide[3] = {0.5, most + 0.5, 0.4 * most + 0.5}, narrow[3] = {0.3, 0.7, 0.5};
+            const double cell = a == 2 ? c->w.first[a] : beside;
+            for (int j = 0; j < 3; j++) {
+                c->corners[t][j][a] = place(c, a, t >> a & 1 ? cell + narrow[j] : from + wide[j]);
+                u[j][a] = (float)c->corners[t][j][a];
+            }
+        }
+        triangle_list_put(&c->triangles, (const_vertices)u);
+    }
+}
+
 static void draw_axes(random_source *r, tall_case *c)
 {
     static const unsigned axes[] = {0, 0, TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, TRIBOX_AXES_BOX | TRIBOX_AXES_PLANE};
@@ -348,6 +368,25 @@ static void test_layers(void **state)
         }
         assert_true(set > 10 * rounds);
     }
+}
+
+/* The layers that begin 2^31 words behind the first, and those about them. */
+static void test_by_hand(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t n = 0; n < GRIDS; n++)
+        for (uint32_t step = 0; step < 4; step++) {
+            open_float(&drawn, &grids[n]);
+            const uint32_t layer = (drawn.grid_size[0] + 63) / 64 * drawn.grid_size[1];
+            memset(drawn.w.first, 0, sizeof drawn.w.first);
+            memcpy(drawn.w.size, drawn.grid_size, sizeof drawn.w.size);
+            drawn.w.size[2] = 1;
+            drawn.w.first[2] = step == 3 ? drawn.grid_size[2] - 1 : (UINT32_C(1) << 31) / layer - 1 + step;
+            put_by_hand(&drawn);
+            drawn.options = (tribox_options){0};
+            assert_true(ask_all(&drawn, true) > TRIANGLES);
+        }
 }
 
 static void test_windows(void **state)
@@ -493,6 +532,7 @@ int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_by_hand),
         cmocka_unit_test_prestate(test_layers, &args),
         cmocka_unit_test_prestate(test_windows, &args),
         cmocka_unit_test_prestate(test_doubles, &args),
