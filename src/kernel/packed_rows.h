@@ -123,8 +123,10 @@ TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at,
     const vnum layer = v_sub(k, v_splat((double)p->first)), word = v_splat((double)p->strip->word[t]);
     v_write_int(&rows->word[at], v_fma(layer, v_splat(layer_words), v_fma(j, v_splat(row_words), word)));
     if (p->v->is_far)
-        for (unsigned n = at; n < at + V_LANES; n++)
-            tribox_will_write(p->v->occupied + rows->word[n] + (p->strip->bit[t] + rows->maybe.first[n]) / 64);
+        for (unsigned n = at; n < at + V_LANES; n++) { /* the word after the last may be 2^31 */
+            const uint32_t first = (uint32_t)(p->strip->bit[t] + rows->maybe.first[n]) / 64;
+            tribox_will_write(p->v->occupied + ((uint32_t)rows->word[n] + first));
+        }
 }
 
 /* Lanes after the last row repeat it. */
