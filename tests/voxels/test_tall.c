@@ -512,6 +512,8 @@ static void test_bricks(void **state)
             open_double(&drawn, round % GRIDS_F64);
         else
             open_float(&drawn, random_int(&r, 2) ? &grids[round % GRIDS] : &wide_grids[round % WIDE_GRIDS]);
+        if (tribox_tiles(drawn.grid_size, TILE) == SIZE_MAX) /* on small machines */
+            continue;
         for (int a = 0; a < 3; a++)
             put_span(&r, &drawn, a, 1, &drawn.w);
         const size_t tile = tile_of(&drawn);
