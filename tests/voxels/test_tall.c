@@ -233,7 +233,7 @@ static void check_layers(const tall_case *c, const uint64_t *words)
     }
 }
 
-/* First against the page after, then against the one before. */
+/* First against the page before, then against the one after. */
 static void ask(const tall_case *c, bool has_layers)
 {
     const size_t bytes = words_of(&c->w) * sizeof(uint64_t);
