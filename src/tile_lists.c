@@ -35,24 +35,45 @@ static void put_at(void *about, const int64_t at[3])
     put(l, ((size_t)at[2] * l->tiling.along[1] + (size_t)at[1]) * l->tiling.along[0] + (size_t)at[0]);
 }
 
-/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis, and on how many axes there are several, even outside the grid. */
+/* Tiles of the grid, and on how many axes there are several, even outside the grid. */
 typedef struct tile_range {
-    int64_t base[3], tiles[3];
+    tribox_tile_box box;
     int spans;
 } tile_range;
 
-/* The layers of tiles of the share: nothing but them is looked at. */
-static void start_range(const tribox_listing *l, tile_range *range)
+/* What the share has from tile `at` on: layers, or else rows of one layer, or else tiles of one row. */
+static tribox_tile_box part_from(const tribox_tiling *t, size_t at)
 {
-    const tribox_tiling *const t = &l->tiling;
-    const size_t layer = t->along[0] * t->along[1];
-    for (int a = 0; a < 2; a++) {
-        range->base[a] = 0;
-        range->tiles[a] = (int64_t)t->along[a];
+    const size_t row = t->along[0], rows = t->along[1], layer = row * rows, left = t->to - at;
+    const size_t first[3] = {at % row, at / row % rows, at / layer};
+    size_t tiles[3] = {left < row - first[0] ? left : row - first[0], 1, 1};
+    if (at % row == 0 && left >= row)
+        tiles[1] = left / row < rows - first[1] ? left / row : rows - first[1];
+    if (at % layer == 0 && left >= layer)
+        tiles[2] = left / layer;
+    tribox_tile_box part;
+    for (int a = 0; a < 3; a++) {
+        part.base[a] = (int64_t)first[a];
+        part.tiles[a] = (int64_t)tiles[a];
     }
-    range->base[2] = (int64_t)(t->from / layer);
-    range->tiles[2] = (int64_t)((t->to - 1) / layer) + 1 - range->base[2];
-    range->spans = 3;
+    return part;
+}
+
+/* The share in as few boxes as it has (PROOFS.md 7.12): no other tile is looked at, however many there are. */
+static void cut_share(tribox_listing *l)
+{
+    size_t tiles;
+    l->parts = 0;
+    for (size_t at = l->tiling.from; at < l->tiling.to; at += tiles) {
+        const tribox_tile_box part = part_from(&l->tiling, at);
+        tiles = (size_t)part.tiles[0] * (size_t)part.tiles[1] * (size_t)part.tiles[2];
+        l->part[l->parts++] = part;
+    }
+}
+
+static tile_range whole_range(const tribox_tiling *t)
+{
+    return (tile_range){{.tiles = {(int64_t)t->along[0], (int64_t)t->along[1], (int64_t)t->along[2]}}, 3};
 }
 
 /* The tiles that the bounding box touches on axis a. */
@@ -61,40 +82,62 @@ static bool cut_range(const tribox_listing *l, const double u[9], int a, tile_ra
     const double *const w = u + 3 * a;
     const double low = w[0] < w[1] ? w[0] : w[1], high = w[0] < w[1] ? w[1] : w[0];
     const double least = low < w[2] ? low : w[2], most = high < w[2] ? w[2] : high;
-    const int64_t size = l->tiling.size[a], tile = l->tiling.tile, first = range->base[a], end = first + range->tiles[a];
+    const int64_t size = l->tiling.size[a], tile = l->tiling.tile;
     const tribox_cells cells = l->grid ? tribox_grid_cells(l->grid, a, 0, size, (float)least, (float)most)
                                        : tribox_planes_cells(&l->planes, a, size, least, most);
-    const int64_t from = cells.first < 0 ? 0 : cells.first / tile, last = cells.last < size ? cells.last : size - 1;
-    if (cells.first >= size || cells.last < 0 || from >= end || last / tile < first)
+    const int64_t from = cells.first < 0 ? 0 : cells.first / tile, to = (cells.last < size ? cells.last : size - 1) / tile;
+    if (cells.first >= size || cells.last < 0)
         return false;
-    range->spans -= cells.first >= 0 && cells.last < size && from == last / tile;
-    range->base[a] = from > first ? from : first;
-    range->tiles[a] = (last / tile < end ? last / tile + 1 : end) - range->base[a];
+    range->spans -= cells.first >= 0 && cells.last < size && from == to;
+    range->box.base[a] = from;
+    range->box.tiles[a] = to - from + 1;
     return true;
 }
 
 /* Where its box spans one tile on two axes, a triangle overlaps every tile that it spans on the third (PROOFS.md 7.4). */
-static void put_range(tribox_listing *l, const double u[9], const tile_range *range)
+static void put_tiles(tribox_listing *l, const double u[9], const tribox_tile_box *box, int spans)
 {
     int64_t at[3];
-    if (range->spans >= 2 && l->plan.axes != TRIBOX_AXES_BOX) {
+    if (spans >= 2 && l->plan.axes != TRIBOX_AXES_BOX) {
         const tribox_blocks blocks = {.plan = &l->plan, .plane = plane_of, .lattice = l, .take = put_at, .taker = l};
-        tribox_blocks_ask(&blocks, u, range->base, range->tiles);
+        tribox_blocks_ask(&blocks, u, box->base, box->tiles);
         return;
     }
-    for (at[2] = range->base[2]; at[2] < range->base[2] + range->tiles[2]; at[2]++)
-        for (at[1] = range->base[1]; at[1] < range->base[1] + range->tiles[1]; at[1]++)
-            for (at[0] = range->base[0]; at[0] < range->base[0] + range->tiles[0]; at[0]++)
+    for (at[2] = box->base[2]; at[2] < box->base[2] + box->tiles[2]; at[2]++)
+        for (at[1] = box->base[1]; at[1] < box->base[1] + box->tiles[1]; at[1]++)
+            for (at[0] = box->base[0]; at[0] < box->base[0] + box->tiles[0]; at[0]++)
                 put_at(l, at);
+}
+
+/* The tiles of both boxes, and whether there are any. */
+static bool meet(const tribox_tile_box *b, const tribox_tile_box *c, tribox_tile_box *both)
+{
+    bool is = true;
+    for (int a = 0; a < 3; a++) {
+        const int64_t b_end = b->base[a] + b->tiles[a], c_end = c->base[a] + c->tiles[a];
+        both->base[a] = b->base[a] > c->base[a] ? b->base[a] : c->base[a];
+        both->tiles[a] = (b_end < c_end ? b_end : c_end) - both->base[a];
+        is = is && both->tiles[a] > 0;
+    }
+    return is;
+}
+
+/* What the share has of a range. */
+static void put_range(tribox_listing *l, const double u[9], const tile_range *range)
+{
+    for (int n = 0; n < l->parts; n++) {
+        tribox_tile_box box;
+        if (meet(&range->box, &l->part[n], &box))
+            put_tiles(l, u, &box, range->spans);
+    }
 }
 
 /* Any triangle. */
 static void list_by_planes(tribox_listing *l, const double u[9])
 {
-    tile_range range;
+    tile_range range = whole_range(&l->tiling);
     if (!tribox_are_finite_f64(u, 9))
         return;
-    start_range(l, &range);
     for (int a = 0; a < 3; a++)
         if (l->plan.axes & TRIBOX_AXES_BOX && !cut_range(l, u, a, &range))
             return;
@@ -120,10 +163,9 @@ static void list_by_range(tribox_listing *l, const double u[9], size_t first, un
 {
     const size_t *const along = l->tiling.along;
     tile_range range = {
-        .base = {(int64_t)(first % along[0]), (int64_t)(first / along[0] % along[1]), (int64_t)(first / along[0] / along[1])},
-        .spans = 2};
+        {.base = {(int64_t)(first % along[0]), (int64_t)(first / along[0] % along[1]), (int64_t)(first / along[0] / along[1])}}, 2};
     for (int a = 0; a < 3; a++)
-        range.tiles[a] = 1 + (int64_t)(more >> a * TRIBOX_TILES_BITS & TRIBOX_TILES_MORE);
+        range.box.tiles[a] = 1 + (int64_t)(more >> a * TRIBOX_TILES_BITS & TRIBOX_TILES_MORE);
     put_range(l, u, &range);
 }
 
@@ -232,7 +274,8 @@ static bool make_lattice(tribox_listing *l)
 
 static void list_triangles(tribox_listing *l)
 {
-    if (l->tiling.from < l->tiling.to)
+    cut_share(l);
+    if (l->parts)
         (!make_lattice(l) ? list_by_one : l->soup ? list_soup : list_mesh)(l);
 }
 

@@ -6,6 +6,14 @@
 #include "planes.h"
 #include "tiles.h"
 
+/* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis. */
+typedef struct tribox_tile_box {
+    int64_t base[3], tiles[3];
+} tribox_tile_box;
+
+/* The rest of a row, the rest of a layer, layers, rows, and the beginning of a row. */
+enum { TRIBOX_SHARE_PARTS = 5 };
+
 /* One call. */
 typedef struct tribox_listing {
     tribox_tiling tiling;
@@ -17,6 +25,8 @@ typedef struct tribox_listing {
     size_t *starts;
     uint32_t *list; /* NULL to count */
 
+    tribox_tile_box part[TRIBOX_SHARE_PARTS]; /* boxes that the share is made of */
+    int parts;
     uint32_t triangle; /* the one at hand */
     tribox_tile_lattice lattice;
 } tribox_listing;

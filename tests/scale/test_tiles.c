@@ -1,6 +1,7 @@
 /* test_tiles.c - the triangles listed for each tile are those that overlap its box, float and double, in whole grids and shares. */
 #include "tile_case.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "common/arguments.h"
@@ -89,6 +90,129 @@ static void test_lists(void **state)
     }
 }
 
+/* From a tile to another tile: in a row, of rows, of layers, or any. */
+static void draw_share(random_source *r, const tile_case *c, size_t *from, size_t *to)
+{
+    const size_t count = tile_case_tiles(c), row = (tile_case_size(c)[0] + c->tile - 1) / c->tile,
+                 layer = row * ((tile_case_size(c)[1] + c->tile - 1) / c->tile);
+    const size_t steps[] = {1, row, layer}, step = steps[random_int(r, 3)];
+    const size_t most[] = {1, row, count};
+    *from = random_below(r, count) / step * step;
+    const size_t left = (count - *from) / step, wanted = most[random_int(r, 3)] / step + 1;
+    *to = *from + step * (1 + random_below(r, left < wanted ? left : wanted));
+}
+
+/* The lists of a share are those of the whole: EXACT, which promises it. */
+static void test_shares(void **state)
+{
+    const arguments *const args = *state;
+    random_source r = random_named(args->seed, "shares of tiles");
+    for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
+        tile_case_draw(&r, tiles[1 + round % (sizeof tiles / sizeof tiles[0] - 1)], &drawn);
+        drawn.options.accuracy = TRIBOX_EXACT;
+        tile_case_tell(&drawn, doing, sizeof doing);
+        const tile_lists whole = tile_case_lists(&drawn, 0, tile_case_tiles(&drawn));
+        for (int n = 0; n < 4; n++) {
+            size_t from, to;
+            draw_share(&r, &drawn, &from, &to);
+            const tile_lists share = tile_case_lists(&drawn, from, to);
+            const size_t *const starts = whole.starts + from;
+            for (size_t t = 0; t <= to - from; t++)
+                if (share.starts[t] != starts[t] - starts[0])
+                    fail_msg("%s: lists of the share %zu to %zu have other lengths", doing, from, to);
+            assert_memory_equal(share.list, whole.list + starts[0], share.starts[to - from] * sizeof *share.list);
+            tile_lists_free(share);
+        }
+        tile_lists_free(whole);
+    }
+}
+
+/* Grids of cells of length 1 with so many tiles that no call can look at a layer of them, or a row, each time. */
+static const struct many_tiles {
+    bool is_double;
+    uint32_t size[3], tile;
+} many_tiles[] = {
+    {false, {8000, 8000, 8000}, 8}, /* told apart in float */
+    {false, {65536, 65536, 65536}, 8},      {true, {8000, 8000, 8000}, 8},
+    {true, {2147483648, 5, 1073741824}, 8}, {true, {5, 2147483648, 2147483648}, 8},
+};
+
+/* A triangle across most of the grid, and a tile that it may overlap, at an end of a row or a layer at times. */
+static size_t draw_across(random_source *r, const struct many_tiles *many, double u[3][3])
+{
+    const double s = random_double(r, 0, 1), t = random_double(r, 0, 1 - s);
+    size_t tile = 0;
+    for (int v = 0; v < 3; v++)
+        for (int a = 0; a < 3; a++)
+            u[v][a] = (float)(random_double(r, -0.2, 1.2) * many->size[a]);
+    for (int a = 2; a >= 0; a--) {
+        const double place = s * u[0][a] + t * u[1][a] + (1 - s - t) * u[2][a], last = many->size[a] - 1.0;
+        const double cell = random_int(r, 4) ? fmin(fmax(place, 0), last) : random_int(r, 2) ? 0 : last;
+        tile = tile * ((many->size[a] + many->tile - 1) / many->tile) + (size_t)cell / many->tile;
+    }
+    return tile;
+}
+
+static tribox_box_f64 box_of(const struct many_tiles *many, size_t tile)
+{
+    tribox_box_f64 box;
+    for (int a = 0; a < 3; a++) {
+        const size_t along = (many->size[a] + many->tile - 1) / many->tile;
+        box.lo[a] = (double)(tile % along * many->tile);
+        box.hi[a] = fmin(box.lo[a] + many->tile, many->size[a]);
+        tile /= along;
+    }
+    return box;
+}
+
+static tribox_status count_share(const struct many_tiles *many, const double u[3][3], size_t from, size_t to,
+                                 const tribox_options *options, size_t *starts)
+{
+    const uint32_t *const size = many->size;
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {size[0], size[1], size[2]}};
+    const tribox_grid_f64 grid_f64 = {{0, 0, 0}, {1, 1, 1}, {size[0], size[1], size[2]}};
+    const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = 8};
+    float number[9];
+    tribox_soup soup = {.count = 1};
+    for (int n = 0; n < 9; n++)
+        number[n] = (float)u[n % 3][n / 3];
+    for (int v = 0; v < 3; v++) {
+        soup.x[v] = number + v;
+        soup.y[v] = number + 3 + v;
+        soup.z[v] = number + 6 + v;
+    }
+    return many->is_double ? tribox_tiles_count_f64(&mesh, &grid_f64, many->tile, from, to, options, starts)
+                           : tribox_tiles_count(&soup, &grid, many->tile, from, to, options, starts);
+}
+
+/* Shares of a few tiles, which take no longer than they have to: all of them hours, if a layer or a row were looked at. */
+static void test_few_of_many(void **state)
+{
+    enum { SHARES = 5000 };
+    const arguments *const args = *state;
+    random_source r = random_named(args->seed, "few of many tiles");
+    for (size_t round = 0; round < SHARES / (arguments_are_short(args) ? 10 : 1); round++) {
+        const struct many_tiles *const many = &many_tiles[round % (sizeof many_tiles / sizeof many_tiles[0])];
+        const size_t count = tribox_tiles(many->size, many->tile);
+        const tribox_options options = {.axes = random_int(&r, 2) ? TRIBOX_AXES_BOX : TRIBOX_AXES_ALL};
+        double u[3][3];
+        size_t starts[6], tile = draw_across(&r, many, u);
+        if (count == SIZE_MAX)
+            continue;
+        const size_t before = (size_t)random_int(&r, 3), after = 1 + (size_t)random_int(&r, 3);
+        const size_t from = tile < before ? 0 : tile - before, to = count - tile < after ? count : tile + after;
+        assert_int_equal(count_share(many, (const double(*)[3])u, from, to, &options, starts), TRIBOX_OK);
+        const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = 8};
+        for (size_t t = from; t < to; t++) {
+            const tribox_box_f64 box = box_of(many, t);
+            uint64_t mask;
+            assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
+            if (starts[t + 1 - from] - starts[t - from] != mask)
+                fail_msg("round %zu: the triangle is %s tile %zu", round, mask ? "missing in" : "in", t);
+        }
+    }
+}
+
 /* More triangles than a kernel is asked about at once, one in each tile of a long row; the last of them spans all the tiles. */
 static void test_long_row(void **state)
 {
@@ -150,6 +274,8 @@ int main(int argc, char **argv)
     arguments args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(test_lists, &args),
+        cmocka_unit_test_prestate(test_shares, &args),
+        cmocka_unit_test_prestate(test_few_of_many, &args),
         cmocka_unit_test(test_long_row),
         cmocka_unit_test_prestate(test_numbers_of_tiles, &args),
     };
