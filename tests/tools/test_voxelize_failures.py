@@ -219,6 +219,55 @@ class Memory(Failures):
         self.succeed(*small, "--quiet", "-o", self.path("x.npz"), limit=limit)
 
 
+@support.unless_sanitized
+class LittleMemory(Failures):
+    """Limits on addresses, from little more than the program itself takes to enough for all: the file, or a line and nothing."""
+
+    MIB = 1 << 20
+    SPAN = 72 * MIB
+
+    def setUp(self):
+        super().setUp()
+        self.tiles = self.path("mesh.tiles")
+        self.succeed("partition", self.mesh, "-r", "300", "-q", "-o", self.tiles)
+        os.mkdir(self.path("out"))
+
+    def least(self):
+        """Where the program runs at all."""
+        limit = 4 * self.MIB
+        while support.run("info", limit=(resource.RLIMIT_AS, limit)).code:
+            limit += self.MIB
+        return limit
+
+    def write_within(self, limit, name, *arguments):
+        """The bytes of the file, or None."""
+        result = support.run("voxelize", *arguments, "-q", "-o", self.path("out/" + name), limit=(resource.RLIMIT_AS, limit))
+        left = os.listdir(self.path("out"))
+        if result.code:
+            self.assertEqual((result.code, left), (1, []), (limit, result.stderr))
+            self.assert_one_line(result.stderr, "memory|x.vdb: ")
+            return None
+        self.assertEqual((result.stderr, left), ("", [name]), limit)
+        written = volumes.read(self.path("out/" + name))
+        os.remove(self.path("out/" + name))
+        return written
+
+    def test_threads(self):
+        """Where one thread has the memory that it needs, eight do the work, or as many of them as have theirs."""
+        least = self.least()
+        grid = ("-r", "300")
+        for name, *arguments in (("x.npz", self.mesh, *grid), ("x.npz", self.tiles), ("x.part", self.mesh, *grid, "--shard", "1/2"),
+                                 ("x.raw", self.mesh, *grid), ("x.raw", self.mesh, *grid, "--fill", "outside")):
+            whole = self.write_within(1 << 40, name, *arguments)
+            for limit in range(least, least + self.SPAN, 4 * self.MIB):
+                alone = self.write_within(limit, name, *arguments, "-t", "1")
+                if alone:
+                    self.assertEqual(alone, whole, (name, limit))
+                    self.assertEqual(self.write_within(limit + self.MIB, name, *arguments, "-t", "8"), whole, (name, limit))
+                else:
+                    self.write_within(limit, name, *arguments, "-t", "8")
+
+
 class Progress(Failures):
     def on_terminal(self, *arguments):
         leader, follower = pty.openpty()

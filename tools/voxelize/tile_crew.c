@@ -18,7 +18,6 @@ typedef struct kept_brick {
 typedef struct kept {
     kept_brick *bricks;
     size_t count, room;
-    bool is_full; /* no memory for more */
 } kept;
 
 typedef struct crew {
@@ -40,6 +39,13 @@ typedef struct crew {
 typedef struct share {
     size_t number, from, to;
 } share;
+
+/* A thread beside the calling one, and its memory. */
+typedef struct helper {
+    crew *crew;
+    tile_room *room;
+    pthread_t thread;
+} helper;
 
 /* False where nothing is left. */
 static bool take_share(crew *c, share *s)
@@ -81,7 +87,6 @@ static int keep_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
     if (k->count == k->room) {
         const size_t room = k->room ? 2 * k->room : 1024;
         kept_brick *const grown = realloc(k->bricks, room * sizeof *grown);
-        k->is_full = !grown;
         if (!grown)
             return 0;
         k->bricks = grown;
@@ -139,56 +144,73 @@ static tribox_status run_directly(const crew *c, const share *s, tile_room *room
     return status;
 }
 
+/* Kept, and handed on in turn. Without memory to keep them it is done again in turn, straight into the sink. */
+static tribox_status run_in_turn(crew *c, const share *s, tile_room *room, kept *k, tribox_report *report, uint64_t *bricks)
+{
+    k->count = 0;
+    tribox_status status = tile_set_run(c->set, s->from, s->to, room, keep_brick, k, report);
+    const bool is_full = status == TRIBOX_STOPPED;
+    *bricks = k->count;
+    if ((!status || is_full) && wait_turn(c, s))
+        status = is_full ? run_directly(c, s, room, report, bricks) : hand_on(c, k);
+    return status;
+}
+
 static void run_share(crew *c, const share *s, tile_room *room, kept *k)
 {
     tribox_report report = {0, 0};
     uint64_t bricks = 0;
-    tribox_status status;
-    if (c->is_alone || !c->sink) {
-        status = run_directly(c, s, room, &report, &bricks);
-    } else {
-        k->count = 0;
-        status = tile_set_run(c->set, s->from, s->to, room, keep_brick, k, &report);
-        if (k->is_full)
-            status = TRIBOX_NO_MEMORY;
-        if (!status && wait_turn(c, s))
-            status = hand_on(c, k);
-        bricks = k->count;
-    }
+    const bool is_direct = c->is_alone || !c->sink;
+    const tribox_status status =
+        is_direct ? run_directly(c, s, room, &report, &bricks) : run_in_turn(c, s, room, k, &report, &bricks);
     account(c, s, status, &report, bricks);
 }
 
-static void *work_on(void *data)
+static void work(crew *c, tile_room *room)
 {
-    crew *const c = data;
     kept k = {.bricks = NULL};
-    tile_room *const room = tile_room_new(c->set, c->from, c->to);
-    if (!room) {
-        pthread_mutex_lock(&c->lock);
-        c->status = TRIBOX_NO_MEMORY;
-        pthread_cond_broadcast(&c->turned);
-        pthread_mutex_unlock(&c->lock);
-    }
-    for (share s; room && take_share(c, &s);)
+    for (share s; take_share(c, &s);)
         run_share(c, &s, room, &k);
-    tile_room_free(room);
     free(k.bricks);
+}
+
+static void *help(void *data)
+{
+    const helper *const h = data;
+    work(h->crew, h->room);
     return NULL;
+}
+
+/* The memory comes first: a thread that has started would only take more of it from the others. */
+static bool start(helper *h, crew *c)
+{
+    *h = (helper){.crew = c, .room = tile_room_new(c->set, c->from, c->to)};
+    if (h->room && !pthread_create(&h->thread, NULL, help, h))
+        return true;
+    tile_room_free(h->room);
+    return false;
 }
 
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, tribox_sink *sink, void *data,
                             progress *bar, tile_found *found)
 {
-    pthread_t helpers[THREADS_MAX];
+    helper helpers[THREADS_MAX];
     unsigned started = 0;
     crew c = {.set = set, .from = from, .to = to, .is_alone = threads == 1, .sink = sink, .data = data, .bar = bar, .next = from};
+    tile_room *const room = tile_room_new(set, from, to);
+    *found = c.found;
+    if (!room)
+        return TRIBOX_NO_MEMORY;
     pthread_mutex_init(&c.lock, NULL);
     pthread_cond_init(&c.turned, NULL);
-    while (started + 1 < threads && started < to - from && !pthread_create(&helpers[started], NULL, work_on, &c))
+    while (started + 1 < threads && started < to - from && start(&helpers[started], &c))
         started++;
-    work_on(&c);
-    while (started)
-        pthread_join(helpers[--started], NULL);
+    work(&c, room);
+    while (started) {
+        pthread_join(helpers[--started].thread, NULL);
+        tile_room_free(helpers[started].room);
+    }
+    tile_room_free(room);
     pthread_cond_destroy(&c.turned);
     pthread_mutex_destroy(&c.lock);
     *found = c.found;

@@ -16,9 +16,9 @@ typedef struct tile_found {
  * at a time, but from any of the threads. A thread keeps the bricks of a few tiles until it is their turn; one thread keeps none.
  *
  * sink: NULL to count alone.
- * threads: 1 to THREADS_MAX. Where the system starts fewer, those do all the work.
+ * threads: 1 to THREADS_MAX. Where the system starts fewer, or there is memory for fewer, those do all the work.
  *
- * Returns what tile_set_run does, or TRIBOX_NO_MEMORY.
+ * Returns what tile_set_run does, or TRIBOX_NO_MEMORY where there is none even for one.
  */
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, tribox_sink *sink, void *data,
                             progress *bar, tile_found *found);
