@@ -38,6 +38,23 @@ def has_libassimp():
         return "built without libassimp" not in run("overlap", mesh.name, "--box", UNIT_BOX).stderr
 
 
+@functools.lru_cache
+def has_openvdb():
+    if os.environ.get("TRIBOX_SANITIZED"):
+        return False  # a sanitizer's dlopen does not look beside the program
+    with tempfile.TemporaryDirectory() as folder:
+        mesh, out = os.path.join(folder, "mesh.f32"), os.path.join(folder, "try.vdb")
+        with open(mesh, "wb") as file:
+            file.write(bytes(36))
+        result = run("voxelize", mesh, "--cell", "1", "--quiet", "-o", out)
+    return "built without OpenVDB" not in result.stderr
+
+
+def skip_without_openvdb(test):
+    if not has_openvdb():
+        test.skipTest("built without OpenVDB, or with a sanitizer")
+
+
 # For what says nothing new about memory and takes long where a sanitizer looks at each access.
 unless_sanitized = unittest.skipIf(os.environ.get("TRIBOX_SANITIZED"), "a build with a sanitizer")
 

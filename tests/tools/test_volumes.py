@@ -56,18 +56,6 @@ class Volumes(support.TestCase):
             self.skipTest(found)
         return found
 
-    def has_openvdb(self):
-        result = support.run("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", self.path("try.vdb"))
-        if "built without OpenVDB" in result.stderr or os.environ.get("TRIBOX_SANITIZED"):
-            return False  # a sanitizer's dlopen does not look beside the program
-        self.assertEqual((result.code, result.stderr), (0, ""))
-        os.remove(self.path("try.vdb"))
-        return True
-
-    def skip_without_openvdb(self):
-        if not self.has_openvdb():
-            self.skipTest("built without OpenVDB, or with a sanitizer")
-
     def check_place(self, found, grid, shift):
         """The corner or the middle of the first cell, and the lengths, to the last bits of a double."""
         for a in range(3):
@@ -135,13 +123,13 @@ class Readers(Volumes):
 
     def test_openvdb(self):
         """By default a file that OpenVDB's own Python module reads."""
-        self.skip_without_openvdb()
+        support.skip_without_openvdb(self)
         for found, grid, shift in self.check("openvdb", ".vdb"):
             self.check_place(found, grid, shift)
 
     def test_openvdb_and_small_cells(self):
         """It takes no volume below 3e-15, so that lengths are multiplied."""
-        self.skip_without_openvdb()
+        support.skip_without_openvdb(self)
         small = self.write("small.ply", meshes.ply_binary([[[x * 2 ** -20 for x in v] for v in t] for t in
                                                            meshes.lattice_triangles(4, seed=3)]))
         self.succeed_with_note("note: .*small.vdb has lengths of the mesh times 1000, as OpenVDB takes no cells as small as these$",
@@ -155,7 +143,7 @@ class Readers(Volumes):
 
     def test_openvdb_masks(self):
         """OpenVDB's Python module does not know them: our own reader does, and OpenVDB's program says how many cells there are."""
-        self.skip_without_openvdb()
+        support.skip_without_openvdb(self)
         for name, grid in GRIDS.items():
             cells, answer = self.dense("dense.npy", *grid)
             self.succeed("voxelize", self.mesh, "-o", self.path("masks.vdb"), "--vdb-grid", "mask", "--quiet", *grid)
@@ -174,7 +162,7 @@ class Readers(Volumes):
 
     def test_openvdb_to_a_pipe(self):
         """Places in the file are not filled in then, and not looked at."""
-        self.skip_without_openvdb()
+        support.skip_without_openvdb(self)
         self.dense("dense.npy", *GRIDS["odd"])
         with open(self.path("pipe.vdb"), "wb") as file:
             subprocess.run([support.program(), "voxelize", self.mesh, *GRIDS["odd"], "--out-format", "vdb", "-o", "-"], stdout=file,
@@ -210,7 +198,7 @@ class Places(Volumes):
     def test_full_disk(self):
         """Standard output that is full; a file that becomes too large for its limit."""
         grid = ("--resolution", "150")
-        for word in self.SPARSE + self.DENSE + (("vdb",) if self.has_openvdb() else ()):
+        for word in self.SPARSE + self.DENSE + (("vdb",) if support.has_openvdb() else ()):
             with open("/dev/full", "wb") as full:
                 done = subprocess.run([support.program(), "voxelize", self.mesh, *grid, "--out-format", word, "-o", "-"],
                                       stdout=full, stderr=subprocess.PIPE, timeout=60)

@@ -13,6 +13,14 @@ import support
 import volumes
 
 
+def is_running(process):
+    try:
+        with open("/proc/%d/stat" % process) as file:
+            return file.read().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
 class Failures(support.TestCase):
     def setUp(self):
         super().setUp()
@@ -157,6 +165,43 @@ class NothingHalfWritten(Failures):
             self.assertEqual(left, set())
             self.assert_one_line(error, "^tribox voxelize: interrupted: nothing was written; run it again$")
 
+    def start_openvdb(self, which):
+        """Returns the program and a child that knows OpenVDB: number 1, which only tries it, or 2, which is at work."""
+        support.skip_without_openvdb(self)
+        process = subprocess.Popen([support.program(), "voxelize", self.mesh, "-r", "1500", "-q", "-o", self.path("big.vdb")],
+                                   stderr=subprocess.PIPE)
+        children, deadline = [], time.monotonic() + 60
+        while len(children) < which and process.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.001)
+            with open("/proc/%d/task/%d/children" % (process.pid, process.pid)) as file:
+                children += [int(word) for word in file.read().split() if int(word) not in children]
+        self.assertEqual(len(children), which)
+        return process, children[-1]
+
+    def test_openvdb_killed(self):
+        """By the system where memory is short, say: the program goes on to its own end."""
+        for which in (1, 2):
+            process, child = self.start_openvdb(which)
+            os.kill(child, signal.SIGKILL)
+            error = process.communicate(timeout=60)[1].decode()
+            self.assertEqual(process.returncode, 1)
+            self.assert_one_line(error, r"big\.vdb: OpenVDB failed: it broke off, most likely for lack of memory; write \.npz$")
+            self.assertEqual(sorted(os.listdir(self.folder)), self.there)
+
+    def test_openvdb_interrupted(self):
+        """The program alone gets the signal, and takes the process that knows OpenVDB with it, which says nothing."""
+        for which, number in ((1, signal.SIGTERM), (2, signal.SIGTERM), (2, signal.SIGINT)):
+            process, child = self.start_openvdb(which)
+            os.kill(process.pid, number)
+            error = process.communicate(timeout=60)[1].decode()
+            self.assertEqual(process.returncode, -number)
+            self.assert_one_line(error, "^tribox voxelize: interrupted: nothing was written; run it again$")
+            self.assertEqual(sorted(os.listdir(self.folder)), self.there)
+            deadline = time.monotonic() + 60
+            while is_running(child) and time.monotonic() < deadline:
+                time.sleep(0.01)
+            self.assertFalse(is_running(child))
+
     def test_binvox_of_a_long_grid(self):
         """The cube that binvox fills up a grid to is not written on where the disk is full, nor begun where it cannot be counted."""
         for size in ("100,20000,100", "20000,100,100"):
@@ -239,13 +284,13 @@ class LittleMemory(Failures):
             limit += self.MIB
         return limit
 
-    def write_within(self, limit, name, *arguments):
-        """The bytes of the file, or None."""
+    def write_within(self, limit, name, *arguments, pattern="memory"):
+        """The bytes of the file, or None after a line of this pattern."""
         result = support.run("voxelize", *arguments, "-q", "-o", self.path("out/" + name), limit=(resource.RLIMIT_AS, limit))
         left = os.listdir(self.path("out"))
         if result.code:
             self.assertEqual((result.code, left), (1, []), (limit, result.stderr))
-            self.assert_one_line(result.stderr, "memory|x.vdb: ")
+            self.assert_one_line(result.stderr, pattern)
             return None
         self.assertEqual((result.stderr, left), ("", [name]), limit)
         written = volumes.read(self.path("out/" + name))
@@ -266,6 +311,17 @@ class LittleMemory(Failures):
                     self.assertEqual(self.write_within(limit + self.MIB, name, *arguments, "-t", "8"), whole, (name, limit))
                 else:
                     self.write_within(limit, name, *arguments, "-t", "8")
+
+    def test_openvdb(self):
+        """OpenVDB starts threads and may end the process that it is in: that is a line here, and no file is left."""
+        support.skip_without_openvdb(self)
+        wholes = set()
+        for limit in [1 << 40, *range(self.least(), self.least() + 2 * self.SPAN, 6 * self.MIB)]:
+            written = self.write_within(limit, "x.vdb", self.mesh, "-r", "100", "-t", "2",
+                                        pattern=r"x\.vdb: .*(memory|failed|cannot).*; write \.npz$")
+            if written:
+                wholes.add(volumes.without_vdb_id(written))
+        self.assertEqual(len(wholes), 1)
 
 
 class Progress(Failures):

@@ -13,6 +13,9 @@ void interrupt_forget(const char *path);
 void interrupt_hold(void);
 void interrupt_release(void);
 
+/* In a process that was forked between the two: signals end it as they would any, and what was watched is left to its parent. */
+void interrupt_leave(void);
+
 /* What the line says after "interrupted: "; by default that nothing was written. */
 void interrupt_advise(const char *advice);
 

@@ -1,29 +1,11 @@
-/* bricks_vdb.c - bricks as a file of OpenVDB's, by the part of the program that knows it. */
-#define _POSIX_C_SOURCE 200809L
-#include <dlfcn.h>
+/* bricks_vdb.c - bricks as a file of OpenVDB's, by a process that knows it. */
+#include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "brick_writer.h"
 #include "console/message.h"
-#include "vdb_part.h"
-
-/*
- * The part stands beside the program's libraries. It is loaded for this format alone: OpenVDB takes four times as long to load as
- * all the rest, and three times the memory.
- */
-static const vdb_part *load(void)
-{
-    void *const library = dlopen(VDB_PART_FILE, RTLD_NOW | RTLD_LOCAL);
-    return library ? dlsym(library, VDB_PART_SYMBOL) : NULL;
-}
-
-/* A tree that the part has made. */
-typedef struct vdb {
-    const vdb_part *part;
-    void *tree;
-} vdb;
+#include "vdb_process.h"
 
 /*
  * OpenVDB takes no cells whose volume is below 3e-15: its lengths then are `unit` times those of the mesh, a power of ten. Infinite
@@ -39,28 +21,9 @@ static double unit_of(const tribox_grid_f64 *grid)
     return unit <= unit_max ? unit : INFINITY;
 }
 
-int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid)
+static vdb_grid grid_of(const voxels *v, bool is_mask)
 {
-    const double unit = unit_of(grid);
-    if (!load())
-        return message_failure("%s: cannot load what writes .vdb: %s; write .npz", path, dlerror());
-    if (isinf(unit))
-        return message_failure("%s: cells of %.9g x %.9g x %.9g are too small for .vdb; write .npz", path, grid->cell[0],
-                               grid->cell[1], grid->cell[2]);
-    if (unit > 1)
-        message_say("note: %s has lengths of the mesh times %.0f, as OpenVDB takes no cells as small as these", path, unit);
-    return EXIT_CODE_OK;
-}
-
-static int fail(const brick_out *out, const char *reason)
-{
-    return message_failure("%s: OpenVDB failed: %s", out->file->path, reason);
-}
-
-static vdb_grid grid_of(const brick_out *out)
-{
-    const voxels *const v = &out->cells;
-    vdb_grid grid = {.unit = unit_of(&v->grid), .is_mask = out->options.is_mask};
+    vdb_grid grid = {.unit = unit_of(&v->grid), .is_mask = is_mask};
     for (int a = 0; a < 3; a++)
         grid.origin[a] = v->grid.origin[a] + v->shift[a];
     memcpy(grid.cell, v->grid.cell, sizeof grid.cell);
@@ -69,44 +32,50 @@ static vdb_grid grid_of(const brick_out *out)
     return grid;
 }
 
+static int fail(const char *path, const char *reason) { return message_failure("%s: %s; write .npz", path, reason); }
+
+/* Before the work that what cannot be written would waste. */
+int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid)
+{
+    char reason[VDB_PROCESS_REASON];
+    const vdb_grid tried = grid_of(&(voxels){.grid = *grid}, false);
+    if (isinf(tried.unit))
+        return message_failure("%s: cells of %.9g x %.9g x %.9g are too small for .vdb; write .npz", path, grid->cell[0],
+                               grid->cell[1], grid->cell[2]);
+    vdb_process *const process = vdb_process_start(&tried, NULL, false, reason);
+    if (!process)
+        return fail(path, reason);
+    vdb_process_free(process);
+    if (tried.unit > 1)
+        message_say("note: %s has lengths of the mesh times %.0f, as OpenVDB takes no cells as small as these", path, tried.unit);
+    return EXIT_CODE_OK;
+}
+
 static int open_vdb(brick_out *out)
 {
-    char reason[VDB_REASON] = "out of memory";
-    const vdb_grid grid = grid_of(out);
-    vdb *const made = calloc(1, sizeof *made);
-    if (made)
-        made->part = load();
-    if (made && made->part)
-        made->tree = made->part->make(&grid, reason);
-    if (made && made->tree) {
-        out->state = made;
-        return EXIT_CODE_OK;
-    }
-    free(made);
-    return fail(out, reason);
+    char reason[VDB_PROCESS_REASON];
+    const vdb_grid grid = grid_of(&out->cells, out->options.is_mask);
+    out->state = vdb_process_start(&grid, out->to, !file_out_is_stdout(out->file->path), reason);
+    return out->state ? EXIT_CODE_OK : fail(out->file->path, reason);
 }
 
 static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
-    const vdb *const to = out->state;
-    char reason[VDB_REASON];
-    return to->part->put(to->tree, at, bits, reason) ? EXIT_CODE_OK : fail(out, reason);
+    char reason[VDB_PROCESS_REASON];
+    return vdb_process_put(out->state, at, bits, reason) ? EXIT_CODE_OK : fail(out->file->path, reason);
 }
 
 static int end_vdb(brick_out *out, progress *bar)
 {
-    const vdb *const from = out->state;
-    const int can_seek = !file_out_is_stdout(out->file->path);
-    char reason[VDB_REASON];
+    char reason[VDB_PROCESS_REASON];
+    int error;
     (void)bar;
-    return from->part->write(from->tree, out->to, can_seek, reason) || ferror(out->to) ? EXIT_CODE_OK : fail(out, reason);
+    if (vdb_process_write(out->state, &error, reason))
+        return EXIT_CODE_OK;
+    errno = error;
+    return error ? file_out_failure(out->file) : fail(out->file->path, reason);
 }
 
-static void drop_vdb(brick_out *out)
-{
-    vdb *const v = out->state;
-    v->part->free(v->tree);
-    free(v);
-}
+static void drop_vdb(brick_out *out) { vdb_process_free(out->state); }
 
 const brick_writer bricks_vdb = {.open = open_vdb, .put = put_vdb, .end = end_vdb, .drop = drop_vdb};

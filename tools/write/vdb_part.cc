@@ -174,8 +174,6 @@ int write(void *from, FILE *to, int can_seek, char *reason)
     });
 }
 
-void free_tree(void *t) { delete static_cast<tree *>(t); }
-
 } // namespace
 
-extern "C" __attribute__((visibility("default"))) const vdb_part tribox_vdb_part = {make, put, write, free_tree};
+extern "C" __attribute__((visibility("default"))) const vdb_part tribox_vdb_part = {make, put, write};

@@ -21,14 +21,12 @@ typedef struct vdb_grid {
 enum { VDB_REASON = 200 };
 
 typedef struct vdb_part {
-    /* An empty tree of bricks; NULL if it fails. */
+    /* An empty tree of bricks, which stays as long as the process; NULL if it fails. */
     void *(*make)(const vdb_grid *grid, char *reason);
 
     /* Each returns whether it did it. put: a brick as a tribox_sink gets it. can_seek: of the stream, which is at its start. */
     int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], char *reason);
     int (*write)(void *tree, FILE *to, int can_seek, char *reason);
-
-    void (*free)(void *tree);
 } vdb_part;
 
 /* Its file, and its one symbol. */

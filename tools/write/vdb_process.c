@@ -1,0 +1,229 @@
+/* vdb_process.c - forks, sends bricks in blocks, and hears how it went. */
+#define _POSIX_C_SOURCE 200809L
+#include "vdb_process.h"
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "console/interrupt.h"
+
+#ifndef MSG_NOSIGNAL /* macOS has it as an option of the socket */
+#define MSG_NOSIGNAL 0
+#endif
+
+enum { BLOCK = 512 };
+
+typedef struct block {
+    uint32_t count; /* 0: these are all, write them */
+    struct {
+        uint32_t at[3];
+        uint64_t bits[8];
+    } brick[BLOCK];
+} block;
+
+/* After the start, after the last block, and wherever it fails. */
+typedef struct answer {
+    bool is_done;
+    int error; /* of the stream */
+    char reason[VDB_PROCESS_REASON];
+} answer;
+
+struct vdb_process {
+    pid_t child;
+    int socket;
+    block next;
+};
+
+/* Where nobody listens any more this is no signal, but false. */
+static bool send_all(int to, const void *from, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        const ssize_t sent = send(to, (const char *)from + done, size - done, MSG_NOSIGNAL);
+        if (sent < 0 && errno != EINTR)
+            return false;
+        done += sent > 0 ? (size_t)sent : 0;
+    }
+    return true;
+}
+
+static bool receive_all(int from, void *to, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        const ssize_t got = recv(from, (char *)to + done, size - done, 0);
+        if (!got || (got < 0 && errno != EINTR))
+            return false;
+        done += got > 0 ? (size_t)got : 0;
+    }
+    return true;
+}
+
+static bool send_block(int to, const block *b)
+{
+    return send_all(to, &b->count, sizeof b->count) && send_all(to, b->brick, b->count * sizeof b->brick[0]);
+}
+
+static bool receive_block(int from, block *b)
+{
+    return receive_all(from, &b->count, sizeof b->count) && receive_all(from, b->brick, b->count * sizeof b->brick[0]);
+}
+
+/*
+ * The part stands beside the program's libraries. It is loaded for this format alone: OpenVDB takes four times as long to load as
+ * all the rest, and three times the memory.
+ */
+static const vdb_part *load(answer *a)
+{
+    void *const library = dlopen(VDB_PART_FILE, RTLD_NOW | RTLD_LOCAL);
+    const vdb_part *const part = library ? dlsym(library, VDB_PART_SYMBOL) : NULL;
+    if (!part)
+        snprintf(a->reason, sizeof a->reason, "cannot load what writes .vdb: %s", dlerror());
+    return part;
+}
+
+static void say_failed(answer *a, const char *why) { snprintf(a->reason, sizeof a->reason, "OpenVDB failed: %s", why); }
+
+static bool put_block(const vdb_part *part, void *tree, const block *b, char *why)
+{
+    bool is_put = true;
+    for (uint32_t i = 0; i < b->count && is_put; i++)
+        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, why);
+    return is_put;
+}
+
+/* The child's work. Its memory is freed when it ends: to take a large tree apart would be slow, and may throw. */
+static void serve(int parent, const vdb_grid *grid, FILE *to, bool can_seek)
+{
+    block b;
+    char why[VDB_REASON];
+    answer a = {.is_done = false};
+    const vdb_part *const part = load(&a);
+    void *const tree = part ? part->make(grid, why) : NULL;
+    if (part && !tree)
+        say_failed(&a, why);
+    a.is_done = tree != NULL;
+    bool goes_on = send_all(parent, &a, sizeof a) && a.is_done;
+    while (goes_on && receive_block(parent, &b)) {
+        a.is_done = b.count ? put_block(part, tree, &b, why) : part->write(tree, to, can_seek, why);
+        goes_on = b.count && a.is_done;
+        if (!a.is_done)
+            say_failed(&a, why);
+        if (!b.count && (ferror(to) || fflush(to)))
+            a.error = errno ? errno : EIO;
+        if (!goes_on)
+            send_all(parent, &a, sizeof a);
+    }
+}
+
+/* What libraries print when they break off is said by the parent, in one line. */
+static void be_quiet(void)
+{
+    const int nothing = open("/dev/null", O_WRONLY);
+    if (nothing >= 0)
+        dup2(nothing, STDERR_FILENO);
+}
+
+static void run_child(int parent, const vdb_grid *grid, FILE *to, bool can_seek)
+{
+    interrupt_leave();
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* elsewhere it ends when it next hears or says something */
+#endif
+    be_quiet();
+    serve(parent, grid, to, can_seek);
+    _exit(0);
+}
+
+static bool hear(const vdb_process *p, answer *a, char *reason)
+{
+    if (!receive_all(p->socket, a, sizeof *a)) {
+        *a = (answer){.is_done = false};
+        say_failed(a, "it broke off, most likely for lack of memory");
+    }
+    if (!a->is_done)
+        memcpy(reason, a->reason, sizeof a->reason);
+    return a->is_done;
+}
+
+static bool fork_child(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek)
+{
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends))
+        return false;
+#ifdef SO_NOSIGPIPE
+    setsockopt(ends[0], SOL_SOCKET, SO_NOSIGPIPE, &(int){1}, sizeof(int));
+#endif
+    interrupt_hold(); /* until the child has left the parent's files to the parent */
+    p->child = fork();
+    if (!p->child) {
+        close(ends[0]);
+        run_child(ends[1], grid, to, can_seek);
+    }
+    const int reason = errno;
+    interrupt_release();
+    close(ends[1]);
+    if (p->child < 0)
+        close(ends[0]);
+    errno = reason;
+    p->socket = ends[0];
+    return p->child > 0;
+}
+
+vdb_process *vdb_process_start(const vdb_grid *grid, FILE *to, bool can_seek, char *reason)
+{
+    answer a;
+    vdb_process *const p = calloc(1, sizeof *p);
+    if (p && fork_child(p, grid, to, can_seek)) {
+        if (hear(p, &a, reason))
+            return p;
+        vdb_process_free(p);
+        return NULL;
+    }
+    snprintf(reason, VDB_PROCESS_REASON, "cannot start what writes .vdb: %s", strerror(p ? errno : ENOMEM));
+    free(p);
+    return NULL;
+}
+
+bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], char *reason)
+{
+    answer a;
+    block *const b = &p->next;
+    memcpy(b->brick[b->count].at, at, sizeof b->brick->at);
+    memcpy(b->brick[b->count].bits, bits, sizeof b->brick->bits);
+    if (++b->count < BLOCK)
+        return true;
+    const bool is_sent = send_block(p->socket, b);
+    b->count = 0;
+    return is_sent || hear(p, &a, reason);
+}
+
+bool vdb_process_write(vdb_process *p, int *error, char *reason)
+{
+    answer a;
+    block *const b = &p->next;
+    if (b->count)
+        send_block(p->socket, b); /* whether they arrive the answer says */
+    b->count = 0;
+    send_block(p->socket, b);
+    const bool is_done = hear(p, &a, reason);
+    *error = a.error;
+    return is_done && !a.error;
+}
+
+void vdb_process_free(vdb_process *p)
+{
+    close(p->socket);
+    while (waitpid(p->child, NULL, 0) < 0 && errno == EINTR)
+        continue;
+    free(p);
+}

@@ -1,0 +1,34 @@
+/* vdb_process.h - OpenVDB in a process of its own, which the program outlives however it ends. */
+#ifndef VDB_PROCESS_H
+#define VDB_PROCESS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "vdb_part.h"
+
+/*
+ * Where memory is short, OpenVDB, the library of its threads and the C library under them may end the process that they are in,
+ * without a chance to clean up or to say why. Here that becomes a failure like any other.
+ */
+typedef struct vdb_process vdb_process;
+
+/* Where these fail they write why into `reason`, as the middle of a line, which has room for VDB_PROCESS_REASON bytes. */
+enum { VDB_PROCESS_REASON = VDB_REASON + 40 };
+
+/*
+ * Starts it, with an empty tree. No thread may run beside the calling one. to: where the tree goes, a stream at its start with
+ * nothing in its buffer, or NULL to see whether there is an OpenVDB that works. NULL if it fails.
+ */
+vdb_process *vdb_process_start(const vdb_grid *grid, FILE *to, bool can_seek, char *reason);
+
+/* A brick as a tribox_sink gets it. False if it fails. */
+bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], char *reason);
+
+/* Writes the tree. False if it fails; where the stream did, *error is its errno, and else 0. */
+bool vdb_process_write(vdb_process *p, int *error, char *reason);
+
+/* Ends it, at whatever it is. */
+void vdb_process_free(vdb_process *p);
+
+#endif
