@@ -20,7 +20,7 @@ TRIBOX_INLINE lane_box_margin near_margin_of(const lane_box *box)
 {
     const vnum thinnest = lane_min3(box->H[0], box->H[1], box->H[2]), longest = lane_max3(box->H[0], box->H[1], box->H[2]);
     lane_box_margin margin = box_margin_of(box);
-    margin.most = v_min(margin.most, v_fms(v_splat(0x1p20f), thinnest, longest));
+    margin.most = v_min(margin.most, v_fms(v_splat(1 / (16 * V_UNIT)), thinnest, longest));
     return margin;
 }
 

@@ -1,7 +1,7 @@
 /*
  * count_margin.c - how often the margins of margin.h are rounded, beside what their coefficients leave for it: PROOFS.md 4.4.
  *
- * Differences of two numbers of the input, rounded once, are given. What coefficients are needed margin.py proves.
+ * Differences of two numbers of the input, rounded once, are given. What coefficients are needed margins.py proves.
  */
 #include "vec_depth.h"
 #include "kernel/axes.h"
