@@ -58,7 +58,8 @@ TRIBOX_INLINE lane_range range_of(const lane_slacks *slack, const lane_triangle 
     for (int i = 0; i < 3; i++) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
         for (int j = 0; j < 3; j++)
-            widen(&range, slack->edge[i][j], bound.edges[i], is_box_asked ? m_or(is_zero(s->f[j][a]), is_zero(s->f[j][b])) : m_none());
+            widen(&range, slack->edge[i][j], bound.edges[i],
+                  is_box_asked ? m_or(is_zero(s->f[j][a]), is_zero(s->f[j][b])) : m_none());
         is_flat = m_or(is_flat, is_zero(bound.F[i]));
         range.is_certain = m_and(range.is_certain, m_and(is_tame(bound.F[i]), is_tame(bound.m[i])));
     }

@@ -7,6 +7,7 @@
 #include "rays.h"
 
 static tally one[3], own[3], two, near_one[3], normal, rejection, near_rejection;
+static double beside_own; /* of edge 2, but for twice its own B'_2 */
 static double turned, under[3], under_two, under_normal;
 
 /* What an exact slack is: the text computes it, or this does not. */
@@ -41,6 +42,8 @@ static void look_at_one_side(const counted *bound, tally to[3])
             look_at_rejection(to == one ? &rejection : &near_rejection, e, sign, B);
         if (to == near_one)
             continue;
+        if (j == 2 && B > 0)
+            beside_own = most_of(beside_own, (count_first(e) - 2 * exact_own_B(j, 1, 2)) / B);
         if (exact_own_B(j, 1, 2) > 0)
             tally_first(&own[j], e, exact_own_B(j, 1, 2));
         under[j] = most_of(under[j], e->under[0]);
@@ -115,6 +118,7 @@ int main(int argc, char **argv)
         claim_tally(near_names[j], &near_one[j]);
         claim_number(under_names[j], under[j]);
     }
+    claim_number("edge 2, but for 2 u B'_2", beside_own);
     claim_tally("edge, rejected by a turned sign", &rejection);
     claim_tally("edge, rejected near", &near_rejection);
     claim_tally("edge, both sides", &two);

@@ -103,12 +103,12 @@ static void count_all_edges(double beside)
 }
 
 /*
- * Limits are at most 2 / 3 of E's count more than they are without it. A sign of n may be turned where |n| is at most what can turn
+ * With E at its largest. A sign of n may be turned where |n| is at most what can turn
  * it: then an edge is off by that, twice over and as far as a vertex is (PROOFS.md 7.6).
  */
 static void claim_covered(const char *name)
 {
-    const double farthest = at_place.first / 4, needed = edge.alone.first + edge.by_E.first * 2 / 3 + 2.02 * turned * farthest;
+    const double farthest = at_place.first / 4, needed = edge.alone.first + edge.by_E.first * LARGEST_E + 2.02 * turned * farthest;
     edge.alone.of_bound = needed / taken;
     edge.alone.taken = taken;
     claim_tally(name, &edge.alone);
@@ -117,7 +117,7 @@ static void claim_covered(const char *name)
 int main(int argc, char **argv)
 {
     claims_start(argc, argv);
-    count_all_edges(0.5);
+    count_all_edges(1);
     claim_tally("place in a grid", &at_place);
     claim_covered("limit of an edge");
     claim_tally("limit of an edge, of E", &edge.by_E);

@@ -114,10 +114,10 @@ static void count_all(double beside)
     }
 }
 
-/* With 2 / 3 of what is of E, and what an n_x that takes the place of a smaller one moves, times |g - X|. */
+/* With E at its largest, and what an n_x that takes the place of a smaller one moves, times |g - X|. */
 static void claim_covered(const char *name, double farthest)
 {
-    plane.alone.of_bound = (plane.alone.first + plane.by_E.first * 2 / 3 + replaced * farthest) / taken;
+    plane.alone.of_bound = (plane.alone.first + plane.by_E.first * LARGEST_E + replaced * farthest) / taken;
     plane.alone.taken = taken;
     claim_tally(name, &plane.alone);
 }
@@ -125,7 +125,7 @@ static void claim_covered(const char *name, double farthest)
 int main(int argc, char **argv)
 {
     claims_start(argc, argv);
-    count_all(0.5);
+    count_all(1);
     claim_covered("limit of the plane", 1);
     claim_tally("limit of the plane, of E", &plane.by_E);
     if (COUNT_BITS == 53) { /* float is not asked where planes are coarse */

@@ -2,8 +2,10 @@
  * places.h - triangles in places of a grid, as limits.h sees them, and what limits make of them. After: limits.h, cone.h.
  *
  * Two kinds of error are told apart: of places, planes and what stands for them, E of PROOFS.md 7.2, which a count is given; and of
- * what limits.h makes of them. `by_E` counts what that makes of E, which is no more than 2 R / 3.
+ * what limits.h makes of them. `by_E` counts what that makes of E, in units of E.
  */
+#define LARGEST_E 0.67 /* R: PROOFS.md 7.6 */
+
 typedef struct limit_tally {
     tally alone, by_E;
 } limit_tally;
