@@ -228,7 +228,7 @@ class Soup:
 
 def held(triangles):
     """Triangles in any form as a Mesh, a Soup or an Array: what has a struct, and keeps alive what that points to."""
-    if isinstance(triangles, (Mesh, Soup, Array)):
+    if isinstance(triangles, (Mesh, Soup, Array, Part)):
         return triangles
     mesh = None if isinstance(triangles, np.ndarray) else foreign(triangles)
     return array_held(numbers("triangles", triangles, "in an array of shape (n, 3, 3), or a mesh")) if mesh is None else mesh
@@ -265,6 +265,42 @@ def fill(soup, at, mesh, first, count, origin=None):
         status = lib.tribox_mesh_to_local_streams(mesh, origin, first, count, NULL, *streams)
     if status:
         raise error_of(status, first=first, count=count)
+
+
+class Part:
+    """Triangles first to before end of others, where these lie."""
+
+    __slots__ = "whole", "vertices", "faces", "struct", "is_soup", "is_double"
+
+    def __init__(self, held_, first, end):
+        self.whole = held_  # it keeps alive what the struct points to
+        self.is_soup, self.is_double, self.faces = held_.is_soup, held_.is_double, held_.faces
+        self.vertices = None if held_.is_soup else held_.vertices
+        if held_.is_soup:
+            streams = ([stream + first for stream in axis] for axis in (held_.struct.x, held_.struct.y, held_.struct.z))
+            self.struct = new(SOUP, (*streams, end - first))
+            return
+        self.struct = new(MESH, held_.struct[0])
+        self.struct.count = end - first
+        if held_.faces is not None:
+            self.struct.indices = bytes_on(self.struct.indices, 3 * first * self.struct.index_bytes)
+            return
+        stride = self.struct.stride or 3 * self.struct.position_bytes
+        self.struct.positions = bytes_on(self.struct.positions, 3 * first * stride)
+        self.struct.vertices = 3 * (end - first)
+
+
+def bytes_on(pointer, count):
+    return ffi.cast("char *", pointer) + count
+
+
+def widened(held_):
+    """The same triangles with coordinates of float64, as a Mesh or an Array; themselves where they are a mesh of doubles."""
+    if held_.is_double:
+        return held_
+    if held_.faces is not None:
+        return Mesh(held_.vertices.astype(DOUBLE), held_.faces)
+    return array_held(mesh_held(held_).vertices.astype(DOUBLE))
 
 
 def soups(triangles):

@@ -13,11 +13,16 @@ from ._grids import WORDS_MAX, Grid, check_grid, cubes_around, grid_for, is_sing
 from ._library import lib
 from ._masks import WORD, bools, check_out, pointer_to
 from ._overlap import ALL
-from ._threads import in_threads, threads_of
-from ._triangles import Soup, held, meshes, soups
+from ._threads import in_threads, processors, threads_of
+from ._triangles import Part, Soup, held, meshes, soups, widened
 from ._typing import Accuracy, Answer, Cell, Cells, Fill, Range, TrianglesLike, Vector, Window
 
-PARTS_EACH = 8  # of each thread: some have far more triangles than others
+PARTS_EACH = 4  # slabs of each thread: some have far more triangles than others
+# Where threads gain something, as measured with two of them:
+SHARED_LEAST = 1 << 19  # triangles: fewer are done before their cells are joined,
+CELLS_OF_ONE = 1  # as are those of fewer than one for so many words of cells
+SLABS = range(1 << 21, 1 << 22)  # words of cells: more are fresh pages, which threads take from the system in turn
+MANY_CELLS = 64  # words of cells a triangle: from there on it is cells that take the time, and not looking at triangles again
 
 
 def window_of(window, layers, grid):
@@ -78,23 +83,46 @@ def set_cells(held_, grid, first, size, options, words):
     return 0
 
 
-def slabs_of(layers, threads):
-    """(first, end) of parts of the layers, for threads."""
-    parts = min(layers, threads * PARTS_EACH) if threads > 1 else 1
-    return [(layers * part // parts, layers * (part + 1) // parts) for part in range(parts)] if layers else [(0, 0)]
+def cut(count, parts):
+    """(first, end) of so many parts of about one size."""
+    return [(count * part // parts, count * (part + 1) // parts) for part in range(parts)]
 
 
-def set_cells_at_once(held_, grid, first, size, options, words, threads):
-    """The same by threads, each of which owns some layers."""
-    if threads > 1 and is_single(grid):
-        held_ = Soup.of(held_)  # once, not in each part
+def set_slabs(held_, grid, first, size, options, words, threads):
+    """The same by threads, each of which owns some layers. Every part looks at all triangles."""
+    held_ = Soup.of(held_) if is_single(grid) else widened(held_)  # once, not in each part
 
     def work(slab):
         low, high = slab
         corner, part = (*first[:2], first[2] + low), (*size[:2], high - low)
         return set_cells(held_, grid, corner, part, options, words[low:high])
 
-    return max(in_threads(threads, work, slabs_of(size[2], threads)))
+    return max(in_threads(threads, work, cut(size[2], min(size[2], threads * PARTS_EACH))))
+
+
+def set_shares(held_, grid, first, size, options, words, threads):
+    """The same by threads, each of which has some of the triangles, and all cells but the first's for itself."""
+    check_indices(held_)  # of the whole, for what an error says
+    own = [words] + [np.zeros_like(words) for _ in range(1, threads)]
+
+    def work(number):
+        share = Part(held_, *cut(held_.struct.count, threads)[number])
+        return set_cells(share, grid, first, size, options, own[number])
+
+    status = max(in_threads(threads, work, range(threads)))
+    for cells in own[1:]:
+        np.bitwise_or(words, cells, out=words)
+    return status
+
+
+def set_cells_at_once(held_, grid, first, size, options, words, threads):
+    """The same by as many threads as gain something: never more than there are processors, and one where neither way pays."""
+    threads, count = min(threads, processors()), held_.struct.count
+    if threads > 1 and words.size in SLABS and words.size >= MANY_CELLS * count:
+        return set_slabs(held_, grid, first, size, options, words, threads)
+    if threads > 1 and count >= SHARED_LEAST and words.size <= CELLS_OF_ONE * count:
+        return set_shares(held_, grid, first, size, options, words, threads)
+    return set_cells(held_, grid, first, size, options, words)
 
 
 @overload
@@ -128,7 +156,8 @@ def voxelize(triangles: TrianglesLike, origin: Optional[Vector] = None, cell: Op
     window: ((i, j, k), (ni, nj, nk)) for the ni x nj x nk cells from cell (i, j, k) on alone, with the same exact answers as for
         the whole: for tasks, and for grids of any size, as only the bits of the window take memory, 16 GiB at most.
     layers: (first, count) for these layers along z alone.
-    threads: how many share the work; None for one on each processor.
+    threads: how many may share the work, where that gains time: with many triangles, or with many cells and few triangles; never
+        more than there are processors. None for one on each processor. The answers do not depend on it.
     fill: "outside" sets every cell, too, that cannot be reached from outside the grid through faces of cells that are clear;
         "parity" those from whose middle a ray along x crosses the triangles an odd number of times, which holes of a mesh do not
         empty, and warns (OpenMeshWarning) where the mesh is certainly not closed. For whole grids.

@@ -1,9 +1,11 @@
 """Windows, threads and insides: the bits of tribox.voxelize in one piece."""
 
 import warnings
+from unittest import mock
 
 import numpy as np
 import tribox
+from tribox import _voxelize
 
 import cases
 
@@ -90,15 +92,56 @@ class Windows(cases.TestCase):
             self.refuse(tribox.InputError, None, "^threads = .*; give a whole number", tribox.voxelize, self.triangles, *grid,
                         threads=wrong)
 
+    def ask_threads(self, form, grid, **keywords):
+        whole = tribox.voxelize(form, *grid, **keywords)
+        part = tribox.voxelize(form, *grid, layers=(7, 9), **keywords)
+        for threads in (2, 3, 64, None):
+            self.assert_same(tribox.voxelize(form, *grid, threads=threads, **keywords), whole)
+            self.assert_same(tribox.voxelize(form, *grid, threads=threads, layers=(7, 9), **keywords), part)
+            out = np.zeros_like(whole)
+            out[0, 0, :3] = True
+            self.assertIs(tribox.voxelize(form, *grid, out=out, threads=threads, **keywords), out)
+            whole_too = whole.copy()
+            whole_too[0, 0, :3] = True
+            self.assert_same(out, whole_too)
+
     def test_threads(self):
-        for grid in GRIDS.values():
-            for form in self.forms():
-                whole = tribox.voxelize(form, *grid)
-                for threads in (2, 3, 64, None):
-                    self.assert_same(tribox.voxelize(form, *grid, threads=threads), whole)
-                    self.assert_same(tribox.voxelize(form, *grid, threads=threads, layers=(7, 9)), whole[7:16])
-        self.refuse(tribox.BadIndexError, "BAD_INDEX", "faces", tribox.voxelize,
-                    tribox.Mesh(self.triangles[0], np.full((9, 3), 3, np.uint32)), *grid, threads=2)
+        """As they are shared out, by layers and by triangles, whatever pays."""
+        ways = {}, dict(SLABS=range(1 << 40), MANY_CELLS=0), dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40)
+        for way in ways:
+            with mock.patch.multiple(_voxelize, processors=lambda: 64, **way):
+                for grid in GRIDS.values():
+                    for form in self.forms():
+                        self.ask_threads(form, grid)
+                for accuracy in "conservative", "fast":
+                    for form in self.forms():
+                        self.ask_threads(form, GRIDS["floats"], accuracy=accuracy)
+                        self.ask_threads(tribox.Soup.of(self.triangles[:1]), GRIDS["floats"], accuracy=accuracy)
+                self.ask_threads(np.zeros((0, 3, 3), np.float32), GRIDS["floats"])
+
+    def test_work(self):
+        """Where threads look at triangles again, these are few beside the cells; and no more work at once than processors."""
+        looked = []
+
+        def look(held_, grid, first, size, *rest):
+            looked.append(held_.struct.count)
+            return call(held_, grid, first, size, *rest)
+
+        call = _voxelize.set_cells
+        for count, size in (40, 16), (40, 600), (1 << 16, 16), (1 << 16, 200), (1 << 19, 64), (1 << 19, 300):
+            triangles = np.resize(cases.lattice(40) / 64, (count, 3, 3))
+            for threads in (1, 2, 64):
+                looked.clear()
+                with mock.patch.multiple(_voxelize, set_cells=look, processors=lambda: 2):
+                    cells = tribox.voxelize(triangles, *GRIDS["floats"][:2], (size,) * 3, threads=threads, packed=True)
+                self.assertLessEqual(sum(looked), max(count, cells.size // 8), (count, size, threads))
+                self.assertLessEqual(len(looked), 2 * _voxelize.PARTS_EACH)
+
+    def test_bad_indices_by_threads(self):
+        wrong = tribox.Mesh(self.triangles[0], np.full((9, 3), 3, np.uint32))
+        for way in {}, dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40):
+            with mock.patch.multiple(_voxelize, processors=lambda: 2, **way):
+                self.refuse(tribox.BadIndexError, "BAD_INDEX", "faces", tribox.voxelize, wrong, *GRIDS["floats"], threads=2)
 
 
 class Insides(cases.TestCase):
