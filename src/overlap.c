@@ -109,15 +109,21 @@ tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box,
     return find_unlike(soup, box, options, ~UINT64_C(0), first);
 }
 
-/* FAST may miss a triangle that is inside. So at FAST every triangle is tested for that, and what is inside overlaps. */
+/*
+ * FAST may miss a triangle that is inside. So every triangle is tested for that, and what is inside overlaps. Where less than a
+ * quarter overlap, testing them all costs more than EXACT, which misses none: then the next block is answered so.
+ */
 static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
-    const bool is_fast = plan->accuracy == TRIBOX_FAST;
+    const tribox_accuracy asked = plan->accuracy;
     const size_t words = tribox_mask_words(p->count);
     tribox_report counts = {0, 0};
+    bool is_fast = false;
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
         uint64_t unasked[TRIBOX_BLOCK_WORDS], *const hit = mask ? mask + word : unasked;
         const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
+        const size_t before = counts.overlapping;
+        plan->accuracy = asked == TRIBOX_FAST && !is_fast ? TRIBOX_EXACT : asked;
         counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
         for (size_t w = 0; w < block; w++) {
             const uint64_t candidates = is_fast ? ~UINT64_C(0) : inside ? hit[w] : 0;
@@ -127,7 +133,9 @@ static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t
             if (inside)
                 inside[word + w] = found;
         }
+        is_fast = asked == TRIBOX_FAST && counts.overlapping - before > 16 * block;
     }
+    plan->accuracy = asked;
     return counts;
 }
 
