@@ -4,7 +4,6 @@
  *
  * Vertices are read four numbers wide and transposed. What is read beside one of them lies in the mesh: of nine numbers each, the
  * last vertex of a triangle is read from the number before it on; of others none is the last of the mesh (gather.h).
- *
  */
 
 /* Vertices read from `before` numbers before them. */
