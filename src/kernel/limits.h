@@ -17,8 +17,8 @@
  * which also covers a sign of n that rounding turns, and the plane by
  *   sum of |n_a| E_a + 256 u S     S = sum of F_a F_b R_i
  * Divided by |m_q| or |n_x| these bound a limit. Where n_x is below 32 u S / R_x, that is used in its place. FAST keeps 256 u S:
- * without it a segment, whose n is zero, would be lost. Of these 29 u are needed for an edge and 61 u S for the plane, 59 u and
- * 129 u S where planes are coarse: the text counts that itself.
+ * without it a segment, whose n is zero, would be lost. Of these 30 u are needed for an edge and 62 u S for the plane, 59 u and
+ * 130 u S where planes are coarse: the text counts that itself.
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */

@@ -98,7 +98,7 @@ static inline void add_edges_of(cone_edges *to, double side[CONE_SIDES][CONE_DIM
 }
 
 /* Vertices from the least to the greatest, and which of its neighbours the one between is nearer to. */
-static inline void add_cone(cone_edges *to, const int order[3], double nearer, double beside)
+static inline void add_cone(cone_edges *to, const int order[3], double nearer, double beside, void (*check)(const cone_edges *))
 {
     enum { CELL = 3, CELLS, ONE };
     double side[CONE_SIDES][CONE_DIMENSIONS] = {{0}};
@@ -110,15 +110,19 @@ static inline void add_cone(cone_edges *to, const int order[3], double nearer, d
     side[5][CELL] = 1;
     side[6][CELLS] = 1, side[6][ONE] = -1, side[6][CELL] = -1;
     side[7][ONE] = 1;
+    cone_edges cone = {.count = 0};
+    add_edges_of(&cone, side, 8);
+    check(&cone);
     add_edges_of(to, side, 8);
 }
 
-static inline void find_edges_of_cones(cone_edges *to, double beside)
+/* `check` is asked of each cone. */
+static inline void find_edges_of_cones(cone_edges *to, double beside, void (*check)(const cone_edges *))
 {
     static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     to->count = 0;
     for (int k = 0; k < 6; k++) {
-        add_cone(to, orders[k], 1, beside);
-        add_cone(to, orders[k], -1, beside);
+        add_cone(to, orders[k], 1, beside, check);
+        add_cone(to, orders[k], -1, beside, check);
     }
 }

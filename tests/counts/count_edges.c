@@ -7,8 +7,17 @@
 #include "rays.h"
 
 static tally one[3], own[3], two, near_one[3], normal, rejection, near_rejection;
+enum { DRAWN = 5000 };
 static double beside_own; /* of edge 2, but for twice its own B'_2 */
 static double turned, under[3], under_two, under_normal;
+
+/* In halves of the least number. An edge meets both its axes, so nothing that underflows meets another. */
+static double underflow_of(const counted *number)
+{
+    for (int m = 1; m < 8; m++)
+        COUNT_MUST(!(number->under[m] > 0));
+    return number->under[0];
+}
 
 /* What an exact slack is: the text computes it, or this does not. */
 static double exact_slack(double sign, int j)
@@ -21,13 +30,14 @@ static double exact_slack(double sign, int j)
  * Of a slack with the sign of n turned, |n| is at most what can turn it: so r + s P + 2 |n| with the right one is at most what is
  * computed and, scaled alike, what both are off by. q of edge 1 has its 2 n already.
  */
-static void look_at_rejection(tally *to, const counted *slack, double sign, double B)
+static void look_at_rejection(tally *to, const counted *slack, double sign, double B, const counted *bound)
 {
     counted both = *slack;
     const counted *const n = count_of(s.n[0]);
     for (int k = 0; k < n->width; k++)
         both.c[k] -= 2 * sign * n->c[k];
-    tally_first(to, &both, B);
+    both.rest += 2 * n->rest;
+    tally_both(to, &both, B, bound, 1);
 }
 
 static void look_at_one_side(const counted *bound, tally to[3])
@@ -38,15 +48,14 @@ static void look_at_one_side(const counted *bound, tally to[3])
         const counted *const e = count_of(slack.of[j]);
         COUNT_MUST(!(fabs(e->x - exact_slack(sign, j)) > 0));
         tally_both(&to[j], e, B, bound, 1);
-        if (B > 0)
-            look_at_rejection(to == one ? &rejection : &near_rejection, e, sign, B);
+        look_at_rejection(to == one ? &rejection : &near_rejection, e, sign, B, bound);
         if (to == near_one)
             continue;
         if (j == 2 && B > 0)
             beside_own = most_of(beside_own, (count_first(e) - 2 * exact_own_B(j, 1, 2)) / B);
         if (exact_own_B(j, 1, 2) > 0)
             tally_first(&own[j], e, exact_own_B(j, 1, 2));
-        under[j] = most_of(under[j], e->under[0]);
+        under[j] = most_of(under[j], underflow_of(e));
     }
 }
 
@@ -54,7 +63,7 @@ static void look_at_normal(void)
 {
     const counted *const n = count_of(s.n[0]);
     const double D = fabs(exact_f(0, 1) * exact_f(1, 2)) + fabs(exact_f(0, 2) * exact_f(1, 1));
-    under_normal = most_of(under_normal, n->under[0]);
+    under_normal = most_of(under_normal, underflow_of(n));
     if (!(D > 0))
         return;
     tally_first(&normal, n, D);
@@ -62,11 +71,16 @@ static void look_at_normal(void)
 }
 
 /* The bound of one side covers both. */
-static void look_at_both_sides(const counted *bound, int j)
+static void look_at_both_sides(const counted *bound, int j, unsigned script)
 {
     const counted *const e = count_of(edge_slack_both_sides(&s, 0, j));
+    const counted *const n = count_of(s.n[0]);
+    const double r = exact_H(1) * fabs(exact_f(j, 2)) + exact_H(2) * fabs(exact_f(j, 1));
+    const double middle = n->x - (exact_V(j, 1) * exact_f(j, 2) - exact_V(j, 2) * exact_f(j, 1));
+    const double as_computed = j == 1 ? -middle : middle, sign = script & 1 ? -1 : 1; /* that of the middle is asked first */
+    COUNT_MUST(n->turned * n->x < 0 || sign * as_computed < 0 || !(fabs(e->x - (r + fabs(n->x) - fabs(middle))) > 0));
     tally_both(&two, e, exact_B(1, 2), bound, 16);
-    under_two = most_of(under_two, e->under[0]);
+    under_two = most_of(under_two, underflow_of(e));
 }
 
 static void set_axes(const ray *y, const ray *z, bool is_near)
@@ -84,17 +98,19 @@ static void count_point(const ray *y, const ray *z, bool is_near)
     const lane_bounds bounds = bounds_of(&t, &box);
     const counted bound = *count_of(bounds.edges[0]);
     const count_mark axes = count_now();
+    count_signs_tried = 1;
     for (unsigned script = 0; script < 2; script++) {
         count_back_to(axes, script);
         shape_normal_along(&s, 0);
         look_at_one_side(&bound, is_near ? near_one : one);
         look_at_normal();
     }
+    count_signs_tried = 2;
     for (unsigned script = 0; script < 4 && !is_near; script++)
         for (int j = 0; j < 3; j++) {
             count_back_to(axes, script);
             shape_normal_along(&s, 0);
-            look_at_both_sides(&bound, j);
+            look_at_both_sides(&bound, j, script);
         }
 }
 
@@ -106,6 +122,11 @@ int main(int argc, char **argv)
     for (int k = 0; k < RAYS * RAYS; k++) {
         count_point(&rays[k % RAYS], &rays[k / RAYS], false);
         count_point(&rays[k % RAYS], &rays[k / RAYS], true);
+    }
+    /* Not for the proof: no other point needs more. */
+    for (int k = 0; k < DRAWN; k++) {
+        const ray y = drawn_ray(), z = drawn_ray();
+        count_point(&y, &z, k % 2);
     }
     for (int j = 0; j < 3; j++) {
         static const char *const names[3] = {"edge 0", "edge 1", "edge 2"};

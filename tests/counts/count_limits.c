@@ -94,12 +94,16 @@ static void count_all_edges(double beside)
     memset(&row, 0, sizeof row);
     taken = INFINITY;
     memset(&at_place, 0, sizeof at_place);
-    find_edges_of_cones(&edges, beside);
-    for (int k = 0; k <= edges.count; k++) {
+    cone_edges all;
+    find_edges_of_cones(&all, beside, check_cone);
+    edges = all;
+    count_signs_tried = 2;
+    for (int k = 0; k <= edges.count; k++)
         count_places(k, beside > 1);
-        for (int l = 0; l <= edges.count && k + l < 2 * edges.count; l++)
-            count_edges(k, l);
-    }
+    for (int k = 0; k < edges.count + OF_E; k++)
+        for (int l = 0; l < edges.count + OF_E; l++)
+            if (k < edges.count || l < edges.count)
+                count_edges(k, l);
 }
 
 /*

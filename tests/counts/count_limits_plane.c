@@ -93,21 +93,24 @@ static void count_all(double beside)
 {
     memset(&plane, 0, sizeof plane);
     taken = INFINITY;
-    find_edges_of_cones(&edges, beside);
+    cone_edges all;
+    find_edges_of_cones(&all, beside, check_cone);
+    edges = all;
+    count_signs_tried = 3;
     count_start(0);
     const count_mark start = count_now();
-    for (int x = 0; x <= edges.count; x++) {
+    for (int x = 0; x < edges.count + OF_E; x++) {
         count_back_to(start, 0);
         set_axis(0, x);
         const count_mark has_x = count_now();
-        for (int y = 0; y <= edges.count; y++) {
+        for (int y = 0; y < edges.count + OF_E; y++) {
             count_back_to(has_x, 0);
             set_axis(1, y);
             const count_mark has_y = count_now();
-            for (int z = 0; z <= edges.count; z++) {
+            for (int z = 0; z < edges.count + OF_E; z++) {
                 count_back_to(has_y, 0);
                 set_axis(2, z);
-                if ((x == edges.count) + (y == edges.count) + (z == edges.count) <= 1)
+                if ((x >= edges.count) + (y >= edges.count) + (z >= edges.count) <= 1)
                     count_point();
             }
         }

@@ -12,8 +12,24 @@ enum { SIGNS = 8 };
 static tally plane, near_plane;
 static double under_normal, under_rest;
 
+/* Where the signs of the script are those of n, and that of d its own: the slack of the paper. */
+static void check_slack(const counted *slack)
+{
+    double reach = 0, d = 0;
+    for (int i = 0; i < 3; i++) {
+        const counted *const n = count_of(s.n[i]);
+        if (n->turned * n->x < 0)
+            return;
+        reach += exact_H(i) * fabs(n->x);
+        d += exact_V(0, i) * n->x;
+    }
+    COUNT_MUST(d < 0 || !(fabs(slack->x - (reach - d)) > 0));
+}
+
 static void look_at_underflow(const counted *slack)
 {
+    for (int m = 0; m < 8; m++)
+        COUNT_MUST(m == 0 || m == 1 || m == 2 || m == 4 || !(slack->under[m] > 0));
     for (int i = 0; i < 3; i++)
         if (exact_M(i) > 0)
             under_normal = most_of(under_normal, slack->under[1 << i] / (exact_M(i) / 2));
@@ -31,6 +47,7 @@ static void count_point(bool is_near)
         count_back_to(axes, script);
         shape_normal(&s);
         const counted *const slack = count_of(plane_slack(&s, plane_reach(&s)));
+        check_slack(slack);
         tally_both(is_near ? &near_plane : &plane, slack, S, &bound, 16);
         if (!is_near)
             look_at_underflow(slack);
@@ -62,6 +79,7 @@ int main(int argc, char **argv)
 {
     claims_start(argc, argv);
     find_rays();
+    count_signs_tried = 4;
     count_all(false);
     claim_tally("plane", &plane);
     if (COUNT_BITS == 24) { /* doubles are rounded to floats for it */

@@ -23,7 +23,11 @@ static inline vnum per_cell(void)
     return one;
 }
 
-/* Edge k of the cones; or, past the last, an axis where nothing is but E. Vertices are where they are, whatever places round. */
+/*
+ * Edge k of the cones; or, past the last, an axis where nothing is but E, as an error or from a base far away. Vertices are where
+ * they are, whatever places round.
+ */
+enum { OF_E = 2 };
 static inline void set_axis(int a, int k)
 {
     static const cone_edge nothing;
@@ -35,8 +39,9 @@ static inline void set_axis(int a, int k)
     cell[a] = count_input(a, from->cell, false);
     above[a] = count_input(a, from->cell + from->one, false);
     exact_E[a] = k >= edges.count;
-    const vnum base = count_input(a, 0, false), cells = count_input(a, from->cells, false);
-    place[a] = places_of(u, base, cells, count_input(a, 0, true), per_cell(), count_input(a, exact_E[a], false));
+    const double error = k == edges.count, far_away = k > edges.count ? 1 / (4 * V_UNIT) : 0;
+    const vnum base = count_input(a, far_away, false), cells = count_input(a, from->cells, false);
+    place[a] = places_of(u, base, cells, count_input(a, 0, true), per_cell(), count_input(a, error, false));
     for (int j = 0; j < 3; j++)
         place[a].g[j] = count_input(a, from->g[j], false);
 }
@@ -61,4 +66,29 @@ static inline void look_at(limit_tally *to, const counted *error, double size, d
         tally_first(&to->alone, error, size);
     else
         COUNT_MUST(!(count_error(error) > 0));
+}
+
+/* Whether each comparison of one axis has one sign at all edges of a cone, and so within it. Other axes are alike. */
+static inline void check_cone(const cone_edges *cone)
+{
+    double sign[COUNT_COMPARISONS] = {0};
+    edges = *cone;
+    count_signs_tried = COUNT_NUMBERS; /* no sign of them is a comparison on one axis */
+    for (int k = 0; k < cone->count; k++) {
+        count_start(0);
+        for (int a = 0; a < 3; a++)
+            set_axis(a, k);
+        const vnum n = shadow_normal(&place[0], &place[1]);
+        for (int j = 0; j < 3; j++) {
+            limits_of_edge(&place[0], &place[1], j, n, shadow_error(&place[0], &place[1]));
+            side_of_shadow(&place[0], &place[1], j, true);
+        }
+        plane_of(place, v_splat(1), true);
+        COUNT_MUST(count_comparisons < COUNT_COMPARISONS);
+        for (int c = 0; c < count_comparisons; c++) {
+            const double compared = fabs(count_compared[c]) > 1e-9 ? count_compared[c] : 0;
+            COUNT_MUST(sign[c] * compared >= 0);
+            sign[c] = fabs(compared) > 0 ? compared : sign[c];
+        }
+    }
 }

@@ -95,6 +95,12 @@ static inline void check_cone(const int order[4], int signs)
         for (int a = 0; a < 3; a++)
             set_axis(a, &r, false);
         bounds_of(&t, &box);
+        shape_normal(&s);
+        plane_slack(&s, plane_reach(&s));
+        for (int i = 0; i < 3; i++) {
+            edge_slacks_along(&s, i, true);
+            edge_slacks_along(&s, i, false);
+        }
         COUNT_MUST(count_comparisons < COUNT_COMPARISONS);
         for (int c = 0; c < count_comparisons; c++) {
             COUNT_MUST(sign[c] * count_compared[c] >= 0);
@@ -106,9 +112,28 @@ static inline void check_cone(const int order[4], int signs)
 static inline void check_cones(void)
 {
     int order[4];
+    count_signs_tried = COUNT_NUMBERS; /* no sign of them is a comparison on one axis */
     for (int k = 0; k < ORDERS; k++)
         for (int signs = 0; signs < 8; signs++) {
             order_of(k, order);
             check_cone(order, signs);
         }
+}
+
+static inline int drawn_below(int end)
+{
+    static uint64_t state = 1;
+    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (int)((state >> 33) % (uint64_t)end);
+}
+
+/* Anywhere, and often where numbers are alike or nearly so. */
+static inline ray drawn_ray(void)
+{
+    const int size = 1 << drawn_below(9);
+    ray r;
+    for (int j = 0; j < 3; j++)
+        r.V[j] = j && drawn_below(3) == 0 ? r.V[drawn_below(j)] + drawn_below(3) - 1 : drawn_below(2 * size + 1) - size;
+    r.H = drawn_below(3) ? drawn_below(size + 1) : abs(r.V[drawn_below(3)]);
+    return r;
 }

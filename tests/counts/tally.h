@@ -31,11 +31,11 @@ static inline void tally_bound(tally *to, const counted *error, const counted *b
 {
     COUNT_MUST(error->order <= 16);
     const double all = count_error(error) + (orders - 1) * V_UNIT * V_UNIT * error->rest * COUNT_ROOM;
-    if (all > 0)
+    if (all + count_error(bound) > 0)
         to->of_bound = most_of(to->of_bound, (all + count_error(bound)) / bound->x);
 }
 
-/* Where the size is 0, so is the error. */
+/* Where the size is 0, so is the error, and what rounding does to the bound is no more than the bound. */
 static inline void tally_both(tally *to, const counted *error, double size, const counted *bound, int orders)
 {
     if (size > 0) {
@@ -43,7 +43,7 @@ static inline void tally_both(tally *to, const counted *error, double size, cons
         tally_bound(to, error, bound, orders);
         to->taken = to->taken > 0 ? fmin(to->taken, bound->x / (V_UNIT * size)) : bound->x / (V_UNIT * size);
     } else {
-        COUNT_MUST(!(count_error(error) > 0));
+        COUNT_MUST(!(count_error(error) > 0) && !(count_error(bound) > bound->x));
     }
 }
 

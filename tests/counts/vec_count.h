@@ -31,7 +31,7 @@
 #define V_UNIT (1.0 / (double)(UINT64_C(1) << COUNT_BITS))
 #define V_ETA 0x1p-1000 /* nothing beside any number, but adding it rounds */
 
-enum { COUNT_NUMBERS = 600, COUNT_ROUNDINGS = 200, COUNT_COMPARISONS = 64, COUNT_NONE = -1 };
+enum { COUNT_NUMBERS = 2000, COUNT_ROUNDINGS = 400, COUNT_COMPARISONS = 400, COUNT_NONE = -1 };
 typedef struct vnum {
     int at;
 } vnum;
@@ -57,6 +57,7 @@ static counted count_number[COUNT_NUMBERS];
 static count_place count_rounding[COUNT_ROUNDINGS]; /* where each was made */
 static int count_numbers, count_roundings, count_signs;
 static unsigned count_script; /* bit k: the k-th sign that nothing tells is negative */
+static int count_signs_tried; /* how many signs the scripts try */
 static count_place count_here;
 static vnum count_unit[3]; /* where constants are lengths on an axis, their unit; COUNT_NONE elsewhere */
 
@@ -83,7 +84,7 @@ static inline void count_start(unsigned script)
 {
     count_numbers = count_roundings = count_signs = count_comparisons = 0;
     count_script = script;
-    count_unit[0] = count_unit[1] = count_unit[2] = (vnum){COUNT_NONE};
+    count_unit[0] = count_unit[1] = count_unit[2] = count_least_divisor = (vnum){COUNT_NONE};
 }
 
 /* All that was counted since is dropped, and another script begins. */
@@ -97,6 +98,7 @@ static inline void count_back_to(count_mark mark, unsigned script)
     count_roundings = mark.roundings;
     count_signs = 0;
     count_script = script;
+    count_least_divisor = (vnum){COUNT_NONE};
 }
 
 static inline counted *count_of(vnum a) { return &count_number[a.at]; }
@@ -287,6 +289,7 @@ static inline vnum count_quotient(vnum a, vnum b)
 /* Either, and the same whenever it is asked. */
 static inline double count_forked(counted *a)
 {
+    COUNT_MUST(a->turned || count_signs < count_signs_tried);
     if (!a->turned)
         a->turned = count_script >> count_signs++ & 1 ? -1 : 1;
     return a->turned;
@@ -315,6 +318,7 @@ static inline double count_sign(vnum a)
 
 static inline vnum count_turned(vnum a, double sign)
 {
+    COUNT_MUST(!count_of(a)->is_place);
     const vnum to = count_new(0);
     counted *const r = count_of(to);
     *r = *count_of(a);
@@ -345,6 +349,7 @@ static inline vnum count_choice(vnum a, vnum b, double sign)
     if (count_is_zero(p) || count_is_zero(q))
         return count_part(count_is_zero(p) ? b : a, sign);
     if (q->over != COUNT_NONE) { /* the least that a divisor is taken for: what that moves is counted beside */
+        COUNT_MUST(sign > 0 && count_least_divisor.at == COUNT_NONE);
         count_least_divisor = b;
         return a;
     }
@@ -407,8 +412,17 @@ TRIBOX_INLINE vmask v_gt(vnum a, vnum b)
     (void)a, (void)b;
     return true;
 }
-TRIBOX_INLINE vmask v_is_zero(vnum a) { return !(fabs(count_of(a)->x) > 0); }
-TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
+TRIBOX_INLINE vmask v_is_zero(vnum a)
+{
+    COUNT_MUST(count_of(a)->keeps_sign);
+    return !(fabs(count_of(a)->x) > 0);
+}
+/* Between a number and what leaves it out: zero, or infinity. */
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)
+{
+    COUNT_MUST(m && count_is_constant(count_of(b)) && (count_is_zero(count_of(b)) || isinf(count_of(b)->x)));
+    return a;
+}
 TRIBOX_INLINE vmask m_all(void) { return true; }
 TRIBOX_INLINE vmask m_none(void) { return false; }
 TRIBOX_INLINE vmask m_not(vmask a) { return !a; }
