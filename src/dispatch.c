@@ -1,6 +1,6 @@
 /* dispatch.c - which kernel runs: the widest that this processor and operating system can, or the one that was named. */
 #include "dispatch.h"
-#include "relaxed.h"
+#include "base/relaxed.h"
 
 #if defined(__AVX__)
 #error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"

@@ -10,12 +10,12 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
-#include "ahead.h"
-#include "indices.h"
-#include "kernel_grid.h"
-#include "kernel_index.h"
-#include "positions.h"
-#include "soup.h"
+#include "base/ahead.h"
+#include "mesh/indices.h"
+#include "voxels/kernel_grid.h"
+#include "index/kernel_index.h"
+#include "mesh/positions.h"
+#include "base/soup.h"
 
 #if defined(__FAST_MATH__)
 #error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"

@@ -2,7 +2,7 @@
 #ifndef TRIBOX_PLAN_H
 #define TRIBOX_PLAN_H
 
-#include "choice.h"
+#include "pairs/choice.h"
 
 typedef struct tribox_plan {
     const tribox_kernel *kernel;

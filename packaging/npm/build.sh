@@ -28,8 +28,8 @@ END
 # small so and no slower, for size.
 {
     cd "$root/src"
-    find wasm pairs.c -name '*.c' -exec echo -O3 {} \;
-    find . exact -maxdepth 1 -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
+    find wasm pairs/pairs.c -name '*.c' -exec echo -O3 {} \;
+    find ./*.c base pairs mesh index grid voxels tiles fill exact -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

@@ -17,6 +17,7 @@ NO_VECTORS = ["-fno-tree-vectorize", "-fno-tree-slp-vectorize"]
 # Of each processor what dispatch.c has to know, and the folders of its kernels with their flags: as in src/meson.build.
 X86 = (["-DTRIBOX_X86", "-msse2"], {"sse": ["-msse2"], "avx2": ["-mavx2", "-mfma", *BITS], "avx512": ["-mavx512f", "-mfma", *BITS]})
 NEON = (["-DTRIBOX_NEON"], {"neon": []})
+ROOMS = ["", "base", "pairs", "mesh", "index", "grid", "voxels", "tiles", "fill", "exact", os.path.join("exact", "oriented")]
 PROCESSORS = {"x86_64": X86, "aarch64": NEON}
 COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
 MANYLINUX = "manylinux_2_17_"  # as old a C library as any that NumPy is made for; tests/python/test_wheel.py proves it
@@ -27,8 +28,8 @@ with open(os.path.join(ROOT, "include", "tribox.h"), encoding="ascii") as header
 
 def files(root):
     """The files that the package is made of, relative to the root of the repository."""
-    folders = ["exact", "kernel", "scalar", *(folder for _, kernels in PROCESSORS.values() for folder in kernels)]
-    patterns = ["pyproject.toml", "LICENSE", "include/tribox.h", "src/*.[ch]", *(f"src/{folder}/*.[ch]" for folder in folders),
+    folders = [*ROOMS, "kernel", "kernel/*", "scalar", *(folder for _, kernels in PROCESSORS.values() for folder in kernels)]
+    patterns = ["pyproject.toml", "LICENSE", "include/tribox.h", *(os.path.join("src", folder, "*.[ch]") for folder in folders),
                 "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
     found = [os.path.relpath(file, root) for pattern in patterns for file in glob(os.path.join(root, pattern))]
     return sorted(file.replace(os.sep, "/") for file in found)
@@ -63,10 +64,10 @@ class Compiler:
         position = ["-DTRIBOX_SHARED_BUILD"] if self.is_windows else ["-fPIC"]
         is_clang = "clang" in self.output("--version")
         of_kernels = ["-mstackrealign"] if is_clang else ["-Wa,-muse-unaligned-vector-move"] if self.is_windows else []
-        folders = {"": core, "exact": core}
-        folders.update({folder: of_kernels + own for folder, own in {"scalar": NO_VECTORS, **kernels}.items()})
+        flags = {room: core for room in ROOMS}
+        flags.update({folder: of_kernels + own for folder, own in {"scalar": NO_VECTORS, **kernels}.items()})
         return {os.path.relpath(source, ROOT): [*COMMON, *position, *own, *self.extra]
-                for folder, own in folders.items() for source in glob(os.path.join(ROOT, "src", folder, "*.c"))}
+                for folder, own in flags.items() for source in glob(os.path.join(ROOT, "src", folder, "*.c"))}
 
     def run(self, *arguments):
         subprocess.run([*self.command, *arguments], check=True, cwd=ROOT)

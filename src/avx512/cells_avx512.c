@@ -1,4 +1,4 @@
 /* cells_avx512.c - cells of grids, in float with AVX-512F. */
-#include "avx512/vec_avx512.h"
+#include "vec_avx512.h"
 #define KERNEL avx512
 #include "kernel/cells.h"

@@ -1,4 +1,4 @@
 /* double_avx512.c - what float leaves open, in double with AVX-512F. */
-#include "avx512/vec_avx512_double.h"
+#include "vec_avx512_double.h"
 #define KERNEL avx512
 #include "kernel/double.h"

@@ -1,4 +1,4 @@
 /* index_avx512.c - the nodes of an index, in float with AVX-512F. */
-#include "avx512/vec_avx512.h"
+#include "vec_avx512.h"
 #define KERNEL avx512
 #include "kernel/index.h"

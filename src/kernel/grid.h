@@ -1,14 +1,14 @@
 /* grid.h - the texts about rows of a grid, in order. After: a vocabulary of double, and KERNEL, the kernel's name. */
-#include "fill_crossings.h"
-#include "voxels.h"
+#include "fill/fill_crossings.h"
+#include "voxels/voxels.h"
 #include "axes.h"
 #include "limits.h"
-#include "rows.h"
-#include "own_planes.h"
-#include "columns.h"
-#include "packed_rows.h"
-#include "open_rows.h"
+#include "kernel/rows/rows.h"
+#include "kernel/rows/own_planes.h"
+#include "kernel/rows/columns.h"
+#include "kernel/rows/packed_rows.h"
+#include "kernel/rows/open_rows.h"
 #if !defined(TRIBOX_SMALL)
-#include "crossings.h"
+#include "kernel/rows/crossings.h"
 #endif
-#include "strips.h"
+#include "kernel/rows/strips.h"

@@ -1,14 +1,14 @@
 /* index.h - the texts of a kernel about indices and their order, and its table. After: a vocabulary of float, and KERNEL, its name. */
-#include "bits.h"
-#include "kernel_index.h"
+#include "base/bits.h"
+#include "index/kernel_index.h"
 #include "axes.h"
-#include "extents.h"
-#include "nodes.h"
+#include "kernel/nodes/extents.h"
+#include "kernel/nodes/nodes.h"
 #include "frame.h"
-#include "slabs.h"
-#include "middles.h"
-#include "rank.h"
-#include "cut.h"
+#include "kernel/nodes/slabs.h"
+#include "kernel/nodes/middles.h"
+#include "kernel/nodes/rank.h"
+#include "kernel/nodes/cut.h"
 
 extern const tribox_index_kernel TRIBOX_SYMBOL(index);
 const tribox_index_kernel TRIBOX_SYMBOL(index) = {

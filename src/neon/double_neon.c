@@ -1,4 +1,4 @@
 /* double_neon.c - what float leaves open, in double with NEON. */
-#include "neon/vec_neon_double.h"
+#include "vec_neon_double.h"
 #define KERNEL neon
 #include "kernel/double.h"

@@ -1,4 +1,4 @@
 /* index_neon.c - the nodes of an index, in float with NEON. */
-#include "neon/vec_neon.h"
+#include "vec_neon.h"
 #define KERNEL neon
 #include "kernel/index.h"

@@ -1,4 +1,4 @@
 /* kernel_neon.c - the kernel of NEON: everything in float, and the table of what it does. */
-#include "neon/vec_neon.h"
+#include "vec_neon.h"
 #define KERNEL neon
 #include "kernel/float.h"

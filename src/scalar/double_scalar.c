@@ -1,4 +1,4 @@
 /* double_scalar.c - what float leaves open, in double with one lane. */
-#include "scalar/vec_scalar_double.h"
+#include "vec_scalar_double.h"
 #define KERNEL scalar
 #include "kernel/double.h"

@@ -1,4 +1,4 @@
 /* grid_scalar.c - cells of grids, in double with one lane. */
-#include "scalar/vec_scalar_double.h"
+#include "vec_scalar_double.h"
 #define KERNEL scalar
 #include "kernel/grid.h"

@@ -1,4 +1,4 @@
 /* index_scalar.c - the nodes of an index, in float with one lane. */
-#include "scalar/vec_scalar.h"
+#include "vec_scalar.h"
 #define KERNEL scalar
 #include "kernel/index.h"

@@ -1,4 +1,4 @@
 /* kernel_scalar.c - the kernel of one lane: everything in float, and the table of what it does. */
-#include "scalar/vec_scalar.h"
+#include "vec_scalar.h"
 #define KERNEL scalar
 #include "kernel/float.h"

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "inexact_flag.h"
+#include "base/inexact_flag.h"
 #include "kernel.h"
 
 #define V_LANES 1

@@ -1,4 +1,4 @@
 /* cells_sse2.c - cells of grids, in float with SSE2. */
-#include "sse/vec_sse2.h"
+#include "vec_sse2.h"
 #define KERNEL sse2
 #include "kernel/cells.h"

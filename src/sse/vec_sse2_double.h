@@ -10,7 +10,7 @@
 #include <emmintrin.h>
 #include <stdint.h>
 
-#include "inexact_flag.h"
+#include "base/inexact_flag.h"
 #include "kernel.h"
 
 #define V_LANES 2

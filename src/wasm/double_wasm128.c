@@ -1,4 +1,4 @@
 /* double_wasm128.c - what float leaves open, in double with WebAssembly SIMD. */
-#include "wasm/vec_wasm128_double.h"
+#include "vec_wasm128_double.h"
 #define KERNEL wasm128
 #include "kernel/double.h"

@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <wasm_simd128.h>
 
-#include "inexact_flag.h"
+#include "base/inexact_flag.h"
 #include "kernel.h"
 
 #define V_LANES 2

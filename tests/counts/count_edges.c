@@ -1,7 +1,7 @@
 /* count_edges.c - counts the roundings of the edges' slacks and of their bounds: PROOFS.md 3.1 to 3.4, 14.2. */
 #include "vec_count.h"
 #include "kernel/axes.h"
-#include "kernel/bounds.h"
+#include "kernel/settle/bounds.h"
 #include "claims.h"
 #include "tally.h"
 #include "rays.h"

@@ -6,8 +6,8 @@
 #include "vec_count.h"
 #include "kernel/axes.h"
 #include "kernel/frame.h"
-#include "kernel/nodes.h"
-#include "kernel/slabs.h"
+#include "kernel/nodes/nodes.h"
+#include "kernel/nodes/slabs.h"
 #include "claims.h"
 #include "tally.h"
 

@@ -5,7 +5,7 @@
  */
 #include "vec_depth.h"
 #include "kernel/axes.h"
-#include "kernel/margin.h"
+#include "kernel/pairs/margin.h"
 #include "claims.h"
 
 /* Of a triangle whose s is this, and a box whose longest side is h. */

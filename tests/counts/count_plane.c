@@ -1,7 +1,7 @@
 /* count_plane.c - counts the roundings of the plane's slack and of its bound: PROOFS.md 3.5, 14.2. */
 #include "vec_count.h"
 #include "kernel/axes.h"
-#include "kernel/bounds.h"
+#include "kernel/settle/bounds.h"
 #include "claims.h"
 #include "tally.h"
 #include "rays.h"

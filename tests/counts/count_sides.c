@@ -6,8 +6,8 @@
  */
 #include "vec_count.h"
 #include "kernel/axes.h"
-#include "fill_crossings.h"
-#include "kernel/crossings.h"
+#include "fill/fill_crossings.h"
+#include "kernel/rows/crossings.h"
 #include "claims.h"
 #include "tally.h"
 

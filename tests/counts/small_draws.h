@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bits.h"
+#include "base/bits.h"
 #include "common/arguments.h"
 #include "common/random_draws.h"
 

@@ -8,7 +8,7 @@
 #include "vec_small.h"
 
 #include "kernel/axes.h"
-#include "kernel/bounds.h"
+#include "kernel/settle/bounds.h"
 #include "small_draws.h"
 
 enum { PAIRS_EACH = SMALL_HAS_LEAST ? 50 : 200 }; /* 5 or 20 million by default */

@@ -19,10 +19,10 @@ static inline void load_corners(lane_triangle *t, const tribox_corners *corners,
     (void)at, (void)is_near;
 }
 
-#include "kernel/margin.h"
-#include "kernel/ties.h"
-#include "kernel/near.h"
-#include "kernel/packet.h"
+#include "kernel/pairs/margin.h"
+#include "kernel/pairs/ties.h"
+#include "kernel/pairs/near.h"
+#include "kernel/pairs/packet.h"
 #include "small_draws.h"
 
 /* Are the pairs of doubles (near.h)? */

@@ -4,8 +4,8 @@
  */
 #include <stdio.h>
 
-#include "environment.h"
-#include "inexact_flag.h"
+#include "base/environment.h"
+#include "base/inexact_flag.h"
 
 #if defined(__SSE2__) || defined(__aarch64__)
 enum { IS_IN_REACH = true };

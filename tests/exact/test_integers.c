@@ -13,7 +13,7 @@
 #include "common/random_draws.h"
 #include "dispatch.h"
 #include "exact/exact.h"
-#include "settle.h"
+#include "pairs/settle.h"
 
 /* exact_short.c as it is where the compiler has no integers of 128 bits. */
 bool tribox_exact_short_in_words(const tribox_short_pair *pair, unsigned axes);

@@ -3,7 +3,7 @@
 
 #include "common/arguments.h"
 #include "exact/exact.h"
-#include "exact/oriented.h"
+#include "exact/oriented/oriented.h"
 #include "dispatch.h"
 #include "common/scenes.h"
 

@@ -15,9 +15,9 @@
 #include "common/arguments.h"
 #include "common/kernels_here.h"
 #include "dispatch.h"
-#include "environment.h"
+#include "base/environment.h"
 #include "order_kinds.h"
-#include "places.h"
+#include "index/places.h"
 
 static arguments args;
 

@@ -7,8 +7,8 @@
 #include <cmocka.h>
 
 #include "scalar/vec_scalar.h"
-#include "bits.h"
-#include "kernel/rank.h"
+#include "base/bits.h"
+#include "kernel/nodes/rank.h"
 
 #include "common/arguments.h"
 #include "order_kinds.h"

@@ -8,9 +8,9 @@ forbidden="$forbidden|float32x4|v[a-z]+q_f32"
 include='#[[:space:]]*include'
 
 status=0
-for text in *.h; do
+for text in $(find . -name '*.h' | sed 's,^\./,,'); do
     case $text in
-    float.h | double.h | cells.h | grid.h | index.h) refused="$forbidden|$include[[:space:]]*[^\"[:space:]]|$include.*/" ;;
+    float.h | double.h | cells.h | grid.h | index.h) refused="$forbidden|$include[[:space:]]*[^\"[:space:]]" ;;
     *) refused="$forbidden|$include" ;;
     esac
     if grep -nE "$refused" "$text"; then

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "choice.h"
+#include "pairs/choice.h"
 #include "common/arguments.h"
 #include "common/guard.h"
 #include "common/kernels_here.h"

@@ -9,7 +9,7 @@
 #include "common/arguments.h"
 #include "dispatch.h"
 #include "fill_case.h"
-#include "fill_crossings.h"
+#include "fill/fill_crossings.h"
 
 enum { PAIRS = 100000, ROUNDS = 1500 };
 

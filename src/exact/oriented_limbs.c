@@ -1,9 +1,0 @@
-/* oriented_limbs.c - oriented pairs in limbs, as many as floats can need. */
-#include "oriented.h"
-/* The plane's slack in a frame takes 3 * 557 + 8 = 1679 bits (PROOFS.md 9.4). */
-#define LIMBS 56
-#include "num_limbs.h"
-#include "kernel/axes.h"
-#include "integers.h"
-#define ORIENTED_IN_INTEGERS tribox_oriented_limbs
-#include "oriented_pair.h"

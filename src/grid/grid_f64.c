@@ -1,0 +1,123 @@
+/* grid_f64.c - grids in double: whether one can be served, its cells as boxes, and which cells an interval touches. */
+#include "grid_f64.h"
+
+#include "base/environment.h"
+#include "base/finite.h"
+
+tribox_planes tribox_planes_of(const tribox_grid_f64 *grid, const uint32_t first[3])
+{
+    tribox_planes planes;
+    for (int a = 0; a < 3; a++) {
+        planes.origin[a] = grid->origin[a];
+        planes.cell[a] = grid->cell[a];
+        planes.first[a] = first ? first[a] : 0;
+    }
+    return planes;
+}
+
+tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k)
+{
+    const uint32_t at[3] = {i, j, k};
+    const tribox_environment callers = tribox_environment_enter();
+    const tribox_planes planes = tribox_planes_of(grid, NULL);
+    tribox_box_f64 box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = tribox_plane_at(&planes, a, at[a]);
+        box.hi[a] = tribox_plane_at(&planes, a, (int64_t)at[a] + 1);
+    }
+    tribox_environment_leave(callers);
+    return box;
+}
+
+static double size_of(double x) { return x < 0 ? -x : x; }
+
+/* The power of two at or below a magnitude, and the spacing of doubles from there to the next power. */
+typedef struct binade {
+    double from, spacing;
+} binade;
+
+static binade binade_of(double size)
+{
+    binade b;
+    double next;
+    uint64_t bits;
+    memcpy(&bits, &size, sizeof bits);
+    bits &= UINT64_C(0x7ff) << 52;
+    memcpy(&b.from, &bits, sizeof b.from);
+    bits++;
+    memcpy(&next, &bits, sizeof next);
+    b.spacing = next - b.from;
+    return b;
+}
+
+/*
+ * Planes first to last, of one binade, whose cells are not longer than its spacing: from one to the next it is one spacing or
+ * none, so that it is enough to count. Where cell and spacing are one number it may also be two, after none, among the first three
+ * (PROOFS.md 7.10).
+ */
+static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int64_t last, double spacing)
+{
+    if (planes->cell[a] > spacing)
+        return true;
+    for (int64_t p = first; p < last && p < first + 2; p++)
+        if (!(tribox_plane_at(planes, a, p + 1) > tribox_plane_at(planes, a, p)))
+            return false;
+    return (tribox_plane_at(planes, a, last) - tribox_plane_at(planes, a, first)) / spacing >= (double)(last - first);
+}
+
+/*
+ * No two planes are the same double: if cells are longer than the spacing of doubles at the farthest plane. Otherwise the planes
+ * lie in two binades at most, and the first of the binade further up parts them.
+ */
+static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
+{
+    const double first = tribox_plane_at(planes, a, 0), last = tribox_plane_at(planes, a, size);
+    const bool is_falling = first < 0; /* away from zero */
+    const binade top = binade_of(is_falling && -first > last ? -first : last);
+    if (planes->cell[a] > top.spacing)
+        return true;
+    int64_t in = -1, out = size + 1; /* planes below and above the parting, where they rise away from zero */
+    while (out - in > 1) {
+        const int64_t middle = in + (out - in) / 2;
+        const bool is_top = size_of(tribox_plane_at(planes, a, middle)) >= top.from;
+        *(is_top == is_falling ? &in : &out) = middle;
+    }
+    const double below = is_falling ? top.spacing : top.spacing / 2, above = is_falling ? top.spacing / 2 : top.spacing;
+    return (in < 0 || is_run_rising(planes, a, 0, in, below)) && (out > size || is_run_rising(planes, a, out, size, above));
+}
+
+bool tribox_grid_f64_is_sound(const tribox_grid_f64 *grid)
+{
+    if (!tribox_are_finite_f64(grid->origin, 3) || !tribox_are_finite_f64(grid->cell, 3))
+        return false;
+    const tribox_planes planes = tribox_planes_of(grid, NULL);
+    for (int a = 0; a < 3; a++)
+        if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_f64(tribox_plane_at(&planes, a, grid->size[a])) ||
+            !has_rising_planes(&planes, a, grid->size[a]))
+            return false;
+    return true;
+}
+
+/* How many of planes 0 to size lie below x, or at it where `is_closed`: nearly always as many as the place of x says. */
+static int64_t planes_below(const tribox_planes *planes, int a, int64_t size, double x, bool is_closed)
+{
+    const double place = (x - planes->origin[a]) / planes->cell[a] - planes->first[a];
+    int64_t in = -1, out = size + 1, step = 1;
+    int64_t at = place > 0 ? place < (double)size ? (int64_t)place : size : 0; /* 0 of a NaN */
+    while (out - in > 1) {
+        const double plane = tribox_plane_at(planes, a, at);
+        const bool is_below = plane < x || (is_closed && plane <= x);
+        *(is_below ? &in : &out) = at;
+        at = is_below ? in + step : out - step;
+        if (at <= in || at >= out)
+            at = in + (out - in) / 2;
+        step *= 2;
+    }
+    return out;
+}
+
+tribox_cells tribox_planes_cells(const tribox_planes *planes, int a, int64_t size, double least, double most)
+{
+    const int64_t last = planes_below(planes, a, size, most, true) - 1, below = planes_below(planes, a, size, least, false) - 1;
+    return (tribox_cells){below, last};
+}

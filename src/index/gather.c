@@ -1,0 +1,76 @@
+/* gather.c - triangles in any order as nine streams. */
+#include <string.h>
+
+#include "mesh/indices.h"
+#include "mesh/mesh_input.h"
+#include "base/soup.h"
+
+/* Triangles that are copied stream by stream: what they touch stays in the cache. */
+enum { BLOCK = 1024 };
+
+static bool is_writable(const uint32_t *order, size_t first, size_t count, float *const x[3], float *const y[3], float *const z[3])
+{
+    if (first > SIZE_MAX - count || !tribox_is_addressable(first + count) || !x || !y || !z)
+        return false;
+    bool is = order;
+    for (int v = 0; v < 3; v++)
+        is &= x[v] && y[v] && z[v];
+    return !count || is;
+}
+
+/* Whether an order names triangles below `limit` alone. */
+static bool is_order(const uint32_t *order, size_t count, size_t limit)
+{
+    uint32_t greatest = 0;
+    for (size_t i = 0; i < count; i++)
+        greatest = order[i] > greatest ? order[i] : greatest;
+    return !count || greatest < limit;
+}
+
+tribox_status tribox_soup_gather(const tribox_soup *soup, const uint32_t *order, size_t first, size_t count, float *const x[3],
+                                 float *const y[3], float *const z[3])
+{
+    if (!tribox_soup_is_readable(soup) || !is_writable(order, first, count, x, y, z))
+        return TRIBOX_BAD_ARGUMENT;
+    if (count && !is_order(order + first, count, soup->count))
+        return TRIBOX_BAD_INDEX;
+    float *const *const to[3] = {x, y, z};
+    for (size_t start = 0; start < count; start += BLOCK)
+        for (int k = 0; k < 9; k++) {
+            const float *const stream = tribox_soup_axis(soup, k / 3)[k % 3];
+            for (size_t i = start; i < count && i < start + BLOCK; i++)
+                memcpy(&to[k / 3][k % 3][i], &stream[order[first + i]], sizeof(float));
+        }
+    return TRIBOX_OK;
+}
+
+/* Whether the triangles that an order names have vertices of the mesh alone. */
+static bool are_vertices_there(const tribox_mesh *mesh, const uint32_t *order, size_t count)
+{
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    bool are = true;
+    for (size_t i = 0; i < count; i++)
+        for (size_t v = 0; v < 3; v++)
+            are &= tribox_vertex_number(mesh, bytes, 3 * (size_t)order[i] + v) < mesh->vertices;
+    return are;
+}
+
+tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order, size_t first, size_t count, float *const x[3],
+                                 float *const y[3], float *const z[3])
+{
+    if (!tribox_mesh_is_readable(mesh) || !is_writable(order, first, count, x, y, z))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    if (count && (!is_order(order + first, count, mesh->count) || !are_vertices_there(mesh, order + first, count)))
+        return TRIBOX_BAD_INDEX;
+    for (size_t i = 0; i < count; i++)
+        for (size_t v = 0; v < 3; v++) {
+            const size_t vertex = tribox_vertex_number(mesh, bytes, 3 * (size_t)order[first + i] + v);
+            const char *const from = (const char *)mesh->positions + vertex * strided.stride;
+            memcpy(&x[v][i], from, sizeof(float));
+            memcpy(&y[v][i], from + sizeof(float), sizeof(float));
+            memcpy(&z[v][i], from + 2 * sizeof(float), sizeof(float));
+        }
+    return TRIBOX_OK;
+}

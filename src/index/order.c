@@ -1,0 +1,151 @@
+/*
+ * order.c - an order of triangles or boxes in which those that are near in number are near in space.
+ *
+ * Their places are cut in two across their longest side, and so are the parts, down to the 64 of a word. Which place comes before a
+ * cut follows from the places alone, and how they are moved there too: so neither the processor nor the kernel changes the order.
+ */
+#include "places.h"
+
+#include <float.h>
+#include <string.h>
+
+#include "base/box.h"
+#include "dispatch.h"
+#include "base/environment.h"
+#include "mesh/mesh_input.h"
+#include "base/soup.h"
+
+/* Triangles of a mesh whose streams fit the first-level cache. */
+enum { BLOCK = 256 };
+
+/* Whether these of `total` triangles can be ordered: their numbers have 32 bits, and scratch fits the address space. */
+static bool is_range(size_t total, size_t first, size_t count, const void *scratch)
+{
+    return total <= PTRDIFF_MAX / TRIBOX_PLACE_BYTES && tribox_has_numbers(total) && first <= total && count <= total - first &&
+           (scratch || !count);
+}
+
+tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch)
+{
+    if (!tribox_soup_is_readable(soup) || !is_range(soup->count, first, count, scratch))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!count)
+        return TRIBOX_OK;
+    const tribox_places places = tribox_places_in(scratch, soup->count, first);
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_kernel_find(NULL)->index->find_middles(soup, NULL, first, count, first, &places);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
+
+tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
+{
+    if (!tribox_boxes_are_readable(boxes) || !is_range(boxes->count, first, count, scratch))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!count)
+        return TRIBOX_OK;
+    const tribox_places places = tribox_places_in(scratch, boxes->count, first);
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_kernel_find(NULL)->index->find_middles(NULL, boxes, first, count, first, &places);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
+
+/* By way of streams, block by block. */
+static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t end, void *scratch)
+{
+    float streams[9][BLOCK], *to[9];
+    for (int k = 0; k < 9; k++)
+        to[k] = streams[k];
+    for (; first < end; first += BLOCK) {
+        const size_t count = end - first < BLOCK ? end - first : BLOCK;
+        const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
+        const tribox_places places = tribox_places_in(scratch, mesh->count, first);
+        kernel->gather(mesh, NULL, first, count, to);
+        kernel->index->find_middles(&soup, NULL, 0, count, first, &places);
+    }
+}
+
+tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
+{
+    if (!tribox_mesh_is_readable(mesh) || !is_range(mesh->count, first, count, scratch))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_kernel *const kernel = tribox_kernel_find(NULL);
+    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
+    if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
+        return TRIBOX_BAD_INDEX;
+    const tribox_environment callers = tribox_environment_enter();
+    find_middles(&strided, kernel, first, first + count, scratch);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
+
+size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count)
+{
+    const size_t before = is_range(total, first, count, scratch) ? tribox_places_before_cut(count) : 0;
+    if (!before)
+        return 0;
+    const tribox_places places = tribox_places_in(scratch, total, first);
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_kernel_find(NULL)->index->cut(&places, count, before);
+    tribox_environment_leave(callers);
+    return before;
+}
+
+/* The numbers of a word as they are, but those that are not finite last. */
+static void write_word(const tribox_places *places, size_t count, uint32_t *order)
+{
+    size_t finite = 0, wild = 0;
+    for (size_t i = 0; i < count; i++)
+        finite += places->middle[0][i] <= FLT_MAX;
+    memcpy(order, places->number, count * sizeof *order);
+    for (size_t i = 0, at = 0; finite < count && i < count; i++)
+        order[places->middle[0][i] <= FLT_MAX ? at++ : finite + wild++] = places->number[i];
+}
+
+void tribox_places_finish(const tribox_kernel *kernel, void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+{
+    for (size_t before; (before = tribox_places_before_cut(count)) != 0; first += before, count -= before) {
+        const tribox_places places = tribox_places_in(scratch, total, first);
+        kernel->index->cut(&places, count, before);
+        tribox_places_finish(kernel, scratch, total, first, before, order);
+    }
+    const tribox_places word = tribox_places_in(scratch, total, first);
+    write_word(&word, count, order + first);
+}
+
+tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+{
+    if (!is_range(total, first, count, scratch) || (count && !order))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!count)
+        return TRIBOX_OK;
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_places_finish(tribox_kernel_find(NULL), scratch, total, first, count, order);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}
+
+tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *scratch)
+{
+    if (!soup || (soup->count && !order))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = tribox_soup_order_start(soup, 0, soup->count, scratch);
+    return status ? status : tribox_order_finish(scratch, soup->count, 0, soup->count, order);
+}
+
+tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch)
+{
+    if (!boxes || (boxes->count && !order))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = tribox_boxes_order_start(boxes, 0, boxes->count, scratch);
+    return status ? status : tribox_order_finish(scratch, boxes->count, 0, boxes->count, order);
+}
+
+tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch)
+{
+    if (!mesh || (mesh->count && !order))
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = tribox_mesh_order_start(mesh, 0, mesh->count, scratch);
+    return status ? status : tribox_order_finish(scratch, mesh->count, 0, mesh->count, order);
+}

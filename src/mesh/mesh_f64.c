@@ -1,0 +1,187 @@
+/* mesh_f64.c - a mesh against a box of doubles, a block at a time. */
+#include "mesh_f64.h"
+
+#include "base/bits.h"
+#include "mesh_input.h"
+#include "pairs/settle.h"
+
+/* Triangles that are copied at a time where they cannot be read from where they lie. */
+enum { COPIED = TRIBOX_MESH_STREAMED, BLOCK_WORDS = TRIBOX_MESH_BLOCK / 64 };
+
+/* Whether the float stage can tell: no product of lengths overflows or vanishes (PROOFS.md 14.4). */
+static bool is_ordinary(const tribox_box_f64 *box)
+{
+    for (int a = 0; a < 3; a++) {
+        const double length = box->hi[a] - box->lo[a];
+        if (!(length >= 0x1p-36) || !(length <= 0x1p36))
+            return false;
+    }
+    return true;
+}
+
+void tribox_near_box_make(const tribox_box_f64 *box, const tribox_plan *plan, tribox_near_box *near)
+{
+    const bool is_for_all = plan->axes == TRIBOX_AXES_ALL && is_ordinary(box);
+    near->box = box;
+    near->walk = is_for_all ? TRIBOX_NEAR_ALL : TRIBOX_NEAR_BOX;
+    near->are_hits_certain = is_for_all || plan->axes == TRIBOX_AXES_BOX;
+    for (int a = 0; a < 3; a++) {
+        near->local.lo[a] = 0;
+        near->local.hi[a] = (float)(box->hi[a] - box->lo[a]);
+    }
+    for (int k = 0; k < TRIBOX_NEAR; k++) {
+        near->near[k] = box->lo[k % 3];
+        near->pattern.lo[k] = 0;
+        near->pattern.hi[k] = near->local.hi[k % 3];
+    }
+    near->pattern.near = near->near;
+}
+
+static void read_triangle(const tribox_mesh *mesh, size_t triangle, double u[3][3])
+{
+    for (size_t v = 0; v < 3; v++)
+        tribox_position_read(mesh, tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * triangle + v), u[v]);
+}
+
+/* Bullet 1 of the paper, on the doubles. NaN is not apart: the next stage finds it. Without branches, which could not be foreseen. */
+static bool is_apart(double u[3][3], const tribox_box_f64 *box)
+{
+    bool is = false;
+    for (int a = 0; a < 3; a++) {
+        const double lo = box->lo[a], hi = box->hi[a];
+        is |= (bool)((u[0][a] < lo) & (u[1][a] < lo) & (u[2][a] < lo));
+        is |= (bool)((u[0][a] > hi) & (u[1][a] > hi) & (u[2][a] > hi));
+    }
+    return is;
+}
+
+/* Open pairs, until they fill a batch. */
+typedef struct gathering {
+    tribox_batch batch;
+    size_t lane[TRIBOX_BATCH];
+    unsigned count;
+} gathering;
+
+static void gather(gathering *g, double u[3][3], const tribox_box_f64 *box, size_t lane)
+{
+    for (int a = 0; a < 3; a++) {
+        for (int v = 0; v < 3; v++)
+            g->batch.number[3 * a + v][g->count] = u[v][a];
+        g->batch.number[9 + a][g->count] = box->lo[a];
+        g->batch.number[12 + a][g->count] = box->hi[a];
+    }
+    g->lane[g->count++] = lane;
+}
+
+/* Adds those that overlap to the hits. Returns how many have finite numbers. */
+static size_t settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
+{
+    const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
+    for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
+        const size_t lane = g->lane[tribox_lowest_bit(left)];
+        hit[lane / 64] |= UINT64_C(1) << lane % 64;
+    }
+    g->count = 0;
+    return tribox_count_bits(verdict.finite);
+}
+
+static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_near_box *near, const tribox_plan *plan,
+                           size_t words, const uint64_t *open, uint64_t *hit)
+{
+    gathering g;
+    size_t undecided = 0;
+    g.count = 0;
+    for (size_t w = 0; w < words; w++)
+        for (uint64_t left = open[w]; left; left &= left - 1) {
+            const size_t lane = 64 * w + tribox_lowest_bit(left);
+            double u[3][3];
+            read_triangle(mesh, first + lane, u);
+            if (plan->axes & TRIBOX_AXES_BOX && is_apart(u, near->box))
+                continue;
+            gather(&g, u, near->box, lane);
+            if (g.count == TRIBOX_BATCH)
+                undecided += settle(&g, plan, hit);
+        }
+    return undecided + (g.count ? settle(&g, plan, hit) : 0);
+}
+
+/* Triangles of any positions as nine doubles each. Fewer than a kernel has lanes are followed by the first, as packets are whole. */
+static void copy_nines(const tribox_mesh *mesh, size_t first, size_t count, unsigned lanes, double (*nine)[3][3])
+{
+    tribox_mesh_read_corners(mesh, 3 * first, 3 * count, nine[0]);
+    for (size_t i = count; i < lanes; i++)
+        memcpy(nine[i], nine[0], sizeof nine[i]);
+}
+
+/* The walk's answers, bit by bit; of triangles that it is not asked about, nothing is known. */
+static void walk(const tribox_corners *corners, size_t count, const tribox_near_box *near, const tribox_plan *plan, uint64_t *hit,
+                 uint64_t *open)
+{
+    const tribox_pairs pairs = {.corners = corners, .box = &near->local, .count = count};
+    plan->kernel->walk_near[near->walk](&pairs, 0, count, hit, open);
+    for (size_t w = 0; !near->are_hits_certain && w < tribox_mask_words(count); w++) {
+        open[w] |= hit[w];
+        hit[w] = 0;
+    }
+}
+
+/* Without the box normals nothing can be left out: every triangle is open. */
+static void leave_open(size_t count, uint64_t *hit, uint64_t *open)
+{
+    for (size_t w = 0; w < tribox_mask_words(count); w++) {
+        hit[w] = 0;
+        open[w] = count - 64 * w < 64 ? ~(~UINT64_C(0) << (count - 64 * w)) : ~UINT64_C(0);
+    }
+}
+
+/* Some of the block, as tribox_answer_block has it: from where it lies if all of it can be read so, else the first of it copied. */
+static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_near_box *near, const tribox_plan *plan,
+                         uint64_t *hit, uint64_t *open)
+{
+    uint32_t offset[3 * TRIBOX_MESH_BLOCK];
+    tribox_corners corners;
+    if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
+        return 0;
+    if (!(plan->axes & TRIBOX_AXES_BOX)) {
+        leave_open(count, hit, open);
+        return count;
+    }
+    if (tribox_mesh_is_direct(mesh) && corners.base && corners.has_all && count >= plan->kernel->lanes) {
+        corners.near = near->near;
+        walk(&corners, count, near, plan, hit, open);
+        return count;
+    }
+    _Alignas(64) double nine[COPIED][3][3];
+    count = count < COPIED ? count : COPIED;
+    copy_nines(mesh, first, count, plan->kernel->lanes, nine);
+    corners = (tribox_corners){.base = (const char *)nine, .near = near->near, .has_all = true};
+    walk(&corners, count, near, plan, hit, open);
+    return count;
+}
+
+size_t tribox_mesh_answer_f64(const tribox_mesh_question *question, const tribox_mesh *mesh, size_t first, size_t count,
+                              uint64_t *mask, tribox_report *counts)
+{
+    uint64_t unasked[BLOCK_WORDS], open[BLOCK_WORDS], *const hit = mask ? mask : unasked;
+    const size_t done = walk_block(mesh, first, count, question->about, question->plan, hit, open), words = tribox_mask_words(done);
+    counts->undecided += settle_words(mesh, first, question->about, question->plan, words, open, hit);
+    for (size_t w = 0; w < words; w++)
+        counts->overlapping += tribox_count_bits(hit[w]);
+    return done;
+}
+
+uint64_t tribox_mesh_inside_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, size_t first, uint64_t candidates)
+{
+    uint64_t found = 0;
+    for (uint64_t left = candidates; left; left &= left - 1) {
+        const unsigned lane = tribox_lowest_bit(left);
+        double u[3][3];
+        bool is_inside = true;
+        read_triangle(mesh, first + lane, u);
+        for (int v = 0; v < 3; v++)
+            for (int a = 0; a < 3; a++)
+                is_inside &= u[v][a] >= box->lo[a] && u[v][a] <= box->hi[a];
+        found |= (uint64_t)is_inside << lane;
+    }
+    return found;
+}

@@ -1,0 +1,113 @@
+/* mesh_input.c - what every call checks of a mesh before it reads it, and the indices that refer to no vertex. */
+#include "mesh_input.h"
+
+#include "dispatch.h"
+#include "positions.h"
+#include "base/soup.h"
+
+/* Whether `count` items of `bytes` bytes each fit the address space. */
+static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
+
+/* Where the three numbers of a vertex need not follow each other, vertices may: a column-major matrix has them side by side. */
+static size_t least_stride(const tribox_mesh *mesh)
+{
+    const size_t bytes = tribox_position_bytes(mesh);
+    return mesh->axis_stride ? bytes : 3 * bytes;
+}
+
+/* What 0 stands for: in a matrix of one vertex nothing tells columns from rows. */
+static size_t usual_stride(const tribox_mesh *mesh)
+{
+    const size_t bytes = tribox_position_bytes(mesh);
+    return mesh->axis_stride > bytes ? bytes : 3 * bytes;
+}
+
+bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh)
+{
+    if (!mesh || (mesh->position_bytes && mesh->position_bytes != 4 && mesh->position_bytes != 8))
+        return false;
+    const size_t least = least_stride(mesh), axis = mesh->axis_stride;
+    if ((mesh->stride && mesh->stride < least) || !fits(mesh->vertices, mesh->stride ? mesh->stride : usual_stride(mesh)))
+        return false;
+    if (axis && (axis < tribox_position_bytes(mesh) || !fits(3, axis)))
+        return false;
+    if (mesh->indices && mesh->index_bytes != 2 && mesh->index_bytes != 4)
+        return false;
+    return fits(mesh->count, 3 * sizeof(float)) && (mesh->positions || !mesh->count);
+}
+
+bool tribox_mesh_is_readable(const tribox_mesh *mesh)
+{
+    return tribox_mesh_is_readable_f64(mesh) && mesh->position_bytes != 8 && !mesh->axis_stride;
+}
+
+tribox_mesh tribox_mesh_with_strides(const tribox_mesh *mesh)
+{
+    tribox_mesh strided = *mesh;
+    strided.stride = mesh->stride ? mesh->stride : usual_stride(mesh);
+    strided.axis_stride = mesh->axis_stride ? mesh->axis_stride : tribox_position_bytes(mesh);
+    return strided;
+}
+
+bool tribox_mesh_is_direct(const tribox_mesh *mesh)
+{
+    return mesh->position_bytes == sizeof(double) && mesh->axis_stride == sizeof(double) && mesh->stride >= 3 * sizeof(double);
+}
+
+/* The sizes, as arguments of their own, may be constants: then neither is asked of each corner. */
+static inline void read_corners(const tribox_mesh *mesh, unsigned index_bytes, unsigned position_bytes, size_t first, size_t count,
+                                double (*to)[3])
+{
+    tribox_mesh from = *mesh; /* known not to change while corners are written */
+    from.position_bytes = position_bytes;
+    for (size_t corner = 0; corner < count; corner++)
+        tribox_position_read(&from, tribox_vertex_number(&from, index_bytes, first + corner), to[corner]);
+}
+
+void tribox_mesh_read_corners(const tribox_mesh *mesh, size_t first, size_t count, double (*to)[3])
+{
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    if (mesh->position_bytes == sizeof(double))
+        read_corners(mesh, bytes, sizeof(double), first, count, to);
+    else if (bytes == 4)
+        read_corners(mesh, 4, sizeof(float), first, count, to);
+    else
+        read_corners(mesh, bytes, sizeof(float), first, count, to);
+}
+
+bool tribox_mesh_is_in_range(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t count)
+{
+    return !count || kernel->find_vertices(mesh, first, count).greatest < mesh->vertices;
+}
+
+/* How many corners of triangles at .. at + count - 1 have no vertex; *first becomes the first of them, if it is none yet. */
+static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t none, size_t *first)
+{
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    size_t found = 0;
+    for (size_t corner = 3 * at; corner < 3 * (at + count); corner++)
+        if (tribox_vertex_number(mesh, bytes, corner) >= mesh->vertices) {
+            found++;
+            *first = *first == none ? corner : *first;
+        }
+    return found;
+}
+
+size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
+{
+    const tribox_kernel *const kernel = tribox_kernel_find(NULL);
+    const size_t triangles = tribox_mesh_is_readable_f64(mesh) ? mesh->count : 0, corners = 3 * triangles;
+    size_t found = 0, lowest = corners;
+    if (corners && !mesh->indices) {
+        found = corners > mesh->vertices ? corners - mesh->vertices : 0;
+        lowest = corners - found;
+    }
+    for (size_t at = 0; mesh && mesh->indices && at < triangles; at += 64) {
+        const size_t count = triangles - at < 64 ? triangles - at : 64;
+        if (!tribox_mesh_is_in_range(mesh, kernel, at, count))
+            found += count_bad(mesh, at, count, corners, &lowest);
+    }
+    if (first)
+        *first = lowest;
+    return found;
+}

@@ -1,0 +1,89 @@
+/* mesh_streams.c - triangles of a mesh as nine streams: as they are, or relative to an origin. */
+#include "mesh_streams.h"
+
+#include "dispatch.h"
+#include "base/environment.h"
+#include "base/finite.h"
+#include "mesh_input.h"
+
+/* A part of the triangles, and streams for it. */
+static bool is_writable(size_t triangles, size_t first, size_t count, float *const x[3], float *const y[3], float *const z[3])
+{
+    if (first > triangles || count > triangles - first || !x || !y || !z)
+        return false;
+    for (int v = 0; count && v < 3; v++)
+        if (!x[v] || !y[v] || !z[v])
+            return false;
+    return true;
+}
+
+/* The kernel, where it and the vertices of these triangles are there. */
+static tribox_status find_kernel(const tribox_mesh *strided, size_t first, size_t count, const tribox_options *options,
+                                 const tribox_kernel **kernel)
+{
+    *kernel = tribox_kernel_find(options ? options->kernel : NULL);
+    if (!*kernel)
+        return TRIBOX_NO_KERNEL;
+    return tribox_mesh_is_in_range(strided, *kernel, first, count) ? TRIBOX_OK : TRIBOX_BAD_INDEX;
+}
+
+tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
+                                     float *const x[3], float *const y[3], float *const z[3])
+{
+    if (!tribox_mesh_is_readable(mesh) || !is_writable(mesh->count, first, count, x, y, z))
+        return TRIBOX_BAD_ARGUMENT;
+    float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
+    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
+    const tribox_kernel *kernel;
+    const tribox_status status = find_kernel(&strided, first, count, options, &kernel);
+    if (status == TRIBOX_OK)
+        kernel->gather(&strided, NULL, first, count, to);
+    return status;
+}
+
+/* Of floats, or of doubles that do not follow each other: number by number. */
+static void write_each(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count, float *const to[9])
+{
+    enum { SOME = 64 };
+    double u[3 * SOME][3];
+    for (size_t at = 0; at < count; at += SOME) {
+        const size_t some = count - at < SOME ? count - at : SOME;
+        tribox_mesh_read_corners(mesh, 3 * (first + at), 3 * some, u);
+        for (size_t k = 0; k < 9; k++)
+            for (size_t i = 0; i < some; i++)
+                to[k][at + i] = (float)(u[3 * i + k % 3][k / 3] - origin[k / 3]);
+    }
+}
+
+void tribox_mesh_write_local(const tribox_mesh *mesh, const tribox_kernel *kernel, const double origin[3], size_t first,
+                             size_t count, float *const to[9])
+{
+    double near[TRIBOX_NEAR];
+    if (!tribox_mesh_is_direct(mesh)) {
+        write_each(mesh, origin, first, count, to);
+        return;
+    }
+    for (int k = 0; k < TRIBOX_NEAR; k++)
+        near[k] = origin[k % 3];
+    kernel->gather(mesh, near, first, count, to);
+}
+
+tribox_status tribox_mesh_to_local_streams(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
+                                           const tribox_options *options, float *const x[3], float *const y[3], float *const z[3])
+{
+    if (!tribox_mesh_is_readable_f64(mesh) || !origin || !is_writable(mesh->count, first, count, x, y, z))
+        return TRIBOX_BAD_ARGUMENT;
+    for (int a = 0; a < 3; a++)
+        if (!tribox_is_finite_f64(origin[a]))
+            return TRIBOX_BAD_ARGUMENT;
+    float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
+    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
+    const tribox_kernel *kernel;
+    const tribox_status status = find_kernel(&strided, first, count, options, &kernel);
+    if (status)
+        return status;
+    const tribox_environment callers = tribox_environment_enter();
+    tribox_mesh_write_local(&strided, kernel, origin, first, count, to);
+    tribox_environment_leave(callers);
+    return TRIBOX_OK;
+}

@@ -1,0 +1,180 @@
+/*
+ * oriented.c - a soup and an oriented box: moved into the frame of the box block by block, and tested there.
+ *
+ * The move rounds: each coordinate in the frame is off by at most `error`, known for each axis and block (kernel/frame.h). So the
+ * rounded triangle misses the box enlarged by the error only if the triangle misses the box, and overlaps the box diminished by the
+ * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do.
+ * What lies between is settled in integers from the numbers of the input (PROOFS.md 8.2).
+ */
+#include <float.h>
+#include <string.h>
+
+#include "base/bits.h"
+#include "base/environment.h"
+#include "exact/oriented/oriented.h"
+#include "few.h"
+#include "oriented_words.h"
+#include "pairs.h"
+#include "base/soup.h"
+
+/*
+ * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Only
+ * wild triangles have coordinates beyond the greatest float.
+ */
+static tribox_box box_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, int sign)
+{
+    tribox_box box;
+    for (int k = 0; k < 3; k++) {
+        const double half = ((double)q->box->half[k] + sign * (double)moved->error[k]) * (1 + sign * 0x1p-22);
+        box.hi[k] = half < (double)FLT_MAX ? (float)half : FLT_MAX;
+        box.lo[k] = -box.hi[k];
+    }
+    return box;
+}
+
+static tribox_oriented_pair oriented_pair_at(const tribox_oriented_question *q, size_t i)
+{
+    tribox_oriented_pair pair = {.box = *q->box};
+    for (int v = 0; v < 3; v++)
+        for (int a = 0; a < 3; a++)
+            pair.u[v][a] = tribox_soup_axis(q->soup, a)[v][i];
+    return pair;
+}
+
+/* Whether triangle i overlaps, in integers. Counts it where it is finite. */
+static bool overlaps_in_integers(const tribox_oriented_question *q, size_t i, size_t *undecided)
+{
+    const tribox_oriented_pair pair = oriented_pair_at(q, i);
+    if (!tribox_triangle_is_finite(pair.u))
+        return false;
+    ++*undecided;
+    return tribox_oriented_overlap(&pair, q->plan->axes);
+}
+
+/* Words of the frame: the lanes that certainly overlap, and in *open those for the integers. */
+static void answer_exactly(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
+                           uint64_t *hit, uint64_t *open)
+{
+    tribox_plan *const plan = q->plan;
+    uint64_t near[TRIBOX_MOVED_WORDS], near_open[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
+    const tribox_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
+    memset(hit, 0, words * sizeof *hit);
+    if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
+        tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &smaller, .count = soup->count}, plan, 0, words, hit, unused);
+    plan->accuracy = TRIBOX_CONSERVATIVE;
+    tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &larger, .count = soup->count}, plan, 0, words, near, near_open);
+    plan->accuracy = TRIBOX_EXACT;
+    for (size_t w = 0; w < words; w++)
+        open[w] = (near[w] | near_open[w]) & ~hit[w] & ~moved->apart[w];
+}
+
+/*
+ * The same where the frame's own answer will do: CONSERVATIVE about the larger box, FAST about the box, to err on both sides.
+ * Returns how many were left to double.
+ */
+static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
+                              uint64_t *hit, uint64_t *open)
+{
+    const tribox_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
+    const tribox_pairs pairs = {.soup = soup, .box = &box, .count = soup->count};
+    tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, open);
+    for (size_t w = 0; w < words; w++)
+        open[w] &= ~(moved->apart[w] | moved->wild[w]);
+    const size_t undecided = tribox_pairs_settle_block(&pairs, q->plan, 0, words, open, hit);
+    memset(open, 0, words * sizeof *open);
+    return undecided;
+}
+
+/*
+ * Triangles first .. first + count - 1, at most TRIBOX_MOVED_WORDS words, and a whole packet at least. Nothing is asked about the
+ * first `unasked` words.
+ */
+static size_t answer_block(const tribox_oriented_question *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
+{
+    const size_t words = tribox_words_of(count);
+    size_t undecided = 0;
+    tribox_moved moved;
+    uint64_t open[TRIBOX_MOVED_WORDS];
+    q->plan->kernel->to_frame(q->soup, q->box, first, count, &moved);
+    for (size_t w = 0; w < unasked; w++) {
+        moved.apart[w] = ~UINT64_C(0);
+        moved.wild[w] = 0;
+    }
+    const tribox_soup frame = tribox_soup_of(&moved.number[0][0], 64 * TRIBOX_MOVED_WORDS, count);
+    if (q->plan->accuracy == TRIBOX_EXACT)
+        answer_exactly(q, &moved, &frame, words, hit, open);
+    else
+        undecided = answer_in_frame(q, &moved, &frame, words, hit, open);
+    for (size_t w = 0; w < words; w++) {
+        hit[w] &= ~(moved.apart[w] | moved.wild[w]);
+        for (uint64_t left = open[w] | moved.wild[w]; left; left &= left - 1) {
+            const unsigned lane = tribox_lowest_bit(left);
+            hit[w] |= (uint64_t)overlaps_in_integers(q, first + 64 * w + lane, &undecided) << lane;
+        }
+    }
+    return undecided;
+}
+
+/* The last triangles of a soup, where they fill no packet: with the word before them. */
+static size_t answer_last(const tribox_oriented_question *q, size_t first, uint64_t *hit)
+{
+    uint64_t both[2];
+    const size_t undecided = answer_block(q, first - 64, q->soup->count - (first - 64), 1, both);
+    *hit = both[1];
+    return undecided;
+}
+
+size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, size_t words, uint64_t *hit)
+{
+    size_t undecided = 0;
+    for (size_t done = 0; done < words; done += TRIBOX_MOVED_WORDS) {
+        const size_t block = words - done < TRIBOX_MOVED_WORDS ? words - done : TRIBOX_MOVED_WORDS;
+        const size_t first = 64 * (word + done), left = q->soup->count - first;
+        if (first && left < q->plan->kernel->lanes)
+            undecided += answer_last(q, first, hit + done);
+        else
+            undecided += answer_block(q, first, left < 64 * block ? left : 64 * block, 0, hit + done);
+    }
+    return undecided;
+}
+
+static tribox_report answer_all(const tribox_oriented_question *q, uint64_t *mask)
+{
+    const size_t words = tribox_words_of(q->soup->count);
+    tribox_report counts = {0, 0};
+    for (size_t word = 0; word < words; word += TRIBOX_MOVED_WORDS) {
+        uint64_t unasked[TRIBOX_MOVED_WORDS], *const hit = mask ? mask + word : unasked;
+        const size_t block = words - word < TRIBOX_MOVED_WORDS ? words - word : TRIBOX_MOVED_WORDS;
+        counts.undecided += tribox_oriented_answer(q, word, block, hit);
+        for (size_t w = 0; w < block; w++)
+            counts.overlapping += tribox_count_bits(hit[w]);
+    }
+    return counts;
+}
+
+tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box, const tribox_options *options,
+                                      uint64_t *mask, tribox_report *report)
+{
+    if (!box || !tribox_soup_is_readable(soup))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_oriented_is_finite(box))
+        return TRIBOX_BAD_BOX;
+    tribox_plan plan;
+    const tribox_status status = tribox_plan_make(options, &plan);
+    if (status)
+        return status;
+    if (!tribox_oriented_has_axes(&plan))
+        return TRIBOX_BAD_OPTION;
+
+    tribox_few few;
+    tribox_report counts = {0, 0};
+    const tribox_oriented_question q = {tribox_few_triangles(soup, plan.kernel, &few), box, &plan};
+    const tribox_environment callers = tribox_environment_enter();
+    if (tribox_oriented_is_empty(box))
+        tribox_pairs_write_none(soup->count, mask);
+    else
+        counts = answer_all(&q, mask);
+    tribox_environment_leave(callers);
+    tribox_plan_report(&plan, counts, report);
+    return TRIBOX_OK;
+}

@@ -1,0 +1,164 @@
+/* pairs.c - many pairs: run the kernel, settle what it left open. */
+#include "pairs.h"
+
+#include <string.h>
+
+#include "base/bits.h"
+#include "settle.h"
+#include "base/soup.h"
+
+/* Surveys a word, so that the choice knows better. */
+static void survey_word(const tribox_pairs *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *open)
+{
+    tribox_seen seen;
+    *hit = plan->kernel->survey[tribox_walk_kind_of(plan->accuracy)](p, word, &seen, open);
+    tribox_choice_learn(&plan->choice, &seen, plan->accuracy);
+}
+
+/* Pairs that the walks left open, gathered until they fill a batch. */
+typedef struct gathering {
+    tribox_batch batch;
+    size_t pair[TRIBOX_BATCH]; /* the number of each among the pairs of the call, */
+    size_t lane[TRIBOX_BATCH]; /* and its lane among those of the words that are settled */
+    unsigned count;
+} gathering;
+
+/* Vertex v of every gathered triangle of a mesh. */
+static void fill_vertex(gathering *g, const tribox_corners *corners, size_t v)
+{
+    for (unsigned i = 0; i < g->count; i++) {
+        const size_t corner = 3 * g->pair[i] + v;
+        float position[3];
+        memcpy(position, corners->base + (corners->offset ? corners->offset[corner] : sizeof position * corner), sizeof position);
+        for (size_t a = 0; a < 3; a++)
+            g->batch.number[3 * a + v][i] = position[a];
+    }
+}
+
+/* Pair i of the batch in place k of each number: from its stream, or the same for all. */
+static void fill_batch(gathering *g, const tribox_pairs *p)
+{
+    const float *stream[15] = {NULL};
+    float constant[15] = {0};
+    for (int a = 0; a < 3; a++) {
+        for (int v = 0; v < 3; v++) {
+            stream[3 * a + v] = p->soup ? tribox_soup_axis(p->soup, a)[v] : NULL;
+            constant[3 * a + v] = p->triangle ? p->triangle[v][a] : 0;
+        }
+        stream[9 + a] = p->boxes ? p->boxes->lo[a] : NULL;
+        stream[12 + a] = p->boxes ? p->boxes->hi[a] : NULL;
+        constant[9 + a] = p->box ? p->box->lo[a] : 0;
+        constant[12 + a] = p->box ? p->box->hi[a] : 0;
+    }
+    for (int k = 0; k < 15; k++)
+        for (unsigned i = 0; i < g->count; i++)
+            g->batch.number[k][i] = stream[k] ? stream[k][g->pair[i]] : constant[k];
+    for (size_t v = 0; p->corners && v < 3; v++)
+        fill_vertex(g, p->corners, v);
+}
+
+/*
+ * Settles what is gathered, and adds the pairs that overlap to the hits of their words. Returns how many have finite numbers; the
+ * others overlap nothing.
+ */
+static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit)
+{
+    fill_batch(g, p);
+    const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
+    for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
+        const size_t lane = g->lane[tribox_lowest_bit(left)];
+        hit[lane / 64] |= UINT64_C(1) << lane % 64;
+    }
+    g->count = 0;
+    return tribox_count_bits(verdict.finite);
+}
+
+void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
+{
+    for (size_t done = 0, next; done < words; done += next) {
+        const size_t at = word + done, left = p->count - 64 * at;
+        next = tribox_choice_next(&plan->choice, left / 64, words - done);
+        if (next) {
+            const size_t count = left < 64 * next ? left : 64 * next;
+            plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, at, count, hit + done, open + done);
+        } else {
+            survey_word(p, plan, at, hit + done, open + done);
+            next = 1;
+        }
+    }
+}
+
+size_t tribox_pairs_settle_words(const tribox_pairs *p, const tribox_plan *plan, const size_t *number, size_t words,
+                                 const uint64_t *open, uint64_t *hit)
+{
+    gathering g;
+    size_t undecided = 0;
+    g.count = 0;
+    for (size_t w = 0; w < words; w++)
+        for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
+            const unsigned lane = tribox_lowest_bit(rest);
+            g.pair[g.count] = 64 * number[w] + lane;
+            g.lane[g.count++] = 64 * w + lane;
+            if (g.count == TRIBOX_BATCH)
+                undecided += settle_gathered(&g, p, plan, hit);
+        }
+    if (g.count)
+        undecided += settle_gathered(&g, p, plan, hit);
+    return undecided;
+}
+
+size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
+                                 uint64_t *hit)
+{
+    size_t number[TRIBOX_BLOCK_WORDS];
+    for (size_t w = 0; w < words; w++)
+        number[w] = word + w;
+    return tribox_pairs_settle_words(p, plan, number, words, open, hit);
+}
+
+size_t tribox_pairs_answer_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
+{
+    uint64_t open[TRIBOX_BLOCK_WORDS];
+    uint64_t any = 0;
+    tribox_pairs_walk_block(p, plan, word, words, hit, open);
+    for (size_t w = 0; w < words; w++)
+        any |= open[w];
+    return any ? tribox_pairs_settle_block(p, plan, word, words, open, hit) : 0;
+}
+
+void tribox_pairs_write_none(size_t count, uint64_t *mask)
+{
+    if (mask)
+        memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
+}
+
+/* At most a word: what the blocks do, with less around it, as a few pairs take no longer than that. */
+static tribox_report answer_word(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+{
+    uint64_t hit = 0, open = 0;
+    size_t undecided = 0;
+    if (!p->count)
+        return (tribox_report){0, 0};
+    plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, 0, p->count, &hit, &open);
+    if (open)
+        undecided = tribox_pairs_settle_block(p, plan, 0, 1, &open, &hit);
+    if (mask)
+        *mask = hit;
+    return (tribox_report){tribox_count_bits(hit), undecided};
+}
+
+tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
+{
+    if (p->count <= 64)
+        return answer_word(p, plan, mask);
+    const size_t words = tribox_mask_words(p->count);
+    tribox_report counts = {0, 0};
+    for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
+        uint64_t unasked[TRIBOX_BLOCK_WORDS], *const hit = mask ? mask + word : unasked;
+        const size_t block = words - word < TRIBOX_BLOCK_WORDS ? words - word : TRIBOX_BLOCK_WORDS;
+        counts.undecided += tribox_pairs_answer_block(p, plan, word, block, hit);
+        for (size_t w = 0; w < block; w++)
+            counts.overlapping += tribox_count_bits(hit[w]);
+    }
+    return counts;
+}

@@ -1,0 +1,42 @@
+/* settle.c - a batch of open pairs: in double all at once, then one by one in integers. */
+#include "settle.h"
+
+#include "base/bits.h"
+#include "exact/exact.h"
+
+static tribox_pair batch_pair_at(const tribox_batch *batch, unsigned i)
+{
+    tribox_pair pair;
+    for (int a = 0; a < 3; a++) {
+        for (int j = 0; j < 3; j++)
+            pair.u[j][a] = batch->number[3 * a + j][i];
+        pair.lo[a] = batch->number[9 + a][i];
+        pair.hi[a] = batch->number[12 + a][i];
+    }
+    return pair;
+}
+
+/* Lanes up to a whole packet repeat the last. Their answers are dropped, but arithmetic on garbage can be slow, or be reported. */
+static void fill_up_batch(tribox_batch *batch, unsigned count)
+{
+    for (int k = 0; k < 15; k++)
+        for (unsigned i = count; i % TRIBOX_DOUBLES_MAX; i++)
+            batch->number[k][i] = batch->number[k][count - 1];
+}
+
+tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan)
+{
+    const bool is_exact =
+        plan->accuracy != TRIBOX_CONSERVATIVE; /* that takes what stays open for an overlap, if it is nearly one */
+    fill_up_batch(batch, count);
+    tribox_verdict verdict = plan->kernel->in_double(batch, count, plan->axes, is_exact);
+    if (!is_exact)
+        verdict.overlapping |= verdict.open & ~verdict.wild;
+    for (uint64_t open = is_exact ? verdict.open : verdict.wild; open; open &= open - 1) {
+        const unsigned i = tribox_lowest_bit(open);
+        const tribox_pair pair = batch_pair_at(batch, i);
+        verdict.overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
+    }
+    verdict.open = verdict.wild = 0;
+    return verdict;
+}

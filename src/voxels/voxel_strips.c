@@ -1,0 +1,146 @@
+/*
+ * voxel_strips.c - triangles that the kernel takes one by one, row after row: they wait in strips, one for each shape.
+ *
+ * Of those that the kernel's float cannot tell the cells, the planes of the grid do.
+ */
+#include "voxels.h"
+
+#include "base/finite.h"
+#include "grid/grid_f64.h"
+
+/* The rows of a strip's triangles, and empties it. Lanes up to a whole packet repeat the last triangle. */
+static void set_strip(tribox_voxels *v, tribox_shape shape)
+{
+    tribox_strip *const strip = &v->strip[shape];
+    if (!strip->count)
+        return;
+    for (unsigned t = strip->count; t % TRIBOX_DOUBLES_MAX; t++) {
+        for (int n = 0; n < 9; n++)
+            strip->u[n][t] = strip->u[n][strip->count - 1]; /* numbers are not read */
+        for (int a = 0; a < 3; a++) {
+            strip->base[a][t] = strip->base[a][strip->count - 1];
+            strip->cells[a][t] = strip->cells[a][strip->count - 1];
+        }
+    }
+    v->plan.kernel->grid->set_strip[shape](v);
+    strip->count = 0;
+}
+
+void tribox_voxels_start(tribox_voxels *v, uint64_t *occupied)
+{
+    const int64_t layers = v->end_layer - v->first_layer;
+    v->row_words = tribox_mask_words(v->size[0]);
+    v->row_halves = (int32_t)(2 * v->row_words);
+    v->layer_halves = (int32_t)(uint32_t)(2 * v->row_words * v->size[1]);
+    v->occupied = occupied;
+    v->is_far = v->row_words * v->size[1] * (size_t)layers > 1 << 17;
+    v->counts = (tribox_report){0, 0};
+    v->waiting.count = v->writes.count = 0;
+    for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
+        v->strip[shape].count = 0;
+    for (tribox_class kind = TRIBOX_FLATS; kind < TRIBOX_CLASSES; kind++)
+        v->queue[kind].count = 0;
+}
+
+void tribox_voxels_set_strips(tribox_voxels *v)
+{
+    for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
+        set_strip(v, shape);
+}
+
+static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_t base[3], const int64_t cells[3],
+                 tribox_shape shape)
+{
+    tribox_strip *const strip = &v->strip[shape];
+    const int64_t layer = tribox_greatest(base[2], v->first_layer) - v->first_layer;
+    const unsigned t = strip->count;
+    for (int n = 0; n < 9; n++)
+        strip->u[n][t] = triangle->u[n];
+    strip->number[t] = triangle->number;
+    for (int a = 0; a < 3; a++) {
+        strip->base[a][t] = (double)base[a];
+        strip->cells[a][t] = (double)cells[a];
+    }
+    /* Of the window, which has 2^31 words at most: the grid may have more, and the triangle begin far below (PROOFS.md 7.8). */
+    strip->word[t] = (int32_t)((layer * v->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
+    strip->bit[t] = (int32_t)(base[0] % 64);
+    if (++strip->count == TRIBOX_STRIP)
+        set_strip(v, shape);
+}
+
+/* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
+static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cells[3])
+{
+    const int64_t from = tribox_greatest(base[2], v->first_layer), end = tribox_least(base[2] + cells[2], v->end_layer);
+    const size_t layer_words = v->row_words * v->size[1];
+    uint64_t *const row = v->occupied + (size_t)(from - v->first_layer) * layer_words + (size_t)base[1] * v->row_words;
+    const uint64_t bit = UINT64_C(1) << base[0] % 64;
+    if (cells[0] > 1)
+        v->counts.overlapping += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
+    else if (cells[1] > 1)
+        v->counts.overlapping += tribox_set_column(row + base[0] / 64, v->row_words, cells[1], bit);
+    else
+        v->counts.overlapping += tribox_set_column(row + base[0] / 64, layer_words, end - from, bit);
+}
+
+/* By the axes on which the box spans more than one cell, even if some lie outside the grid (kernel_grid.h). */
+static tribox_shape shape_of(const bool spans[3], unsigned axes)
+{
+    if (!(axes & TRIBOX_AXES_EDGES)) /* without edges a shadow has no limits: only the plane has */
+        return TRIBOX_SOLID;
+    return !spans[0] ? TRIBOX_FLAT_X : !spans[1] ? TRIBOX_FLAT_Y : !spans[2] ? TRIBOX_FLAT_Z : TRIBOX_SOLID;
+}
+
+/*
+ * Whether limits in double are right about a triangle of doubles: edges are zero or of a size, in cells, whose products neither
+ * overflow nor vanish (PROOFS.md 7.10).
+ */
+static bool has_limits(const tribox_voxels *v, const double u[9])
+{
+    bool has = v->has_limits;
+    for (int a = 0; a < 3; a++)
+        for (int j = 0; j < 3; j++) {
+            const double f = u[3 * a + (j + 1) % 3] - u[3 * a + j], size = (f < 0 ? -f : f) * v->lattice.per_cell[a];
+            has &= !(f < 0 || f > 0) || (size >= 0x1p-250 && size <= 0x1p250);
+        }
+    return has;
+}
+
+void tribox_voxels_take(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
+{
+    if (range->spans[0] + range->spans[1] + range->spans[2] < 2)
+        set_line(v, range->base, range->cells);
+    else if (v->mesh && !has_limits(v, triangle->u))
+        tribox_voxels_ask(v, triangle, range);
+    else
+        join(v, triangle, range->base, range->cells, shape_of(range->spans, v->plan.axes));
+}
+
+static tribox_cells cells_touched(const tribox_voxels *v, int a, double least, double most)
+{
+    return v->mesh ? tribox_planes_cells(&v->planes, a, v->size[a], least, most)
+                   : tribox_grid_cells(v->grid, a, v->first[a], v->size[a], (float)least, (float)most);
+}
+
+void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle)
+{
+    const double *const u = triangle->u;
+    tribox_cell_range range;
+    if (!tribox_are_finite_f64(u, 9))
+        return;
+    for (int a = 0; a < 3; a++) {
+        double least = u[3 * a], most = least;
+        for (int j = 1; j < 3; j++) {
+            least = u[3 * a + j] < least ? u[3 * a + j] : least;
+            most = u[3 * a + j] > most ? u[3 * a + j] : most;
+        }
+        const tribox_cells touched = cells_touched(v, a, least, most);
+        const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->size[a];
+        if (touched.first >= end || touched.last < from)
+            return;
+        range.spans[a] = touched.last > touched.first;
+        range.base[a] = tribox_greatest(touched.first, 0);
+        range.cells[a] = tribox_least(touched.last + 1, v->size[a]) - range.base[a];
+    }
+    tribox_voxels_take(v, triangle, &range);
+}

@@ -1,0 +1,111 @@
+/* voxel_waiting.c - open cells: they wait, and are settled by their own boxes. */
+#include "voxels.h"
+
+#include "base/finite.h"
+#include "pairs/settle.h"
+
+/* The word of a cell, and its bit there. */
+typedef struct cell_bit {
+    uint64_t *word, bit;
+} cell_bit;
+
+void tribox_voxels_wait(tribox_voxels *v, const tribox_triangle *triangle, int64_t first, int64_t last, int64_t j, int64_t k)
+{
+    tribox_waiting *const w = &v->waiting;
+    for (; first <= last; first += 32) {
+        if (w->count == TRIBOX_WAITING)
+            tribox_voxels_settle(v);
+        for (int n = 0; n < 9 && !v->mesh; n++)
+            w->u[n][w->count] = (float)triangle->u[n];
+        w->number[w->count] = triangle->number;
+        w->at[0][w->count] = (int32_t)(uint32_t)first;
+        w->at[1][w->count] = (int32_t)(uint32_t)j;
+        w->at[2][w->count] = (int32_t)(uint32_t)k;
+        w->bits[w->count++] = (int32_t)(~UINT32_C(0) >> (last - first < 31 ? 31 - (last - first) : 0));
+    }
+}
+
+void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle)
+{
+    if (!tribox_are_finite_f64(triangle->u, 9))
+        return;
+    for (int64_t k = v->first_layer; k < v->end_layer; k++)
+        for (int64_t j = 0; j < v->size[1]; j++)
+            tribox_voxels_wait(v, triangle, 0, (int64_t)v->size[0] - 1, j, k);
+}
+
+static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)
+{
+    v->counts.undecided += count;
+    const tribox_verdict verdict = tribox_settle_batch(batch, count, &v->plan);
+    for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
+        const unsigned i = tribox_lowest_bit(left);
+        v->counts.overlapping += tribox_set_bits(cell[i].word, cell[i].bit);
+    }
+}
+
+/* The words of row n of those that wait. */
+static uint64_t *row_of(const tribox_voxels *v, unsigned n)
+{
+    const int64_t layer = (uint32_t)v->waiting.at[2][n] - v->first_layer;
+    return v->occupied + (layer * (int64_t)v->size[1] + (uint32_t)v->waiting.at[1][n]) * (int64_t)v->row_words;
+}
+
+/* Those of its cells that are not set by now: most rows have none. Cells may go on in the next word. */
+static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
+{
+    const uint32_t i = (uint32_t)v->waiting.at[0][n], from = i % 64;
+    const uint64_t *const word = row_of(v, n) + i / 64;
+    const uint64_t next = word[(size_t)i / 64 + 1 < v->row_words];
+    return (uint32_t)v->waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
+}
+
+static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above)
+{
+    return v->mesh ? tribox_plane_at(&v->planes, a, (int64_t)p + above) : tribox_voxels_plane(v, a, (uint64_t)p + above);
+}
+
+/* The numbers of a batch that all cells of row n have: those of the triangle, and the bounds across the row. */
+static void take_row(const tribox_voxels *v, unsigned n, double number[15])
+{
+    const tribox_triangle triangle = v->mesh ? tribox_voxels_numbered(v, v->waiting.number[n]) : (tribox_triangle){.number = 0};
+    for (int m = 0; m < 9; m++)
+        number[m] = v->mesh ? triangle.u[m] : v->waiting.u[m][n];
+    for (int a = 1; a < 3; a++) {
+        number[9 + a] = plane_at(v, a, (uint32_t)v->waiting.at[a][n], 0);
+        number[12 + a] = plane_at(v, a, (uint32_t)v->waiting.at[a][n], 1);
+    }
+}
+
+void tribox_voxels_settle(tribox_voxels *v)
+{
+    tribox_batch batch;
+    cell_bit cell[TRIBOX_BATCH];
+    uint32_t left[TRIBOX_WAITING];
+    unsigned row[TRIBOX_WAITING], rows = 0, count = 0;
+    v->plan.kernel->cells->write(v);
+    for (unsigned n = 0; n < v->waiting.count; n++) {
+        row[rows] = n;
+        left[rows] = unset_cells(v, n);
+        rows += left[rows] != 0;
+    }
+    for (unsigned r = 0; r < rows; r++) {
+        double number[15];
+        take_row(v, row[r], number);
+        for (; left[r]; left[r] &= left[r] - 1) {
+            const uint32_t i = (uint32_t)v->waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
+            cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};
+            number[9] = plane_at(v, 0, i, 0);
+            number[12] = plane_at(v, 0, i, 1);
+            for (int m = 0; m < 15; m++)
+                batch.number[m][count] = number[m];
+            if (++count == TRIBOX_BATCH) {
+                settle_batch(v, &batch, count, cell);
+                count = 0;
+            }
+        }
+    }
+    if (count)
+        settle_batch(v, &batch, count, cell);
+    v->waiting.count = 0;
+}
