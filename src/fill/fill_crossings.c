@@ -1,20 +1,6 @@
 /* fill_crossings.c - triangles and the rays along x: which way each triangle takes, and what all ways write. */
 #include "fill_crossings.h"
 
-#include "base/ahead.h"
-
-void tribox_crossings_finish(tribox_crossings *c)
-{
-    tribox_turns *const turns = &c->turns;
-    for (unsigned n = 0; n < TRIBOX_TURNS_AHEAD; n++)
-        turns->word[turns->count + n] = c->beyond;
-    for (unsigned n = 0; n < turns->count; n++) {
-        tribox_will_write(turns->word[n + TRIBOX_TURNS_AHEAD]);
-        *turns->word[n] ^= turns->bit[n];
-    }
-    turns->count = 0;
-}
-
 /* Whether it can have one, seen along x: two vertices that are one point there, or no extent, leave none. */
 static bool may_have_area(double u[3][3])
 {

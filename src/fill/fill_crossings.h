@@ -2,6 +2,7 @@
 #ifndef TRIBOX_FILL_CROSSINGS_H
 #define TRIBOX_FILL_CROSSINGS_H
 
+#include "base/ahead.h"
 #include "fill.h"
 #include "fill_middles.h"
 #include "kernel.h"
@@ -13,8 +14,15 @@ typedef struct tribox_turns {
     unsigned count;
 } tribox_turns;
 
+/* What the kernel leaves to exact signs, handed in: u[j][a] is axis a of vertex j. */
+typedef struct tribox_crossing_handlers {
+    void (*add_row)(tribox_crossings *c, double u[3][3], int64_t j, int64_t k); /* one row of cells */
+    void (*add_doubtful)(tribox_crossings *c, double u[3][3]); /* all: whether it has an area or is finite is in doubt */
+} tribox_crossing_handlers;
+
 /* The rows that crossings are written to. */
 struct tribox_crossings {
+    const tribox_crossing_handlers *handlers;
     const tribox_kernel *kernel;
     tribox_middles middles;
     tribox_rows rows;
@@ -42,7 +50,17 @@ void tribox_crossings_doubtful(tribox_crossings *c, double u[3][3]);
 void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_t k);
 
 /* Turns what is listed. */
-void tribox_crossings_finish(tribox_crossings *c);
+static inline void tribox_crossings_finish(tribox_crossings *c)
+{
+    tribox_turns *const turns = &c->turns;
+    for (unsigned n = 0; n < TRIBOX_TURNS_AHEAD; n++)
+        turns->word[turns->count + n] = c->beyond;
+    for (unsigned n = 0; n < turns->count; n++) {
+        tribox_will_write(turns->word[n + TRIBOX_TURNS_AHEAD]);
+        *turns->word[n] ^= turns->bit[n];
+    }
+    turns->count = 0;
+}
 
 /* Lists the bit of a cell, 0 to size, of row (j, k): without a branch, as that cannot be foreseen. */
 static inline void tribox_crossings_turn(tribox_crossings *c, int64_t j, int64_t k, int64_t cell)

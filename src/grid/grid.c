@@ -3,17 +3,18 @@
 
 #include <string.h>
 
+#include "base/bits.h"
 #include "base/environment.h"
 #include "base/finite.h"
 
 #define WORDS_MAX (UINT64_C(1) << 31)
 
-size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
+size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_words_of(grid->size[0]); }
 
 /* SIZE_MAX where the product overflows: such a grid cannot be addressed. */
 size_t tribox_grid_words(const tribox_grid *grid)
 {
-    size_t words = tribox_grid_row_words(grid);
+    size_t words = tribox_words_of(grid->size[0]);
     for (int a = 1; a < 3; a++) {
         if (grid->size[a] && words > SIZE_MAX / grid->size[a])
             return SIZE_MAX;
@@ -81,7 +82,7 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
 /* Three factors below 2^32, of which the first is below 2^27. */
 bool tribox_has_few_words(const uint32_t size[3])
 {
-    const uint64_t layer = (uint64_t)tribox_mask_words(size[0]) * size[1];
+    const uint64_t layer = (uint64_t)tribox_words_of(size[0]) * size[1];
     return !layer || !size[2] || layer <= WORDS_MAX / size[2];
 }
 

@@ -25,7 +25,7 @@ static bool is_range(size_t total, size_t first, size_t count, const void *scrat
            (scratch || !count);
 }
 
-tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch)
+static tribox_status start_soup(const tribox_soup *soup, size_t first, size_t count, void *scratch)
 {
     if (!tribox_soup_is_readable(soup) || !is_range(soup->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
@@ -38,7 +38,7 @@ tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, siz
     return TRIBOX_OK;
 }
 
-tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
+static tribox_status start_boxes(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
 {
     if (!tribox_boxes_are_readable(boxes) || !is_range(boxes->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
@@ -66,7 +66,7 @@ static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, s
     }
 }
 
-tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
+static tribox_status start_mesh(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
 {
     if (!tribox_mesh_is_readable(mesh) || !is_range(mesh->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
@@ -114,7 +114,7 @@ void tribox_places_finish(const tribox_kernel *kernel, void *scratch, size_t tot
     write_word(&word, count, order + first);
 }
 
-tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+static tribox_status finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
 {
     if (!is_range(total, first, count, scratch) || (count && !order))
         return TRIBOX_BAD_ARGUMENT;
@@ -126,26 +126,46 @@ tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, siz
     return TRIBOX_OK;
 }
 
+tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch)
+{
+    return start_soup(soup, first, count, scratch);
+}
+
+tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
+{
+    return start_boxes(boxes, first, count, scratch);
+}
+
+tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
+{
+    return start_mesh(mesh, first, count, scratch);
+}
+
+tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+{
+    return finish(scratch, total, first, count, order);
+}
+
 tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *scratch)
 {
     if (!soup || (soup->count && !order))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = tribox_soup_order_start(soup, 0, soup->count, scratch);
-    return status ? status : tribox_order_finish(scratch, soup->count, 0, soup->count, order);
+    const tribox_status status = start_soup(soup, 0, soup->count, scratch);
+    return status ? status : finish(scratch, soup->count, 0, soup->count, order);
 }
 
 tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch)
 {
     if (!boxes || (boxes->count && !order))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = tribox_boxes_order_start(boxes, 0, boxes->count, scratch);
-    return status ? status : tribox_order_finish(scratch, boxes->count, 0, boxes->count, order);
+    const tribox_status status = start_boxes(boxes, 0, boxes->count, scratch);
+    return status ? status : finish(scratch, boxes->count, 0, boxes->count, order);
 }
 
 tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch)
 {
     if (!mesh || (mesh->count && !order))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = tribox_mesh_order_start(mesh, 0, mesh->count, scratch);
-    return status ? status : tribox_order_finish(scratch, mesh->count, 0, mesh->count, order);
+    const tribox_status status = start_mesh(mesh, 0, mesh->count, scratch);
+    return status ? status : finish(scratch, mesh->count, 0, mesh->count, order);
 }

@@ -1,5 +1,5 @@
 /* cells.h - the texts about cells of a grid in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
-#include "voxels/voxels.h"
+#include "voxels/voxelizing.h"
 #include "axes.h"
 #include "kernel/cells/reach.h"
 #include "kernel/cells/tile_ranges.h"

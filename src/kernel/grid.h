@@ -1,6 +1,6 @@
 /* grid.h - the texts about rows of a grid, in order. After: a vocabulary of double, and KERNEL, the kernel's name. */
 #include "fill/fill_crossings.h"
-#include "voxels/voxels.h"
+#include "voxels/voxelizing.h"
 #include "axes.h"
 #include "limits.h"
 #include "kernel/rows/rows.h"

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/bits.h"
 #include "mesh_input.h"
 #include "pairs/pairs.h"
 
@@ -68,7 +69,7 @@ static tribox_mesh copied(const tribox_mesh *mesh, bool in_double, small_copy *c
  */
 bool tribox_mesh_answer(const tribox_mesh_question *question, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
 {
-    const size_t words = tribox_mask_words(mesh->count);
+    const size_t words = tribox_words_of(mesh->count);
     const bool is_small = mesh->indices && mesh->vertices <= COPIED && mesh->vertices <= 3 * mesh->count;
     const bool is_checked_first = !mesh->indices || question->is_empty || is_small || (mask && words > KEPT_WORDS);
     if (is_checked_first && !tribox_mesh_is_in_range(mesh, question->plan->kernel, 0, mesh->count))

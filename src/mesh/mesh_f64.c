@@ -119,7 +119,7 @@ static void walk(const tribox_corners *corners, size_t count, const tribox_near_
 {
     const tribox_pairs pairs = {.corners = corners, .box = &near->local, .count = count};
     plan->kernel->walk_near[near->walk](&pairs, 0, count, hit, open);
-    for (size_t w = 0; !near->are_hits_certain && w < tribox_mask_words(count); w++) {
+    for (size_t w = 0; !near->are_hits_certain && w < tribox_words_of(count); w++) {
         open[w] |= hit[w];
         hit[w] = 0;
     }
@@ -128,7 +128,7 @@ static void walk(const tribox_corners *corners, size_t count, const tribox_near_
 /* Without the box normals nothing can be left out: every triangle is open. */
 static void leave_open(size_t count, uint64_t *hit, uint64_t *open)
 {
-    for (size_t w = 0; w < tribox_mask_words(count); w++) {
+    for (size_t w = 0; w < tribox_words_of(count); w++) {
         hit[w] = 0;
         open[w] = count - 64 * w < 64 ? ~(~UINT64_C(0) << (count - 64 * w)) : ~UINT64_C(0);
     }
@@ -163,7 +163,7 @@ size_t tribox_mesh_answer_f64(const tribox_mesh_question *question, const tribox
                               uint64_t *mask, tribox_report *counts)
 {
     uint64_t unasked[BLOCK_WORDS], open[BLOCK_WORDS], *const hit = mask ? mask : unasked;
-    const size_t done = walk_block(mesh, first, count, question->about, question->plan, hit, open), words = tribox_mask_words(done);
+    const size_t done = walk_block(mesh, first, count, question->about, question->plan, hit, open), words = tribox_words_of(done);
     counts->undecided += settle_words(mesh, first, question->about, question->plan, words, open, hit);
     for (size_t w = 0; w < words; w++)
         counts->overlapping += tribox_count_bits(hit[w]);

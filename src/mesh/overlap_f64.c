@@ -102,7 +102,7 @@ static bool first_unlike(const call_f64 *call, uint64_t usual, size_t *found)
         done = tribox_mesh_answer_f64(&call->question, &call->mesh, first, asked, hit, &counts);
         if (!done)
             return false;
-        for (size_t w = 0; w < tribox_mask_words(done); w++)
+        for (size_t w = 0; w < tribox_words_of(done); w++)
             if (hit[w] != usual) { /* past the last triangle bits are zero: at the latest, the first unlike is one past it */
                 *found = first + 64 * w + tribox_lowest_bit(hit[w] ^ usual);
                 return true;
@@ -153,7 +153,7 @@ static tribox_report classify(const call_f64 *call, uint64_t *mask, uint64_t *in
         uint64_t unasked[TRIBOX_MESH_BLOCK / 64], *const hit = mask ? mask + first / 64 : unasked;
         const size_t left = call->mesh.count - first, asked = left < TRIBOX_MESH_BLOCK ? left : TRIBOX_MESH_BLOCK;
         done = tribox_mesh_answer_f64(&call->question, &call->mesh, first, asked, hit, &counts);
-        for (size_t w = 0; inside && w < tribox_mask_words(done); w++)
+        for (size_t w = 0; inside && w < tribox_words_of(done); w++)
             inside[first / 64 + w] = tribox_mesh_inside_f64(&call->mesh, call->near.box, first + 64 * w, hit[w]);
     }
     return counts;

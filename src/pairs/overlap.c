@@ -71,7 +71,7 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
  */
 static size_t first_unlike(const tribox_pairs *p, tribox_plan *plan, uint64_t usual)
 {
-    const size_t words = tribox_mask_words(p->count);
+    const size_t words = tribox_words_of(p->count);
     size_t block = 1;
     for (size_t word = 0; word < words; word += block, block = block < TRIBOX_BLOCK_WORDS ? 2 * block : block) {
         uint64_t hit[TRIBOX_BLOCK_WORDS];
@@ -116,7 +116,7 @@ tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box,
 static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
     const tribox_accuracy asked = plan->accuracy;
-    const size_t words = tribox_mask_words(p->count);
+    const size_t words = tribox_words_of(p->count);
     tribox_report counts = {0, 0};
     bool is_fast = false;
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {

@@ -129,7 +129,7 @@ size_t tribox_pairs_answer_block(const tribox_pairs *p, tribox_plan *plan, size_
 void tribox_pairs_write_none(size_t count, uint64_t *mask)
 {
     if (mask)
-        memset(mask, 0, tribox_mask_words(count) * sizeof *mask);
+        memset(mask, 0, tribox_words_of(count) * sizeof *mask);
 }
 
 /* At most a word: what the blocks do, with less around it, as a few pairs take no longer than that. */
@@ -151,7 +151,7 @@ tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint
 {
     if (p->count <= 64)
         return answer_word(p, plan, mask);
-    const size_t words = tribox_mask_words(p->count);
+    const size_t words = tribox_words_of(p->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
         uint64_t unasked[TRIBOX_BLOCK_WORDS], *const hit = mask ? mask + word : unasked;

@@ -6,7 +6,7 @@
 #include "grid/grid_f64.h"
 #include "mesh/mesh_input.h"
 #include "tiles.h"
-#include "voxels/voxels.h"
+#include "voxels/voxelizing.h"
 
 /* Triangles are gathered a block at a time: as nine streams of float, or as doubles in half the number. */
 enum {
@@ -38,7 +38,7 @@ typedef struct share {
 
 size_t tribox_bricks_bytes(uint32_t tile)
 {
-    const size_t row = (size_t)tribox_mask_words(tile) * sizeof(uint64_t), rest = BLOCK_BYTES + LINE;
+    const size_t row = (size_t)tribox_words_of(tile) * sizeof(uint64_t), rest = BLOCK_BYTES + LINE;
     size_t bytes = row;
     for (int a = 1; a < 3; a++) {
         if (tile && bytes > SIZE_MAX / tile)
@@ -92,7 +92,8 @@ static tribox_mesh gather_f64(const share *s, const uint32_t *list, size_t count
     double(*const to)[3] = s->block;
     for (size_t i = 0; i < count; i++)
         tribox_mesh_read_corners(&s->mesh, 3 * (size_t)list[i], 3, to + 3 * i);
-    return (tribox_mesh){.positions = to, .vertices = 3 * count, .count = count, .position_bytes = sizeof(double)};
+    const tribox_mesh mesh = {.positions = to, .vertices = 3 * count, .count = count, .position_bytes = sizeof(double)};
+    return tribox_mesh_with_strides(&mesh);
 }
 
 /* A tile as a window of the grid. */
@@ -141,13 +142,13 @@ static void set_window(share *s, window *w, const uint32_t *list, size_t count)
     tribox_ends z = {FLT_MAX, -FLT_MAX};
     const tribox_environment callers = tribox_environment_enter();
     v->plan = s->plan;
-    tribox_voxels_open(v, s->grid, w->first, w->size, s->bits);
+    tribox_voxels_begin(v, s->grid, w->first, w->size, s->bits);
     for (size_t at = 0; at < count; at += BLOCK) {
         const tribox_soup soup = gather(s, list + at, count - at < BLOCK ? count - at : BLOCK);
-        tribox_voxels_put(v, &soup);
+        tribox_voxels_put_soup(v, &soup);
         find_ends(s, soup.count, &z);
     }
-    tribox_voxels_close(v);
+    tribox_voxels_end(v);
     s->counts.undecided += v->counts.undecided;
     cut_layers(s, &z, w);
     tribox_environment_leave(callers);
@@ -155,12 +156,15 @@ static void set_window(share *s, window *w, const uint32_t *list, size_t count)
 
 static void set_window_f64(share *s, window *w, const uint32_t *list, size_t count)
 {
+    tribox_voxels voxels, *const v = &voxels;
+    const tribox_environment callers = tribox_environment_enter();
+    v->plan = s->plan;
     for (size_t at = 0; at < count; at += BLOCK_F64) {
         const tribox_mesh mesh = gather_f64(s, list + at, count - at < BLOCK_F64 ? count - at : BLOCK_F64);
-        tribox_report report = {0, 0};
-        tribox_voxelize_f64(&mesh, s->grid_f64, w->first, w->size, &s->options, s->bits, &report);
-        s->counts.undecided += report.undecided;
+        tribox_voxels_set_mesh(v, &mesh, s->grid_f64, w->first, w->size, s->bits);
+        s->counts.undecided += v->counts.undecided;
     }
+    tribox_environment_leave(callers);
 }
 
 static bool are_all_below(const uint32_t *list, size_t count, size_t end)
@@ -197,8 +201,11 @@ static tribox_status hand_on(share *s)
             return TRIBOX_BAD_INDEX;
         const window all = window_of(&s->tiling, s->tiling.from + t);
         window w = all;
-        (s->soup ? set_window : set_window_f64)(s, &w, list, count);
-        uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_mask_words(all.size[0]);
+        if (s->soup)
+            set_window(s, &w, list, count);
+        else
+            set_window_f64(s, &w, list, count);
+        uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_words_of(all.size[0]);
         if (!s->plan.kernel->cells->hand_on(bits, w.first, w.size, &s->hand))
             return TRIBOX_STOPPED;
     }
@@ -234,7 +241,7 @@ static void use_scratch(share *s, void *scratch)
     s->bits = (uint64_t *)(void *)(aligned + BLOCK_BYTES);
     for (int a = 0; a < 3; a++)
         most[a] = s->tiling.size[a] < s->tiling.tile ? s->tiling.size[a] : s->tiling.tile;
-    memset(s->bits, 0, (size_t)tribox_mask_words(most[0]) * most[1] * most[2] * sizeof *s->bits);
+    memset(s->bits, 0, (size_t)tribox_words_of(most[0]) * most[1] * most[2] * sizeof *s->bits);
 }
 
 static tribox_status finish(share *s, tribox_status status, tribox_report *report)

@@ -259,7 +259,7 @@ static bool make_lattice(tribox_listing *l)
 {
     const tribox_tiling *const t = &l->tiling;
     tribox_tile_lattice *const f = &l->lattice;
-    bool is = l->plan.axes & TRIBOX_AXES_BOX && tribox_tiles(t->size, t->tile) <= INT32_MAX;
+    bool is = l->plan.axes & TRIBOX_AXES_BOX && t->tiles <= INT32_MAX;
     for (int a = 0; a < 3; a++) {
         const double cell = l->grid ? (double)l->grid->cell[a] : l->planes.cell[a], per_tile = 1 / cell / t->tile;
         f->origin[a] = l->grid ? l->grid->origin[a] : 0;

@@ -8,7 +8,7 @@
 /* The tiles along an axis, 0 of one that has none. */
 static size_t tiles_along(uint32_t cells, uint32_t tile) { return tile ? cells / tile + (cells % tile != 0) : 0; }
 
-size_t tribox_tiles(const uint32_t size[3], uint32_t tile)
+static size_t count_tiles(const uint32_t size[3], uint32_t tile)
 {
     size_t tiles = 1;
     bool is_too_many = false;
@@ -22,10 +22,12 @@ size_t tribox_tiles(const uint32_t size[3], uint32_t tile)
     return is_too_many ? SIZE_MAX : tiles;
 }
 
+size_t tribox_tiles(const uint32_t size[3], uint32_t tile) { return count_tiles(size, tile); }
+
 bool tribox_tiling_make(const uint32_t size[3], uint32_t tile, size_t from, size_t to, tribox_tiling *tiling)
 {
-    const size_t tiles = tribox_tiles(size, tile);
-    *tiling = (tribox_tiling){.tile = tile, .from = from, .to = to};
+    const size_t tiles = count_tiles(size, tile);
+    *tiling = (tribox_tiling){.tile = tile, .tiles = tiles, .from = from, .to = to};
     for (int a = 0; a < 3; a++) {
         tiling->size[a] = size[a];
         tiling->along[a] = tiles_along(size[a], tile);

@@ -10,6 +10,7 @@ typedef struct tribox_tiling {
     uint32_t size[3]; /* of the grid, in cells */
     uint32_t tile;    /* cells of a tile along each axis, where the grid does not cut it */
     size_t along[3];  /* tiles along each axis */
+    size_t tiles;     /* in all */
     size_t from, to;  /* the share: tiles from .. to - 1 */
 } tribox_tiling;
 

@@ -10,7 +10,7 @@
 
 #include "tribox.h"
 
-typedef struct tribox_voxels tribox_voxels; /* one call: voxels.h */
+typedef struct tribox_voxels tribox_voxels; /* one call: voxelizing.h */
 
 /* A grid as kernels see it. */
 typedef struct tribox_lattice {

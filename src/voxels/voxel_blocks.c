@@ -1,5 +1,5 @@
 /* voxel_blocks.c - triangles of doubles for which no limits hold (PROOFS.md 7.10). Slow, but right for whatever numbers. */
-#include "voxels.h"
+#include "voxelizing.h"
 
 #include "grid/blocks.h"
 
@@ -8,12 +8,12 @@ static double plane_of(const void *planes, int a, int64_t p) { return tribox_pla
 static void set_cell(void *voxels, const int64_t at[3])
 {
     tribox_voxels *const v = voxels;
-    const int64_t row = (at[2] - v->first_layer) * v->size[1] + at[1];
-    v->counts.overlapping += tribox_set_cells(v->occupied + row * (int64_t)v->row_words, at[0], at[0]);
+    const int64_t row = (at[2] - v->window.first_layer) * v->window.size[1] + at[1];
+    v->counts.overlapping += tribox_set_cells(v->sinks.occupied + row * (int64_t)v->sinks.row_words, at[0], at[0]);
 }
 
-void tribox_voxels_ask(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
+void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
 {
-    const tribox_blocks blocks = {.plan = &v->plan, .plane = plane_of, .lattice = &v->planes, .take = set_cell, .taker = v};
+    const tribox_blocks blocks = {.plan = &v->plan, .plane = plane_of, .lattice = &v->window.planes, .take = set_cell, .taker = v};
     v->counts.undecided += tribox_blocks_ask(&blocks, triangle->u, range->base, range->cells);
 }

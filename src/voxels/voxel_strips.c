@@ -3,7 +3,7 @@
  *
  * Of those that the kernel's float cannot tell the cells, the planes of the grid do.
  */
-#include "voxels.h"
+#include "voxelizing.h"
 
 #include "base/finite.h"
 #include "grid/grid_f64.h"
@@ -11,7 +11,7 @@
 /* The rows of a strip's triangles, and empties it. Lanes up to a whole packet repeat the last triangle. */
 static void set_strip(tribox_voxels *v, tribox_shape shape)
 {
-    tribox_strip *const strip = &v->strip[shape];
+    tribox_strip *const strip = &v->sinks.strip[shape];
     if (!strip->count)
         return;
     for (unsigned t = strip->count; t % TRIBOX_DOUBLES_MAX; t++) {
@@ -26,20 +26,27 @@ static void set_strip(tribox_voxels *v, tribox_shape shape)
     strip->count = 0;
 }
 
-void tribox_voxels_start(tribox_voxels *v, uint64_t *occupied)
+static const tribox_voxel_handlers handlers = {
+    .take_triangle = tribox_voxels_take_triangle,
+    .add_triangle = tribox_voxels_add_triangle,
+    .settle_waiting = tribox_voxels_settle_waiting,
+};
+
+void tribox_voxels_empty_sinks(tribox_voxels *v, uint64_t *occupied)
 {
-    const int64_t layers = v->end_layer - v->first_layer;
-    v->row_words = tribox_mask_words(v->size[0]);
-    v->row_halves = (int32_t)(2 * v->row_words);
-    v->layer_halves = (int32_t)(uint32_t)(2 * v->row_words * v->size[1]);
-    v->occupied = occupied;
-    v->is_far = v->row_words * v->size[1] * (size_t)layers > 1 << 17;
+    const int64_t layers = v->window.end_layer - v->window.first_layer;
+    v->sinks.row_words = tribox_words_of(v->window.size[0]);
+    v->sinks.row_halves = (int32_t)(2 * v->sinks.row_words);
+    v->sinks.layer_halves = (int32_t)(uint32_t)(2 * v->sinks.row_words * v->window.size[1]);
+    v->sinks.occupied = occupied;
+    v->sinks.handlers = &handlers;
+    v->sinks.is_far = v->sinks.row_words * v->window.size[1] * (size_t)layers > 1 << 17;
     v->counts = (tribox_report){0, 0};
-    v->waiting.count = v->writes.count = 0;
+    v->sinks.waiting.count = v->sinks.writes.count = 0;
     for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
-        v->strip[shape].count = 0;
+        v->sinks.strip[shape].count = 0;
     for (tribox_class kind = TRIBOX_FLATS; kind < TRIBOX_CLASSES; kind++)
-        v->queue[kind].count = 0;
+        v->sinks.queue[kind].count = 0;
 }
 
 void tribox_voxels_set_strips(tribox_voxels *v)
@@ -51,8 +58,8 @@ void tribox_voxels_set_strips(tribox_voxels *v)
 static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_t base[3], const int64_t cells[3],
                  tribox_shape shape)
 {
-    tribox_strip *const strip = &v->strip[shape];
-    const int64_t layer = tribox_greatest(base[2], v->first_layer) - v->first_layer;
+    tribox_strip *const strip = &v->sinks.strip[shape];
+    const int64_t layer = tribox_greatest(base[2], v->window.first_layer) - v->window.first_layer;
     const unsigned t = strip->count;
     for (int n = 0; n < 9; n++)
         strip->u[n][t] = triangle->u[n];
@@ -62,7 +69,7 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
         strip->cells[a][t] = (double)cells[a];
     }
     /* Of the window, which has 2^31 words at most: the grid may have more, and the triangle begin far below (PROOFS.md 7.8). */
-    strip->word[t] = (int32_t)((layer * v->size[1] + base[1]) * (int64_t)v->row_words + base[0] / 64);
+    strip->word[t] = (int32_t)((layer * v->window.size[1] + base[1]) * (int64_t)v->sinks.row_words + base[0] / 64);
     strip->bit[t] = (int32_t)(base[0] % 64);
     if (++strip->count == TRIBOX_STRIP)
         set_strip(v, shape);
@@ -71,14 +78,16 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
 static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cells[3])
 {
-    const int64_t from = tribox_greatest(base[2], v->first_layer), end = tribox_least(base[2] + cells[2], v->end_layer);
-    const size_t layer_words = v->row_words * v->size[1];
-    uint64_t *const row = v->occupied + (size_t)(from - v->first_layer) * layer_words + (size_t)base[1] * v->row_words;
+    const int64_t from = tribox_greatest(base[2], v->window.first_layer),
+                  end = tribox_least(base[2] + cells[2], v->window.end_layer);
+    const size_t layer_words = v->sinks.row_words * v->window.size[1];
+    uint64_t *const row =
+        v->sinks.occupied + (size_t)(from - v->window.first_layer) * layer_words + (size_t)base[1] * v->sinks.row_words;
     const uint64_t bit = UINT64_C(1) << base[0] % 64;
     if (cells[0] > 1)
         v->counts.overlapping += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
     else if (cells[1] > 1)
-        v->counts.overlapping += tribox_set_column(row + base[0] / 64, v->row_words, cells[1], bit);
+        v->counts.overlapping += tribox_set_column(row + base[0] / 64, v->sinks.row_words, cells[1], bit);
     else
         v->counts.overlapping += tribox_set_column(row + base[0] / 64, layer_words, end - from, bit);
 }
@@ -97,32 +106,32 @@ static tribox_shape shape_of(const bool spans[3], unsigned axes)
  */
 static bool has_limits(const tribox_voxels *v, const double u[9])
 {
-    bool has = v->has_limits;
+    bool has = v->window.has_limits;
     for (int a = 0; a < 3; a++)
         for (int j = 0; j < 3; j++) {
-            const double f = u[3 * a + (j + 1) % 3] - u[3 * a + j], size = (f < 0 ? -f : f) * v->lattice.per_cell[a];
+            const double f = u[3 * a + (j + 1) % 3] - u[3 * a + j], size = (f < 0 ? -f : f) * v->window.lattice.per_cell[a];
             has &= !(f < 0 || f > 0) || (size >= 0x1p-250 && size <= 0x1p250);
         }
     return has;
 }
 
-void tribox_voxels_take(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
+void tribox_voxels_take_triangle(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
 {
     if (range->spans[0] + range->spans[1] + range->spans[2] < 2)
         set_line(v, range->base, range->cells);
-    else if (v->mesh && !has_limits(v, triangle->u))
-        tribox_voxels_ask(v, triangle, range);
+    else if (v->window.mesh && !has_limits(v, triangle->u))
+        tribox_voxels_ask_blocks(v, triangle, range);
     else
         join(v, triangle, range->base, range->cells, shape_of(range->spans, v->plan.axes));
 }
 
 static tribox_cells cells_touched(const tribox_voxels *v, int a, double least, double most)
 {
-    return v->mesh ? tribox_planes_cells(&v->planes, a, v->size[a], least, most)
-                   : tribox_grid_cells(v->grid, a, v->first[a], v->size[a], (float)least, (float)most);
+    return v->window.mesh ? tribox_planes_cells(&v->window.planes, a, v->window.size[a], least, most)
+                          : tribox_grid_cells(v->window.grid, a, v->window.first[a], v->window.size[a], (float)least, (float)most);
 }
 
-void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle)
+void tribox_voxels_add_triangle(tribox_voxels *v, const tribox_triangle *triangle)
 {
     const double *const u = triangle->u;
     tribox_cell_range range;
@@ -135,12 +144,12 @@ void tribox_voxels_add(tribox_voxels *v, const tribox_triangle *triangle)
             most = u[3 * a + j] > most ? u[3 * a + j] : most;
         }
         const tribox_cells touched = cells_touched(v, a, least, most);
-        const int64_t from = a == 2 ? v->first_layer : 0, end = a == 2 ? v->end_layer : v->size[a];
+        const int64_t from = a == 2 ? v->window.first_layer : 0, end = a == 2 ? v->window.end_layer : v->window.size[a];
         if (touched.first >= end || touched.last < from)
             return;
         range.spans[a] = touched.last > touched.first;
         range.base[a] = tribox_greatest(touched.first, 0);
-        range.cells[a] = tribox_least(touched.last + 1, v->size[a]) - range.base[a];
+        range.cells[a] = tribox_least(touched.last + 1, v->window.size[a]) - range.base[a];
     }
-    tribox_voxels_take(v, triangle, &range);
+    tribox_voxels_take_triangle(v, triangle, &range);
 }

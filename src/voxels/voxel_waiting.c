@@ -1,5 +1,5 @@
 /* voxel_waiting.c - open cells: they wait, and are settled by their own boxes. */
-#include "voxels.h"
+#include "voxelizing.h"
 
 #include "base/finite.h"
 #include "pairs/settle.h"
@@ -9,29 +9,13 @@ typedef struct cell_bit {
     uint64_t *word, bit;
 } cell_bit;
 
-void tribox_voxels_wait(tribox_voxels *v, const tribox_triangle *triangle, int64_t first, int64_t last, int64_t j, int64_t k)
-{
-    tribox_waiting *const w = &v->waiting;
-    for (; first <= last; first += 32) {
-        if (w->count == TRIBOX_WAITING)
-            tribox_voxels_settle(v);
-        for (int n = 0; n < 9 && !v->mesh; n++)
-            w->u[n][w->count] = (float)triangle->u[n];
-        w->number[w->count] = triangle->number;
-        w->at[0][w->count] = (int32_t)(uint32_t)first;
-        w->at[1][w->count] = (int32_t)(uint32_t)j;
-        w->at[2][w->count] = (int32_t)(uint32_t)k;
-        w->bits[w->count++] = (int32_t)(~UINT32_C(0) >> (last - first < 31 ? 31 - (last - first) : 0));
-    }
-}
-
 void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle)
 {
     if (!tribox_are_finite_f64(triangle->u, 9))
         return;
-    for (int64_t k = v->first_layer; k < v->end_layer; k++)
-        for (int64_t j = 0; j < v->size[1]; j++)
-            tribox_voxels_wait(v, triangle, 0, (int64_t)v->size[0] - 1, j, k);
+    for (int64_t k = v->window.first_layer; k < v->window.end_layer; k++)
+        for (int64_t j = 0; j < v->window.size[1]; j++)
+            tribox_voxels_wait_for_row(v, triangle, 0, (int64_t)v->window.size[0] - 1, j, k);
 }
 
 static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)
@@ -47,44 +31,47 @@ static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, 
 /* The words of row n of those that wait. */
 static uint64_t *row_of(const tribox_voxels *v, unsigned n)
 {
-    const int64_t layer = (uint32_t)v->waiting.at[2][n] - v->first_layer;
-    return v->occupied + (layer * (int64_t)v->size[1] + (uint32_t)v->waiting.at[1][n]) * (int64_t)v->row_words;
+    const int64_t layer = (uint32_t)v->sinks.waiting.at[2][n] - v->window.first_layer;
+    return v->sinks.occupied +
+           (layer * (int64_t)v->window.size[1] + (uint32_t)v->sinks.waiting.at[1][n]) * (int64_t)v->sinks.row_words;
 }
 
 /* Those of its cells that are not set by now: most rows have none. Cells may go on in the next word. */
 static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
 {
-    const uint32_t i = (uint32_t)v->waiting.at[0][n], from = i % 64;
+    const uint32_t i = (uint32_t)v->sinks.waiting.at[0][n], from = i % 64;
     const uint64_t *const word = row_of(v, n) + i / 64;
-    const uint64_t next = word[(size_t)i / 64 + 1 < v->row_words];
-    return (uint32_t)v->waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
+    const uint64_t next = word[(size_t)i / 64 + 1 < v->sinks.row_words];
+    return (uint32_t)v->sinks.waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
 }
 
 static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above)
 {
-    return v->mesh ? tribox_plane_at(&v->planes, a, (int64_t)p + above) : tribox_voxels_plane(v, a, (uint64_t)p + above);
+    return v->window.mesh ? tribox_plane_at(&v->window.planes, a, (int64_t)p + above)
+                          : tribox_window_plane(&v->window, a, (uint64_t)p + above);
 }
 
 /* The numbers of a batch that all cells of row n have: those of the triangle, and the bounds across the row. */
 static void take_row(const tribox_voxels *v, unsigned n, double number[15])
 {
-    const tribox_triangle triangle = v->mesh ? tribox_voxels_numbered(v, v->waiting.number[n]) : (tribox_triangle){.number = 0};
+    const tribox_triangle triangle =
+        v->window.mesh ? tribox_window_read_triangle(&v->window, v->sinks.waiting.number[n]) : (tribox_triangle){.number = 0};
     for (int m = 0; m < 9; m++)
-        number[m] = v->mesh ? triangle.u[m] : v->waiting.u[m][n];
+        number[m] = v->window.mesh ? triangle.u[m] : v->sinks.waiting.u[m][n];
     for (int a = 1; a < 3; a++) {
-        number[9 + a] = plane_at(v, a, (uint32_t)v->waiting.at[a][n], 0);
-        number[12 + a] = plane_at(v, a, (uint32_t)v->waiting.at[a][n], 1);
+        number[9 + a] = plane_at(v, a, (uint32_t)v->sinks.waiting.at[a][n], 0);
+        number[12 + a] = plane_at(v, a, (uint32_t)v->sinks.waiting.at[a][n], 1);
     }
 }
 
-void tribox_voxels_settle(tribox_voxels *v)
+void tribox_voxels_settle_waiting(tribox_voxels *v)
 {
     tribox_batch batch;
     cell_bit cell[TRIBOX_BATCH];
     uint32_t left[TRIBOX_WAITING];
     unsigned row[TRIBOX_WAITING], rows = 0, count = 0;
     v->plan.kernel->cells->write(v);
-    for (unsigned n = 0; n < v->waiting.count; n++) {
+    for (unsigned n = 0; n < v->sinks.waiting.count; n++) {
         row[rows] = n;
         left[rows] = unset_cells(v, n);
         rows += left[rows] != 0;
@@ -93,7 +80,7 @@ void tribox_voxels_settle(tribox_voxels *v)
         double number[15];
         take_row(v, row[r], number);
         for (; left[r]; left[r] &= left[r] - 1) {
-            const uint32_t i = (uint32_t)v->waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
+            const uint32_t i = (uint32_t)v->sinks.waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
             cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};
             number[9] = plane_at(v, 0, i, 0);
             number[12] = plane_at(v, 0, i, 1);
@@ -107,5 +94,5 @@ void tribox_voxels_settle(tribox_voxels *v)
     }
     if (count)
         settle_batch(v, &batch, count, cell);
-    v->waiting.count = 0;
+    v->sinks.waiting.count = 0;
 }

@@ -1,26 +1,26 @@
 /* voxelize.c - a soup into the cells of a grid: the calls. */
-#include "voxels.h"
+#include "voxelizing.h"
 
 #include "base/environment.h"
 #include "pairs/few.h"
 
 /* Where the lattice of the grid or window begins: one rounding of the real number. */
-static double lattice_origin(const tribox_voxels *v, int a)
+static double lattice_origin(const tribox_window *w, int a)
 {
-    return (double)v->grid->origin[a] + (double)v->first[a] * (double)v->grid->cell[a];
+    return (double)w->grid->origin[a] + (double)w->first[a] * (double)w->grid->cell[a];
 }
 
-static tribox_lattice lattice_of(const tribox_voxels *v)
+static tribox_lattice lattice_of(const tribox_window *w)
 {
     tribox_lattice lattice;
     for (int a = 0; a < 3; a++) {
-        const double lowest = tribox_voxels_plane(v, a, 0), highest = tribox_voxels_plane(v, a, v->size[a]);
+        const double lowest = tribox_window_plane(w, a, 0), highest = tribox_window_plane(w, a, w->size[a]);
         const double farthest = -lowest > highest ? -lowest : highest;
-        lattice.origin[a] = lattice_origin(v, a);
-        lattice.per_cell[a] = 1 / (double)v->grid->cell[a];
+        lattice.origin[a] = lattice_origin(w, a);
+        lattice.per_cell[a] = 1 / (double)w->grid->cell[a];
         /* planes: half a spacing of floats, and of doubles while they are made; places: three roundings in double. The
          * 0x1.001 alone would cover the other two terms, and the rounding of a window's origin (PROOFS.md 7.2). */
-        lattice.error[a] = (0x1.001p-24 * farthest + 0x1p-149) * lattice.per_cell[a] + 0x1p-50 * ((double)v->size[a] + 4);
+        lattice.error[a] = (0x1.001p-24 * farthest + 0x1p-149) * lattice.per_cell[a] + 0x1p-50 * ((double)w->size[a] + 4);
     }
     return lattice;
 }
@@ -33,46 +33,46 @@ static tribox_triangle triangle_at(const tribox_soup *soup, size_t i)
     return triangle;
 }
 
-bool tribox_voxels_make_float(tribox_voxels *v, const float origin[3], const double off[3])
+bool tribox_window_make_float(tribox_window *w, const float origin[3], const double off[3])
 {
-    tribox_float_lattice *const f = &v->in_float;
+    tribox_float_lattice *const f = &w->in_float;
     bool is = true;
     for (int a = 0; a < 3; a++) {
         const bool is_off = off[a] < 0 || off[a] > 0;
         f->origin[a] = origin[a];
         f->off[a] = (float)off[a];
-        f->per_cell[a] = (float)v->lattice.per_cell[a];
-        f->size[a] = (float)v->size[a];
-        f->error[a] = (float)v->lattice.error[a] * 1.001f + (is_off ? (f->size[a] + 4) * 0x1p-22f : 0);
+        f->per_cell[a] = (float)w->lattice.per_cell[a];
+        f->size[a] = (float)w->size[a];
+        f->error[a] = (float)w->lattice.error[a] * 1.001f + (is_off ? (f->size[a] + 4) * 0x1p-22f : 0);
         f->doubt[a] = f->error[a] + (f->size[a] + 1) * 0x1p-22f;
-        is &= v->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;
+        is &= w->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;
     }
     return is;
 }
 
 /* About the first planes, which are floats. Floats have to count planes, from those of the grid's origin on. */
-static bool is_for_float(tribox_voxels *v)
+static bool is_for_float(tribox_window *w)
 {
     float origin[3];
     double off[3];
     bool has_counts = true;
     for (int a = 0; a < 3; a++) {
-        origin[a] = tribox_voxels_plane(v, a, 0);
-        off[a] = ((double)origin[a] - v->lattice.origin[a]) * v->lattice.per_cell[a];
-        has_counts &= (uint64_t)v->first[a] + v->size[a] < 1 << 24;
+        origin[a] = tribox_window_plane(w, a, 0);
+        off[a] = ((double)origin[a] - w->lattice.origin[a]) * w->lattice.per_cell[a];
+        has_counts &= (uint64_t)w->first[a] + w->size[a] < 1 << 24;
     }
-    return tribox_voxels_make_float(v, origin, off) && has_counts;
+    return tribox_window_make_float(w, origin, off) && has_counts;
 }
 
 static void set_soup(tribox_voxels *v, const tribox_soup *soup)
 {
-    if (v->is_for_float && soup->count) {
+    if (v->window.is_for_float && soup->count) {
         tribox_few few;
         v->plan.kernel->cells->sort(v, tribox_few_triangles(soup, v->plan.kernel, &few));
     } else {
         for (size_t i = 0; i < soup->count; i++) {
             const tribox_triangle triangle = triangle_at(soup, i);
-            tribox_voxels_add(v, &triangle);
+            tribox_voxels_add_triangle(v, &triangle);
         }
     }
 }
@@ -87,43 +87,46 @@ static void set_soup_by_cells(tribox_voxels *v, const tribox_soup *soup)
 }
 
 /* By more than what ties leave open; but by less than half a cell, as own_planes.h needs it. */
-static tribox_roughness roughness_of(const tribox_voxels *v)
+static tribox_roughness roughness_of(const tribox_window *w)
 {
     double most = 0;
     for (int a = 0; a < 3; a++)
-        most = v->lattice.error[a] > most ? v->lattice.error[a] : most;
+        most = w->lattice.error[a] > most ? w->lattice.error[a] : most;
     if (!(most > 0x1p-14 && most < 0x1.fp-2))
         return TRIBOX_EVEN;
     return most > 0x1p-7 ? TRIBOX_VERY_ROUGH : TRIBOX_ROUGH;
 }
 
-void tribox_voxels_open(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
-                        uint64_t *occupied)
+void tribox_voxels_begin(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
+                         uint64_t *occupied)
 {
-    v->grid = grid;
-    v->mesh = NULL;
-    v->first_number = 0;
-    memcpy(v->first, first, sizeof v->first);
-    memcpy(v->size, size, sizeof v->size);
-    v->first_layer = 0;
-    v->end_layer = size[2];
-    v->lattice = lattice_of(v);
-    v->roughness = roughness_of(v);
-    v->is_for_float = is_for_float(v);
-    tribox_voxels_start(v, occupied);
+    v->window.grid = grid;
+    v->window.mesh = NULL;
+    v->window.first_number = 0;
+    memcpy(v->window.first, first, sizeof v->window.first);
+    memcpy(v->window.size, size, sizeof v->window.size);
+    v->window.first_layer = 0;
+    v->window.end_layer = size[2];
+    v->window.lattice = lattice_of(&v->window);
+    v->window.roughness = roughness_of(&v->window);
+    v->window.is_for_float = is_for_float(&v->window);
+    tribox_voxels_empty_sinks(v, occupied);
 }
 
-void tribox_voxels_put(tribox_voxels *v, const tribox_soup *soup)
+void tribox_voxels_put_soup(tribox_voxels *v, const tribox_soup *soup)
 {
-    (v->plan.axes & TRIBOX_AXES_BOX ? set_soup : set_soup_by_cells)(v, soup);
+    if (v->plan.axes & TRIBOX_AXES_BOX)
+        set_soup(v, soup);
+    else
+        set_soup_by_cells(v, soup);
 }
 
-void tribox_voxels_close(tribox_voxels *v)
+void tribox_voxels_end(tribox_voxels *v)
 {
-    if (v->is_for_float)
+    if (v->window.is_for_float)
         v->plan.kernel->cells->finish(v);
     tribox_voxels_set_strips(v);
-    tribox_voxels_settle(v);
+    tribox_voxels_settle_waiting(v);
 }
 
 /* Whole layers are taken as layers of the whole grid, so that they have its bits at every accuracy (PROOFS.md 7.9). */
@@ -132,20 +135,19 @@ static void set_window(tribox_voxels *v, const tribox_soup *soup, const tribox_g
 {
     static const uint32_t none[3] = {0, 0, 0};
     const bool has_layers = size[0] == grid->size[0] && size[1] == grid->size[1];
-    tribox_voxels_open(v, grid, has_layers ? none : first, has_layers ? grid->size : size, occupied);
+    tribox_voxels_begin(v, grid, has_layers ? none : first, has_layers ? grid->size : size, occupied);
     if (has_layers) {
-        v->first_layer = first[2];
-        v->end_layer = (int64_t)first[2] + size[2];
-        tribox_voxels_start(v, occupied);
+        v->window.first_layer = first[2];
+        v->window.end_layer = (int64_t)first[2] + size[2];
+        tribox_voxels_empty_sinks(v, occupied);
     }
     if (size[0] && size[1] && size[2])
-        tribox_voxels_put(v, soup);
-    tribox_voxels_close(v);
+        tribox_voxels_put_soup(v, soup);
+    tribox_voxels_end(v);
 }
 
-tribox_status tribox_voxelize_window(const tribox_soup *soup, const tribox_grid *grid, const uint32_t first[3],
-                                     const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
-                                     tribox_report *report)
+static tribox_status voxelize(const tribox_soup *soup, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
+                              const tribox_options *options, uint64_t *occupied, tribox_report *report)
 {
     tribox_voxels voxels, *const v = &voxels;
     if (!grid || !first || !size || !occupied || !tribox_soup_is_readable(soup))
@@ -169,15 +171,23 @@ tribox_status tribox_voxelize_window(const tribox_soup *soup, const tribox_grid 
     return status;
 }
 
+tribox_status tribox_voxelize_window(const tribox_soup *soup, const tribox_grid *grid, const uint32_t first[3],
+                                     const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
+                                     tribox_report *report)
+{
+    return voxelize(soup, grid, first, size, options, occupied, report);
+}
+
 tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
                                      const tribox_options *options, uint64_t *occupied, tribox_report *report)
 {
     const uint32_t from[3] = {0, 0, first}, size[3] = {grid ? grid->size[0] : 0, grid ? grid->size[1] : 0, layers};
-    return tribox_voxelize_window(soup, grid, from, size, options, occupied, report);
+    return voxelize(soup, grid, from, size, options, occupied, report);
 }
 
 tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options, uint64_t *occupied,
                               tribox_report *report)
 {
-    return tribox_voxelize_layers(soup, grid, 0, grid ? grid->size[2] : 0, options, occupied, report);
+    static const uint32_t from[3] = {0, 0, 0};
+    return voxelize(soup, grid, from, grid ? grid->size : from, options, occupied, report);
 }

@@ -1,5 +1,5 @@
 /* voxelize_f64.c - a mesh into the cells of a grid in double, or of a window of it: the call. */
-#include "voxels.h"
+#include "voxelizing.h"
 
 #include "base/environment.h"
 #include "base/finite.h"
@@ -11,30 +11,17 @@
 /* Triangles have numbers of 32 bits in a part of the mesh. */
 enum { PART = 1 << 30, BLOCK = 256 /* whose floats fit the nearest cache */ };
 
-tribox_triangle tribox_voxels_numbered(const tribox_voxels *v, int32_t number)
-{
-    tribox_triangle triangle = {.number = number};
-    const size_t corner = 3 * (v->first_triangle + (size_t)number);
-    for (size_t j = 0; j < 3; j++) {
-        double position[3];
-        tribox_position_read(v->mesh, tribox_vertex_number(v->mesh, tribox_vertex_bytes(v->mesh), corner + j), position);
-        for (size_t a = 0; a < 3; a++)
-            triangle.u[3 * a + j] = position[a];
-    }
-    return triangle;
-}
-
 /* The window as a grid of its own, about its first planes. */
-static tribox_lattice lattice_of(const tribox_voxels *v)
+static tribox_lattice lattice_of(const tribox_window *w)
 {
     tribox_lattice lattice;
     for (int a = 0; a < 3; a++) {
-        const double lowest = tribox_plane_at(&v->planes, a, 0), highest = tribox_plane_at(&v->planes, a, v->size[a]);
+        const double lowest = tribox_plane_at(&w->planes, a, 0), highest = tribox_plane_at(&w->planes, a, w->size[a]);
         const double farthest = -lowest > highest ? -lowest : highest;
         lattice.origin[a] = lowest;
-        lattice.per_cell[a] = 1 / v->planes.cell[a];
+        lattice.per_cell[a] = 1 / w->planes.cell[a];
         /* planes: half a spacing of doubles for the first and for each; places: three roundings (PROOFS.md 7.10) */
-        lattice.error[a] = 0x1.001p-52 * farthest * lattice.per_cell[a] + 0x1p-50 * ((double)v->size[a] + 4);
+        lattice.error[a] = 0x1.001p-52 * farthest * lattice.per_cell[a] + 0x1p-50 * ((double)w->size[a] + 4);
     }
     return lattice;
 }
@@ -43,11 +30,11 @@ static tribox_lattice lattice_of(const tribox_voxels *v)
  * Whether limits hold in double: planes are much farther apart than doubles, and cells of a size whose products neither overflow
  * nor vanish (PROOFS.md 7.10).
  */
-static bool is_for_limits(const tribox_voxels *v)
+static bool is_for_limits(const tribox_window *w)
 {
     bool is = true;
     for (int a = 0; a < 3; a++)
-        is &= v->size[a] <= 1 << 30 && v->planes.cell[a] >= 0x1p-700 && v->planes.cell[a] <= 0x1p700 && v->lattice.error[a] < 0.25;
+        is &= w->size[a] <= 1 << 30 && w->planes.cell[a] >= 0x1p-700 && w->planes.cell[a] <= 0x1p700 && w->lattice.error[a] < 0.25;
     return is;
 }
 
@@ -58,8 +45,8 @@ static bool is_for_limits(const tribox_voxels *v)
 static bool is_for_float(tribox_voxels *v)
 {
     const bool has_moves = v->plan.axes == TRIBOX_AXES_BOX || v->plan.axes & TRIBOX_AXES_EDGES;
-    return v->plan.axes & TRIBOX_AXES_BOX && has_moves && v->has_limits &&
-           tribox_voxels_make_float(v, (float[3]){0, 0, 0}, (double[3]){0, 0, 0});
+    return v->plan.axes & TRIBOX_AXES_BOX && has_moves && v->window.has_limits &&
+           tribox_window_make_float(&v->window, (float[3]){0, 0, 0}, (double[3]){0, 0, 0});
 }
 
 static void set_by_float(tribox_voxels *v, size_t count)
@@ -72,8 +59,8 @@ static void set_by_float(tribox_voxels *v, size_t count)
     for (size_t at = 0; at < count; at += BLOCK) {
         const size_t some = count - at < BLOCK ? count - at : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, some);
-        v->first_number = (int32_t)at;
-        tribox_mesh_write_local(v->mesh, kernel, v->lattice.origin, v->first_triangle + at, some, to);
+        v->window.first_number = (int32_t)at;
+        tribox_mesh_write_local(v->window.mesh, kernel, v->window.lattice.origin, v->window.first_triangle + at, some, to);
         kernel->cells->sort(v, &soup);
     }
     kernel->cells->finish(v);
@@ -84,30 +71,44 @@ static void set_by_double(tribox_voxels *v, size_t count)
 {
     const bool has_box = v->plan.axes & TRIBOX_AXES_BOX;
     for (size_t i = 0; i < count; i++) {
-        const tribox_triangle triangle = tribox_voxels_numbered(v, (int32_t)i);
-        (has_box ? tribox_voxels_add : tribox_voxels_wait_everywhere)(v, &triangle);
+        const tribox_triangle triangle = tribox_window_read_triangle(&v->window, (int32_t)i);
+        if (has_box)
+            tribox_voxels_add_triangle(v, &triangle);
+        else
+            tribox_voxels_wait_everywhere(v, &triangle);
     }
 }
 
 static void set_part(tribox_voxels *v, size_t count)
 {
-    (is_for_float(v) ? set_by_float : set_by_double)(v, count);
+    if (is_for_float(v))
+        set_by_float(v, count);
+    else
+        set_by_double(v, count);
     tribox_voxels_set_strips(v);
-    tribox_voxels_settle(v);
+    tribox_voxels_settle_waiting(v);
 }
 
-static void set_mesh(tribox_voxels *v, const tribox_mesh *mesh, uint64_t *occupied)
+/* FAST would save error bounds alone, which cost little here. */
+void tribox_voxels_set_mesh(tribox_voxels *v, const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
+                            const uint32_t size[3], uint64_t *occupied)
 {
-    v->grid = NULL;
-    v->mesh = mesh;
-    v->first_layer = 0;
-    v->end_layer = v->size[2];
-    v->lattice = lattice_of(v);
-    v->has_limits = is_for_limits(v);
-    v->roughness = TRIBOX_EVEN;
-    tribox_voxels_start(v, occupied);
-    for (v->first_triangle = 0; v->first_triangle < mesh->count; v->first_triangle += PART)
-        set_part(v, mesh->count - v->first_triangle < PART ? mesh->count - v->first_triangle : PART);
+    tribox_window *const w = &v->window;
+    const bool is_fast = v->plan.accuracy == TRIBOX_FAST;
+    v->plan.accuracy = is_fast ? TRIBOX_CONSERVATIVE : v->plan.accuracy;
+    w->grid = NULL;
+    w->mesh = mesh;
+    w->planes = tribox_planes_of(grid, first);
+    memcpy(w->size, size, sizeof w->size);
+    w->first_layer = 0;
+    w->end_layer = size[2];
+    w->lattice = lattice_of(w);
+    w->has_limits = is_for_limits(w);
+    w->roughness = TRIBOX_EVEN;
+    tribox_voxels_empty_sinks(v, occupied);
+    for (w->first_triangle = 0; size[0] && size[1] && size[2] && w->first_triangle < mesh->count; w->first_triangle += PART)
+        set_part(v, mesh->count - w->first_triangle < PART ? mesh->count - w->first_triangle : PART);
+    v->plan.accuracy = is_fast ? TRIBOX_FAST : v->plan.accuracy;
 }
 
 tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
@@ -121,25 +122,18 @@ tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64
         return status;
 
     const tribox_mesh strided = tribox_mesh_with_strides(mesh);
-    const bool is_fast = v->plan.accuracy == TRIBOX_FAST;
+    const uint32_t *const extent = size ? size : grid->size;
     const tribox_environment callers = tribox_environment_enter();
-    memcpy(v->size, size ? size : grid->size, sizeof v->size);
     if (!tribox_grid_f64_is_sound(grid))
         status = TRIBOX_BAD_GRID;
     else if (first && !tribox_is_window(grid->size, first, size))
         status = TRIBOX_BAD_ARGUMENT;
-    else if (!tribox_has_few_words(v->size))
+    else if (!tribox_has_few_words(extent))
         status = TRIBOX_BAD_GRID;
     else if (!tribox_mesh_is_in_range(&strided, v->plan.kernel, 0, mesh->count))
         status = TRIBOX_BAD_INDEX;
     if (!status) {
-        v->plan.accuracy = is_fast ? TRIBOX_CONSERVATIVE : v->plan.accuracy;
-        v->planes = tribox_planes_of(grid, first);
-        if (v->size[0] && v->size[1] && v->size[2])
-            set_mesh(v, &strided, occupied);
-        else
-            v->counts = (tribox_report){0, 0};
-        v->plan.accuracy = is_fast ? TRIBOX_FAST : v->plan.accuracy;
+        tribox_voxels_set_mesh(v, &strided, grid, first, extent, occupied);
         tribox_plan_report(&v->plan, v->counts, report);
     }
     tribox_environment_leave(callers);

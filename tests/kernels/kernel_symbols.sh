@@ -1,5 +1,6 @@
 #!/bin/sh
-# Each object of a kernel exports one symbol, named after it, and has no writable data: kernel_symbols.sh NM OBJDUMP KERNEL LIBRARY
+# Each object of a kernel exports one symbol, named after it, calls no function of src, and has no writable data:
+# kernel_symbols.sh NM OBJDUMP KERNEL LIBRARY
 set -eu
 nm=$1 objdump=$2 kernel=$3 library=$4
 
@@ -12,6 +13,13 @@ nm=$1 objdump=$2 kernel=$3 library=$4
     NF == 1 && /:$/ { judge(); object = $0; exported = 0; name = "" }
     NF == 3 && $3 !~ /^__x86\.get_pc_thunk/ { exported++; name = $3 } # 32-bit x86 reads its own address there
     END { judge(); if (!object) { print "no objects"; status = 1 } exit status }' >&2
+
+# Its own tables alone: what a text leaves to others is handed in, as a pointer or in a list.
+calls=$("$nm" --undefined-only "$library" | awk -v kernel="$kernel" '$2 ~ /^tribox_/ && $2 !~ "^tribox_[a-z]+_" kernel "$" { print $2 }')
+if test -n "$calls"; then
+    echo "$kernel: a kernel text calls $calls; let the caller hand it in (tribox_voxel_handlers) or drain a list" >&2
+    exit 1
+fi
 
 # .data.rel.ro is made read-only after relocation: the descriptor lies there.
 writable=$("$objdump" -h -w "$library" |

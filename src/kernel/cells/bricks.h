@@ -9,8 +9,8 @@
 static tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *number, size_t stride, int32_t of_mesh)
 {
     tribox_triangle triangle = {.number = 0};
-    if (v->mesh)
-        return tribox_voxels_numbered(v, of_mesh);
+    if (v->window.mesh)
+        return tribox_window_read_triangle(&v->window, of_mesh);
     for (size_t n = 0; n < 9; n++)
         triangle.u[n] = number[n * stride];
     return triangle;
@@ -19,14 +19,14 @@ static tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *num
 /* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
 static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint open, const vint cell[3])
 {
-    tribox_waiting *const w = &v->waiting;
+    tribox_waiting *const w = &v->sinks.waiting;
     const vmask m = m_has_bits(open);
     const unsigned more = tribox_count_bits(m_bits(m));
     if (w->count + more > TRIBOX_WAITING)
-        tribox_voxels_settle(v);
-    if (v->mesh)
+        v->sinks.handlers->settle_waiting(v);
+    if (v->window.mesh)
         i_pack(&w->number[w->count], m, i_load(&queue->triangle[at]));
-    for (int n = 0; n < 9 && !v->mesh; n++)
+    for (int n = 0; n < 9 && !v->window.mesh; n++)
         v_pack(&w->u[n][w->count], m, v_load(&queue->number[n][at]));
     for (int a = 0; a < 3; a++)
         i_pack(&w->at[a][w->count], m, cell[a]);
@@ -41,14 +41,14 @@ static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned
         const unsigned t = at + tribox_lowest_bit(lanes);
         const tribox_triangle triangle =
             triangle_of_lane(v, &queue->number[0][t], TRIBOX_QUEUE + TRIBOX_LANES_MAX, queue->triangle[t]);
-        tribox_voxels_add(v, &triangle);
+        v->sinks.handlers->add_triangle(v, &triangle);
     }
 }
 
 /* Places on axis a of the triangles of a queue. Those that are wild join the others. */
 TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, int a, vmask *wild)
 {
-    const tribox_float_lattice *const lattice = &v->in_float;
+    const tribox_float_lattice *const lattice = &v->window.in_float;
     const vnum u[3] = {v_load(&queue->number[3 * a][at]), v_load(&queue->number[3 * a + 1][at]),
                        v_load(&queue->number[3 * a + 2][at])};
     const vnum base = v_sub(v_load(&queue->number[9 + a][at]), v_splat(lattice->off[a]));
@@ -88,8 +88,8 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
     for (int layer = 0; layer < TRIBOX_BRICK; layer++) {
         const vnum k = v_splat((float)layer), z = v_add(base[2], k);
         const vmask has_layer = m_and(present, v_gt(cells[2], k));
-        const vmask in_k =
-            m_andnot(m_andnot(has_layer, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
+        const vmask in_k = m_andnot(m_andnot(has_layer, v_gt(v_splat((float)v->window.first_layer), z)),
+                                    m_not(v_gt(v_splat((float)v->window.end_layer), z)));
         if (!m_bits(has_layer))
             break;
         const row_cells in_layer = cells_within(&zx, cells[0], k, is_exact);
@@ -97,7 +97,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
         for (int e = 0; e < 3; e++)
             side_k[e] = side_in_row(&side[e], k);
         const vnum plane_k = v_mul(plane.k_slope, k);
-        vint half = i_add(bits.half, i_splat((int32_t)((uint32_t)layer * (uint32_t)v->layer_halves)));
+        vint half = i_add(bits.half, i_splat((int32_t)((uint32_t)layer * (uint32_t)v->sinks.layer_halves)));
         make_room(v);
         for (int row = 0; row < rows; row++) {
             const vnum j = v_splat((float)row);
@@ -119,7 +119,7 @@ TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsig
                 }
             }
             list_bits(v, half, bits.from, set);
-            half = i_add(half, i_splat(v->row_halves));
+            half = i_add(half, i_splat(v->sinks.row_halves));
         }
     }
     hand_on_queued(v, queue, at, m_bits(m_and(lanes_between(0, count), wild)));

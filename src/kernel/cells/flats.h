@@ -11,7 +11,7 @@ TRIBOX_INLINE vnum either(vmask m, float a, float b) { return v_select(m, v_spla
 TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, vmask m, int a, int b,
                                       vmask *wild)
 {
-    const tribox_float_lattice *const lattice = &v->in_float;
+    const tribox_float_lattice *const lattice = &v->window.in_float;
     vnum u[3];
     for (int j = 0; j < 3; j++)
         u[j] = v_select(m, v_load(&queue->number[3 * a + j][at]), v_load(&queue->number[3 * b + j][at]));
@@ -29,7 +29,7 @@ TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue
 TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
 {
     const vint one = i_splat(1), bit = i_shl(one, from);
-    for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->row_halves))) {
+    for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->sinks.row_halves))) {
         make_room(v);
         list(v, m_has_bits(i_and(set, one)), half, bit);
     }
@@ -58,15 +58,15 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
     const shadow_limits limits = limits_of(&q, &p, bound_scale, m_all());
     const vnum along = v_select(is_x, cells[1], cells[0]), rows = v_select(is_z, cells[1], cells[2]);
-    const vint step = i_or(i_keep(is_z, i_splat(v->row_halves)), i_keep(m_not(is_z), i_splat(v->layer_halves)));
+    const vint step = i_or(i_keep(is_z, i_splat(v->sinks.row_halves)), i_keep(m_not(is_z), i_splat(v->sinks.layer_halves)));
     const vnum layers = either(is_z, 0, 1);
     const lane_bits bits = bits_at(v, base);
     vint half = bits.half;
     for (int row = 0; row < TRIBOX_FLAT; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
         const vmask has_row = m_andnot(m_and(present, v_gt(rows, r)), wild);
-        const vmask in =
-            m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->first_layer), z)), m_not(v_gt(v_splat((float)v->end_layer), z)));
+        const vmask in = m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->window.first_layer), z)),
+                                  m_not(v_gt(v_splat((float)v->window.end_layer), z)));
         if (!m_bits(has_row))
             break;
         const row_cells of_row = cells_within(&limits, along, r, is_exact);

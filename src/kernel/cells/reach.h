@@ -1,6 +1,6 @@
 /*
  * reach.h - which cells of a grid the bounding boxes of a packet of triangles touch, in float.
- * After: axes.h, voxels.h. Needs: v_floor, v_plane.
+ * After: axes.h, voxelizing.h. Needs: v_floor, v_plane.
  *
  * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the planes of the grid
  * decide, which are one cell away at most (PROOFS.md 7.3). Of a mesh the doubles are asked beside them.
@@ -45,10 +45,10 @@ TRIBOX_INLINE vnum plus_where(vnum a, vmask more, vmask less)
 }
 
 /* The cells that [least, most] touches, from their planes, where the first guess is at most one off. */
-static lane_cells ask_planes(const tribox_voxels *v, int a, lane_cells guess, vnum least, vnum most)
+static lane_cells ask_planes(const tribox_window *w, int a, lane_cells guess, vnum least, vnum most)
 {
-    const double cell = v->grid->cell[a], origin = v->grid->origin[a];
-    const vnum low = v_add(guess.first, v_splat((float)v->first[a])), high = v_add(guess.last, v_splat((float)v->first[a]));
+    const double cell = w->grid->cell[a], origin = w->grid->origin[a];
+    const vnum low = v_add(guess.first, v_splat((float)w->first[a])), high = v_add(guess.last, v_splat((float)w->first[a]));
     const vnum one = v_splat(1);
     const vnum above_first = v_plane(v_add(low, one), cell, origin), first = v_plane(low, cell, origin);
     const vnum above_last = v_plane(v_add(high, one), cell, origin), last = v_plane(high, cell, origin);
@@ -68,9 +68,9 @@ typedef struct lane_ends {
  * The same from the doubles of a mesh, lane by lane: a plane that is in doubt is the one next to the place. Blurred are triangles
  * where that plane parts vertices that became one float, their least or greatest.
  */
-static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint64_t lanes, lane_cells guess, lane_ends ends)
+static lane_cells ask_doubles(const tribox_window *w, lane_reach *r, int a, uint64_t lanes, lane_cells guess, lane_ends ends)
 {
-    float first[V_LANES], last[V_LANES], from[V_LANES], to[V_LANES], least[V_LANES], most[V_LANES], w[3][V_LANES];
+    float first[V_LANES], last[V_LANES], from[V_LANES], to[V_LANES], least[V_LANES], most[V_LANES], of[3][V_LANES];
     float blurred[V_LANES] = {0};
     v_write(first, guess.first);
     v_write(last, guess.last);
@@ -79,20 +79,20 @@ static lane_cells ask_doubles(const tribox_voxels *v, lane_reach *r, int a, uint
     v_write(least, ends.least);
     v_write(most, ends.most);
     for (int j = 0; j < 3; j++)
-        v_write(w[j], r->u[3 * a + j]);
+        v_write(of[j], r->u[3 * a + j]);
     for (; lanes; lanes &= lanes - 1) {
         const unsigned n = tribox_lowest_bit(lanes);
         const int64_t low = nearest_whole(from[n]), high = nearest_whole(to[n]);
-        const double low_plane = tribox_plane_at(&v->planes, a, low), high_plane = tribox_plane_at(&v->planes, a, high);
+        const double low_plane = tribox_plane_at(&w->planes, a, low), high_plane = tribox_plane_at(&w->planes, a, high);
         bool is_above = true, is_below = true, is_one_above = false, is_one_below = false;
         double u[3];
-        tribox_voxels_read(v, (int32_t)(r->number + n), a, u);
+        tribox_window_read_axis(w, (int32_t)(r->number + n), a, u);
         for (int j = 0; j < 3; j++) {
             const bool above = u[j] > low_plane, below = u[j] < high_plane;
             is_above &= above;
             is_below &= below;
-            is_one_above |= above & (w[j][n] <= least[n]);
-            is_one_below |= below & (w[j][n] >= most[n]);
+            is_one_above |= above & (of[j][n] <= least[n]);
+            is_one_below |= below & (of[j][n] >= most[n]);
         }
         first[n] = (float)(is_above ? low : low - 1);
         last[n] = (float)(is_below ? high - 1 : high);
@@ -108,11 +108,11 @@ TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
     return v_min(v_max(place, v_splat(-0.5f)), v_splat(lattice->size[a] + 0.5f));
 }
 
-TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a, const float *const stream[3], size_t at)
+TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_window *w, int a, const float *const stream[3], size_t at)
 {
     for (int j = 0; j < 3; j++)
         r->u[3 * a + j] = v_load(stream[j] + at);
-    const tribox_float_lattice *const lattice = &v->in_float;
+    const tribox_float_lattice *const lattice = &w->in_float;
     const vnum half = v_splat(0.5f), zero = v_splat(0), size = v_splat(lattice->size[a]);
     const vnum least = lane_min3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
     const vnum most = lane_max3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
@@ -121,8 +121,8 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxels *v, int a, cons
     const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
     const uint64_t in_doubt = m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a])));
     if (in_doubt)
-        c = v->mesh ? ask_doubles(v, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to})
-                    : ask_planes(v, a, c, least, most);
+        c = w->mesh ? ask_doubles(w, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to})
+                    : ask_planes(w, a, c, least, most);
     r->spans[a] = v_gt(c.last, c.first);
     r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
     r->base[a] = v_max(c.first, zero);

@@ -27,7 +27,7 @@ static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
             range.cells[a] = (int64_t)cells[a][lane];
             range.spans[a] = spans[a] >> lane & 1;
         }
-        tribox_voxels_take(v, &triangle, &range);
+        v->sinks.handlers->take_triangle(v, &triangle, &range);
     }
 }
 
@@ -40,13 +40,13 @@ static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
         const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, (int32_t)(r.number + lane));
-        tribox_voxels_add(v, &triangle);
+        v->sinks.handlers->add_triangle(v, &triangle);
     }
 }
 
 TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, unsigned count)
 {
-    const tribox_queue *const queue = &v->queue[kind];
+    const tribox_queue *const queue = &v->sinks.queue[kind];
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
     if (kind == TRIBOX_FLATS && is_exact)
         set_flats(v, queue, at, count, true);
@@ -61,21 +61,21 @@ TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, 
 /* Whole packets of a queue; the rest moves to its beginning. */
 static void set_packets(tribox_voxels *v, tribox_class kind)
 {
-    tribox_queue *const queue = &v->queue[kind];
+    tribox_queue *const queue = &v->sinks.queue[kind];
     unsigned at = 0;
     for (; at + V_LANES <= queue->count; at += V_LANES)
         set_queued(v, kind, at, V_LANES);
     queue->count -= at;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         v_write(queue->number[n], v_load(&queue->number[n][at]));
-    if (v->mesh)
+    if (v->window.mesh)
         i_write(queue->triangle, i_load(&queue->triangle[at]));
 }
 
 /* The last packet of a queue may have fewer triangles than lanes: the others repeat the first, and are left out. */
 static void finish_queue(tribox_voxels *v, tribox_class kind)
 {
-    tribox_queue *const queue = &v->queue[kind];
+    tribox_queue *const queue = &v->sinks.queue[kind];
     set_packets(v, kind);
     if (!queue->count)
         return;
@@ -94,7 +94,7 @@ TRIBOX_INLINE vnum queued_cells(tribox_class kind, const lane_reach *r, int a)
 TRIBOX_INLINE void pack_lanes(const tribox_voxels *v, tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     const unsigned to = queue->count;
-    if (v->mesh)
+    if (v->window.mesh)
         i_pack(&queue->triangle[to], m, i_add(i_splat((int32_t)r->number), i_load(LANES_IN_ORDER)));
     for (int n = 0; n < 9; n++)
         v_pack(&queue->number[n][to], m, r->u[n]);
@@ -118,14 +118,14 @@ TRIBOX_INLINE void copy_lanes(const tribox_voxels *v, tribox_queue *queue, tribo
     for (uint64_t left = m_bits(m); left; left &= left - 1, to++) {
         for (int n = 0; n < TRIBOX_QUEUED; n++)
             queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
-        if (v->mesh)
+        if (v->window.mesh)
             queue->triangle[to] = (int32_t)(r->number + tribox_lowest_bit(left));
     }
 }
 
 TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const lane_reach *r)
 {
-    tribox_queue *const queue = &v->queue[kind];
+    tribox_queue *const queue = &v->sinks.queue[kind];
     if (!m_bits(m))
         return;
     if (V_LANES <= 4)
@@ -142,7 +142,8 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
 {
     const lane_bits bits = bits_at(v, r->base);
     const vint one = i_splat(1), bit = i_shl(one, bits.from);
-    const vint step = i_or(i_keep(r->spans[1], i_splat(v->row_halves)), i_keep(m_not(r->spans[1]), i_splat(v->layer_halves)));
+    const vint step =
+        i_or(i_keep(r->spans[1], i_splat(v->sinks.row_halves)), i_keep(m_not(r->spans[1]), i_splat(v->sinks.layer_halves)));
     vint half = bits.half;
     make_room(v);
     list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
@@ -161,19 +162,20 @@ TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(m
 static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
     lane_reach r;
-    r.number = (uint32_t)v->first_number + (uint32_t)at;
+    r.number = (uint32_t)v->window.first_number + (uint32_t)at;
     r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
     /* z first, then y: whoever asks for some layers alone, or a window, looks at most triangles in vain. */
-    reach_axis(&r, v, 2, soup->z, at);
-    const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->first_layer), end = v_splat((float)v->end_layer);
+    reach_axis(&r, &v->window, 2, soup->z, at);
+    const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->window.first_layer),
+               end = v_splat((float)v->window.end_layer);
     r.inside = m_and(r.inside, m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
     if (!m_bits(r.inside))
         return;
-    reach_axis(&r, v, 1, soup->y, at);
+    reach_axis(&r, &v->window, 1, soup->y, at);
     if (!m_bits(r.inside))
         return;
-    reach_axis(&r, v, 0, soup->x, at);
+    reach_axis(&r, &v->window, 0, soup->x, at);
     const vmask inside = m_andnot(m_and(r.inside, is_finite(r.u)), r.blurred), unknown = m_andnot(r.inside, inside);
     if (m_bits(unknown))
         add_each(v, r, m_bits(unknown));

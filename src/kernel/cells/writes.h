@@ -1,6 +1,6 @@
 /*
  * writes.h - bits of cells: listed first, then written many at a time, so that misses of the cache overlap.
- * After: voxels.h. Needs: the words of integers.
+ * After: voxelizing.h. Needs: the words of integers.
  *
  * An entry is some of the 32 bits of half a word. Halves are counted from the start of the first layer asked for, modulo 2^32: a
  * window has no more of them.
@@ -34,25 +34,25 @@ TRIBOX_INLINE size_t write_each(const tribox_writes *w, uint64_t *occupied, bool
 
 static void write_listed(tribox_voxels *v)
 {
-    tribox_writes *const w = &v->writes;
+    tribox_writes *const w = &v->sinks.writes;
     if (!w->count)
         return;
     for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
         w->half[w->count + n] = w->half[w->count - 1];
-    v->counts.overlapping += v->is_far ? write_each(w, v->occupied, true) : write_each(w, v->occupied, false);
+    v->counts.overlapping += v->sinks.is_far ? write_each(w, v->sinks.occupied, true) : write_each(w, v->sinks.occupied, false);
     w->count = 0;
 }
 
 /* Room for what a step lists. */
 TRIBOX_INLINE void make_room(tribox_voxels *v)
 {
-    if (v->writes.count > TRIBOX_WRITES)
+    if (v->sinks.writes.count > TRIBOX_WRITES)
         write_listed(v);
 }
 
 TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits)
 {
-    tribox_writes *const w = &v->writes;
+    tribox_writes *const w = &v->sinks.writes;
     i_pack(&w->half[w->count], m, half);
     i_pack(&w->bits[w->count], m, bits);
     w->count += tribox_count_bits(m_bits(m));
@@ -77,7 +77,7 @@ typedef struct lane_bits {
 /* Of cells in layers before those asked for, too. Axes have at most 2^20 cells here (PROOFS.md 7.9), and halves are modulo 2^32. */
 TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3])
 {
-    const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->first_layer)), i = i_cut(base[0]);
-    const vint row = i_add(i_mul(layer, i_splat((int32_t)v->size[1])), i_cut(base[1]));
-    return (lane_bits){i_add(i_mul(row, i_splat(v->row_halves)), i_shr(i, i_splat(5))), i_and(i, i_splat(31))};
+    const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->window.first_layer)), i = i_cut(base[0]);
+    const vint row = i_add(i_mul(layer, i_splat((int32_t)v->window.size[1])), i_cut(base[1]));
+    return (lane_bits){i_add(i_mul(row, i_splat(v->sinks.row_halves)), i_shr(i, i_splat(5))), i_and(i, i_splat(31))};
 }

@@ -37,7 +37,7 @@ static void wait_for_cells(const strip_place *p, int64_t first, int64_t end, int
     tribox_triangle triangle = {.number = strip->number[p->t]};
     for (int n = 0; n < 9; n++)
         triangle.u[n] = strip->u[n][p->t];
-    tribox_voxels_wait(p->v, &triangle, base[0] + first, base[0] + end - 1, base[1] + j, base[2] + k);
+    tribox_voxels_wait_for_row(p->v, &triangle, base[0] + first, base[0] + end - 1, base[1] + j, base[2] + k);
 }
 
 static void wait_for_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
@@ -49,10 +49,10 @@ static void wait_for_column(const strip_place *p, int64_t first, int64_t end, in
 /* Returns how many cells of the column were not set before. */
 TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
 {
-    const int64_t row = (int64_t)p->v->row_words, layer = row * p->v->size[1];
+    const int64_t row = (int64_t)p->v->sinks.row_words, layer = row * p->v->window.size[1];
     if (first >= end)
         return 0;
-    uint64_t *const word = p->v->occupied + (p->strip->word[p->t] + (k - p->first) * layer + first * row);
+    uint64_t *const word = p->v->sinks.occupied + (p->strip->word[p->t] + (k - p->first) * layer + first * row);
     return tribox_set_column(word, (size_t)row, end - first, UINT64_C(1) << p->strip->bit[p->t]);
 }
 

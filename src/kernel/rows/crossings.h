@@ -179,7 +179,7 @@ TRIBOX_INLINE void turn_pairs(tribox_crossings *c, const lane_crossing *found, v
         const unsigned n = tribox_lowest_bit(open);
         double u[3][3];
         read_triangle(seen, first + n * step, u);
-        tribox_crossings_row(c, u, (int64_t)row[0][n], (int64_t)row[1][n]);
+        c->handlers->add_row(c, u, (int64_t)row[0][n], (int64_t)row[1][n]);
     }
 }
 
@@ -191,7 +191,7 @@ static void settle_triangles(tribox_crossings *c, const tribox_seen_along *seen,
     for (; lanes; lanes &= lanes - 1) {
         double u[3][3];
         read_triangle(seen, first + tribox_lowest_bit(lanes), u);
-        tribox_crossings_doubtful(c, u);
+        c->handlers->add_doubtful(c, u);
     }
 }
 

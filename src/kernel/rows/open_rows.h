@@ -72,7 +72,7 @@ static void settle_open_rows(const strip_place *p, const row_list *rows, tribox_
         prepare_own(p, shape);
     for (unsigned at = 0; at < open.count; at += V_LANES)
         limit_rows_by_own(p, &open, at, shape);
-    p->v->counts.overlapping += set_wide_rows(p->v->occupied, &open, &open.certain, p->strip->bit[p->t]);
+    p->v->counts.overlapping += set_wide_rows(p->v->sinks.occupied, &open, &open.certain, p->strip->bit[p->t]);
     if (may_be_open(&open))
         wait_for_rows(p, &open);
 }

@@ -18,9 +18,9 @@ TRIBOX_INLINE vnum plane_place(const strip_place *p, int a, vnum n)
 {
     const tribox_voxels *const v = p->v;
     const double base = p->strip->base[a][p->t];
-    const vnum number = v_add(n, v_splat(base + v->first[a]));
-    const vnum plane = v_nearest_float(v_fma(number, v_splat(v->grid->cell[a]), v_splat(v->grid->origin[a])));
-    const vnum place = v_mul(v_sub(plane, v_splat(v->lattice.origin[a])), v_splat(v->lattice.per_cell[a]));
+    const vnum number = v_add(n, v_splat(base + v->window.first[a]));
+    const vnum plane = v_nearest_float(v_fma(number, v_splat(v->window.grid->cell[a]), v_splat(v->window.grid->origin[a])));
+    const vnum place = v_mul(v_sub(plane, v_splat(v->window.lattice.origin[a])), v_splat(v->window.lattice.per_cell[a]));
     return v_sub(place, v_splat(base));
 }
 
@@ -123,8 +123,8 @@ TRIBOX_INLINE lane_run rows_by_own_planes(const strip_place *p, const strip_limi
 /* For limits as if planes were where they should be, but for the rounding of their places. */
 TRIBOX_INLINE tribox_lattice lattice_by_own_planes(const tribox_voxels *v)
 {
-    tribox_lattice lattice = v->lattice;
+    tribox_lattice lattice = v->window.lattice;
     for (int a = 0; a < 3; a++)
-        lattice.error[a] = 0x1p-50 * ((double)v->size[a] + 4);
+        lattice.error[a] = 0x1p-50 * ((double)v->window.size[a] + 4);
     return lattice;
 }

@@ -108,7 +108,7 @@ TRIBOX_INLINE lane_run evenly_limited_rows(const strip_place *p, vnum cells, vnu
 TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at, tribox_shape shape, bool has_certain)
 {
     const unsigned t = p->t;
-    const double row_words = (double)p->v->row_words, layer_words = row_words * p->v->size[1];
+    const double row_words = (double)p->v->sinks.row_words, layer_words = row_words * p->v->window.size[1];
     const vnum j = v_read(&rows->j[at]), k = v_read(&rows->k[at]), cells = v_splat(p->strip->cells[0][t]);
     lane_run run;
     if (has_certain && p->is_by_own_planes) {
@@ -122,10 +122,10 @@ TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at,
         write_ends(&rows->certain.first[at], &rows->certain.end[at], run.first_certain, run.end_certain, cells);
     const vnum layer = v_sub(k, v_splat((double)p->first)), word = v_splat((double)p->strip->word[t]);
     v_write_int(&rows->word[at], v_fma(layer, v_splat(layer_words), v_fma(j, v_splat(row_words), word)));
-    if (p->v->is_far)
+    if (p->v->sinks.is_far)
         for (unsigned n = at; n < at + V_LANES; n++) { /* the word after the last may be 2^31 */
             const uint32_t first = (uint32_t)(p->strip->bit[t] + rows->maybe.first[n]) / 64;
-            tribox_will_write(p->v->occupied + ((uint32_t)rows->word[n] + first));
+            tribox_will_write(p->v->sinks.occupied + ((uint32_t)rows->word[n] + first));
         }
 }
 

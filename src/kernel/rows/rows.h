@@ -1,6 +1,6 @@
 /*
  * rows.h - limits of a strip of triangles, in double, and of one of them on many rows at a time.
- * After: limits.h, voxels.h. Needs: v_read, v_write_int.
+ * After: limits.h, voxelizing.h. Needs: v_read, v_write_int.
  */
 
 /* As in limits.h, of each triangle. */

@@ -3,13 +3,13 @@
 TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_certain)
 {
     const int bit = p->strip->bit[p->t];
-    const bool is_rough = p->v->roughness != TRIBOX_EVEN, is_narrow = bit + p->strip->cells[0][p->t] < 64;
+    const bool is_rough = p->v->window.roughness != TRIBOX_EVEN, is_narrow = bit + p->strip->cells[0][p->t] < 64;
     row_cursor at = first_rows(p, shape);
     row_list rows;
     while (list_rows(p, &at, &rows, shape, has_certain)) {
         const row_cells *const cells = has_certain ? &rows.certain : &rows.maybe;
         limit_all_rows(p, &rows, shape, has_certain);
-        p->v->counts.overlapping += (is_narrow ? set_narrow_rows : set_wide_rows)(p->v->occupied, &rows, cells, bit);
+        p->v->counts.overlapping += (is_narrow ? set_narrow_rows : set_wide_rows)(p->v->sinks.occupied, &rows, cells, bit);
         if (has_certain && may_be_open(&rows))
             (is_rough && !p->is_by_own_planes ? settle_open_rows(p, &rows, shape) : wait_for_rows(p, &rows));
     }
@@ -17,11 +17,11 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
 
 TRIBOX_INLINE void set_strip_by(tribox_voxels *v, tribox_shape shape, bool has_certain)
 {
-    const tribox_strip *const strip = &v->strip[shape];
+    const tribox_strip *const strip = &v->sinks.strip[shape];
     strip_limits limits, own;
     bool has_own = false;
-    const bool is_by_own_planes = has_certain && v->roughness == TRIBOX_VERY_ROUGH;
-    const tribox_lattice lattice = is_by_own_planes ? lattice_by_own_planes(v) : v->lattice;
+    const bool is_by_own_planes = has_certain && v->window.roughness == TRIBOX_VERY_ROUGH;
+    const tribox_lattice lattice = is_by_own_planes ? lattice_by_own_planes(v) : v->window.lattice;
     prepare(strip, &lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
     for (unsigned t = 0; t < strip->count; t++) {
         const int64_t base = (int64_t)strip->base[2][t], layers = (int64_t)strip->cells[2][t];
@@ -29,8 +29,8 @@ TRIBOX_INLINE void set_strip_by(tribox_voxels *v, tribox_shape shape, bool has_c
                                strip,
                                &limits,
                                t,
-                               tribox_greatest(v->first_layer - base, 0),
-                               tribox_least(layers, v->end_layer - base),
+                               tribox_greatest(v->window.first_layer - base, 0),
+                               tribox_least(layers, v->window.end_layer - base),
                                is_by_own_planes,
                                &own,
                                &has_own};

@@ -1,0 +1,85 @@
+/*
+ * voxelizing.h - one voxelization: its window, its sinks, its counts, and what is done with them.
+ *
+ * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves open wait with their triangle until
+ * the bits of others are written, as those set most of them; the rest are settled by their own boxes.
+ */
+#ifndef TRIBOX_VOXELIZING_H
+#define TRIBOX_VOXELIZING_H
+
+#include <string.h>
+
+#include "grid/cell_bits.h"
+#include "plan.h"
+#include "sinks.h"
+#include "window.h"
+
+struct tribox_voxels {
+    tribox_plan plan;
+    tribox_window window;
+    tribox_voxel_sinks sinks;
+    tribox_report counts;
+};
+
+static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b; }
+static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
+
+/*
+ * The lattice in float, about this origin, whose place is `off`. Float is a filter where it tells places in the grid apart by less
+ * than half a cell, and nothing overflows (PROOFS.md 7.9): whether it does.
+ */
+bool tribox_window_make_float(tribox_window *w, const float origin[3], const double off[3]);
+
+/*
+ * A window of a sound grid as a grid of its own; the plan is made. In the environment of environment.h: begin, put soups, end. Bits
+ * and counts are whole then.
+ */
+void tribox_voxels_begin(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
+                         uint64_t *occupied);
+void tribox_voxels_put_soup(tribox_voxels *v, const tribox_soup *soup);
+void tribox_voxels_end(tribox_voxels *v);
+
+/* All of it for a mesh, its strides set and its vertices there, in a window of a sound grid in double. */
+void tribox_voxels_set_mesh(tribox_voxels *v, const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
+                            const uint32_t size[3], uint64_t *occupied);
+
+/* Nothing waits and nothing is counted: before the first triangle, once sizes and layers are known. */
+void tribox_voxels_empty_sinks(tribox_voxels *v, uint64_t *occupied);
+
+/* All cells wait with the triangle, where it is finite. */
+void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle);
+
+/* Settles the cells that wait, but those that are set by now: once more after the last triangle. */
+void tribox_voxels_settle_waiting(tribox_voxels *v);
+
+/* A triangle that touches these cells of the grid: a line is set, another joins the strip of its shape. */
+void tribox_voxels_take_triangle(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range);
+
+/* The rows of all strips that hold triangles. */
+void tribox_voxels_set_strips(tribox_voxels *v);
+
+/* One triangle, whatever its numbers: the planes of the grid decide which cells its box touches. */
+void tribox_voxels_add_triangle(tribox_voxels *v, const tribox_triangle *triangle);
+
+/* The triangle of a mesh whose cells are found by no limits, but by asking blocks of them, and blocks of these (PROOFS.md 7.10). */
+void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range);
+
+/* Cells first to last of row (j, k) wait with their triangle. */
+static inline void tribox_voxels_wait_for_row(tribox_voxels *v, const tribox_triangle *triangle, int64_t first, int64_t last,
+                                              int64_t j, int64_t k)
+{
+    tribox_waiting *const w = &v->sinks.waiting;
+    for (; first <= last; first += 32) {
+        if (w->count == TRIBOX_WAITING)
+            v->sinks.handlers->settle_waiting(v);
+        for (int n = 0; n < 9 && !v->window.mesh; n++)
+            w->u[n][w->count] = (float)triangle->u[n];
+        w->number[w->count] = triangle->number;
+        w->at[0][w->count] = (int32_t)(uint32_t)first;
+        w->at[1][w->count] = (int32_t)(uint32_t)j;
+        w->at[2][w->count] = (int32_t)(uint32_t)k;
+        w->bits[w->count++] = (int32_t)(~UINT32_C(0) >> (last - first < 31 ? 31 - (last - first) : 0));
+    }
+}
+
+#endif
