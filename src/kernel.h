@@ -1,5 +1,5 @@
 /*
- * kernel.h - what a kernel is: its name, its lanes and its walks. All that kernels and dispatch share.
+ * kernel.h - what a kernel is: its name, its lanes, its walks, and what they are asked. All that kernels and dispatch share.
  *
  * A walk answers words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy of
  * the call, and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
@@ -7,73 +7,17 @@
 #ifndef TRIBOX_KERNEL_H
 #define TRIBOX_KERNEL_H
 
-#include <float.h>
 #include <math.h>
 #include <stdbool.h>
+
 #include "base/ahead.h"
+#include "base/compiler.h"
 #include "mesh/indices.h"
 #include "voxels/kernel_grid.h"
 #include "index/kernel_index.h"
 #include "mesh/positions.h"
 #include "base/soup.h"
-
-#if defined(__FAST_MATH__)
-#error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"
-#endif
-/* 16 is gcc's method for gnu11 on processors with FP16: only types narrower than float are widened. */
-#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
-#error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
-#endif
-
-/* No FMA but by a vocabulary's word: what -ffp-contract=off says, which these compilers do not know by that name. */
-#if defined(_MSC_VER) && defined(__clang__)
-#pragma STDC FP_CONTRACT OFF
-#elif defined(_MSC_VER)
-#pragma fp_contract(off)
-#endif
-
-/* Not forced in unoptimised and sanitized builds: with every word inlined and little folded, gcc takes minutes for a kernel. */
-#if defined(_MSC_VER) && !defined(__clang__)
-#define TRIBOX_INLINE static __forceinline
-#elif (defined(__GNUC__) || defined(__clang__)) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
-#define TRIBOX_INLINE static inline __attribute__((always_inline))
-#else
-#define TRIBOX_INLINE static inline
-#endif
-/* The one external symbol of a kernel's object: tribox_<part>_<KERNEL>, KERNEL being the name that the object is compiled for. */
-#define TRIBOX_PASTE_(part, kernel) tribox_##part##_##kernel
-#define TRIBOX_PASTE(part, kernel) TRIBOX_PASTE_(part, kernel)
-#define TRIBOX_SYMBOL(part) TRIBOX_PASTE(part, KERNEL)
-
-/* A bit for each lane of a packet; a vocabulary defines V_LANES. */
-#define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
-
-/*
- * A sequence is the groups of axes in the order in which they are tested, one decimal digit each, by the number of the paper's
- * bullet: 1 the box normals, 2 the plane, 3 the edges. 312 tests the edges first; 13 leaves the plane out.
- */
-#define TRIBOX_FOR_EACH_SEQUENCE(X) X(1) X(2) X(3) X(12) X(13) X(21) X(23) X(31) X(32) X(123) X(132) X(213) X(231) X(312) X(321)
-
-enum {
-#define TRIBOX_SEQUENCE_INDEX(sequence) TRIBOX_SEQUENCE_##sequence,
-    TRIBOX_FOR_EACH_SEQUENCE(TRIBOX_SEQUENCE_INDEX)
-#undef TRIBOX_SEQUENCE_INDEX
-        TRIBOX_SEQUENCES
-};
-
-/* The k-th group of a sequence, 0 past its end. */
-TRIBOX_INLINE unsigned group_at(unsigned sequence, int k)
-{
-    const int length = sequence > 99 ? 3 : sequence > 9 ? 2 : 1;
-    for (int drop = length - 1 - k; drop > 0; drop--)
-        sequence /= 10;
-    return k < length ? sequence % 10 : 0;
-}
-
-TRIBOX_INLINE bool sequence_has(unsigned sequence, unsigned group)
-{
-    return group_at(sequence, 0) == group || group_at(sequence, 1) == group || group_at(sequence, 2) == group;
-}
+#include "pairs/sequences.h"
 
 /*
  * A small build (packaging/npm) has no scalar kernel, and walks of soups alone: it reads meshes by way of streams, and is without

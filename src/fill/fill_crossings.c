@@ -18,6 +18,9 @@ void tribox_crossings_doubtful(tribox_crossings *c, double u[3][3])
         tribox_crossings_exactly(c, u);
 }
 
+const tribox_crossing_handlers tribox_exact_crossings = {.add_row = tribox_crossings_row,
+                                                         .add_doubtful = tribox_crossings_doubtful};
+
 void tribox_crossings_add(tribox_crossings *c, const tribox_seen_along *seen, size_t count)
 {
     if (c->middles.has_places) {

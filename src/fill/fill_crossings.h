@@ -49,6 +49,9 @@ void tribox_crossings_doubtful(tribox_crossings *c, double u[3][3]);
 /* The same for one row of cells. */
 void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_t k);
 
+/* Those two. */
+extern const tribox_crossing_handlers tribox_exact_crossings;
+
 /* Turns what is listed. */
 static inline void tribox_crossings_finish(tribox_crossings *c)
 {

@@ -45,11 +45,9 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
         *odd_rows = odd;
 }
 
-static const tribox_crossing_handlers handlers = {.add_row = tribox_crossings_row, .add_doubtful = tribox_crossings_doubtful};
-
 static void start(tribox_crossings *c, const tribox_kernel *kernel, const uint32_t size[3], uint64_t *solid, void *scratch)
 {
-    c->handlers = &handlers;
+    c->handlers = &tribox_exact_crossings;
     c->kernel = kernel;
     c->rows = tribox_rows_of(size);
     c->solid = solid;

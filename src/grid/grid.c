@@ -86,14 +86,6 @@ bool tribox_has_few_words(const uint32_t size[3])
     return !layer || !size[2] || layer <= WORDS_MAX / size[2];
 }
 
-bool tribox_is_window(const uint32_t grid_size[3], const uint32_t first[3], const uint32_t size[3])
-{
-    bool is = true;
-    for (int a = 0; a < 3; a++)
-        is &= first[a] <= grid_size[a] && size[a] <= grid_size[a] - first[a];
-    return is;
-}
-
 /*
  * The cell of a window, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below
  * the first cell that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid,

@@ -18,9 +18,6 @@ bool tribox_grid_is_sound(const tribox_grid *grid);
 /* Whether a call may write so many cells: 2^31 words. */
 bool tribox_has_few_words(const uint32_t size[3]);
 
-/* Whether a window lies in a grid of this size. */
-bool tribox_is_window(const uint32_t grid_size[3], const uint32_t first[3], const uint32_t size[3]);
-
 /* Cells of a window, first to last: -1 stands for all below it, its size for all above. */
 typedef struct tribox_cells {
     int64_t first, last;

@@ -2,8 +2,7 @@
 #ifndef TRIBOX_SINKS_H
 #define TRIBOX_SINKS_H
 
-#include "base/soup.h"
-#include "kernel_grid.h"
+#include "kernel.h"
 #include "window.h"
 
 /* Bits to be set, in halves of words (kernel/cells/writes.h): written when more than TRIBOX_WRITES are listed. */

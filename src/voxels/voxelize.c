@@ -33,23 +33,6 @@ static tribox_triangle triangle_at(const tribox_soup *soup, size_t i)
     return triangle;
 }
 
-bool tribox_window_make_float(tribox_window *w, const float origin[3], const double off[3])
-{
-    tribox_float_lattice *const f = &w->in_float;
-    bool is = true;
-    for (int a = 0; a < 3; a++) {
-        const bool is_off = off[a] < 0 || off[a] > 0;
-        f->origin[a] = origin[a];
-        f->off[a] = (float)off[a];
-        f->per_cell[a] = (float)w->lattice.per_cell[a];
-        f->size[a] = (float)w->size[a];
-        f->error[a] = (float)w->lattice.error[a] * 1.001f + (is_off ? (f->size[a] + 4) * 0x1p-22f : 0);
-        f->doubt[a] = f->error[a] + (f->size[a] + 1) * 0x1p-22f;
-        is &= w->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;
-    }
-    return is;
-}
-
 /* About the first planes, which are floats. Floats have to count planes, from those of the grid's origin on. */
 static bool is_for_float(tribox_window *w)
 {

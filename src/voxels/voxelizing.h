@@ -25,12 +25,6 @@ static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b;
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
 
 /*
- * The lattice in float, about this origin, whose place is `off`. Float is a filter where it tells places in the grid apart by less
- * than half a cell, and nothing overflows (PROOFS.md 7.9): whether it does.
- */
-bool tribox_window_make_float(tribox_window *w, const float origin[3], const double off[3]);
-
-/*
  * A window of a sound grid as a grid of its own; the plan is made. In the environment of environment.h: begin, put soups, end. Bits
  * and counts are whole then.
  */

@@ -5,6 +5,7 @@
 #include "grid/grid_cells.h"
 #include "grid/planes.h"
 #include "kernel_grid.h"
+#include "mesh/indices.h"
 #include "mesh/positions.h"
 
 /* The grid in float. */
@@ -37,6 +38,15 @@ typedef struct tribox_window {
     bool is_for_float; /* whether the soup's packets are sorted in float: PROOFS.md 7.9, of a mesh 7.11 */
     bool has_limits;   /* whether the limits of rows hold in double: else cells are asked themselves (PROOFS.md 7.10) */
 } tribox_window;
+
+/* Whether a window lies in a grid of this size. */
+bool tribox_is_window(const uint32_t grid_size[3], const uint32_t first[3], const uint32_t size[3]);
+
+/*
+ * The lattice in float, about this origin, whose place is `off`. Float is a filter where it tells places in the grid apart by less
+ * than half a cell, and nothing overflows (PROOFS.md 7.9): whether it does.
+ */
+bool tribox_window_make_float(tribox_window *w, const float origin[3], const double off[3]);
 
 /* Plane p of axis a of the grid or window; of a grid in float. */
 static inline float tribox_window_plane(const tribox_window *w, int a, uint64_t p)

@@ -24,6 +24,7 @@ static void start(const fill_case *c, tribox_crossings *to, turned *t)
     memset(t, 0, sizeof *t);
     to->rows = tribox_rows_of(fill_case_size(c));
     to->middles = tribox_middles_of(c->is_double ? NULL : &c->grid, c->is_double ? &c->grid_f64 : NULL);
+    to->handlers = &tribox_exact_crossings;
     to->solid = t->solid;
     to->beyond = t->beyond;
     to->turns.count = 0;

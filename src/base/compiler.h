@@ -1,0 +1,39 @@
+/* compiler.h - what is asked of compilers: arithmetic as it is written, inlining, and the names of what kernels export. */
+#ifndef TRIBOX_COMPILER_H
+#define TRIBOX_COMPILER_H
+
+#include <float.h>
+#include <stdint.h>
+
+#if defined(__FAST_MATH__)
+#error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"
+#endif
+/* 16 is gcc's method for gnu11 on processors with FP16: only types narrower than float are widened. */
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#endif
+
+/* No FMA but by a vocabulary's word: what -ffp-contract=off says, which these compilers do not know by that name. */
+#if defined(_MSC_VER) && defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+
+/* Not forced in unoptimised and sanitized builds: with every word inlined and little folded, gcc takes minutes for a kernel. */
+#if defined(_MSC_VER) && !defined(__clang__)
+#define TRIBOX_INLINE static __forceinline
+#elif (defined(__GNUC__) || defined(__clang__)) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+#define TRIBOX_INLINE static inline __attribute__((always_inline))
+#else
+#define TRIBOX_INLINE static inline
+#endif
+/* The one external symbol of a kernel's object: tribox_<part>_<KERNEL>, KERNEL being the name that the object is compiled for. */
+#define TRIBOX_PASTE_(part, kernel) tribox_##part##_##kernel
+#define TRIBOX_PASTE(part, kernel) TRIBOX_PASTE_(part, kernel)
+#define TRIBOX_SYMBOL(part) TRIBOX_PASTE(part, KERNEL)
+
+/* A bit for each lane of a packet; a vocabulary defines V_LANES. */
+#define LANES_ALL (~UINT64_C(0) >> (64 - V_LANES))
+
+#endif
