@@ -2,7 +2,7 @@
  * kernel.h - what a kernel is: its name, its lanes, its walks, and what they are asked. All that kernels and dispatch share.
  *
  * A walk answers words of 64 triangles (or boxes). For each word it writes two: `hit`, the lanes that overlap at the accuracy of
- * the call, and `open`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
+ * the call, and `undecided`, the lanes that it leaves to a slower stage. A lane is in at most one of the two.
  */
 #ifndef TRIBOX_KERNEL_H
 #define TRIBOX_KERNEL_H
@@ -12,7 +12,7 @@
 
 #include "base/ahead.h"
 #include "base/compiler.h"
-#include "mesh/indices.h"
+#include "mesh/vertex_numbers.h"
 #include "voxels/kernel_grid.h"
 #include "index/kernel_index.h"
 #include "mesh/positions.h"
@@ -29,7 +29,7 @@ enum { TRIBOX_WALKS_SOUPS_ALONE = 1 };
 enum { TRIBOX_WALKS_SOUPS_ALONE = 0 };
 #endif
 
-/* EXACT and CONSERVATIVE take one walk: they differ in how the pairs that it leaves open are settled. */
+/* EXACT and CONSERVATIVE take one walk: they differ in how the pairs that it leaves undecided are settled. */
 typedef enum tribox_walk_kind { TRIBOX_BY_MARGIN, TRIBOX_BY_SIGN, TRIBOX_WALK_KINDS } tribox_walk_kind;
 TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)
 {
@@ -43,56 +43,56 @@ TRIBOX_INLINE tribox_walk_kind tribox_walk_kind_of(tribox_accuracy accuracy)
 typedef struct tribox_corners {
     const char *base;
     const uint32_t *offset;
-    const double *near; /* NULL of floats; doubles are read less near[k], of axis k % 3, and rounded: TRIBOX_NEAR of them */
-    bool has_all;       /* else another vertex stands for the last of the mesh */
-    size_t ahead;       /* triangles of nine numbers that may come into the cache early: none where less than 2 MiB do */
+    const double *origin; /* NULL of floats; doubles are read less origin[k], of axis k % 3, and rounded: TRIBOX_LOCAL of them */
+    bool has_all;         /* else another vertex stands for the last of the mesh */
+    size_t ahead;         /* triangles of nine numbers that may come into the cache early: none where less than 2 MiB do */
 } tribox_corners;
 
 /* The most lanes of float, and of double. The lanes of every kernel divide them. */
 enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 
 /* What doubles are read relative to, axis by axis, as often as the widest load needs it. */
-enum { TRIBOX_NEAR = 3 * TRIBOX_LANES_MAX };
+enum { TRIBOX_LOCAL = 3 * TRIBOX_LANES_MAX };
 
 /* What a call asks: a soup or corners against a box, or a triangle against boxes. The caller has checked them. */
-typedef struct tribox_pairs {
+typedef struct tribox_query {
     const tribox_soup *soup;
     const tribox_corners *corners; /* all axes are asked */
     const tribox_box *box;
     const float (*triangle)[3];
     const tribox_boxes *boxes;
     size_t count;
-} tribox_pairs;
+} tribox_query;
 
 /*
  * Answers `count` pairs, one or more, from pair 64 * word on; bits past them are zero. Whole packets are read, the last of which
  * ends with the last pair: so a walk reads pairs before its first one, too. Where the streams have fewer pairs than the kernel has
- * lanes, there have to be numbers after them (tribox_few).
+ * lanes, there have to be numbers after them (tribox_partial_packet).
  */
-typedef void tribox_walk(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open);
+typedef void tribox_walk(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided);
 
 /*
  * Walks of corners of doubles, rounded about the lower corner of their box, which begins at 0 (PROOFS.md 14). What rounding leaves
- * in doubt is open, so hits are overlaps of the doubles. TRIBOX_NEAR_BOX tests the box normals alone.
+ * in doubt is undecided, so hits are overlaps of the doubles. TRIBOX_LOCAL_BOX tests the box normals alone.
  */
-typedef enum tribox_near_walk { TRIBOX_NEAR_BOX, TRIBOX_NEAR_ALL, TRIBOX_NEAR_WALKS } tribox_near_walk;
+typedef enum tribox_local_walk { TRIBOX_LOCAL_BOX, TRIBOX_LOCAL_ALL, TRIBOX_LOCAL_WALKS } tribox_local_walk;
 
 /*
- * What a survey saw of the packets of a word, bit k for packet k. Each is in one of `beside` if the box normals reject all lanes:
+ * What a survey saw of the packets of a word, bit k for packet k. Each is in one of `apart` if the box normals reject all lanes:
  * where the x axis does, or x and y, or all three. Of the others, the sets of groups (TRIBOX_AXES_*) that reject all lanes; if box
  * normals and plane do together, nothing is said of the edges.
  */
 typedef struct tribox_seen {
     unsigned packets;
-    uint64_t beside[3];
+    uint64_t apart[3];
     uint64_t rejected[TRIBOX_AXES_ALL];
 } tribox_seen;
 
 /* Answers a word whose pairs are all present, all axes asked, like a walk, and surveys it. Returns the hits. */
-typedef uint64_t tribox_survey(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open);
+typedef uint64_t tribox_survey(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided);
 
 /*
- * Pairs that the walks left open, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
+ * Pairs that the walks left undecided, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
  * (x_j is the x of vertex j), then lo and hi. The boxes are finite. No pair is apart on a box normal if the axes have BOX.
  */
 enum { TRIBOX_BATCH = 64 };
@@ -105,7 +105,7 @@ typedef struct tribox_batch {
  * Wild are those not decided whose lengths are so small or so large that nothing is known of them; no pair of floats is.
  */
 typedef struct tribox_verdict {
-    uint64_t overlapping, open, finite, wild;
+    uint64_t overlapping, undecided, finite, wild;
 } tribox_verdict;
 
 /*
@@ -118,15 +118,15 @@ typedef tribox_verdict tribox_in_double(const tribox_batch *batch, unsigned coun
  * Pairs that are fewer than the lanes of a kernel, spread over a packet, as whole packets are read: the numbers after them repeat
  * the first pair. They are never asked about.
  */
-typedef struct tribox_few {
+typedef struct tribox_partial_packet {
     _Alignas(64) float number[9][TRIBOX_LANES_MAX];
     tribox_soup soup;
     tribox_boxes boxes;
-} tribox_few;
+} tribox_partial_packet;
 
 /* One triangle or box at least; nothing else is read. */
-typedef void tribox_spread_triangles(const tribox_soup *soup, tribox_few *few);
-typedef void tribox_spread_boxes(const tribox_boxes *boxes, tribox_few *few);
+typedef void tribox_spread_triangles(const tribox_soup *soup, tribox_partial_packet *partial);
+typedef void tribox_spread_boxes(const tribox_boxes *boxes, tribox_partial_packet *partial);
 
 /* The candidates among the triangles of a word that lie wholly in the box. Whole packets are read, as by a walk. */
 typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
@@ -147,22 +147,22 @@ typedef size_t tribox_find_corners(const tribox_mesh *mesh, size_t first, size_t
  * These triangles, none of whose vertices is missing, as nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2: of a mesh of doubles
  * near what is given, else as they are.
  */
-typedef void tribox_gather(const tribox_mesh *mesh, const double *near, size_t first, size_t count, float *const to[9]);
+typedef void tribox_gather(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, float *const to[9]);
 
-/* A box beside positions x y z x y z ...: the bounds of axis k % 3 at place k. */
+/* A box against positions x y z x y z ...: the bounds of axis k % 3 at place k. */
 typedef struct tribox_box_pattern {
     float lo[3 * TRIBOX_LANES_MAX], hi[3 * TRIBOX_LANES_MAX];
-    const double *near; /* of doubles, as of tribox_corners */
+    const double *origin; /* of doubles, as of tribox_corners */
 } tribox_box_pattern;
 
 /* Whether the box normals separate all triangles of these vertices; false too where finding out costs as much as testing them. */
-typedef bool tribox_is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named);
+typedef bool tribox_is_apart(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named);
 
 /* Words of triangles in the frame of an oriented box. */
 enum { TRIBOX_MOVED_WORDS = 8 };
 typedef struct tribox_moved {
     float number[9][64 * TRIBOX_MOVED_WORDS]; /* the streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
-    uint64_t apart[TRIBOX_MOVED_WORDS];       /* certainly beside the box on one of its axes */
+    uint64_t apart[TRIBOX_MOVED_WORDS];       /* certainly apart from the box on one of its axes */
     uint64_t wild[TRIBOX_MOVED_WORDS];        /* too far away for float, or not finite: the streams mean nothing */
     float error[3];                           /* how far off the others can be on each axis */
 } tribox_moved;
@@ -176,14 +176,14 @@ typedef struct tribox_kernel {
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
     tribox_survey *survey[TRIBOX_WALK_KINDS];
-    tribox_walk *walk_near[TRIBOX_NEAR_WALKS];
+    tribox_walk *walk_local[TRIBOX_LOCAL_WALKS];
     tribox_spread_triangles *spread_triangles;
     tribox_spread_boxes *spread_boxes;
     tribox_inside *inside;
     tribox_find_vertices *find_vertices;
     tribox_find_corners *find_corners;
     tribox_gather *gather;
-    tribox_is_beside *is_beside;
+    tribox_is_apart *is_apart;
     tribox_to_frame *to_frame;
     tribox_in_double *in_double;
     const tribox_cells_kernel *cells;

@@ -14,7 +14,7 @@ typedef struct tribox_plan {
 /* TRIBOX_OK, TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL; options may be NULL. */
 tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan);
 
-/* Writes what a call counted; report may be NULL. FAST leaves open only what is not finite or overflows: reported as 0. */
+/* Writes what a call counted; report may be NULL. FAST leaves undecided only what is not finite or overflows: reported as 0. */
 void tribox_plan_report(const tribox_plan *plan, tribox_report counts, tribox_report *report);
 
 #endif

@@ -54,7 +54,7 @@ static inline bool tribox_x86_runs_sse2(void)
     return __builtin_cpu_supports("sse2");
 }
 
-/* The compiler uses these beside wide vectors. Every processor with AVX2 has them, but an emulated one may not. */
+/* The compiler uses these besides wide vectors. Every processor with AVX2 has them, but an emulated one may not. */
 static inline bool tribox_x86_has_bit_instructions(void)
 {
     return __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");

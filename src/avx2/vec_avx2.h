@@ -64,13 +64,13 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
                             _mm256_castsi256_ps(_mm256_slli_epi32(lane, 28)));
 }
 /* Row i has lanes i and i + 4 in its halves: what follows stays within them. */
-TRIBOX_INLINE __m128 avx2_near(const void *p, __m256d lo)
+TRIBOX_INLINE __m128 avx2_local(const void *p, __m256d lo)
 {
     return _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd((const double *)p), lo));
 }
-TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 {
-    return avx2_join(avx2_near(p, _mm256_loadu_pd(lo)), avx2_near((const double *)p + 4, _mm256_loadu_pd(lo + 4)));
+    return avx2_join(avx2_local(p, _mm256_loadu_pd(lo)), avx2_local((const double *)p + 4, _mm256_loadu_pd(lo + 4)));
 }
 TRIBOX_INLINE void avx2_transpose4(const vnum row[4], vnum to[4])
 {
@@ -88,12 +88,12 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
         row[i] = avx2_join(_mm_loadu_ps((const float *)from[i]), _mm_loadu_ps((const float *)from[i + 4]));
     avx2_transpose4(row, to);
 }
-TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {
     const __m256d corner = _mm256_loadu_pd(lo);
     vnum row[4];
     for (int i = 0; i < 4; i++)
-        row[i] = avx2_join(avx2_near(from[i], corner), avx2_near(from[i + 4], corner));
+        row[i] = avx2_join(avx2_local(from[i], corner), avx2_local(from[i + 4], corner));
     avx2_transpose4(row, to);
 }
 

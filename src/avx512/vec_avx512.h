@@ -70,7 +70,7 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
     return _mm512_permutex2var_ps(a, _mm512_loadu_si512(from), b);
 }
-TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 {
     const double *const from = p;
     return avx512_join(_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(from), _mm512_loadu_pd(lo))),
@@ -97,18 +97,18 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     }
     avx512_transpose4(row, to);
 }
-TRIBOX_INLINE __m256 avx512_near_two(const void *a, const void *b, __m512d lo)
+TRIBOX_INLINE __m256 avx512_local_two(const void *a, const void *b, __m512d lo)
 {
     const __m512d both =
         _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd((const double *)a)), _mm256_loadu_pd((const double *)b), 1);
     return _mm512_cvtpd_ps(_mm512_sub_pd(both, lo));
 }
-TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {
     const __m512d twice = _mm512_broadcast_f64x4(_mm256_loadu_pd(lo));
     vnum row[4];
     for (int i = 0; i < 4; i++)
-        row[i] = avx512_join(avx512_near_two(from[i], from[i + 4], twice), avx512_near_two(from[i + 8], from[i + 12], twice));
+        row[i] = avx512_join(avx512_local_two(from[i], from[i + 4], twice), avx512_local_two(from[i + 8], from[i + 12], twice));
     avx512_transpose4(row, to);
 }
 

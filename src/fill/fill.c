@@ -9,7 +9,7 @@ tribox_rows tribox_rows_of(const uint32_t size[3])
         .words = tribox_words_of(size[0]), .count = (size_t)size[1] * size[2], .last = ~UINT64_C(0) >> (63 - (size[0] - 1) % 64)};
 }
 
-bool tribox_fill_is_served(const uint32_t size[3]) { return size[0] && size[1] && size[2] && tribox_has_few_words(size); }
+bool tribox_fill_is_served(const uint32_t size[3]) { return size[0] && size[1] && size[2] && tribox_fits_one_call(size); }
 
 size_t tribox_fill_bytes(const uint32_t size[3])
 {

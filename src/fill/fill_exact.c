@@ -24,7 +24,7 @@ static tribox_cells cells_of(const tribox_crossings *c, double u[3][3], int a)
     return cells;
 }
 
-/* The side of all three edges that the ray of a row passes on; 0 where it passes beside the triangle. */
+/* The side of all three edges that the ray of a row passes on; 0 where it misses the triangle. */
 static int side_of(double u[3][3], const double at[2])
 {
     int side = 0;

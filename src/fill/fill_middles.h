@@ -45,7 +45,7 @@ static inline double tribox_middle_near(const tribox_middles *m, int a, int64_t 
     return m->grid ? tribox_middle(m, a, cell) : m->origin[a] + ((double)cell + 0.5) * m->cell[a];
 }
 
-/* The closed cells of axis a that an interval touches, -1 and size standing for those beside the grid. */
+/* The closed cells of axis a that an interval touches, -1 and size standing for those outside the grid. */
 tribox_cells tribox_middles_cells(const tribox_middles *m, int a, double least, double most);
 
 #endif

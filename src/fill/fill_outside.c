@@ -1,7 +1,7 @@
 /*
  * fill_outside.c - what a surface encloses: the outside spreads through free cells, and what it does not reach is solid.
  *
- * The first sweep takes every row once, while the rows beside it are in the nearest cache, and notes which rows it has left behind
+ * The first sweep takes every row once, while the rows next to it are in the nearest cache, and notes which rows it has left behind
  * that could be reached from where it went. Sweeps back and forth then take the rows noted, until there are none.
  */
 #include "fill_row.h"
@@ -26,7 +26,7 @@ typedef struct flood {
     size_t last_layer;
     const uint64_t *occupied;
     uint64_t *solid; /* cells that are not reached */
-    uint64_t *noted; /* rows with free cells beside reached ones of other rows */
+    uint64_t *noted; /* rows with free cells next to reached ones of other rows */
     uint64_t *done;  /* rows whose free cells are all reached */
     span now, next;  /* layers of this sweep and of the next */
     bool is_upwards; /* this sweep */
@@ -37,7 +37,7 @@ static const uint64_t *occupied_row(const flood *f, size_t row) { return f->occu
 
 static uint64_t *solid_row(const flood *f, size_t row) { return f->solid + row * f->rows.words; }
 
-/* Whether a row has a free cell beside a reached one of `from`: if so it is noted. */
+/* Whether a row has a free cell next to a reached one of `from`: if so it is noted. */
 static bool is_noted(const flood *f, const uint64_t *from, size_t row)
 {
     const bool is_done = f->done[row / 64] >> row % 64 & 1;
@@ -93,7 +93,7 @@ static void start_row(flood *f, size_t j, size_t k)
         extend(&f->next, k - 1);
 }
 
-/* A row that was noted: from the rows beside it. */
+/* A row that was noted: from the rows next to it. */
 static void take_row(flood *f, size_t j, size_t k)
 {
     const size_t words = f->rows.words, row = k * f->lines + j, layer = f->lines * words;

@@ -1,5 +1,5 @@
 /*
- * fill_row.h - one row of cells along x: the outside comes in from rows beside it and its ends, and spreads through free cells.
+ * fill_row.h - one row of cells along x: the outside comes in from rows next to it and its ends, and spreads through free cells.
  * `solid` has a bit for each cell that is not reached, and none past the last cell; `last` has those of the last word's cells.
  *
  * Loops over all words are free of branches, so that compilers make vectors of them; few rows need more.
@@ -23,7 +23,7 @@ static inline uint64_t tribox_spread_down(uint64_t seeds, uint64_t is_free)
     return seeds;
 }
 
-/* A row that all lies beside the outside: its free cells are reached. */
+/* A row that all is next to the outside: its free cells are reached. */
 static inline void tribox_row_open(size_t words, uint64_t last, const uint64_t *occupied, uint64_t *solid)
 {
     for (size_t w = 0; w < words; w++)
@@ -32,8 +32,8 @@ static inline void tribox_row_open(size_t words, uint64_t last, const uint64_t *
 }
 
 /*
- * A row for the first time: from two rows beside it, and upwards within words. Whether free cells are left that are not reached.
- * Past the last cell all is reached, as it is in the rows beside it.
+ * A row for the first time: from two rows next to it, and upwards within words. Whether free cells are left that are not reached.
+ * Past the last cell all is reached, as it is in the rows next to it.
  */
 static inline bool tribox_row_start(size_t words, uint64_t last, const uint64_t *restrict occupied, const uint64_t *restrict below,
                                     const uint64_t *restrict behind, uint64_t *restrict solid)
@@ -49,33 +49,33 @@ static inline bool tribox_row_start(size_t words, uint64_t last, const uint64_t 
 }
 
 /* The same for a row that was started, and four rows. */
-static inline void tribox_row_take(size_t words, const uint64_t *restrict occupied, const uint64_t *const beside[4],
+static inline void tribox_row_take(size_t words, const uint64_t *restrict occupied, const uint64_t *const neighbour[4],
                                    uint64_t *restrict solid)
 {
-    const uint64_t *const a = beside[0], *const b = beside[1], *const c = beside[2], *const d = beside[3];
+    const uint64_t *const a = neighbour[0], *const b = neighbour[1], *const c = neighbour[2], *const d = neighbour[3];
     for (size_t w = 0; w < words; w++) {
         const uint64_t left = solid[w] & ~occupied[w];
         solid[w] &= ~tribox_spread_up(left & ~(a[w] & b[w] & c[w] & d[w]), left);
     }
 }
 
-/* Whether a cell that is free and not reached lies beside a reached one, within words below it. Ends lie beside the outside. */
+/* Whether a cell that is free and not reached lies next to a reached one, within words below it. Ends lie next to the outside. */
 static inline bool tribox_row_is_open(size_t words, uint64_t last, const uint64_t *occupied, const uint64_t *solid)
 {
     const uint64_t end = last & ~(last >> 1);
-    uint64_t is_open = (solid[0] & ~occupied[0] & 1) | (solid[words - 1] & ~occupied[words - 1] & end);
+    uint64_t reachable = (solid[0] & ~occupied[0] & 1) | (solid[words - 1] & ~occupied[words - 1] & end);
     for (size_t w = 0; w + 1 < words; w++) {
         const uint64_t low = ~solid[w], high = ~solid[w + 1];
-        is_open |= solid[w] & ~occupied[w] & (low >> 1 | high << 63);
-        is_open |= solid[w + 1] & ~occupied[w + 1] & low >> 63;
+        reachable |= solid[w] & ~occupied[w] & (low >> 1 | high << 63);
+        reachable |= solid[w + 1] & ~occupied[w + 1] & low >> 63;
     }
-    return is_open | (solid[words - 1] & ~occupied[words - 1] & ~solid[words - 1] >> 1);
+    return reachable | (solid[words - 1] & ~occupied[words - 1] & ~solid[words - 1] >> 1);
 }
 
 /* From word to word, and downwards within words. */
 static inline void tribox_row_close(size_t words, uint64_t last, const uint64_t *occupied, uint64_t *solid)
 {
-    uint64_t beyond = 1; /* reached: the cell beside the word */
+    uint64_t beyond = 1; /* reached: the cell next to the word */
     for (size_t w = 0; w < words; w++) {
         const uint64_t left = solid[w] & ~occupied[w];
         if (left & beyond)
@@ -91,7 +91,7 @@ static inline void tribox_row_close(size_t words, uint64_t last, const uint64_t 
     }
 }
 
-/* Whether the row has a free cell beside a reached one of another, and how many free cells are not reached. */
+/* Whether the row has a free cell next to a reached one of another, and how many free cells are not reached. */
 static inline bool tribox_row_is_beside(size_t words, const uint64_t *other, const uint64_t *occupied, const uint64_t *solid)
 {
     uint64_t is = 0;

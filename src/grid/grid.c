@@ -80,7 +80,7 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
 }
 
 /* Three factors below 2^32, of which the first is below 2^27. */
-bool tribox_has_few_words(const uint32_t size[3])
+bool tribox_fits_one_call(const uint32_t size[3])
 {
     const uint64_t layer = (uint64_t)tribox_words_of(size[0]) * size[1];
     return !layer || !size[2] || layer <= WORDS_MAX / size[2];

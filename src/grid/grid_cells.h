@@ -16,7 +16,7 @@ static inline float tribox_grid_plane(const tribox_grid *grid, int a, uint64_t p
 bool tribox_grid_is_sound(const tribox_grid *grid);
 
 /* Whether a call may write so many cells: 2^31 words. */
-bool tribox_has_few_words(const uint32_t size[3]);
+bool tribox_fits_one_call(const uint32_t size[3]);
 
 /* Cells of a window, first to last: -1 stands for all below it, its size for all above. */
 typedef struct tribox_cells {

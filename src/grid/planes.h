@@ -80,7 +80,7 @@ static inline double tribox_plane_rounded(double origin, double cell, double p)
 
 #endif
 
-/* Plane p of the window on axis a; also one beside the grid. */
+/* Plane p of the window on axis a; also one outside the grid. */
 static inline double tribox_plane_at(const tribox_planes *planes, int a, int64_t p)
 {
     return tribox_plane_rounded(planes->origin[a], planes->cell[a], planes->first[a] + (double)p);

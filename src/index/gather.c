@@ -1,7 +1,7 @@
 /* gather.c - triangles in any order as nine streams. */
 #include <string.h>
 
-#include "mesh/indices.h"
+#include "mesh/vertex_numbers.h"
 #include "mesh/mesh_input.h"
 #include "base/soup.h"
 

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "index_query.h"
+#include "index_descent.h"
 
 /* The triangles of a word, as a list. */
 static void list_word(tribox_answers *to, size_t word, uint64_t hit)
@@ -41,7 +41,7 @@ static void put_word(tribox_answers *to, size_t word, uint64_t hit, uint64_t ins
     to->found++;
 }
 
-void tribox_answers_take_word(const tribox_query *q, size_t word, uint64_t hit)
+void tribox_answers_take_word(const tribox_descent *q, size_t word, uint64_t hit)
 {
     tribox_answers *const to = q->to;
     uint64_t inside = 0;
@@ -59,7 +59,7 @@ void tribox_answers_take_word(const tribox_query *q, size_t word, uint64_t hit)
         list_word(to, word, hit);
 }
 
-void tribox_answers_take_full(const tribox_query *q, size_t word, size_t words)
+void tribox_answers_take_full(const tribox_descent *q, size_t word, size_t words)
 {
     tribox_answers *const to = q->to;
     to->counts.overlapping += 64 * words;

@@ -1,17 +1,17 @@
 /* index_calls.c - the calls that ask an index: what they check, and the form of the answer that they have found. */
 #include "base/box.h"
 #include "base/environment.h"
-#include "pairs/few.h"
-#include "index_query.h"
+#include "pairs/partial_packet.h"
+#include "index_descent.h"
 #include "pairs/oriented_words.h"
 #include "base/soup.h"
 
 /* A call: its plan, its query, and what the query needs. */
 typedef struct call {
     tribox_plan plan;
-    tribox_few few;
+    tribox_partial_packet partial;
     tribox_answers answers;
-    tribox_query query;
+    tribox_descent descent;
 } call;
 
 static bool is_readable(const tribox_index *index, const tribox_soup *soup)
@@ -27,13 +27,13 @@ static tribox_status prepare(call *c, const tribox_index *index, const tribox_so
         return status;
     if (!(c->plan.axes & TRIBOX_AXES_BOX))
         return TRIBOX_BAD_OPTION;
-    c->query.nodes = index->nodes;
-    tribox_levels_set(&c->query.levels, index->count);
-    c->query.pairs = (tribox_pairs){.soup = tribox_few_triangles(soup, c->plan.kernel, &c->few), .count = soup->count};
-    c->query.oriented = NULL;
-    c->query.plan = &c->plan;
-    c->query.may_choose = c->plan.choice.is_open;
-    c->query.to = &c->answers;
+    c->descent.nodes = index->nodes;
+    tribox_levels_set(&c->descent.levels, index->count);
+    c->descent.pairs = (tribox_query){.soup = tribox_pad_triangles(soup, c->plan.kernel, &c->partial), .count = soup->count};
+    c->descent.oriented = NULL;
+    c->descent.plan = &c->plan;
+    c->descent.may_choose = c->plan.choice.is_adaptive;
+    c->descent.to = &c->answers;
     return TRIBOX_OK;
 }
 
@@ -46,7 +46,7 @@ static tribox_status prepare_at_box(call *c, const tribox_index *index, const tr
     if (!tribox_box_is_finite(box))
         return TRIBOX_BAD_BOX;
     const tribox_status status = prepare(c, index, soup, options);
-    c->query.pairs.box = box;
+    c->descent.pairs.box = box;
     return status;
 }
 
@@ -59,12 +59,12 @@ static tribox_status prepare_at_oriented(call *c, const tribox_index *index, con
     if (!tribox_oriented_is_finite(box))
         return TRIBOX_BAD_BOX;
     const tribox_status status = prepare(c, index, soup, options);
-    c->query.oriented = box;
+    c->descent.oriented = box;
     return status || tribox_oriented_has_axes(&c->plan) ? status : TRIBOX_BAD_OPTION;
 }
 
 /* In our environment. */
-static bool is_empty(const tribox_query *q)
+static bool is_empty(const tribox_descent *q)
 {
     return q->oriented ? tribox_oriented_is_empty(q->oriented) : tribox_box_is_empty(q->pairs.box);
 }
@@ -75,10 +75,10 @@ static tribox_status answer(call *c, tribox_status prepared, size_t *found, trib
     if (prepared)
         return prepared;
     if (c->answers.form == TRIBOX_MASK)
-        tribox_pairs_write_none(c->query.pairs.count, c->answers.mask);
+        tribox_pairs_write_none(c->descent.pairs.count, c->answers.mask);
     const tribox_environment callers = tribox_environment_enter();
-    if (!is_empty(&c->query))
-        tribox_query_run(&c->query);
+    if (!is_empty(&c->descent))
+        tribox_descent_run(&c->descent);
     tribox_environment_leave(callers);
     if (found)
         *found = c->answers.found;
@@ -162,9 +162,9 @@ tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *s
     for (size_t i = 0; i < boxes->count; i++) {
         const tribox_box box = box_at(boxes, i);
         start[i] = c.answers.found;
-        c.query.pairs.box = &box;
+        c.descent.pairs.box = &box;
         if (tribox_box_is_finite(&box) && !tribox_box_is_empty(&box))
-            tribox_query_run(&c.query);
+            tribox_descent_run(&c.descent);
     }
     tribox_environment_leave(callers);
     start[boxes->count] = c.answers.found;
@@ -181,7 +181,7 @@ tribox_status tribox_index_any(const tribox_index *index, const tribox_soup *sou
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    if (is_empty(&c.query) || !tribox_query_any(&c.query, triangle))
+    if (is_empty(&c.descent) || !tribox_descent_any(&c.descent, triangle))
         *triangle = soup->count;
     tribox_environment_leave(callers);
     return TRIBOX_OK;

@@ -22,7 +22,7 @@ typedef void tribox_bound_soup(const tribox_soup *soup, size_t first, tribox_nod
 typedef void tribox_bound_nodes(const void *nodes, size_t count, tribox_node *node);
 
 /*
- * The first `count` children of a node, 64 at most, beside a box: those that touch it, and those of them that lie wholly inside.
+ * The first `count` children of a node, 64 at most, against a box: those that touch it, and those of them that lie wholly inside.
  * Bits past the first `count` mean nothing.
  */
 typedef struct tribox_touch {
@@ -38,19 +38,19 @@ typedef tribox_touch tribox_touch_oriented(const tribox_node *node, unsigned cou
 typedef uint64_t tribox_find_centred(const tribox_node *node, const tribox_box *box);
 
 /* Where triangles or boxes lie: the middle of each bounding box, infinite where one is not finite, and its number. */
-typedef struct tribox_places {
+typedef struct tribox_sort_keys {
     float *middle[3];
     uint32_t *number;
-} tribox_places;
+} tribox_sort_keys;
 
 /*
  * The places of `count` triangles of a soup, from triangle `first` on, or where it is NULL of boxes: numbered from `number` on.
  */
 typedef void tribox_find_middles(const tribox_soup *soup, const tribox_boxes *boxes, size_t first, size_t count, size_t number,
-                                 const tribox_places *places);
+                                 const tribox_sort_keys *places);
 
 /* Puts the `before` places that come before a cut before the others, of `count`, which are more than 64. */
-typedef void tribox_cut(const tribox_places *places, size_t count, size_t before);
+typedef void tribox_cut(const tribox_sort_keys *places, size_t count, size_t before);
 
 typedef struct tribox_index_kernel {
     tribox_bound_soup *bound_soup;

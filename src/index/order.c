@@ -4,7 +4,7 @@
  * Their places are cut in two across their longest side, and so are the parts, down to the 64 of a word. Which place comes before a
  * cut follows from the places alone, and how they are moved there too: so neither the processor nor the kernel changes the order.
  */
-#include "places.h"
+#include "sort_keys.h"
 
 #include <float.h>
 #include <string.h>
@@ -31,9 +31,9 @@ static tribox_status start_soup(const tribox_soup *soup, size_t first, size_t co
         return TRIBOX_BAD_ARGUMENT;
     if (!count)
         return TRIBOX_OK;
-    const tribox_places places = tribox_places_in(scratch, soup->count, first);
+    const tribox_sort_keys keys = tribox_sort_keys_in(scratch, soup->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->index->find_middles(soup, NULL, first, count, first, &places);
+    tribox_kernel_find(NULL)->index->find_middles(soup, NULL, first, count, first, &keys);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -44,9 +44,9 @@ static tribox_status start_boxes(const tribox_boxes *boxes, size_t first, size_t
         return TRIBOX_BAD_ARGUMENT;
     if (!count)
         return TRIBOX_OK;
-    const tribox_places places = tribox_places_in(scratch, boxes->count, first);
+    const tribox_sort_keys keys = tribox_sort_keys_in(scratch, boxes->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->index->find_middles(NULL, boxes, first, count, first, &places);
+    tribox_kernel_find(NULL)->index->find_middles(NULL, boxes, first, count, first, &keys);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -60,9 +60,9 @@ static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, s
     for (; first < end; first += BLOCK) {
         const size_t count = end - first < BLOCK ? end - first : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
-        const tribox_places places = tribox_places_in(scratch, mesh->count, first);
+        const tribox_sort_keys keys = tribox_sort_keys_in(scratch, mesh->count, first);
         kernel->gather(mesh, NULL, first, count, to);
-        kernel->index->find_middles(&soup, NULL, 0, count, first, &places);
+        kernel->index->find_middles(&soup, NULL, 0, count, first, &keys);
     }
 }
 
@@ -82,35 +82,35 @@ static tribox_status start_mesh(const tribox_mesh *mesh, size_t first, size_t co
 
 size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count)
 {
-    const size_t before = is_range(total, first, count, scratch) ? tribox_places_before_cut(count) : 0;
+    const size_t before = is_range(total, first, count, scratch) ? tribox_keys_before_cut(count) : 0;
     if (!before)
         return 0;
-    const tribox_places places = tribox_places_in(scratch, total, first);
+    const tribox_sort_keys keys = tribox_sort_keys_in(scratch, total, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->index->cut(&places, count, before);
+    tribox_kernel_find(NULL)->index->cut(&keys, count, before);
     tribox_environment_leave(callers);
     return before;
 }
 
 /* The numbers of a word as they are, but those that are not finite last. */
-static void write_word(const tribox_places *places, size_t count, uint32_t *order)
+static void write_word(const tribox_sort_keys *keys, size_t count, uint32_t *order)
 {
     size_t finite = 0, wild = 0;
     for (size_t i = 0; i < count; i++)
-        finite += places->middle[0][i] <= FLT_MAX;
-    memcpy(order, places->number, count * sizeof *order);
+        finite += keys->middle[0][i] <= FLT_MAX;
+    memcpy(order, keys->number, count * sizeof *order);
     for (size_t i = 0, at = 0; finite < count && i < count; i++)
-        order[places->middle[0][i] <= FLT_MAX ? at++ : finite + wild++] = places->number[i];
+        order[keys->middle[0][i] <= FLT_MAX ? at++ : finite + wild++] = keys->number[i];
 }
 
-void tribox_places_finish(const tribox_kernel *kernel, void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+void tribox_sort_keys_finish(const tribox_kernel *kernel, void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
 {
-    for (size_t before; (before = tribox_places_before_cut(count)) != 0; first += before, count -= before) {
-        const tribox_places places = tribox_places_in(scratch, total, first);
-        kernel->index->cut(&places, count, before);
-        tribox_places_finish(kernel, scratch, total, first, before, order);
+    for (size_t before; (before = tribox_keys_before_cut(count)) != 0; first += before, count -= before) {
+        const tribox_sort_keys keys = tribox_sort_keys_in(scratch, total, first);
+        kernel->index->cut(&keys, count, before);
+        tribox_sort_keys_finish(kernel, scratch, total, first, before, order);
     }
-    const tribox_places word = tribox_places_in(scratch, total, first);
+    const tribox_sort_keys word = tribox_sort_keys_in(scratch, total, first);
     write_word(&word, count, order + first);
 }
 
@@ -121,7 +121,7 @@ static tribox_status finish(void *scratch, size_t total, size_t first, size_t co
     if (!count)
         return TRIBOX_OK;
     const tribox_environment callers = tribox_environment_enter();
-    tribox_places_finish(tribox_kernel_find(NULL), scratch, total, first, count, order);
+    tribox_sort_keys_finish(tribox_kernel_find(NULL), scratch, total, first, count, order);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }

@@ -23,7 +23,7 @@
  * Deviations from the paper:
  * - The box is lo, hi and not centre, half: bullet 1 compares the numbers of the input themselves and is exact.
  * - Of the two sides of an edge axis only the outer one is tested, and the sign of n_i says which that is. One sign serves all
- *   three edges of a projection, and where n_i is zero it may be either. With bullet 1 beside it the test is complete, for
+ *   three edges of a projection, and where n_i is zero it may be either. Together with bullet 1 the test is complete, for
  *   degenerate triangles and flat boxes too: PROOFS.md 1 proves it. Without bullet 1 the two-sided slacks are needed.
  * - Two products serve the three edges of a projection: with p = (V_0 x f_0)_i and q = (V_0 x f_1)_i, P_0 = p, P_1 = q + 2 n_i,
  *   P_2 = -(p + q). Only vertex 0 needs a V (PROOFS.md 1, consequence 5).

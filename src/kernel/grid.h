@@ -7,7 +7,7 @@
 #include "kernel/rows/own_planes.h"
 #include "kernel/rows/columns.h"
 #include "kernel/rows/packed_rows.h"
-#include "kernel/rows/open_rows.h"
+#include "kernel/rows/undecided_rows.h"
 #if !defined(TRIBOX_SMALL)
 #include "kernel/rows/crossings.h"
 #endif

@@ -11,24 +11,24 @@
 enum { BLOCK_LEAST = 256, KEPT_WORDS = 2048, COPIED = 1024 };
 
 /* Answers block by block. False if an index names no vertex. */
-static bool answer_blocks(const tribox_mesh_question *q, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
+static bool answer_blocks(const tribox_mesh_query *q, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
 {
     size_t block = BLOCK_LEAST;
     for (size_t first = 0, count; first < mesh->count; first += count) {
         const size_t left = mesh->count - first;
         uint64_t *const to = mask ? mask + first / 64 : NULL;
-        if (q->beside) {
+        if (q->pattern) {
             count = left < 64 ? left : 64;
             const tribox_vertices found = q->plan->kernel->find_vertices(mesh, first, count);
             if (found.greatest >= mesh->vertices)
                 return false;
-            if (q->plan->kernel->is_beside(mesh, q->beside, found)) {
+            if (q->plan->kernel->is_apart(mesh, q->pattern, found)) {
                 tribox_pairs_write_none(count, to);
                 block = BLOCK_LEAST;
                 continue;
             }
         }
-        /* Near in the mesh is near in space: the next words, up to a block, are likely not beside the box either. */
+        /* Near in the mesh is near in space: the next words, up to a block, are likely not apart from the box either. */
         count = q->answer(q, mesh, first, left < block ? left : block, to, counts);
         if (!count)
             return false;
@@ -67,26 +67,26 @@ static tribox_mesh copied(const tribox_mesh *mesh, bool in_double, small_copy *c
  * To check all indices first would read them twice, so the answers of a mesh that is not too large are kept until all are there;
  * the few vertices of a small one are copied.
  */
-bool tribox_mesh_answer(const tribox_mesh_question *question, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
+bool tribox_mesh_answer(const tribox_mesh_query *query, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
 {
     const size_t words = tribox_words_of(mesh->count);
     const bool is_small = mesh->indices && mesh->vertices <= COPIED && mesh->vertices <= 3 * mesh->count;
-    const bool is_checked_first = !mesh->indices || question->is_empty || is_small || (mask && words > KEPT_WORDS);
-    if (is_checked_first && !tribox_mesh_is_in_range(mesh, question->plan->kernel, 0, mesh->count))
+    const bool is_checked_first = !mesh->indices || query->is_empty || is_small || (mask && words > KEPT_WORDS);
+    if (is_checked_first && !tribox_mesh_is_in_range(mesh, query->plan->kernel, 0, mesh->count))
         return false;
-    if (question->is_empty) {
+    if (query->is_empty) {
         tribox_pairs_write_none(mesh->count, mask);
         return true;
     }
     if (is_small) {
         small_copy copy;
-        const tribox_mesh same = copied(mesh, question->in_double, &copy);
-        return answer_blocks(question, &same, mask, counts);
+        const tribox_mesh same = copied(mesh, query->in_double, &copy);
+        return answer_blocks(query, &same, mask, counts);
     }
     if (is_checked_first || !mask)
-        return answer_blocks(question, mesh, mask, counts);
+        return answer_blocks(query, mesh, mask, counts);
     uint64_t kept[KEPT_WORDS];
-    if (!answer_blocks(question, mesh, kept, counts))
+    if (!answer_blocks(query, mesh, kept, counts))
         return false;
     memcpy(mask, kept, words * sizeof *mask);
     return true;

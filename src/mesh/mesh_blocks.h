@@ -1,4 +1,4 @@
-/* mesh_blocks.h - a mesh against a box, block by block: words beside the box are left out, bad indices leave nothing written. */
+/* mesh_blocks.h - a mesh against a box, block by block: words apart from the box are left out, bad indices leave nothing written. */
 #ifndef TRIBOX_MESH_BLOCKS_H
 #define TRIBOX_MESH_BLOCKS_H
 
@@ -7,28 +7,28 @@
 /* Triangles of a block at most, and those whose streams fit the first-level cache. */
 enum { TRIBOX_MESH_BLOCK = 1024, TRIBOX_MESH_STREAMED = 256 };
 
-typedef struct tribox_mesh_question tribox_mesh_question;
+typedef struct tribox_mesh_query tribox_mesh_query;
 
 /*
  * Answers some of the triangles first .. first + count - 1, at most TRIBOX_MESH_BLOCK: the first of them, in whole words unless
  * all. Adds to the counts; mask may be NULL. Returns how many, 0 if an index names no vertex.
  */
-typedef size_t tribox_answer_block(const tribox_mesh_question *question, const tribox_mesh *mesh, size_t first, size_t count,
+typedef size_t tribox_answer_block(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count,
                                    uint64_t *mask, tribox_report *counts);
 
-struct tribox_mesh_question {
+struct tribox_mesh_query {
     tribox_answer_block *answer;
     tribox_plan *plan;
-    const tribox_box_pattern *beside; /* NULL where vertices are not compared with the box, word by word */
-    bool is_empty;                    /* nothing overlaps this box */
-    bool in_double;                   /* of positions that are copied */
-    const void *about;                /* what `answer` knows of the box */
+    const tribox_box_pattern *pattern; /* NULL where vertices are not compared with the box, word by word */
+    bool is_empty;                     /* nothing overlaps this box */
+    bool in_double;                    /* of positions that are copied */
+    const void *about;                 /* what `answer` knows of the box */
 };
 
 /*
  * Answers all triangles of a mesh whose strides are set; mask may be NULL. False, and nothing is written, if an index names no
  * vertex.
  */
-bool tribox_mesh_answer(const tribox_mesh_question *question, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts);
+bool tribox_mesh_answer(const tribox_mesh_query *query, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts);
 
 #endif

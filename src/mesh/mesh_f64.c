@@ -19,22 +19,22 @@ static bool is_ordinary(const tribox_box_f64 *box)
     return true;
 }
 
-void tribox_near_box_make(const tribox_box_f64 *box, const tribox_plan *plan, tribox_near_box *near)
+void tribox_local_box_make(const tribox_box_f64 *box, const tribox_plan *plan, tribox_local_box *local)
 {
     const bool is_for_all = plan->axes == TRIBOX_AXES_ALL && is_ordinary(box);
-    near->box = box;
-    near->walk = is_for_all ? TRIBOX_NEAR_ALL : TRIBOX_NEAR_BOX;
-    near->are_hits_certain = is_for_all || plan->axes == TRIBOX_AXES_BOX;
+    local->box = box;
+    local->walk = is_for_all ? TRIBOX_LOCAL_ALL : TRIBOX_LOCAL_BOX;
+    local->are_hits_certain = is_for_all || plan->axes == TRIBOX_AXES_BOX;
     for (int a = 0; a < 3; a++) {
-        near->local.lo[a] = 0;
-        near->local.hi[a] = (float)(box->hi[a] - box->lo[a]);
+        local->moved.lo[a] = 0;
+        local->moved.hi[a] = (float)(box->hi[a] - box->lo[a]);
     }
-    for (int k = 0; k < TRIBOX_NEAR; k++) {
-        near->near[k] = box->lo[k % 3];
-        near->pattern.lo[k] = 0;
-        near->pattern.hi[k] = near->local.hi[k % 3];
+    for (int k = 0; k < TRIBOX_LOCAL; k++) {
+        local->origin[k] = box->lo[k % 3];
+        local->pattern.lo[k] = 0;
+        local->pattern.hi[k] = local->moved.hi[k % 3];
     }
-    near->pattern.near = near->near;
+    local->pattern.origin = local->origin;
 }
 
 static void read_triangle(const tribox_mesh *mesh, size_t triangle, double u[3][3])
@@ -85,24 +85,24 @@ static size_t settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
     return tribox_count_bits(verdict.finite);
 }
 
-static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_near_box *near, const tribox_plan *plan,
-                           size_t words, const uint64_t *open, uint64_t *hit)
+static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_local_box *local, const tribox_plan *plan,
+                           size_t words, const uint64_t *undecided, uint64_t *hit)
 {
     gathering g;
-    size_t undecided = 0;
+    size_t settled = 0;
     g.count = 0;
     for (size_t w = 0; w < words; w++)
-        for (uint64_t left = open[w]; left; left &= left - 1) {
+        for (uint64_t left = undecided[w]; left; left &= left - 1) {
             const size_t lane = 64 * w + tribox_lowest_bit(left);
             double u[3][3];
             read_triangle(mesh, first + lane, u);
-            if (plan->axes & TRIBOX_AXES_BOX && is_apart(u, near->box))
+            if (plan->axes & TRIBOX_AXES_BOX && is_apart(u, local->box))
                 continue;
-            gather(&g, u, near->box, lane);
+            gather(&g, u, local->box, lane);
             if (g.count == TRIBOX_BATCH)
-                undecided += settle(&g, plan, hit);
+                settled += settle(&g, plan, hit);
         }
-    return undecided + (g.count ? settle(&g, plan, hit) : 0);
+    return settled + (g.count ? settle(&g, plan, hit) : 0);
 }
 
 /* Triangles of any positions as nine doubles each. Fewer than a kernel has lanes are followed by the first, as packets are whole. */
@@ -114,57 +114,57 @@ static void copy_nines(const tribox_mesh *mesh, size_t first, size_t count, unsi
 }
 
 /* The walk's answers, bit by bit; of triangles that it is not asked about, nothing is known. */
-static void walk(const tribox_corners *corners, size_t count, const tribox_near_box *near, const tribox_plan *plan, uint64_t *hit,
-                 uint64_t *open)
+static void walk(const tribox_corners *corners, size_t count, const tribox_local_box *local, const tribox_plan *plan, uint64_t *hit,
+                 uint64_t *undecided)
 {
-    const tribox_pairs pairs = {.corners = corners, .box = &near->local, .count = count};
-    plan->kernel->walk_near[near->walk](&pairs, 0, count, hit, open);
-    for (size_t w = 0; !near->are_hits_certain && w < tribox_words_of(count); w++) {
-        open[w] |= hit[w];
+    const tribox_query pairs = {.corners = corners, .box = &local->moved, .count = count};
+    plan->kernel->walk_local[local->walk](&pairs, 0, count, hit, undecided);
+    for (size_t w = 0; !local->are_hits_certain && w < tribox_words_of(count); w++) {
+        undecided[w] |= hit[w];
         hit[w] = 0;
     }
 }
 
-/* Without the box normals nothing can be left out: every triangle is open. */
-static void leave_open(size_t count, uint64_t *hit, uint64_t *open)
+/* Without the box normals nothing can be left out: every triangle is undecided. */
+static void leave_open(size_t count, uint64_t *hit, uint64_t *undecided)
 {
     for (size_t w = 0; w < tribox_words_of(count); w++) {
         hit[w] = 0;
-        open[w] = count - 64 * w < 64 ? ~(~UINT64_C(0) << (count - 64 * w)) : ~UINT64_C(0);
+        undecided[w] = count - 64 * w < 64 ? ~(~UINT64_C(0) << (count - 64 * w)) : ~UINT64_C(0);
     }
 }
 
 /* Some of the block, as tribox_answer_block has it: from where it lies if all of it can be read so, else the first of it copied. */
-static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_near_box *near, const tribox_plan *plan,
-                         uint64_t *hit, uint64_t *open)
+static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_local_box *local,
+                         const tribox_plan *plan, uint64_t *hit, uint64_t *undecided)
 {
     uint32_t offset[3 * TRIBOX_MESH_BLOCK];
     tribox_corners corners;
     if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
         return 0;
     if (!(plan->axes & TRIBOX_AXES_BOX)) {
-        leave_open(count, hit, open);
+        leave_open(count, hit, undecided);
         return count;
     }
     if (tribox_mesh_is_direct(mesh) && corners.base && corners.has_all && count >= plan->kernel->lanes) {
-        corners.near = near->near;
-        walk(&corners, count, near, plan, hit, open);
+        corners.origin = local->origin;
+        walk(&corners, count, local, plan, hit, undecided);
         return count;
     }
     _Alignas(64) double nine[COPIED][3][3];
     count = count < COPIED ? count : COPIED;
     copy_nines(mesh, first, count, plan->kernel->lanes, nine);
-    corners = (tribox_corners){.base = (const char *)nine, .near = near->near, .has_all = true};
-    walk(&corners, count, near, plan, hit, open);
+    corners = (tribox_corners){.base = (const char *)nine, .origin = local->origin, .has_all = true};
+    walk(&corners, count, local, plan, hit, undecided);
     return count;
 }
 
-size_t tribox_mesh_answer_f64(const tribox_mesh_question *question, const tribox_mesh *mesh, size_t first, size_t count,
-                              uint64_t *mask, tribox_report *counts)
+size_t tribox_mesh_answer_f64(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
+                              tribox_report *counts)
 {
-    uint64_t unasked[BLOCK_WORDS], open[BLOCK_WORDS], *const hit = mask ? mask : unasked;
-    const size_t done = walk_block(mesh, first, count, question->about, question->plan, hit, open), words = tribox_words_of(done);
-    counts->undecided += settle_words(mesh, first, question->about, question->plan, words, open, hit);
+    uint64_t unasked[BLOCK_WORDS], undecided[BLOCK_WORDS], *const hit = mask ? mask : unasked;
+    const size_t done = walk_block(mesh, first, count, query->about, query->plan, hit, undecided), words = tribox_words_of(done);
+    counts->undecided += settle_words(mesh, first, query->about, query->plan, words, undecided, hit);
     for (size_t w = 0; w < words; w++)
         counts->overlapping += tribox_count_bits(hit[w]);
     return done;

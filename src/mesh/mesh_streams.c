@@ -58,14 +58,14 @@ static void write_each(const tribox_mesh *mesh, const double origin[3], size_t f
 void tribox_mesh_write_local(const tribox_mesh *mesh, const tribox_kernel *kernel, const double origin[3], size_t first,
                              size_t count, float *const to[9])
 {
-    double near[TRIBOX_NEAR];
+    double origins[TRIBOX_LOCAL];
     if (!tribox_mesh_is_direct(mesh)) {
         write_each(mesh, origin, first, count, to);
         return;
     }
-    for (int k = 0; k < TRIBOX_NEAR; k++)
-        near[k] = origin[k % 3];
-    kernel->gather(mesh, near, first, count, to);
+    for (int k = 0; k < TRIBOX_LOCAL; k++)
+        origins[k] = origin[k % 3];
+    kernel->gather(mesh, origins, first, count, to);
 }
 
 tribox_status tribox_mesh_to_local_streams(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,

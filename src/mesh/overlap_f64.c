@@ -11,8 +11,8 @@ typedef struct call_f64 {
     tribox_accuracy asked;
     tribox_mesh mesh;
     tribox_plan plan;
-    tribox_near_box near;
-    tribox_mesh_question question;
+    tribox_local_box local;
+    tribox_mesh_query query;
 } call_f64;
 
 /* What every call checks. FAST is CONSERVATIVE: to round once costs more than the error bounds, which it does without, save. */
@@ -36,13 +36,13 @@ static tribox_status check(const tribox_mesh *mesh, const tribox_box_f64 *box, c
 static void start(call_f64 *call, const tribox_box_f64 *box)
 {
     const bool is_compared = call->plan.axes & TRIBOX_AXES_BOX && tribox_mesh_is_direct(&call->mesh);
-    tribox_near_box_make(box, &call->plan, &call->near);
-    call->question = (tribox_mesh_question){.answer = tribox_mesh_answer_f64,
-                                            .plan = &call->plan,
-                                            .beside = is_compared ? &call->near.pattern : NULL,
-                                            .is_empty = tribox_box_is_empty_f64(box),
-                                            .in_double = true,
-                                            .about = &call->near};
+    tribox_local_box_make(box, &call->plan, &call->local);
+    call->query = (tribox_mesh_query){.answer = tribox_mesh_answer_f64,
+                                      .plan = &call->plan,
+                                      .pattern = is_compared ? &call->local.pattern : NULL,
+                                      .is_empty = tribox_box_is_empty_f64(box),
+                                      .in_double = true,
+                                      .about = &call->local};
 }
 
 static void write_report(call_f64 *call, tribox_report counts, tribox_report *report)
@@ -83,7 +83,7 @@ tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_b
         return answered;
     }
     start(&call, box);
-    const bool is_answered = tribox_mesh_answer(&call.question, &call.mesh, mask, &counts);
+    const bool is_answered = tribox_mesh_answer(&call.query, &call.mesh, mask, &counts);
     tribox_environment_leave(callers);
     if (!is_answered)
         return TRIBOX_BAD_INDEX;
@@ -99,7 +99,7 @@ static bool first_unlike(const call_f64 *call, uint64_t usual, size_t *found)
     for (size_t first = 0, done; first < count; first += done) {
         uint64_t hit[TRIBOX_MESH_BLOCK / 64];
         const size_t left = count - first, asked = left < TRIBOX_MESH_STREAMED ? left : TRIBOX_MESH_STREAMED;
-        done = tribox_mesh_answer_f64(&call->question, &call->mesh, first, asked, hit, &counts);
+        done = tribox_mesh_answer_f64(&call->query, &call->mesh, first, asked, hit, &counts);
         if (!done)
             return false;
         for (size_t w = 0; w < tribox_words_of(done); w++)
@@ -123,7 +123,7 @@ static tribox_status find_unlike(const tribox_mesh *mesh, const tribox_box_f64 *
         return status;
     const tribox_environment callers = tribox_environment_enter();
     start(&call, box);
-    if (call.question.is_empty)
+    if (call.query.is_empty)
         found = usual ? 0 : mesh->count;
     else
         is_answered = first_unlike(&call, usual, &found);
@@ -152,9 +152,9 @@ static tribox_report classify(const call_f64 *call, uint64_t *mask, uint64_t *in
     for (size_t first = 0, done; first < call->mesh.count; first += done) {
         uint64_t unasked[TRIBOX_MESH_BLOCK / 64], *const hit = mask ? mask + first / 64 : unasked;
         const size_t left = call->mesh.count - first, asked = left < TRIBOX_MESH_BLOCK ? left : TRIBOX_MESH_BLOCK;
-        done = tribox_mesh_answer_f64(&call->question, &call->mesh, first, asked, hit, &counts);
+        done = tribox_mesh_answer_f64(&call->query, &call->mesh, first, asked, hit, &counts);
         for (size_t w = 0; inside && w < tribox_words_of(done); w++)
-            inside[first / 64 + w] = tribox_mesh_inside_f64(&call->mesh, call->near.box, first + 64 * w, hit[w]);
+            inside[first / 64 + w] = tribox_mesh_inside_f64(&call->mesh, call->local.box, first + 64 * w, hit[w]);
     }
     return counts;
 }
@@ -171,7 +171,7 @@ tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     start(&call, box);
-    if (call.question.is_empty) {
+    if (call.query.is_empty) {
         tribox_pairs_write_none(mesh->count, mask);
         tribox_pairs_write_none(mesh->count, inside);
     } else {

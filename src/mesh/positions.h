@@ -11,12 +11,12 @@ static inline size_t tribox_position_bytes(const tribox_mesh *mesh)
     return mesh->position_bytes == sizeof(double) ? sizeof(double) : sizeof(float);
 }
 
-/* The double at any address, less `near`, rounded: the definition of v_near (kernel/README.md). */
-static inline float tribox_near_number(const void *from, double near)
+/* The double at any address, less `from_origin`, rounded: the definition of v_local (kernel/README.md). */
+static inline float tribox_local_number(const void *from, double from_origin)
 {
     double number;
     memcpy(&number, from, sizeof number);
-    return (float)(number - near);
+    return (float)(number - from_origin);
 }
 
 /* A number of either size. */

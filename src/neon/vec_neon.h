@@ -70,13 +70,13 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
     return (vnum){number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]};
 }
 /* Of two doubles, at any alignment. */
-TRIBOX_INLINE float64x2_t neon_near(const void *p, const double *lo)
+TRIBOX_INLINE float64x2_t neon_local(const void *p, const double *lo)
 {
     return vsubq_f64(vreinterpretq_f64_u8(vld1q_u8(p)), vld1q_f64(lo));
 }
-TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 {
-    return vcvt_high_f32_f64(vcvt_f32_f64(neon_near(p, lo)), neon_near((const char *)p + 16, lo + 2));
+    return vcvt_high_f32_f64(vcvt_f32_f64(neon_local(p, lo)), neon_local((const char *)p + 16, lo + 2));
 }
 TRIBOX_INLINE void neon_transpose4(const vnum row[4], vnum to[4])
 {
@@ -96,11 +96,11 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
         row[i] = vreinterpretq_f32_u8(vld1q_u8(from[i]));
     neon_transpose4(row, to);
 }
-TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {
     vnum row[4];
     for (int i = 0; i < 4; i++)
-        row[i] = v_near(from[i], lo);
+        row[i] = v_local(from[i], lo);
     neon_transpose4(row, to);
 }
 

@@ -17,8 +17,12 @@ static const struct order_cost {
     unsigned fast[3];     /* cost of the stages; of the box normals that come first, none here */
     unsigned exact[3];    /* the same for EXACT and CONSERVATIVE */
 } orders[TRIBOX_CHOICE_ORDERS] = {
-    {TRIBOX_SEQUENCE_123, BOX, BOX | PLANE, {0, 36, 48}, {0, 40, 52}}, /* taken where all is beside the box, in case that ends */
-    {TRIBOX_SEQUENCE_132, BOX, BOX | EDGES, {0, 78, 0}, {0, 78, 0}},   /* edges and plane together */
+    {TRIBOX_SEQUENCE_123,
+     BOX,
+     BOX | PLANE,
+     {0, 36, 48},
+     {0, 40, 52}},                                                   /* taken where all is apart from the box, in case that ends */
+    {TRIBOX_SEQUENCE_132, BOX, BOX | EDGES, {0, 78, 0}, {0, 78, 0}}, /* edges and plane together */
     {TRIBOX_SEQUENCE_213, PLANE, BOX | PLANE, {44, 10, 56}, {50, 10, 60}},
     {TRIBOX_SEQUENCE_231, PLANE, PLANE | EDGES, {42, 56, 10}, {50, 60, 10}},
     {TRIBOX_SEQUENCE_312, EDGES, BOX | EDGES, {80, 10, 16}, {80, 10, 20}},
@@ -37,13 +41,13 @@ static fates fates_of(uint64_t among, uint64_t rejected)
     return (fates){count_of(among & ~rejected), count_of((rejected ^ rejected >> 1) & among & among >> 1)};
 }
 
-/* What is not known of packets beside the box is taken to be as in the others, of which there is one at least. */
-static fates fates_by_groups(const tribox_seen *seen, unsigned groups, uint64_t all, uint64_t beside)
+/* What is not known of packets apart from the box is taken to be as in the others, of which there is one at least. */
+static fates fates_by_groups(const tribox_seen *seen, unsigned groups, uint64_t all, uint64_t apart)
 {
-    if (groups & BOX || !beside)
-        return fates_of(all, seen->rejected[groups] | beside);
-    const fates known = fates_of(all & ~beside, seen->rejected[groups]);
-    const unsigned others = seen->packets - count_of(beside);
+    if (groups & BOX || !apart)
+        return fates_of(all, seen->rejected[groups] | apart);
+    const fates known = fates_of(all & ~apart, seen->rejected[groups]);
+    const unsigned others = seen->packets - count_of(apart);
     return (fates){known.left * seen->packets / others, known.changes * seen->packets / others};
 }
 
@@ -62,13 +66,13 @@ static unsigned stage_cost(unsigned reached, fates of, unsigned cost)
 void tribox_choice_costs(const tribox_seen *seen, tribox_accuracy accuracy, unsigned cost[TRIBOX_CHOICE_ORDERS])
 {
     const unsigned packets = seen->packets;
-    const uint64_t all = ~UINT64_C(0) >> (64 - packets), beside_y = seen->beside[0] | seen->beside[1];
-    const uint64_t beside = beside_y | seen->beside[2];
-    const fates y = fates_of(all, seen->beside[0]), z = fates_of(all, beside_y);
+    const uint64_t all = ~UINT64_C(0) >> (64 - packets), apart_y = seen->apart[0] | seen->apart[1];
+    const uint64_t apart = apart_y | seen->apart[2];
+    const fates y = fates_of(all, seen->apart[0]), z = fates_of(all, apart_y);
     const unsigned box = COST_X * packets + stage_cost(packets, y, COST_Y) + stage_cost(y.left, z, COST_Z);
     fates of[TRIBOX_AXES_ALL];
     for (unsigned groups = 1; groups < TRIBOX_AXES_ALL; groups++)
-        of[groups] = fates_by_groups(seen, groups, all, beside);
+        of[groups] = fates_by_groups(seen, groups, all, apart);
     for (unsigned o = 0; o < TRIBOX_CHOICE_ORDERS; o++) {
         const struct order_cost *const order = &orders[o];
         const unsigned *const stage = accuracy == TRIBOX_FAST ? order->fast : order->exact;
@@ -81,7 +85,7 @@ void tribox_choice_costs(const tribox_seen *seen, tribox_accuracy accuracy, unsi
 /* Whether the box normals rejected every packet: then nothing else is known, nor needs to be. */
 static bool is_all_beside(const tribox_seen *seen)
 {
-    return (seen->beside[0] | seen->beside[1] | seen->beside[2]) == ~UINT64_C(0) >> (64 - seen->packets);
+    return (seen->apart[0] | seen->apart[1] | seen->apart[2]) == ~UINT64_C(0) >> (64 - seen->packets);
 }
 
 /* Surveys are close at first, and then every other block (pairs.h) begins with one: it can take as long as eight words. */

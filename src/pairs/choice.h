@@ -17,7 +17,7 @@ typedef struct tribox_choice {
     unsigned surveys;                    /* so far */
     size_t rest;                         /* words until the next survey */
     unsigned cost[TRIBOX_CHOICE_ORDERS]; /* of each order: of all surveys, the last counting most */
-    bool is_open;                        /* else the order is fixed */
+    bool is_adaptive;                    /* else the order is fixed */
 } tribox_choice;
 
 /* The choice before the first survey: the order that most scenes want. Field by field, as gcc would copy a struct: 10 ns. */
@@ -29,19 +29,19 @@ static inline void tribox_choice_start(tribox_choice *choice)
     choice->rest = 0;
     for (int o = 0; o < TRIBOX_CHOICE_ORDERS; o++)
         choice->cost[o] = 0;
-    choice->is_open = true;
+    choice->is_adaptive = true;
 }
 
 /* No choice from now on. */
 static inline void tribox_choice_fix(tribox_choice *choice, unsigned sequence)
 {
     choice->sequence = sequence;
-    choice->is_open = false;
+    choice->is_adaptive = false;
 }
 
 /*
  * What the packets of a word would have cost in each order, in hundredths of what a packet costs that 132 asks everything. One of
- * them at least is not beside the box.
+ * them at least is not apart from the box.
  */
 void tribox_choice_costs(const tribox_seen *seen, tribox_accuracy accuracy, unsigned cost[TRIBOX_CHOICE_ORDERS]);
 
@@ -51,7 +51,7 @@ void tribox_choice_costs(const tribox_seen *seen, tribox_accuracy accuracy, unsi
  */
 static inline size_t tribox_choice_next(tribox_choice *choice, size_t left, size_t most)
 {
-    if (!choice->is_open || left < TRIBOX_CHOICE_LEAST)
+    if (!choice->is_adaptive || left < TRIBOX_CHOICE_LEAST)
         return most;
     const size_t next = choice->rest < most ? choice->rest : most;
     choice->rest -= next;

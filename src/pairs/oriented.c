@@ -12,7 +12,7 @@
 #include "base/bits.h"
 #include "base/environment.h"
 #include "exact/oriented/oriented.h"
-#include "few.h"
+#include "partial_packet.h"
 #include "oriented_words.h"
 #include "pairs.h"
 #include "base/soup.h"
@@ -51,21 +51,22 @@ static bool overlaps_in_integers(const tribox_oriented_question *q, size_t i, si
     return tribox_oriented_overlap(&pair, q->plan->axes);
 }
 
-/* Words of the frame: the lanes that certainly overlap, and in *open those for the integers. */
+/* Words of the frame: the lanes that certainly overlap, and in *undecided those for the integers. */
 static void answer_exactly(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
-                           uint64_t *hit, uint64_t *open)
+                           uint64_t *hit, uint64_t *undecided)
 {
     tribox_plan *const plan = q->plan;
-    uint64_t near[TRIBOX_MOVED_WORDS], near_open[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
+    uint64_t larger_hit[TRIBOX_MOVED_WORDS], larger_undecided[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
     const tribox_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
     memset(hit, 0, words * sizeof *hit);
     if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
-        tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &smaller, .count = soup->count}, plan, 0, words, hit, unused);
+        tribox_pairs_walk_block(&(tribox_query){.soup = soup, .box = &smaller, .count = soup->count}, plan, 0, words, hit, unused);
     plan->accuracy = TRIBOX_CONSERVATIVE;
-    tribox_pairs_walk_block(&(tribox_pairs){.soup = soup, .box = &larger, .count = soup->count}, plan, 0, words, near, near_open);
+    tribox_pairs_walk_block(&(tribox_query){.soup = soup, .box = &larger, .count = soup->count}, plan, 0, words, larger_hit,
+                            larger_undecided);
     plan->accuracy = TRIBOX_EXACT;
     for (size_t w = 0; w < words; w++)
-        open[w] = (near[w] | near_open[w]) & ~hit[w] & ~moved->apart[w];
+        undecided[w] = (larger_hit[w] | larger_undecided[w]) & ~hit[w] & ~moved->apart[w];
 }
 
 /*
@@ -73,16 +74,16 @@ static void answer_exactly(const tribox_oriented_question *q, const tribox_moved
  * Returns how many were left to double.
  */
 static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
-                              uint64_t *hit, uint64_t *open)
+                              uint64_t *hit, uint64_t *undecided)
 {
     const tribox_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
-    const tribox_pairs pairs = {.soup = soup, .box = &box, .count = soup->count};
-    tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, open);
+    const tribox_query pairs = {.soup = soup, .box = &box, .count = soup->count};
+    tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, undecided);
     for (size_t w = 0; w < words; w++)
-        open[w] &= ~(moved->apart[w] | moved->wild[w]);
-    const size_t undecided = tribox_pairs_settle_block(&pairs, q->plan, 0, words, open, hit);
-    memset(open, 0, words * sizeof *open);
-    return undecided;
+        undecided[w] &= ~(moved->apart[w] | moved->wild[w]);
+    const size_t settled = tribox_pairs_settle_block(&pairs, q->plan, 0, words, undecided, hit);
+    memset(undecided, 0, words * sizeof *undecided);
+    return settled;
 }
 
 /*
@@ -92,9 +93,9 @@ static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_mo
 static size_t answer_block(const tribox_oriented_question *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
 {
     const size_t words = tribox_words_of(count);
-    size_t undecided = 0;
+    size_t settled = 0;
     tribox_moved moved;
-    uint64_t open[TRIBOX_MOVED_WORDS];
+    uint64_t undecided[TRIBOX_MOVED_WORDS];
     q->plan->kernel->to_frame(q->soup, q->box, first, count, &moved);
     for (size_t w = 0; w < unasked; w++) {
         moved.apart[w] = ~UINT64_C(0);
@@ -102,17 +103,17 @@ static size_t answer_block(const tribox_oriented_question *q, size_t first, size
     }
     const tribox_soup frame = tribox_soup_of(&moved.number[0][0], 64 * TRIBOX_MOVED_WORDS, count);
     if (q->plan->accuracy == TRIBOX_EXACT)
-        answer_exactly(q, &moved, &frame, words, hit, open);
+        answer_exactly(q, &moved, &frame, words, hit, undecided);
     else
-        undecided = answer_in_frame(q, &moved, &frame, words, hit, open);
+        settled = answer_in_frame(q, &moved, &frame, words, hit, undecided);
     for (size_t w = 0; w < words; w++) {
         hit[w] &= ~(moved.apart[w] | moved.wild[w]);
-        for (uint64_t left = open[w] | moved.wild[w]; left; left &= left - 1) {
+        for (uint64_t left = undecided[w] | moved.wild[w]; left; left &= left - 1) {
             const unsigned lane = tribox_lowest_bit(left);
-            hit[w] |= (uint64_t)overlaps_in_integers(q, first + 64 * w + lane, &undecided) << lane;
+            hit[w] |= (uint64_t)overlaps_in_integers(q, first + 64 * w + lane, &settled) << lane;
         }
     }
-    return undecided;
+    return settled;
 }
 
 /* The last triangles of a soup, where they fill no packet: with the word before them. */
@@ -166,9 +167,9 @@ tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_orie
     if (!tribox_oriented_has_axes(&plan))
         return TRIBOX_BAD_OPTION;
 
-    tribox_few few;
+    tribox_partial_packet partial;
     tribox_report counts = {0, 0};
-    const tribox_oriented_question q = {tribox_few_triangles(soup, plan.kernel, &few), box, &plan};
+    const tribox_oriented_question q = {tribox_pad_triangles(soup, plan.kernel, &partial), box, &plan};
     const tribox_environment callers = tribox_environment_enter();
     if (tribox_oriented_is_empty(box))
         tribox_pairs_write_none(soup->count, mask);

@@ -2,7 +2,7 @@
 #include "base/bits.h"
 #include "base/box.h"
 #include "base/environment.h"
-#include "few.h"
+#include "partial_packet.h"
 #include "base/finite.h"
 #include "pairs.h"
 #include "base/soup.h"
@@ -19,12 +19,12 @@ static tribox_status check_soup_and_box(const tribox_soup *soup, const tribox_bo
 }
 
 /* Whether no pair can overlap: an empty box, or a triangle that is not finite, for which the walks would find nothing either. */
-static bool is_none(const tribox_pairs *p)
+static bool is_none(const tribox_query *p)
 {
     return p->soup ? tribox_box_is_empty(p->box) : !tribox_triangle_is_finite(p->triangle);
 }
 
-static void answer_pairs(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask, tribox_report *report)
+static void answer_pairs(const tribox_query *p, tribox_plan *plan, uint64_t *mask, tribox_report *report)
 {
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
@@ -43,9 +43,9 @@ tribox_status tribox_overlap(const tribox_soup *soup, const tribox_box *box, con
     const tribox_status status = check_soup_and_box(soup, box, options, &plan);
     if (status)
         return status;
-    tribox_few few;
-    const tribox_soup *const packets = tribox_few_triangles(soup, plan.kernel, &few);
-    answer_pairs(&(tribox_pairs){.soup = packets, .box = box, .count = soup->count}, &plan, mask, report);
+    tribox_partial_packet partial;
+    const tribox_soup *const packets = tribox_pad_triangles(soup, plan.kernel, &partial);
+    answer_pairs(&(tribox_query){.soup = packets, .box = box, .count = soup->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
 
@@ -59,9 +59,9 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)
         return status;
-    tribox_few few;
-    const tribox_boxes *const packets = tribox_few_boxes(boxes, plan.kernel, &few);
-    answer_pairs(&(tribox_pairs){.triangle = triangle, .boxes = packets, .count = boxes->count}, &plan, mask, report);
+    tribox_partial_packet partial;
+    const tribox_boxes *const packets = tribox_pad_boxes(boxes, plan.kernel, &partial);
+    answer_pairs(&(tribox_query){.triangle = triangle, .boxes = packets, .count = boxes->count}, &plan, mask, report);
     return TRIBOX_OK;
 }
 #endif
@@ -69,7 +69,7 @@ tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxe
 /*
  * The first pair whose bit differs from that of `usual`, or the count of pairs. The first blocks are small, as they often have it.
  */
-static size_t first_unlike(const tribox_pairs *p, tribox_plan *plan, uint64_t usual)
+static size_t first_unlike(const tribox_query *p, tribox_plan *plan, uint64_t usual)
 {
     const size_t words = tribox_words_of(p->count);
     size_t block = 1;
@@ -91,8 +91,8 @@ static tribox_status find_unlike(const tribox_soup *soup, const tribox_box *box,
     const tribox_status status = first ? check_soup_and_box(soup, box, options, &plan) : TRIBOX_BAD_ARGUMENT;
     if (status)
         return status;
-    tribox_few few;
-    const tribox_pairs p = {.soup = tribox_few_triangles(soup, plan.kernel, &few), .box = box, .count = soup->count};
+    tribox_partial_packet partial;
+    const tribox_query p = {.soup = tribox_pad_triangles(soup, plan.kernel, &partial), .box = box, .count = soup->count};
     const tribox_environment callers = tribox_environment_enter();
     *first = !is_none(&p) ? first_unlike(&p, &plan, usual) : usual ? 0 : soup->count;
     tribox_environment_leave(callers);
@@ -113,7 +113,7 @@ tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box,
  * FAST may miss a triangle that is inside. So every triangle is tested for that, and what is inside overlaps. Where less than a
  * quarter overlap, testing them all costs more than EXACT, which misses none: then the next block is answered so.
  */
-static tribox_report classify(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask, uint64_t *inside)
+static tribox_report classify(const tribox_query *p, tribox_plan *plan, uint64_t *mask, uint64_t *inside)
 {
     const tribox_accuracy asked = plan->accuracy;
     const size_t words = tribox_words_of(p->count);
@@ -146,8 +146,8 @@ tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, co
     const tribox_status status = check_soup_and_box(soup, box, options, &plan);
     if (status)
         return status;
-    tribox_few few;
-    const tribox_pairs p = {.soup = tribox_few_triangles(soup, plan.kernel, &few), .box = box, .count = soup->count};
+    tribox_partial_packet partial;
+    const tribox_query p = {.soup = tribox_pad_triangles(soup, plan.kernel, &partial), .box = box, .count = soup->count};
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     if (is_none(&p)) {

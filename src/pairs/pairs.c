@@ -1,4 +1,4 @@
-/* pairs.c - many pairs: run the kernel, settle what it left open. */
+/* pairs.c - many pairs: run the kernel, settle what it left undecided. */
 #include "pairs.h"
 
 #include <string.h>
@@ -8,14 +8,14 @@
 #include "base/soup.h"
 
 /* Surveys a word, so that the choice knows better. */
-static void survey_word(const tribox_pairs *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *open)
+static void survey_word(const tribox_query *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *undecided)
 {
     tribox_seen seen;
-    *hit = plan->kernel->survey[tribox_walk_kind_of(plan->accuracy)](p, word, &seen, open);
+    *hit = plan->kernel->survey[tribox_walk_kind_of(plan->accuracy)](p, word, &seen, undecided);
     tribox_choice_learn(&plan->choice, &seen, plan->accuracy);
 }
 
-/* Pairs that the walks left open, gathered until they fill a batch. */
+/* Pairs that the walks left undecided, gathered until they fill a batch. */
 typedef struct gathering {
     tribox_batch batch;
     size_t pair[TRIBOX_BATCH]; /* the number of each among the pairs of the call, */
@@ -36,7 +36,7 @@ static void fill_vertex(gathering *g, const tribox_corners *corners, size_t v)
 }
 
 /* Pair i of the batch in place k of each number: from its stream, or the same for all. */
-static void fill_batch(gathering *g, const tribox_pairs *p)
+static void fill_batch(gathering *g, const tribox_query *p)
 {
     const float *stream[15] = {NULL};
     float constant[15] = {0};
@@ -61,7 +61,7 @@ static void fill_batch(gathering *g, const tribox_pairs *p)
  * Settles what is gathered, and adds the pairs that overlap to the hits of their words. Returns how many have finite numbers; the
  * others overlap nothing.
  */
-static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_plan *plan, uint64_t *hit)
+static size_t settle_gathered(gathering *g, const tribox_query *p, const tribox_plan *plan, uint64_t *hit)
 {
     fill_batch(g, p);
     const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
@@ -73,57 +73,59 @@ static size_t settle_gathered(gathering *g, const tribox_pairs *p, const tribox_
     return tribox_count_bits(verdict.finite);
 }
 
-void tribox_pairs_walk_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit, uint64_t *open)
+void tribox_pairs_walk_block(const tribox_query *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit,
+                             uint64_t *undecided)
 {
     for (size_t done = 0, next; done < words; done += next) {
         const size_t at = word + done, left = p->count - 64 * at;
         next = tribox_choice_next(&plan->choice, left / 64, words - done);
         if (next) {
             const size_t count = left < 64 * next ? left : 64 * next;
-            plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, at, count, hit + done, open + done);
+            plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, at, count, hit + done,
+                                                                                           undecided + done);
         } else {
-            survey_word(p, plan, at, hit + done, open + done);
+            survey_word(p, plan, at, hit + done, undecided + done);
             next = 1;
         }
     }
 }
 
-size_t tribox_pairs_settle_words(const tribox_pairs *p, const tribox_plan *plan, const size_t *number, size_t words,
-                                 const uint64_t *open, uint64_t *hit)
+size_t tribox_pairs_settle_words(const tribox_query *p, const tribox_plan *plan, const size_t *number, size_t words,
+                                 const uint64_t *undecided, uint64_t *hit)
 {
     gathering g;
-    size_t undecided = 0;
+    size_t settled = 0;
     g.count = 0;
     for (size_t w = 0; w < words; w++)
-        for (uint64_t rest = open[w]; rest; rest &= rest - 1) {
+        for (uint64_t rest = undecided[w]; rest; rest &= rest - 1) {
             const unsigned lane = tribox_lowest_bit(rest);
             g.pair[g.count] = 64 * number[w] + lane;
             g.lane[g.count++] = 64 * w + lane;
             if (g.count == TRIBOX_BATCH)
-                undecided += settle_gathered(&g, p, plan, hit);
+                settled += settle_gathered(&g, p, plan, hit);
         }
     if (g.count)
-        undecided += settle_gathered(&g, p, plan, hit);
-    return undecided;
+        settled += settle_gathered(&g, p, plan, hit);
+    return settled;
 }
 
-size_t tribox_pairs_settle_block(const tribox_pairs *p, const tribox_plan *plan, size_t word, size_t words, const uint64_t *open,
-                                 uint64_t *hit)
+size_t tribox_pairs_settle_block(const tribox_query *p, const tribox_plan *plan, size_t word, size_t words,
+                                 const uint64_t *undecided, uint64_t *hit)
 {
     size_t number[TRIBOX_BLOCK_WORDS];
     for (size_t w = 0; w < words; w++)
         number[w] = word + w;
-    return tribox_pairs_settle_words(p, plan, number, words, open, hit);
+    return tribox_pairs_settle_words(p, plan, number, words, undecided, hit);
 }
 
-size_t tribox_pairs_answer_block(const tribox_pairs *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
+size_t tribox_pairs_answer_block(const tribox_query *p, tribox_plan *plan, size_t word, size_t words, uint64_t *hit)
 {
-    uint64_t open[TRIBOX_BLOCK_WORDS];
+    uint64_t undecided[TRIBOX_BLOCK_WORDS];
     uint64_t any = 0;
-    tribox_pairs_walk_block(p, plan, word, words, hit, open);
+    tribox_pairs_walk_block(p, plan, word, words, hit, undecided);
     for (size_t w = 0; w < words; w++)
-        any |= open[w];
-    return any ? tribox_pairs_settle_block(p, plan, word, words, open, hit) : 0;
+        any |= undecided[w];
+    return any ? tribox_pairs_settle_block(p, plan, word, words, undecided, hit) : 0;
 }
 
 void tribox_pairs_write_none(size_t count, uint64_t *mask)
@@ -133,21 +135,21 @@ void tribox_pairs_write_none(size_t count, uint64_t *mask)
 }
 
 /* At most a word: what the blocks do, with less around it, as a few pairs take no longer than that. */
-static tribox_report answer_word(const tribox_pairs *p, const tribox_plan *plan, uint64_t *mask)
+static tribox_report answer_word(const tribox_query *p, const tribox_plan *plan, uint64_t *mask)
 {
-    uint64_t hit = 0, open = 0;
-    size_t undecided = 0;
+    uint64_t hit = 0, undecided = 0;
+    size_t settled = 0;
     if (!p->count)
         return (tribox_report){0, 0};
-    plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, 0, p->count, &hit, &open);
-    if (open)
-        undecided = tribox_pairs_settle_block(p, plan, 0, 1, &open, &hit);
+    plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, 0, p->count, &hit, &undecided);
+    if (undecided)
+        settled = tribox_pairs_settle_block(p, plan, 0, 1, &undecided, &hit);
     if (mask)
         *mask = hit;
-    return (tribox_report){tribox_count_bits(hit), undecided};
+    return (tribox_report){tribox_count_bits(hit), settled};
 }
 
-tribox_report tribox_pairs_answer(const tribox_pairs *p, tribox_plan *plan, uint64_t *mask)
+tribox_report tribox_pairs_answer(const tribox_query *p, tribox_plan *plan, uint64_t *mask)
 {
     if (p->count <= 64)
         return answer_word(p, plan, mask);

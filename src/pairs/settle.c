@@ -1,4 +1,4 @@
-/* settle.c - a batch of open pairs: in double all at once, then one by one in integers. */
+/* settle.c - a batch of undecided pairs: in double all at once, then one by one in integers. */
 #include "settle.h"
 
 #include "base/bits.h"
@@ -27,16 +27,16 @@ static void fill_up_batch(tribox_batch *batch, unsigned count)
 tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan)
 {
     const bool is_exact =
-        plan->accuracy != TRIBOX_CONSERVATIVE; /* that takes what stays open for an overlap, if it is nearly one */
+        plan->accuracy != TRIBOX_CONSERVATIVE; /* that takes what stays undecided for an overlap, if it is nearly one */
     fill_up_batch(batch, count);
     tribox_verdict verdict = plan->kernel->in_double(batch, count, plan->axes, is_exact);
     if (!is_exact)
-        verdict.overlapping |= verdict.open & ~verdict.wild;
-    for (uint64_t open = is_exact ? verdict.open : verdict.wild; open; open &= open - 1) {
-        const unsigned i = tribox_lowest_bit(open);
+        verdict.overlapping |= verdict.undecided & ~verdict.wild;
+    for (uint64_t undecided = is_exact ? verdict.undecided : verdict.wild; undecided; undecided &= undecided - 1) {
+        const unsigned i = tribox_lowest_bit(undecided);
         const tribox_pair pair = batch_pair_at(batch, i);
         verdict.overlapping |= (uint64_t)tribox_exact_overlap(&pair, plan->axes) << i;
     }
-    verdict.open = verdict.wild = 0;
+    verdict.undecided = verdict.wild = 0;
     return verdict;
 }

@@ -1,11 +1,11 @@
-/* settle.h - a batch of pairs that the walks left open: the double stage of the kernel, then integers. */
+/* settle.h - a batch of pairs that the walks left undecided: the double stage of the kernel, then integers. */
 #ifndef TRIBOX_SETTLE_H
 #define TRIBOX_SETTLE_H
 
 #include "plan.h"
 
 /*
- * What the first `count` pairs of a batch, at least one, come to at the accuracy and by the axes of the plan: none stays open. The
+ * What the first `count` pairs of a batch, at least one, come to at the accuracy and by the axes of the plan: none stays undecided. The
  * numbers are any doubles, those of the triangles finite or not; what is not finite overlaps nothing. Those after the last pair are
  * written over.
  */

@@ -72,7 +72,7 @@ TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)
 TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return scalar_float(scalar_bits(a) | scalar_ones(m)); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES]) { return from[0] % 2 ? b : a; }
 /* One by one, so that those that are not needed are not read. */
-TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 {
     double number;
     memcpy(&number, p, sizeof number);
@@ -83,10 +83,10 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
     for (int k = 0; k < 4; k++)
         memcpy(&to[k], (const float *)from[0] + k, sizeof *to);
 }
-TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {
     for (int k = 0; k < 4; k++)
-        to[k] = v_near((const double *)from[0] + k, lo + k);
+        to[k] = v_local((const double *)from[0] + k, lo + k);
 }
 
 TRIBOX_INLINE vint i_load(const int32_t *p) { return *p; }

@@ -68,13 +68,13 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
     return _mm_setr_ps(number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]);
 }
 /* Of two doubles. */
-TRIBOX_INLINE vnum sse2_near(const double *p, const double *lo)
+TRIBOX_INLINE vnum sse2_local(const double *p, const double *lo)
 {
     return _mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(p), _mm_loadu_pd(lo)));
 }
-TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 {
-    return _mm_movelh_ps(sse2_near(p, lo), sse2_near((const double *)p + 2, lo + 2));
+    return _mm_movelh_ps(sse2_local(p, lo), sse2_local((const double *)p + 2, lo + 2));
 }
 TRIBOX_INLINE void sse2_transpose4(const vnum row[4], vnum to[4])
 {
@@ -92,11 +92,11 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
         row[i] = _mm_loadu_ps((const float *)from[i]);
     sse2_transpose4(row, to);
 }
-TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {
     vnum row[4];
     for (int i = 0; i < 4; i++)
-        row[i] = v_near(from[i], lo);
+        row[i] = v_local(from[i], lo);
     sse2_transpose4(row, to);
 }
 

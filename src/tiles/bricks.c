@@ -14,13 +14,13 @@ enum {
     BLOCK = 1024,
     BLOCK_F64 = BLOCK / 2,
     STREAM = BLOCK + TRIBOX_LANES_MAX,
-    FEW = 4,
+    GROUP = 4,
     BLOCK_BYTES = STREAM * 9 * sizeof(float),
     LINE = 64
 };
 
 /* One call. */
-typedef struct share {
+typedef struct call {
     tribox_tiling tiling;
     const tribox_soup *soup; /* and its grid; or */
     const tribox_grid *grid;
@@ -32,9 +32,9 @@ typedef struct share {
     const uint32_t *list;
     uint64_t *bits;
     void *block;
-    tribox_hand hand;
+    tribox_outlet outlet;
     tribox_report counts;
-} share;
+} call;
 
 size_t tribox_bricks_bytes(uint32_t tile)
 {
@@ -49,11 +49,11 @@ size_t tribox_bricks_bytes(uint32_t tile)
 }
 
 /* How many of the next FEW triangles of a list follow each other in the soup. */
-static size_t successors(const uint32_t list[FEW])
+static size_t successors(const uint32_t list[GROUP])
 {
     size_t some = 1;
     bool follows = true;
-    for (uint32_t n = 1; n < FEW; n++) {
+    for (uint32_t n = 1; n < GROUP; n++) {
         follows &= list[n] == list[0] + n;
         some += follows;
     }
@@ -65,7 +65,7 @@ static size_t successors(const uint32_t list[FEW])
  * the list is overwritten by the next. Its streams do not begin at one place of a page each: caches would have them all in few of
  * their sets, and loads wait for stores.
  */
-static tribox_soup gather(const share *s, const uint32_t *list, size_t count)
+static tribox_soup gather(const call *s, const uint32_t *list, size_t count)
 {
     enum { AHEAD = 32 };
     float *const to = s->block;
@@ -73,11 +73,11 @@ static tribox_soup gather(const share *s, const uint32_t *list, size_t count)
     size_t i = 0;
     for (int n = 0; n < 9; n++)
         stream[n] = tribox_soup_axis(s->soup, n / 3)[n % 3];
-    for (size_t some; count - i >= FEW && s->soup->count - list[i] >= FEW; i += some) {
+    for (size_t some; count - i >= GROUP && s->soup->count - list[i] >= GROUP; i += some) {
         const uint32_t later = list[count - i > AHEAD ? i + AHEAD : count - 1];
         for (size_t n = 0; n < 9; n++) {
             tribox_will_read(stream[n] + later);
-            memcpy(to + n * STREAM + i, stream[n] + list[i], FEW * sizeof *to);
+            memcpy(to + n * STREAM + i, stream[n] + list[i], GROUP * sizeof *to);
         }
         some = successors(list + i);
     }
@@ -87,7 +87,7 @@ static tribox_soup gather(const share *s, const uint32_t *list, size_t count)
     return tribox_soup_of(to, STREAM, count);
 }
 
-static tribox_mesh gather_f64(const share *s, const uint32_t *list, size_t count)
+static tribox_mesh gather_f64(const call *s, const uint32_t *list, size_t count)
 {
     double(*const to)[3] = s->block;
     for (size_t i = 0; i < count; i++)
@@ -113,7 +113,7 @@ static window window_of(const tribox_tiling *t, size_t tile)
 }
 
 /* Of a block of triangles: whole packets are asked, and what follows the last triangle repeats it. */
-static void find_ends(const share *s, size_t count, tribox_ends *z)
+static void find_ends(const call *s, size_t count, tribox_ends *z)
 {
     for (size_t n = 6; n < 9; n++) {
         float *const number = (float *)s->block + n * STREAM;
@@ -124,7 +124,7 @@ static void find_ends(const share *s, size_t count, tribox_ends *z)
 }
 
 /* Leaves the layers that triangles touch, from the first of a brick on: the others are empty. */
-static void cut_layers(const share *s, const tribox_ends *z, window *w)
+static void cut_layers(const call *s, const tribox_ends *z, window *w)
 {
     const int64_t size = w->size[2];
     const float least = z->least < -FLT_MAX ? -FLT_MAX : z->least, most = z->most > FLT_MAX ? FLT_MAX : z->most;
@@ -136,7 +136,7 @@ static void cut_layers(const share *s, const tribox_ends *z, window *w)
     w->size[2] = least <= most && from < end ? (uint32_t)(end - from) : 0;
 }
 
-static void set_window(share *s, window *w, const uint32_t *list, size_t count)
+static void set_window(call *s, window *w, const uint32_t *list, size_t count)
 {
     tribox_voxels voxels, *const v = &voxels;
     tribox_ends z = {FLT_MAX, -FLT_MAX};
@@ -154,7 +154,7 @@ static void set_window(share *s, window *w, const uint32_t *list, size_t count)
     tribox_environment_leave(callers);
 }
 
-static void set_window_f64(share *s, window *w, const uint32_t *list, size_t count)
+static void set_window_f64(call *s, window *w, const uint32_t *list, size_t count)
 {
     tribox_voxels voxels, *const v = &voxels;
     const tribox_environment callers = tribox_environment_enter();
@@ -189,7 +189,7 @@ static bool have_vertices(const tribox_mesh *mesh, const uint32_t *list, size_t 
 }
 
 /* The environment of the sink is the caller's. */
-static tribox_status hand_on(share *s)
+static tribox_status emit_tiles(call *s)
 {
     const size_t triangles = s->soup ? s->soup->count : s->mesh.count;
     for (size_t t = 0; t < s->tiling.to - s->tiling.from; t++) {
@@ -206,7 +206,7 @@ static tribox_status hand_on(share *s)
         else
             set_window_f64(s, &w, list, count);
         uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_words_of(all.size[0]);
-        if (!s->plan.kernel->cells->hand_on(bits, w.first, w.size, &s->hand))
+        if (!s->plan.kernel->cells->emit(bits, w.first, w.size, &s->outlet))
             return TRIBOX_STOPPED;
     }
     return TRIBOX_OK;
@@ -221,7 +221,7 @@ static bool do_rise(const size_t *starts, size_t count)
 }
 
 /* What is alike for both: scratch, lists and tiles. */
-static bool is_share(share *s, const uint32_t size[3], uint32_t tile, size_t from, size_t to, const size_t *starts,
+static bool is_share(call *s, const uint32_t size[3], uint32_t tile, size_t from, size_t to, const size_t *starts,
                      const uint32_t *list)
 {
     if (!tribox_tiling_make(size, tile, from, to, &s->tiling) || tile % 8 || tile > TILE_MAX || !do_rise(starts, to - from) ||
@@ -233,7 +233,7 @@ static bool is_share(share *s, const uint32_t size[3], uint32_t tile, size_t fro
 }
 
 /* What a tile leaves behind is clear. */
-static void use_scratch(share *s, void *scratch)
+static void use_scratch(call *s, void *scratch)
 {
     uint32_t most[3];
     char *const aligned = (char *)scratch + (LINE - (uintptr_t)scratch % LINE) % LINE;
@@ -244,9 +244,9 @@ static void use_scratch(share *s, void *scratch)
     memset(s->bits, 0, (size_t)tribox_words_of(most[0]) * most[1] * most[2] * sizeof *s->bits);
 }
 
-static tribox_status finish(share *s, tribox_status status, tribox_report *report)
+static tribox_status finish(call *s, tribox_status status, tribox_report *report)
 {
-    s->counts.overlapping = s->hand.cells;
+    s->counts.overlapping = s->outlet.cells;
     if (status == TRIBOX_OK || status == TRIBOX_STOPPED)
         tribox_plan_report(&s->plan, s->counts, report);
     return status;
@@ -256,7 +256,7 @@ tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid 
                                      const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
                                      tribox_sink *sink, void *data, tribox_report *report)
 {
-    share s = {.soup = soup, .grid = grid, .hand = {.sink = sink, .data = data}};
+    call s = {.soup = soup, .grid = grid, .outlet = {.sink = sink, .data = data}};
     if (!grid || !starts || !scratch || !sink || !tribox_soup_is_readable(soup))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = tribox_plan_make(options, &s.plan);
@@ -270,14 +270,14 @@ tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid 
     if (!is_share(&s, grid->size, tile, from, to, starts, list))
         return TRIBOX_BAD_ARGUMENT;
     use_scratch(&s, scratch);
-    return finish(&s, hand_on(&s), report);
+    return finish(&s, emit_tiles(&s), report);
 }
 
 tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
                                          size_t to, const size_t *starts, const uint32_t *list, const tribox_options *options,
                                          void *scratch, tribox_sink *sink, void *data, tribox_report *report)
 {
-    share s = {.grid_f64 = grid, .options = options ? *options : (tribox_options){0}, .hand = {.sink = sink, .data = data}};
+    call s = {.grid_f64 = grid, .options = options ? *options : (tribox_options){0}, .outlet = {.sink = sink, .data = data}};
     if (!grid || !starts || !scratch || !sink || !tribox_mesh_is_readable_f64(mesh))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = tribox_plan_make(options, &s.plan);
@@ -294,5 +294,5 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
     if (!mesh->indices && !tribox_mesh_is_in_range(&s.mesh, s.plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_INDEX;
     use_scratch(&s, scratch);
-    return finish(&s, hand_on(&s), report);
+    return finish(&s, emit_tiles(&s), report);
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "grid/blocks.h"
-#include "pairs/few.h"
+#include "pairs/partial_packet.h"
 #include "base/finite.h"
 #include "grid/grid_f64.h"
 #include "mesh/mesh_input.h"
@@ -13,12 +13,12 @@
 /* The lowest cells of tiles lie above the planes between them. */
 static double plane_of(const void *about, int a, int64_t tile)
 {
-    const tribox_listing *const l = about;
+    const tribox_tiles_call *const l = about;
     const uint64_t cell = (uint64_t)tile * l->tiling.tile, plane = cell < l->tiling.size[a] ? cell : l->tiling.size[a];
     return l->grid ? tribox_grid_plane(l->grid, a, plane) : tribox_plane_at(&l->planes, a, (int64_t)plane);
 }
 
-static inline void put(tribox_listing *l, size_t tile)
+static inline void put(tribox_tiles_call *l, size_t tile)
 {
     if (tile < l->tiling.from || tile >= l->tiling.to)
         return;
@@ -31,7 +31,7 @@ static inline void put(tribox_listing *l, size_t tile)
 
 static void put_at(void *about, const int64_t at[3])
 {
-    tribox_listing *const l = about;
+    tribox_tiles_call *const l = about;
     put(l, ((size_t)at[2] * l->tiling.along[1] + (size_t)at[1]) * l->tiling.along[0] + (size_t)at[0]);
 }
 
@@ -60,7 +60,7 @@ static tribox_tile_box part_from(const tribox_tiling *t, size_t at)
 }
 
 /* The share in as few boxes as it has (PROOFS.md 7.12): no other tile is looked at, however many there are. */
-static void cut_share(tribox_listing *l)
+static void cut_share(tribox_tiles_call *l)
 {
     size_t tiles;
     l->parts = 0;
@@ -77,7 +77,7 @@ static tile_range whole_range(const tribox_tiling *t)
 }
 
 /* The tiles that the bounding box touches on axis a. */
-static bool cut_range(const tribox_listing *l, const double u[9], int a, tile_range *range)
+static bool cut_range(const tribox_tiles_call *l, const double u[9], int a, tile_range *range)
 {
     const double *const w = u + 3 * a;
     const double low = w[0] < w[1] ? w[0] : w[1], high = w[0] < w[1] ? w[1] : w[0];
@@ -95,7 +95,7 @@ static bool cut_range(const tribox_listing *l, const double u[9], int a, tile_ra
 }
 
 /* Where its box spans one tile on two axes, a triangle overlaps every tile that it spans on the third (PROOFS.md 7.4). */
-static void put_tiles(tribox_listing *l, const double u[9], const tribox_tile_box *box, int spans)
+static void put_tiles(tribox_tiles_call *l, const double u[9], const tribox_tile_box *box, int spans)
 {
     int64_t at[3];
     if (spans >= 2 && l->plan.axes != TRIBOX_AXES_BOX) {
@@ -123,7 +123,7 @@ static bool meet(const tribox_tile_box *b, const tribox_tile_box *c, tribox_tile
 }
 
 /* What the share has of a range. */
-static void put_range(tribox_listing *l, const double u[9], const tile_range *range)
+static void put_range(tribox_tiles_call *l, const double u[9], const tile_range *range)
 {
     for (int n = 0; n < l->parts; n++) {
         tribox_tile_box box;
@@ -133,7 +133,7 @@ static void put_range(tribox_listing *l, const double u[9], const tile_range *ra
 }
 
 /* Any triangle. */
-static void list_by_planes(tribox_listing *l, const double u[9])
+static void list_by_planes(tribox_tiles_call *l, const double u[9])
 {
     tile_range range = whole_range(&l->tiling);
     if (!tribox_are_finite_f64(u, 9))
@@ -145,7 +145,7 @@ static void list_by_planes(tribox_listing *l, const double u[9])
 }
 
 /* Where a kernel found more than one tile along one axis alone: their numbers, by steps. Whether it is so. */
-static bool put_line(tribox_listing *l, size_t first, unsigned more)
+static bool put_line(tribox_tiles_call *l, size_t first, unsigned more)
 {
     size_t step = 1;
     for (int a = 0; a < 3; step *= l->tiling.along[a], a++, more >>= TRIBOX_TILES_BITS) {
@@ -159,7 +159,7 @@ static bool put_line(tribox_listing *l, size_t first, unsigned more)
 }
 
 /* Where it found more along two axes or three. */
-static void list_by_range(tribox_listing *l, const double u[9], size_t first, unsigned more)
+static void list_by_range(tribox_tiles_call *l, const double u[9], size_t first, unsigned more)
 {
     const size_t *const along = l->tiling.along;
     tile_range range = {
@@ -169,7 +169,7 @@ static void list_by_range(tribox_listing *l, const double u[9], size_t first, un
     put_range(l, u, &range);
 }
 
-static void read_triangle(const tribox_listing *l, double u[9])
+static void read_triangle(const tribox_tiles_call *l, double u[9])
 {
     double corner[3][3];
     if (!l->soup)
@@ -178,7 +178,7 @@ static void read_triangle(const tribox_listing *l, double u[9])
         u[n] = l->soup ? tribox_soup_axis(l->soup, n / 3)[n % 3][l->triangle] : corner[n % 3][n / 3];
 }
 
-static void list_by_one(tribox_listing *l)
+static void list_by_one(tribox_tiles_call *l)
 {
     const uint64_t count = l->soup ? l->soup->count : l->mesh.count;
     for (uint64_t i = 0; i < count; i++) {
@@ -190,7 +190,7 @@ static void list_by_one(tribox_listing *l)
 }
 
 /* One of whose bounding box a kernel does not say that it touches one tile, or none. */
-static void put_other(tribox_listing *l, int32_t first, int32_t more)
+static void put_other(tribox_tiles_call *l, int32_t first, int32_t more)
 {
     const bool is_known = more != TRIBOX_TILES_UNKNOWN;
     double u[9];
@@ -204,7 +204,7 @@ static void put_other(tribox_listing *l, int32_t first, int32_t more)
 }
 
 /* What a kernel found of triangles `from` on. */
-static void put_found(tribox_listing *l, size_t from, size_t count, const tribox_tile_range *found)
+static void put_found(tribox_tiles_call *l, size_t from, size_t count, const tribox_tile_range *found)
 {
     for (size_t i = 0; i < count; i++) {
         l->triangle = (uint32_t)(from + i);
@@ -216,11 +216,11 @@ static void put_found(tribox_listing *l, size_t from, size_t count, const tribox
 }
 
 /* The last block has what is left of the one before, so that it fills a packet. */
-static void list_soup(tribox_listing *l)
+static void list_soup(tribox_tiles_call *l)
 {
     tribox_tile_range found;
-    tribox_few few;
-    const tribox_soup *const soup = tribox_few_triangles(l->soup, l->plan.kernel, &few);
+    tribox_partial_packet partial;
+    const tribox_soup *const soup = tribox_pad_triangles(l->soup, l->plan.kernel, &partial);
     for (size_t at = 0, some; at < l->soup->count; at += some) {
         const size_t left = l->soup->count - at;
         some = left <= TRIBOX_TILES_BLOCK ? left : TRIBOX_TILES_BLOCK - TRIBOX_LANES_MAX;
@@ -229,7 +229,7 @@ static void list_soup(tribox_listing *l)
     }
 }
 
-static void list_mesh(tribox_listing *l)
+static void list_mesh(tribox_tiles_call *l)
 {
     _Alignas(64) float streams[9][TRIBOX_TILES_BLOCK] = {{0}};
     float *to[9];
@@ -247,7 +247,7 @@ static void list_mesh(tribox_listing *l)
 }
 
 /* Planes are off by half a spacing: of floats, or of doubles while float has the place from the first plane (PROOFS.md 7.12). */
-static double error_of(const tribox_listing *l, int a)
+static double error_of(const tribox_tiles_call *l, int a)
 {
     const double lowest = plane_of(l, a, 0), highest = plane_of(l, a, (int64_t)l->tiling.along[a]);
     const double farthest = -lowest > highest ? -lowest : highest;
@@ -255,7 +255,7 @@ static double error_of(const tribox_listing *l, int a)
 }
 
 /* Whether float tells tiles apart, and can number them. */
-static bool make_lattice(tribox_listing *l)
+static bool make_lattice(tribox_tiles_call *l)
 {
     const tribox_tiling *const t = &l->tiling;
     tribox_tile_lattice *const f = &l->lattice;
@@ -272,7 +272,7 @@ static bool make_lattice(tribox_listing *l)
     return is;
 }
 
-static void list_triangles(tribox_listing *l)
+static void list_triangles(tribox_tiles_call *l)
 {
     cut_share(l);
     if (l->parts)
@@ -280,7 +280,7 @@ static void list_triangles(tribox_listing *l)
 }
 
 /* Each list is counted in the number after its own; their sums are where lists begin. */
-static void count(tribox_listing *l)
+static void count(tribox_tiles_call *l)
 {
     const size_t tiles = l->tiling.to - l->tiling.from;
     memset(l->starts, 0, (tiles + 1) * sizeof *l->starts);
@@ -290,7 +290,7 @@ static void count(tribox_listing *l)
 }
 
 /* Every start becomes its list's end, which is the start of the next. */
-static void fill(tribox_listing *l)
+static void fill(tribox_tiles_call *l)
 {
     const size_t tiles = l->tiling.to - l->tiling.from;
     list_triangles(l);
@@ -298,4 +298,4 @@ static void fill(tribox_listing *l)
     l->starts[0] = 0;
 }
 
-void tribox_tiles_list(tribox_listing *l) { (l->list ? fill : count)(l); }
+void tribox_tiles_list(tribox_tiles_call *l) { (l->list ? fill : count)(l); }

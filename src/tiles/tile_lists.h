@@ -15,7 +15,7 @@ typedef struct tribox_tile_box {
 enum { TRIBOX_SHARE_PARTS = 5 };
 
 /* One call. */
-typedef struct tribox_listing {
+typedef struct tribox_tiles_call {
     tribox_tiling tiling;
     tribox_plan plan;        /* its accuracy is not FAST */
     const tribox_soup *soup; /* with a sound grid; or NULL, and then: */
@@ -29,9 +29,9 @@ typedef struct tribox_listing {
     int parts;
     uint32_t triangle; /* the one at hand */
     tribox_tile_lattice lattice;
-} tribox_listing;
+} tribox_tiles_call;
 
 /* Makes the starts, or fills the list that they are of. In the environment of environment.h. */
-void tribox_tiles_list(tribox_listing *l);
+void tribox_tiles_list(tribox_tiles_call *l);
 
 #endif

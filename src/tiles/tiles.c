@@ -36,7 +36,7 @@ bool tribox_tiling_make(const uint32_t size[3], uint32_t tile, size_t from, size
 }
 
 /* FAST does without error bounds, which cost little here. */
-static tribox_status make_plan(const tribox_options *options, tribox_listing *l)
+static tribox_status make_plan(const tribox_options *options, tribox_tiles_call *l)
 {
     const tribox_status status = tribox_plan_make(options, &l->plan);
     if (!status && l->plan.accuracy == TRIBOX_FAST)
@@ -47,7 +47,7 @@ static tribox_status make_plan(const tribox_options *options, tribox_listing *l)
 static tribox_status list_float(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
                                 const tribox_options *options, size_t *starts, uint32_t *list)
 {
-    tribox_listing l = {.soup = soup, .grid = grid, .starts = starts, .list = list};
+    tribox_tiles_call l = {.soup = soup, .grid = grid, .starts = starts, .list = list};
     if (!grid || !starts || !tribox_soup_is_readable(soup) || !tribox_has_numbers(soup->count))
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = make_plan(options, &l);
@@ -67,7 +67,7 @@ static tribox_status list_float(const tribox_soup *soup, const tribox_grid *grid
 static tribox_status list_double(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from, size_t to,
                                  const tribox_options *options, size_t *starts, uint32_t *list)
 {
-    tribox_listing l = {.starts = starts, .list = list};
+    tribox_tiles_call l = {.starts = starts, .list = list};
     if (!grid || !starts || !tribox_mesh_is_readable_f64(mesh) || !tribox_has_numbers(mesh->count))
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = make_plan(options, &l);

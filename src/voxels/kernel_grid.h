@@ -46,7 +46,7 @@ typedef void tribox_set_strip(tribox_voxels *v);
 /*
  * Sorts the triangles of a soup, one at least, by their cells: those of lines are listed, larger ones join the strips, others wait
  * in queues. Whole packets are read: where the triangles are fewer than the lanes of the kernel, numbers have to follow them
- * (tribox_few).
+ * (tribox_partial_packet).
  */
 typedef void tribox_sort_soup(tribox_voxels *v, const tribox_soup *soup);
 
@@ -97,19 +97,19 @@ typedef struct tribox_ends {
 /* Widens them to these numbers, but NaN. Whole packets are read: any of the numbers has to follow them. */
 typedef void tribox_find_ends(const float *number, size_t count, tribox_ends *ends);
 
-/* A sink, and the cells that it was handed. */
-typedef struct tribox_hand {
+/* A sink, and how many cells it was given. */
+typedef struct tribox_outlet {
     tribox_sink *sink;
     void *data;
     size_t cells;
-} tribox_hand;
+} tribox_outlet;
 
 /*
- * Hands on the bricks of a window of bits that are not empty, by z, then y, then x, and clears the bits. Its first cell, `first`,
+ * Emits the bricks of a window of bits that are not empty, by z, then y, then x, and clears the bits. Its first cell, `first`,
  * is the first of a brick, and it has 1024 along x at most. Returns whether to go on; if not, some bits are left. In the
  * environment of the caller, as nothing is counted in floats.
  */
-typedef bool tribox_hand_on(uint64_t *bits, const uint32_t first[3], const uint32_t size[3], tribox_hand *hand);
+typedef bool tribox_emit(uint64_t *bits, const uint32_t first[3], const uint32_t size[3], tribox_outlet *outlet);
 
 typedef struct tribox_cells_kernel {
     tribox_sort_soup *sort;
@@ -117,7 +117,7 @@ typedef struct tribox_cells_kernel {
     tribox_write *write;
     tribox_find_tiles *find_tiles;
     tribox_find_ends *find_ends;
-    tribox_hand_on *hand_on;
+    tribox_emit *emit;
 } tribox_cells_kernel;
 
 /* Turns a bit for each crossing of the first `count` triangles, in a grid that has places. Nothing of those that are not finite. */

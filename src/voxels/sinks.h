@@ -14,15 +14,15 @@ typedef struct tribox_writes {
 
 /*
  * Triangles that wait until they fill a packet, by the cells that their boxes touch: lines of few cells are set at once; flats and
- * bricks have a kernel of their own, and wait beside others of about their size.
+ * solids have a kernel of their own, and wait with others of about their size.
  */
 enum {
-    TRIBOX_LINE = 8,  /* most rows of a line */
-    TRIBOX_FLAT = 32, /* most cells of a flat along an axis, and of a line or a brick along x */
-    TRIBOX_BRICK = 8, /* most cells of a brick along y and along z */
+    TRIBOX_LINE_MOST = 8,  /* most rows of a line */
+    TRIBOX_FLAT_MOST = 32, /* most cells of a flat along an axis, and of a line or a solid along x */
+    TRIBOX_SOLID_MOST = 8, /* most cells of a solid along y and along z */
     TRIBOX_QUEUE = 48
 };
-typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_BRICKS_2, TRIBOX_BRICKS_4, TRIBOX_BRICKS_8, TRIBOX_CLASSES } tribox_class;
+typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_SOLIDS_2, TRIBOX_SOLIDS_4, TRIBOX_SOLIDS_8, TRIBOX_CLASSES } tribox_class;
 enum { TRIBOX_QUEUED = 15 };
 typedef struct tribox_queue {
     unsigned count;

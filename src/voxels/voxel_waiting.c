@@ -1,4 +1,4 @@
-/* voxel_waiting.c - open cells: they wait, and are settled by their own boxes. */
+/* voxel_waiting.c - undecided cells: they wait, and are settled by their own boxes. */
 #include "voxelizing.h"
 
 #include "base/finite.h"

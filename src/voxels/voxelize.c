@@ -2,7 +2,7 @@
 #include "voxelizing.h"
 
 #include "base/environment.h"
-#include "pairs/few.h"
+#include "pairs/partial_packet.h"
 
 /* Where the lattice of the grid or window begins: one rounding of the real number. */
 static double lattice_origin(const tribox_window *w, int a)
@@ -50,8 +50,8 @@ static bool is_for_float(tribox_window *w)
 static void set_soup(tribox_voxels *v, const tribox_soup *soup)
 {
     if (v->window.is_for_float && soup->count) {
-        tribox_few few;
-        v->plan.kernel->cells->sort(v, tribox_few_triangles(soup, v->plan.kernel, &few));
+        tribox_partial_packet partial;
+        v->plan.kernel->cells->sort(v, tribox_pad_triangles(soup, v->plan.kernel, &partial));
     } else {
         for (size_t i = 0; i < soup->count; i++) {
             const tribox_triangle triangle = triangle_at(soup, i);
@@ -69,7 +69,7 @@ static void set_soup_by_cells(tribox_voxels *v, const tribox_soup *soup)
     }
 }
 
-/* By more than what ties leave open; but by less than half a cell, as own_planes.h needs it. */
+/* By more than what ties leave undecided; but by less than half a cell, as own_planes.h needs it. */
 static tribox_roughness roughness_of(const tribox_window *w)
 {
     double most = 0;
@@ -144,7 +144,7 @@ static tribox_status voxelize(const tribox_soup *soup, const tribox_grid *grid, 
         status = TRIBOX_BAD_GRID;
     else if (!tribox_is_window(grid->size, first, size))
         status = TRIBOX_BAD_ARGUMENT;
-    else if (!tribox_has_few_words(size))
+    else if (!tribox_fits_one_call(size))
         status = TRIBOX_BAD_GRID;
     if (!status) {
         set_window(v, soup, grid, first, size, occupied);

@@ -39,7 +39,7 @@ static bool is_for_limits(const tribox_window *w)
 }
 
 /*
- * By floats relative to the window's corner. Where the plane alone is asked beside the box normals, they cannot stand for the
+ * By floats relative to the window's corner. Where the plane alone is asked besides the box normals, they cannot stand for the
  * doubles: it turns with the smallest of moves.
  */
 static bool is_for_float(tribox_voxels *v)
@@ -128,7 +128,7 @@ tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64
         status = TRIBOX_BAD_GRID;
     else if (first && !tribox_is_window(grid->size, first, size))
         status = TRIBOX_BAD_ARGUMENT;
-    else if (!tribox_has_few_words(extent))
+    else if (!tribox_fits_one_call(extent))
         status = TRIBOX_BAD_GRID;
     else if (!tribox_mesh_is_in_range(&strided, v->plan.kernel, 0, mesh->count))
         status = TRIBOX_BAD_INDEX;

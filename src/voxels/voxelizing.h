@@ -1,7 +1,7 @@
 /*
  * voxelizing.h - one voxelization: its window, its sinks, its counts, and what is done with them.
  *
- * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves open wait with their triangle until
+ * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves undecided wait with their triangle until
  * the bits of others are written, as those set most of them; the rest are settled by their own boxes.
  */
 #ifndef TRIBOX_VOXELIZING_H

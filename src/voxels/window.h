@@ -5,7 +5,7 @@
 #include "grid/grid_cells.h"
 #include "grid/planes.h"
 #include "kernel_grid.h"
-#include "mesh/indices.h"
+#include "mesh/vertex_numbers.h"
 #include "mesh/positions.h"
 
 /* The grid in float. */
@@ -17,7 +17,7 @@ typedef struct tribox_float_lattice {
 } tribox_float_lattice;
 
 /*
- * How far the planes of a grid in float are from evenly spaced: where limits by the very planes of a row pay for rows with open
+ * How far the planes of a grid in float are from evenly spaced: where limits by the very planes of a row pay for rows with undecided
  * cells, and where for all rows, as most have some (PROOFS.md 7.13).
  */
 typedef enum tribox_roughness { TRIBOX_EVEN, TRIBOX_ROUGH, TRIBOX_VERY_ROUGH } tribox_roughness;

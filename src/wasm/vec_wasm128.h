@@ -65,13 +65,13 @@ TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
     return wasm_f32x4_make(number[from[0] % 8], number[from[1] % 8], number[from[2] % 8], number[from[3] % 8]);
 }
 /* Of two doubles. */
-TRIBOX_INLINE vnum wasm_near(const double *p, const double *lo)
+TRIBOX_INLINE vnum wasm_local(const double *p, const double *lo)
 {
     return wasm_f32x4_demote_f64x2_zero(wasm_f64x2_sub(wasm_v128_load(p), wasm_v128_load(lo)));
 }
-TRIBOX_INLINE vnum v_near(const void *p, const double *lo)
+TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 {
-    return wasm_i64x2_shuffle(wasm_near(p, lo), wasm_near((const double *)p + 2, lo + 2), 0, 2);
+    return wasm_i64x2_shuffle(wasm_local(p, lo), wasm_local((const double *)p + 2, lo + 2), 0, 2);
 }
 TRIBOX_INLINE void wasm_transpose4(const vnum row[4], vnum to[4])
 {
@@ -89,11 +89,11 @@ TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
         row[i] = wasm_v128_load(from[i]);
     wasm_transpose4(row, to);
 }
-TRIBOX_INLINE void v_near_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
+TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {
     vnum row[4];
     for (int i = 0; i < 4; i++)
-        row[i] = v_near(from[i], lo);
+        row[i] = v_local(from[i], lo);
     wasm_transpose4(row, to);
 }
 

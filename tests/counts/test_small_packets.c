@@ -15,13 +15,13 @@ static inline void load_corners(lane_triangle *t, const tribox_corners *corners,
     double u[9];
     memcpy(u, corners->base, sizeof u);
     for (int k = 0; k < 9; k++)
-        t->u[k / 3][k % 3] = small_rounded(u[k] - corners->near[k % 3]);
+        t->u[k / 3][k % 3] = small_rounded(u[k] - corners->origin[k % 3]);
     (void)at, (void)is_near;
 }
 
 #include "kernel/pairs/margin.h"
 #include "kernel/pairs/ties.h"
-#include "kernel/pairs/near.h"
+#include "kernel/pairs/local.h"
 #include "kernel/pairs/packet.h"
 #include "small_draws.h"
 
@@ -217,7 +217,7 @@ typedef struct small_input {
     tribox_box box;
     tribox_boxes boxes;
     tribox_corners corners;
-    tribox_pairs soups, meshes, triangles;
+    tribox_query soups, meshes, triangles;
 } small_input;
 
 /* Where the walks of doubles take them (near.h): the box from zero on. */
@@ -253,10 +253,10 @@ static void start_input(small_input *to)
         to->boxes.lo[k] = &to->bounds[k];
         to->boxes.hi[k] = &to->bounds[3 + k];
     }
-    to->corners = (tribox_corners){.base = (const char *)to->corner, .near = to->near};
-    to->soups = (tribox_pairs){.soup = &to->soup, .box = &to->box, .count = 1};
-    to->meshes = (tribox_pairs){.corners = &to->corners, .box = &to->box, .count = 1};
-    to->triangles = (tribox_pairs){.triangle = (const float(*)[3])to->triangle, .boxes = &to->boxes, .count = 1};
+    to->corners = (tribox_corners){.base = (const char *)to->corner, .origin = to->near};
+    to->soups = (tribox_query){.soup = &to->soup, .box = &to->box, .count = 1};
+    to->meshes = (tribox_query){.corners = &to->corners, .box = &to->box, .count = 1};
+    to->triangles = (tribox_query){.triangle = (const float(*)[3])to->triangle, .boxes = &to->boxes, .count = 1};
 }
 
 #define ENTRY(sequence) sequence,
@@ -264,7 +264,7 @@ static const unsigned sequences[TRIBOX_SEQUENCES] = {TRIBOX_FOR_EACH_SEQUENCE(EN
 static const unsigned near_sequences[] = {1, 132}; /* of batch.h */
 
 /* The kind is no constant here, as it is in the kernels: thirty instances of a packet take too long to compile. */
-static bool is_hit_by(const tribox_pairs *from, walk_kind kind, uint64_t *open)
+static bool is_hit_by(const tribox_query *from, walk_kind kind, uint64_t *open)
 {
     lane_pairs p;
     start_pairs(&p, from, kind);
@@ -273,7 +273,7 @@ static bool is_hit_by(const tribox_pairs *from, walk_kind kind, uint64_t *open)
 
 static void print_pair(const whole_pair *p, walk_kind kind, bool is_miss)
 {
-    const char *const form = kind.is_near ? "doubles" : kind.is_soup ? "soup" : "boxes";
+    const char *const form = kind.is_local ? "doubles" : kind.is_soup ? "soup" : "boxes";
     printf("a wrong %s of sequence %u, %s%s, in units of %g:\n", is_miss ? "miss" : "overlap", kind.sequence, form,
            kind.looks_again ? ", second look" : "", SMALL_ONE);
     for (int a = 0; a < 3; a++)

@@ -286,7 +286,7 @@ static void check_batch(origin *where, gathered *g, unsigned axes)
     tribox_plan plan;
     assert_int_equal(tribox_plan_make(&where->options, &plan), TRIBOX_OK);
     const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, &plan);
-    assert_true(!verdict.open);
+    assert_true(!verdict.undecided);
     for (unsigned i = 0; i < g->count; i++) {
         const bool answer = verdict.overlapping >> i & 1, is_finite = pair_f64_is_finite(&g->pair[i]);
         const bool overlaps = is_finite && oracle_overlaps(g->truth[i], axes);

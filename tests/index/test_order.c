@@ -17,7 +17,7 @@
 #include "dispatch.h"
 #include "base/environment.h"
 #include "order_kinds.h"
-#include "index/places.h"
+#include "index/sort_keys.h"
 
 static arguments args;
 
@@ -25,10 +25,10 @@ static void order_by(const char *name, const order_room *room)
 {
     const tribox_kernel *const kernel = tribox_kernel_find(name);
     const size_t count = room->soup.count;
-    const tribox_places places = tribox_places_in(room->scratch, count, 0);
+    const tribox_sort_keys places = tribox_sort_keys_in(room->scratch, count, 0);
     const tribox_environment callers = tribox_environment_enter();
     kernel->index->find_middles(&room->soup, NULL, 0, count, 0, &places);
-    tribox_places_finish(kernel, room->scratch, count, 0, count, room->order);
+    tribox_sort_keys_finish(kernel, room->scratch, count, 0, count, room->order);
     tribox_environment_leave(callers);
 }
 

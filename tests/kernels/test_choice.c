@@ -26,9 +26,9 @@ static tribox_seen seen_alike(unsigned packets, unsigned rejecting)
 {
     const uint64_t all = ~UINT64_C(0) >> (64 - packets);
     tribox_seen seen = {.packets = packets};
-    seen.beside[0] = rejecting & TRIBOX_AXES_BOX ? all : 0;
+    seen.apart[0] = rejecting & TRIBOX_AXES_BOX ? all : 0;
     for (unsigned groups = 1; groups < TRIBOX_AXES_ALL; groups++)
-        seen.rejected[groups] = !seen.beside[0] && groups & rejecting ? all : 0;
+        seen.rejected[groups] = !seen.apart[0] && groups & rejecting ? all : 0;
     return seen;
 }
 
@@ -72,7 +72,7 @@ static void test_nothing_rejected(void **state)
 static void test_costs(void **state)
 {
     (void)state;
-    tribox_seen seen = {.packets = 8, .beside = {0x0f}};
+    tribox_seen seen = {.packets = 8, .apart = {0x0f}};
     seen.rejected[PLANE] = seen.rejected[TRIBOX_AXES_BOX | PLANE] = seen.rejected[PLANE | EDGES] = 0xf0;
     unsigned cost[TRIBOX_CHOICE_ORDERS], unforeseen[TRIBOX_CHOICE_ORDERS];
     tribox_choice_costs(&seen, TRIBOX_FAST, cost);
@@ -80,7 +80,7 @@ static void test_costs(void **state)
     assert_in_range(exit, 20, 150);
     assert_int_equal(cost[1] - cost[0], 4 * (78 - 36));
     assert_in_range(cost[3], 8 * 30, 8 * 50); /* the plane rejects everything, beside the box too as far as is known */
-    seen.beside[0] = 0x55;
+    seen.apart[0] = 0x55;
     seen.rejected[PLANE] = seen.rejected[TRIBOX_AXES_BOX | PLANE] = seen.rejected[PLANE | EDGES] = 0xaa;
     tribox_choice_costs(&seen, TRIBOX_FAST, unforeseen);
     assert_int_equal(unforeseen[0] - cost[0], 3 * exit); /* four of eight exits, not one */
@@ -167,7 +167,7 @@ static void test_places(void **state)
 }
 
 /* The lanes of packet k that a walk in a sequence leaves, overlapping or open. */
-static uint64_t left_by(const tribox_kernel *kernel, const tribox_pairs *p, tribox_walk_kind kind, unsigned sequence, size_t k)
+static uint64_t left_by(const tribox_kernel *kernel, const tribox_query *p, tribox_walk_kind kind, unsigned sequence, size_t k)
 {
     uint64_t hit, open;
     kernel->walk[kind][sequence](p, 0, 64, &hit, &open);
@@ -175,7 +175,7 @@ static uint64_t left_by(const tribox_kernel *kernel, const tribox_pairs *p, trib
 }
 
 /* What a survey says of a word, against walks that ask some of the groups alone. */
-static void check_survey(const tribox_kernel *kernel, const tribox_pairs *p, tribox_walk_kind kind, const char *drawn)
+static void check_survey(const tribox_kernel *kernel, const tribox_query *p, tribox_walk_kind kind, const char *drawn)
 {
     tribox_seen seen;
     uint64_t hit, open, walk_hit, walk_open;
@@ -188,7 +188,7 @@ static void check_survey(const tribox_kernel *kernel, const tribox_pairs *p, tri
     assert_int_equal(hit & ~(walk_hit | walk_open), 0);
     assert_int_equal(seen.packets, 64 / kernel->lanes);
     for (size_t k = 0; k < seen.packets; k++) {
-        const uint64_t beside = (seen.beside[0] >> k & 1) + (seen.beside[1] >> k & 1) + (seen.beside[2] >> k & 1);
+        const uint64_t beside = (seen.apart[0] >> k & 1) + (seen.apart[1] >> k & 1) + (seen.apart[2] >> k & 1);
         assert_true(beside <= 1);
         assert_int_equal(beside, !left_by(kernel, p, kind, TRIBOX_SEQUENCE_1, k));
         if (beside)
@@ -222,7 +222,7 @@ static void test_surveys(void **state)
             for (size_t k = 0; k < tribox_kernel_count(); k++)
                 if (tribox_kernel_runs_here(k))
                     for (int kind = 0; kind < TRIBOX_WALK_KINDS; kind++)
-                        check_survey(tribox_kernel_at(k), &(tribox_pairs){.soup = &soup, .box = &box, .count = soup.count},
+                        check_survey(tribox_kernel_at(k), &(tribox_query){.soup = &soup, .box = &box, .count = soup.count},
                                      (tribox_walk_kind)kind, drawn[i].name);
         }
 }

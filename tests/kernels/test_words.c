@@ -431,13 +431,13 @@ static void test_near(void **state)
         }
         lanes_near(at, lo, out);
         for (unsigned lane = 0; lane < lanes_count; lane++)
-            expect_near("v_near", lane, at + lane * sizeof(double), lo[lane], out[lane]);
+            expect_near("v_local", lane, at + lane * sizeof(double), lo[lane], out[lane]);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             from[lane] = at + sizeof(double) * (size_t)random_int(&r, PLACES - 3);
         lanes_near_transpose(from, lo, four);
         for (unsigned lane = 0; lane < lanes_count; lane++)
             for (unsigned k = 0; k < 4; k++)
-                expect_near("v_near_transpose4", lane, (const char *)from[lane] + k * sizeof(double), lo[k], four[k][lane]);
+                expect_near("v_local_transpose4", lane, (const char *)from[lane] + k * sizeof(double), lo[k], four[k][lane]);
     }
 }
 

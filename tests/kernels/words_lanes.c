@@ -99,12 +99,12 @@ void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX])
         put(to[k], out[k]);
 }
 
-void lanes_near(const void *from, const double *lo, lane_number *out) { put(v_near(from, lo), out); }
+void lanes_near(const void *from, const double *lo, lane_number *out) { put(v_local(from, lo), out); }
 
 void lanes_near_transpose(const void *const *from, const double *lo, lane_number out[4][LANES_MAX])
 {
     vnum to[4];
-    v_near_transpose4(from, lo, to);
+    v_local_transpose4(from, lo, to);
     for (int k = 0; k < 4; k++)
         put(to[k], out[k]);
 }

@@ -1,126 +1,123 @@
 /*
- * bricks.h - triangles whose boxes are bricks of few cells, a packet of them at once: row by row, triangle by lane, in float.
- * After: reach.h, writes.h, runs.h. Needs: nothing more.
+ * bricks.h - the bricks of a window of bits, emitted to a sink. After: kernel.h. Needs: KERNEL.
  *
- * The shadow along x takes or leaves whole rows; the two others limit each row and each layer, and the plane limits the rows.
+ * A beam is 8 x 8 rows of the window, or as many as there are at its upper borders. Most beams of a sparse window are empty.
  */
+enum { BRICK = 8, BEAM_ROW_MAX = 16 };
 
-/* A triangle of a soup, its numbers a stride apart; of a mesh its doubles. */
-static tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *number, size_t stride, int32_t of_mesh)
+/* The rows of a layer follow each other. */
+typedef struct beam {
+    uint64_t *bits;    /* of the first row */
+    size_t row, layer; /* words from one to the next */
+    size_t rows, layers;
+} beam;
+
+/* Words of a layer, by layers. The count of words, as an argument of its own, may be a constant. */
+TRIBOX_INLINE uint64_t join_layers(const beam *b, size_t words, uint64_t joined[BRICK * BEAM_ROW_MAX])
 {
-    tribox_triangle triangle = {.number = 0};
-    if (v->window.mesh)
-        return tribox_window_read_triangle(&v->window, of_mesh);
-    for (size_t n = 0; n < 9; n++)
-        triangle.u[n] = number[n * stride];
-    return triangle;
+    uint64_t any = 0;
+    for (size_t n = 0; n < words; n++)
+        joined[n] = b->bits[n];
+    for (size_t k = 1; k < b->layers; k++)
+        for (size_t n = 0; n < words; n++)
+            joined[n] |= b->bits[k * b->layer + n];
+    for (size_t n = 0; n < words; n++)
+        any |= joined[n];
+    return any;
 }
 
-/* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
-static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint open, const vint cell[3])
+/* The bits of a row that are set in any row; whether there are any. */
+TRIBOX_INLINE bool join_rows(const beam *b, uint64_t any[BEAM_ROW_MAX])
 {
-    tribox_waiting *const w = &v->sinks.waiting;
-    const vmask m = m_has_bits(open);
-    const unsigned more = tribox_count_bits(m_bits(m));
-    if (w->count + more > TRIBOX_WAITING)
-        v->sinks.handlers->settle_waiting(v);
-    if (v->window.mesh)
-        i_pack(&w->number[w->count], m, i_load(&queue->triangle[at]));
-    for (int n = 0; n < 9 && !v->window.mesh; n++)
-        v_pack(&w->u[n][w->count], m, v_load(&queue->number[n][at]));
-    for (int a = 0; a < 3; a++)
-        i_pack(&w->at[a][w->count], m, cell[a]);
-    i_pack(&w->bits[w->count], m, open);
-    w->count += more;
+    enum { USUAL = BRICK * 2 };
+    uint64_t joined[BRICK * BEAM_ROW_MAX];
+    const size_t words = b->rows * b->row;
+    if (!(words == USUAL ? join_layers(b, USUAL, joined) : join_layers(b, words, joined)))
+        return false;
+    for (size_t w = 0; w < b->row; w++) {
+        any[w] = 0;
+        for (size_t j = 0; j < b->rows; j++)
+            any[w] |= joined[j * b->row + w];
+    }
+    return true;
 }
 
-/* Triangles of a queue that another way has to take. */
-static void hand_on_queued(tribox_voxels *v, const tribox_queue *queue, unsigned at, uint64_t lanes)
+/* The upper part of a word for the lower part of another, wherever `low` has bits. */
+TRIBOX_INLINE void exchange(uint64_t *a, uint64_t *b, int up, uint64_t low)
 {
-    for (; lanes; lanes &= lanes - 1) {
-        const unsigned t = at + tribox_lowest_bit(lanes);
-        const tribox_triangle triangle =
-            triangle_of_lane(v, &queue->number[0][t], TRIBOX_QUEUE + TRIBOX_LANES_MAX, queue->triangle[t]);
-        v->sinks.handlers->add_triangle(v, &triangle);
+    const uint64_t differ = (*a >> up ^ *b) & low;
+    *a ^= differ << up;
+    *b ^= differ;
+}
+
+/* Byte j of word n becomes byte n of word j. */
+TRIBOX_INLINE void transpose_bytes(uint64_t m[BRICK])
+{
+    for (int n = 0; n < 4; n++)
+        exchange(&m[n], &m[n + 4], 32, UINT64_C(0x00000000ffffffff));
+    for (int n = 0; n < 2; n++) {
+        exchange(&m[n], &m[n + 2], 16, UINT64_C(0x0000ffff0000ffff));
+        exchange(&m[n + 4], &m[n + 6], 16, UINT64_C(0x0000ffff0000ffff));
+    }
+    for (int n = 0; n < BRICK; n += 2)
+        exchange(&m[n], &m[n + 1], 8, UINT64_C(0x00ff00ff00ff00ff));
+}
+
+/* The bricks of word w of the rows: word k of brick n is bricks[n][k]. */
+TRIBOX_INLINE void cut_beam(const beam *b, size_t w, uint64_t bricks[BRICK][BRICK])
+{
+    memset(bricks, 0, BRICK * sizeof *bricks);
+    for (size_t k = 0; k < b->layers; k++) {
+        uint64_t rows[BRICK] = {0}, any = 0;
+        for (size_t j = 0; j < b->rows; j++)
+            any |= rows[j] = b->bits[k * b->layer + j * b->row + w];
+        if (!any)
+            continue;
+        transpose_bytes(rows);
+        for (int n = 0; n < BRICK; n++)
+            bricks[n][k] = rows[n];
     }
 }
 
-/* Places on axis a of the triangles of a queue. Those that are wild join the others. */
-TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_queue *queue, unsigned at, int a, vmask *wild)
+TRIBOX_INLINE bool emit_brick(const uint64_t bits[BRICK], const uint32_t at[3], tribox_outlet *outlet)
 {
-    const tribox_float_lattice *const lattice = &v->window.in_float;
-    const vnum u[3] = {v_load(&queue->number[3 * a][at]), v_load(&queue->number[3 * a + 1][at]),
-                       v_load(&queue->number[3 * a + 2][at])};
-    const vnum base = v_sub(v_load(&queue->number[9 + a][at]), v_splat(lattice->off[a]));
-    const lane_places p = places_of(u, base, v_load(&queue->number[12 + a][at]), v_splat(lattice->origin[a]),
-                                    v_splat(lattice->per_cell[a]), v_splat(lattice->error[a]));
-    *wild = m_or(*wild, is_wild(u, &p));
-    return p;
+    for (int k = 0; k < BRICK; k++)
+        outlet->cells += tribox_count_bits(bits[k]);
+    return outlet->sink(outlet->data, at, bits);
 }
 
-/* Where is_exact, certain cells are listed and open ones wait; else all that may overlap are listed. */
-TRIBOX_INLINE void set_bricks(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
+/* at: the place of the beam's first brick. */
+static bool emit_beam(const beam *b, const uint64_t any[BEAM_ROW_MAX], const uint32_t at[3], tribox_outlet *outlet)
 {
-    const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
-    const vmask has_edges = v->plan.axes & TRIBOX_AXES_EDGES ? m_all() : m_none();
-    const vmask has_plane = v->plan.axes & TRIBOX_AXES_PLANE ? m_all() : m_none();
-    lane_places p[3];
-    vnum base[3], cells[3];
-    vmask wild = m_none();
-    for (int a = 0; a < 3; a++) {
-        base[a] = v_load(&queue->number[9 + a][at]);
-        cells[a] = v_load(&queue->number[12 + a][at]);
-        p[a] = queued_places(v, queue, at, a, &wild);
-    }
-    const vnum side_error = v_mul(bound_scale, shadow_error(&p[1], &p[2])), none = v_sub(v_splat(0), side_error);
-    shadow_side side[3];
-    for (int e = 0; e < 3; e++)
-        side[e] = side_of_shadow(&p[1], &p[2], e, has_edges);
-    const shadow_limits zx = limits_of(&p[0], &p[2], bound_scale, has_edges), xy = limits_of(&p[0], &p[1], bound_scale, has_edges);
-    const plane_limits plane = plane_of(p, bound_scale, has_plane);
-
-    const lane_bits bits = bits_at(v, base);
-    const vmask present = m_andnot(lanes_between(0, count), wild);
-    row_cells in_row[TRIBOX_BRICK];
-    int rows = 0;
-    for (; rows < TRIBOX_BRICK && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++)
-        in_row[rows] = cells_within(&xy, cells[0], v_splat((float)rows), is_exact);
-    for (int layer = 0; layer < TRIBOX_BRICK; layer++) {
-        const vnum k = v_splat((float)layer), z = v_add(base[2], k);
-        const vmask has_layer = m_and(present, v_gt(cells[2], k));
-        const vmask in_k = m_andnot(m_andnot(has_layer, v_gt(v_splat((float)v->window.first_layer), z)),
-                                    m_not(v_gt(v_splat((float)v->window.end_layer), z)));
-        if (!m_bits(has_layer))
-            break;
-        const row_cells in_layer = cells_within(&zx, cells[0], k, is_exact);
-        vnum side_k[3];
-        for (int e = 0; e < 3; e++)
-            side_k[e] = side_in_row(&side[e], k);
-        const vnum plane_k = v_mul(plane.k_slope, k);
-        vint half = i_add(bits.half, i_splat((int32_t)((uint32_t)layer * (uint32_t)v->sinks.layer_halves)));
-        make_room(v);
-        for (int row = 0; row < rows; row++) {
-            const vnum j = v_splat((float)row);
-            const vmask in = m_and(in_k, v_gt(cells[1], j));
-            const vnum slack = lane_min3(side_in_cell(&side[0], j, side_k[0]), side_in_cell(&side[1], j, side_k[1]),
-                                         side_in_cell(&side[2], j, side_k[2]));
-            const lane_run of_plane = run_by_plane(&plane, v_fma(plane.j_slope, j, plane_k));
-            const row_cells in_plane = cells_of(&of_plane, is_exact);
-            const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);
-            vint set = i_keep(m_andnot(in, v_gt(none, slack)), maybe);
-            if (is_exact) {
-                const vint certain = i_and(i_and(in_row[row].certain, in_layer.certain), in_plane.certain);
-                const vint open_or_set = set;
-                set = i_keep(m_andnot(in, v_gt(side_error, slack)), certain);
-                const vint open = i_andnot(open_or_set, set);
-                if (m_bits(m_has_bits(open))) {
-                    const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], j)), i_cut(z)};
-                    wait_for_cells(v, queue, at, open, cell);
-                }
-            }
-            list_bits(v, half, bits.from, set);
-            half = i_add(half, i_splat(v->sinks.row_halves));
+    for (uint32_t w = 0; w < b->row; w++) {
+        uint64_t bricks[BRICK][BRICK];
+        if (!any[w])
+            continue;
+        cut_beam(b, w, bricks);
+        for (uint32_t n = 0; n < BRICK; n++) {
+            const uint32_t place[3] = {at[0] + BRICK * w + n, at[1], at[2]};
+            if (any[w] >> BRICK * n & 0xff && !emit_brick(bricks[n], place, outlet))
+                return false;
         }
     }
-    hand_on_queued(v, queue, at, m_bits(m_and(lanes_between(0, count), wild)));
+    return true;
+}
+
+static bool emit_bricks(uint64_t *bits, const uint32_t first[3], const uint32_t size[3], tribox_outlet *outlet)
+{
+    const size_t row = tribox_words_of(size[0]), layer = row * size[1];
+    for (uint32_t k = 0; k < size[2]; k += BRICK)
+        for (uint32_t j = 0; j < size[1]; j += BRICK) {
+            const size_t rows = size[1] - j < BRICK ? size[1] - j : BRICK, layers = size[2] - k < BRICK ? size[2] - k : BRICK;
+            const beam b = {bits + k * layer + j * row, row, layer, rows, layers};
+            const uint32_t at[3] = {first[0] / BRICK, (first[1] + j) / BRICK, (first[2] + k) / BRICK};
+            uint64_t any[BEAM_ROW_MAX];
+            if (!join_rows(&b, any))
+                continue;
+            if (!emit_beam(&b, any, at, outlet))
+                return false;
+            for (size_t n = 0; n < layers; n++)
+                memset(b.bits + n * layer, 0, rows * row * sizeof *bits);
+        }
+    return true;
 }

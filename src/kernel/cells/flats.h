@@ -1,6 +1,6 @@
 /*
  * flats.h - triangles whose boxes are one layer of cells across an axis, a packet of them at once: their shadows alone, in float.
- * After: bricks.h. Needs: nothing more.
+ * After: solids.h. Needs: nothing more.
  *
  * Axis q is x, or y of triangles in a layer across x; axis p is z, or y of triangles in a layer across z. Of a row p the cells
  * along q are limited (PROOFS.md 7.4).
@@ -36,12 +36,12 @@ TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
 }
 
 /* Open cells along y. */
-static void wait_for_column(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint open, const vint cell[3])
+static void wait_for_column(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
 {
     const vint one = i_splat(1);
     vint above[3] = {cell[0], cell[1], cell[2]};
-    for (; m_bits(m_has_bits(open)); open = i_shr(open, one), above[1] = i_add(above[1], one))
-        wait_for_cells(v, queue, at, i_and(open, one), above);
+    for (; m_bits(m_has_bits(undecided)); undecided = i_shr(undecided, one), above[1] = i_add(above[1], one))
+        wait_for_cells(v, queue, at, i_and(undecided, one), above);
 }
 
 TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
@@ -62,7 +62,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     const vnum layers = either(is_z, 0, 1);
     const lane_bits bits = bits_at(v, base);
     vint half = bits.half;
-    for (int row = 0; row < TRIBOX_FLAT; row++, half = i_add(half, step)) {
+    for (int row = 0; row < TRIBOX_FLAT_MOST; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
         const vmask has_row = m_andnot(m_and(present, v_gt(rows, r)), wild);
         const vmask in = m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->window.first_layer), z)),
@@ -72,16 +72,16 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
         const row_cells of_row = cells_within(&limits, along, r, is_exact);
         const vint set = i_keep(in, of_row.certain);
         if (is_exact) {
-            const vint open = i_andnot(i_keep(in, of_row.maybe), set);
-            if (m_bits(m_has_bits(open))) {
+            const vint undecided = i_andnot(i_keep(in, of_row.maybe), set);
+            if (m_bits(m_has_bits(undecided))) {
                 const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], v_select(is_z, r, v_splat(0)))), i_cut(z)};
-                wait_for_cells(v, queue, at, i_keep(m_not(is_x), open), cell);
-                wait_for_column(v, queue, at, i_keep(is_x, open), cell);
+                wait_for_cells(v, queue, at, i_keep(m_not(is_x), undecided), cell);
+                wait_for_column(v, queue, at, i_keep(is_x, undecided), cell);
             }
         }
         make_room(v);
         list_bits(v, half, bits.from, i_keep(m_not(is_x), set));
         list_column(v, half, bits.from, i_keep(is_x, set));
     }
-    hand_on_queued(v, queue, at, m_bits(m_and(present, wild)));
+    defer_queued(v, queue, at, m_bits(m_and(present, wild)));
 }

@@ -3,7 +3,7 @@
  * After: axes.h, voxelizing.h. Needs: v_floor, v_plane.
  *
  * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the planes of the grid
- * decide, which are one cell away at most (PROOFS.md 7.3). Of a mesh the doubles are asked beside them.
+ * decide, which are one cell away at most (PROOFS.md 7.3). Of a mesh the doubles are asked besides.
  */
 typedef struct lane_reach {
     vnum u[9];              /* the triangles: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */

@@ -1,13 +1,13 @@
 /*
  * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch. Of a mesh of
- * doubles it holds the floats that stand for some of its triangles. After: bricks.h, flats.h, beams.h. Needs: KERNEL.
+ * doubles it holds the floats that stand for some of its triangles. After: solids.h, flats.h, bricks.h. Needs: KERNEL.
  *
- * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and bricks of
+ * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and solids of
  * few cells wait in queues until they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the
  * layers asked for, or on company (PROOFS.md 7.9).
  */
 
-static void hand_on(tribox_voxels *v, lane_reach r, uint64_t lanes)
+static void defer(tribox_voxels *v, lane_reach r, uint64_t lanes)
 {
     float u[9][V_LANES], base[3][V_LANES], cells[3][V_LANES];
     uint64_t spans[3];
@@ -53,9 +53,9 @@ TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, 
     else if (kind == TRIBOX_FLATS)
         set_flats(v, queue, at, count, false);
     else if (is_exact)
-        set_bricks(v, queue, at, count, true);
+        set_solids(v, queue, at, count, true);
     else
-        set_bricks(v, queue, at, count, false);
+        set_solids(v, queue, at, count, false);
 }
 
 /* Whole packets of a queue; the rest moves to its beginning. */
@@ -147,7 +147,7 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
     vint half = bits.half;
     make_room(v);
     list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
-    for (int row = 1; row < TRIBOX_LINE; row++) {
+    for (int row = 1; row < TRIBOX_LINE_MOST; row++) {
         const vmask more = m_and(lines, v_gt(rows, v_splat((float)row)));
         half = i_add(half, step);
         if (!m_bits(more))
@@ -182,15 +182,15 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
     if (!m_bits(inside))
         return;
 
-    const vmask x = r.spans[0], y = r.spans[1], z = r.spans[2], is_narrow = at_most(r.cells[0], TRIBOX_FLAT);
-    const vmask wide = m_or(m_or(m_and(x, y), m_and(y, z)), m_and(z, x)), solid = m_and(m_and(x, y), z);
+    const vmask x = r.spans[0], y = r.spans[1], z = r.spans[2], is_narrow = at_most(r.cells[0], TRIBOX_FLAT_MOST);
+    const vmask wide = m_or(m_or(m_and(x, y), m_and(y, z)), m_and(z, x)), is_solid = m_and(m_and(x, y), z);
     vmask left = inside;
 
     lane_reach line = r;
     line.base[2] = v_max(r.base[2], first);
     line.cells[2] = v_sub(v_min(end_z, end), line.base[2]);
     const vnum line_rows = v_max(r.cells[1], line.cells[2]);
-    const vmask lines = m_andnot(m_and(m_and(inside, is_narrow), at_most(line_rows, TRIBOX_LINE)), wide);
+    const vmask lines = m_andnot(m_and(m_and(inside, is_narrow), at_most(line_rows, TRIBOX_LINE_MOST)), wide);
     if (m_bits(lines))
         list_lines(v, &line, lines, line_rows);
     left = m_andnot(left, lines);
@@ -199,23 +199,24 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
 
     /* One lane has nothing to gain: the rows in double are as fast, and fewer. */
     if (V_LANES == 1) {
-        hand_on(v, r, m_bits(left));
+        defer(v, r, m_bits(left));
         return;
     }
 
     /* Without edges a shadow has no limits: only the plane has. */
-    const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(wide, solid) : m_none(), few = m_and(left, is_narrow);
-    const vmask flats = m_and(m_and(few, flat), m_and(at_most(r.cells[1], TRIBOX_FLAT), at_most(r.cells[2], TRIBOX_FLAT)));
+    const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(wide, is_solid) : m_none(), few = m_and(left, is_narrow);
+    const vmask flats =
+        m_and(m_and(few, flat), m_and(at_most(r.cells[1], TRIBOX_FLAT_MOST), at_most(r.cells[2], TRIBOX_FLAT_MOST)));
     const vnum most = v_max(r.cells[1], r.cells[2]);
-    const vmask bricks = m_andnot(m_and(m_and(few, wide), at_most(most, TRIBOX_BRICK)), flat);
-    const vmask small = m_and(bricks, at_most(most, 2)), middle = m_andnot(m_and(bricks, at_most(most, 4)), small);
+    const vmask solids = m_andnot(m_and(m_and(few, wide), at_most(most, TRIBOX_SOLID_MOST)), flat);
+    const vmask small = m_and(solids, at_most(most, 2)), middle = m_andnot(m_and(solids, at_most(most, 4)), small);
     enqueue(v, TRIBOX_FLATS, flats, &r);
-    enqueue(v, TRIBOX_BRICKS_2, small, &r);
-    enqueue(v, TRIBOX_BRICKS_4, middle, &r);
-    enqueue(v, TRIBOX_BRICKS_8, m_andnot(bricks, m_or(small, middle)), &r);
-    left = m_andnot(left, m_or(flats, bricks));
+    enqueue(v, TRIBOX_SOLIDS_2, small, &r);
+    enqueue(v, TRIBOX_SOLIDS_4, middle, &r);
+    enqueue(v, TRIBOX_SOLIDS_8, m_andnot(solids, m_or(small, middle)), &r);
+    left = m_andnot(left, m_or(flats, solids));
     if (m_bits(left))
-        hand_on(v, r, m_bits(left));
+        defer(v, r, m_bits(left));
 }
 
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */
@@ -244,5 +245,5 @@ const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .write = write_listed,
     .find_tiles = find_tiles,
     .find_ends = find_ends,
-    .hand_on = hand_on_bricks,
+    .emit = emit_bricks,
 };

@@ -25,7 +25,7 @@ static double length_of(vnum lo, vnum hi)
 }
 
 /* The axis on which finite middles lie farthest apart, the first of several. At least V_LANES of them. */
-static int longest_axis(const tribox_places *places, size_t count)
+static int longest_axis(const tribox_sort_keys *keys, size_t count)
 {
     vnum lo[3], hi[3];
     int longest = 0;
@@ -37,7 +37,7 @@ static int longest_axis(const tribox_places *places, size_t count)
     for (size_t start = 0; start < count; start += V_LANES) {
         const size_t at = start + V_LANES <= count ? start : count - V_LANES;
         for (int a = 0; a < 3; a++) {
-            const vnum middle = v_load(places->middle[a] + at);
+            const vnum middle = v_load(keys->middle[a] + at);
             lo[a] = v_min(middle, lo[a]);
             hi[a] = v_max(v_drop(v_gt(middle, v_splat(FLT_MAX)), middle), hi[a]);
         }
@@ -49,14 +49,14 @@ static int longest_axis(const tribox_places *places, size_t count)
     return longest;
 }
 
-static void copy_place(const tribox_places *from, size_t i, const tribox_places *to, size_t k)
+static void copy_place(const tribox_sort_keys *from, size_t i, const tribox_sort_keys *to, size_t k)
 {
     for (int a = 0; a < 3; a++)
         to->middle[a][k] = from->middle[a][i];
     to->number[k] = from->number[i];
 }
 
-static void copy_places(const tribox_places *from, size_t first, size_t count, const tribox_places *to, size_t to_first)
+static void copy_places(const tribox_sort_keys *from, size_t first, size_t count, const tribox_sort_keys *to, size_t to_first)
 {
     for (int a = 0; a < 3; a++)
         memcpy(to->middle[a] + to_first, from->middle[a] + first, count * sizeof(float));
@@ -64,30 +64,30 @@ static void copy_places(const tribox_places *from, size_t first, size_t count, c
 }
 
 /* Those of places first .. end - 1 that come before the key go aside, the others move up. Returns how many went. */
-TRIBOX_INLINE size_t set_aside(const tribox_places *places, size_t first, size_t end, int axis, place_key key,
-                               const tribox_places *aside)
+TRIBOX_INLINE size_t set_aside(const tribox_sort_keys *keys, size_t first, size_t end, int axis, place_key key,
+                               const tribox_sort_keys *aside)
 {
     size_t at = first, less = 0, others = first;
     for (; at + V_LANES <= end; at += V_LANES) {
-        const vmask is_less = is_before(places->middle[axis] + at, places->number + at, key), is_other = m_not(is_less);
-        const vnum x = v_load(places->middle[0] + at), y = v_load(places->middle[1] + at), z = v_load(places->middle[2] + at);
-        const vint number = i_load((const int32_t *)places->number + at);
+        const vmask is_less = is_before(keys->middle[axis] + at, keys->number + at, key), is_other = m_not(is_less);
+        const vnum x = v_load(keys->middle[0] + at), y = v_load(keys->middle[1] + at), z = v_load(keys->middle[2] + at);
+        const vint number = i_load((const int32_t *)keys->number + at);
         const size_t found = tribox_count_bits(m_bits(is_less));
         v_pack(aside->middle[0] + less, is_less, x);
         v_pack(aside->middle[1] + less, is_less, y);
         v_pack(aside->middle[2] + less, is_less, z);
         i_pack((int32_t *)aside->number + less, is_less, number);
-        v_pack(places->middle[0] + others, is_other, x);
-        v_pack(places->middle[1] + others, is_other, y);
-        v_pack(places->middle[2] + others, is_other, z);
-        i_pack((int32_t *)places->number + others, is_other, number);
+        v_pack(keys->middle[0] + others, is_other, x);
+        v_pack(keys->middle[1] + others, is_other, y);
+        v_pack(keys->middle[2] + others, is_other, z);
+        i_pack((int32_t *)keys->number + others, is_other, number);
         less += found;
         others += V_LANES - found;
     }
     const uint64_t image = image_of_key(key);
     for (; at < end; at++) {
-        const bool is_less = image_of_key((place_key){places->middle[axis][at], places->number[at]}) < image;
-        copy_place(places, at, is_less ? aside : places, is_less ? less : others);
+        const bool is_less = image_of_key((place_key){keys->middle[axis][at], keys->number[at]}) < image;
+        copy_place(keys, at, is_less ? aside : keys, is_less ? less : others);
         less += is_less;
         others += !is_less;
     }
@@ -98,23 +98,23 @@ TRIBOX_INLINE size_t set_aside(const tribox_places *places, size_t first, size_t
  * The places that come before the key before the others. Block by block, so the same on every processor: others of earlier blocks
  * make room for what was set aside of this one.
  */
-static void split_places(const tribox_places *places, size_t count, int axis, place_key key)
+static void split_places(const tribox_sort_keys *keys, size_t count, int axis, place_key key)
 {
     split_buffer buffer;
-    const tribox_places aside = {{buffer.middle[0], buffer.middle[1], buffer.middle[2]}, buffer.number};
+    const tribox_sort_keys aside = {{buffer.middle[0], buffer.middle[1], buffer.middle[2]}, buffer.number};
     size_t before = 0;
     for (size_t first = 0; first < count; first += SPLIT) {
         const size_t end = count - first < SPLIT ? count : first + SPLIT;
-        const size_t less = set_aside(places, first, end, axis, key, &aside);
+        const size_t less = set_aside(keys, first, end, axis, key, &aside);
         const size_t others = end - less - before, moved = others < less ? others : less;
-        copy_places(places, before, moved, places, end - moved);
-        copy_places(&aside, 0, less, places, before);
+        copy_places(keys, before, moved, keys, end - moved);
+        copy_places(&aside, 0, less, keys, before);
         before += less;
     }
 }
 
-static void cut(const tribox_places *places, size_t count, size_t before)
+static void cut(const tribox_sort_keys *keys, size_t count, size_t before)
 {
-    const int axis = longest_axis(places, count);
-    split_places(places, count, axis, key_of_rank(places->middle[axis], places->number, count, before));
+    const int axis = longest_axis(keys, count);
+    split_places(keys, count, axis, key_of_rank(keys->middle[axis], keys->number, count, before));
 }

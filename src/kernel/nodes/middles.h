@@ -44,11 +44,11 @@ TRIBOX_INLINE vmask middles_of_boxes(const tribox_boxes *boxes, size_t at, size_
 }
 
 /* Those of a whole packet, numbered from `number` on. */
-TRIBOX_INLINE void write_places(const tribox_places *places, size_t at, vmask is_finite, const vnum middle[3], size_t number)
+TRIBOX_INLINE void write_places(const tribox_sort_keys *keys, size_t at, vmask is_finite, const vnum middle[3], size_t number)
 {
     for (int a = 0; a < 3; a++)
-        v_write(places->middle[a] + at, v_select(is_finite, middle[a], v_splat(INFINITY)));
-    i_write((int32_t *)places->number + at, i_add(i_splat((int32_t)(uint32_t)number), i_load(LANE_NUMBERS)));
+        v_write(keys->middle[a] + at, v_select(is_finite, middle[a], v_splat(INFINITY)));
+    i_write((int32_t *)keys->number + at, i_add(i_splat((int32_t)(uint32_t)number), i_load(LANE_NUMBERS)));
 }
 
 TRIBOX_INLINE vmask middles_at(const tribox_soup *soup, const tribox_boxes *boxes, size_t at, size_t count, vnum middle[3])
@@ -57,22 +57,22 @@ TRIBOX_INLINE vmask middles_at(const tribox_soup *soup, const tribox_boxes *boxe
 }
 
 static void find_middles(const tribox_soup *soup, const tribox_boxes *boxes, size_t first, size_t count, size_t number,
-                         const tribox_places *places)
+                         const tribox_sort_keys *keys)
 {
     float few_middles[3][V_LANES];
     uint32_t few_numbers[V_LANES];
-    const tribox_places few = {{few_middles[0], few_middles[1], few_middles[2]}, few_numbers};
+    const tribox_sort_keys partial = {{few_middles[0], few_middles[1], few_middles[2]}, few_numbers};
     const size_t last = count - count % V_LANES;
     vnum middle[3];
     for (size_t i = 0; i < last; i += V_LANES) {
         const vmask is_finite = middles_at(soup, boxes, first + i, V_LANES, middle);
-        write_places(places, i, is_finite, middle, number + i);
+        write_places(keys, i, is_finite, middle, number + i);
     }
     if (last == count)
         return;
     const vmask is_finite = middles_at(soup, boxes, first + last, count - last, middle);
-    write_places(&few, 0, is_finite, middle, number + last);
+    write_places(&partial, 0, is_finite, middle, number + last);
     for (int a = 0; a < 3; a++)
-        memcpy(places->middle[a] + last, few.middle[a], (count - last) * sizeof(float));
-    memcpy(places->number + last, few.number, (count - last) * sizeof(uint32_t));
+        memcpy(keys->middle[a] + last, partial.middle[a], (count - last) * sizeof(float));
+    memcpy(keys->number + last, partial.number, (count - last) * sizeof(uint32_t));
 }

@@ -1,5 +1,5 @@
 /*
- * nodes.h - a node of an index beside a box, child by child.
+ * nodes.h - a node of an index against a box, child by child.
  * After: axes.h.
  *
  * Bounds and box are numbers of the input: every comparison is exact. Box and children are closed, so touching is not apart

@@ -1,5 +1,5 @@
 /*
- * slabs.h - a node of an index beside an oriented box: its children's bounds between the three slabs, with what rounding can do.
+ * slabs.h - a node of an index against an oriented box: its children's bounds between the three slabs, with what rounding can do.
  * After: frame.h, nodes.h.
  *
  * On each axis of the box the bounds of a child reach from one corner to the opposite one. Both are moved into the frame like

@@ -7,8 +7,8 @@
  * soup costs the traffic of one axis. Between the other groups a packet ends as soon as no lane is left.
  */
 
-/* A run of packets in a word: returns the hits, and in *open what is left open, lane by lane. */
-TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_pairs *from, const packet_run *run, walk_kind kind, uint64_t *open)
+/* A run of packets in a word: returns the hits, and in *undecided what is left undecided, lane by lane. */
+TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_query *from, const packet_run *run, walk_kind kind, uint64_t *undecided)
 {
     uint64_t run_hit = 0, run_open = 0; /* kept in registers, so that stores cannot alias the streams */
     for (size_t lane = 0; lane < run->lanes; lane += V_LANES) {
@@ -16,7 +16,7 @@ TRIBOX_INLINE uint64_t walk_run(lane_pairs *p, const tribox_pairs *from, const p
         run_hit |= packet(p, from, run->at + lane, kind, &packet_open) << lane;
         run_open |= packet_open << lane;
     }
-    *open = run_open;
+    *undecided = run_open;
     return run_hit;
 }
 
@@ -28,10 +28,11 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
 }
 
 /*
- * Two loops, so that scenes without ties keep fewer numbers: from the first run that leaves several lanes open, the rest of the
+ * Two loops, so that scenes without ties keep fewer numbers: from the first run that leaves several lanes undecided, the rest of the
  * walk takes the second look of ties.h. It changes no answer: a slower stage would decide the same (PROOFS.md 5.3).
  */
-TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t count, uint64_t *hit, uint64_t *open, walk_kind kind)
+TRIBOX_INLINE void walk_words(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
+                              walk_kind kind)
 {
     const bool has_second_look = kind.decides == TRIBOX_BY_MARGIN && sequence_has(kind.sequence, 1) && kind.sequence != 1;
     walk_kind looks_again = kind;
@@ -48,13 +49,13 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
         if (has_second_look && has_several(run_open))
             break;
         put_run(&hit[done / 64], done % 64, run_hit, &run);
-        put_run(&open[done / 64], done % 64, run_open, &run);
+        put_run(&undecided[done / 64], done % 64, run_open, &run);
     }
     for (; has_second_look && done < count; done += run.pairs) {
         uint64_t run_open;
         run = run_of_packets(start + done, end, 64);
         put_run(&hit[done / 64], done % 64, walk_run(&p, from, &run, looks_again, &run_open), &run);
-        put_run(&open[done / 64], done % 64, run_open, &run);
+        put_run(&undecided[done / 64], done % 64, run_open, &run);
     }
 }
 
@@ -62,28 +63,32 @@ TRIBOX_INLINE void walk_words(const tribox_pairs *from, size_t word, size_t coun
  * The forms of one kind and sequence, each a loop of its own: asked once a walk, and not once a packet. Meshes have theirs only
  * where all axes are asked, to keep the code small.
  */
-#define WALK(decides, sequence) \
-    static void walk_##decides##_##sequence(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open) \
+#define WALK(by, groups) \
+    static void walk_##by##_##groups(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
     { \
         if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, false, false, false}); \
-        else if (sequence > 99 && pairs->corners) \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, true, true, false, false}); \
+            walk_words(pairs, word, count, hit, undecided, \
+                       (walk_kind){.sequence = groups, .decides = TRIBOX_##by, .is_soup = true}); \
+        else if (groups > 99 && pairs->corners) \
+            walk_words(pairs, word, count, hit, undecided, \
+                       (walk_kind){.sequence = groups, .decides = TRIBOX_##by, .is_soup = true, .is_mesh = true}); \
         else \
-            walk_words(pairs, word, count, hit, open, (walk_kind){sequence, TRIBOX_##decides, false, false, false, false}); \
+            walk_words(pairs, word, count, hit, undecided, (walk_kind){.sequence = groups, .decides = TRIBOX_##by}); \
     }
 #define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 
-static void walk_near_box(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open)
+static void walk_local_box(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
-    walk_words(pairs, word, count, hit, open, (walk_kind){1, TRIBOX_BY_MARGIN, true, true, true, false});
+    walk_words(pairs, word, count, hit, undecided,
+               (walk_kind){.sequence = 1, .decides = TRIBOX_BY_MARGIN, .is_soup = true, .is_mesh = true, .is_local = true});
 }
 
 /* In one order: reading doubles takes as long as what another could save. */
-static void walk_near_all(const tribox_pairs *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *open)
+static void walk_local_all(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
-    walk_words(pairs, word, count, hit, open, (walk_kind){132, TRIBOX_BY_MARGIN, true, true, true, false});
+    walk_words(pairs, word, count, hit, undecided,
+               (walk_kind){.sequence = 132, .decides = TRIBOX_BY_MARGIN, .is_soup = true, .is_mesh = true, .is_local = true});
 }
 
 #define ENTRY(decides, sequence) [TRIBOX_##decides][TRIBOX_SEQUENCE_##sequence] = walk_##decides##_##sequence,
@@ -101,14 +106,14 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .lanes = V_LANES,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
     .survey = {[TRIBOX_BY_MARGIN] = survey_BY_MARGIN, [TRIBOX_BY_SIGN] = survey_BY_SIGN},
-    .walk_near = {[TRIBOX_NEAR_BOX] = walk_near_box, [TRIBOX_NEAR_ALL] = walk_near_all},
+    .walk_local = {[TRIBOX_LOCAL_BOX] = walk_local_box, [TRIBOX_LOCAL_ALL] = walk_local_all},
     .spread_triangles = spread_triangles,
     .spread_boxes = spread_boxes,
     .inside = inside,
     .find_vertices = find_vertices,
     .find_corners = find_corners,
     .gather = gather,
-    .is_beside = is_beside,
+    .is_apart = is_beside,
     .to_frame = to_frame,
     .in_double = TRIBOX_SYMBOL(double),
     .cells = &TRIBOX_SYMBOL(cells),

@@ -1,8 +1,8 @@
 /*
  * corners.h - a packet of triangles of a mesh, from where they lie in memory to registers.
- * After: axes.h, nine.h. Needs: v_transpose4, v_near_transpose4.
+ * After: axes.h, nine.h. Needs: v_transpose4, v_local_transpose4.
  *
- * Vertices are read four numbers wide and transposed. What is read beside one of them lies in the mesh: of nine numbers each, the
+ * Vertices are read four numbers wide and transposed. What is read next to one of them lies in the mesh: of nine numbers each, the
  * last vertex of a triangle is read from the number before it on; of others none is the last of the mesh (gather.h).
  */
 
@@ -11,7 +11,7 @@ TRIBOX_INLINE void load_vertices(lane_triangle *t, int j, const void *const plac
 {
     vnum number[4];
     if (numbers.are_doubles)
-        v_near_transpose4(place, numbers.near + (3 - before) % 3, number);
+        v_local_transpose4(place, numbers.origin + (3 - before) % 3, number);
     else
         v_transpose4(place, number);
     for (int a = 0; a < 3; a++)
@@ -64,9 +64,9 @@ TRIBOX_INLINE void fetch_ahead(const tribox_corners *corners, size_t at, int byt
 }
 
 /* The packet at triangle `at`. */
-TRIBOX_INLINE void load_corners(lane_triangle *t, const tribox_corners *corners, size_t at, bool is_near)
+TRIBOX_INLINE void load_corners(lane_triangle *t, const tribox_corners *corners, size_t at, bool is_local)
 {
-    const lane_numbers numbers = {is_near, corners->near};
+    const lane_numbers numbers = {is_local, corners->origin};
     const char *const nines = corners->base + (size_t)(9 * bytes_of(numbers)) * at;
     if (corners->ahead)
         fetch_ahead(corners, at, bytes_of(numbers));

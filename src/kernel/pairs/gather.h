@@ -73,15 +73,15 @@ typedef struct gather_to {
 } gather_to;
 
 /* Triangles to streams, number by number: vertices from `least` on. */
-static void gather_vertices(const tribox_mesh *mesh, const double *near, size_t first, size_t count, size_t least, gather_to to)
+static void gather_vertices(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, size_t least, gather_to to)
 {
     for (size_t corner = 0; corner < 3 * count; corner++) {
         const size_t vertex = tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * first + corner);
         const char *const from = (const char *)mesh->positions + vertex * mesh->stride;
         for (size_t a = 0; vertex >= least && a < 3; a++) {
             float *const number = to.streams[3 * a + corner % 3] + to.start + corner / 3;
-            if (near)
-                *number = tribox_near_number(from + a * sizeof(double), near[a]);
+            if (origin)
+                *number = tribox_local_number(from + a * sizeof(double), origin[a]);
             else
                 memcpy(number, from + a * sizeof(float), sizeof(float));
         }
@@ -105,26 +105,26 @@ TRIBOX_INLINE void gather_packets(const tribox_corners *corners, size_t count, g
         gather_packet(corners, count - V_LANES, to, is_near);
 }
 
-static void gather_word(const tribox_mesh *mesh, const double *near, size_t first, size_t count, gather_to to)
+static void gather_word(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, gather_to to)
 {
     uint32_t offset[3 * 64];
     tribox_corners corners;
     find_corners(mesh, first, count, offset, &corners);
-    corners.near = near;
+    corners.origin = origin;
     if (count < V_LANES || !corners.base) {
-        gather_vertices(mesh, near, first, count, 0, to);
+        gather_vertices(mesh, origin, first, count, 0, to);
         return;
     }
-    if (near)
+    if (origin)
         gather_packets(&corners, count, to, true);
     else
         gather_packets(&corners, count, to, false);
     if (!corners.has_all)
-        gather_vertices(mesh, near, first, count, mesh->vertices - 1, to);
+        gather_vertices(mesh, origin, first, count, mesh->vertices - 1, to);
 }
 
-static void gather(const tribox_mesh *mesh, const double *near, size_t first, size_t count, float *const to[9])
+static void gather(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, float *const to[9])
 {
     for (size_t word = 0; word < count; word += 64)
-        gather_word(mesh, near, first + word, count - word < 64 ? count - word : 64, (gather_to){to, word});
+        gather_word(mesh, origin, first + word, count - word < 64 ? count - word : 64, (gather_to){to, word});
 }

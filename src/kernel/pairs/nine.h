@@ -1,6 +1,6 @@
 /*
  * nine.h - nine numbers a triangle into nine registers, V_LANES triangles at a time, from registers read as they lie in memory.
- * After: axes.h. Needs: v_permute, v_near.
+ * After: axes.h. Needs: v_permute, v_local.
  *
  * V_LANES and nine have no common factor, so at each place the nine registers hold nine different numbers of a triangle. Numbers
  * follow each other within a register: number k at place p is in the one that begins with number k - p, modulo nine. Ordered by
@@ -31,7 +31,7 @@ static const float nine_bits[3][TRIBOX_LANES_MAX] = {{1, -1, 1, -1, 1, -1, 1, -1
 /* What is read: floats as they are, or doubles less near[k], of axis k % 3, rounded (kernel.h). */
 typedef struct lane_numbers {
     bool are_doubles; /* a constant of an instance */
-    const double *near;
+    const double *origin;
 } lane_numbers;
 
 TRIBOX_INLINE int bytes_of(lane_numbers numbers) { return numbers.are_doubles ? (int)sizeof(double) : (int)sizeof(float); }
@@ -39,7 +39,7 @@ TRIBOX_INLINE int bytes_of(lane_numbers numbers) { return numbers.are_doubles ? 
 /* Numbers k to k + V_LANES - 1, which lie at `from`; number 0 is on axis 0. */
 TRIBOX_INLINE vnum load_numbers(const char *from, int k, lane_numbers numbers)
 {
-    return numbers.are_doubles ? v_near(from, numbers.near + k % 3) : v_load((const float *)(const void *)from);
+    return numbers.are_doubles ? v_local(from, numbers.origin + k % 3) : v_load((const float *)(const void *)from);
 }
 
 /* The V_LANES triangles at `from`. */

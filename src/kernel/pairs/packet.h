@@ -1,6 +1,6 @@
 /*
  * packet.h - one packet of V_LANES pairs, decided by sign or by margin, and in one sequence of groups: constants.
- * After: axes.h, corners.h, margin.h, ties.h, near.h.
+ * After: axes.h, corners.h, margin.h, ties.h, local.h.
  *
  * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
  * lane that has a slack within it to the next stage (doubles.h). What a hit then needs: `certain_overlaps`.
@@ -32,7 +32,7 @@ typedef struct walk_kind {
     tribox_walk_kind decides;
     bool is_soup;     /* triangles and one box; else one triangle and boxes */
     bool is_mesh;     /* these triangles are corners */
-    bool is_near;     /* of doubles, relative to the box (near.h) */
+    bool is_local;    /* of doubles, relative to the box (local.h) */
     bool looks_again; /* with the second look of ties.h, for which more numbers have to be kept */
 } walk_kind;
 
@@ -44,13 +44,13 @@ typedef struct lane_pairs {
     vmask clear; /* near: the lanes that a box normal does not leave in doubt */
 } lane_pairs;
 
-TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_pairs *from, walk_kind kind)
+TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kind kind)
 {
     if (kind.is_soup) {
         splat_box(&p->box, from->box);
-        if (kind.is_near)
+        if (kind.is_local)
             near_box(&p->box);
-        p->margin = kind.is_near && sequence_has(kind.sequence, 3) ? near_margin_of(&p->box) : box_margin_of(&p->box);
+        p->margin = kind.is_local && sequence_has(kind.sequence, 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
     } else {
         splat_triangle(&p->t, from->triangle);
     }
@@ -81,12 +81,12 @@ TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
 }
 
 /* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on its normal. */
-TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t at, int a, walk_kind kind, uint64_t left,
+TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
                                  lane_shape *s)
 {
     if (kind.is_mesh) {
         if (a == 0)
-            load_corners(&p->t, from->corners, at, kind.is_near);
+            load_corners(&p->t, from->corners, at, kind.is_local);
     } else if (kind.is_soup) {
         const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
@@ -99,7 +99,7 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_pairs *from, size_t
     shape_axis(s, &p->t, &p->box, a);
     if (kind.looks_again)
         drop_zero_lengths(s, a);
-    if (kind.is_near)
+    if (kind.is_local)
         p->clear = a == 0 ? is_clear(&p->t, &p->box, a) : m_and(p->clear, is_clear(&p->t, &p->box, a));
     return is_box_first(kind.sequence) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
 }
@@ -248,19 +248,19 @@ TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_marg
 /* Doubles: not where a box normal is in doubt. */
 TRIBOX_INLINE vmask clear_of(const lane_pairs *p, vmask certain, walk_kind kind)
 {
-    return kind.is_near ? m_and(certain, p->clear) : certain;
+    return kind.is_local ? m_and(certain, p->clear) : certain;
 }
 
 /* Where slacks beyond their margins alone make a hit: extents do not matter or, near a box at zero, are large. */
 TRIBOX_INLINE vmask needs_no_more(const lane_pairs *p, const lane_shape *s, walk_kind kind)
 {
-    if (!kind.is_near)
+    if (!kind.is_local)
         return v_gt(v_splat(0), p->margin.least);
     return m_and(p->clear, v_gt(lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2)), p->margin.least));
 }
 
-/* FAST: what the signs of the slacks leave; open where a coordinate is not finite. */
-TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+/* FAST: what the signs of the slacks leave; undecided where a coordinate is not finite. */
+TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *undecided)
 {
     vmask finite = m_all();
     left = left_by_sign(p, s, stage_at(kind.sequence, 0), kind, left, &finite);
@@ -272,12 +272,13 @@ TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk
     left = left_by_sign(p, s, stage_at(kind.sequence, 2), kind, left, &finite);
     if (!sequence_has(kind.sequence, 2))
         finite = is_finite_sum(&p->t);
-    *open = left & ~m_bits(finite);
+    *undecided = left & ~m_bits(finite);
     return left & m_bits(finite);
 }
 
-/* EXACT and CONSERVATIVE, group by group: what slacks beyond their margins leave, and open where that is not certain. */
-TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+/* EXACT and CONSERVATIVE, group by group: what slacks beyond their margins leave, and undecided where that is not certain. */
+TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left,
+                                          uint64_t *undecided)
 {
     const unsigned first = stage_at(kind.sequence, 0), second = stage_at(kind.sequence, 1), third = stage_at(kind.sequence, 2);
     lane_margin margin;
@@ -292,7 +293,7 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
     if (kind.sequence == 1)
         margin = margin_of(s, &p->margin, true);
     const uint64_t hit = certain_overlaps(s, &p->margin, &margin, clear_of(p, certain, kind), kind, left);
-    *open = left & ~hit;
+    *undecided = left & ~hit;
     return hit;
 }
 
@@ -301,7 +302,8 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
  * the rest need not be looked at; a hit then needs extents that do not matter, as in certain_overlaps. In the second look lanes
  * within a margin are common, and this branch would be hard to foresee.
  */
-TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *open)
+TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left,
+                                                uint64_t *undecided)
 {
     const bool is_box_asked = sequence_has(kind.sequence, 1);
     const vnum zero = v_splat(0);
@@ -319,15 +321,15 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     const vmask certain = m_and(v_gt(slack.edges, margin.edges), v_gt(slack.plane, margin.plane));
     left &= ~m_bits(m_and(margin.is_valid, beyond));
     const uint64_t hit = certain_overlaps(s, &p->margin, &margin, clear_of(p, certain, kind), kind, left);
-    *open = left & ~hit;
+    *undecided = left & ~hit;
     return hit;
 }
 
-/* The lanes of the packet at pair `at` that overlap for this kind of walk; in *open those that are left to a slower stage. */
-TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_pairs *from, size_t at, walk_kind kind, uint64_t *open)
+/* The lanes of the packet at pair `at` that overlap for this kind of walk; in *undecided those that are left to a slower stage. */
+TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, uint64_t *undecided)
 {
     lane_shape s;
-    *open = 0;
+    *undecided = 0;
     uint64_t left = load_axis(p, from, at, 0, kind, LANES_ALL, &s);
     if (!left)
         return 0;
@@ -341,8 +343,8 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_pairs *from, size_t at
     if (!is_joint)
         shape_normal(&s);
     if (kind.decides == TRIBOX_BY_SIGN)
-        return overlaps_by_sign(p, &s, kind, left, open);
+        return overlaps_by_sign(p, &s, kind, left, undecided);
     if (!kind.is_soup)
         p->margin = box_margin_of(&p->box);
-    return is_joint ? overlaps_by_joint_margin(p, &s, kind, left, open) : overlaps_by_margin(p, &s, kind, left, open);
+    return is_joint ? overlaps_by_joint_margin(p, &s, kind, left, undecided) : overlaps_by_margin(p, &s, kind, left, undecided);
 }

@@ -14,19 +14,19 @@ TRIBOX_INLINE void note_rejected(tribox_seen *seen, uint64_t packet, uint64_t bo
 }
 
 TRIBOX_INLINE uint64_t survey_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t packet, uint64_t left,
-                                      tribox_seen *seen, uint64_t *open)
+                                      tribox_seen *seen, uint64_t *undecided)
 {
     vmask finite;
     const uint64_t plane = left_by_sign(p, s, 2, kind, LANES_ALL, &finite);
     const bool is_left = left & plane;
     const uint64_t edges = is_left ? left_by_sign(p, s, 3, kind, LANES_ALL, &finite) : LANES_ALL;
     note_rejected(seen, packet, left, plane, edges);
-    *open = left & plane & edges & ~m_bits(finite);
+    *undecided = left & plane & edges & ~m_bits(finite);
     return left & plane & edges & m_bits(finite);
 }
 
 TRIBOX_INLINE uint64_t survey_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t packet, uint64_t left,
-                                        tribox_seen *seen, uint64_t *open)
+                                        tribox_seen *seen, uint64_t *undecided)
 {
     lane_margin margin;
     vmask certain;
@@ -35,32 +35,32 @@ TRIBOX_INLINE uint64_t survey_by_margin(const lane_pairs *p, const lane_shape *s
     const uint64_t edges = is_left ? left_by_margin(p, s, 3, false, kind, LANES_ALL, &margin, &certain) : LANES_ALL;
     note_rejected(seen, packet, left, plane, edges);
     const uint64_t hit = is_left ? certain_overlaps(s, &p->margin, &margin, certain, kind, left & plane & edges) : 0;
-    *open = left & plane & edges & ~hit;
+    *undecided = left & plane & edges & ~hit;
     return hit;
 }
 
-TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_pairs *from, size_t at, walk_kind kind, uint64_t packet,
-                                     tribox_seen *seen, uint64_t *open)
+TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_query *from, size_t at, walk_kind kind, uint64_t packet,
+                                     tribox_seen *seen, uint64_t *undecided)
 {
     lane_shape s;
     uint64_t left = LANES_ALL;
     for (int a = 0; a < 3; a++) {
         left = load_axis(p, from, at, a, kind, left, &s);
         if (!left) {
-            seen->beside[a] |= packet;
-            *open = 0;
+            seen->apart[a] |= packet;
+            *undecided = 0;
             return 0;
         }
     }
     shape_normal(&s);
     if (kind.decides == TRIBOX_BY_SIGN)
-        return survey_by_sign(p, &s, kind, packet, left, seen, open);
+        return survey_by_sign(p, &s, kind, packet, left, seen, undecided);
     if (!kind.is_soup)
         p->margin = box_margin_of(&p->box);
-    return survey_by_margin(p, &s, kind, packet, left, seen, open);
+    return survey_by_margin(p, &s, kind, packet, left, seen, undecided);
 }
 
-TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_kind kind, tribox_seen *seen, uint64_t *open)
+TRIBOX_INLINE uint64_t survey_word(const tribox_query *from, size_t word, walk_kind kind, tribox_seen *seen, uint64_t *undecided)
 {
     uint64_t word_hit = 0, word_open = 0;
     lane_pairs p;
@@ -72,20 +72,27 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_pairs *from, size_t word, walk_k
                     << lane;
         word_open |= packet_open << lane;
     }
-    *open = word_open;
+    *undecided = word_open;
     return word_hit;
 }
 
 /* With the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed. */
-#define SURVEY(decides) \
-    static uint64_t survey_##decides(const tribox_pairs *pairs, size_t word, tribox_seen *seen, uint64_t *open) \
+#define SURVEY(by) \
+    static uint64_t survey_##by(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided) \
     { \
-        const bool looks_again = TRIBOX_##decides == TRIBOX_BY_MARGIN; \
+        const bool looks_again = TRIBOX_##by == TRIBOX_BY_MARGIN; \
         if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, false, false, looks_again}, seen, open); \
+            return survey_word(pairs, word, \
+                               (walk_kind){.sequence = 123, .decides = TRIBOX_##by, .is_soup = true, .looks_again = looks_again}, \
+                               seen, undecided); \
         if (pairs->corners) \
-            return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, true, true, false, looks_again}, seen, open); \
-        return survey_word(pairs, word, (walk_kind){123, TRIBOX_##decides, false, false, false, looks_again}, seen, open); \
+            return survey_word( \
+                pairs, word, \
+                (walk_kind){ \
+                    .sequence = 123, .decides = TRIBOX_##by, .is_soup = true, .is_mesh = true, .looks_again = looks_again}, \
+                seen, undecided); \
+        return survey_word(pairs, word, (walk_kind){.sequence = 123, .decides = TRIBOX_##by, .looks_again = looks_again}, seen, \
+                           undecided); \
     }
 SURVEY(BY_MARGIN)
 SURVEY(BY_SIGN)

@@ -3,7 +3,7 @@
  * After: a vocabulary. Needs: v_load_few.
  *
  * The last packet ends with the last pair, so it repeats pairs that the packet before it has. Fewer pairs than V_LANES are spread
- * over a packet before anything else reads them (tribox_few).
+ * over a packet before anything else reads them (tribox_partial_packet).
  */
 
 /* Packets that begin at pair `at`; the first lanes repeat pairs that come before those that are asked about. */
@@ -41,18 +41,18 @@ TRIBOX_INLINE void put_run(uint64_t *word, size_t at, uint64_t bits, const packe
         *word = (at ? *word : 0) | bits_of_run(bits, run) << at;
 }
 
-static void spread_triangles(const tribox_soup *soup, tribox_few *few)
+static void spread_triangles(const tribox_soup *soup, tribox_partial_packet *partial)
 {
     const size_t count = soup->count;
     vnum number[9]; /* all loaded before one is written, so that stores cannot alias the streams */
     for (int k = 0; k < 9; k++)
         number[k] = v_load_few(tribox_soup_axis(soup, k / 3)[k % 3], count);
-    few->soup = tribox_soup_of(&few->number[0][0], TRIBOX_LANES_MAX, count);
+    partial->soup = tribox_soup_of(&partial->number[0][0], TRIBOX_LANES_MAX, count);
     for (int k = 0; k < 9; k++)
-        v_write(few->number[k], number[k]);
+        v_write(partial->number[k], number[k]);
 }
 
-static void spread_boxes(const tribox_boxes *boxes, tribox_few *few)
+static void spread_boxes(const tribox_boxes *boxes, tribox_partial_packet *partial)
 {
     const size_t count = boxes->count;
     vnum number[6];
@@ -61,10 +61,10 @@ static void spread_boxes(const tribox_boxes *boxes, tribox_few *few)
         number[3 + a] = v_load_few(boxes->hi[a], count);
     }
     for (int a = 0; a < 3; a++) {
-        few->boxes.lo[a] = few->number[a];
-        few->boxes.hi[a] = few->number[3 + a];
+        partial->boxes.lo[a] = partial->number[a];
+        partial->boxes.hi[a] = partial->number[3 + a];
     }
-    few->boxes.count = count;
+    partial->boxes.count = count;
     for (int k = 0; k < 6; k++)
-        v_write(few->number[k], number[k]);
+        v_write(partial->number[k], number[k]);
 }

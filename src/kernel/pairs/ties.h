@@ -1,11 +1,11 @@
 /*
- * ties.h - slacks without redundant axes, for a second look at lanes that a margin leaves open although they certainly overlap.
+ * ties.h - slacks without redundant axes, for a second look at lanes that a margin leaves undecided although they certainly overlap.
  * After: axes.h, margin.h. Needs: v_drop.
  *
  * Where the box normals do not separate, these axes are redundant and can be left out, by the certificate of overlap too (PROOFS.md
  * 2, 5.1): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on an
  * axis. An edge parallel to e_i has slack zero on a_ij wherever it lies, so without this no triangle with such an edge would be
- * certain. To test a redundant axis all the same would only leave more pairs open.
+ * certain. To test a redundant axis all the same would only leave more pairs undecided.
  */
 
 /* NaN for every length on axis a that is zero: the slack of a redundant edge axis is then NaN, which v_min leaves out. */

@@ -132,7 +132,7 @@ TRIBOX_INLINE vnum side_of_edge(const lane_seen *s, int e, vnum y, vnum z)
 /* The pair `number` of each triangle, line by line: its row, where that crosses, and where exact signs have to tell. */
 typedef struct lane_crossing {
     vnum row[2], cell;
-    vmask crossed, open;
+    vmask crossed, undecided;
 } lane_crossing;
 
 TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen *s, vnum number)
@@ -153,7 +153,7 @@ TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen
     const vmask is_past = v_gt(least, s->error), is_beside = v_gt(v_sub(v_splat(0), s->error), least);
     const vmask is_in_box = m_and(is_within(y, s->lo[0], s->hi[0]), is_within(z, s->lo[1], s->hi[1]));
     c.crossed = m_and(m_and(is_past, is_told), is_in_box);
-    c.open = m_andnot(is_in_box, m_or(m_and(is_past, is_told), is_beside));
+    c.undecided = m_andnot(is_in_box, m_or(m_and(is_past, is_told), is_beside));
     return c;
 }
 
@@ -163,7 +163,7 @@ TRIBOX_INLINE void read_triangle(const tribox_seen_along *seen, size_t at, doubl
         u[n % 3][n / 3] = seen->number[n][at];
 }
 
-/* Lists what crosses, and settles what is open, of triangle `first` + lane * `step`. */
+/* Lists what crosses, and settles what is undecided, of triangle `first` + lane * `step`. */
 TRIBOX_INLINE void turn_pairs(tribox_crossings *c, const lane_crossing *found, vmask of, const tribox_seen_along *seen,
                               size_t first, size_t step)
 {
@@ -175,8 +175,8 @@ TRIBOX_INLINE void turn_pairs(tribox_crossings *c, const lane_crossing *found, v
         const unsigned n = tribox_lowest_bit(crossed);
         tribox_crossings_turn(c, (int64_t)row[0][n], (int64_t)row[1][n], (int64_t)cell[n]);
     }
-    for (uint64_t open = m_bits(m_and(found->open, of)); open; open &= open - 1) {
-        const unsigned n = tribox_lowest_bit(open);
+    for (uint64_t undecided = m_bits(m_and(found->undecided, of)); undecided; undecided &= undecided - 1) {
+        const unsigned n = tribox_lowest_bit(undecided);
         double u[3][3];
         read_triangle(seen, first + n * step, u);
         c->handlers->add_row(c, u, (int64_t)row[0][n], (int64_t)row[1][n]);

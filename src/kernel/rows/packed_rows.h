@@ -11,7 +11,7 @@ typedef struct row_cells {
 
 typedef struct row_list {
     unsigned count;
-    uint64_t open; /* rows that the projection along x leaves open */
+    uint64_t undecided; /* rows that the projection along x leaves undecided */
     double j[ROWS_ROOM], k[ROWS_ROOM];
     int32_t word[ROWS_ROOM]; /* of the triangle's first cell on the axis of x */
     row_cells maybe, certain;
@@ -48,28 +48,28 @@ TRIBOX_INLINE bool next_layer(const strip_place *p, row_cursor *at)
     return true;
 }
 
-/* Which of the next rows of the layer the projection along x leaves open, as bits. */
+/* Which of the next rows of the layer the projection along x leaves undecided, as bits. */
 TRIBOX_INLINE uint64_t open_rows(const strip_place *p, const row_cursor *at, unsigned more)
 {
     const int64_t n = (at->k - p->first) % V_LANES;
     const int64_t certain = at->layers.first_certain[n], end = at->layers.end_certain[n];
-    uint64_t open = 0;
+    uint64_t undecided = 0;
     if (at->j < certain || at->j + more > end)
         for (unsigned i = 0; i < more; i++)
-            open |= (uint64_t)(at->j + i < certain || at->j + i >= end) << i;
-    return open;
+            undecided |= (uint64_t)(at->j + i < certain || at->j + i >= end) << i;
+    return undecided;
 }
 
 /* The next rows of a triangle; of a solid one those that the projection along x leaves. Returns whether there are any. */
 TRIBOX_INLINE bool list_rows(const strip_place *p, row_cursor *at, row_list *rows, tribox_shape shape, bool has_certain)
 {
     rows->count = 0;
-    rows->open = 0;
+    rows->undecided = 0;
     while (rows->count < ROWS) {
         if (at->left > 0) {
             const unsigned more = (unsigned)tribox_least(at->left, ROWS - rows->count);
             if (shape == TRIBOX_SOLID && has_certain)
-                rows->open |= open_rows(p, at, more) << rows->count;
+                rows->undecided |= open_rows(p, at, more) << rows->count;
             list_run(rows, at, more, shape == TRIBOX_FLAT_Y);
         } else if (shape != TRIBOX_SOLID || !next_layer(p, at)) {
             break;
@@ -138,8 +138,8 @@ TRIBOX_INLINE void limit_all_rows(const strip_place *p, row_list *rows, tribox_s
     }
     for (unsigned at = 0; at < rows->count; at += V_LANES)
         limit_rows(p, rows, at, shape, has_certain);
-    for (uint64_t open = rows->open; open; open &= open - 1)
-        rows->certain.end[tribox_lowest_bit(open)] = 0;
+    for (uint64_t undecided = rows->undecided; undecided; undecided &= undecided - 1)
+        rows->certain.end[tribox_lowest_bit(undecided)] = 0;
 }
 
 /* The bits below bit n, which is at most 63. */
@@ -181,8 +181,8 @@ static size_t set_wide_rows(uint64_t *occupied, const row_list *rows, const row_
     return set;
 }
 
-/* Whether cells may be open: told without a branch. */
-static bool may_be_open(const row_list *rows)
+/* Whether cells may be undecided: told without a branch. */
+static bool may_be_undecided(const row_list *rows)
 {
     int32_t differ = 0;
     for (unsigned n = 0; n < rows->count; n++)

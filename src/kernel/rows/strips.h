@@ -10,8 +10,8 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
         const row_cells *const cells = has_certain ? &rows.certain : &rows.maybe;
         limit_all_rows(p, &rows, shape, has_certain);
         p->v->counts.overlapping += (is_narrow ? set_narrow_rows : set_wide_rows)(p->v->sinks.occupied, &rows, cells, bit);
-        if (has_certain && may_be_open(&rows))
-            (is_rough && !p->is_by_own_planes ? settle_open_rows(p, &rows, shape) : wait_for_rows(p, &rows));
+        if (has_certain && may_be_undecided(&rows))
+            (is_rough && !p->is_by_own_planes ? settle_undecided_rows(p, &rows, shape) : wait_for_rows(p, &rows));
     }
 }
 

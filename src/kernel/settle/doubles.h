@@ -1,5 +1,5 @@
 /*
- * doubles.h - what the walks left open, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
+ * doubles.h - what the walks left undecided, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
  * After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
  *
  * The processor's inexact flag shows for a whole packet at once that every slack is exact; then the signs decide ties as well. That
@@ -153,8 +153,8 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     const vmask inside = has_vertex_inside(&t, &box), above = v_gt(range.least, v_splat(0)), below = v_gt(v_splat(0), range.most);
     const uint64_t apart = m_bits(m_and(range.is_certain, below));
     const uint64_t overlapping = m_bits(m_or(m_and(range.is_certain, above), inside)) | (exact & ~negative);
-    const uint64_t open = finite & ~(apart | overlapping | exact);
-    return (tribox_verdict){finite & overlapping, open, finite, open & ~m_bits(range.is_certain)};
+    const uint64_t undecided = finite & ~(apart | overlapping | exact);
+    return (tribox_verdict){finite & overlapping, undecided, finite, undecided & ~m_bits(range.is_certain)};
 }
 
 tribox_in_double TRIBOX_SYMBOL(double);
@@ -164,10 +164,10 @@ tribox_verdict TRIBOX_SYMBOL(double)(const tribox_batch *batch, unsigned count, 
     for (unsigned at = 0; at < count; at += V_LANES) {
         const tribox_verdict packet = packet_in_double(batch, at, axes, is_exact);
         all.overlapping |= packet.overlapping << at;
-        all.open |= packet.open << at;
+        all.undecided |= packet.undecided << at;
         all.finite |= packet.finite << at;
         all.wild |= packet.wild << at;
     }
     const uint64_t present = ~UINT64_C(0) >> (TRIBOX_BATCH - count);
-    return (tribox_verdict){all.overlapping & present, all.open & present, all.finite & present, all.wild & present};
+    return (tribox_verdict){all.overlapping & present, all.undecided & present, all.finite & present, all.wild & present};
 }

@@ -1,5 +1,5 @@
 /*
- * near.h - triangles of doubles, rounded relative to the lower corner of their box: what that leaves in doubt.
+ * local.h - triangles of doubles, rounded relative to the lower corner of their box: what that leaves in doubt.
  * After: axes.h, margin.h.
  *
  * A vertex is w = u - lo, taken in double and then rounded to float; the box is that from 0 to H, hi - lo rounded likewise. With
@@ -16,7 +16,7 @@ TRIBOX_INLINE void near_box(lane_box *box)
 }
 
 /* That of the box, for triangles that are not so large that rounding may move them by half its thinnest side. */
-TRIBOX_INLINE lane_box_margin near_margin_of(const lane_box *box)
+TRIBOX_INLINE lane_box_margin local_margin_of(const lane_box *box)
 {
     const vnum thinnest = lane_min3(box->H[0], box->H[1], box->H[2]), longest = lane_max3(box->H[0], box->H[1], box->H[2]);
     lane_box_margin margin = box_margin_of(box);

@@ -1,9 +1,9 @@
 /*
- * index_query.h - one question to an index: the descent (index_query.c) finds which words of the soup can have an answer, and which
+ * index_descent.h - one query of an index: the descent (index_descent.c) finds which words of the soup can have an answer, and which
  * lie wholly in the box; index_answers.c takes the answers in the form that the caller asked for.
  */
-#ifndef TRIBOX_INDEX_QUERY_H
-#define TRIBOX_INDEX_QUERY_H
+#ifndef TRIBOX_INDEX_DESCENT_H
+#define TRIBOX_INDEX_DESCENT_H
 
 #include "index_levels.h"
 #include "pairs/pairs.h"
@@ -27,29 +27,29 @@ typedef struct tribox_answers {
 /* Words wait until so many have come together, from wherever they lie: ties of all are settled at once. */
 enum { TRIBOX_PENDING = TRIBOX_BLOCK_WORDS };
 
-typedef struct tribox_query {
+typedef struct tribox_descent {
     const char *nodes;
     tribox_levels levels;
-    tribox_pairs pairs;                  /* a soup and a box, */
+    tribox_query pairs;                  /* a soup and a box, */
     const tribox_oriented_box *oriented; /* or this one instead; else NULL */
     tribox_plan *plan;
-    bool may_choose; /* the order of the groups is open */
+    bool may_choose; /* the order of the groups is not fixed */
     tribox_answers *to;
     unsigned pending;
     size_t word[TRIBOX_PENDING]; /* in ascending order */
     size_t full[TRIBOX_PENDING]; /* so many words from that one on lie wholly in the box; 0: one word that has to be asked */
-} tribox_query;
+} tribox_descent;
 
 /* Takes the answer about one word. */
-void tribox_answers_take_word(const tribox_query *q, size_t word, uint64_t hit);
+void tribox_answers_take_word(const tribox_descent *q, size_t word, uint64_t hit);
 
 /* Takes words whose triangles all lie in the box. */
-void tribox_answers_take_full(const tribox_query *q, size_t word, size_t words);
+void tribox_answers_take_full(const tribox_descent *q, size_t word, size_t words);
 
 /* Finds all answers, in ascending order where that matters. The box is finite and not empty. */
-void tribox_query_run(tribox_query *q);
+void tribox_descent_run(tribox_descent *q);
 
 /* Finds some triangle; false if there is none. */
-bool tribox_query_any(tribox_query *q, size_t *triangle);
+bool tribox_descent_any(tribox_descent *q, size_t *triangle);
 
 #endif

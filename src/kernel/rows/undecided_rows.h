@@ -1,5 +1,5 @@
 /*
- * open_rows.h - rows that have open cells, limited once more by their own planes. After: packed_rows.h.
+ * undecided_rows.h - rows that have undecided cells, limited once more by their own planes. After: packed_rows.h.
  *
  * That pays where few have some; where most would, rows are limited by their own planes at once (columns.h, packed_rows.h).
  */
@@ -37,20 +37,20 @@ TRIBOX_INLINE void limit_rows_by_own(const strip_place *p, row_list *rows, unsig
     write_ends(&rows->certain.first[at], &rows->certain.end[at], run.first_certain, run.end_certain, cells);
 }
 
-/* Those of the rows that have open cells. */
-static void take_open_rows(const row_list *rows, row_list *open)
+/* Those of the rows that have undecided cells. */
+static void take_open_rows(const row_list *rows, row_list *undecided)
 {
-    open->count = 0;
+    undecided->count = 0;
     for (unsigned n = 0; n < rows->count; n++) {
-        open->j[open->count] = rows->j[n];
-        open->k[open->count] = rows->k[n];
-        open->word[open->count] = rows->word[n];
-        open->count += rows->maybe.first[n] < rows->maybe.end[n] &&
-                       (rows->maybe.first[n] != rows->certain.first[n] || rows->maybe.end[n] != rows->certain.end[n]);
+        undecided->j[undecided->count] = rows->j[n];
+        undecided->k[undecided->count] = rows->k[n];
+        undecided->word[undecided->count] = rows->word[n];
+        undecided->count += rows->maybe.first[n] < rows->maybe.end[n] &&
+                            (rows->maybe.first[n] != rows->certain.first[n] || rows->maybe.end[n] != rows->certain.end[n]);
     }
-    for (unsigned n = open->count; n % V_LANES; n++) {
-        open->j[n] = open->j[open->count - 1];
-        open->k[n] = open->k[open->count - 1];
+    for (unsigned n = undecided->count; n % V_LANES; n++) {
+        undecided->j[n] = undecided->j[undecided->count - 1];
+        undecided->k[n] = undecided->k[undecided->count - 1];
     }
 }
 
@@ -61,18 +61,18 @@ static void prepare_own(const strip_place *p, tribox_shape shape)
     *p->has_own = true;
 }
 
-/* Sets what is certain by now; what is open still waits. */
-static void settle_open_rows(const strip_place *p, const row_list *rows, tribox_shape shape)
+/* Sets what is certain by now; what is undecided still waits. */
+static void settle_undecided_rows(const strip_place *p, const row_list *rows, tribox_shape shape)
 {
-    row_list open;
-    take_open_rows(rows, &open);
-    if (!open.count)
+    row_list undecided;
+    take_open_rows(rows, &undecided);
+    if (!undecided.count)
         return;
     if (!*p->has_own)
         prepare_own(p, shape);
-    for (unsigned at = 0; at < open.count; at += V_LANES)
-        limit_rows_by_own(p, &open, at, shape);
-    p->v->counts.overlapping += set_wide_rows(p->v->sinks.occupied, &open, &open.certain, p->strip->bit[p->t]);
-    if (may_be_open(&open))
-        wait_for_rows(p, &open);
+    for (unsigned at = 0; at < undecided.count; at += V_LANES)
+        limit_rows_by_own(p, &undecided, at, shape);
+    p->v->counts.overlapping += set_wide_rows(p->v->sinks.occupied, &undecided, &undecided.certain, p->strip->bit[p->t]);
+    if (may_be_undecided(&undecided))
+        wait_for_rows(p, &undecided);
 }

@@ -1,5 +1,5 @@
-/* index_query.c - the descent from the top of an index to the words that a box can touch, and what the kernel says of them. */
-#include "index_query.h"
+/* index_descent.c - the descent from the top of an index to the words that a box can touch, and what the kernel says of them. */
+#include "index_descent.h"
 
 #include <string.h>
 
@@ -14,7 +14,7 @@ static uint64_t first_bits(size_t count) { return count < 64 ? (UINT64_C(1) << c
 static uint64_t there(size_t count, size_t first) { return count > first ? first_bits(count - first) : 0; }
 
 /* Node j of a level: in its place, or a copy that is aligned. */
-static const tribox_node *node_at(const tribox_query *q, unsigned level, size_t j, tribox_node *copy)
+static const tribox_node *node_at(const tribox_descent *q, unsigned level, size_t j, tribox_node *copy)
 {
     const char *const place = q->nodes + (q->levels.start[level] + j) * sizeof(tribox_node);
     if ((uintptr_t)place % _Alignof(tribox_node) == 0)
@@ -27,7 +27,7 @@ static const tribox_node *node_at(const tribox_query *q, unsigned level, size_t 
  * Asks node j of a level. Whatever a damaged node says, children that are not there do not touch, and only those that have all
  * their triangles are inside.
  */
-static tribox_touch ask(const tribox_query *q, unsigned level, size_t j, const tribox_node *node)
+static tribox_touch ask(const tribox_descent *q, unsigned level, size_t j, const tribox_node *node)
 {
     const tribox_index_kernel *const kernel = q->plan->kernel->index;
     const size_t of_level = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count), left = of_level - 64 * j;
@@ -40,7 +40,7 @@ static tribox_touch ask(const tribox_query *q, unsigned level, size_t j, const t
 }
 
 /* How many of the pending words from place k on have to be asked and follow one another. */
-static unsigned run_at(const tribox_query *q, unsigned k)
+static unsigned run_at(const tribox_descent *q, unsigned k)
 {
     unsigned n = 0;
     while (k + n < q->pending && !q->full[k + n] && q->word[k + n] == q->word[k] + n)
@@ -48,31 +48,31 @@ static unsigned run_at(const tribox_query *q, unsigned k)
     return n;
 }
 
-/* Asks the pending words that have to be asked. Returns whether a lane is open. */
-static bool ask_pending(tribox_query *q, uint64_t *hit, uint64_t *open)
+/* Asks the pending words that have to be asked. Returns whether a lane is undecided. */
+static bool ask_pending(tribox_descent *q, uint64_t *hit, uint64_t *undecided)
 {
     const tribox_oriented_question oriented = {q->pairs.soup, q->oriented, q->plan};
     uint64_t any = 0;
-    memset(open, 0, q->pending * sizeof *open);
+    memset(undecided, 0, q->pending * sizeof *undecided);
     /* A survey pays where many words are to come: where so many have. */
-    q->plan->choice.is_open = q->may_choose && q->pending == TRIBOX_PENDING;
+    q->plan->choice.is_adaptive = q->may_choose && q->pending == TRIBOX_PENDING;
     for (unsigned k = 0, n; k < q->pending; k += n ? n : 1) {
         n = run_at(q, k);
         if (n && q->oriented)
             q->to->counts.undecided += tribox_oriented_answer(&oriented, q->word[k], n, hit + k);
         else if (n)
-            tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, open + k);
+            tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, undecided + k);
     }
     for (unsigned k = 0; k < q->pending; k++)
-        any |= open[k];
+        any |= undecided[k];
     return any;
 }
 
-static void answer_pending(tribox_query *q)
+static void answer_pending(tribox_descent *q)
 {
-    uint64_t hit[TRIBOX_PENDING], open[TRIBOX_PENDING];
-    if (ask_pending(q, hit, open))
-        q->to->counts.undecided += tribox_pairs_settle_words(&q->pairs, q->plan, q->word, q->pending, open, hit);
+    uint64_t hit[TRIBOX_PENDING], undecided[TRIBOX_PENDING];
+    if (ask_pending(q, hit, undecided))
+        q->to->counts.undecided += tribox_pairs_settle_words(&q->pairs, q->plan, q->word, q->pending, undecided, hit);
     for (unsigned k = 0; k < q->pending; k++) {
         if (q->full[k])
             tribox_answers_take_full(q, q->word[k], q->full[k]);
@@ -83,9 +83,9 @@ static void answer_pending(tribox_query *q)
 }
 
 /* Where answers go into places of their own, full words need not wait for those that come before them. */
-static bool is_ordered(const tribox_query *q) { return q->to->form == TRIBOX_WORDS || q->to->form == TRIBOX_LIST; }
+static bool is_ordered(const tribox_descent *q) { return q->to->form == TRIBOX_WORDS || q->to->form == TRIBOX_LIST; }
 
-static void push(tribox_query *q, size_t word, size_t full)
+static void push(tribox_descent *q, size_t word, size_t full)
 {
     if (full && !is_ordered(q)) {
         tribox_answers_take_full(q, word, full);
@@ -110,7 +110,7 @@ static unsigned ones_at(uint64_t bits, unsigned c)
 }
 
 /* Levels are few: 9 at the most below the top. */
-static void visit(tribox_query *q, unsigned level, size_t j)
+static void visit(tribox_descent *q, unsigned level, size_t j)
 {
     tribox_node copy;
     const tribox_touch found = ask(q, level, j, node_at(q, level, j, &copy));
@@ -130,7 +130,7 @@ static void visit(tribox_query *q, unsigned level, size_t j)
     }
 }
 
-void tribox_query_run(tribox_query *q)
+void tribox_descent_run(tribox_descent *q)
 {
     q->pending = 0;
     visit(q, q->levels.count - 1, 0);
@@ -138,7 +138,7 @@ void tribox_query_run(tribox_query *q)
 }
 
 /* A triangle that lies wholly inside is found sooner than another. */
-static bool any_in_word(tribox_query *q, size_t word, size_t *triangle)
+static bool any_in_word(tribox_descent *q, size_t word, size_t *triangle)
 {
     uint64_t hit = q->plan->kernel->inside(q->pairs.soup, q->pairs.box, word, ~UINT64_C(0));
     if (!hit)
@@ -149,7 +149,7 @@ static bool any_in_word(tribox_query *q, size_t word, size_t *triangle)
 }
 
 /* Children that lie inside answer at once. Of the others, where there are several, those come first whose middle is in the box. */
-static bool any_in_node(tribox_query *q, unsigned level, size_t j, size_t *triangle)
+static bool any_in_node(tribox_descent *q, unsigned level, size_t j, size_t *triangle)
 {
     tribox_node copy;
     const tribox_node *const node = node_at(q, level, j, &copy);
@@ -169,8 +169,8 @@ static bool any_in_node(tribox_query *q, unsigned level, size_t j, size_t *trian
     return false;
 }
 
-bool tribox_query_any(tribox_query *q, size_t *triangle)
+bool tribox_descent_any(tribox_descent *q, size_t *triangle)
 {
-    q->plan->choice.is_open = false;
+    q->plan->choice.is_adaptive = false;
     return any_in_node(q, q->levels.count - 1, 0, triangle);
 }

@@ -1,6 +1,6 @@
-/* indices.h - which vertex stands at a corner of a mesh: corner 3 * i + v is vertex v of triangle i. */
-#ifndef TRIBOX_INDICES_H
-#define TRIBOX_INDICES_H
+/* vertex_numbers.h - which vertex stands at a corner of a mesh: corner 3 * i + v is vertex v of triangle i. */
+#ifndef TRIBOX_VERTEX_NUMBERS_H
+#define TRIBOX_VERTEX_NUMBERS_H
 
 #include <string.h>
 

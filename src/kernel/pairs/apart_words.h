@@ -1,5 +1,5 @@
 /*
- * beside.h - does a word of a mesh lie beside the box, all its vertices beyond one face?
+ * apart_words.h - is a word of a mesh apart from the box: all its vertices beyond one face?
  * After: gather.h.
  *
  * Then bullet 1 separates every triangle, and none has to be gathered. All vertices from the least number to the greatest are
@@ -57,6 +57,6 @@ static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tr
         return false;
     const bool is_far = has_far_positions(mesh);
     const char *const positions = (const char *)mesh->positions + mesh->stride * named.least;
-    return box->near ? are_beside(positions, box, vertices, is_far, (lane_numbers){true, box->near})
-                     : are_beside(positions, box, vertices, is_far, (lane_numbers){false, NULL});
+    return box->origin ? are_beside(positions, box, vertices, is_far, (lane_numbers){true, box->origin})
+                       : are_beside(positions, box, vertices, is_far, (lane_numbers){false, NULL});
 }
