@@ -13,8 +13,8 @@
 #include "base/ahead.h"
 #include "base/compiler.h"
 #include "mesh/vertex_numbers.h"
-#include "voxels/kernel_grid.h"
-#include "index/kernel_index.h"
+#include "voxels/kernel_voxels.h"
+#include "index/kernel_nodes.h"
 #include "mesh/positions.h"
 #include "base/soup.h"
 #include "pairs/sequences.h"
@@ -92,8 +92,8 @@ typedef struct tribox_seen {
 typedef uint64_t tribox_survey(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided);
 
 /*
- * Pairs that the walks left undecided, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2
- * (x_j is the x of vertex j), then lo and hi. The boxes are finite. No pair is apart on a box normal if the axes have BOX.
+ * Pairs that the walks left undecided, gathered: number[k][i] is number k of pair i, in the order x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1
+ * z_2 (x_j is the x of vertex j), then lo and hi. The boxes are finite. No pair is apart on a box normal if the axes have BOX.
  */
 enum { TRIBOX_BATCH = 64 };
 typedef struct tribox_batch {
@@ -187,8 +187,8 @@ typedef struct tribox_kernel {
     tribox_to_frame *to_frame;
     tribox_in_double *in_double;
     const tribox_cells_kernel *cells;
-    const tribox_grid_kernel *grid;
-    const tribox_index_kernel *index;
+    const tribox_rows_kernel *rows;
+    const tribox_nodes_kernel *nodes;
 } tribox_kernel;
 
 #endif

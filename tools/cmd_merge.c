@@ -15,7 +15,7 @@
 #include "voxelize/result_options.h"
 #include "voxelize/voxelize_report.h"
 #include "write/brick_out.h"
-#include "write/bricks.h"
+#include "write/brick_cutter.h"
 #include "write/file_out.h"
 #include "write/part.h"
 #include "write/voxels_room.h"

@@ -1,4 +1,6 @@
-/* relaxed.h - a number that threads share: whoever reads it gets one that somebody wrote, and nothing follows about other memory. */
+/*
+ * relaxed.h - a number that threads share: whoever reads it gets one that somebody wrote, and nothing follows about other memory.
+ */
 #ifndef TRIBOX_RELAXED_H
 #define TRIBOX_RELAXED_H
 

@@ -1,8 +1,8 @@
 /*
  * accumulator.h - sums of products of differences of doubles, exactly: long enough for any that are finite. No allocation.
  *
- * A double is an integer below 2^53 times a power of two from 2^-1074 to 2^971. So a product of three is an integer below 2^159 times
- * a power from 2^-3222 on, of which digit 0 of a sum is the first 32 bits: 198 digits are enough (PROOFS.md 9.3).
+ * A double is an integer below 2^53 times a power of two from 2^-1074 to 2^971. So a product of three is an integer below 2^159
+ * times a power from 2^-3222 on, of which digit 0 of a sum is the first 32 bits: 198 digits are enough (PROOFS.md 9.3).
  */
 #ifndef TRIBOX_EXACT_ACCUMULATOR_H
 #define TRIBOX_EXACT_ACCUMULATOR_H

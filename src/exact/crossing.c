@@ -28,7 +28,7 @@ int tribox_exact_side(const double a[2], const double b[2], const double point[2
 }
 
 /* n_i as two terms, with f_j the edges from u_0: f_1a f_2b - f_1b f_2a. */
-static void set_normal(exact_term term[2], double u[3][3], int i)
+static void set_crossing_normal(exact_term term[2], double u[3][3], int i)
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     set_difference(term[0].difference[0], u[1][a], u[0][a]);
@@ -42,7 +42,7 @@ int tribox_exact_height(double u[3][3], const double point[3])
     exact_term term[TERMS_MAX];
     const bool is_tame = are_tame(u[0], 3) && are_tame(u[1], 3) && are_tame(u[2], 3) && are_tame(point, 3);
     for (int i = 0; i < 3; i++) {
-        set_normal(&term[2 * i], u, i);
+        set_crossing_normal(&term[2 * i], u, i);
         for (int k = 0; k < 2; k++)
             set_difference(term[2 * i + k].difference[2], point[i], u[0][i]);
     }

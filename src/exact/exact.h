@@ -5,15 +5,18 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? Floats are asked about as the doubles that they are. */
+/*
+ * One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? Floats are asked about as the doubles that they
+ * are.
+ */
 typedef struct tribox_pair {
     double u[3][3];
     double lo[3], hi[3];
 } tribox_pair;
 
 /*
- * Whether no axis of the chosen groups separates, for any finite numbers with lo <= hi; and where the axes have BOX, for a pair that
- * the box normals do not separate.
+ * Whether no axis of the chosen groups separates, for any finite numbers with lo <= hi; and where the axes have BOX, for a pair
+ * that the box normals do not separate.
  */
 bool tribox_exact_overlap(const tribox_pair *pair, unsigned axes);
 

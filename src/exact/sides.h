@@ -8,7 +8,10 @@
  * A corner has TRIBOX_LO or TRIBOX_HI for each axis, in a projection first for a and then for b.
  */
 
-/* Where the corner that is least along a direction lies on an axis, by the sign that the direction has there; at zero either will do. */
+/*
+ * Where the corner that is least along a direction lies on an axis, by the sign that the direction has there; at zero either will
+ * do.
+ */
 TRIBOX_INLINE int least_along(int sign) { return sign > 0 ? TRIBOX_LO : TRIBOX_HI; }
 TRIBOX_INLINE int greatest_along(int sign) { return sign > 0 ? TRIBOX_HI : TRIBOX_LO; }
 

@@ -1,6 +1,6 @@
 /*
- * wide.h - products of two 64-bit integers and their sums, in 128 bits: built in, or in two words where the compiler has no such type.
- * Nothing overflows: PROOFS.md 9.2 counts the bits.
+ * wide.h - products of two 64-bit integers and their sums, in 128 bits: built in, or in two words where the compiler has no such
+ * type. Nothing overflows: PROOFS.md 9.2 counts the bits.
  */
 #ifndef TRIBOX_EXACT_WIDE_H
 #define TRIBOX_EXACT_WIDE_H

@@ -24,7 +24,7 @@ const tribox_crossing_handlers tribox_exact_crossings = {.add_row = tribox_cross
 void tribox_crossings_add(tribox_crossings *c, const tribox_seen_along *seen, size_t count)
 {
     if (c->middles.has_places) {
-        c->kernel->grid->cross(c, seen, count);
+        c->kernel->rows->cross(c, seen, count);
         return;
     }
     for (size_t i = 0; i < count; i++) {

@@ -2,30 +2,30 @@
 #include "exact/crossing.h"
 #include "fill_crossings.h"
 
-static double least_of(double u[3][3], int a)
+static double least_coordinate(double u[3][3], int a)
 {
     const double least = u[0][a] < u[1][a] ? u[0][a] : u[1][a];
     return least < u[2][a] ? least : u[2][a];
 }
 
-static double most_of(double u[3][3], int a)
+static double greatest_coordinate(double u[3][3], int a)
 {
     const double most = u[0][a] > u[1][a] ? u[0][a] : u[1][a];
     return most > u[2][a] ? most : u[2][a];
 }
 
 /* The cells of the grid that the triangle's box touches: none if last < first. */
-static tribox_cells cells_of(const tribox_crossings *c, double u[3][3], int a)
+static tribox_cells cells_of_triangle(const tribox_crossings *c, double u[3][3], int a)
 {
     const int64_t size = c->middles.size[a];
-    tribox_cells cells = tribox_middles_cells(&c->middles, a, least_of(u, a), most_of(u, a));
+    tribox_cells cells = tribox_middles_cells(&c->middles, a, least_coordinate(u, a), greatest_coordinate(u, a));
     cells.first = cells.first < 0 ? 0 : cells.first;
     cells.last = cells.last < size ? cells.last : size - 1;
     return cells;
 }
 
 /* The side of all three edges that the ray of a row passes on; 0 where it misses the triangle. */
-static int side_of(double u[3][3], const double at[2])
+static int side_of_ray(double u[3][3], const double at[2])
 {
     int side = 0;
     for (int j = 0; j < 3; j++) {
@@ -40,7 +40,7 @@ static int side_of(double u[3][3], const double at[2])
 /* The first of the cells whose middle lies past the crossing, or the one after them: others lie wholly on either side of it. */
 static int64_t cell_past(const tribox_crossings *c, double u[3][3], const double at[2], int side)
 {
-    const tribox_cells cells = cells_of(c, u, 0);
+    const tribox_cells cells = cells_of_triangle(c, u, 0);
     int64_t before = cells.first - 1, past = cells.last + 1;
     while (past - before > 1) {
         const int64_t cell = before + (past - before) / 2;
@@ -53,14 +53,14 @@ static int64_t cell_past(const tribox_crossings *c, double u[3][3], const double
 void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_t k)
 {
     const double at[2] = {tribox_middle(&c->middles, 1, j), tribox_middle(&c->middles, 2, k)};
-    const int side = side_of(u, at);
+    const int side = side_of_ray(u, at);
     if (side)
         tribox_crossings_turn(c, j, k, cell_past(c, u, at, side));
 }
 
 void tribox_crossings_exactly(tribox_crossings *c, double u[3][3])
 {
-    const tribox_cells y = cells_of(c, u, 1), z = cells_of(c, u, 2);
+    const tribox_cells y = cells_of_triangle(c, u, 1), z = cells_of_triangle(c, u, 2);
     for (int64_t k = z.first; k <= z.last; k++)
         for (int64_t j = y.first; j <= y.last; j++)
             tribox_crossings_row(c, u, j, k);

@@ -45,7 +45,8 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
         *odd_rows = odd;
 }
 
-static void start(tribox_crossings *c, const tribox_kernel *kernel, const uint32_t size[3], uint64_t *solid, void *scratch)
+static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, const uint32_t size[3], uint64_t *solid,
+                            void *scratch)
 {
     c->handlers = &tribox_exact_crossings;
     c->kernel = kernel;
@@ -83,7 +84,7 @@ tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *gri
     const bool is_served = tribox_fill_is_served(grid->size) && tribox_grid_is_sound(grid);
     if (is_served) {
         tribox_crossings c;
-        start(&c, plan.kernel, grid->size, solid, scratch);
+        start_crossings(&c, plan.kernel, grid->size, solid, scratch);
         c.middles = tribox_middles_of(grid, NULL);
         add_soup(&c, soup);
         tribox_crossings_finish(&c);
@@ -124,7 +125,7 @@ tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_
         status = TRIBOX_BAD_INDEX;
     if (!status) {
         tribox_crossings c;
-        start(&c, plan.kernel, grid->size, solid, scratch);
+        start_crossings(&c, plan.kernel, grid->size, solid, scratch);
         c.middles = tribox_middles_of(NULL, grid);
         add_mesh(&c, &strided);
         tribox_crossings_finish(&c);

@@ -69,7 +69,7 @@ static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int
  * No two planes are the same double: if cells are longer than the spacing of doubles at the farthest plane. Otherwise the planes
  * lie in two binades at most, and the first of the binade further up parts them.
  */
-static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
+static bool has_rising_planes_f64(const tribox_planes *planes, int a, int64_t size)
 {
     const double first = tribox_plane_at(planes, a, 0), last = tribox_plane_at(planes, a, size);
     const bool is_falling = first < 0; /* away from zero */
@@ -93,7 +93,7 @@ bool tribox_grid_f64_is_sound(const tribox_grid_f64 *grid)
     const tribox_planes planes = tribox_planes_of(grid, NULL);
     for (int a = 0; a < 3; a++)
         if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_f64(tribox_plane_at(&planes, a, grid->size[a])) ||
-            !has_rising_planes(&planes, a, grid->size[a]))
+            !has_rising_planes_f64(&planes, a, grid->size[a]))
             return false;
     return true;
 }

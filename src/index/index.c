@@ -16,12 +16,12 @@ size_t tribox_index_bytes(size_t count)
 /* An index that is written. */
 typedef struct site {
     const tribox_soup *soup;
-    const tribox_index_kernel *kernel;
+    const tribox_nodes_kernel *kernel;
     char *memory;
     tribox_levels levels;
 } site;
 
-static char *node_at(const site *s, unsigned level, size_t j)
+static char *built_node(const site *s, unsigned level, size_t j)
 {
     return s->memory + (s->levels.start[level] + j) * sizeof(tribox_node);
 }
@@ -32,7 +32,7 @@ static void write_lowest(const site *s, size_t first, size_t last)
     for (size_t j = first; j <= last; j++) {
         tribox_node node;
         s->kernel->bound_soup(s->soup, 64 * j, &node);
-        memcpy(node_at(s, 0, j), &node, sizeof node);
+        memcpy(built_node(s, 0, j), &node, sizeof node);
     }
 }
 
@@ -45,13 +45,13 @@ static void write_upper(const site *s, size_t first, size_t last)
         for (size_t j = first; j <= last; j++) {
             const size_t left = s->levels.nodes[level - 1] - 64 * j;
             tribox_node node;
-            s->kernel->bound_nodes(node_at(s, level - 1, 64 * j), left < 64 ? left : 64, &node);
-            memcpy(node_at(s, level, j), &node, sizeof node);
+            s->kernel->bound_nodes(built_node(s, level - 1, 64 * j), left < 64 ? left : 64, &node);
+            memcpy(built_node(s, level, j), &node, sizeof node);
         }
     }
 }
 
-static tribox_status check(const tribox_soup *soup, const tribox_options *options, void *memory, site *s)
+static tribox_status check_index(const tribox_soup *soup, const tribox_options *options, void *memory, site *s)
 {
     if (!memory || !tribox_soup_is_readable(soup))
         return TRIBOX_BAD_ARGUMENT;
@@ -59,7 +59,7 @@ static tribox_status check(const tribox_soup *soup, const tribox_options *option
     if (!kernel)
         return TRIBOX_NO_KERNEL;
     s->soup = soup;
-    s->kernel = kernel->index;
+    s->kernel = kernel->nodes;
     s->memory = memory;
     tribox_levels_set(&s->levels, soup->count);
     return TRIBOX_OK;
@@ -68,7 +68,7 @@ static tribox_status check(const tribox_soup *soup, const tribox_options *option
 tribox_status tribox_index_build(const tribox_soup *soup, const tribox_options *options, void *memory, tribox_index *index)
 {
     site s;
-    const tribox_status status = check(soup, options, memory, &s);
+    const tribox_status status = check_index(soup, options, memory, &s);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
@@ -83,7 +83,7 @@ tribox_status tribox_index_build(const tribox_soup *soup, const tribox_options *
 tribox_status tribox_index_update(const tribox_soup *soup, size_t first, size_t count, const tribox_options *options, void *memory)
 {
     site s;
-    const tribox_status status = check(soup, options, memory, &s);
+    const tribox_status status = check_index(soup, options, memory, &s);
     if (status)
         return status;
     if (first > soup->count || count > soup->count - first)

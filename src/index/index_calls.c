@@ -20,7 +20,7 @@ static bool is_readable(const tribox_index *index, const tribox_soup *soup)
 }
 
 /* The checks of the options; then all of a call is ready but the box. */
-static tribox_status prepare(call *c, const tribox_index *index, const tribox_soup *soup, const tribox_options *options)
+static tribox_status prepare_call(call *c, const tribox_index *index, const tribox_soup *soup, const tribox_options *options)
 {
     const tribox_status status = tribox_plan_make(options, &c->plan);
     if (status)
@@ -45,7 +45,7 @@ static tribox_status prepare_at_box(call *c, const tribox_index *index, const tr
         return TRIBOX_BAD_ARGUMENT;
     if (!tribox_box_is_finite(box))
         return TRIBOX_BAD_BOX;
-    const tribox_status status = prepare(c, index, soup, options);
+    const tribox_status status = prepare_call(c, index, soup, options);
     c->descent.pairs.box = box;
     return status;
 }
@@ -58,7 +58,7 @@ static tribox_status prepare_at_oriented(call *c, const tribox_index *index, con
         return TRIBOX_BAD_ARGUMENT;
     if (!tribox_oriented_is_finite(box))
         return TRIBOX_BAD_BOX;
-    const tribox_status status = prepare(c, index, soup, options);
+    const tribox_status status = prepare_call(c, index, soup, options);
     c->descent.oriented = box;
     return status || tribox_oriented_has_axes(&c->plan) ? status : TRIBOX_BAD_OPTION;
 }
@@ -155,7 +155,7 @@ tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *s
     call c;
     if (!start || !set_list(&c, soup, ids, room, list) || !is_readable(index, soup) || !tribox_boxes_are_readable(boxes))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = prepare(&c, index, soup, options);
+    const tribox_status status = prepare_call(&c, index, soup, options);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();

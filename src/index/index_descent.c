@@ -29,7 +29,7 @@ static const tribox_node *node_at(const tribox_descent *q, unsigned level, size_
  */
 static tribox_touch ask(const tribox_descent *q, unsigned level, size_t j, const tribox_node *node)
 {
-    const tribox_index_kernel *const kernel = q->plan->kernel->index;
+    const tribox_nodes_kernel *const kernel = q->plan->kernel->nodes;
     const size_t of_level = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count), left = of_level - 64 * j;
     const unsigned children = left < 64 ? (unsigned)left : 64;
     tribox_touch found =
@@ -159,7 +159,7 @@ static bool any_in_node(tribox_descent *q, unsigned level, size_t j, size_t *tri
         return true;
     }
     const bool is_one = !(found.touching & (found.touching - 1));
-    uint64_t first = is_one ? 0 : found.touching & q->plan->kernel->index->find_centred(node, q->pairs.box);
+    uint64_t first = is_one ? 0 : found.touching & q->plan->kernel->nodes->find_centred(node, q->pairs.box);
     for (uint64_t left = found.touching; left; first &= left) {
         const unsigned c = tribox_lowest_bit(first ? first : left);
         left &= ~(UINT64_C(1) << c);

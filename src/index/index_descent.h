@@ -1,6 +1,6 @@
 /*
- * index_descent.h - one query of an index: the descent (index_descent.c) finds which words of the soup can have an answer, and which
- * lie wholly in the box; index_answers.c takes the answers in the form that the caller asked for.
+ * index_descent.h - one query of an index: the descent (index_descent.c) finds which words of the soup can have an answer, and
+ * which lie wholly in the box; index_answers.c takes the answers in the form that the caller asked for.
  */
 #ifndef TRIBOX_INDEX_DESCENT_H
 #define TRIBOX_INDEX_DESCENT_H

@@ -3,7 +3,7 @@
 #define TRIBOX_INDEX_LEVELS_H
 
 #include "base/bits.h"
-#include "kernel_index.h"
+#include "kernel_nodes.h"
 
 /* 64 to the power of this, times 64, is more than any count. */
 enum { TRIBOX_INDEX_LEVELS = 10 };

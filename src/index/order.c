@@ -33,7 +33,7 @@ static tribox_status start_soup(const tribox_soup *soup, size_t first, size_t co
         return TRIBOX_OK;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, soup->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->index->find_middles(soup, NULL, first, count, first, &keys);
+    tribox_kernel_find(NULL)->nodes->find_middles(soup, NULL, first, count, first, &keys);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -46,13 +46,13 @@ static tribox_status start_boxes(const tribox_boxes *boxes, size_t first, size_t
         return TRIBOX_OK;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, boxes->count, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->index->find_middles(NULL, boxes, first, count, first, &keys);
+    tribox_kernel_find(NULL)->nodes->find_middles(NULL, boxes, first, count, first, &keys);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
 
 /* By way of streams, block by block. */
-static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t end, void *scratch)
+static void find_middles_of_mesh(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t end, void *scratch)
 {
     float streams[9][BLOCK], *to[9];
     for (int k = 0; k < 9; k++)
@@ -62,7 +62,7 @@ static void find_middles(const tribox_mesh *mesh, const tribox_kernel *kernel, s
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_sort_keys keys = tribox_sort_keys_in(scratch, mesh->count, first);
         kernel->gather(mesh, NULL, first, count, to);
-        kernel->index->find_middles(&soup, NULL, 0, count, first, &keys);
+        kernel->nodes->find_middles(&soup, NULL, 0, count, first, &keys);
     }
 }
 
@@ -75,7 +75,7 @@ static tribox_status start_mesh(const tribox_mesh *mesh, size_t first, size_t co
     if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
         return TRIBOX_BAD_INDEX;
     const tribox_environment callers = tribox_environment_enter();
-    find_middles(&strided, kernel, first, first + count, scratch);
+    find_middles_of_mesh(&strided, kernel, first, first + count, scratch);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
@@ -87,7 +87,7 @@ size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count)
         return 0;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, total, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->index->cut(&keys, count, before);
+    tribox_kernel_find(NULL)->nodes->cut(&keys, count, before);
     tribox_environment_leave(callers);
     return before;
 }
@@ -107,14 +107,14 @@ void tribox_sort_keys_finish(const tribox_kernel *kernel, void *scratch, size_t 
 {
     for (size_t before; (before = tribox_keys_before_cut(count)) != 0; first += before, count -= before) {
         const tribox_sort_keys keys = tribox_sort_keys_in(scratch, total, first);
-        kernel->index->cut(&keys, count, before);
+        kernel->nodes->cut(&keys, count, before);
         tribox_sort_keys_finish(kernel, scratch, total, first, before, order);
     }
     const tribox_sort_keys word = tribox_sort_keys_in(scratch, total, first);
     write_word(&word, count, order + first);
 }
 
-static tribox_status finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+static tribox_status finish_order(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
 {
     if (!is_range(total, first, count, scratch) || (count && !order))
         return TRIBOX_BAD_ARGUMENT;
@@ -143,7 +143,7 @@ tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, siz
 
 tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
 {
-    return finish(scratch, total, first, count, order);
+    return finish_order(scratch, total, first, count, order);
 }
 
 tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *scratch)
@@ -151,7 +151,7 @@ tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *
     if (!soup || (soup->count && !order))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = start_soup(soup, 0, soup->count, scratch);
-    return status ? status : finish(scratch, soup->count, 0, soup->count, order);
+    return status ? status : finish_order(scratch, soup->count, 0, soup->count, order);
 }
 
 tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch)
@@ -159,7 +159,7 @@ tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, voi
     if (!boxes || (boxes->count && !order))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = start_boxes(boxes, 0, boxes->count, scratch);
-    return status ? status : finish(scratch, boxes->count, 0, boxes->count, order);
+    return status ? status : finish_order(scratch, boxes->count, 0, boxes->count, order);
 }
 
 tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch)
@@ -167,5 +167,5 @@ tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *
     if (!mesh || (mesh->count && !order))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = start_mesh(mesh, 0, mesh->count, scratch);
-    return status ? status : finish(scratch, mesh->count, 0, mesh->count, order);
+    return status ? status : finish_order(scratch, mesh->count, 0, mesh->count, order);
 }

@@ -36,8 +36,8 @@ TRIBOX_INLINE vnum frame_error(const lane_frame *frame, int k, const vnum most[3
 }
 
 /*
- * The lanes of which all that is between two places on axis k of the frame is certainly apart from the box: a rounded number exceeds a
- * float only if the number itself does.
+ * The lanes of which all that is between two places on axis k of the frame is certainly apart from the box: a rounded number
+ * exceeds a float only if the number itself does.
  */
 TRIBOX_INLINE vmask apart_in_frame(const lane_frame *frame, int k, vnum least, vnum most, vnum error)
 {

@@ -2,9 +2,9 @@
  * limits.h - the limits that each axis puts on the cells that triangles overlap, triangle by lane.
  * After: axes.h. Needs: v_div.
  *
- * In places (kernel_grid.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from these.
- * The shadow along an axis lies on the two others, q and p, and n = f_0q f_1p - f_0p f_1q, s its sign. Edge j says that a cell
- * overlaps only if, with m_q = s f_jp, m_p = -s f_jq and X the corner of the cell that is least along m,
+ * In places (kernel_voxels.h) a cell is a unit cube, plane p of an axis lies at p and vertex j at g_j; f_j and n are made from
+ * these. The shadow along an axis lies on the two others, q and p, and n = f_0q f_1p - f_0p f_1q, s its sign. Edge j says that a
+ * cell overlaps only if, with m_q = s f_jp, m_p = -s f_jq and X the corner of the cell that is least along m,
  *   m_q (g_jq - X_q) + m_p (g_jp - X_p) >= 0
  * which is half the slack of axes.h (PROOFS.md 7.5). X is a cell's index, or that plus one: the left side is linear in the cell. So
  * it limits the cells along q in each row p. The plane limits them along x:

@@ -39,8 +39,8 @@ static tribox_box_pattern box_pattern_of(const tribox_box *box)
 }
 
 /* From where they lie to registers if all of the block can be read so, else the first by way of streams. */
-static size_t answer_block(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
-                           tribox_report *counts)
+static size_t answer_mesh_block(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
+                                tribox_report *counts)
 {
     uint32_t offset[3 * TRIBOX_MESH_BLOCK];
     tribox_corners corners;
@@ -71,7 +71,7 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     const tribox_box_pattern pattern = box_pattern_of(box);
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
-    const tribox_mesh_query query = {.answer = answer_block,
+    const tribox_mesh_query query = {.answer = answer_mesh_block,
                                      .plan = &plan,
                                      .pattern = plan.axes & TRIBOX_AXES_BOX ? &pattern : NULL,
                                      .is_empty = tribox_box_is_empty(box),

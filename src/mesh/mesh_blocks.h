@@ -1,4 +1,6 @@
-/* mesh_blocks.h - a mesh against a box, block by block: words apart from the box are left out, bad indices leave nothing written. */
+/*
+ * mesh_blocks.h - a mesh against a box, block by block: words apart from the box are left out, bad indices leave nothing written.
+ */
 #ifndef TRIBOX_MESH_BLOCKS_H
 #define TRIBOX_MESH_BLOCKS_H
 

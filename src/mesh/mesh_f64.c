@@ -37,14 +37,17 @@ void tribox_local_box_make(const tribox_box_f64 *box, const tribox_plan *plan, t
     local->pattern.origin = local->origin;
 }
 
-static void read_triangle(const tribox_mesh *mesh, size_t triangle, double u[3][3])
+static void read_doubles(const tribox_mesh *mesh, size_t triangle, double u[3][3])
 {
     for (size_t v = 0; v < 3; v++)
         tribox_position_read(mesh, tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * triangle + v), u[v]);
 }
 
-/* Bullet 1 of the paper, on the doubles. NaN is not apart: the next stage finds it. Without branches, which could not be foreseen. */
-static bool is_apart(double u[3][3], const tribox_box_f64 *box)
+/*
+ * Bullet 1 of the paper, on the doubles. NaN is not apart: the next stage finds it. Without branches, which could not be
+ * foreseen.
+ */
+static bool is_apart_in_double(double u[3][3], const tribox_box_f64 *box)
 {
     bool is = false;
     for (int a = 0; a < 3; a++) {
@@ -62,7 +65,7 @@ typedef struct gathering {
     unsigned count;
 } gathering;
 
-static void gather(gathering *g, double u[3][3], const tribox_box_f64 *box, size_t lane)
+static void gather_pair(gathering *g, double u[3][3], const tribox_box_f64 *box, size_t lane)
 {
     for (int a = 0; a < 3; a++) {
         for (int v = 0; v < 3; v++)
@@ -95,17 +98,19 @@ static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_l
         for (uint64_t left = undecided[w]; left; left &= left - 1) {
             const size_t lane = 64 * w + tribox_lowest_bit(left);
             double u[3][3];
-            read_triangle(mesh, first + lane, u);
-            if (plan->axes & TRIBOX_AXES_BOX && is_apart(u, local->box))
+            read_doubles(mesh, first + lane, u);
+            if (plan->axes & TRIBOX_AXES_BOX && is_apart_in_double(u, local->box))
                 continue;
-            gather(&g, u, local->box, lane);
+            gather_pair(&g, u, local->box, lane);
             if (g.count == TRIBOX_BATCH)
                 settled += settle(&g, plan, hit);
         }
     return settled + (g.count ? settle(&g, plan, hit) : 0);
 }
 
-/* Triangles of any positions as nine doubles each. Fewer than a kernel has lanes are followed by the first, as packets are whole. */
+/*
+ * Triangles of any positions as nine doubles each. Fewer than a kernel has lanes are followed by the first, as packets are whole.
+ */
 static void copy_nines(const tribox_mesh *mesh, size_t first, size_t count, unsigned lanes, double (*nine)[3][3])
 {
     tribox_mesh_read_corners(mesh, 3 * first, 3 * count, nine[0]);
@@ -177,7 +182,7 @@ uint64_t tribox_mesh_inside_f64(const tribox_mesh *mesh, const tribox_box_f64 *b
         const unsigned lane = tribox_lowest_bit(left);
         double u[3][3];
         bool is_inside = true;
-        read_triangle(mesh, first + lane, u);
+        read_doubles(mesh, first + lane, u);
         for (int v = 0; v < 3; v++)
             for (int a = 0; a < 3; a++)
                 is_inside &= u[v][a] >= box->lo[a] && u[v][a] <= box->hi[a];

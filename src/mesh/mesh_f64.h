@@ -1,4 +1,7 @@
-/* mesh_f64.h - a mesh against a box of doubles: vertices rounded relative to the box for the walks, and what they leave undecided settled. */
+/*
+ * mesh_f64.h - a mesh against a box of doubles: vertices rounded relative to the box for the walks, and what they leave undecided
+ * settled.
+ */
 #ifndef TRIBOX_MESH_F64_H
 #define TRIBOX_MESH_F64_H
 

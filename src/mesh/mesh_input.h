@@ -6,7 +6,10 @@
 
 #include "kernel.h"
 
-/* Whether the mesh can be read, but for vertex numbers that are too great: by the calls that take floats alone, and by the others. */
+/*
+ * Whether the mesh can be read, but for vertex numbers that are too great: by the calls that take floats alone, and by the
+ * others.
+ */
 bool tribox_mesh_is_readable(const tribox_mesh *mesh);
 bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh);
 

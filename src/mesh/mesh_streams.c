@@ -7,7 +7,8 @@
 #include "mesh_input.h"
 
 /* A part of the triangles, and streams for it. */
-static bool is_writable(size_t triangles, size_t first, size_t count, float *const x[3], float *const y[3], float *const z[3])
+static bool are_streams_writable(size_t triangles, size_t first, size_t count, float *const x[3], float *const y[3],
+                                 float *const z[3])
 {
     if (first > triangles || count > triangles - first || !x || !y || !z)
         return false;
@@ -30,7 +31,7 @@ static tribox_status find_kernel(const tribox_mesh *strided, size_t first, size_
 tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
                                      float *const x[3], float *const y[3], float *const z[3])
 {
-    if (!tribox_mesh_is_readable(mesh) || !is_writable(mesh->count, first, count, x, y, z))
+    if (!tribox_mesh_is_readable(mesh) || !are_streams_writable(mesh->count, first, count, x, y, z))
         return TRIBOX_BAD_ARGUMENT;
     float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
     const tribox_mesh strided = tribox_mesh_with_strides(mesh);
@@ -42,7 +43,7 @@ tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size
 }
 
 /* Of floats, or of doubles that do not follow each other: number by number. */
-static void write_each(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count, float *const to[9])
+static void write_each_triangle(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count, float *const to[9])
 {
     enum { SOME = 64 };
     double u[3 * SOME][3];
@@ -60,7 +61,7 @@ void tribox_mesh_write_local(const tribox_mesh *mesh, const tribox_kernel *kerne
 {
     double origins[TRIBOX_LOCAL];
     if (!tribox_mesh_is_direct(mesh)) {
-        write_each(mesh, origin, first, count, to);
+        write_each_triangle(mesh, origin, first, count, to);
         return;
     }
     for (int k = 0; k < TRIBOX_LOCAL; k++)
@@ -71,7 +72,7 @@ void tribox_mesh_write_local(const tribox_mesh *mesh, const tribox_kernel *kerne
 tribox_status tribox_mesh_to_local_streams(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
                                            const tribox_options *options, float *const x[3], float *const y[3], float *const z[3])
 {
-    if (!tribox_mesh_is_readable_f64(mesh) || !origin || !is_writable(mesh->count, first, count, x, y, z))
+    if (!tribox_mesh_is_readable_f64(mesh) || !origin || !are_streams_writable(mesh->count, first, count, x, y, z))
         return TRIBOX_BAD_ARGUMENT;
     for (int a = 0; a < 3; a++)
         if (!tribox_is_finite_f64(origin[a]))

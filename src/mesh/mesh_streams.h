@@ -5,8 +5,8 @@
 #include "kernel.h"
 
 /*
- * Triangles first .. first + count - 1 of a mesh whose strides are set, none of whose vertices is missing, to the streams x_0 x_1 x_2
- * y_0 y_1 y_2 z_0 z_1 z_2: u - origin, taken in double, as the nearest float. In the environment of environment.h.
+ * Triangles first .. first + count - 1 of a mesh whose strides are set, none of whose vertices is missing, to the streams x_0 x_1
+ * x_2 y_0 y_1 y_2 z_0 z_1 z_2: u - origin, taken in double, as the nearest float. In the environment of environment.h.
  */
 void tribox_mesh_write_local(const tribox_mesh *mesh, const tribox_kernel *kernel, const double origin[3], size_t first,
                              size_t count, float *const to[9]);

@@ -16,7 +16,8 @@ typedef struct call_f64 {
 } call_f64;
 
 /* What every call checks. FAST is CONSERVATIVE: to round once costs more than the error bounds, which it does without, save. */
-static tribox_status check(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options, call_f64 *call)
+static tribox_status check_mesh_box(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                                    call_f64 *call)
 {
     if (!box || !tribox_mesh_is_readable_f64(mesh))
         return TRIBOX_BAD_ARGUMENT;
@@ -33,7 +34,7 @@ static tribox_status check(const tribox_mesh *mesh, const tribox_box_f64 *box, c
 }
 
 /* In our environment. */
-static void start(call_f64 *call, const tribox_box_f64 *box)
+static void start_mesh_call(call_f64 *call, const tribox_box_f64 *box)
 {
     const bool is_compared = call->plan.axes & TRIBOX_AXES_BOX && tribox_mesh_is_direct(&call->mesh);
     tribox_local_box_make(box, &call->plan, &call->local);
@@ -69,7 +70,7 @@ tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_b
     call_f64 call;
     tribox_box same;
     tribox_report counts = {0, 0};
-    const tribox_status status = check(mesh, box, options, &call);
+    const tribox_status status = check_mesh_box(mesh, box, options, &call);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
@@ -82,7 +83,7 @@ tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_b
             write_report(&call, counts, report);
         return answered;
     }
-    start(&call, box);
+    start_mesh_call(&call, box);
     const bool is_answered = tribox_mesh_answer(&call.query, &call.mesh, mask, &counts);
     tribox_environment_leave(callers);
     if (!is_answered)
@@ -92,7 +93,7 @@ tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_b
 }
 
 /* The first triangle whose bit differs from that of `usual`, or the count of triangles. False if an index names no vertex. */
-static bool first_unlike(const call_f64 *call, uint64_t usual, size_t *found)
+static bool first_unlike_in_block(const call_f64 *call, uint64_t usual, size_t *found)
 {
     const size_t count = call->mesh.count;
     tribox_report counts = {0, 0};
@@ -112,21 +113,21 @@ static bool first_unlike(const call_f64 *call, uint64_t usual, size_t *found)
     return true;
 }
 
-static tribox_status find_unlike(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options, uint64_t usual,
-                                 size_t *first)
+static tribox_status find_unlike_in_mesh(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                                         uint64_t usual, size_t *first)
 {
     call_f64 call;
     size_t found = 0;
     bool is_answered = true;
-    const tribox_status status = first ? check(mesh, box, options, &call) : TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = first ? check_mesh_box(mesh, box, options, &call) : TRIBOX_BAD_ARGUMENT;
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    start(&call, box);
+    start_mesh_call(&call, box);
     if (call.query.is_empty)
         found = usual ? 0 : mesh->count;
     else
-        is_answered = first_unlike(&call, usual, &found);
+        is_answered = first_unlike_in_block(&call, usual, &found);
     tribox_environment_leave(callers);
     if (is_answered)
         *first = found;
@@ -136,17 +137,17 @@ static tribox_status find_unlike(const tribox_mesh *mesh, const tribox_box_f64 *
 tribox_status tribox_overlap_any_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
                                      size_t *first)
 {
-    return find_unlike(mesh, box, options, 0, first);
+    return find_unlike_in_mesh(mesh, box, options, 0, first);
 }
 
 tribox_status tribox_overlap_all_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
                                      size_t *first)
 {
-    return find_unlike(mesh, box, options, ~UINT64_C(0), first);
+    return find_unlike_in_mesh(mesh, box, options, ~UINT64_C(0), first);
 }
 
 /* Every block's answer, and which of it lies inside. Vertices have been checked. */
-static tribox_report classify(const call_f64 *call, uint64_t *mask, uint64_t *inside)
+static tribox_report classify_mesh(const call_f64 *call, uint64_t *mask, uint64_t *inside)
 {
     tribox_report counts = {0, 0};
     for (size_t first = 0, done; first < call->mesh.count; first += done) {
@@ -163,19 +164,19 @@ tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 
                                   uint64_t *inside, tribox_report *report)
 {
     call_f64 call;
-    const tribox_status status = check(mesh, box, options, &call);
+    const tribox_status status = check_mesh_box(mesh, box, options, &call);
     if (status)
         return status;
     if (!tribox_mesh_is_in_range(&call.mesh, call.plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_INDEX;
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
-    start(&call, box);
+    start_mesh_call(&call, box);
     if (call.query.is_empty) {
         tribox_pairs_write_none(mesh->count, mask);
         tribox_pairs_write_none(mesh->count, inside);
     } else {
-        counts = classify(&call, mask, inside);
+        counts = classify_mesh(&call, mask, inside);
     }
     tribox_environment_leave(callers);
     write_report(&call, counts, report);

@@ -90,7 +90,7 @@ static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_mo
  * Triangles first .. first + count - 1, at most TRIBOX_MOVED_WORDS words, and a whole packet at least. Nothing is asked about the
  * first `unasked` words.
  */
-static size_t answer_block(const tribox_oriented_question *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
+static size_t answer_oriented_block(const tribox_oriented_question *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
 {
     const size_t words = tribox_words_of(count);
     size_t settled = 0;
@@ -120,7 +120,7 @@ static size_t answer_block(const tribox_oriented_question *q, size_t first, size
 static size_t answer_last(const tribox_oriented_question *q, size_t first, uint64_t *hit)
 {
     uint64_t both[2];
-    const size_t undecided = answer_block(q, first - 64, q->soup->count - (first - 64), 1, both);
+    const size_t undecided = answer_oriented_block(q, first - 64, q->soup->count - (first - 64), 1, both);
     *hit = both[1];
     return undecided;
 }
@@ -134,7 +134,7 @@ size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, si
         if (first && left < q->plan->kernel->lanes)
             undecided += answer_last(q, first, hit + done);
         else
-            undecided += answer_block(q, first, left < 64 * block ? left : 64 * block, 0, hit + done);
+            undecided += answer_oriented_block(q, first, left < 64 * block ? left : 64 * block, 0, hit + done);
     }
     return undecided;
 }

@@ -8,7 +8,7 @@
 #include "base/soup.h"
 
 /* Surveys a word, so that the choice knows better. */
-static void survey_word(const tribox_query *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *undecided)
+static void answer_by_survey(const tribox_query *p, tribox_plan *plan, size_t word, uint64_t *hit, uint64_t *undecided)
 {
     tribox_seen seen;
     *hit = plan->kernel->survey[tribox_walk_kind_of(plan->accuracy)](p, word, &seen, undecided);
@@ -84,7 +84,7 @@ void tribox_pairs_walk_block(const tribox_query *p, tribox_plan *plan, size_t wo
             plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, at, count, hit + done,
                                                                                            undecided + done);
         } else {
-            survey_word(p, plan, at, hit + done, undecided + done);
+            answer_by_survey(p, plan, at, hit + done, undecided + done);
             next = 1;
         }
     }

@@ -1,4 +1,7 @@
-/* pairs.h - the pairs of a call, as partial_packet.h has them, answered block by block: the kernel, and what it leaves undecided settled. */
+/*
+ * pairs.h - the pairs of a call, as partial_packet.h has them, answered block by block: the kernel, and what it leaves undecided
+ * settled.
+ */
 #ifndef TRIBOX_PAIRS_H
 #define TRIBOX_PAIRS_H
 
@@ -12,8 +15,8 @@ void tribox_pairs_walk_block(const tribox_query *p, tribox_plan *plan, size_t wo
                              uint64_t *undecided);
 
 /*
- * Settles the undecided lanes of words from anywhere, whose numbers are given, and adds those that overlap to the hits. Returns how many
- * of them have finite numbers.
+ * Settles the undecided lanes of words from anywhere, whose numbers are given, and adds those that overlap to the hits. Returns how
+ * many of them have finite numbers.
  */
 size_t tribox_pairs_settle_words(const tribox_query *p, const tribox_plan *plan, const size_t *number, size_t words,
                                  const uint64_t *undecided, uint64_t *hit);

@@ -1,4 +1,7 @@
-/* partial_packet.h - the pairs of a call as a kernel can read them: the caller's, or a packet of them where they are too few for one. */
+/*
+ * partial_packet.h - the pairs of a call as a kernel can read them: the caller's, or a packet of them where they are too few for
+ * one.
+ */
 #ifndef TRIBOX_PARTIAL_PACKET_H
 #define TRIBOX_PARTIAL_PACKET_H
 

@@ -5,9 +5,9 @@
 #include "plan.h"
 
 /*
- * What the first `count` pairs of a batch, at least one, come to at the accuracy and by the axes of the plan: none stays undecided. The
- * numbers are any doubles, those of the triangles finite or not; what is not finite overlaps nothing. Those after the last pair are
- * written over.
+ * What the first `count` pairs of a batch, at least one, come to at the accuracy and by the axes of the plan: none stays undecided.
+ * The numbers are any doubles, those of the triangles finite or not; what is not finite overlaps nothing. Those after the last pair
+ * are written over.
  */
 tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan);
 

@@ -65,7 +65,7 @@ static size_t successors(const uint32_t list[GROUP])
  * the list is overwritten by the next. Its streams do not begin at one place of a page each: caches would have them all in few of
  * their sets, and loads wait for stores.
  */
-static tribox_soup gather(const call *s, const uint32_t *list, size_t count)
+static tribox_soup gather_floats(const call *s, const uint32_t *list, size_t count)
 {
     enum { AHEAD = 32 };
     float *const to = s->block;
@@ -87,7 +87,7 @@ static tribox_soup gather(const call *s, const uint32_t *list, size_t count)
     return tribox_soup_of(to, STREAM, count);
 }
 
-static tribox_mesh gather_f64(const call *s, const uint32_t *list, size_t count)
+static tribox_mesh gather_doubles(const call *s, const uint32_t *list, size_t count)
 {
     double(*const to)[3] = s->block;
     for (size_t i = 0; i < count; i++)
@@ -113,7 +113,7 @@ static window window_of(const tribox_tiling *t, size_t tile)
 }
 
 /* Of a block of triangles: whole packets are asked, and what follows the last triangle repeats it. */
-static void find_ends(const call *s, size_t count, tribox_ends *z)
+static void find_ends_of_block(const call *s, size_t count, tribox_ends *z)
 {
     for (size_t n = 6; n < 9; n++) {
         float *const number = (float *)s->block + n * STREAM;
@@ -136,7 +136,7 @@ static void cut_layers(const call *s, const tribox_ends *z, window *w)
     w->size[2] = least <= most && from < end ? (uint32_t)(end - from) : 0;
 }
 
-static void set_window(call *s, window *w, const uint32_t *list, size_t count)
+static void set_tile(call *s, window *w, const uint32_t *list, size_t count)
 {
     tribox_voxels voxels, *const v = &voxels;
     tribox_ends z = {FLT_MAX, -FLT_MAX};
@@ -144,9 +144,9 @@ static void set_window(call *s, window *w, const uint32_t *list, size_t count)
     v->plan = s->plan;
     tribox_voxels_begin(v, s->grid, w->first, w->size, s->bits);
     for (size_t at = 0; at < count; at += BLOCK) {
-        const tribox_soup soup = gather(s, list + at, count - at < BLOCK ? count - at : BLOCK);
+        const tribox_soup soup = gather_floats(s, list + at, count - at < BLOCK ? count - at : BLOCK);
         tribox_voxels_put_soup(v, &soup);
-        find_ends(s, soup.count, &z);
+        find_ends_of_block(s, soup.count, &z);
     }
     tribox_voxels_end(v);
     s->counts.undecided += v->counts.undecided;
@@ -154,13 +154,13 @@ static void set_window(call *s, window *w, const uint32_t *list, size_t count)
     tribox_environment_leave(callers);
 }
 
-static void set_window_f64(call *s, window *w, const uint32_t *list, size_t count)
+static void set_tile_f64(call *s, window *w, const uint32_t *list, size_t count)
 {
     tribox_voxels voxels, *const v = &voxels;
     const tribox_environment callers = tribox_environment_enter();
     v->plan = s->plan;
     for (size_t at = 0; at < count; at += BLOCK_F64) {
-        const tribox_mesh mesh = gather_f64(s, list + at, count - at < BLOCK_F64 ? count - at : BLOCK_F64);
+        const tribox_mesh mesh = gather_doubles(s, list + at, count - at < BLOCK_F64 ? count - at : BLOCK_F64);
         tribox_voxels_set_mesh(v, &mesh, s->grid_f64, w->first, w->size, s->bits);
         s->counts.undecided += v->counts.undecided;
     }
@@ -202,9 +202,9 @@ static tribox_status emit_tiles(call *s)
         const window all = window_of(&s->tiling, s->tiling.from + t);
         window w = all;
         if (s->soup)
-            set_window(s, &w, list, count);
+            set_tile(s, &w, list, count);
         else
-            set_window_f64(s, &w, list, count);
+            set_tile_f64(s, &w, list, count);
         uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_words_of(all.size[0]);
         if (!s->plan.kernel->cells->emit(bits, w.first, w.size, &s->outlet))
             return TRIBOX_STOPPED;
@@ -244,7 +244,7 @@ static void use_scratch(call *s, void *scratch)
     memset(s->bits, 0, (size_t)tribox_words_of(most[0]) * most[1] * most[2] * sizeof *s->bits);
 }
 
-static tribox_status finish(call *s, tribox_status status, tribox_report *report)
+static tribox_status finish_bricks(call *s, tribox_status status, tribox_report *report)
 {
     s->counts.overlapping = s->outlet.cells;
     if (status == TRIBOX_OK || status == TRIBOX_STOPPED)
@@ -270,7 +270,7 @@ tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid 
     if (!is_share(&s, grid->size, tile, from, to, starts, list))
         return TRIBOX_BAD_ARGUMENT;
     use_scratch(&s, scratch);
-    return finish(&s, emit_tiles(&s), report);
+    return finish_bricks(&s, emit_tiles(&s), report);
 }
 
 tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
@@ -294,5 +294,5 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
     if (!mesh->indices && !tribox_mesh_is_in_range(&s.mesh, s.plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_INDEX;
     use_scratch(&s, scratch);
-    return finish(&s, emit_tiles(&s), report);
+    return finish_bricks(&s, emit_tiles(&s), report);
 }

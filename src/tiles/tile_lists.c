@@ -11,7 +11,7 @@
 #include "mesh/mesh_streams.h"
 
 /* The lowest cells of tiles lie above the planes between them. */
-static double plane_of(const void *about, int a, int64_t tile)
+static double tile_plane(const void *about, int a, int64_t tile)
 {
     const tribox_tiles_call *const l = about;
     const uint64_t cell = (uint64_t)tile * l->tiling.tile, plane = cell < l->tiling.size[a] ? cell : l->tiling.size[a];
@@ -99,7 +99,7 @@ static void put_tiles(tribox_tiles_call *l, const double u[9], const tribox_tile
 {
     int64_t at[3];
     if (spans >= 2 && l->plan.axes != TRIBOX_AXES_BOX) {
-        const tribox_blocks blocks = {.plan = &l->plan, .plane = plane_of, .lattice = l, .take = put_at, .taker = l};
+        const tribox_blocks blocks = {.plan = &l->plan, .plane = tile_plane, .lattice = l, .take = put_at, .taker = l};
         tribox_blocks_ask(&blocks, u, box->base, box->tiles);
         return;
     }
@@ -169,7 +169,7 @@ static void list_by_range(tribox_tiles_call *l, const double u[9], size_t first,
     put_range(l, u, &range);
 }
 
-static void read_triangle(const tribox_tiles_call *l, double u[9])
+static void read_listed(const tribox_tiles_call *l, double u[9])
 {
     double corner[3][3];
     if (!l->soup)
@@ -184,7 +184,7 @@ static void list_by_one(tribox_tiles_call *l)
     for (uint64_t i = 0; i < count; i++) {
         double u[9];
         l->triangle = (uint32_t)i;
-        read_triangle(l, u);
+        read_listed(l, u);
         list_by_planes(l, u);
     }
 }
@@ -196,7 +196,7 @@ static void put_other(tribox_tiles_call *l, int32_t first, int32_t more)
     double u[9];
     if (is_known && put_line(l, (size_t)first, (unsigned)more))
         return;
-    read_triangle(l, u);
+    read_listed(l, u);
     if (is_known)
         list_by_range(l, u, (size_t)first, (unsigned)more);
     else
@@ -249,7 +249,7 @@ static void list_mesh(tribox_tiles_call *l)
 /* Planes are off by half a spacing: of floats, or of doubles while float has the place from the first plane (PROOFS.md 7.12). */
 static double error_of(const tribox_tiles_call *l, int a)
 {
-    const double lowest = plane_of(l, a, 0), highest = plane_of(l, a, (int64_t)l->tiling.along[a]);
+    const double lowest = tile_plane(l, a, 0), highest = tile_plane(l, a, (int64_t)l->tiling.along[a]);
     const double farthest = -lowest > highest ? -lowest : highest;
     return l->grid ? 0x1.001p-24 * farthest + 0x1p-149 : 0x1.001p-52 * farthest;
 }
@@ -275,12 +275,18 @@ static bool make_lattice(tribox_tiles_call *l)
 static void list_triangles(tribox_tiles_call *l)
 {
     cut_share(l);
-    if (l->parts)
-        (!make_lattice(l) ? list_by_one : l->soup ? list_soup : list_mesh)(l);
+    if (!l->parts)
+        return;
+    if (!make_lattice(l))
+        list_by_one(l);
+    else if (l->soup)
+        list_soup(l);
+    else
+        list_mesh(l);
 }
 
 /* Each list is counted in the number after its own; their sums are where lists begin. */
-static void count(tribox_tiles_call *l)
+static void count_lists(tribox_tiles_call *l)
 {
     const size_t tiles = l->tiling.to - l->tiling.from;
     memset(l->starts, 0, (tiles + 1) * sizeof *l->starts);
@@ -290,7 +296,7 @@ static void count(tribox_tiles_call *l)
 }
 
 /* Every start becomes its list's end, which is the start of the next. */
-static void fill(tribox_tiles_call *l)
+static void fill_lists(tribox_tiles_call *l)
 {
     const size_t tiles = l->tiling.to - l->tiling.from;
     list_triangles(l);
@@ -298,4 +304,10 @@ static void fill(tribox_tiles_call *l)
     l->starts[0] = 0;
 }
 
-void tribox_tiles_list(tribox_tiles_call *l) { (l->list ? fill : count)(l); }
+void tribox_tiles_list(tribox_tiles_call *l)
+{
+    if (l->list)
+        fill_lists(l);
+    else
+        count_lists(l);
+}

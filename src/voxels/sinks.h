@@ -26,7 +26,10 @@ typedef enum tribox_class { TRIBOX_FLATS, TRIBOX_SOLIDS_2, TRIBOX_SOLIDS_4, TRIB
 enum { TRIBOX_QUEUED = 15 };
 typedef struct tribox_queue {
     unsigned count;
-    /* x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of each, its first cell on each axis, and how many: for flats, 0 on the axis across them */
+    /*
+     * x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 of each, its first cell on each axis, and how many: for flats, 0 on the axis across
+     * them
+     */
     float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
     int32_t triangle[TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of a mesh its number */
 } tribox_queue;

@@ -3,7 +3,7 @@
 
 #include "grid/blocks.h"
 
-static double plane_of(const void *planes, int a, int64_t p) { return tribox_plane_at(planes, a, p); }
+static double window_plane(const void *planes, int a, int64_t p) { return tribox_plane_at(planes, a, p); }
 
 static void set_cell(void *voxels, const int64_t at[3])
 {
@@ -14,6 +14,7 @@ static void set_cell(void *voxels, const int64_t at[3])
 
 void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
 {
-    const tribox_blocks blocks = {.plan = &v->plan, .plane = plane_of, .lattice = &v->window.planes, .take = set_cell, .taker = v};
+    const tribox_blocks blocks = {
+        .plan = &v->plan, .plane = window_plane, .lattice = &v->window.planes, .take = set_cell, .taker = v};
     v->counts.undecided += tribox_blocks_ask(&blocks, triangle->u, range->base, range->cells);
 }

@@ -9,7 +9,7 @@
 #include "grid/grid_f64.h"
 
 /* The rows of a strip's triangles, and empties it. Lanes up to a whole packet repeat the last triangle. */
-static void set_strip(tribox_voxels *v, tribox_shape shape)
+static void set_full_strip(tribox_voxels *v, tribox_shape shape)
 {
     tribox_strip *const strip = &v->sinks.strip[shape];
     if (!strip->count)
@@ -22,14 +22,14 @@ static void set_strip(tribox_voxels *v, tribox_shape shape)
             strip->cells[a][t] = strip->cells[a][strip->count - 1];
         }
     }
-    v->plan.kernel->grid->set_strip[shape](v);
+    v->plan.kernel->rows->set_strip[shape](v);
     strip->count = 0;
 }
 
 void tribox_voxels_set_strips(tribox_voxels *v)
 {
     for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
-        set_strip(v, shape);
+        set_full_strip(v, shape);
 }
 
 static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_t base[3], const int64_t cells[3],
@@ -49,7 +49,7 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
     strip->word[t] = (int32_t)((layer * v->window.size[1] + base[1]) * (int64_t)v->sinks.row_words + base[0] / 64);
     strip->bit[t] = (int32_t)(base[0] % 64);
     if (++strip->count == TRIBOX_STRIP)
-        set_strip(v, shape);
+        set_full_strip(v, shape);
 }
 
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
@@ -69,7 +69,7 @@ static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cell
         v->counts.overlapping += tribox_set_column(row + base[0] / 64, layer_words, end - from, bit);
 }
 
-/* By the axes on which the box spans more than one cell, even if some lie outside the grid (kernel_grid.h). */
+/* By the axes on which the box spans more than one cell, even if some lie outside the grid (kernel_voxels.h). */
 static tribox_shape shape_of(const bool spans[3], unsigned axes)
 {
     if (!(axes & TRIBOX_AXES_EDGES)) /* without edges a shadow has no limits: only the plane has */

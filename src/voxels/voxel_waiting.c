@@ -52,7 +52,7 @@ static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above
 }
 
 /* The numbers of a batch that all cells of row n have: those of the triangle, and the bounds across the row. */
-static void take_row(const tribox_voxels *v, unsigned n, double number[15])
+static void read_row(const tribox_voxels *v, unsigned n, double number[15])
 {
     const tribox_triangle triangle =
         v->window.mesh ? tribox_window_read_triangle(&v->window, v->sinks.waiting.number[n]) : (tribox_triangle){.number = 0};
@@ -78,7 +78,7 @@ void tribox_voxels_settle_waiting(tribox_voxels *v)
     }
     for (unsigned r = 0; r < rows; r++) {
         double number[15];
-        take_row(v, row[r], number);
+        read_row(v, row[r], number);
         for (; left[r]; left[r] &= left[r] - 1) {
             const uint32_t i = (uint32_t)v->sinks.waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
             cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};

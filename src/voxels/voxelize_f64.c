@@ -12,7 +12,7 @@
 enum { PART = 1 << 30, BLOCK = 256 /* whose floats fit the nearest cache */ };
 
 /* The window as a grid of its own, about its first planes. */
-static tribox_lattice lattice_of(const tribox_window *w)
+static tribox_lattice lattice_of_doubles(const tribox_window *w)
 {
     tribox_lattice lattice;
     for (int a = 0; a < 3; a++) {
@@ -42,7 +42,7 @@ static bool is_for_limits(const tribox_window *w)
  * By floats relative to the window's corner. Where the plane alone is asked besides the box normals, they cannot stand for the
  * doubles: it turns with the smallest of moves.
  */
-static bool is_for_float(tribox_voxels *v)
+static bool is_mesh_for_float(tribox_voxels *v)
 {
     const bool has_moves = v->plan.axes == TRIBOX_AXES_BOX || v->plan.axes & TRIBOX_AXES_EDGES;
     return v->plan.axes & TRIBOX_AXES_BOX && has_moves && v->window.has_limits &&
@@ -81,7 +81,7 @@ static void set_by_double(tribox_voxels *v, size_t count)
 
 static void set_part(tribox_voxels *v, size_t count)
 {
-    if (is_for_float(v))
+    if (is_mesh_for_float(v))
         set_by_float(v, count);
     else
         set_by_double(v, count);
@@ -102,7 +102,7 @@ void tribox_voxels_set_mesh(tribox_voxels *v, const tribox_mesh *mesh, const tri
     memcpy(w->size, size, sizeof w->size);
     w->first_layer = 0;
     w->end_layer = size[2];
-    w->lattice = lattice_of(w);
+    w->lattice = lattice_of_doubles(w);
     w->has_limits = is_for_limits(w);
     w->roughness = TRIBOX_EVEN;
     tribox_voxels_empty_sinks(v, occupied);

@@ -1,8 +1,8 @@
 /*
  * voxelizing.h - one voxelization: its window, its sinks, its counts, and what is done with them.
  *
- * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves undecided wait with their triangle until
- * the bits of others are written, as those set most of them; the rest are settled by their own boxes.
+ * The bits of cells that certainly overlap are set by the kernel. Cells that rounding leaves undecided wait with their triangle
+ * until the bits of others are written, as those set most of them; the rest are settled by their own boxes.
  */
 #ifndef TRIBOX_VOXELIZING_H
 #define TRIBOX_VOXELIZING_H

@@ -1,10 +1,12 @@
-/* window.h - what is asked of a voxelization: a window of a grid, how places in it are told, and which of its layers are written. */
+/*
+ * window.h - what is asked of a voxelization: a window of a grid, how places in it are told, and which of its layers are written.
+ */
 #ifndef TRIBOX_WINDOW_H
 #define TRIBOX_WINDOW_H
 
 #include "grid/grid_cells.h"
 #include "grid/planes.h"
-#include "kernel_grid.h"
+#include "kernel_voxels.h"
 #include "mesh/vertex_numbers.h"
 #include "mesh/positions.h"
 
@@ -17,8 +19,8 @@ typedef struct tribox_float_lattice {
 } tribox_float_lattice;
 
 /*
- * How far the planes of a grid in float are from evenly spaced: where limits by the very planes of a row pay for rows with undecided
- * cells, and where for all rows, as most have some (PROOFS.md 7.13).
+ * How far the planes of a grid in float are from evenly spaced: where limits by the very planes of a row pay for rows with
+ * undecided cells, and where for all rows, as most have some (PROOFS.md 7.13).
  */
 typedef enum tribox_roughness { TRIBOX_EVEN, TRIBOX_ROUGH, TRIBOX_VERY_ROUGH } tribox_roughness;
 

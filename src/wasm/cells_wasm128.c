@@ -1,4 +1,4 @@
 /* cells_wasm128.c - cells of grids, in float with WebAssembly SIMD. */
 #include "vec_wasm128.h"
 #define KERNEL wasm128
-#include "kernel/cells.h"
+#include "kernel/cells_text.h"

@@ -18,7 +18,7 @@
 
 #include "common/arguments.h"
 #include "drawn_pairs.h"
-#include "index/kernel_index.h"
+#include "index/kernel_nodes.h"
 #include "masks_f64.h"
 #include "common/kernels_here.h"
 

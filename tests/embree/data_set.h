@@ -2,7 +2,7 @@
 #ifndef TRIBOX_TESTS_DATA_SET_H
 #define TRIBOX_TESTS_DATA_SET_H
 
-#include "planes.h"
+#include "embree_planes.h"
 
 typedef struct data_set {
     const char *name;

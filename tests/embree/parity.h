@@ -6,7 +6,7 @@
 #ifndef TRIBOX_TESTS_PARITY_H
 #define TRIBOX_TESTS_PARITY_H
 
-#include "planes.h"
+#include "embree_planes.h"
 
 size_t parity_cells(const grid_planes *p);
 

@@ -3,7 +3,7 @@
 #define TRIBOX_TESTS_PLANE_SCENE_H
 
 #include "embree.h"
-#include "planes.h"
+#include "embree_planes.h"
 
 typedef struct plane_scene {
     embree_scene *scene;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "crossing.h"
+#include "embree_crossing.h"
 #include "plane_scene.h"
 #include "embree.h"
 #include "zeroed.h"

@@ -27,7 +27,7 @@ static void order_by(const char *name, const order_room *room)
     const size_t count = room->soup.count;
     const tribox_sort_keys places = tribox_sort_keys_in(room->scratch, count, 0);
     const tribox_environment callers = tribox_environment_enter();
-    kernel->index->find_middles(&room->soup, NULL, 0, count, 0, &places);
+    kernel->nodes->find_middles(&room->soup, NULL, 0, count, 0, &places);
     tribox_sort_keys_finish(kernel, room->scratch, count, 0, count, room->order);
     tribox_environment_leave(callers);
 }

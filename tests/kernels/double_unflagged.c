@@ -2,4 +2,4 @@
 #define TRIBOX_NO_INEXACT_FLAG
 #include VOCABULARY
 #define KERNEL unflagged
-#include "kernel/double.h"
+#include "kernel/settle_text.h"

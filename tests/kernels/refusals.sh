@@ -31,16 +31,16 @@ compiles() {
     fi
 }
 
-refuses 'cannot be compiled with -ffast-math' scalar/kernel_scalar.c -ffast-math
+refuses 'cannot be compiled with -ffast-math' scalar/pairs_scalar.c -ffast-math
 refuses 'cannot be compiled with -ffast-math' pairs/overlap.c -ffast-math
 if test "$family" = x86; then
-    refuses 'compile this file with AVX2 and FMA' avx2/kernel_avx2.c
-    refuses 'compile this file with AVX2 and FMA' avx2/kernel_avx2.c -mavx2
-    refuses 'compile this file with AVX2 and FMA' avx2/kernel_avx2.c -mavx -mfma
-    refuses 'compile this file with AVX-512F' avx512/kernel_avx512.c -mavx2 -mfma
-    refuses 'little-endian AArch64' neon/kernel_neon.c
-    refuses 'for WebAssembly with -msimd128' wasm/kernel_wasm128.c
-    compiles scalar/kernel_scalar.c -std=gnu11 -march=sapphirerapids
+    refuses 'compile this file with AVX2 and FMA' avx2/pairs_avx2.c
+    refuses 'compile this file with AVX2 and FMA' avx2/pairs_avx2.c -mavx2
+    refuses 'compile this file with AVX2 and FMA' avx2/pairs_avx2.c -mavx -mfma
+    refuses 'compile this file with AVX-512F' avx512/pairs_avx512.c -mavx2 -mfma
+    refuses 'little-endian AArch64' neon/pairs_neon.c
+    refuses 'for WebAssembly with -msimd128' wasm/pairs_wasm128.c
+    compiles scalar/pairs_scalar.c -std=gnu11 -march=sapphirerapids
     refuses 'for the baseline' dispatch.c -DTRIBOX_X86 -mavx
 fi
 exit $status

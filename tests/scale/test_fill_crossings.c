@@ -45,7 +45,7 @@ static void cross(const fill_case *c, const tribox_kernel *kernel, turned *t)
     static tribox_crossings to;
     start(c, &to, t);
     for (size_t first = 0; first < (size_t)c->at.count; first += TRIBOX_SEEN_ALONG)
-        kernel->grid->cross(&to, &seen, see(c, first, &seen));
+        kernel->rows->cross(&to, &seen, see(c, first, &seen));
     tribox_crossings_finish(&to);
 }
 

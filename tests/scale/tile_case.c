@@ -6,7 +6,7 @@
 
 #include "common/contact.h"
 #include "voxels/grid_kinds.h"
-#include "voxels/scenes_f64.h"
+#include "voxels/grid_scenes_f64.h"
 #include "voxels/triangle_kinds.h"
 
 enum { TRIANGLES = 70 };

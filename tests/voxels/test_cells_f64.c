@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "common/arguments.h"
-#include "scenes_f64.h"
+#include "grid_scenes_f64.h"
 
 enum { PAIRS_A_ROUND = 10000, CELLS_FOR_ALL = 300, LONG = 1000 };
 

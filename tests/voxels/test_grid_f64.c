@@ -9,7 +9,7 @@
 
 #include "common/arguments.h"
 #include "common/float_environment.h"
-#include "scenes_f64.h"
+#include "grid_scenes_f64.h"
 
 enum { PAIRS_A_ROUND = 100000 };
 

@@ -8,7 +8,7 @@
 #include "tile_crew.h"
 #include "voxelize_ways.h"
 #include "write/brick_out.h"
-#include "write/bricks.h"
+#include "write/brick_cutter.h"
 #include "write/part.h"
 #include "write/voxels_room.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "brick_writer.h"
-#include "bricks.h"
+#include "brick_cutter.h"
 #include "console/memory.h"
 #include "console/message.h"
 #include "spool.h"

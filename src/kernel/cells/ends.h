@@ -1,4 +1,4 @@
-/* ends.h - the least and the greatest of many numbers. After: kernel_grid.h. Needs: nothing more. */
+/* ends.h - the least and the greatest of many numbers. After: kernel_voxels.h. Needs: nothing more. */
 
 static void find_ends(const float *number, size_t count, tribox_ends *ends)
 {

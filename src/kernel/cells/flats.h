@@ -36,12 +36,12 @@ TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
 }
 
 /* Open cells along y. */
-static void wait_for_column(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
+static void wait_for_columns(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
 {
     const vint one = i_splat(1);
     vint above[3] = {cell[0], cell[1], cell[2]};
     for (; m_bits(m_has_bits(undecided)); undecided = i_shr(undecided, one), above[1] = i_add(above[1], one))
-        wait_for_cells(v, queue, at, i_and(undecided, one), above);
+        wait_for_lanes(v, queue, at, i_and(undecided, one), above);
 }
 
 TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
@@ -75,8 +75,8 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
             const vint undecided = i_andnot(i_keep(in, of_row.maybe), set);
             if (m_bits(m_has_bits(undecided))) {
                 const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], v_select(is_z, r, v_splat(0)))), i_cut(z)};
-                wait_for_cells(v, queue, at, i_keep(m_not(is_x), undecided), cell);
-                wait_for_column(v, queue, at, i_keep(is_x, undecided), cell);
+                wait_for_lanes(v, queue, at, i_keep(m_not(is_x), undecided), cell);
+                wait_for_columns(v, queue, at, i_keep(is_x, undecided), cell);
             }
         }
         make_room(v);

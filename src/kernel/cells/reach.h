@@ -57,7 +57,7 @@ static lane_cells ask_planes(const tribox_window *w, int a, lane_cells guess, vn
 }
 
 /* The whole number that is nearest to a place, which is -1/2 or more. */
-TRIBOX_INLINE int64_t nearest_whole(float place) { return (int64_t)(place + 0.5f); }
+TRIBOX_INLINE int64_t nearest_plane(float place) { return (int64_t)(place + 0.5f); }
 
 /* On one axis the least and the greatest number of triangles in float, and their places. */
 typedef struct lane_ends {
@@ -82,7 +82,7 @@ static lane_cells ask_doubles(const tribox_window *w, lane_reach *r, int a, uint
         v_write(of[j], r->u[3 * a + j]);
     for (; lanes; lanes &= lanes - 1) {
         const unsigned n = tribox_lowest_bit(lanes);
-        const int64_t low = nearest_whole(from[n]), high = nearest_whole(to[n]);
+        const int64_t low = nearest_plane(from[n]), high = nearest_plane(to[n]);
         const double low_plane = tribox_plane_at(&w->planes, a, low), high_plane = tribox_plane_at(&w->planes, a, high);
         bool is_above = true, is_below = true, is_one_above = false, is_one_below = false;
         double u[3];

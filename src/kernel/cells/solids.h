@@ -17,7 +17,7 @@ static tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *num
 }
 
 /* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
-static void wait_for_cells(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
+static void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
 {
     tribox_waiting *const w = &v->sinks.waiting;
     const vmask m = m_has_bits(undecided);
@@ -115,7 +115,7 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
                 const vint undecided = i_andnot(open_or_set, set);
                 if (m_bits(m_has_bits(undecided))) {
                     const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], j)), i_cut(z)};
-                    wait_for_cells(v, queue, at, undecided, cell);
+                    wait_for_lanes(v, queue, at, undecided, cell);
                 }
             }
             list_bits(v, half, bits.from, set);

@@ -231,7 +231,7 @@ static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
         sort_packet(v, soup, soup->count - V_LANES, V_LANES - rest, V_LANES);
 }
 
-static void finish(tribox_voxels *v)
+static void finish_cells(tribox_voxels *v)
 {
     for (tribox_class kind = TRIBOX_FLATS; V_LANES > 1 && kind < TRIBOX_CLASSES; kind++)
         finish_queue(v, kind);
@@ -241,7 +241,7 @@ static void finish(tribox_voxels *v)
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .sort = sort_soup,
-    .finish = finish,
+    .finish = finish_cells,
     .write = write_listed,
     .find_tiles = find_tiles,
     .find_ends = find_ends,

@@ -12,7 +12,7 @@ typedef struct split_buffer {
 } split_buffer;
 
 /* From the least of all lanes to the greatest. */
-static double length_of(vnum lo, vnum hi)
+static double length_along(vnum lo, vnum hi)
 {
     float least[V_LANES], most[V_LANES];
     v_write(least, lo);
@@ -43,7 +43,7 @@ static int longest_axis(const tribox_sort_keys *keys, size_t count)
         }
     }
     for (int a = 0; a < 3; a++) {
-        length[a] = length_of(lo[a], hi[a]);
+        length[a] = length_along(lo[a], hi[a]);
         longest = length[a] > length[longest] ? a : longest;
     }
     return longest;

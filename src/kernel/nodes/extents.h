@@ -59,8 +59,8 @@ static void take_finite(lane_extent *extent, const tribox_soup *soup, size_t fir
 }
 
 /*
- * `count` triangles of a soup, 64 at most. Returns whether they are 64, and all are finite. As in most words they are, that is asked
- * once for all of them.
+ * `count` triangles of a soup, 64 at most. Returns whether they are 64, and all are finite. As in most words they are, that is
+ * asked once for all of them.
  */
 TRIBOX_INLINE bool take_word(lane_extent *extent, const tribox_soup *soup, size_t first, size_t count)
 {

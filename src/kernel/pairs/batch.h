@@ -1,6 +1,6 @@
 /*
  * batch.h - the walks: a soup against one box, or one triangle against many boxes, in words of 64, each in packets of V_LANES.
- * After: packet.h and every other text of float.h: it ends with the table of what the kernel does. Needs: KERNEL.
+ * After: packet.h and every other text of pairs_text.h: it ends with the table of what the kernel does. Needs: KERNEL.
  *
  * A walk is one text whose kind and sequence of groups (kernel.h) are constants: every instance below keeps only its own
  * tests. Where the box normals come first, x is loaded and tested, then y, then z, each only if a lane is left: far from the box a
@@ -28,8 +28,8 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
 }
 
 /*
- * Two loops, so that scenes without ties keep fewer numbers: from the first run that leaves several lanes undecided, the rest of the
- * walk takes the second look of ties.h. It changes no answer: a slower stage would decide the same (PROOFS.md 5.3).
+ * Two loops, so that scenes without ties keep fewer numbers: from the first run that leaves several lanes undecided, the rest of
+ * the walk takes the second look of ties.h. It changes no answer: a slower stage would decide the same (PROOFS.md 5.3).
  */
 TRIBOX_INLINE void walk_words(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
                               walk_kind kind)
@@ -96,10 +96,10 @@ static void walk_local_all(const tribox_query *pairs, size_t word, size_t count,
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
-tribox_in_double TRIBOX_SYMBOL(double);
+tribox_in_double TRIBOX_SYMBOL(settle);
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
-extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
-extern const tribox_index_kernel TRIBOX_SYMBOL(index);
+extern const tribox_rows_kernel TRIBOX_SYMBOL(rows);
+extern const tribox_nodes_kernel TRIBOX_SYMBOL(nodes);
 extern const tribox_kernel TRIBOX_SYMBOL(kernel);
 const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
@@ -115,8 +115,8 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .gather = gather,
     .is_apart = is_beside,
     .to_frame = to_frame,
-    .in_double = TRIBOX_SYMBOL(double),
+    .in_double = TRIBOX_SYMBOL(settle),
     .cells = &TRIBOX_SYMBOL(cells),
-    .grid = &TRIBOX_SYMBOL(grid),
-    .index = &TRIBOX_SYMBOL(index),
+    .rows = &TRIBOX_SYMBOL(rows),
+    .nodes = &TRIBOX_SYMBOL(nodes),
 };

@@ -51,8 +51,8 @@ TRIBOX_INLINE void load_offsets(lane_triangle *t, const char *base, const uint32
 }
 
 /*
- * Nine numbers each: a packet some way ahead comes into the cache while this one is tested, as tests keep the processor so busy that it
- * does not look that far by itself. Corners by offset are so many lines that to fetch them takes longer than to wait.
+ * Nine numbers each: a packet some way ahead comes into the cache while this one is tested, as tests keep the processor so busy
+ * that it does not look that far by itself. Corners by offset are so many lines that to fetch them takes longer than to wait.
  */
 enum { LANES_AHEAD = 4 * V_LANES };
 TRIBOX_INLINE void fetch_ahead(const tribox_corners *corners, size_t at, int bytes)

@@ -2,8 +2,8 @@
  * gather.h - where triangles of a mesh lie, and the same as nine streams.
  * After: corners.h, tail.h.
  *
- * Packets are read four numbers at a vertex (corners.h). The last vertex is not, unless triangles are nine numbers each, as its z may
- * be the last number in memory: the first vertex is read in its place, and streams get its numbers one by one.
+ * Packets are read four numbers at a vertex (corners.h). The last vertex is not, unless triangles are nine numbers each, as its z
+ * may be the last number in memory: the first vertex is read in its place, and streams get its numbers one by one.
  */
 
 /* The least and the greatest vertex number at corners first .. first + count - 1. */

@@ -38,8 +38,8 @@ TRIBOX_INLINE vnum least_extent(const lane_box *box)
 }
 
 /*
- * V_ETA + 2^-125 times a length, 2^-125 being V_ETA / 32: from a normal product, as one that underflows takes a hundred cycles where
- * nothing is fused.
+ * V_ETA + 2^-125 times a length, 2^-125 being V_ETA / 32: from a normal product, as one that underflows takes a hundred cycles
+ * where nothing is fused.
  */
 TRIBOX_INLINE vnum tau_of(vnum length) { return v_mul(v_add(length, v_splat(32)), v_splat(V_ETA / 32)); }
 

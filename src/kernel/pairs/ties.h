@@ -1,6 +1,6 @@
 /*
- * ties.h - slacks without redundant axes, for a second look at lanes that a margin leaves undecided although they certainly overlap.
- * After: axes.h, margin.h. Needs: v_drop.
+ * ties.h - slacks without redundant axes, for a second look at lanes that a margin leaves undecided although they certainly
+ * overlap. After: axes.h, margin.h. Needs: v_drop.
  *
  * Where the box normals do not separate, these axes are redundant and can be left out, by the certificate of overlap too (PROOFS.md
  * 2, 5.1): an edge whose own f_a or f_b is zero, in the projection on those axes, and the plane of a triangle that is flat on an

@@ -11,7 +11,7 @@ typedef struct layer_packet {
 } layer_packet;
 
 /* `first` and the next whole numbers. */
-TRIBOX_INLINE vnum count_from(int64_t first)
+TRIBOX_INLINE vnum layers_from(int64_t first)
 {
     static const float count[TRIBOX_DOUBLES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7};
     return v_add(v_splat((double)first), v_load(count));
@@ -19,7 +19,7 @@ TRIBOX_INLINE vnum count_from(int64_t first)
 
 TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packet *layers)
 {
-    const vnum wide = v_splat(p->strip->cells[1][p->t]), k = count_from(first);
+    const vnum wide = v_splat(p->strip->cells[1][p->t]), k = layers_from(first);
     lane_run run = whole_run(wide);
     if (p->is_by_own_planes)
         run = layers_by_own_planes(p, wide, k);
@@ -30,7 +30,7 @@ TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packe
 }
 
 /* Cells first to before end of row (j, k), all counted from the triangle's own first, wait. */
-static void wait_for_cells(const strip_place *p, int64_t first, int64_t end, int64_t j, int64_t k)
+static void wait_for_row(const strip_place *p, int64_t first, int64_t end, int64_t j, int64_t k)
 {
     const tribox_strip *const strip = p->strip;
     const int64_t base[3] = {(int64_t)strip->base[0][p->t], (int64_t)strip->base[1][p->t], (int64_t)strip->base[2][p->t]};
@@ -40,10 +40,10 @@ static void wait_for_cells(const strip_place *p, int64_t first, int64_t end, int
     tribox_voxels_wait_for_row(p->v, &triangle, base[0] + first, base[0] + end - 1, base[1] + j, base[2] + k);
 }
 
-static void wait_for_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
+static void wait_for_layer_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
 {
     for (int64_t j = first; j < end; j++)
-        wait_for_cells(p, 0, 1, j, k);
+        wait_for_row(p, 0, 1, j, k);
 }
 
 /* Returns how many cells of the column were not set before. */
@@ -69,10 +69,10 @@ TRIBOX_INLINE void set_columns(const strip_place *p, bool has_certain)
                 set += set_column(p, first, end, k + n);
             } else if (certain < certain_end) {
                 set += set_column(p, certain, certain_end, k + n);
-                wait_for_column(p, first, certain, k + n);
-                wait_for_column(p, certain_end, end, k + n);
+                wait_for_layer_column(p, first, certain, k + n);
+                wait_for_layer_column(p, certain_end, end, k + n);
             } else {
-                wait_for_column(p, first, end, k + n);
+                wait_for_layer_column(p, first, end, k + n);
             }
         }
     }

@@ -1,6 +1,6 @@
 /*
- * crossings.h - triangles and the rays along x through the middles of rows of cells, and where they cross: in lanes of double, and by
- * exact signs where rounding could turn one (PROOFS.md 15.4). After: axes.h, fill_crossings.h.
+ * crossings.h - triangles and the rays along x through the middles of rows of cells, and where they cross: in lanes of double, and
+ * by exact signs where rounding could turn one (PROOFS.md 15.4). After: axes.h, fill_crossings.h.
  *
  * A triangle and a row whose middle its box may hold are a pair. Triangles of few pairs are taken a packet at once; of others, a
  * packet of pairs.
@@ -157,7 +157,7 @@ TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen
     return c;
 }
 
-TRIBOX_INLINE void read_triangle(const tribox_seen_along *seen, size_t at, double u[3][3])
+TRIBOX_INLINE void read_seen(const tribox_seen_along *seen, size_t at, double u[3][3])
 {
     for (int n = 0; n < 9; n++)
         u[n % 3][n / 3] = seen->number[n][at];
@@ -178,7 +178,7 @@ TRIBOX_INLINE void turn_pairs(tribox_crossings *c, const lane_crossing *found, v
     for (uint64_t undecided = m_bits(m_and(found->undecided, of)); undecided; undecided &= undecided - 1) {
         const unsigned n = tribox_lowest_bit(undecided);
         double u[3][3];
-        read_triangle(seen, first + n * step, u);
+        read_seen(seen, first + n * step, u);
         c->handlers->add_row(c, u, (int64_t)row[0][n], (int64_t)row[1][n]);
     }
 }
@@ -190,7 +190,7 @@ static void settle_triangles(tribox_crossings *c, const tribox_seen_along *seen,
 {
     for (; lanes; lanes &= lanes - 1) {
         double u[3][3];
-        read_triangle(seen, first + tribox_lowest_bit(lanes), u);
+        read_seen(seen, first + tribox_lowest_bit(lanes), u);
         c->handlers->add_doubtful(c, u);
     }
 }

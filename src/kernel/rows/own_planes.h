@@ -1,9 +1,9 @@
 /*
  * own_planes.h - rows limited by the very planes of their cells. After: rows.h. Needs: v_nearest_float.
  *
- * Limits take planes as evenly spaced, and where they are nearly as close as floats that leaves every fourth cell undecided. Here the
- * places of the planes that a limit is about are computed: those across the row, and the one plane along it that may lie on either
- * side of the limit, as planes are less than half a cell from their whole places (PROOFS.md 7.13).
+ * Limits take planes as evenly spaced, and where they are nearly as close as floats that leaves every fourth cell undecided. Here
+ * the places of the planes that a limit is about are computed: those across the row, and the one plane along it that may lie on
+ * either side of the limit, as planes are less than half a cell from their whole places (PROOFS.md 7.13).
  */
 
 /* The number itself where it is whole, and the nearest one: of two that are as near, the even one. */

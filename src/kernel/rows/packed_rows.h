@@ -27,8 +27,8 @@ typedef struct row_cursor {
 TRIBOX_INLINE void list_run(row_list *rows, row_cursor *at, unsigned more, bool is_along_z)
 {
     for (unsigned n = 0; n < more; n += V_LANES) {
-        v_write(&rows->j[rows->count + n], is_along_z ? v_splat((double)at->j) : count_from(at->j + n));
-        v_write(&rows->k[rows->count + n], is_along_z ? count_from(at->k + n) : v_splat((double)at->k));
+        v_write(&rows->j[rows->count + n], is_along_z ? v_splat((double)at->j) : layers_from(at->j + n));
+        v_write(&rows->k[rows->count + n], is_along_z ? layers_from(at->k + n) : v_splat((double)at->k));
     }
     rows->count += more;
     *(is_along_z ? &at->k : &at->j) += more;
@@ -199,10 +199,10 @@ static void wait_for_rows(const strip_place *p, const row_list *rows)
         if (first >= end || (first == certain && end == certain_end))
             continue;
         if (certain < certain_end) {
-            wait_for_cells(p, first, certain, j, k);
-            wait_for_cells(p, certain_end, end, j, k);
+            wait_for_row(p, first, certain, j, k);
+            wait_for_row(p, certain_end, end, j, k);
         } else {
-            wait_for_cells(p, first, end, j, k);
+            wait_for_row(p, first, end, j, k);
         }
     }
 }

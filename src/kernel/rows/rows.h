@@ -58,8 +58,8 @@ TRIBOX_INLINE void write_plane(strip_plane *plane, unsigned at, const plane_limi
     v_write(&plane->k_slope[at], from->k_slope);
 }
 
-TRIBOX_INLINE void prepare(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale,
-                           strip_limits *limits, tribox_shape shape)
+TRIBOX_INLINE void prepare_limits(const tribox_strip *strip, const tribox_lattice *lattice, unsigned axes, double bound_scale,
+                                  strip_limits *limits, tribox_shape shape)
 {
     static const int axis_q[3] = {1, 0, 0}, axis_p[3] = {2, 2, 1};
     const vnum scale = v_splat(bound_scale);

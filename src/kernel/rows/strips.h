@@ -1,4 +1,7 @@
-/* strips.h - the cells of triangles in strips, and the kernel's table. After: columns.h, own_planes.h, crossings.h. Needs: KERNEL. */
+/*
+ * strips.h - the cells of triangles in strips, and the kernel's table. After: columns.h, own_planes.h, crossings.h. Needs:
+ * KERNEL.
+ */
 
 TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_certain)
 {
@@ -9,7 +12,8 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
     while (list_rows(p, &at, &rows, shape, has_certain)) {
         const row_cells *const cells = has_certain ? &rows.certain : &rows.maybe;
         limit_all_rows(p, &rows, shape, has_certain);
-        p->v->counts.overlapping += (is_narrow ? set_narrow_rows : set_wide_rows)(p->v->sinks.occupied, &rows, cells, bit);
+        p->v->counts.overlapping += is_narrow ? set_narrow_rows(p->v->sinks.occupied, &rows, cells, bit)
+                                              : set_wide_rows(p->v->sinks.occupied, &rows, cells, bit);
         if (has_certain && may_be_undecided(&rows))
             (is_rough && !p->is_by_own_planes ? settle_undecided_rows(p, &rows, shape) : wait_for_rows(p, &rows));
     }
@@ -22,7 +26,7 @@ TRIBOX_INLINE void set_strip_by(tribox_voxels *v, tribox_shape shape, bool has_c
     bool has_own = false;
     const bool is_by_own_planes = has_certain && v->window.roughness == TRIBOX_VERY_ROUGH;
     const tribox_lattice lattice = is_by_own_planes ? lattice_by_own_planes(v) : v->window.lattice;
-    prepare(strip, &lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
+    prepare_limits(strip, &lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
     for (unsigned t = 0; t < strip->count; t++) {
         const int64_t base = (int64_t)strip->base[2][t], layers = (int64_t)strip->cells[2][t];
         const strip_place p = {v,
@@ -54,8 +58,8 @@ static void set_flat_x(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_X); }
 static void set_flat_y(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Y); }
 static void set_flat_z(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Z); }
 
-extern const tribox_grid_kernel TRIBOX_SYMBOL(grid);
-const tribox_grid_kernel TRIBOX_SYMBOL(grid) = {
+extern const tribox_rows_kernel TRIBOX_SYMBOL(rows);
+const tribox_rows_kernel TRIBOX_SYMBOL(rows) = {
     .set_strip = {set_solid, set_flat_x, set_flat_y, set_flat_z},
 #if !defined(TRIBOX_SMALL)
     .cross = cross_triangles,

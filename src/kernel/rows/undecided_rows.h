@@ -57,7 +57,7 @@ static void take_open_rows(const row_list *rows, row_list *undecided)
 static void prepare_own(const strip_place *p, tribox_shape shape)
 {
     const tribox_lattice lattice = lattice_by_own_planes(p->v);
-    prepare(p->strip, &lattice, p->v->plan.axes, 1, p->own, shape);
+    prepare_limits(p->strip, &lattice, p->v->plan.axes, 1, p->own, shape);
     *p->has_own = true;
 }
 

@@ -1,6 +1,6 @@
 /*
- * doubles.h - what the walks left undecided, in double: certain where a slack exceeds its error bound, or where nothing was rounded.
- * After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
+ * doubles.h - what the walks left undecided, in double: certain where a slack exceeds its error bound, or where nothing was
+ * rounded. After: axes.h, bounds.h. Needs: KERNEL, inexact_flag.h.
  *
  * The processor's inexact flag shows for a whole packet at once that every slack is exact; then the signs decide ties as well. That
  * is for EXACT alone: CONSERVATIVE must give a pair the same answer whatever pairs share its packet (PROOFS.md 6.4). Where the flag
@@ -36,8 +36,10 @@ TRIBOX_INLINE vmask is_tame(vnum length)
     return m_or(is_zero(length), m_and(v_gt(length, v_splat(0x1p-200)), v_gt(v_splat(0x1p200), length)));
 }
 
-/* The least of a slack plus or minus its bound, over all axes that are not redundant: where the bounds hold, negative in `most` separates,
- * and positive in `least` is an overlap. */
+/*
+ * The least of a slack plus or minus its bound, over all axes that are not redundant: where the bounds hold, negative in `most`
+ * separates, and positive in `least` is an overlap.
+ */
 typedef struct lane_range {
     vnum least, most;
     vmask is_certain; /* the bounds hold */
@@ -88,7 +90,10 @@ TRIBOX_INLINE vmask has_vertex_inside(const lane_triangle *t, const lane_box *bo
     return inside;
 }
 
-/* Zero times a number is zero, and NaN if it is not finite: never inexact. Edges of finite doubles may overflow, so vertices are asked. */
+/*
+ * Zero times a number is zero, and NaN if it is not finite: never inexact. Edges of finite doubles may overflow, so vertices are
+ * asked.
+ */
 TRIBOX_INLINE vmask is_finite_triangle(const lane_triangle *t)
 {
     vnum sum = v_splat(0);
@@ -157,8 +162,8 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     return (tribox_verdict){finite & overlapping, undecided, finite, undecided & ~m_bits(range.is_certain)};
 }
 
-tribox_in_double TRIBOX_SYMBOL(double);
-tribox_verdict TRIBOX_SYMBOL(double)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact)
+tribox_in_double TRIBOX_SYMBOL(settle);
+tribox_verdict TRIBOX_SYMBOL(settle)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact)
 {
     tribox_verdict all = {0, 0, 0, 0};
     for (unsigned at = 0; at < count; at += V_LANES) {

@@ -1,4 +1,0 @@
-/* index_avx2.c - the nodes of an index, in float with AVX2. */
-#include "vec_avx2.h"
-#define KERNEL avx2
-#include "kernel/index.h"

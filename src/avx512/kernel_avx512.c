@@ -1,4 +1,0 @@
-/* kernel_avx512.c - the kernel of AVX-512F: everything in float, and the table of what it does. */
-#include "vec_avx512.h"
-#define KERNEL avx512
-#include "kernel/float.h"

@@ -1,0 +1,15 @@
+/*
+ * cells_text.h - the texts about cells of a grid in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name.
+ */
+#include "voxels/voxelizing.h"
+#include "axes.h"
+#include "kernel/cells/reach.h"
+#include "kernel/cells/tile_ranges.h"
+#include "kernel/cells/ends.h"
+#include "kernel/cells/writes.h"
+#include "limits.h"
+#include "kernel/cells/runs.h"
+#include "kernel/cells/solids.h"
+#include "kernel/cells/flats.h"
+#include "kernel/cells/bricks.h"
+#include "kernel/cells/sorted.h"

@@ -1,4 +1,0 @@
-/* double_neon.c - what float leaves undecided, in double with NEON. */
-#include "vec_neon_double.h"
-#define KERNEL neon
-#include "kernel/double.h"

@@ -1,4 +1,0 @@
-/* grid_neon.c - cells of grids, in double with NEON. */
-#include "vec_neon_double.h"
-#define KERNEL neon
-#include "kernel/grid.h"

@@ -1,4 +1,0 @@
-/* index_neon.c - the nodes of an index, in float with NEON. */
-#include "vec_neon.h"
-#define KERNEL neon
-#include "kernel/index.h"

@@ -1,4 +1,0 @@
-/* double_scalar.c - what float leaves undecided, in double with one lane. */
-#include "vec_scalar_double.h"
-#define KERNEL scalar
-#include "kernel/double.h"

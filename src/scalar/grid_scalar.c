@@ -1,4 +1,0 @@
-/* grid_scalar.c - cells of grids, in double with one lane. */
-#include "vec_scalar_double.h"
-#define KERNEL scalar
-#include "kernel/grid.h"

@@ -1,4 +1,0 @@
-/* kernel_scalar.c - the kernel of one lane: everything in float, and the table of what it does. */
-#include "vec_scalar.h"
-#define KERNEL scalar
-#include "kernel/float.h"

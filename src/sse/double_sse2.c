@@ -1,4 +1,0 @@
-/* double_sse2.c - what float leaves undecided, in double with SSE2. */
-#include "vec_sse2_double.h"
-#define KERNEL sse2
-#include "kernel/double.h"

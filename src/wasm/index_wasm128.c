@@ -1,4 +1,0 @@
-/* index_wasm128.c - the nodes of an index, in float with WebAssembly SIMD. */
-#include "vec_wasm128.h"
-#define KERNEL wasm128
-#include "kernel/index.h"

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""house.py ROOT: the house is as CONTRIBUTING.md and src/README.md say: rooms, who uses whom, names of files, width of lines."""
+import collections
+import os
+import re
+import subprocess
+import sys
+
+ROOT = sys.argv[1]
+MOST = 15  # sources in a folder of src
+COLUMNS = 132
+SYSTEM = {"setjmp.h"}  # stands in for that of a system
+VOCABULARIES = ("scalar", "sse", "avx2", "avx512", "neon", "wasm")
+failures = []
+
+
+def fail(text):
+    failures.append(text)
+
+
+def tracked():
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True, check=False)
+    if listed.returncode:  # a tarball
+        found = (os.path.relpath(os.path.join(folder, name), ROOT) for folder, _, names in os.walk(ROOT) for name in names)
+        return [name for name in found if name.split(os.sep)[0] in ("include", "src", "tools", "tests", "bench", "examples")]
+    return [name for name in listed.stdout.splitlines() if os.path.isfile(os.path.join(ROOT, name))]
+
+
+def read(name):
+    with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def room_of(name):
+    """Of a path below src: its folder, that of the texts for those below it; "" for the files at the top."""
+    parts = name.split("/")
+    return parts[0] if len(parts) > 1 else ""
+
+
+FILES = tracked()
+SOURCES = [name[4:] for name in FILES if re.fullmatch(r"src/.*\.[ch]", name)]
+
+# No two headers share a base name, and no folder of src is a heap.
+for base, count in collections.Counter(os.path.basename(name) for name in FILES if name.endswith(".h")).items():
+    if count > 1 and base not in SYSTEM:
+        fail(f"{base}: {count} headers have this name; rename one")
+for folder, count in collections.Counter(os.path.dirname(name) for name in SOURCES).items():
+    if count > MOST:
+        fail(f"src/{folder}: {count} sources, more than {MOST}; make a folder of those that change together")
+
+# src/README.md's table names every room, and each uses what it says. The types of the top are everybody's.
+page = read("src/README.md")
+may_use = {}
+for rooms, uses in re.findall(r"^\| (.*?) \| .*? \| (.*?) \|$", page, re.M):
+    for room in re.findall(r"`(\w+)/`", rooms):
+        may_use[room] = set(re.findall(r"`(\w+)/`", uses))
+rooms = {room_of(name) for name in SOURCES} - {""}
+for room in sorted(rooms ^ set(may_use)):
+    fail(f"src/README.md: the room {room}/ is in the table or in src, but not in both")
+
+
+def reach(room, seen=()):
+    """The rooms that one may use, directly or through others."""
+    return may_use.get(room, set()).union(*(reach(other, (*seen, room)) for other in may_use.get(room, ()) if other not in seen))
+
+
+for name in SOURCES:
+    room = room_of(name)
+    for include in re.findall(r'(?m)^\s*#\s*include "(\w+)/', read("src/" + name)):
+        allowed = {room, "base"} | reach(room)
+        if room == "kernel":
+            allowed |= {"voxels", "index", "fill"}  # lists and types that they fill
+        if room in VOCABULARIES or room == "exact":
+            allowed |= {"kernel"}
+        if room and include not in allowed:
+            fail(f"src/{name}: includes {include}/, which src/README.md does not let {room}/ use")
+        if include in VOCABULARIES and include != room:
+            fail(f"src/{name}: knows an instruction set")
+
+# No static name stands in two files: what a backtrace or grep shows is one thing. Words of a vocabulary are meant to be alike.
+WORDS = re.compile(r"src/(scalar|sse|avx2|avx512|neon|wasm)/|num_\w+\.h|exact_(short|long)\.c")
+defined = collections.defaultdict(set)
+for name in FILES:
+    if re.match(r"src/.*\.[ch]$", name) and not WORDS.search(name):
+        for function in re.findall(r"(?m)^(?:static (?:inline )?|TRIBOX_INLINE )[\w *]*?\b(\w+)\(", read(name)):
+            defined[function].add(name)
+for function, names in sorted(defined.items()):
+    if len(names) > 1:
+        fail(f"{function}() is static in {', '.join(sorted(names))}; give each its object")
+
+# A journey leads to files that exist.
+for text in re.findall(r"`([\w/]+\.[ch])`", page):
+    if f"src/{text}" not in FILES and f"src/kernel/{text}" not in FILES:
+        fail(f"src/README.md: there is no file {text}")
+for text in re.findall(r"^\| \**`([\w/]+\.h)`", read("src/kernel/README.md"), re.M):
+    if f"src/kernel/{text}" not in FILES:
+        fail(f"src/kernel/README.md: there is no file {text}")
+
+# A branch is an if, and lines fit a screen.
+for name in FILES:
+    if re.match(r"(src|include)/.*\.[ch]$", name):
+        for number, line in enumerate(read(name).splitlines(), 1):
+            if re.search(r"\? [\w>.-]+ : [\w>.-]+\)\(", line):
+                fail(f"{name}:{number}: (c ? f : g)(x) is not found by grep; write an if")
+            if len(line) > COLUMNS:
+                fail(f"{name}:{number}: {len(line)} columns, more than {COLUMNS}")
+
+print(*failures, sep="\n")
+print(f"{len(SOURCES)} sources in {len(rooms)} rooms, {len(failures)} faults")
+sys.exit(bool(failures))

@@ -1,0 +1,17 @@
+/* brick_cutter.h - bricks of 8 x 8 x 8 cells out of the words of a grid, and into them. */
+#ifndef BRICK_CUTTER_H
+#define BRICK_CUTTER_H
+
+#include "console/progress.h"
+#include "voxels.h"
+
+/* Takes a brick as a tribox_sink does, but returns an exit_code. */
+typedef int brick_taker(void *data, const uint32_t at[3], const uint64_t bits[8]);
+
+/* Hands over each brick of the voxels that has a set cell, by z, then y, then x, until one is not taken. Returns an exit_code. */
+int bricks_cut(const voxels *v, brick_taker *take, void *data, progress *bar);
+
+/* Sets the cells of a brick that lies in the grid, in the words of all its layers. */
+void bricks_lay(const tribox_grid_f64 *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8]);
+
+#endif
