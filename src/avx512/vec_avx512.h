@@ -43,8 +43,8 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm512_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return avx512_float(_mm512_and_si512(avx512_bits(a), _mm512_set1_epi32(0x7fffffff))); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
 {
-    const __m512i rest = _mm512_set1_epi32(0x7fffffff);
-    return avx512_float(_mm512_ternarylogic_epi32(avx512_bits(a), avx512_bits(sign), rest, 0xb4)); /* a ^ (sign & ~rest) */
+    const __m512i but_sign = _mm512_set1_epi32(0x7fffffff);
+    return avx512_float(_mm512_ternarylogic_epi32(avx512_bits(a), avx512_bits(sign), but_sign, 0xb4)); /* a ^ (sign & ~rest) */
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
 TRIBOX_INLINE vnum v_floor(vnum a) { return _mm512_floor_ps(a); }

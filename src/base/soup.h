@@ -9,7 +9,7 @@
 /* Whether `count` floats fit the address space. */
 static inline bool tribox_is_addressable(size_t count) { return count <= PTRDIFF_MAX / sizeof(float); }
 
-/* Whether so many things have numbers of 32 bits. A size_t may have no more bits itself. */
+/* Whether 32-bit numbers can count `count` things. A size_t may have no more bits itself. */
 static inline bool tribox_has_numbers(uint64_t count) { return count <= UINT64_C(1) << 32; }
 
 /* Whether the soup can be read: no NULL where triangles are, and a count that fits. */

@@ -16,10 +16,10 @@ static inline tribox_wide tribox_wide_sum(tribox_wide a, tribox_wide b) { return
 static inline tribox_wide tribox_wide_difference(tribox_wide a, tribox_wide b) { return a - b; }
 static inline int tribox_wide_sign(tribox_wide a) { return (a > 0) - (a < 0); }
 
-/* a = 2^62 times what is returned, plus *rest, which is not negative and below 2^62. For a from -2^125 to below 2^125. */
-static inline int64_t tribox_wide_split(tribox_wide a, int64_t *rest)
+/* a = 2^62 times what is returned, plus *low_bits, which is not negative and below 2^62. For a from -2^125 to below 2^125. */
+static inline int64_t tribox_wide_split(tribox_wide a, int64_t *low_bits)
 {
-    *rest = (int64_t)(a & INT64_C(0x3fffffffffffffff));
+    *low_bits = (int64_t)(a & INT64_C(0x3fffffffffffffff));
     return (int64_t)(a >> 62);
 }
 
@@ -53,9 +53,9 @@ static inline tribox_wide tribox_wide_product(int64_t a, int64_t b)
 
 static inline int tribox_wide_sign(tribox_wide a) { return a.high >> 63 ? -1 : (a.high | a.low) != 0; }
 
-static inline int64_t tribox_wide_split(tribox_wide a, int64_t *rest)
+static inline int64_t tribox_wide_split(tribox_wide a, int64_t *low_bits)
 {
-    *rest = (int64_t)(a.low & UINT64_C(0x3fffffffffffffff));
+    *low_bits = (int64_t)(a.low & UINT64_C(0x3fffffffffffffff));
     return (int64_t)(a.high << 2 | a.low >> 62);
 }
 

@@ -19,7 +19,7 @@ tribox_rows tribox_rows_of(const uint32_t size[3]);
 /* Cells on every axis, and no more than 2^31 words. */
 bool tribox_fill_is_served(const uint32_t size[3]);
 
-/* Two bits for each row, one after those of all rows, in the caller's scratch: all of them clear. */
+/* Two bits for each row, one after those of all rows, in scratch that the caller provides: all of them clear. */
 uint64_t *tribox_fill_row_bits(void *scratch, const tribox_rows *rows);
 
 /* The bits that word w of a row has cells for. */

@@ -41,10 +41,10 @@ static uint64_t *solid_row(const flood *f, size_t row) { return f->solid + row *
 static bool is_noted(const flood *f, const uint64_t *from, size_t row)
 {
     const bool is_done = f->done[row / 64] >> row % 64 & 1;
-    const bool is = !is_done && tribox_row_is_beside(f->rows.words, from, occupied_row(f, row), solid_row(f, row));
-    if (is)
+    const bool is_next = !is_done && tribox_row_is_next_to(f->rows.words, from, occupied_row(f, row), solid_row(f, row));
+    if (is_next)
         f->noted[row / 64] |= UINT64_C(1) << row % 64;
-    return is;
+    return is_next;
 }
 
 /* The rows around row j of layer k that were started. */

@@ -92,7 +92,7 @@ static inline void tribox_row_close(size_t words, uint64_t last, const uint64_t 
 }
 
 /* Whether the row has a free cell next to a reached one of another, and how many free cells are not reached. */
-static inline bool tribox_row_is_beside(size_t words, const uint64_t *other, const uint64_t *occupied, const uint64_t *solid)
+static inline bool tribox_row_is_next_to(size_t words, const uint64_t *other, const uint64_t *occupied, const uint64_t *solid)
 {
     uint64_t is = 0;
     for (size_t w = 0; w < words; w++)

@@ -4,7 +4,7 @@
 
 #include "plan.h"
 
-/* Planes that rise on every axis, and who takes the cells between them that overlap. */
+/* Increasing planes on every axis, and a callback for each overlapping cell between them. */
 typedef struct tribox_blocks {
     const tribox_plan *plan; /* whose accuracy and axes are asked */
     double (*plane)(const void *lattice, int a, int64_t p);

@@ -76,14 +76,14 @@ static bool has_rising_planes_f64(const tribox_planes *planes, int a, int64_t si
     const binade top = binade_of(is_falling && -first > last ? -first : last);
     if (planes->cell[a] > top.spacing)
         return true;
-    int64_t in = -1, out = size + 1; /* planes below and above the parting, where they rise away from zero */
-    while (out - in > 1) {
-        const int64_t middle = in + (out - in) / 2;
+    int64_t low = -1, high = size + 1; /* planes below and above the parting, where they rise away from zero */
+    while (high - low > 1) {
+        const int64_t middle = low + (high - low) / 2;
         const bool is_top = size_of(tribox_plane_at(planes, a, middle)) >= top.from;
-        *(is_top == is_falling ? &in : &out) = middle;
+        *(is_top == is_falling ? &low : &high) = middle;
     }
     const double below = is_falling ? top.spacing : top.spacing / 2, above = is_falling ? top.spacing / 2 : top.spacing;
-    return (in < 0 || is_run_rising(planes, a, 0, in, below)) && (out > size || is_run_rising(planes, a, out, size, above));
+    return (low < 0 || is_run_rising(planes, a, 0, low, below)) && (high > size || is_run_rising(planes, a, high, size, above));
 }
 
 bool tribox_grid_f64_is_sound(const tribox_grid_f64 *grid)
@@ -102,18 +102,18 @@ bool tribox_grid_f64_is_sound(const tribox_grid_f64 *grid)
 static int64_t planes_below(const tribox_planes *planes, int a, int64_t size, double x, bool is_closed)
 {
     const double place = (x - planes->origin[a]) / planes->cell[a] - planes->first[a];
-    int64_t in = -1, out = size + 1, step = 1;
+    int64_t low = -1, high = size + 1, step = 1;
     int64_t at = place > 0 ? place < (double)size ? (int64_t)place : size : 0; /* 0 of a NaN */
-    while (out - in > 1) {
+    while (high - low > 1) {
         const double plane = tribox_plane_at(planes, a, at);
         const bool is_below = plane < x || (is_closed && plane <= x);
-        *(is_below ? &in : &out) = at;
-        at = is_below ? in + step : out - step;
-        if (at <= in || at >= out)
-            at = in + (out - in) / 2;
+        *(is_below ? &low : &high) = at;
+        at = is_below ? low + step : high - step;
+        if (at <= low || at >= high)
+            at = low + (high - low) / 2;
         step *= 2;
     }
-    return out;
+    return high;
 }
 
 tribox_cells tribox_planes_cells(const tribox_planes *planes, int a, int64_t size, double least, double most)

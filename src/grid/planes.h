@@ -60,8 +60,8 @@ static inline double tribox_plane_within(double origin, double cell, double p)
 {
     const double p_low = (double)((uint64_t)p & 0xffff), p_high = p - p_low;
     const double c_high = tribox_upper_half(cell), c_low = cell - c_high, product = p * cell;
-    const double rest = ((p_high * c_high - product) + p_high * c_low + p_low * c_high) + p_low * c_low;
-    const tribox_sum low = tribox_add_exactly(origin, rest), high = tribox_add_exactly(product, low.sum);
+    const double error = ((p_high * c_high - product) + p_high * c_low + p_low * c_high) + p_low * c_low;
+    const tribox_sum low = tribox_add_exactly(origin, error), high = tribox_add_exactly(product, low.sum);
     return high.sum + tribox_add_to_odd(high.rest, low.rest);
 }
 

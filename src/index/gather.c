@@ -12,10 +12,10 @@ static bool is_writable(const uint32_t *order, size_t first, size_t count, float
 {
     if (first > SIZE_MAX - count || !tribox_is_addressable(first + count) || !x || !y || !z)
         return false;
-    bool is = order;
+    bool is_given = order;
     for (int v = 0; v < 3; v++)
-        is &= x[v] && y[v] && z[v];
-    return !count || is;
+        is_given &= x[v] && y[v] && z[v];
+    return !count || is_given;
 }
 
 /* Whether an order names triangles below `limit` alone. */

@@ -63,7 +63,7 @@ static tribox_status prepare_at_oriented(call *c, const tribox_index *index, con
     return status || tribox_oriented_has_axes(&c->plan) ? status : TRIBOX_BAD_OPTION;
 }
 
-/* In our environment. */
+/* Needs tribox_environment_enter(). */
 static bool is_empty(const tribox_descent *q)
 {
     return q->oriented ? tribox_oriented_is_empty(q->oriented) : tribox_box_is_empty(q->pairs.box);

@@ -54,7 +54,7 @@ static bool ask_pending(tribox_descent *q, uint64_t *hit, uint64_t *undecided)
     const tribox_oriented_question oriented = {q->pairs.soup, q->oriented, q->plan};
     uint64_t any = 0;
     memset(undecided, 0, q->pending * sizeof *undecided);
-    /* A survey pays where many words are to come: where so many have. */
+    /* A survey pays in full batches alone: after them more words are likely to follow. */
     q->plan->choice.is_adaptive = q->may_choose && q->pending == TRIBOX_PENDING;
     for (unsigned k = 0, n; k < q->pending; k += n ? n : 1) {
         n = run_at(q, k);

@@ -49,13 +49,13 @@ static void read_doubles(const tribox_mesh *mesh, size_t triangle, double u[3][3
  */
 static bool is_apart_in_double(double u[3][3], const tribox_box_f64 *box)
 {
-    bool is = false;
+    bool apart = false;
     for (int a = 0; a < 3; a++) {
         const double lo = box->lo[a], hi = box->hi[a];
-        is |= (bool)((u[0][a] < lo) & (u[1][a] < lo) & (u[2][a] < lo));
-        is |= (bool)((u[0][a] > hi) & (u[1][a] > hi) & (u[2][a] > hi));
+        apart |= (bool)((u[0][a] < lo) & (u[1][a] < lo) & (u[2][a] < lo));
+        apart |= (bool)((u[0][a] > hi) & (u[1][a] > hi) & (u[2][a] > hi));
     }
-    return is;
+    return apart;
 }
 
 /* Open pairs, until they fill a batch. */
@@ -139,7 +139,7 @@ static void leave_open(size_t count, uint64_t *hit, uint64_t *undecided)
     }
 }
 
-/* Some of the block, as tribox_answer_block has it: from where it lies if all of it can be read so, else the first of it copied. */
+/* Walks as much of the block as it can (tribox_answer_block): in place if all of it can be read so, else a copied prefix. */
 static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_local_box *local,
                          const tribox_plan *plan, uint64_t *hit, uint64_t *undecided)
 {

@@ -48,10 +48,10 @@ static void write_each_triangle(const tribox_mesh *mesh, const double origin[3],
     enum { SOME = 64 };
     double u[3 * SOME][3];
     for (size_t at = 0; at < count; at += SOME) {
-        const size_t some = count - at < SOME ? count - at : SOME;
-        tribox_mesh_read_corners(mesh, 3 * (first + at), 3 * some, u);
+        const size_t part = count - at < SOME ? count - at : SOME;
+        tribox_mesh_read_corners(mesh, 3 * (first + at), 3 * part, u);
         for (size_t k = 0; k < 9; k++)
-            for (size_t i = 0; i < some; i++)
+            for (size_t i = 0; i < part; i++)
                 to[k][at + i] = (float)(u[3 * i + k % 3][k / 3] - origin[k / 3]);
     }
 }

@@ -15,7 +15,7 @@ typedef struct call_f64 {
     tribox_mesh_query query;
 } call_f64;
 
-/* What every call checks. FAST is CONSERVATIVE: to round once costs more than the error bounds, which it does without, save. */
+/* What every call checks. FAST is taken as CONSERVATIVE: all it saves, the error bounds, costs less than rounding. */
 static tribox_status check_mesh_box(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
                                     call_f64 *call)
 {
@@ -33,7 +33,7 @@ static tribox_status check_mesh_box(const tribox_mesh *mesh, const tribox_box_f6
     return TRIBOX_OK;
 }
 
-/* In our environment. */
+/* Needs tribox_environment_enter(). */
 static void start_mesh_call(call_f64 *call, const tribox_box_f64 *box)
 {
     const bool is_compared = call->plan.axes & TRIBOX_AXES_BOX && tribox_mesh_is_direct(&call->mesh);
@@ -52,16 +52,16 @@ static void write_report(call_f64 *call, tribox_report counts, tribox_report *re
     tribox_plan_report(&call->plan, counts, report);
 }
 
-/* Whether floats are the same box: then meshes of floats are those of the other call. */
+/* True if floats hold the box exactly: a mesh of floats then takes tribox_overlap_indexed. */
 static bool is_box_of_floats(const tribox_box_f64 *box, tribox_box *same)
 {
-    bool is = true;
+    bool are_floats = true;
     for (int a = 0; a < 3; a++) {
         same->lo[a] = (float)box->lo[a];
         same->hi[a] = (float)box->hi[a];
-        is &= same->lo[a] == box->lo[a] && same->hi[a] == box->hi[a];
+        are_floats &= same->lo[a] == box->lo[a] && same->hi[a] == box->hi[a];
     }
-    return is;
+    return are_floats;
 }
 
 tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,

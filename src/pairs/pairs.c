@@ -97,8 +97,8 @@ size_t tribox_pairs_settle_words(const tribox_query *p, const tribox_plan *plan,
     size_t settled = 0;
     g.count = 0;
     for (size_t w = 0; w < words; w++)
-        for (uint64_t rest = undecided[w]; rest; rest &= rest - 1) {
-            const unsigned lane = tribox_lowest_bit(rest);
+        for (uint64_t left = undecided[w]; left; left &= left - 1) {
+            const unsigned lane = tribox_lowest_bit(left);
             g.pair[g.count] = 64 * number[w] + lane;
             g.lane[g.count++] = 64 * w + lane;
             if (g.count == TRIBOX_BATCH)

@@ -1,7 +1,4 @@
-/*
- * pairs.h - the pairs of a call, as partial_packet.h has them, answered block by block: the kernel, and what it leaves undecided
- * settled.
- */
+/* pairs.h - answers pairs block by block: runs the kernel, and settles what it left undecided. */
 #ifndef TRIBOX_PAIRS_H
 #define TRIBOX_PAIRS_H
 

@@ -26,8 +26,8 @@ static void fill_up_batch(tribox_batch *batch, unsigned count)
 
 tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan)
 {
-    const bool is_exact =
-        plan->accuracy != TRIBOX_CONSERVATIVE; /* that takes what stays undecided for an overlap, if it is nearly one */
+    /* CONSERVATIVE counts undecided pairs as overlaps; wild ones are settled exactly. */
+    const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
     fill_up_batch(batch, count);
     tribox_verdict verdict = plan->kernel->in_double(batch, count, plan->axes, is_exact);
     if (!is_exact)

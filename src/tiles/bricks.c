@@ -38,26 +38,26 @@ typedef struct call {
 
 size_t tribox_bricks_bytes(uint32_t tile)
 {
-    const size_t row = (size_t)tribox_words_of(tile) * sizeof(uint64_t), rest = BLOCK_BYTES + LINE;
+    const size_t row = (size_t)tribox_words_of(tile) * sizeof(uint64_t), block = BLOCK_BYTES + LINE;
     size_t bytes = row;
     for (int a = 1; a < 3; a++) {
         if (tile && bytes > SIZE_MAX / tile)
             return SIZE_MAX;
         bytes *= tile;
     }
-    return bytes > SIZE_MAX - rest ? SIZE_MAX : bytes + rest;
+    return bytes > SIZE_MAX - block ? SIZE_MAX : bytes + block;
 }
 
 /* How many of the next FEW triangles of a list follow each other in the soup. */
 static size_t successors(const uint32_t list[GROUP])
 {
-    size_t some = 1;
+    size_t following = 1;
     bool follows = true;
     for (uint32_t n = 1; n < GROUP; n++) {
         follows &= list[n] == list[0] + n;
-        some += follows;
+        following += follows;
     }
-    return some;
+    return following;
 }
 
 /*
@@ -73,13 +73,13 @@ static tribox_soup gather_floats(const call *s, const uint32_t *list, size_t cou
     size_t i = 0;
     for (int n = 0; n < 9; n++)
         stream[n] = tribox_soup_axis(s->soup, n / 3)[n % 3];
-    for (size_t some; count - i >= GROUP && s->soup->count - list[i] >= GROUP; i += some) {
+    for (size_t following; count - i >= GROUP && s->soup->count - list[i] >= GROUP; i += following) {
         const uint32_t later = list[count - i > AHEAD ? i + AHEAD : count - 1];
         for (size_t n = 0; n < 9; n++) {
             tribox_will_read(stream[n] + later);
             memcpy(to + n * STREAM + i, stream[n] + list[i], GROUP * sizeof *to);
         }
-        some = successors(list + i);
+        following = successors(list + i);
     }
     for (; i < count; i++)
         for (size_t n = 0; n < 9; n++)
@@ -220,7 +220,7 @@ static bool do_rise(const size_t *starts, size_t count)
     return do_all;
 }
 
-/* What is alike for both: scratch, lists and tiles. */
+/* Scratch, lists and tiles, which both forms have. */
 static bool is_share(call *s, const uint32_t size[3], uint32_t tile, size_t from, size_t to, const size_t *starts,
                      const uint32_t *list)
 {
@@ -232,7 +232,7 @@ static bool is_share(call *s, const uint32_t size[3], uint32_t tile, size_t from
     return true;
 }
 
-/* What a tile leaves behind is clear. */
+/* Bits are zero again after each tile. */
 static void use_scratch(call *s, void *scratch)
 {
     uint32_t most[3];

@@ -112,14 +112,14 @@ static void put_tiles(tribox_tiles_call *l, const double u[9], const tribox_tile
 /* The tiles of both boxes, and whether there are any. */
 static bool meet(const tribox_tile_box *b, const tribox_tile_box *c, tribox_tile_box *both)
 {
-    bool is = true;
+    bool is_within = true;
     for (int a = 0; a < 3; a++) {
         const int64_t b_end = b->base[a] + b->tiles[a], c_end = c->base[a] + c->tiles[a];
         both->base[a] = b->base[a] > c->base[a] ? b->base[a] : c->base[a];
         both->tiles[a] = (b_end < c_end ? b_end : c_end) - both->base[a];
-        is = is && both->tiles[a] > 0;
+        is_within = is_within && both->tiles[a] > 0;
     }
-    return is;
+    return is_within;
 }
 
 /* What the share has of a range. */
@@ -144,7 +144,7 @@ static void list_by_planes(tribox_tiles_call *l, const double u[9])
     put_range(l, u, &range);
 }
 
-/* Where a kernel found more than one tile along one axis alone: their numbers, by steps. Whether it is so. */
+/* Where a kernel found more than one tile along one axis alone: lists a line of tiles. False if more than one axis has several. */
 static bool put_line(tribox_tiles_call *l, size_t first, unsigned more)
 {
     size_t step = 1;
@@ -189,7 +189,7 @@ static void list_by_one(tribox_tiles_call *l)
     }
 }
 
-/* One of whose bounding box a kernel does not say that it touches one tile, or none. */
+/* A triangle whose bounding box touches several tiles, or whose tiles the kernel cannot tell. */
 static void put_other(tribox_tiles_call *l, int32_t first, int32_t more)
 {
     const bool is_known = more != TRIBOX_TILES_UNKNOWN;
@@ -259,7 +259,7 @@ static bool make_lattice(tribox_tiles_call *l)
 {
     const tribox_tiling *const t = &l->tiling;
     tribox_tile_lattice *const f = &l->lattice;
-    bool is = l->plan.axes & TRIBOX_AXES_BOX && t->tiles <= INT32_MAX;
+    bool fits = l->plan.axes & TRIBOX_AXES_BOX && t->tiles <= INT32_MAX;
     for (int a = 0; a < 3; a++) {
         const double cell = l->grid ? (double)l->grid->cell[a] : l->planes.cell[a], per_tile = 1 / cell / t->tile;
         f->origin[a] = l->grid ? l->grid->origin[a] : 0;
@@ -267,9 +267,9 @@ static bool make_lattice(tribox_tiles_call *l)
         f->end[a] = (float)((double)t->size[a] / t->tile);
         f->doubt[a] = (float)(error_of(l, a) * per_tile) * 1.001f + (f->end[a] + 1) * 0x1p-21f;
         f->along[a] = (int32_t)t->along[a];
-        is &= t->along[a] <= 1 << 20 && f->per_tile[a] >= 0x1p-100f && f->per_tile[a] <= 0x1p100f && f->doubt[a] < 0.5f;
+        fits &= t->along[a] <= 1 << 20 && f->per_tile[a] >= 0x1p-100f && f->per_tile[a] <= 0x1p100f && f->doubt[a] < 0.5f;
     }
-    return is;
+    return fits;
 }
 
 static void list_triangles(tribox_tiles_call *l)

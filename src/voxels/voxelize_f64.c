@@ -32,10 +32,11 @@ static tribox_lattice lattice_of_doubles(const tribox_window *w)
  */
 static bool is_for_limits(const tribox_window *w)
 {
-    bool is = true;
+    bool fits = true;
     for (int a = 0; a < 3; a++)
-        is &= w->size[a] <= 1 << 30 && w->planes.cell[a] >= 0x1p-700 && w->planes.cell[a] <= 0x1p700 && w->lattice.error[a] < 0.25;
-    return is;
+        fits &=
+            w->size[a] <= 1 << 30 && w->planes.cell[a] >= 0x1p-700 && w->planes.cell[a] <= 0x1p700 && w->lattice.error[a] < 0.25;
+    return fits;
 }
 
 /*
@@ -57,10 +58,10 @@ static void set_by_float(tribox_voxels *v, size_t count)
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
     for (size_t at = 0; at < count; at += BLOCK) {
-        const size_t some = count - at < BLOCK ? count - at : BLOCK;
-        const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, some);
+        const size_t part = count - at < BLOCK ? count - at : BLOCK;
+        const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, part);
         v->window.first_number = (int32_t)at;
-        tribox_mesh_write_local(v->window.mesh, kernel, v->window.lattice.origin, v->window.first_triangle + at, some, to);
+        tribox_mesh_write_local(v->window.mesh, kernel, v->window.lattice.origin, v->window.first_triangle + at, part, to);
         kernel->cells->sort(v, &soup);
     }
     kernel->cells->finish(v);

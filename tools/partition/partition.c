@@ -95,7 +95,7 @@ static int check_header(partition *p)
         return refuse(p, "its index has no whole header");
     memcpy(&p->header, p->index.bytes, sizeof p->header);
     if (memcmp(p->header.magic, any_version, sizeof any_version - 1))
-        return message_failure("%s: no partition; give a mesh, or what tribox partition wrote", p->path);
+        return message_failure("%s: not a partition folder; give a mesh, or what tribox partition wrote", p->path);
     if (memcmp(p->header.magic, magic, sizeof magic))
         return refuse(p, "or it is of another version of tribox");
     if (p->header.byte_order != PARTITION_BYTE_ORDER)

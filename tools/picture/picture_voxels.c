@@ -1,4 +1,4 @@
-/* picture_voxels.c - voxels of clay, on ground that takes their shadow and meets the background. */
+/* picture_voxels.c - voxels in matte shading, with a ground and its shadow. */
 #define _POSIX_C_SOURCE 200809L
 #include "picture_voxels.h"
 

@@ -52,7 +52,7 @@ static void point_streams(mesh *m)
 
 static int refuse_none(const char *path)
 {
-    return message_failure("%s: no triangles in it, points or lines at most; give a mesh with faces", path);
+    return message_failure("%s: contains only points or lines, no triangles; give a mesh with faces", path);
 }
 
 int mesh_make_room(const char *path, uint64_t count, mesh *m)

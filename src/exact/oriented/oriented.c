@@ -85,12 +85,12 @@ static tribox_oriented_integers integers_of(const tribox_oriented_pair *pair)
 
 bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes)
 {
-    const tribox_oriented_integers in = integers_of(pair);
-    if (in.bits <= TRIBOX_INT64_BITS)
-        return tribox_oriented_int64(&in, axes);
+    const tribox_oriented_integers integers = integers_of(pair);
+    if (integers.bits <= TRIBOX_INT64_BITS)
+        return tribox_oriented_int64(&integers, axes);
 #if defined(__SIZEOF_INT128__)
-    if (in.bits <= TRIBOX_INT128_BITS)
-        return tribox_oriented_int128(&in, axes);
+    if (integers.bits <= TRIBOX_INT128_BITS)
+        return tribox_oriented_int128(&integers, axes);
 #endif
-    return in.bits <= TRIBOX_SHORT_BITS ? tribox_oriented_short(&in, axes) : tribox_oriented_limbs(&in, axes);
+    return integers.bits <= TRIBOX_SHORT_BITS ? tribox_oriented_short(&integers, axes) : tribox_oriented_limbs(&integers, axes);
 }

@@ -65,14 +65,14 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     for (int row = 0; row < TRIBOX_FLAT_MOST; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
         const vmask has_row = m_andnot(m_and(present, v_gt(rows, r)), wild);
-        const vmask in = m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->window.first_layer), z)),
-                                  m_not(v_gt(v_splat((float)v->window.end_layer), z)));
+        const vmask in_window = m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->window.first_layer), z)),
+                                         m_not(v_gt(v_splat((float)v->window.end_layer), z)));
         if (!m_bits(has_row))
             break;
         const row_cells of_row = cells_within(&limits, along, r, is_exact);
-        const vint set = i_keep(in, of_row.certain);
+        const vint set = i_keep(in_window, of_row.certain);
         if (is_exact) {
-            const vint undecided = i_andnot(i_keep(in, of_row.maybe), set);
+            const vint undecided = i_andnot(i_keep(in_window, of_row.maybe), set);
             if (m_bits(m_has_bits(undecided))) {
                 const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], v_select(is_z, r, v_splat(0)))), i_cut(z)};
                 wait_for_lanes(v, queue, at, i_keep(m_not(is_x), undecided), cell);

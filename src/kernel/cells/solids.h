@@ -21,8 +21,8 @@ static void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, unsigned
 {
     tribox_waiting *const w = &v->sinks.waiting;
     const vmask m = m_has_bits(undecided);
-    const unsigned more = tribox_count_bits(m_bits(m));
-    if (w->count + more > TRIBOX_WAITING)
+    const unsigned added = tribox_count_bits(m_bits(m));
+    if (w->count + added > TRIBOX_WAITING)
         v->sinks.handlers->settle_waiting(v);
     if (v->window.mesh)
         i_pack(&w->number[w->count], m, i_load(&queue->triangle[at]));
@@ -31,7 +31,7 @@ static void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, unsigned
     for (int a = 0; a < 3; a++)
         i_pack(&w->at[a][w->count], m, cell[a]);
     i_pack(&w->bits[w->count], m, undecided);
-    w->count += more;
+    w->count += added;
 }
 
 /* Triangles of a queue that another way has to take. */
@@ -101,17 +101,17 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
         make_room(v);
         for (int row = 0; row < rows; row++) {
             const vnum j = v_splat((float)row);
-            const vmask in = m_and(in_k, v_gt(cells[1], j));
+            const vmask in_window = m_and(in_k, v_gt(cells[1], j));
             const vnum slack = lane_min3(side_in_cell(&side[0], j, side_k[0]), side_in_cell(&side[1], j, side_k[1]),
                                          side_in_cell(&side[2], j, side_k[2]));
             const lane_run of_plane = run_by_plane(&plane, v_fma(plane.j_slope, j, plane_k));
             const row_cells in_plane = cells_of(&of_plane, is_exact);
             const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);
-            vint set = i_keep(m_andnot(in, v_gt(none, slack)), maybe);
+            vint set = i_keep(m_andnot(in_window, v_gt(none, slack)), maybe);
             if (is_exact) {
                 const vint certain = i_and(i_and(in_row[row].certain, in_layer.certain), in_plane.certain);
                 const vint open_or_set = set;
-                set = i_keep(m_andnot(in, v_gt(side_error, slack)), certain);
+                set = i_keep(m_andnot(in_window, v_gt(side_error, slack)), certain);
                 const vint undecided = i_andnot(open_or_set, set);
                 if (m_bits(m_has_bits(undecided))) {
                     const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], j)), i_cut(z)};

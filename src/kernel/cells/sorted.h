@@ -85,7 +85,7 @@ static void finish_queue(tribox_voxels *v, tribox_class kind)
     set_queued(v, kind, 0, queue->count);
 }
 
-/* Of a flat 0 across the layer. */
+/* For flats, 0 on the axis across the layer. */
 TRIBOX_INLINE vnum queued_cells(tribox_class kind, const lane_reach *r, int a)
 {
     return kind == TRIBOX_FLATS ? v_select(r->spans[a], r->cells[a], v_splat(0)) : r->cells[a];
@@ -148,11 +148,11 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
     make_room(v);
     list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
     for (int row = 1; row < TRIBOX_LINE_MOST; row++) {
-        const vmask more = m_and(lines, v_gt(rows, v_splat((float)row)));
+        const vmask longer = m_and(lines, v_gt(rows, v_splat((float)row)));
         half = i_add(half, step);
-        if (!m_bits(more))
+        if (!m_bits(longer))
             break;
-        list(v, more, half, bit);
+        list(v, longer, half, bit);
     }
 }
 
@@ -222,13 +222,13 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */
 static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
 {
-    const unsigned rest = soup->count % V_LANES;
+    const unsigned last = soup->count % V_LANES;
     for (size_t at = 0; at + V_LANES <= soup->count; at += V_LANES)
         sort_packet(v, soup, at, 0, V_LANES);
     if (soup->count < V_LANES)
-        sort_packet(v, soup, 0, 0, rest);
-    else if (rest)
-        sort_packet(v, soup, soup->count - V_LANES, V_LANES - rest, V_LANES);
+        sort_packet(v, soup, 0, 0, last);
+    else if (last)
+        sort_packet(v, soup, soup->count - V_LANES, V_LANES - last, V_LANES);
 }
 
 static void finish_cells(tribox_voxels *v)

@@ -35,7 +35,7 @@ TRIBOX_INLINE void find_packet(const tribox_soup *soup, const tribox_tile_lattic
                                size_t at)
 {
     vnum u[9];
-    vint number = i_splat(0), more = i_splat(0);
+    vint number = i_splat(0), following = i_splat(0);
     vmask outside = m_none(), unknown = m_none();
     for (int a = 2; a >= 0; a--) {
         const float *const *const stream = tribox_soup_axis(soup, a);
@@ -43,14 +43,14 @@ TRIBOX_INLINE void find_packet(const tribox_soup *soup, const tribox_tile_lattic
             u[3 * a + j] = v_load(stream[j] + first + at);
         const lane_tiles tiles = tiles_of(u + 3 * a, lattice, a);
         number = i_add(i_mul(number, i_splat(lattice->along[a])), i_cut(tiles.first));
-        more = i_or(i_shl(more, i_splat(TRIBOX_TILES_BITS)), i_cut(tiles.more));
+        following = i_or(i_shl(following, i_splat(TRIBOX_TILES_BITS)), i_cut(tiles.more));
         outside = m_or(outside, tiles.outside);
         unknown = m_or(unknown, tiles.unknown);
     }
     unknown = m_andnot(m_or(unknown, m_not(is_finite(u))), outside);
-    more = i_or(i_keep(m_not(m_or(unknown, outside)), more), i_keep(unknown, i_splat(TRIBOX_TILES_UNKNOWN)));
+    following = i_or(i_keep(m_not(m_or(unknown, outside)), following), i_keep(unknown, i_splat(TRIBOX_TILES_UNKNOWN)));
     i_write(range->first + at, number);
-    i_write(range->more + at, i_or(more, i_keep(outside, i_splat(TRIBOX_TILES_NONE))));
+    i_write(range->more + at, i_or(following, i_keep(outside, i_splat(TRIBOX_TILES_NONE))));
 }
 
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */

@@ -15,7 +15,7 @@ TRIBOX_INLINE void near_box(lane_box *box)
         box->lo[a] = v_splat(0);
 }
 
-/* That of the box, for triangles that are not so large that rounding may move them by half its thinnest side. */
+/* The box's margin, for triangles that rounding moves by less than half its thinnest side. */
 TRIBOX_INLINE lane_box_margin local_margin_of(const lane_box *box)
 {
     const vnum thinnest = lane_min3(box->H[0], box->H[1], box->H[2]), longest = lane_max3(box->H[0], box->H[1], box->H[2]);

@@ -67,10 +67,10 @@ TRIBOX_INLINE bool list_rows(const strip_place *p, row_cursor *at, row_list *row
     rows->undecided = 0;
     while (rows->count < ROWS) {
         if (at->left > 0) {
-            const unsigned more = (unsigned)tribox_least(at->left, ROWS - rows->count);
+            const unsigned added = (unsigned)tribox_least(at->left, ROWS - rows->count);
             if (shape == TRIBOX_SOLID && has_certain)
-                rows->undecided |= open_rows(p, at, more) << rows->count;
-            list_run(rows, at, more, shape == TRIBOX_FLAT_Y);
+                rows->undecided |= open_rows(p, at, added) << rows->count;
+            list_run(rows, at, added, shape == TRIBOX_FLAT_Y);
         } else if (shape != TRIBOX_SOLID || !next_layer(p, at)) {
             break;
         }
