@@ -27,6 +27,7 @@ import time
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 SUITES = ("counts", "exact", "kernels", "voxels", "inputs", "index", "doubles", "scale")
+SHORTENED = {"exact", "voxels", "index", "scale", "doubles", "shortened"}  # whose programs take --short: a tenth of the pairs
 SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
 WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
@@ -48,7 +49,7 @@ class Mutant:
     name: str
     path: str
     function: str  # "" for the whole file
-    old: str
+    old: str  # stands once in it
     new: str
     needs: str  # a test that must not be skipped here, or ""
 
@@ -63,33 +64,67 @@ def expanded(text):
         yield one
 
 
-def read_list(path):
-    mutants, place, old, needs = [], None, None, ""
+class Sources:
+    """The files of src/, found by what they define: a file that moves takes its faults along."""
+
+    def __init__(self):
+        self.text = {}
+        for folder, _, names in os.walk(os.path.join(ROOT, "src")):
+            for name in names:
+                if name.endswith((".c", ".h")):
+                    with open(os.path.join(folder, name), encoding="utf-8") as file:
+                        self.text[os.path.relpath(os.path.join(folder, name), ROOT)] = file.read()
+
+    def path_of(self, base, function):
+        """The one file of that name, or the one that defines the function; several are as good as none."""
+        paths = [path for path, text in self.text.items()
+                 if (not base or os.path.basename(path) == base) and (not function or starts_of(function, text))]
+        if len(paths) == 1:
+            return paths[0]
+        what = ": ".join(filter(None, (base, function)))
+        raise SuiteError(f"src has {what} in {len(paths)} files{': ' + ', '.join(sorted(paths)) if paths else ''}; "
+                         "name the place as it is called today, as FUNCTION, FILE or FILE: FUNCTION")
+
+
+def read_list(path, sources):
+    mutants, place, old, needs, lost = [], None, None, "", []
     with open(path, encoding="utf-8") as file:
         for number, line in enumerate(file, 1):
             line = line.rstrip()
-            header = re.fullmatch(r"(src/\S+?)(?:: (\w+))?(?: needs (.+))?", line)
+            header = re.fullmatch(r"(?:(\w+\.[ch])(?:: )?)?(\w+)?(?: needs (.+))?", line) if line else None
             fault = re.fullmatch(r"\+ ([a-z0-9{}-]+):(?: (.*))?", line)
             if header:
-                place, old, needs = header.groups(default="")[:2], None, header[3] or ""
+                base, function, needs = header.groups(default="")
+                place, old = None, None
+                try:
+                    place = sources.path_of(base, function), function
+                except SuiteError as error:
+                    lost.append(f"{path}:{number}: {error}")
             elif line.startswith("- ") and place:
                 old = line[2:]
             elif fault and old:
                 for one in expanded(line):
                     name, new = re.fullmatch(r"\+ ([a-z0-9-]+):(?: (.*))?", one).groups(default="")
                     mutants.append(Mutant(name, *place, old, new.replace("@", old), needs))
-            elif line and not line.startswith("#"):
+            elif line and not line.startswith("#") and not lost:
                 raise SuiteError(f"{path}:{number}: neither a place, a text '- ' nor a fault '+ name: ' below one: {line}")
+    if lost:
+        raise SuiteError("\n".join(lost))
     for name, count in collections.Counter(mutant.name for mutant in mutants).items():
         if count > 1:
             raise SuiteError(f"{path}: {count} faults are called '{name}'; give each a name of its own")
     return mutants
 
 
+def starts_of(function, text):
+    """Where a function is defined, and not only declared."""
+    return [found.start() for found in re.finditer(rf"^\w[^;\n]*\b{function}\(", text, re.M)
+            if not re.match(r"[^;{]*;", text[found.start():])]
+
+
 def extent_of(function, text, path):
-    """Where a function is defined: from the line with its name to the first line that is a closing brace alone, or ends its line."""
-    starts = [found.start() for found in re.finditer(rf"^\w[^;\n]*\b{function}\(", text, re.M)
-              if not re.match(r"[^;{]*;", text[found.start():])]
+    """From the line with its name to the first line that is a closing brace alone, or ends its line."""
+    starts = starts_of(function, text)
     if len(starts) != 1:
         raise SuiteError(f"{path} defines {function}() {len(starts)} times, and should once")
     line_end = text.index("\n", starts[0])
@@ -119,6 +154,7 @@ class Test:
     command: list
     folder: str
     environment: dict
+    full: list  # the command at length where `command` is the short form; else empty
 
 
 def run(command, output=subprocess.DEVNULL, **how):
@@ -139,12 +175,25 @@ class Site:
     def __init__(self, folder, threads):
         self.root, self.build, self.threads = os.path.join(folder, "tree"), os.path.join(folder, "build"), threads
         shutil.copytree(ROOT, self.root, ignore=not_source)
+        os.environ.setdefault("CCACHE_BASEDIR", os.path.dirname(folder))  # where there is one: copies share what is compiled
+        os.environ.setdefault("CCACHE_NOHASHDIR", "1")
+        self.share_library()
         with open(os.path.join(folder, "log"), "w+", encoding="utf-8") as log:
             # In a folder of its own: CMake, which meson asks about itself, cannot run twice in one.
             if run(["meson", "setup", *SETUP, self.build, self.root], log, cwd=folder) != 0 or not self.compiles(output=log):
                 log.seek(0)
                 raise SuiteError("the tree does not build:\n" + "".join(log.readlines()[-20:]))
         self.tests = self.list_tests()
+
+    def share_library(self):
+        """The library that tests look into becomes a shared one: a fault then links it alone, and not some hundred programs."""
+        path = os.path.join(self.root, "src", "meson.build")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        text = text.replace("static_library('tribox_inside'", "shared_library('tribox_inside'")
+        text = text.replace("gnu_symbol_visibility: 'hidden'", "gnu_symbol_visibility: 'default'")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
 
     def compiles(self, *targets, output=subprocess.DEVNULL):
         return run([NINJA, "-C", self.build, f"-j{self.threads}", *targets], output, timeout=WALL_LIMIT) == 0
@@ -153,13 +202,19 @@ class Site:
         listed = subprocess.run(["meson", "introspect", "--tests", self.build], check=True, capture_output=True).stdout
         drop = ("TRIBOX_TEST_SEED", "TRIBOX_MESHES")
         clean = {key: value for key, value in os.environ.items() if key not in drop}
-        return {test["name"]: Test(test["name"], test["cmd"], test["workdir"] or self.build, {**clean, **test["env"]})
-                for test in json.loads(listed) if {suite.split(":")[-1] for suite in test["suite"]} & set(SUITES)}
+        tests = {}
+        for test in json.loads(listed):
+            suites = {suite.split(":")[-1] for suite in test["suite"]}
+            if suites & set(SUITES):
+                has_short = bool(suites & SHORTENED) and "--short" not in test["cmd"]
+                tests[test["name"]] = Test(test["name"], test["cmd"] + ["--short"] * has_short, test["workdir"] or self.build,
+                                           {**clean, **test["env"]}, test["cmd"] if has_short else [])
+        return tests
 
-    def status(self, name, seconds):
+    def status(self, name, seconds, at_length=False):
         """The exit status of a test; below zero where a signal ended it, such as SIGXCPU after that much processor time."""
         test = self.tests[name]
-        limited = ["sh", "-c", 'ulimit -t "$0"; exec "$@"', str(seconds), *test.command]
+        limited = ["sh", "-c", 'ulimit -t "$0"; exec "$@"', str(seconds), *(test.full if at_length else test.command)]
         return run(limited, cwd=test.folder, env=test.environment, timeout=WALL_LIMIT)
 
     def programs_of(self, name):
@@ -178,32 +233,63 @@ def source_of(mutant):
 
 
 class Tests:
-    """Which tests to run, for how long, and in which order: those first that caught most faults in the least time."""
+    """Which tests to run, for how long, and in which order: those first that caught most faults in the least time, of this function
+    above all, then of this file, then of its folder, then of any."""
 
-    def __init__(self, site):
-        self.seconds, self.catches, self.lock = {}, collections.Counter(), threading.Lock()
-        for name in site.tests:
-            start = time.monotonic()
-            status = site.status(name, WALL_LIMIT)
-            if status == 0:
-                self.seconds[name] = time.monotonic() - start
-            elif status != SKIPPED:
+    def __init__(self, sites, pool):
+        self.seconds, self.catches, self.lock = {}, collections.defaultdict(collections.Counter), threading.Lock()
+        self.at_length = set()  # those whose long form caught a fault: it has to pass without any, too
+        names = list(sites[0].tests)
+        list(pool.map(lambda k: [self.time(sites[k], name) for name in names[k::len(sites)]], range(len(sites))))
+
+    def time(self, site, name):
+        start = time.monotonic()
+        status = site.status(name, WALL_LIMIT)
+        if status == 0:
+            self.seconds[name] = time.monotonic() - start
+        elif status != SKIPPED:
+            raise SuiteError(f"the test '{name}' fails without any fault")
+
+    def check_lengths(self, site):
+        """Once all faults are out again: a long form that caught one is no use if it always fails."""
+        for name in sorted(self.at_length):
+            if not site.compiles(*site.programs_of(name)) or site.status(name, WALL_LIMIT, at_length=True) not in (0, SKIPPED):
                 raise SuiteError(f"the test '{name}' fails without any fault")
 
-    def in_order(self):
-        with self.lock:
-            return sorted(self.seconds, key=lambda name: self.seconds[name] / (1 + self.catches[name]))
+    @staticmethod
+    def neighbourhoods(mutant):
+        return {mutant.path + ":" + mutant.function: 30, mutant.path: 10, os.path.dirname(mutant.path): 3, "": 1}
 
-    def catcher(self, site):
-        """The first test that fails or hangs, or None. Each is built when its turn comes: most faults are caught by the first few."""
-        for name in self.in_order():
-            if not site.compiles(*site.programs_of(name)):
-                raise SuiteError("does not build")
-            status = site.status(name, 20 + 10 * math.ceil(self.seconds[name]))
-            if status not in (0, SKIPPED):
-                with self.lock:
-                    self.catches[name] += 1
-                return name + (", which hangs" if status in (None, -signal.SIGXCPU, -signal.SIGKILL) else "")
+    def in_order(self, mutant):
+        with self.lock:
+            def cost(name):
+                caught = sum(weight * self.catches[place][name] for place, weight in self.neighbourhoods(mutant).items())
+                return (self.seconds[name] + 0.1) / (1 + caught)
+            return sorted(self.seconds, key=cost)
+
+    def fails(self, site, mutant, name, at_length=False):
+        if not site.compiles(*site.programs_of(name)):
+            raise SuiteError("does not build")
+        seconds = math.ceil(self.seconds[name]) * (20 if at_length else 1)
+        status = site.status(name, 20 + 10 * seconds, at_length)
+        if status in (0, SKIPPED):
+            return None
+        with self.lock:
+            if at_length:
+                self.at_length.add(name)
+            for place in self.neighbourhoods(mutant):
+                self.catches[place][name] += 1
+        return name + " at length" * at_length + (", which hangs" if status in (None, -signal.SIGXCPU, -signal.SIGKILL) else "")
+
+    def catcher(self, site, mutant):
+        """The first test that fails or hangs, or None: short forms first. Each is built when its turn comes, as most faults are
+        caught by the first few."""
+        for name in self.in_order(mutant):
+            if caught := self.fails(site, mutant, name):
+                return caught
+        for name in self.in_order(mutant):
+            if site.tests[name].full and (caught := self.fails(site, mutant, name, at_length=True)):
+                return caught
         return None
 
 
@@ -218,7 +304,7 @@ def judge(site, tests, mutant):
     text = source_of(mutant)
     try:
         site.write(mutant, mutated(mutant, text))
-        catcher = tests.catcher(site)
+        catcher = tests.catcher(site, mutant)
     except SuiteError as error:
         return BROKEN, str(error)
     finally:
@@ -240,7 +326,7 @@ def judge_all(folder, mutants, jobs):
     with concurrent.futures.ThreadPoolExecutor(count) as pool:
         sites = list(pool.map(lambda k: Site(os.path.join(folder, str(k)), max(1, jobs // count)), range(count)))
         print("running the tests without a fault", flush=True)
-        tests = Tests(sites[0])
+        tests = Tests(sites, pool)
         free = queue.SimpleQueue()
         for site in sites:
             free.put(site)
@@ -261,6 +347,7 @@ def judge_all(folder, mutants, jobs):
         except KeyboardInterrupt:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
+        tests.check_lengths(sites[0])
     return verdicts
 
 
@@ -292,7 +379,7 @@ def check_texts(mutants):
 
 def main():
     arguments = parse_arguments()
-    mutants = [mutant for mutant in read_list(os.path.join(FOLDER, "mutants.txt"))
+    mutants = [mutant for mutant in read_list(os.path.join(FOLDER, "mutants.txt"), Sources())
                if any(fnmatch.fnmatch(mutant.name, pattern) for pattern in arguments.only)]
     if not mutants:
         raise SuiteError(f"no fault is called {' or '.join(arguments.only)}; --list prints the names")
