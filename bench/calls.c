@@ -1,5 +1,5 @@
 /*
- * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, beside the paper's test?
+ * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, against the paper's test?
  *
  * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the same
  * rounds: a count that fills no packet is compared with the next one that does.

@@ -1,4 +1,4 @@
-/* goal.h - what a benchmark set out to reach, beside what this run did. */
+/* goal.h - what a benchmark set out to reach, against what this run did. */
 #ifndef BENCH_GOAL_H
 #define BENCH_GOAL_H
 

@@ -1,5 +1,5 @@
 /*
- * main.c - what does filling cost beside the surface? CPU time, page faults included: all memory was never touched before.
+ * main.c - what does filling cost against the surface? CPU time, page faults included: all memory was never touched before.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>

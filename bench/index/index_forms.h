@@ -1,4 +1,4 @@
-/* index_forms.h - the forms in which an index answers, beside tribox_overlap without one, each for many boxes in turn. */
+/* index_forms.h - the forms in which an index answers, against tribox_overlap without one, each for many boxes in turn. */
 #ifndef BENCH_INDEX_FORMS_H
 #define BENCH_INDEX_FORMS_H
 

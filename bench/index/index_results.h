@@ -43,7 +43,7 @@ typedef struct scene_result {
 void index_print_scene(const scene_result *r);
 void index_print_json(json *to, const scene_result *r);
 
-/* Geometric means over the soups that count, and each goal beside what was reached. */
+/* Geometric means over the soups that count, and each goal against what was reached. */
 void index_print_goals(const scene_result *results, size_t count);
 void index_json_goals(json *to, const scene_result *results, size_t count);
 

@@ -1,4 +1,4 @@
-/* morton_order.h - the usual order of triangles in space, beside that of the library. */
+/* morton_order.h - the usual order of triangles in space, against that of the library. */
 #ifndef BENCH_MORTON_ORDER_H
 #define BENCH_MORTON_ORDER_H
 

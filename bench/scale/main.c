@@ -1,5 +1,5 @@
 /*
- * main.c - what do bricks cost beside dense bits? CPU time, page faults included, and memory, by resolution.
+ * main.c - what do bricks cost against dense bits? CPU time, page faults included, and memory, by resolution.
  *
  * The ways take turns, round after round, each in a process of its own. Their cells have to be the same, and the bricks of dense
  * bits those that were kept, or the program fails.

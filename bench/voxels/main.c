@@ -1,6 +1,6 @@
 /*
- * main.c - how fast are soups voxelized, beside the paper's test for each cell, beside Schwarz and Seidel (voxel_rivals.h), and
- * beside what reading the soup or writing the answer takes (voxel_limits.h)?
+ * main.c - how fast are soups voxelized, against the paper's test for each cell, against Schwarz and Seidel (voxel_rivals.h), and
+ * against what reading the soup or writing the answer takes (voxel_limits.h)?
  *
  * EXACT has to be the same on every kernel and on two threads, CONSERVATIVE a superset, or nothing is timed. The bits are cleared
  * before each pass, outside the time. A rival that takes too long for one pass is timed once, and if even that would take minutes,

@@ -22,7 +22,7 @@ static void draw_any_box(random_source *r, tribox_box *box)
     }
 }
 
-/* Contact that is exact, and one step beside it. */
+/* Contact that is exact, and one step next to it. */
 void draw_touching(random_source *r, scene_batch *batch)
 {
     const float step = ldexpf(1, random_int_between(r, -6, 6));

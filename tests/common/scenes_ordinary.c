@@ -26,7 +26,7 @@ void draw_eighths(random_source *r, scene_batch *batch)
                 batch->u[k][j][a] = (float)random_int_between(r, -16, 16) / 8;
 }
 
-/* Triangles that are points: in and about the box, on its faces and one float beside them. */
+/* Triangles that are points: in and about the box, on its faces and one float next to them. */
 void draw_points(random_source *r, scene_batch *batch)
 {
     for (int a = 0; a < 3; a++) {

@@ -75,7 +75,7 @@ static inline bool is_ordinary_build(void)
 #endif
 }
 
-/* The bytes that the call takes, beside those that any thread does. */
+/* The bytes that the call takes, besides those that any thread does. */
 static inline size_t stack_of(void *(*run)(void *), void *data)
 {
     const size_t empty = stack_touched(call_nothing, NULL);

@@ -1,5 +1,5 @@
 /*
- * claims.h - what was counted, beside what PROOFS.md states.
+ * claims.h - what was counted, against what PROOFS.md states.
  *
  * Usage of a program: PROGRAM PROOFS.md [explain]. A claim is a row of the table in PROOFS.md 3.8: its name, its section, the
  * unit, and the count without and with fused operations. The program fails unless what it counts is that number, and each bound that the texts

@@ -29,7 +29,7 @@
 #define COUNT_BITS 24
 #endif
 #define V_UNIT (1.0 / (double)(UINT64_C(1) << COUNT_BITS))
-#define V_ETA 0x1p-1000 /* nothing beside any number, but adding it rounds */
+#define V_ETA 0x1p-1000 /* nothing against any number, but adding it rounds */
 
 enum { COUNT_NUMBERS = 2000, COUNT_ROUNDINGS = 400, COUNT_COMPARISONS = 400, COUNT_NONE = -1 };
 typedef struct vnum {
@@ -348,7 +348,7 @@ static inline vnum count_choice(vnum a, vnum b, double sign)
     const counted *const p = count_of(a), *const q = count_of(b);
     if (count_is_zero(p) || count_is_zero(q))
         return count_part(count_is_zero(p) ? b : a, sign);
-    if (q->over != COUNT_NONE) { /* the least that a divisor is taken for: what that moves is counted beside */
+    if (q->over != COUNT_NONE) { /* the least that a divisor is taken for: what that moves is counted besides */
         COUNT_MUST(sign > 0 && count_least_divisor.at == COUNT_NONE);
         count_least_divisor = b;
         return a;
@@ -431,7 +431,7 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a && b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a && !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
 
-/* Texts beside those that are counted read memory. */
+/* Texts besides those that are counted read memory. */
 TRIBOX_INLINE vnum v_load(const float *p) { return count_constant(*p); }
 TRIBOX_INLINE vnum v_read(const double *p) { return count_constant(*p); }
 #define v_write(p, a) ((void)(p), (void)(a))

@@ -56,7 +56,7 @@ void draw_f64_thin(random_source *r, batch_f64 *batch)
     move_away(r, batch);
 }
 
-/* The same with vertices on the faces of the thin side and just beside them. */
+/* The same with vertices on the faces of the thin side and just next to them. */
 void draw_f64_thin_faces(random_source *r, batch_f64 *batch)
 {
     make_thin(r, batch);

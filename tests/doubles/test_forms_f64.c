@@ -1,6 +1,6 @@
 /*
  * test_forms_f64.c - a mesh of doubles of any layout gives the answers of nine doubles a triangle: every call, every length,
- * nothing read beside it and nothing written beside the answers. Floats, widened or not, give those of the calls about floats.
+ * nothing read outside it and nothing written outside the answers. Floats, widened or not, give those of the calls about floats.
  */
 #include <stdarg.h>
 #include <stddef.h>
@@ -253,7 +253,7 @@ static void test_blocks(void **state)
     check_form(&r, LAID_MOST);
 }
 
-/* Runs of triangles beside the box, of which one here and there is not. */
+/* Runs of triangles apart from the box, of which one here and there is not. */
 static void test_beside(void **state)
 {
     (void)state;

@@ -137,7 +137,7 @@ static bool cell_bit(const uint64_t *words, size_t row_words, uint32_t rows, uin
     return mask_bit(words, 64 * row_words * ((size_t)k * rows + j) + i);
 }
 
-/* A window has what EXACT sets in the whole, beside what was there before. */
+/* A window has what EXACT sets in the whole, besides what was there before. */
 static void check_window(const fuzz_case *q, const tribox_options *o, const uint64_t *expected)
 {
     const uint32_t *const first = q->first, *const size = q->size;

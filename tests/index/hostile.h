@@ -43,7 +43,7 @@ void spoil_soup(random_source *r, stored_soup *s, dirt kind);
 /* Lower and upper bounds of the finite triangles of a range; an empty box if there are none. */
 tribox_box bounds_of(const stored_soup *s, size_t first, size_t count);
 
-/* A finite box whose bounds are numbers of the soup, or an ulp beside them; empty, flat and point ones among them. */
+/* A finite box whose bounds are numbers of the soup, or an ulp next to them; empty, flat and point ones among them. */
 tribox_box draw_box(random_source *r, const stored_soup *s);
 
 #endif

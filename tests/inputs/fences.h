@@ -1,4 +1,4 @@
-/* fences.h - outputs between pages that cannot be touched, poisoned before a call; what is written beside them shows. */
+/* fences.h - outputs between pages that cannot be touched, poisoned before a call; what is written outside them shows. */
 #ifndef TRIBOX_TESTS_FENCES_H
 #define TRIBOX_TESTS_FENCES_H
 

@@ -211,7 +211,7 @@ static void test_ranges(void **state)
     }
 }
 
-/* Words of triangles beside the box, and others of which one vertex alone is not: nothing may be left out too much. */
+/* Words of triangles apart from the box, and others of which one vertex alone is not: nothing may be left out too much. */
 static void test_beside(void **state)
 {
     (void)state;

@@ -68,7 +68,7 @@ static void test_nothing_rejected(void **state)
     assert_int_equal(choice.sequence, TRIBOX_SEQUENCE_132);
 }
 
-/* One packet in two is beside the box on x, and the plane would reject all others. */
+/* One packet in two is apart from the box on x, and the plane would reject all others. */
 static void test_costs(void **state)
 {
     (void)state;
@@ -79,7 +79,7 @@ static void test_costs(void **state)
     const unsigned exit = cost[0] - 8 * 14 - 4 * 4 - 4 * 4 - 4 * 36; /* x for all, y, z and plane for four, one unforeseen exit */
     assert_in_range(exit, 20, 150);
     assert_int_equal(cost[1] - cost[0], 4 * (78 - 36));
-    assert_in_range(cost[3], 8 * 30, 8 * 50); /* the plane rejects everything, beside the box too as far as is known */
+    assert_in_range(cost[3], 8 * 30, 8 * 50); /* the plane rejects everything, apart from the box too as far as is known */
     seen.apart[0] = 0x55;
     seen.rejected[PLANE] = seen.rejected[TRIBOX_AXES_BOX | PLANE] = seen.rejected[PLANE | EDGES] = 0xaa;
     tribox_choice_costs(&seen, TRIBOX_FAST, unforeseen);

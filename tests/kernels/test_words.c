@@ -302,7 +302,7 @@ static void test_loads_at_any_alignment(void **state)
     }
 }
 
-/* Whole numbers of 32 bits, at any alignment of ints; nothing is written beside the lanes. */
+/* Whole numbers of 32 bits, at any alignment of ints; nothing is written outside the lanes. */
 static void test_cuts(void **state)
 {
     (void)state;
@@ -611,7 +611,7 @@ static void test_ones(void **state)
     }
 }
 
-/* Every mask; nothing is written beside the lanes. */
+/* Every mask; nothing is written outside the lanes. */
 static void test_packs(void **state)
 {
     (void)state;
@@ -643,7 +643,7 @@ static void test_packs(void **state)
 }
 #endif
 
-/* Each lane alone, and all lanes but one: bit k of m_bits is lane k, and no bit lies beside the lanes. */
+/* Each lane alone, and all lanes but one: bit k of m_bits is lane k, and no bit lies outside the lanes. */
 static void test_bits_of_single_lanes(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /*
- * peers.c - an index over a soup beside other libraries that answer the same question: are the answers the same, and who is how
+ * peers.c - an index over a soup against other libraries that answer the same question: are the answers the same, and who is how
  * fast?
  *
  * Exact peers have to agree on every triangle and box, or the program fails and times nothing more. Those that round are counted.

@@ -22,7 +22,7 @@ void peers_print_row(const peers_result *r, int size, double hits);
 /* Differences of answers about boxes of all sizes. */
 void peers_print_errors(const field *f, size_t boxes, size_t hits, const peer_errors errors[PEERS_MAX]);
 
-/* Geometric means over the meshes, and each goal beside what was reached. */
+/* Geometric means over the meshes, and each goal against what was reached. */
 void peers_print_goals(const peers_result *results, size_t count);
 
 /* Lines of a table with commas, for the chart: scene, triangles, part, contestant, us. */

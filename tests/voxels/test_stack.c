@@ -72,7 +72,7 @@ static void *voxelize_f64(void *options)
     return NULL;
 }
 
-/* Tiles, and bricks of them: a voxelization beside what they hold themselves. */
+/* Tiles, and bricks of them: a voxelization besides what they hold themselves. */
 enum { TILE = 40, TILES = 64 };
 static size_t starts[TILES + 1];
 static uint32_t list[TILES * TRIANGLES];

@@ -194,7 +194,7 @@ static void test_parts(void **state)
     }
 }
 
-/* The window's first plane, its last, or another, and a float beside it. */
+/* The window's first plane, its last, or another, and a float next to it. */
 static float near_plane(random_source *r, const tribox_grid *grid, const window *w, int a)
 {
     const int which = random_int(r, 3), steps = random_int_between(r, -1, 1);

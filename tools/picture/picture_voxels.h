@@ -14,7 +14,7 @@ typedef struct picture_look {
     uint32_t size[2];         /* pixels: width and height */
 } picture_look;
 
-/* Memory for drawing beside the cells, in bytes. */
+/* Memory for drawing besides the cells, in bytes. */
 uint64_t picture_memory(const tribox_grid_f64 *grid, const picture_look *look);
 
 /*

@@ -18,7 +18,7 @@ int preview_read_up(const char *text, picture_up *up);
 int preview_read_view(const char *text, picture_look *look);
 int preview_read_size(const char *text, picture_look *look);
 
-/* Memory for drawing beside the cells, in bytes. */
+/* Memory for drawing besides the cells, in bytes. */
 uint64_t preview_memory(const tribox_grid_f64 *grid, const picture_look *look);
 
 /* Draws into a file and keeps it; does nothing where none is open. Returns an exit_code. */

@@ -21,7 +21,7 @@ int why_width_of(const char *kernel);
 typedef struct why_axes {
     unsigned apart; /* the axis separates the two */
     unsigned
-        outer; /* the same, but of an edge axis only the outer side of the edge, as the kernels test it beside the box normals */
+        outer; /* the same, but of an edge axis only the outer side of the edge, as the kernels test it besides the box normals */
 } why_axes;
 
 why_axes why_axes_of(const float triangle[3][3], const tribox_box *box);

@@ -98,7 +98,7 @@ static double step_for(double most)
     return most / step > 6 ? 2 * step : step;
 }
 
-/* The marks of a panel: its scale is its own, so that the fast kernels can be read beside the slow ones. */
+/* The marks of a panel: its scale is its own, so that the fast kernels can be read outside the slow ones. */
 static void draw_axis(FILE *to, int base, double most, double top)
 {
     const double step = step_for(most);

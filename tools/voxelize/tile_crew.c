@@ -40,7 +40,7 @@ typedef struct share {
     size_t number, from, to;
 } share;
 
-/* A thread beside the calling one, and its memory. */
+/* A thread outside the calling one, and its memory. */
 typedef struct helper {
     crew *crew;
     tile_room *room;

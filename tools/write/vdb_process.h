@@ -17,7 +17,7 @@ typedef struct vdb_process vdb_process;
 enum { VDB_PROCESS_REASON = VDB_REASON + 40 };
 
 /*
- * Starts it, with an empty tree. No thread may run beside the calling one. to: where the tree goes, a stream at its start with
+ * Starts it, with an empty tree. No thread may run besides the calling one. to: where the tree goes, a stream at its start with
  * nothing in its buffer, or NULL to see whether there is an OpenVDB that works. NULL if it fails.
  */
 vdb_process *vdb_process_start(const vdb_grid *grid, FILE *to, bool can_seek, char *reason);
