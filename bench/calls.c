@@ -1,8 +1,8 @@
 /*
  * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, against the paper's test?
  *
- * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the same
- * rounds: a count that fills no packet is compared with the next one that does.
+ * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the
+ * same rounds: a count that fills no packet is compared with the next one that does.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /*
  * inputs.c - what does it cost to test triangles as they are: indexed, or nine floats each?
  *
- * The same triangles four times over: nine streams, nine floats a triangle, and indices of 32 and 16 bits into positions. `shared` has
- * half as many vertices as triangles, as meshes do, drawn at random. `reading` loads each byte of an input once.
+ * The same triangles four times over: nine streams, nine floats a triangle, and indices of 32 and 16 bits into positions. `shared`
+ * has half as many vertices as triangles, as meshes do, drawn at random. `reading` loads each byte of an input once.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -69,8 +69,8 @@ static inline bool tribox_x86_runs_avx2(void)
 /*
  * Also where processors of Intel lower their clock for vectors of 512 bits, before Rocket Lake and Sapphire Rapids: libdeflate
  * leaves them out there. None of those could be measured. On Sapphire Rapids avx512 is 1.5 times as fast as avx2 in `paper` and 1.4
- * times in voxels, so that it gains while a clock falls by less than a quarter, and calls are long against a change of clocks. Whoever
- * measures otherwise names avx2 in tribox_options.kernel.
+ * times in voxels, so that it gains while a clock falls by less than a quarter, and calls are long against a change of clocks.
+ * Whoever measures otherwise names avx2 in tribox_options.kernel.
  */
 static inline bool tribox_x86_runs_avx512(void)
 {

@@ -1,6 +1,6 @@
 /*
- * main.c - what does exactness cost, and what does it save one from? Every scene, accuracy, choice of axes and kernel: time, and errors
- * against the true answer. The contestants of one choice of axes run interleaved.
+ * main.c - what does exactness cost, and what does it save one from? Every scene, accuracy, choice of axes and kernel: time, and
+ * errors against the true answer. The contestants of one choice of axes run interleaved.
  */
 #include <stdio.h>
 #include <stdlib.h>

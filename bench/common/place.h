@@ -8,8 +8,8 @@
 #include "draw.h"
 
 /*
- * Sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024 x 1024 x 1024 cells of
- * the cube [-reach, reach]^3, in which they lie. False if memory fails.
+ * Sorts triangles by the place of their centroids, as a spatial tree would leave them: in Morton order of 1024 x 1024 x 1024 cells
+ * of the cube [-reach, reach]^3, in which they lie. False if memory fails.
  */
 bool place_sort(triangle *triangles, size_t count, float reach);
 

@@ -1,5 +1,6 @@
 /*
- * doubles/main.c - what do meshes of doubles cost, against the same triangles as floats, against reading their bytes, and against CGAL?
+ * doubles/main.c - what do meshes of doubles cost, against the same triangles as floats, against reading their bytes, and against
+ * CGAL?
  *
  * Nine numbers a triangle, and indices of 32 bits into half as many vertices as triangles. All of a scene are timed in the same
  * rounds; figures are of the least times. The stages that settle what floats leave open are timed on triangles that reach them.

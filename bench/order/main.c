@@ -1,6 +1,6 @@
 /*
- * main.c - which order of the axes is the fastest, and why? Measures every kernel, accuracy and order on one scene after the other, in one
- * process. order_sweep.py runs many such processes, joins what they measured, and draws it.
+ * main.c - which order of the axes is the fastest, and why? Measures every kernel, accuracy and order on one scene after the other,
+ * in one process. order_sweep.py runs many such processes, joins what they measured, and draws it.
  */
 #include <stdio.h>
 #include <stdlib.h>

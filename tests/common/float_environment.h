@@ -12,7 +12,10 @@
 
 enum { FTZ = 0x8000, DAZ = 0x40, MASKED = 0x1f80, STICKY = 0x3f, ROUNDINGS = 4, INEXACT = 0x20, SETTINGS = ROUNDINGS * 4 * 2 * 3 };
 
-/* Rounding, FTZ and DAZ, and whether exceptions are unmasked and flags are up: none, all, or the one that nearly every program has. */
+/*
+ * Rounding, FTZ and DAZ, and whether exceptions are unmasked and flags are up: none, all, or the one that nearly every program
+ * has.
+ */
 static inline unsigned setting(unsigned k)
 {
     static const unsigned flags[] = {0, STICKY, INEXACT};

@@ -18,8 +18,8 @@ bool oracle_overlaps_f64(const pair_f64 *pair, oracle_axes truth, unsigned group
 bool oracle_answer_f64(const pair_f64 *pair, unsigned groups);
 
 /*
- * Whether CONSERVATIVE and FAST may report a pair that does not overlap: each axis of the groups that separates does so by less than
- * 2^-47 (F_a m_b + F_b m_a), of the plane 2^-47 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y), and no box normal does.
+ * Whether CONSERVATIVE and FAST may report a pair that does not overlap: each axis of the groups that separates does so by less
+ * than 2^-47 (F_a m_b + F_b m_a), of the plane 2^-47 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y), and no box normal does.
  */
 bool oracle_is_near_f64(const pair_f64 *pair, oracle_axes truth, unsigned groups);
 

@@ -2,8 +2,8 @@
  * claims.h - what was counted, against what PROOFS.md states.
  *
  * Usage of a program: PROGRAM PROOFS.md [explain]. A claim is a row of the table in PROOFS.md 3.8: its name, its section, the
- * unit, and the count without and with fused operations. The program fails unless what it counts is that number, and each bound that the texts
- * take covers the error that it is for. `explain` shows where the worst case is rounded.
+ * unit, and the count without and with fused operations. The program fails unless what it counts is that number, and each bound
+ * that the texts take covers the error that it is for. `explain` shows where the worst case is rounded.
  */
 #include <math.h>
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /*
- * vec_depth.h - a vocabulary for sums and products of numbers that are not negative: what is computed of x is at least (1 - u)^depth
- * times x. A difference is for comparisons, and no bound; nor is what is made of it.
+ * vec_depth.h - a vocabulary for sums and products of numbers that are not negative: what is computed of x is at least (1 -
+ * u)^depth times x. A difference is for comparisons, and no bound; nor is what is made of it.
  */
 #if defined(TRIBOX_VEC_H)
 #error "one vocabulary to a translation unit"

@@ -1,4 +1,7 @@
-/* embree_crossing.h - where a line along an axis crosses the plane of a triangle: in double, from the floats that Embree was given. */
+/*
+ * embree_crossing.h - where a line along an axis crosses the plane of a triangle: in double, from the floats that Embree was
+ * given.
+ */
 #ifndef TRIBOX_TESTS_CROSSING_H
 #define TRIBOX_TESTS_CROSSING_H
 

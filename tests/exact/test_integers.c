@@ -1,6 +1,6 @@
 /*
- * test_integers.c - the last stages on pairs of doubles: the integers in each of their forms, and whole batches on every kernel, against
- * thirteen two-sided axes in GMP.
+ * test_integers.c - the last stages on pairs of doubles: the integers in each of their forms, and whole batches on every kernel,
+ * against thirteen two-sided axes in GMP.
  */
 #include "common/ask.h"
 

@@ -52,8 +52,8 @@ static void check_any_and_all(const fuzz_case *q, const tribox_options *o, const
 }
 
 /*
- * Once with all outputs, once with the masks each alone. What is inside overlaps, even where FAST alone has lost it; FAST may answer
- * words exactly.
+ * Once with all outputs, once with the masks each alone. What is inside overlaps, even where FAST alone has lost it; FAST may
+ * answer words exactly.
  */
 static void check_classify(const fuzz_case *q, const tribox_options *o, const uint64_t *mask, const uint64_t *exact)
 {

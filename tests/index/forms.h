@@ -19,8 +19,8 @@ void form_fences_free(form_fences *f);
 
 /*
  * Asks all forms about a box: mask, count, words, inside, list, any. EXACT has to be the scalar kernel's tribox_overlap bit for
- * bit, CONSERVATIVE that of the same kernel; FAST may have more, in words that lie wholly inside. Nothing is written outside what is
- * found. `name` is of the soup, for the message.
+ * bit, CONSERVATIVE that of the same kernel; FAST may have more, in words that lie wholly inside. Nothing is written outside what
+ * is found. `name` is of the soup, for the message.
  */
 void check_forms(const form_fences *f, const stored_soup *s, const tribox_box *box, const tribox_options *options,
                  const char *name);

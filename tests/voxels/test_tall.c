@@ -272,8 +272,8 @@ static double place(const tall_case *c, int a, double p)
 }
 
 /*
- * Through the window: on each axis within one cell, over a few, over more than float takes at a time, or over all of the grid, but on x and
- * y no more than `widest` to either side. The point that is in the window lies within a cell, or on planes.
+ * Through the window: on each axis within one cell, over a few, over more than float takes at a time, or over all of the grid, but
+ * on x and y no more than `widest` to either side. The point that is in the window lies within a cell, or on planes.
  */
 static void draw_triangles(random_source *r, tall_case *c, double widest)
 {

@@ -5,7 +5,10 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Before anything else: from now on streams carry bytes as they are, text is UTF-8. Returns the words of the command line as such. */
+/*
+ * Before anything else: from now on streams carry bytes as they are, text is UTF-8. Returns the words of the command line as
+ * such.
+ */
 char **terminal_begin(int *count, char **words);
 
 /* Leaves the console as it was. Called by itself when the program ends or is interrupted, but not when it is terminated. */

@@ -7,8 +7,8 @@
 #include "write/file_out.h"
 
 /*
- * Voxelizes the soup, draws it into the file if one is open, which it keeps, and prints the result: in lines, or, if `to` is not NULL, as
- * the member "voxels" of the JSON object that is open. Returns an exit_code.
+ * Voxelizes the soup, draws it into the file if one is open, which it keeps, and prints the result: in lines, or, if `to` is not
+ * NULL, as the member "voxels" of the JSON object that is open. Returns an exit_code.
  */
 int demo_voxels(const tribox_soup *soup, file_out *picture, json *to);
 

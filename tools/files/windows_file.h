@@ -15,7 +15,10 @@ typedef struct windows_way {
 /* NULL with errno. */
 FILE *windows_file_open(const char *path, const windows_way *way);
 
-/* What stands under a name or, if that is a link, where it leads: to be asked about, then closed. INVALID_HANDLE_VALUE with errno. */
+/*
+ * What stands under a name or, if that is a link, where it leads: to be asked about, then closed. INVALID_HANDLE_VALUE with
+ * errno.
+ */
 HANDLE windows_file_behind(const char *path);
 
 /* Sets errno by GetLastError. Returns false. */

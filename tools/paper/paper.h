@@ -1,7 +1,7 @@
 /*
- * paper.h - what tribox is measured against: the test as published, T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", journal
- * of graphics tools 6(1), 2001, one triangle at a time, leaving at the first axis that separates. The same text is compiled for
- * several instruction sets, as the kernels are, so that a comparison is fair on every processor.
+ * paper.h - what tribox is measured against: the test as published, T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing",
+ * journal of graphics tools 6(1), 2001, one triangle at a time, leaving at the first axis that separates. The same text is compiled
+ * for several instruction sets, as the kernels are, so that a comparison is fair on every processor.
  */
 #ifndef PAPER_H
 #define PAPER_H
@@ -17,8 +17,8 @@ extern "C" {
 enum { PAPER_ORDER = 312 };
 
 /*
- * Tests each triangle of a soup: bit i % 64 of mask[i / 64] is 1 if triangle i overlaps the box, touching included. Bits past count are
- * zero. Single precision.
+ * Tests each triangle of a soup: bit i % 64 of mask[i / 64] is 1 if triangle i overlaps the box, touching included. Bits past count
+ * are zero. Single precision.
  *
  * center, half: the centre of the box and half its size on each axis.
  * triangles: triangles[i][j][a] is axis a of vertex j.

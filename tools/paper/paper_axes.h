@@ -71,7 +71,10 @@ PAPER_INLINE bool apart_on_group(const shape *s, const float h[3], unsigned grou
            apart_on_axes_of_edge(v[2], v[1], f[2], h);
 }
 
-/* The whole test of triangle u against the box with centre c and half size h. order: of the groups, a constant if it is to be fast. */
+/*
+ * The whole test of triangle u against the box with centre c and half size h. order: of the groups, a constant if it is to be
+ * fast.
+ */
 PAPER_INLINE bool paper_overlaps(const float c[3], const float h[3], const float u[3][3], unsigned order)
 {
     shape s;

@@ -4,7 +4,10 @@
 
 #include "picture_view.h"
 
-/* Every sample of a pixel is lit by other lights, so that the pixel is lit by all. Maps are squares with at most these points a side. */
+/*
+ * Every sample of a pixel is lit by other lights, so that the pixel is lit by all. Maps are squares with at most these points a
+ * side.
+ */
 enum {
     PICTURE_SAMPLES = 4,
     PICTURE_SUNS = 6 * PICTURE_SAMPLES,
@@ -33,8 +36,8 @@ typedef struct picture_lit {
 } picture_lit;
 
 /*
- * Places lights, whose sun, middle and radius are there, with maps among PICTURE_MAP_POINTS depths. pixels: along the longer side of
- * the picture, as a small one is content with small maps.
+ * Places lights, whose sun, middle and radius are there, with maps among PICTURE_MAP_POINTS depths. pixels: along the longer side
+ * of the picture, as a small one is content with small maps.
  */
 void picture_lights_place(picture_lights *l, vec up, int pixels, uint16_t *depths);
 

@@ -32,7 +32,10 @@ static inline vec picture_view_place(const picture_view *v, vec point)
     return vec_sum(1, vec_sum(p.at[0], v->axis[0], p.at[1], v->axis[1]), p.at[2], v->axis[2]);
 }
 
-/* What a point shows at a depth up to PICTURE_DEPTH_MAX, so that the greater of two is the nearer: 0 where there is nothing, else its depth and the axis of a face. */
+/*
+ * What a point shows at a depth up to PICTURE_DEPTH_MAX, so that the greater of two is the nearer: 0 where there is nothing, else
+ * its depth and the axis of a face.
+ */
 enum { PICTURE_DEPTH_STEPS = 4096, PICTURE_DEPTH_MAX = 1 << 17 };
 static inline uint32_t picture_seen(float depth, int axis)
 {

@@ -8,7 +8,10 @@
 /* From the front, a little from the right and above, with z up. */
 #define PREVIEW_LOOK_DEFAULT ((picture_look){PICTURE_UP_Z, 32, 25, {1280, 960}})
 
-/* Refuses a preview where the program was built without libpng, or a name that does not end in .png. Returns an exit_code. path: may be NULL. */
+/*
+ * Refuses a preview where the program was built without libpng, or a name that does not end in .png. Returns an exit_code. path:
+ * may be NULL.
+ */
 int preview_check(const char *path, const char *option);
 
 enum { PREVIEW_SIDE_MAX = 4096 }; /* pixels */

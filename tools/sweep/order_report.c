@@ -5,7 +5,10 @@
 
 #include "console/accuracy.h"
 
-/* The contestants of a kernel stand together after those of the paper's test; the first of the next kernel, or NULL after the last. */
+/*
+ * The contestants of a kernel stand together after those of the paper's test; the first of the next kernel, or NULL after the
+ * last.
+ */
 static const contestant *next_kernel(const sweep *s, const contestant *after)
 {
     for (const contestant *e = after ? after + 1 : s->list; e < s->list + s->count; e++)

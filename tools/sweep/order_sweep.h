@@ -26,8 +26,8 @@ extern const unsigned sweep_axes[SWEEP_AXES];
 
 /*
  * Enters the paper's test in every fixed order and, for each kernel, all axes in every order at every accuracy, and every choice of
- * axes in the default order at EXACT. Verifies them, then times rounds for `seconds`, but MEASURE_LEAST at least. Returns NULL, or what is
- * wrong, in a text that lasts until the next call.
+ * axes in the default order at EXACT. Verifies them, then times rounds for `seconds`, but MEASURE_LEAST at least. Returns NULL, or
+ * what is wrong, in a text that lasts until the next call.
  */
 const char *sweep_run(sweep *s, const timing_work *work, double seconds, generator *turns);
 

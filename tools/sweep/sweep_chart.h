@@ -1,4 +1,6 @@
-/* sweep_chart.h - draws a sweep as an SVG file: a panel for each kernel, a group of bars for each accuracy, a bar for each order. */
+/*
+ * sweep_chart.h - draws a sweep as an SVG file: a panel for each kernel, a group of bars for each accuracy, a bar for each order.
+ */
 #ifndef SWEEP_CHART_H
 #define SWEEP_CHART_H
 

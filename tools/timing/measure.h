@@ -1,7 +1,7 @@
 /*
- * measure.h - times contestants against each other: interleaved in rounds, in a fresh random order each round, so that what disturbs the
- * machine disturbs all of them. Ratios are taken within a round. Times are those of the processor: a long pass that is interrupted costs no more
- * than a short one that is not.
+ * measure.h - times contestants against each other: interleaved in rounds, in a fresh random order each round, so that what
+ * disturbs the machine disturbs all of them. Ratios are taken within a round. Times are those of the processor: a long pass that is
+ * interrupted costs no more than a short one that is not.
  */
 #ifndef TIMING_MEASURE_H
 #define TIMING_MEASURE_H

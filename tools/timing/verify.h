@@ -38,8 +38,8 @@ truth truth_of_work(const timing_work *work);
 enum { VERIFY_TEXT = 128 };
 
 /*
- * Compares everyone's answer with the truth, and keeps everyone to his promise; contestants that differ in the order of the axes alone,
- * and stand beside each other, have to answer alike. Returns whether all do, or else writes into `wrong` who does not.
+ * Compares everyone's answer with the truth, and keeps everyone to his promise; contestants that differ in the order of the axes
+ * alone, and stand beside each other, have to answer alike. Returns whether all do, or else writes into `wrong` who does not.
  */
 bool verify(const contestant *list, size_t count, const truth *from, score *scores, char wrong[VERIFY_TEXT]);
 

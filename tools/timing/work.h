@@ -1,4 +1,7 @@
-/* work.h - what is timed: soups, each with a box, tested one after the other. A scene is one such job, the leaves of an octree many. */
+/*
+ * work.h - what is timed: soups, each with a box, tested one after the other. A scene is one such job, the leaves of an octree
+ * many.
+ */
 #ifndef TIMING_WORK_H
 #define TIMING_WORK_H
 

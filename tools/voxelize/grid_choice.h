@@ -17,8 +17,8 @@ typedef struct grid_choice {
 
 /*
  * Makes the grid; it holds the mesh where size and origin are left open. path: that of the mesh. Returns an exit_code.
- * is_float: receives whether it is the tribox_grid that voxels_narrow gives: where mesh, cell and origin are floats, and floats tell
- * its planes apart. Otherwise it is a tribox_grid_f64.
+ * is_float: receives whether it is the tribox_grid that voxels_narrow gives: where mesh, cell and origin are floats, and floats
+ * tell its planes apart. Otherwise it is a tribox_grid_f64.
  */
 int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid_f64 *grid, bool *is_float);
 

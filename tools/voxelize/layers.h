@@ -2,8 +2,9 @@
  * layers.h - a soup, or a mesh of doubles, into layers of a grid by several threads.
  *
  * The layers are divided into slabs whose estimated work is about equal, by a histogram of the triangles over the layers. A thread
- * takes one slab after another and voxelizes it with tribox_voxelize_layers, or as a window of a grid of doubles. A slab owns its words, so that the bits are the same
- * for every number of threads. No memory is allocated; the threads' stacks apart, some 40 KiB of stack are used.
+ * takes one slab after another and voxelizes it with tribox_voxelize_layers, or as a window of a grid of doubles. A slab owns its
+ * words, so that the bits are the same for every number of threads. No memory is allocated; the threads' stacks apart, some 40 KiB
+ * of stack are used.
  */
 #ifndef LAYERS_H
 #define LAYERS_H
