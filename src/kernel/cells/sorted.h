@@ -158,63 +158,93 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
 
 TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(most))); }
 
+/* The layers that are written, as a packet needs them. */
+typedef struct lane_layers {
+    vnum first, end;
+} lane_layers;
+
+/*
+ * Which cells a packet touches. False if none of its lanes does. z first, then y: whoever asks for some layers alone, or a window,
+ * looks at most triangles in vain.
+ */
+TRIBOX_INLINE bool reach_packet(lane_reach *r, const tribox_window *w, const tribox_soup *soup, size_t at, lane_layers layers)
+{
+    reach_axis(r, w, 2, soup->z, at);
+    r->inside = m_and(r->inside, m_and(v_gt(layers.end, r->base[2]), v_gt(v_add(r->base[2], r->cells[2]), layers.first)));
+    if (!m_bits(r->inside))
+        return false;
+    reach_axis(r, w, 1, soup->y, at);
+    if (!m_bits(r->inside))
+        return false;
+    reach_axis(r, w, 0, soup->x, at);
+    return true;
+}
+
+/* Lanes that span more than one cell on two axes at least, on all three, and few along x. */
+typedef struct lane_shapes {
+    vmask wide, solid, narrow;
+} lane_shapes;
+
+TRIBOX_INLINE lane_shapes shapes_of(const lane_reach *r)
+{
+    const vmask x = r->spans[0], y = r->spans[1], z = r->spans[2];
+    return (lane_shapes){.wide = m_or(m_or(m_and(x, y), m_and(y, z)), m_and(z, x)),
+                         .solid = m_and(m_and(x, y), z),
+                         .narrow = at_most(r->cells[0], TRIBOX_FLAT_MOST)};
+}
+
+/* Lists the lines of few cells among these lanes. Returns the others. */
+TRIBOX_INLINE vmask list_short_lines(tribox_voxels *v, const lane_reach *r, vmask inside, lane_shapes shapes, lane_layers layers)
+{
+    lane_reach line = *r;
+    line.base[2] = v_max(r->base[2], layers.first);
+    line.cells[2] = v_sub(v_min(v_add(r->base[2], r->cells[2]), layers.end), line.base[2]);
+    const vnum rows = v_max(r->cells[1], line.cells[2]);
+    const vmask lines = m_andnot(m_and(m_and(inside, shapes.narrow), at_most(rows, TRIBOX_LINE_MOST)), shapes.wide);
+    if (m_bits(lines))
+        list_lines(v, &line, lines, rows);
+    return m_andnot(inside, lines);
+}
+
+/* Flats and solids of few cells join their queues. Returns the others. Without edges a shadow has no limits: only the plane has. */
+TRIBOX_INLINE vmask enqueue_by_class(tribox_voxels *v, const lane_reach *r, vmask left, lane_shapes shapes)
+{
+    const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(shapes.wide, shapes.solid) : m_none();
+    const vmask few = m_and(left, shapes.narrow);
+    const vmask flats =
+        m_and(m_and(few, flat), m_and(at_most(r->cells[1], TRIBOX_FLAT_MOST), at_most(r->cells[2], TRIBOX_FLAT_MOST)));
+    const vnum most = v_max(r->cells[1], r->cells[2]);
+    const vmask solids = m_andnot(m_and(m_and(few, shapes.wide), at_most(most, TRIBOX_SOLID_MOST)), flat);
+    const vmask small = m_and(solids, at_most(most, 2)), middle = m_andnot(m_and(solids, at_most(most, 4)), small);
+    enqueue(v, TRIBOX_FLATS, flats, r);
+    enqueue(v, TRIBOX_SOLIDS_2, small, r);
+    enqueue(v, TRIBOX_SOLIDS_4, middle, r);
+    enqueue(v, TRIBOX_SOLIDS_8, m_andnot(solids, m_or(small, middle)), r);
+    return m_andnot(left, m_or(flats, solids));
+}
+
 /* Lanes `from` to before `end_lane` of the packet at triangle `at`. */
 static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
 {
+    const lane_layers layers = {v_splat((float)v->window.first_layer), v_splat((float)v->window.end_layer)};
     lane_reach r;
     r.number = (uint32_t)v->window.first_number + (uint32_t)at;
     r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
-    /* z first, then y: whoever asks for some layers alone, or a window, looks at most triangles in vain. */
-    reach_axis(&r, &v->window, 2, soup->z, at);
-    const vnum end_z = v_add(r.base[2], r.cells[2]), first = v_splat((float)v->window.first_layer),
-               end = v_splat((float)v->window.end_layer);
-    r.inside = m_and(r.inside, m_and(v_gt(end, r.base[2]), v_gt(end_z, first)));
-    if (!m_bits(r.inside))
+    if (!reach_packet(&r, &v->window, soup, at, layers))
         return;
-    reach_axis(&r, &v->window, 1, soup->y, at);
-    if (!m_bits(r.inside))
-        return;
-    reach_axis(&r, &v->window, 0, soup->x, at);
     const vmask inside = m_andnot(m_and(r.inside, is_finite(r.u)), r.blurred), unknown = m_andnot(r.inside, inside);
     if (m_bits(unknown))
         add_each(v, r, m_bits(unknown));
     if (!m_bits(inside))
         return;
-
-    const vmask x = r.spans[0], y = r.spans[1], z = r.spans[2], is_narrow = at_most(r.cells[0], TRIBOX_FLAT_MOST);
-    const vmask wide = m_or(m_or(m_and(x, y), m_and(y, z)), m_and(z, x)), is_solid = m_and(m_and(x, y), z);
-    vmask left = inside;
-
-    lane_reach line = r;
-    line.base[2] = v_max(r.base[2], first);
-    line.cells[2] = v_sub(v_min(end_z, end), line.base[2]);
-    const vnum line_rows = v_max(r.cells[1], line.cells[2]);
-    const vmask lines = m_andnot(m_and(m_and(inside, is_narrow), at_most(line_rows, TRIBOX_LINE_MOST)), wide);
-    if (m_bits(lines))
-        list_lines(v, &line, lines, line_rows);
-    left = m_andnot(left, lines);
+    const lane_shapes shapes = shapes_of(&r);
+    vmask left = list_short_lines(v, &r, inside, shapes, layers);
     if (!m_bits(left))
         return;
-
     /* One lane has nothing to gain: the rows in double are as fast, and fewer. */
-    if (V_LANES == 1) {
-        defer(v, r, m_bits(left));
-        return;
-    }
-
-    /* Without edges a shadow has no limits: only the plane has. */
-    const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(wide, is_solid) : m_none(), few = m_and(left, is_narrow);
-    const vmask flats =
-        m_and(m_and(few, flat), m_and(at_most(r.cells[1], TRIBOX_FLAT_MOST), at_most(r.cells[2], TRIBOX_FLAT_MOST)));
-    const vnum most = v_max(r.cells[1], r.cells[2]);
-    const vmask solids = m_andnot(m_and(m_and(few, wide), at_most(most, TRIBOX_SOLID_MOST)), flat);
-    const vmask small = m_and(solids, at_most(most, 2)), middle = m_andnot(m_and(solids, at_most(most, 4)), small);
-    enqueue(v, TRIBOX_FLATS, flats, &r);
-    enqueue(v, TRIBOX_SOLIDS_2, small, &r);
-    enqueue(v, TRIBOX_SOLIDS_4, middle, &r);
-    enqueue(v, TRIBOX_SOLIDS_8, m_andnot(solids, m_or(small, middle)), &r);
-    left = m_andnot(left, m_or(flats, solids));
+    if (V_LANES > 1)
+        left = enqueue_by_class(v, &r, left, shapes);
     if (m_bits(left))
         defer(v, r, m_bits(left));
 }
