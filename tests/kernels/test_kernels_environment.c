@@ -1,5 +1,5 @@
 /*
- * test_environment.c - the caller's rounding mode, flush-to-zero and traps change no answer, and come back as they were.
+ * test_kernels_environment.c - the caller's rounding mode, flush-to-zero and traps change no answer, and come back as they were.
  */
 #include <setjmp.h>
 #include <stdarg.h>

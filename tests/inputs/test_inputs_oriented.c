@@ -1,5 +1,5 @@
 /*
- * test_oriented.c - oriented boxes against rational numbers: EXACT is the oracle on every kernel, CONSERVATIVE never misses,
+ * test_inputs_oriented.c - oriented boxes against rational numbers: EXACT is the oracle on every kernel, CONSERVATIVE never misses,
  * and FAST errs within its bound alone.
  */
 #include <float.h>

@@ -1,5 +1,5 @@
 /*
- * test_oriented.c - oriented boxes asked of an index: EXACT is tribox_overlap_oriented bit for bit on every kernel, CONSERVATIVE
+ * test_index_oriented.c - oriented boxes asked of an index: EXACT is tribox_overlap_oriented bit for bit on every kernel, CONSERVATIVE
  * never misses, and what is far outside or inside is not even read.
  */
 #include <math.h>

@@ -1,4 +1,4 @@
-/* test_arguments.c - bad input of every kind is named by its status, and nothing is written. */
+/* test_kernels_arguments.c - bad input of every kind is named by its status, and nothing is written. */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
