@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/mesh_list.h"
 #include "common/soups.h"
 #include "common/whole.h"
 #include "console/message.h"
@@ -14,7 +15,7 @@
 #include "sweep/cells.h"
 #include "trade.h"
 
-enum { MESHES_MAX = 64, CELLS_MOST = 4096, DEPTH_MOST = 12 };
+enum { CELLS_MOST = 4096, DEPTH_MOST = 12 };
 
 typedef struct settings {
     uint64_t seed, along, cells; /* of a mesh: cells along a side of the cube over it, and how many of them at most */
@@ -23,8 +24,7 @@ typedef struct settings {
     const char *scene; /* NULL for all */
     bool has_scenes;
     const char *csv, *json; /* NULL for none */
-    const char *mesh[MESHES_MAX];
-    size_t meshes;
+    mesh_list meshes;
 } settings;
 
 static const char usage[] =
@@ -86,14 +86,6 @@ static int take_depth(settings *s, const char *value)
     return EXIT_CODE_OK;
 }
 
-static int take_mesh(settings *s, const char *path)
-{
-    if (s->meshes == MESHES_MAX)
-        return message_usage("'%s' is one mesh too many: give %d at most", path, MESHES_MAX);
-    s->mesh[s->meshes++] = path;
-    return EXIT_CODE_OK;
-}
-
 static int take(void *request, int which, const char *value)
 {
     settings *const s = request;
@@ -126,7 +118,7 @@ static int take(void *request, int which, const char *value)
         s->has_scenes = false;
         return EXIT_CODE_OK;
     default:
-        return take_mesh(s, value);
+        return mesh_list_take(&s->meshes, value);
     }
 }
 
@@ -259,8 +251,8 @@ static bool run_all(const settings *s, output *out)
     for (size_t i = 0; i < scene_count(); i++)
         if (is_wanted(s, scene_name(i)) && !run_scene(i, s, out))
             return false;
-    for (size_t m = 0; m < s->meshes; m++)
-        if (!run_mesh(s->mesh[m], s, out))
+    for (size_t m = 0; m < s->meshes.count; m++)
+        if (!run_mesh(s->meshes.path[m], s, out))
             return false;
     return true;
 }
@@ -316,7 +308,7 @@ int main(int argc, char **argv)
         return code;
     if (found.wants_help)
         return fputs(usage, stdout) < 0;
-    if (!s.has_scenes && !s.scene && !s.meshes)
+    if (!s.has_scenes && !s.scene && !s.meshes.count)
         return message_usage("nothing to run: --no-scenes wants a mesh file");
     output out = {.is_first = true, .order = {~s.seed}};
     if (!open_file(s.csv, &out.csv) || !open_file(s.json, &out.json_file))

@@ -9,20 +9,20 @@
 
 #include "common/grid_about.h"
 #include "common/header.h"
+#include "common/mesh_list.h"
 #include "common/whole.h"
 #include "console/message.h"
 #include "console/option_reader.h"
 #include "read/mesh.h"
 
-enum { MESHES_MAX = 64, RESOLUTIONS = 2 };
+enum { RESOLUTIONS = 2 };
 
 typedef enum step { SURFACE, OUTSIDE, PARITY, STEPS } step;
 
 typedef struct settings {
     uint64_t rounds;
     uint32_t resolution[RESOLUTIONS];
-    const char *mesh[MESHES_MAX];
-    size_t meshes;
+    mesh_list meshes;
 } settings;
 
 static const char usage[] =
@@ -112,10 +112,7 @@ static int take(void *request, int which, const char *value)
         s->rounds = 1;
         return EXIT_CODE_OK;
     default:
-        if (s->meshes == MESHES_MAX)
-            return message_usage("'%s' is one mesh too many: give %d at most", value, MESHES_MAX);
-        s->mesh[s->meshes++] = value;
-        return EXIT_CODE_OK;
+        return mesh_list_take(&s->meshes, value);
     }
 }
 
@@ -129,13 +126,13 @@ int main(int argc, char **argv)
         return code;
     if (found.wants_help)
         return fputs(usage, stdout) < 0;
-    if (!s.meshes)
+    if (!s.meshes.count)
         return message_usage("name a mesh file");
     const run r = {argc, argv, 0, machine_here()};
     header_text(stdout, "", &r);
     printf("ms of CPU time, and times the surface; cells that each way fills\n");
-    for (size_t n = 0; n < s.meshes; n++)
-        if (!run_mesh(s.mesh[n], &s))
+    for (size_t n = 0; n < s.meshes.count; n++)
+        if (!run_mesh(s.meshes.path[n], &s))
             return EXIT_CODE_FAILURE;
     return EXIT_CODE_OK;
 }

@@ -7,19 +7,19 @@
 #include <stdio.h>
 
 #include "common/header.h"
+#include "common/mesh_list.h"
 #include "common/whole.h"
 #include "console/message.h"
 #include "console/option_reader.h"
 #include "index_measure.h"
 
-enum { MESHES_MAX = 64, SCENES_MAX = MESHES_MAX + 1 };
+enum { SCENES_MAX = MESH_LIST_MAX + 1 };
 
 typedef struct settings {
     index_effort how;
     uint64_t terrain; /* triangles; 0 for none */
     bool is_json;
-    const char *mesh[MESHES_MAX];
-    size_t meshes;
+    mesh_list meshes;
 } settings;
 
 static const char usage[] =
@@ -42,14 +42,6 @@ static const option_entry options[] = {[OPTION_TERRAIN] = {"terrain", 't', true}
                                        [OPTION_ROUNDS] = {"rounds", 0, true},     [OPTION_KERNEL] = {"kernel", 'k', true},
                                        [OPTION_SEED] = {"seed", 0, true},         [OPTION_QUICK] = {"quick", 'q', false},
                                        [OPTION_JSON] = {"json", 'j', false},      {NULL, 0, false}};
-
-static int take_mesh(settings *s, const char *path)
-{
-    if (s->meshes == MESHES_MAX)
-        return message_usage("'%s' is one mesh too many: give %d at most", path, MESHES_MAX);
-    s->mesh[s->meshes++] = path;
-    return EXIT_CODE_OK;
-}
 
 static int take(void *request, int which, const char *value)
 {
@@ -74,7 +66,7 @@ static int take(void *request, int which, const char *value)
         s->is_json = true;
         return EXIT_CODE_OK;
     default:
-        return take_mesh(s, value);
+        return mesh_list_take(&s->meshes, value);
     }
 }
 
@@ -107,8 +99,8 @@ static bool run_all(const settings *s, json *out, scene_result *results, size_t 
     bool is_run = true;
     index_scene at;
     *count = 0;
-    for (size_t i = 0; is_run && i < s->meshes; i++) {
-        is_run = index_scene_read(s->mesh[i], &at);
+    for (size_t i = 0; is_run && i < s->meshes.count; i++) {
+        is_run = index_scene_read(s->meshes.path[i], &at);
         if (is_run) {
             is_run = run_scene(&at, s, &order, out, &results[(*count)++]);
             index_scene_free(&at);
@@ -166,9 +158,9 @@ int main(int argc, char **argv)
         return fputs(usage, stdout) < 0;
     choose_rest(&s, &found);
     const char *const *usual;
-    const size_t usual_count = s.meshes ? 0 : index_scene_usual(&usual);
+    const size_t usual_count = s.meshes.count ? 0 : index_scene_usual(&usual);
     for (size_t k = 0; k < usual_count; k++)
-        s.mesh[s.meshes++] = usual[k];
+        mesh_list_take(&s.meshes, usual[k]);
     const run r = {argc, argv, s.how.seed, machine_here()};
     return s.is_json ? report_json(&s, &r, results) : report_text(&s, &r, results);
 }

@@ -12,21 +12,21 @@
 
 #include "common/grid_about.h"
 #include "common/header.h"
+#include "common/mesh_list.h"
 #include "common/whole.h"
 #include "console/message.h"
 #include "console/option_reader.h"
 #include "read/mesh.h"
 #include "scale_ways.h"
 
-enum { RESOLUTIONS_MAX = 16, MESHES_MAX = 64 };
+enum { RESOLUTIONS_MAX = 16 };
 
 typedef struct settings {
     uint64_t rounds, tile;
     const char *kernel;
     uint32_t resolution[RESOLUTIONS_MAX];
     size_t resolutions;
-    const char *mesh[MESHES_MAX];
-    size_t meshes;
+    mesh_list meshes;
 } settings;
 
 static const char usage[] =
@@ -147,10 +147,7 @@ static int take(void *request, int which, const char *value)
         s->rounds = 1;
         return EXIT_CODE_OK;
     default:
-        if (s->meshes == MESHES_MAX)
-            return message_usage("'%s' is one mesh too many: give %d at most", value, MESHES_MAX);
-        s->mesh[s->meshes++] = value;
-        return EXIT_CODE_OK;
+        return mesh_list_take(&s->meshes, value);
     }
 }
 
@@ -165,14 +162,14 @@ int main(int argc, char **argv)
         return code;
     if (found.wants_help)
         return fputs(usage, stdout) < 0;
-    if (!s.meshes)
+    if (!s.meshes.count)
         return message_usage("name a mesh file");
     const run r = {argc, argv, 0, machine_here()};
     header_text(stdout, "", &r);
     printf("kernel     %s\ntiles      %u cells along each axis\n", s.kernel, (unsigned)s.tile);
     fflush(stdout);
-    for (size_t i = 0; i < s.meshes; i++)
-        if (!run_mesh(s.mesh[i], &s))
+    for (size_t i = 0; i < s.meshes.count; i++)
+        if (!run_mesh(s.meshes.path[i], &s))
             return EXIT_CODE_FAILURE;
     return EXIT_CODE_OK;
 }

@@ -16,6 +16,7 @@
 #include "common/entries.h"
 #include "common/header.h"
 #include "common/loads.h"
+#include "common/mesh_list.h"
 #include "common/whole.h"
 #include "console/clock.h"
 #include "console/message.h"
@@ -25,7 +26,7 @@
 #include "voxel_scenes.h"
 #include "voxelize/layers.h"
 
-enum { ROUNDS_MAX = 101, RESOLUTIONS_MAX = 8, MESHES_MAX = 64 };
+enum { ROUNDS_MAX = 101, RESOLUTIONS_MAX = 8 };
 
 enum { EXACT, CONSERVATIVE, FAST, TWO_THREADS, RIVAL_SEIDEL, RIVAL_CELLS, READING, WRITING, TIMED };
 static const char *const names[TIMED] = {"exact",          "conservative", "fast",    "exact, 2 threads",
@@ -38,8 +39,7 @@ typedef struct settings {
     bool is_json, has_scenes;
     uint32_t resolution[RESOLUTIONS_MAX];
     size_t resolutions;
-    const char *mesh[MESHES_MAX];
-    size_t meshes;
+    mesh_list meshes;
 } settings;
 
 /* A soup and a grid. */
@@ -397,14 +397,6 @@ static int take_limit(settings *s, const char *value)
     return code;
 }
 
-static int take_mesh(settings *s, const char *path)
-{
-    if (s->meshes == MESHES_MAX)
-        return message_usage("'%s' is one mesh too many: give %d at most", path, MESHES_MAX);
-    s->mesh[s->meshes++] = path;
-    return EXIT_CODE_OK;
-}
-
 static int take(void *request, int which, const char *value)
 {
     settings *const s = request;
@@ -433,7 +425,7 @@ static int take(void *request, int which, const char *value)
         s->is_json = true;
         return EXIT_CODE_OK;
     default:
-        return take_mesh(s, value);
+        return mesh_list_take(&s->meshes, value);
     }
 }
 
@@ -457,8 +449,8 @@ static bool run_all(const settings *s, json *out, means *m)
             voxel_scene_free(&at);
         }
     }
-    for (size_t i = 0; is_run && i < s->meshes; i++) {
-        is_run = read_mesh(s->mesh[i], &at);
+    for (size_t i = 0; is_run && i < s->meshes.count; i++) {
+        is_run = read_mesh(s->meshes.path[i], &at);
         if (is_run) {
             is_run = run_scene(&at, s, &order, out, m);
             voxel_scene_free(&at);
