@@ -28,6 +28,16 @@
 #else
 #define TRIBOX_INLINE static inline
 #endif
+
+/* Work that is rare, or large and called from several places: one copy of it, outside their loops. */
+#if defined(_MSC_VER) && !defined(__clang__)
+#define TRIBOX_NOINLINE static __declspec(noinline)
+#elif defined(__GNUC__) || defined(__clang__)
+#define TRIBOX_NOINLINE static __attribute__((noinline))
+#else
+#define TRIBOX_NOINLINE static
+#endif
+
 /* The one external symbol of a kernel's object: tribox_<part>_<KERNEL>, KERNEL being the name that the object is compiled for. */
 #define TRIBOX_PASTE_(part, kernel) tribox_##part##_##kernel
 #define TRIBOX_PASTE(part, kernel) TRIBOX_PASTE_(part, kernel)

@@ -36,7 +36,7 @@ TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
 }
 
 /* Open cells along y. */
-static void wait_for_columns(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
+TRIBOX_NOINLINE void wait_for_columns(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
 {
     const vint one = i_splat(1);
     vint above[3] = {cell[0], cell[1], cell[2]};

@@ -5,19 +5,24 @@
  * The shadow along x takes or leaves whole rows; the two others limit each row and each layer, and the plane limits the rows.
  */
 
+TRIBOX_NOINLINE tribox_triangle triangle_of_mesh(const tribox_window *w, int32_t number)
+{
+    return tribox_window_read_triangle(w, number);
+}
+
 /* A triangle of a soup, its numbers a stride apart; of a mesh its doubles. */
-static tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *number, size_t stride, int32_t of_mesh)
+TRIBOX_INLINE tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *number, size_t stride, int32_t of_mesh)
 {
     tribox_triangle triangle = {.number = 0};
     if (v->window.mesh)
-        return tribox_window_read_triangle(&v->window, of_mesh);
+        return triangle_of_mesh(&v->window, of_mesh);
     for (size_t n = 0; n < 9; n++)
         triangle.u[n] = number[n * stride];
     return triangle;
 }
 
 /* Open cells wait with their triangles: bits along x from cell (i, j, k) on. */
-static void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
+TRIBOX_INLINE void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, unsigned at, vint undecided, const vint cell[3])
 {
     tribox_waiting *const w = &v->sinks.waiting;
     const vmask m = m_has_bits(undecided);
@@ -35,7 +40,7 @@ static void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, unsigned
 }
 
 /* Triangles of a queue that another way has to take. */
-static void defer_queued(tribox_voxels *v, const tribox_queue *queue, unsigned at, uint64_t lanes)
+TRIBOX_NOINLINE void defer_queued(tribox_voxels *v, const tribox_queue *queue, unsigned at, uint64_t lanes)
 {
     for (; lanes; lanes &= lanes - 1) {
         const unsigned t = at + tribox_lowest_bit(lanes);

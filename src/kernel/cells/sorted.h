@@ -32,7 +32,7 @@ static void defer(tribox_voxels *v, lane_reach r, uint64_t lanes)
 }
 
 /* Triangles that are not known to be finite, or blurred. */
-static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
+TRIBOX_NOINLINE void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
 {
     float u[9][V_LANES];
     for (int n = 0; n < 9; n++)
@@ -44,7 +44,7 @@ static void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
 }
 
-TRIBOX_INLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, unsigned count)
+TRIBOX_NOINLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, unsigned count)
 {
     const tribox_queue *const queue = &v->sinks.queue[kind];
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;

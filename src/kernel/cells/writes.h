@@ -32,7 +32,7 @@ TRIBOX_INLINE size_t write_each(const tribox_writes *w, uint64_t *occupied, bool
     return set;
 }
 
-static void write_listed(tribox_voxels *v)
+TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
 {
     tribox_writes *const w = &v->sinks.writes;
     if (!w->count)

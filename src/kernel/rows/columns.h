@@ -30,7 +30,7 @@ TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packe
 }
 
 /* Cells first to before end of row (j, k), all counted from the triangle's own first, wait. */
-static void wait_for_row(const strip_place *p, int64_t first, int64_t end, int64_t j, int64_t k)
+TRIBOX_NOINLINE void wait_for_row(const strip_place *p, int64_t first, int64_t end, int64_t j, int64_t k)
 {
     const tribox_strip *const strip = p->strip;
     const int64_t base[3] = {(int64_t)strip->base[0][p->t], (int64_t)strip->base[1][p->t], (int64_t)strip->base[2][p->t]};

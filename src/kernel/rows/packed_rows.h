@@ -181,6 +181,11 @@ static size_t set_wide_rows(uint64_t *occupied, const row_list *rows, const row_
     return set;
 }
 
+static size_t set_listed_rows(uint64_t *occupied, const row_list *rows, const row_cells *cells, int bit, bool is_narrow)
+{
+    return is_narrow ? set_narrow_rows(occupied, rows, cells, bit) : set_wide_rows(occupied, rows, cells, bit);
+}
+
 /* Whether cells may be undecided: told without a branch. */
 static bool may_be_undecided(const row_list *rows)
 {
@@ -191,7 +196,7 @@ static bool may_be_undecided(const row_list *rows)
 }
 
 /* Cells that may overlap but do not certainly do so wait. */
-static void wait_for_rows(const strip_place *p, const row_list *rows)
+TRIBOX_NOINLINE void wait_for_rows(const strip_place *p, const row_list *rows)
 {
     for (unsigned n = 0; n < rows->count; n++) {
         const int64_t first = rows->maybe.first[n], end = rows->maybe.end[n], j = (int64_t)rows->j[n], k = (int64_t)rows->k[n];

@@ -12,8 +12,7 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
     while (list_rows(p, &at, &rows, shape, has_certain)) {
         const row_cells *const cells = has_certain ? &rows.certain : &rows.maybe;
         limit_all_rows(p, &rows, shape, has_certain);
-        p->v->counts.overlapping += is_narrow ? set_narrow_rows(p->v->sinks.occupied, &rows, cells, bit)
-                                              : set_wide_rows(p->v->sinks.occupied, &rows, cells, bit);
+        p->v->counts.overlapping += set_listed_rows(p->v->sinks.occupied, &rows, cells, bit, is_narrow);
         if (has_certain && may_be_undecided(&rows))
             (is_rough && !p->is_by_own_planes ? settle_undecided_rows(p, &rows, shape) : wait_for_rows(p, &rows));
     }
