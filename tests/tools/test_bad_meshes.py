@@ -57,9 +57,9 @@ class BadMeshes(support.TestCase):
 
     def test_no_triangles(self):
         for content in ("v 0 0 0\nv 1 1 1\n", "v 0 0 0\nv 1 1 1\nl 1 2\n", "v 0 0 0\nv 1 1 1\np 1 2\n"):
-            self.refuse(self.write("points.obj", content), "no triangles in it")
-        self.refuse(self.write("points.ply", meshes.ply_header("ascii", 2, 0) + b"0 0 0\n1 1 1\n"), "no triangles in it")
-        self.refuse(self.write("none.stl", meshes.stl_binary([])), "no triangles in it")
+            self.refuse(self.write("points.obj", content), "contains no triangles .points or lines at most.; give a mesh with faces")
+        self.refuse(self.write("points.ply", meshes.ply_header("ascii", 2, 0) + b"0 0 0\n1 1 1\n"), "contains no triangles")
+        self.refuse(self.write("none.stl", meshes.stl_binary([])), "contains no triangles")
 
     def test_vertices_that_are_not_there(self):
         vertices = b"0 0 0\n1 0 0\n0 1 0\n"
@@ -163,7 +163,7 @@ class TruncatedMeshes(support.TestCase):
         """A cut among the vertices leaves no faces, or faces of vertices that are not there."""
         whole = meshes.obj(TRIANGLES)
         for size in range(1, whole.index(b"f "), 41):
-            self.fail_with(1, r"^tribox overlap: [^\n]*cut.obj: (truncated|not an OBJ file|no triangles)", "overlap",
+            self.fail_with(1, r"^tribox overlap: [^\n]*cut.obj: (truncated|not an OBJ file|contains no triangles)", "overlap",
                            self.write("cut.obj", whole[:size]), "--box", support.UNIT_BOX)
 
     def test_off(self):

@@ -131,7 +131,7 @@ class Streams(support.TestCase):
             self.assertEqual(answer["triangles"], len(TRIANGLES))
         for question in (("--boxes", "-"), ("--box", support.UNIT_BOX)):
             with self.fed(path, b""):
-                self.fail_with(1, "fifo: no triangles in it", "overlap", path, "--format", "f32", *question)
+                self.fail_with(1, "fifo: contains no triangles", "overlap", path, "--format", "f32", *question)
 
     def test_printed_as_they_come(self):
         """The numbers of a block are there before the next block is sent."""
@@ -253,7 +253,7 @@ class Voxels(support.TestCase):
 
     def test_broken_streams(self):
         packed = meshes.pack_floats(TRIANGLES)
-        for content, pattern in ((b"", "stdin: no triangles in it"), (packed[:50], "stdin: truncated: 1 triangles were read")):
+        for content, pattern in ((b"", "stdin: contains no triangles"), (packed[:50], "stdin: truncated: 1 triangles were read")):
             self.fail_with(1, pattern, "voxelize", "-", "--format", "f32", *self.GRID, "-o", "-", "--out-format", "raw",
                            stdin=content)
         for content in (bytes(80) + struct.pack("<I", 2 ** 32 - 1) + bytes(500), meshes.stl_binary(TRIANGLES)[:-1]):
@@ -314,10 +314,10 @@ class Cut(support.TestCase):
 
     def test_nothing(self):
         self.refuse(b"", "stl", "the file is empty")
-        self.refuse(b"", "f32", "no triangles in it")
-        self.refuse(meshes.stl_binary([]), "stl", "no triangles in it", "--json", "--list")
+        self.refuse(b"", "f32", "contains no triangles")
+        self.refuse(meshes.stl_binary([]), "stl", "contains no triangles", "--json", "--list")
         for form in PACKED:
-            self.fail_with(1, "/dev/null: (the file is empty|no triangles in it)", "overlap", "/dev/null", "--format", form, "--box",
+            self.fail_with(1, "/dev/null: (the file is empty|contains no triangles)", "overlap", "/dev/null", "--format", form, "--box",
                            support.UNIT_BOX)
 
     def test_more_than_is_promised(self):

@@ -227,7 +227,7 @@ class Refusals(Tiles):
             flipped = bytearray(index)
             flipped[at] ^= 1 << at % 8
             self.write("tiles/index", bytes(flipped))
-            self.refuse(1, "damaged: .*; make the partition again|no partition|another byte order", "voxelize", self.path("tiles"),
+            self.refuse(1, "damaged: .*; make the partition again|not a partition folder|another byte order", "voxelize", self.path("tiles"),
                         "--count")
         for cut in (0, 100, len(index) - 1):
             self.write("tiles/index", index[:cut])

@@ -117,7 +117,7 @@ static int answer_file(const request *r, triangle_file *file, block *b)
     if (code)
         return code;
     if (!a.triangles)
-        return message_failure("%s: no triangles in it", file->name);
+        return message_failure("%s: contains no triangles", file->name);
     a.total_seconds = clock_seconds() - start;
     code = report_end(r, &a);
     if (!code)

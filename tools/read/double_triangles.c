@@ -52,7 +52,7 @@ int double_triangles_read(triangle_file *file, double_triangles *d)
         d->count += count;
     }
     if (!code && !d->count)
-        code = message_failure("%s: no triangles in it", file->name);
+        code = message_failure("%s: contains no triangles", file->name);
     if (code)
         free(d->positions);
     return code;

@@ -52,7 +52,7 @@ static void point_streams(mesh *m)
 
 static int refuse_none(const char *path)
 {
-    return message_failure("%s: contains only points or lines, no triangles; give a mesh with faces", path);
+    return message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces", path);
 }
 
 int mesh_make_room(const char *path, uint64_t count, mesh *m)
@@ -177,7 +177,7 @@ static int read_float_triangles(triangle_file *file, mesh *m)
         code = triangle_file_next(file, to, &count);
         m->soup.count += count;
     }
-    return code || m->soup.count ? code : message_failure("%s: no triangles in it", file->name);
+    return code || m->soup.count ? code : message_failure("%s: contains no triangles", file->name);
 }
 
 static int read_triangles(triangle_file *file, mesh *m)
