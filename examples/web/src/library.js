@@ -42,11 +42,9 @@ export class Library {
         this.index ??= this.sorted.index();
     }
 
-    /** Which triangles overlap the box, to `mask`; if it is upright those wholly inside, to `insideMask`. */
+    /** Which triangles overlap the box, to `mask`. */
     ask(box, test, of = this.soup) {
-        const options = { ...optionsOf(test), into: this.mask };
-        if (box.turned) return of.overlap(orientedOf(box), options).undecided;
-        return of.classify(box, { ...options, insideInto: this.insideMask }).undecided;
+        return of.overlap(box.turned ? orientedOf(box) : box, { ...optionsOf(test), into: this.mask }).undecided;
     }
 
     /** The same by the index, in the order of its copy. */
@@ -56,16 +54,14 @@ export class Library {
 
     /** Brings what the index answered into the order of the file. */
     putInFileOrder() {
-        const { ids } = this.sorted;
-        for (const mask of [this.mask, this.insideMask]) {
-            const from = mask.words.slice(),
-                to = mask.words.fill(0);
-            for (let w = 0; w < from.length; w++)
-                for (let left = from[w]; left; left &= left - 1) {
-                    const triangle = ids[32 * w + 31 - Math.clz32(left & -left)];
-                    to[triangle >>> 5] |= 1 << (triangle & 31);
-                }
-        }
+        const { ids } = this.sorted,
+            from = this.mask.words.slice(),
+            to = this.mask.words.fill(0);
+        for (let w = 0; w < from.length; w++)
+            for (let left = from[w]; left; left &= left - 1) {
+                const triangle = ids[32 * w + 31 - Math.clz32(left & -left)];
+                to[triangle >>> 5] |= 1 << (triangle & 31);
+            }
     }
 
     /** What EXACT answers: words that the next call overwrites. */
@@ -73,6 +69,12 @@ export class Library {
         const options = { ...optionsOf(test), accuracy: 'exact', into: this.other };
         this.soup.overlap(box.turned ? orientedOf(box) : box, options);
         return this.other.words;
+    }
+
+    /** Which triangles lie wholly inside the box, to `insideMask`: the same at every accuracy. */
+    findInside(box) {
+        if (box.turned) this.findInsideTurned(box);
+        else this.soup.classify(box, { into: this.other, insideInto: this.insideMask });
     }
 
     /**

@@ -39,7 +39,7 @@ const answers = {
         let undecided;
         const milliseconds = time(() => (undecided = ask()));
         if (byIndex) library.putInFileOrder();
-        if (box.turned) library.findInsideTurned(box);
+        library.findInside(box);
         const mask = library.mask.words.slice(),
             inside = library.insideMask.words.slice();
         const unlike = test.accuracy === 'exact' ? null : library.askExact(box, test).slice();
