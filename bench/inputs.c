@@ -81,7 +81,7 @@ static bool run_any(const contestant *self, uint64_t *mask, tribox_report *repor
 {
     size_t first;
     (void)report;
-    const bool is_answered = !tribox_overlap_any(&job_of(self)->soup, &job_of(self)->box, &self->options, &first);
+    const bool is_answered = !tribox_find(&job_of(self)->soup, &job_of(self)->box, &self->options, TRIBOX_FIRST_HIT, &first);
     mask[0] = first;
     return is_answered;
 }

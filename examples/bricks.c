@@ -40,19 +40,27 @@ static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
     return 1; /* go on */
 }
 
+/* What there is memory for, or the end. */
+static void *allocate(size_t bytes)
+{
+    void *const memory = malloc(bytes + 1);
+    if (memory)
+        return memory;
+    fputs("out of memory\n", stderr);
+    exit(EXIT_FAILURE);
+}
+
 int main(void)
 {
     const size_t tiles = tribox_tiles(grid.size, TILE);
-    size_t *const starts = malloc((tiles + 1) * sizeof *starts), bricks = 0;
-    uint32_t *list = NULL;
-    void *const scratch = malloc(tribox_bricks_bytes(TILE));
+    size_t *const starts = allocate((tiles + 1) * sizeof *starts), bricks = 0;
+    void *const scratch = allocate(tribox_bricks_bytes(TILE));
     tribox_report report = {0, 0};
     make_soup();
 
     /* Which triangles each tile has to look at: counted, then listed. */
-    tribox_status status = starts && scratch ? tribox_tiles_count(&soup, &grid, TILE, 0, tiles, NULL, starts) : TRIBOX_NO_MEMORY;
-    if (!status && !(list = malloc((starts[tiles] + 1) * sizeof *list)))
-        status = TRIBOX_NO_MEMORY;
+    tribox_status status = tribox_tiles_count(&soup, &grid, TILE, 0, tiles, NULL, starts);
+    uint32_t *const list = allocate((status ? 0 : starts[tiles]) * sizeof *list);
     if (!status)
         status = tribox_tiles_fill(&soup, &grid, TILE, 0, tiles, NULL, starts, list);
 

@@ -42,9 +42,9 @@ static int fill(size_t count)
     uint64_t *occupied = calloc(1, bytes), *solid = malloc(bytes); /* a bit for each cell; the surface is clear at first */
     void *scratch = malloc(tribox_fill_bytes(grid.size));
     size_t inside, odd_rows;
-    tribox_status status = TRIBOX_NO_MEMORY;
+    const char *failed = "out of memory";
     if (occupied && solid && scratch) {
-        status = tribox_voxelize(&soup, &grid, NULL, occupied, NULL);
+        tribox_status status = tribox_voxelize(&soup, &grid, NULL, occupied, NULL);
         if (!status)
             status = tribox_fill_outside(grid.size, occupied, solid, scratch, &inside);
         if (!status) {
@@ -56,13 +56,14 @@ static int fill(size_t count)
             printf("%zu sides, by parity: %zu cells, %zu odd rows\n", count, inside, odd_rows);
             print_cut(occupied, solid);
         }
+        failed = status ? tribox_status_text(status) : NULL;
     }
-    if (status)
-        fprintf(stderr, "%s\n", tribox_status_text(status));
+    if (failed)
+        fprintf(stderr, "%s\n", failed);
     free(occupied);
     free(solid);
     free(scratch);
-    return !status;
+    return !failed;
 }
 
 int main(void)

@@ -36,22 +36,22 @@ static void check(tribox_status status)
     exit(1);
 }
 
-static void *allocate(size_t count, size_t size)
+static void *allocated(void *memory)
 {
-    void *memory = calloc(count + 1, size);
-    if (!memory)
-        check(TRIBOX_NO_MEMORY);
-    return memory;
+    if (memory)
+        return memory;
+    fputs("octree: out of memory\n", stderr);
+    exit(1);
 }
+
+static void *allocate(size_t count, size_t size) { return allocated(calloc(count + 1, size)); }
 
 /* Room at the end of the list for a leaf of so many triangles; returns where they go. */
 static uint32_t *leaf_room(octree *tree, size_t count)
 {
     if (tree->room - tree->used <= count) {
         tree->room = 2 * tree->room + count + 1;
-        tree->list = realloc(tree->list, tree->room * sizeof *tree->list);
-        if (!tree->list)
-            check(TRIBOX_NO_MEMORY);
+        tree->list = allocated(realloc(tree->list, tree->room * sizeof *tree->list));
     }
     return tree->list + tree->used + 1;
 }
@@ -156,7 +156,7 @@ static void order_triangles(const octree *tree, ordered *o)
         o->soup.y[v] = streams[3 + v];
         o->soup.z[v] = streams[6 + v];
     }
-    check(tribox_mesh_order(&mesh, o->order, scratch));
+    check(tribox_mesh_sort(&mesh, o->order, scratch));
     check(tribox_mesh_gather(&mesh, o->order, 0, tree->count, streams, streams + 3, streams + 6));
     free(scratch);
     o->nodes = allocate(tribox_index_bytes(tree->count), 1);

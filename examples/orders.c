@@ -44,7 +44,7 @@ int main(void)
     /* Every round times all orders, so that a slow moment of the machine hits all of them; the least time of each counts. */
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < ORDERS; k++) {
-            const tribox_options options = {.order = order[k]};
+            const tribox_options options = {.axis_order = order[k]};
             const double start = seconds_now();
             const tribox_status status = tribox_overlap(&soup, &box, &options, mask, &report[k]);
             const double taken = seconds_now() - start;

@@ -124,12 +124,14 @@ typedef enum tribox_status {
     TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size makes no sense */
     TRIBOX_BAD_BOX,      /* a bound of the box, or a number of the oriented box, is NaN or infinite */
     TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or finer than its numbers can tell */
-    TRIBOX_BAD_OPTION,   /* the accuracy, axis set or order is unknown, or not available in this call */
+    TRIBOX_BAD_OPTION,   /* an option is unknown, or not available in this call; or a reserved number is not zero */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
-    TRIBOX_NO_MEMORY,    /* reserved: no call of the library returns it, as none allocates; programs may use it for themselves */
-    TRIBOX_BAD_INDEX,    /* a mesh refers to a vertex that it does not have (tribox_mesh_bad_indices), or a list to a triangle */
+    TRIBOX_BAD_VERTEX,   /* a mesh names a vertex that it does not have (tribox_mesh_bad_vertices), or a list such a triangle */
     TRIBOX_STOPPED       /* a sink ended the call: what it was handed is right, the rest is missing */
 } tribox_status;
+
+/** The version of the library that runs, such as "1.0.0", which may be newer than this header. Static storage. */
+TRIBOX_API const char *tribox_version(void);
 
 /** Says in English what a status means, without a full stop. Static storage; never NULL. */
 TRIBOX_API const char *tribox_status_text(tribox_status status);
@@ -168,8 +170,9 @@ enum {
 typedef struct tribox_options {
     tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
     unsigned axes;            /* a union of TRIBOX_AXES_*; 0 for all */
-    unsigned order;           /* of the groups: 123, 132, 213, 231, 312 or 321; 0 lets the call find it; it changes no answer */
+    unsigned axis_order;      /* of the groups: 123, 132, 213, 231, 312 or 321; 0 lets the call find it; it changes no answer */
     const char *kernel;       /* "scalar", "sse2", "avx2", "avx512" or "neon"; NULL for the best that this processor runs */
+    uint32_t reserved[4];     /* zero, or TRIBOX_BAD_OPTION */
 } tribox_options;
 
 /** What a call counted. */
@@ -205,7 +208,7 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
  *
  * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also for a stride of 1 to 11 and for index_bytes other than 2 and 4;
- * TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist.
+ * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
                                                 uint64_t *mask, tribox_report *report);
@@ -230,25 +233,23 @@ TRIBOX_API tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const t
 TRIBOX_API tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box,
                                                  const tribox_options *options, uint64_t *mask, tribox_report *report);
 
-/**
- * Finds the first triangle of a soup that overlaps the box: does any? Triangles beyond its block of some thousand are not tested.
- *
- * first: receives the triangle's index, or soup->count if no triangle overlaps.
- *
- * Other arguments and the returned status are as for tribox_overlap; TRIBOX_BAD_ARGUMENT also if first is NULL.
- */
-TRIBOX_API tribox_status tribox_overlap_any(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
-                                            size_t *first);
+/** What tribox_find looks for. */
+typedef enum tribox_find_what {
+    TRIBOX_FIRST_HIT, /* the first triangle that overlaps the box: do any? */
+    TRIBOX_FIRST_MISS /* the first that does not, as one with a NaN or infinite coordinate does not: do all? */
+} tribox_find_what;
 
 /**
- * Finds the first triangle of a soup that does not overlap the box: do all? A triangle with a NaN or infinite coordinate does not.
+ * Finds the first triangle of a soup that overlaps the box, or the first that misses it. Triangles beyond its block of some
+ * thousand are not tested.
  *
- * first: receives the triangle's index, or soup->count if all triangles overlap.
+ * triangle: receives the triangle's number, or soup->count if there is none.
  *
- * Other arguments and the returned status are as for tribox_overlap_any.
+ * Other arguments and the returned status are as for tribox_overlap; TRIBOX_BAD_ARGUMENT also if triangle is NULL or `what` is
+ * neither.
  */
-TRIBOX_API tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
-                                            size_t *first);
+TRIBOX_API tribox_status tribox_find(const tribox_soup *soup, const tribox_box *box, const tribox_options *options,
+                                     tribox_find_what what, size_t *triangle);
 
 /**
  * Divides the triangles of a soup into those that miss the box (bit clear in both masks), straddle its border (set in mask alone)
@@ -292,7 +293,7 @@ TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[3][3], const 
  * questions about boxes cost what the answer and the border of the box cost, and not the soup. Answers are those of tribox_overlap,
  * bit for bit.
  *
- * It pays where triangles that are near in number are near in space, as tribox_soup_order makes them. In any other order answers
+ * It pays where triangles that are near in number are near in space, as tribox_soup_sort makes them. In any other order answers
  * are as right, and hardly slower than without an index.
  *
  * It may be copied, mapped, or written to a file for the same version of the library and byte order: no number in it is an address.
@@ -372,7 +373,7 @@ TRIBOX_API tribox_status tribox_index_words(const tribox_index *index, const tri
 /**
  * The triangles that overlap, as a list.
  *
- * ids: the list has ids[i] for triangle i, such as tribox_soup_order wrote: the triangle's number before the soup was gathered in
+ * ids: the list has ids[i] for triangle i, such as tribox_soup_sort wrote: the triangle's number before the soup was gathered in
  *   order. NULL for i itself. In either case the list is in ascending order of i.
  * room: how many numbers list has room for; those beyond are not written.
  * found: receives how many triangles overlap, be there room for them or not.
@@ -386,7 +387,7 @@ TRIBOX_API tribox_status tribox_index_list(const tribox_index *index, const trib
 
 /**
  * The lists of many boxes, one after another: that of box i is list[start[i]] .. list[start[i + 1] - 1]. Boxes that are near in
- * number should be near in space (tribox_boxes_order), so that they find their triangles in the cache.
+ * number should be near in space (tribox_boxes_sort), so that they find their triangles in the cache.
  *
  * boxes: six streams. A box that is empty, or has a NaN or infinite bound, has an empty list. This is not an error.
  * ids, room: as for tribox_index_list. All is written in turn as far as room goes.
@@ -432,7 +433,7 @@ TRIBOX_API tribox_status tribox_index_list_oriented(const tribox_index *index, c
  * The triangles are cut in two across their longest side, and so are the parts, down to the 64 of a word; at multiples of the
  * greatest power of 64 below the count, so that no node of an index straddles a cut. What counts is the middle of a triangle's
  * bounding box, then its number; and where a coordinate is NaN or infinite, the triangle comes last. The time grows with count *
- * log(count), whatever the triangles are.
+ * log(count), whatever the triangles are. tribox_threads.h has its steps, for threads that share the work.
  *
  * order: room for soup->count numbers.
  * scratch: 16 bytes for each triangle, aligned as floats are. Besides, the call takes up to 64 KB of stack.
@@ -440,53 +441,16 @@ TRIBOX_API tribox_status tribox_index_list_oriented(const tribox_index *index, c
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or scratch is NULL and the soup is
  * not empty; count is more than 2^32 or exceeds the address space).
  */
-TRIBOX_API tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *scratch);
+TRIBOX_API tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *order, void *scratch);
 
 /** The same for boxes. Those that have a NaN or infinite bound come last. */
-TRIBOX_API tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch);
+TRIBOX_API tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
 /**
- * The same for the triangles of a mesh; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed returns it, TRIBOX_BAD_INDEX if a
+ * The same for the triangles of a mesh; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed returns it, TRIBOX_BAD_VERTEX if a
  * triangle refers to a vertex that does not exist.
  */
-TRIBOX_API tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch);
-
-/**
- * The first step of tribox_soup_order, for threads that share the work: writes to scratch where triangles first to
- * first + count - 1 lie. When that is done for all of the soup, tribox_order_cut or tribox_order_finish follows.
- *
- * scratch: the whole of it, as for tribox_soup_order. Threads may start parts of the soup.
- *
- * Returns what tribox_soup_order does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
- */
-TRIBOX_API tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch);
-
-/** The same for boxes. */
-TRIBOX_API tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch);
-
-/** The same for the triangles of a mesh, of which only the indices of these triangles are checked. */
-TRIBOX_API tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch);
-
-/**
- * Cuts one part of an order in two: places first .. first + count - 1, all of them to begin with. Threads may take different parts.
- *
- * scratch: as the calls before have left it. total: the count of the soup, the boxes or the mesh.
- *
- * Returns how many places the first of the two parts has, which begins at `first`; 0 if there is nothing to cut: count is 64 or
- * less, scratch is NULL, or first + count exceeds total.
- */
-TRIBOX_API size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count);
-
-/**
- * The last step: makes all further cuts of a part and writes order[first] .. order[first + count - 1]. So the order is the same as
- * in one call, however many parts are cut before they are finished. Threads may take different parts.
- *
- * scratch, total: as for tribox_order_cut.
- * order: the whole of it, as for tribox_soup_order.
- *
- * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (scratch or order is NULL where count > 0, or first + count exceeds total).
- */
-TRIBOX_API tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order);
+TRIBOX_API tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *order, void *scratch);
 
 /**
  * Writes triangles order[first] .. order[first + count - 1] of a soup as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of
@@ -497,7 +461,7 @@ TRIBOX_API tribox_status tribox_order_finish(void *scratch, size_t total, size_t
  *   are, NaN and infinity included.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or a stream that is written is NULL
- * where count > 0; first + count exceeds the address space) or TRIBOX_BAD_INDEX (these places of order name a triangle that the
+ * where count > 0; first + count exceeds the address space) or TRIBOX_BAD_VERTEX (these places of order name a triangle that the
  * soup does not have).
  */
 TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint32_t *order, size_t first, size_t count,
@@ -506,8 +470,8 @@ TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint3
 /**
  * The same for a mesh: from its triangles as they are to ordered streams.
  *
- * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed does, TRIBOX_BAD_INDEX also if one of
- * these triangles refers to a vertex that does not exist.
+ * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed does, TRIBOX_BAD_VERTEX also if one
+ * of these triangles refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order, size_t first, size_t count,
                                             float *const x[3], float *const y[3], float *const z[3]);
@@ -661,7 +625,7 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
  * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, fewer tiles than `to`, or starts that
- * fall; TRIBOX_BAD_INDEX if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then;
+ * fall; TRIBOX_BAD_VERTEX if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then;
  * TRIBOX_STOPPED if the sink ended the call: the report is then of what it was handed.
  */
 TRIBOX_API tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from,
@@ -731,16 +695,9 @@ TRIBOX_API tribox_status tribox_fill_parity(const tribox_soup *soup, const tribo
 TRIBOX_API tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_box_f64 *box,
                                                     const tribox_options *options, uint64_t *mask, tribox_report *report);
 
-/**
- * tribox_overlap_any for such a mesh: the first triangle that overlaps the box, or mesh->count. Of the indices only those of
- * triangles that are tested are checked.
- */
-TRIBOX_API tribox_status tribox_overlap_any_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                                size_t *first);
-
-/** The same for tribox_overlap_all: the first triangle that does not overlap the box, or mesh->count. */
-TRIBOX_API tribox_status tribox_overlap_all_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                                size_t *first);
+/** tribox_find for such a mesh. Of the indices only those of triangles that are tested are checked. */
+TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                                          tribox_find_what what, size_t *triangle);
 
 /** tribox_classify for such a mesh: those that miss the box, straddle its border, and lie wholly inside. */
 TRIBOX_API tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
@@ -792,25 +749,25 @@ TRIBOX_API tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint
  *
  * Other arguments are as for tribox_voxelize. Returns what it does; TRIBOX_BAD_ARGUMENT also where the window leaves the grid or
  * one of first and size alone is NULL, and where tribox_overlap_indexed_f64 does; TRIBOX_BAD_GRID if the window has too many words;
- * TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist.
+ * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
                                              const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
                                              tribox_report *report);
 
 /**
- * tribox_tiles_count for such a mesh, of at most 2^32 triangles, and grid; tiles are as there. TRIBOX_BAD_INDEX if a triangle
+ * tribox_tiles_count for such a mesh, of at most 2^32 triangles, and grid; tiles are as there. TRIBOX_BAD_VERTEX if a triangle
  * refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_tiles_count_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
                                                 size_t to, const tribox_options *options, size_t *starts);
 
-/** tribox_tiles_fill for such a mesh and grid; TRIBOX_BAD_INDEX as above. */
+/** tribox_tiles_fill for such a mesh and grid; TRIBOX_BAD_VERTEX as above. */
 TRIBOX_API tribox_status tribox_tiles_fill_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
                                                size_t to, const tribox_options *options, size_t *starts, uint32_t *list);
 
 /**
- * tribox_voxelize_bricks for such a mesh and grid: EXACT has the cells of tribox_voxelize_f64. TRIBOX_BAD_INDEX also if a triangle
+ * tribox_voxelize_bricks for such a mesh and grid: EXACT has the cells of tribox_voxelize_f64. TRIBOX_BAD_VERTEX also if a triangle
  * of a list refers to a vertex that does not exist; others are not looked at.
  */
 TRIBOX_API tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile,
@@ -818,7 +775,7 @@ TRIBOX_API tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, con
                                                     const tribox_options *options, void *scratch, tribox_sink *sink, void *data,
                                                     tribox_report *report);
 
-/** tribox_fill_parity for such a mesh and grid; TRIBOX_BAD_INDEX if a triangle refers to a vertex that does not exist. */
+/** tribox_fill_parity for such a mesh and grid; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist. */
 TRIBOX_API tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint64_t *occupied,
                                                 uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows);
 
@@ -854,7 +811,7 @@ TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
  * first: receives the place of the first such index among all indices (its triangle is *first / 3, its corner *first % 3), or
  *   3 * count if there is none; NULL if not wanted.
  */
-TRIBOX_API size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first);
+TRIBOX_API size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *first);
 
 /**
  * Writes triangles first .. first + count - 1 of a mesh as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of triangle
@@ -865,7 +822,7 @@ TRIBOX_API size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first
  * x, y, z: three streams each, of `count` floats, at any alignment. Values are copied as they are, NaN and infinity included.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_overlap_indexed; a NULL stream where count > 0; first + count exceeds
- * mesh->count), TRIBOX_BAD_INDEX (only the indices of these triangles are checked) or TRIBOX_NO_KERNEL.
+ * mesh->count), TRIBOX_BAD_VERTEX (only the indices of these triangles are checked) or TRIBOX_NO_KERNEL.
  */
 TRIBOX_API tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
                                                 float *const x[3], float *const y[3], float *const z[3]);

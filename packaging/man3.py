@@ -4,7 +4,7 @@
 import re
 import sys
 
-from public_header import (banner_of, blocks_of, declared_by, function_of, is_function, is_type, members, prototype, sections_of,
+from public_header import (read_headers, banner_of, blocks_of, declared_by, function_of, is_function, is_type, members, prototype, sections_of,
                            title_of, without_comments)
 
 DATE = "November 22, 2026"  # when the interface last changed
@@ -140,7 +140,7 @@ def read(path):
 
 
 header_path, readme_path, page_path = sys.argv[1:]
-public_header = read(header_path)
+public_header = read_headers(header_path)
 types = set(re.findall(r"(?m)^\} (\w+);$", public_header))
 first_example = re.search(r"```c\n((?:(?!```).)*int main.*?)```", read(readme_path), re.S)[1]
 with open(page_path, "w", encoding="ascii") as page:

@@ -4,7 +4,19 @@ The header is written so that this is simple. A comment that begins at the left 
 "name: ..." is about a parameter, and an empty line ends a paragraph. Comments at the end of a line are about a member. The comment
 at the top has a table of what holds for every function, and a title between two rules opens a section."""
 
+import os
 import re
+
+
+def read_headers(path):
+    """include/tribox.h at this path, and after it what the headers beside it declare."""
+    text = ""
+    for name in ("tribox.h", "tribox_threads.h"):
+        with open(os.path.join(os.path.dirname(path), name), encoding="ascii") as file:
+            header = file.read()
+        text += header if not text else header[header.index("/* ="):]
+    return text
+
 
 PART = re.compile(r"""^/\*\ =+\ \*/\n/\*\ +(?P<title>.*?)\ +\*/\n/\*\ =+\ \*/$
                     | ^/\*\*(?P<comment>.*?)\*/\n(?P<code>(?:\#define[^\n]*\n)+ | TRIBOX_API[^;]*;$ | typedef[^;]*?\{.*?^\}[^;]*;

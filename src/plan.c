@@ -40,11 +40,11 @@ tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan)
     const tribox_options *const asked = options ? options : &defaults;
     plan->accuracy = asked->accuracy;
     plan->axes = asked->axes ? asked->axes : TRIBOX_AXES_ALL;
-    const unsigned sequence = sequence_of(asked->order ? asked->order : DEFAULT_ORDER, plan->axes);
-    if ((unsigned)plan->accuracy > TRIBOX_FAST || sequence == TRIBOX_SEQUENCES)
+    const unsigned sequence = sequence_of(asked->axis_order ? asked->axis_order : DEFAULT_ORDER, plan->axes);
+    if ((unsigned)plan->accuracy > TRIBOX_FAST || sequence == TRIBOX_SEQUENCES || !tribox_are_reserved_zero(asked->reserved))
         return TRIBOX_BAD_OPTION;
     tribox_choice_start(&plan->choice);
-    if (asked->order || plan->axes != TRIBOX_AXES_ALL)
+    if (asked->axis_order || plan->axes != TRIBOX_AXES_ALL)
         tribox_choice_fix(&plan->choice, sequence);
     plan->kernel = tribox_kernel_find(asked->kernel);
     return plan->kernel ? TRIBOX_OK : TRIBOX_NO_KERNEL;

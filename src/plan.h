@@ -11,6 +11,12 @@ typedef struct tribox_plan {
     tribox_choice choice; /* of the order of the groups: the state of the call, and all that changes in a plan */
 } tribox_plan;
 
+/* Whether what a caller has left for later versions is zero. */
+static inline bool tribox_are_reserved_zero(const uint32_t reserved[4])
+{
+    return !(reserved[0] | reserved[1] | reserved[2] | reserved[3]);
+}
+
 /* TRIBOX_OK, TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL; options may be NULL. */
 tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan);
 

@@ -1,5 +1,5 @@
 /*
- * main.c - what is an index worth? Soups in the order of the file, along a Morton curve, and as tribox_soup_order has them, asked
+ * main.c - what is an index worth? Soups in the order of the file, along a Morton curve, and as tribox_soup_sort has them, asked
  * about boxes of four sizes in every form, against tribox_overlap without an index.
  *
  * Every form has to be right about boxes of every size, or nothing is timed.

@@ -30,7 +30,7 @@ static bool run_ordering(const contestant *self, uint64_t *mask, tribox_report *
     const many_boxes *const m = self->question;
     (void)mask;
     (void)report;
-    return !tribox_boxes_order(&m->boxes[0], m->order, m->scratch);
+    return !tribox_boxes_sort(&m->boxes[0], m->order, m->scratch);
 }
 
 void many_boxes_free(many_boxes *m)
@@ -67,7 +67,7 @@ bool many_boxes_make(const ordered_soup *soup, const tribox_box *boxes, size_t c
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 6; k++)
             m->bounds[0][k][i] = k < 3 ? boxes[i].lo[k] : boxes[i].hi[k - 3];
-    if (tribox_boxes_order(&m->boxes[0], m->order, m->scratch))
+    if (tribox_boxes_sort(&m->boxes[0], m->order, m->scratch))
         return false;
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 6; k++)

@@ -32,7 +32,7 @@ static bool find_order(const index_scene *scene, soup_order order, void *scratch
 {
     if (order == ORDER_MORTON)
         return morton_order(&scene->room.soup, &scene->bounds, ids);
-    return tribox_soup_order(&scene->room.soup, ids, scratch) == TRIBOX_OK;
+    return tribox_soup_sort(&scene->room.soup, ids, scratch) == TRIBOX_OK;
 }
 
 static bool gather(const index_scene *scene, ordered_soup *to)

@@ -17,10 +17,10 @@ trap 'rm -rf "$work"' EXIT
 
 # The calls that the module makes.
 cat >"$work/functions" <<'END'
-malloc free tribox_status_text tribox_kernel_name tribox_overlap tribox_overlap_oriented tribox_overlap_any tribox_overlap_all
+malloc free tribox_status_text tribox_kernel_name tribox_overlap tribox_overlap_oriented tribox_find
 tribox_classify tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap tribox_index_overlap_oriented
-tribox_index_words tribox_index_list tribox_index_list_oriented tribox_index_any tribox_soup_order tribox_soup_gather
-tribox_voxelize tribox_voxelize_layers tribox_overlap_indexed_f64 tribox_overlap_any_f64 tribox_overlap_all_f64
+tribox_index_words tribox_index_list tribox_index_list_oriented tribox_index_any tribox_soup_sort tribox_soup_gather
+tribox_voxelize tribox_voxelize_layers tribox_overlap_indexed_f64 tribox_mesh_find
 tribox_classify_f64
 END
 

@@ -12,6 +12,7 @@ sys.path.insert(1, os.path.join(root, "packaging"))
 from c_page import CPage  # noqa: E402
 from look import HERE, Site, plain, read  # noqa: E402
 from markdown import Tree  # noqa: E402
+from public_header import read_headers  # noqa: E402
 from python_page import PythonPage  # noqa: E402
 
 C, PYTHON, PROGRAM = "reference/c.html", "reference/python.html", "reference/tribox.1.html"
@@ -38,7 +39,7 @@ def in_contents(name):
 
 site = Site(folder)
 shutil.copyfile(os.path.join(HERE, "style.css"), site.file("style.css"))
-c_page = CPage(read(os.path.join(root, "include/tribox.h")))
+c_page = CPage(read_headers(os.path.join(root, "include/tribox.h")))
 site.add(C, "C reference", *c_page.body())
 site.add(PYTHON, "Python reference", *PythonPage(os.path.join(root, "python/tribox")).body())
 site.add(PROGRAM, "tribox(1)", *manual())

@@ -29,7 +29,7 @@ with open(os.path.join(ROOT, "include", "tribox.h"), encoding="ascii") as header
 def files(root):
     """The files that the package is made of, relative to the root of the repository."""
     folders = [*ROOMS, "kernel", "kernel/*", "scalar", *(folder for _, kernels in PROCESSORS.values() for folder in kernels)]
-    patterns = ["pyproject.toml", "LICENSE", "include/tribox.h", *(os.path.join("src", folder, "*.[ch]") for folder in folders),
+    patterns = ["pyproject.toml", "LICENSE", "include/*.h", *(os.path.join("src", folder, "*.[ch]") for folder in folders),
                 "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
     found = [os.path.relpath(file, root) for pattern in patterns for file in glob(os.path.join(root, pattern))]
     return sorted(file.replace(os.sep, "/") for file in found)

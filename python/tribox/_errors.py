@@ -55,12 +55,12 @@ def error_of(status, **arguments):
 def bad_index(mesh, faces):
     """The exception for the first index of a tribox_mesh that refers to no vertex; None if all are right."""
     first = ffi.new("size_t *")
-    wrong = lib.tribox_mesh_bad_indices(mesh, first)
+    wrong = lib.tribox_mesh_bad_vertices(mesh, first)
     if not wrong:
         return None
     face, corner = divmod(first[0], 3)
     return BadIndexError(f"faces[{face}, {corner}] is {faces[face, corner]}, but there are {mesh.vertices} vertices; "
-                         f"wrong indices in all: {wrong}", "BAD_INDEX")
+                         f"wrong indices in all: {wrong}", "BAD_VERTEX")
 
 
 def check_indices(held_):

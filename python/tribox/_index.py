@@ -27,7 +27,7 @@ def order_of(held_):
     """The order in which triangles are near in number where they are near in space."""
     struct = held_.struct
     order, scratch = np.empty(struct.count, NUMBER), np.empty(struct.count * SCRATCH_FLOATS, FLOAT)
-    call = lib.tribox_soup_order if held_.is_soup else lib.tribox_mesh_order
+    call = lib.tribox_soup_sort if held_.is_soup else lib.tribox_mesh_sort
     status = call(struct, ffi.from_buffer(NUMBERS, order), ffi.from_buffer(scratch))
     if status:
         check_indices(held_)

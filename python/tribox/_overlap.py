@@ -52,7 +52,7 @@ def above(numbers):
 
 def check_answer(held_, status, **arguments):
     """Raises what the status of a call about a mesh stands for."""
-    if status == lib.TRIBOX_BAD_INDEX:
+    if status == lib.TRIBOX_BAD_VERTEX:
         check_indices(held_)
     check(status, **arguments)
 
@@ -122,13 +122,13 @@ def overlap(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accur
     return out
 
 
-def is_any(held_, box, options, name, **arguments):
-    """Whether the call of that name, tribox_overlap_any or _all, finds a triangle among them."""
+def is_found(held_, box, options, what, **arguments):
+    """Whether there is a first hit, or a first miss, among the triangles."""
     found = ffi.new("size_t *")
     is_double = held_.is_double or ffi.typeof(box) is BOX_F64
-    call, box = getattr(lib, name + "_f64" if is_double else name), double_box(box) if is_double else box
+    call, box = (lib.tribox_mesh_find, double_box(box)) if is_double else (lib.tribox_find, box)
     for _, part in meshes(held_) if is_double else soups(held_):
-        check_answer(held_, call(part, box, options, found), **arguments)
+        check_answer(held_, call(part, box, options, what, found), **arguments)
         if found[0] < part.count:
             return True
     return False
@@ -141,14 +141,14 @@ def overlap_any(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: A
     Most of what follows the first that does is not tested.
     """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
-    return is_any(held_, box, options, "tribox_overlap_any", axes=axes, order=order, lo=lo, hi=hi)
+    return is_found(held_, box, options, lib.TRIBOX_FIRST_HIT, axes=axes, order=order, lo=lo, hi=hi)
 
 
 def overlap_all(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
                 kernel: Optional[str] = None) -> bool:
     """Whether all triangles overlap the box: True where there is none. Arguments and errors are as for overlap."""
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
-    return not is_any(held_, box, options, "tribox_overlap_all", axes=axes, order=order, lo=lo, hi=hi)
+    return not is_found(held_, box, options, lib.TRIBOX_FIRST_MISS, axes=axes, order=order, lo=lo, hi=hi)
 
 
 def classify(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,

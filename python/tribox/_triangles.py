@@ -91,7 +91,7 @@ def faces_of(name, faces, vertices):
     wrong = array >= vertices if array.dtype.kind == "u" else (array < 0) | (array >= vertices)
     if wrong.any():
         raise BadIndexError(f"{name}[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {vertices} vertices; "
-                            f"wrong indices in all: {np.count_nonzero(wrong)}", "BAD_INDEX")
+                            f"wrong indices in all: {np.count_nonzero(wrong)}", "BAD_VERTEX")
     if vertices > 1 << 32 and array.size and array.max() > np.iinfo(INDEX).max:
         raise InputError(f"{name} refers to vertices beyond 2^32, and an index has 32 bits; give fewer vertices at a time")
     return np.ascontiguousarray(array, INDEX)

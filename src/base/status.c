@@ -1,5 +1,13 @@
-/* status.c - what a status means, in words. */
+/* status.c - the version, and what a status means, in words. */
 #include "tribox.h"
+
+#define AS_TEXT(number) #number
+#define VERSION_TEXT(major, minor, patch) AS_TEXT(major) "." AS_TEXT(minor) "." AS_TEXT(patch)
+
+const char *tribox_version(void)
+{
+    return VERSION_TEXT(TRIBOX_VERSION_MAJOR, TRIBOX_VERSION_MINOR, TRIBOX_VERSION_PATCH);
+}
 
 const char *tribox_status_text(tribox_status status)
 {
@@ -13,13 +21,11 @@ const char *tribox_status_text(tribox_status status)
     case TRIBOX_BAD_GRID:
         return "the grid is not finite, not positive, too large, or finer than its numbers can tell";
     case TRIBOX_BAD_OPTION:
-        return "unknown accuracy, axis set or order of the axes";
+        return "an option is unknown, not available in this call, or reserved and not zero";
     case TRIBOX_NO_KERNEL:
         return "unknown kernel name, or a kernel that this processor cannot run";
-    case TRIBOX_NO_MEMORY:
-        return "out of memory";
-    case TRIBOX_BAD_INDEX:
-        return "an index of the mesh refers to no vertex, or one of a list to no triangle";
+    case TRIBOX_BAD_VERTEX:
+        return "the mesh names a vertex that it does not have, or a list a triangle";
     case TRIBOX_STOPPED:
         return "the sink ended the call";
     }

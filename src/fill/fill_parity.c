@@ -122,7 +122,7 @@ tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_
     if (!tribox_fill_is_served(grid->size) || !tribox_grid_f64_is_sound(grid))
         status = TRIBOX_BAD_GRID;
     else if (!tribox_mesh_is_in_range(&strided, plan.kernel, 0, mesh->count))
-        status = TRIBOX_BAD_INDEX;
+        status = TRIBOX_BAD_VERTEX;
     if (!status) {
         tribox_crossings c;
         start_crossings(&c, plan.kernel, grid->size, solid, scratch);

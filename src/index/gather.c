@@ -33,7 +33,7 @@ tribox_status tribox_soup_gather(const tribox_soup *soup, const uint32_t *order,
     if (!tribox_soup_is_readable(soup) || !is_writable(order, first, count, x, y, z))
         return TRIBOX_BAD_ARGUMENT;
     if (count && !is_order(order + first, count, soup->count))
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     float *const *const to[3] = {x, y, z};
     for (size_t start = 0; start < count; start += BLOCK)
         for (int k = 0; k < 9; k++) {
@@ -63,7 +63,7 @@ tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order,
     const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     const unsigned bytes = tribox_vertex_bytes(mesh);
     if (count && (!is_order(order + first, count, mesh->count) || !are_vertices_there(mesh, order + first, count)))
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     for (size_t i = 0; i < count; i++)
         for (size_t v = 0; v < 3; v++) {
             const size_t vertex = tribox_vertex_number(mesh, bytes, 3 * (size_t)order[first + i] + v);

@@ -14,6 +14,7 @@
 #include "base/environment.h"
 #include "mesh/mesh_input.h"
 #include "base/soup.h"
+#include "tribox_threads.h"
 
 /* Triangles of a mesh whose streams fit the first-level cache. */
 enum { BLOCK = 256 };
@@ -73,23 +74,25 @@ static tribox_status start_mesh(const tribox_mesh *mesh, size_t first, size_t co
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
     const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     const tribox_environment callers = tribox_environment_enter();
     find_middles_of_mesh(&strided, kernel, first, first + count, scratch);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }
 
-size_t tribox_order_cut(void *scratch, size_t total, size_t first, size_t count)
+tribox_status tribox_sort_cut(void *scratch, size_t total, size_t first, size_t count, size_t *before)
 {
-    const size_t before = is_range(total, first, count, scratch) ? tribox_keys_before_cut(count) : 0;
-    if (!before)
-        return 0;
+    if (!before || !is_range(total, first, count, scratch))
+        return TRIBOX_BAD_ARGUMENT;
+    *before = tribox_keys_before_cut(count);
+    if (!*before)
+        return TRIBOX_OK;
     const tribox_sort_keys keys = tribox_sort_keys_in(scratch, total, first);
     const tribox_environment callers = tribox_environment_enter();
-    tribox_kernel_find(NULL)->nodes->cut(&keys, count, before);
+    tribox_kernel_find(NULL)->nodes->cut(&keys, count, *before);
     tribox_environment_leave(callers);
-    return before;
+    return TRIBOX_OK;
 }
 
 /* The numbers of a word as they are, but those that are not finite last. */
@@ -126,27 +129,27 @@ static tribox_status finish_order(void *scratch, size_t total, size_t first, siz
     return TRIBOX_OK;
 }
 
-tribox_status tribox_soup_order_start(const tribox_soup *soup, size_t first, size_t count, void *scratch)
+tribox_status tribox_soup_sort_start(const tribox_soup *soup, size_t first, size_t count, void *scratch)
 {
     return start_soup(soup, first, count, scratch);
 }
 
-tribox_status tribox_boxes_order_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
+tribox_status tribox_boxes_sort_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch)
 {
     return start_boxes(boxes, first, count, scratch);
 }
 
-tribox_status tribox_mesh_order_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
+tribox_status tribox_mesh_sort_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
 {
     return start_mesh(mesh, first, count, scratch);
 }
 
-tribox_status tribox_order_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
+tribox_status tribox_sort_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order)
 {
     return finish_order(scratch, total, first, count, order);
 }
 
-tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *scratch)
+tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *order, void *scratch)
 {
     if (!soup || (soup->count && !order))
         return TRIBOX_BAD_ARGUMENT;
@@ -154,7 +157,7 @@ tribox_status tribox_soup_order(const tribox_soup *soup, uint32_t *order, void *
     return status ? status : finish_order(scratch, soup->count, 0, soup->count, order);
 }
 
-tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, void *scratch)
+tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch)
 {
     if (!boxes || (boxes->count && !order))
         return TRIBOX_BAD_ARGUMENT;
@@ -162,7 +165,7 @@ tribox_status tribox_boxes_order(const tribox_boxes *boxes, uint32_t *order, voi
     return status ? status : finish_order(scratch, boxes->count, 0, boxes->count, order);
 }
 
-tribox_status tribox_mesh_order(const tribox_mesh *mesh, uint32_t *order, void *scratch)
+tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *order, void *scratch)
 {
     if (!mesh || (mesh->count && !order))
         return TRIBOX_BAD_ARGUMENT;

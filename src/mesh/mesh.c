@@ -79,7 +79,7 @@ tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *
     const bool is_answered = tribox_mesh_answer(&query, &strided, mask, &counts);
     tribox_environment_leave(callers);
     if (!is_answered)
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     tribox_plan_report(&plan, counts, report);
     return TRIBOX_OK;
 }

@@ -93,7 +93,7 @@ static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t
     return found;
 }
 
-size_t tribox_mesh_bad_indices(const tribox_mesh *mesh, size_t *first)
+size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *first)
 {
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
     const size_t triangles = tribox_mesh_is_readable_f64(mesh) ? mesh->count : 0, corners = 3 * triangles;

@@ -25,7 +25,7 @@ static tribox_status find_kernel(const tribox_mesh *strided, size_t first, size_
     *kernel = tribox_kernel_find(options ? options->kernel : NULL);
     if (!*kernel)
         return TRIBOX_NO_KERNEL;
-    return tribox_mesh_is_in_range(strided, *kernel, first, count) ? TRIBOX_OK : TRIBOX_BAD_INDEX;
+    return tribox_mesh_is_in_range(strided, *kernel, first, count) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
 }
 
 tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,

@@ -87,7 +87,7 @@ tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_b
     const bool is_answered = tribox_mesh_answer(&call.query, &call.mesh, mask, &counts);
     tribox_environment_leave(callers);
     if (!is_answered)
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     write_report(&call, counts, report);
     return TRIBOX_OK;
 }
@@ -113,13 +113,15 @@ static bool first_unlike_in_block(const call_f64 *call, uint64_t usual, size_t *
     return true;
 }
 
-static tribox_status find_unlike_in_mesh(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                         uint64_t usual, size_t *first)
+tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
+                               tribox_find_what what, size_t *triangle)
 {
     call_f64 call;
     size_t found = 0;
     bool is_answered = true;
-    const tribox_status status = first ? check_mesh_box(mesh, box, options, &call) : TRIBOX_BAD_ARGUMENT;
+    const bool is_known = triangle && (unsigned)what <= TRIBOX_FIRST_MISS;
+    const uint64_t usual = what == TRIBOX_FIRST_HIT ? 0 : ~UINT64_C(0);
+    const tribox_status status = is_known ? check_mesh_box(mesh, box, options, &call) : TRIBOX_BAD_ARGUMENT;
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
@@ -130,20 +132,8 @@ static tribox_status find_unlike_in_mesh(const tribox_mesh *mesh, const tribox_b
         is_answered = first_unlike_in_block(&call, usual, &found);
     tribox_environment_leave(callers);
     if (is_answered)
-        *first = found;
-    return is_answered ? TRIBOX_OK : TRIBOX_BAD_INDEX;
-}
-
-tribox_status tribox_overlap_any_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                     size_t *first)
-{
-    return find_unlike_in_mesh(mesh, box, options, 0, first);
-}
-
-tribox_status tribox_overlap_all_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                     size_t *first)
-{
-    return find_unlike_in_mesh(mesh, box, options, ~UINT64_C(0), first);
+        *triangle = found;
+    return is_answered ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
 }
 
 /* Every block's answer, and which of it lies inside. Vertices have been checked. */
@@ -168,7 +158,7 @@ tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 
     if (status)
         return status;
     if (!tribox_mesh_is_in_range(&call.mesh, call.plan.kernel, 0, mesh->count))
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     start_mesh_call(&call, box);

@@ -84,29 +84,21 @@ static size_t first_unlike(const tribox_query *p, tribox_plan *plan, uint64_t us
     return p->count;
 }
 
-static tribox_status find_unlike(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t usual,
-                                 size_t *first)
+tribox_status tribox_find(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, tribox_find_what what,
+                          size_t *triangle)
 {
     tribox_plan plan;
-    const tribox_status status = first ? check_soup_and_box(soup, box, options, &plan) : TRIBOX_BAD_ARGUMENT;
+    const bool is_known = triangle && (unsigned)what <= TRIBOX_FIRST_MISS;
+    const tribox_status status = is_known ? check_soup_and_box(soup, box, options, &plan) : TRIBOX_BAD_ARGUMENT;
     if (status)
         return status;
     tribox_partial_packet partial;
     const tribox_query p = {.soup = tribox_pad_triangles(soup, plan.kernel, &partial), .box = box, .count = soup->count};
+    const uint64_t usual = what == TRIBOX_FIRST_HIT ? 0 : ~UINT64_C(0);
     const tribox_environment callers = tribox_environment_enter();
-    *first = !is_none(&p) ? first_unlike(&p, &plan, usual) : usual ? 0 : soup->count;
+    *triangle = !is_none(&p) ? first_unlike(&p, &plan, usual) : usual ? 0 : soup->count;
     tribox_environment_leave(callers);
     return TRIBOX_OK;
-}
-
-tribox_status tribox_overlap_any(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, size_t *first)
-{
-    return find_unlike(soup, box, options, 0, first);
-}
-
-tribox_status tribox_overlap_all(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, size_t *first)
-{
-    return find_unlike(soup, box, options, ~UINT64_C(0), first);
 }
 
 /*

@@ -198,7 +198,7 @@ static tribox_status emit_tiles(call *s)
         if (!count)
             continue;
         if (!are_all_below(list, count, triangles) || (!s->soup && !have_vertices(&s->mesh, list, count)))
-            return TRIBOX_BAD_INDEX;
+            return TRIBOX_BAD_VERTEX;
         const window all = window_of(&s->tiling, s->tiling.from + t);
         window w = all;
         if (s->soup)
@@ -292,7 +292,7 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
     if (!is_share(&s, grid->size, tile, from, to, starts, list))
         return TRIBOX_BAD_ARGUMENT;
     if (!mesh->indices && !tribox_mesh_is_in_range(&s.mesh, s.plan.kernel, 0, mesh->count))
-        return TRIBOX_BAD_INDEX;
+        return TRIBOX_BAD_VERTEX;
     use_scratch(&s, scratch);
     return finish_bricks(&s, emit_tiles(&s), report);
 }

@@ -80,7 +80,7 @@ static tribox_status list_double(const tribox_mesh *mesh, const tribox_grid_f64 
     else if (!tribox_tiling_make(grid->size, tile, from, to, &l.tiling))
         status = TRIBOX_BAD_ARGUMENT;
     else if (!tribox_mesh_is_in_range(&l.mesh, l.plan.kernel, 0, mesh->count))
-        status = TRIBOX_BAD_INDEX;
+        status = TRIBOX_BAD_VERTEX;
     if (!status) {
         l.planes = tribox_planes_of(grid, NULL);
         tribox_tiles_list(&l);

@@ -132,7 +132,7 @@ tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64
     else if (!tribox_fits_one_call(extent))
         status = TRIBOX_BAD_GRID;
     else if (!tribox_mesh_is_in_range(&strided, v->plan.kernel, 0, mesh->count))
-        status = TRIBOX_BAD_INDEX;
+        status = TRIBOX_BAD_VERTEX;
     if (!status) {
         tribox_voxels_set_mesh(v, &strided, grid, first, extent, occupied);
         tribox_plan_report(&v->plan, v->counts, report);

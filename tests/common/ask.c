@@ -20,7 +20,7 @@ void fail_pair(const origin *where, const pair_f32 *pair, bool answer)
     const tribox_options *const o = &where->options;
     fprintf(stderr, "%s answers '%s' and is wrong\n", where->function, answer ? "overlaps" : "does not overlap");
     fprintf(stderr, "  scene %s, seed %" PRIu64 "\n", where->scene, where->seed);
-    fprintf(stderr, "  %s, axes %u, order %u, kernel %s\n", accuracy_name(o->accuracy), o->axes, o->order, o->kernel);
+    fprintf(stderr, "  %s, axes %u, order %u, kernel %s\n", accuracy_name(o->accuracy), o->axes, o->axis_order, o->kernel);
     oracle_explain(stderr, pair);
     fail_msg("%s is wrong for a pair of scene %s", where->function, where->scene);
 }

@@ -294,7 +294,7 @@ static size_t round_number;
 static void die(const char *kernel, const tribox_options *options, const char *how, const char *other)
 {
     fprintf(stderr, "scene %s, round %zu: kernel %s at accuracy %d, axes %u, order %u %s %s\n", scene_name, round_number, kernel,
-            (int)options->accuracy, options->axes, options->order, how, other);
+            (int)options->accuracy, options->axes, options->axis_order, how, other);
     exit(1);
 }
 
@@ -308,7 +308,7 @@ static void demand_equal(const answers *expected, const char *other, const answe
 /* EXACT answers, the same from every kernel. */
 static answers exact_answers(ask *asks, const round_of_scene *round, unsigned axes, unsigned order)
 {
-    const tribox_options options = {.axes = axes, .order = order};
+    const tribox_options options = {.axes = axes, .axis_order = order};
     const answers expected = answers_of(asks, round, options, names[0]);
     for (int k = 1; k < kernels; k++) {
         const answers got = answers_of(asks, round, options, names[k]);
@@ -326,7 +326,8 @@ static void ask_axes(const round_of_scene *round, digest *d)
         const answers expected = exact_answers(ask_pairs, round, axes, 0);
         for (size_t o = 0; o < ORDERS; o++) {
             const answers got = exact_answers(ask_pairs, round, axes, orders[o]);
-            demand_equal(&expected, "in the default order", &got, names[0], &(tribox_options){.axes = axes, .order = orders[o]});
+            demand_equal(&expected, "in the default order", &got, names[0],
+                         &(tribox_options){.axes = axes, .axis_order = orders[o]});
         }
         add_answers(d, &expected);
     }

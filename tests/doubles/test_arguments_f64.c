@@ -71,12 +71,12 @@ static tribox_status overlap(const call *c, outputs *out)
 
 static tribox_status any(const call *c, outputs *out)
 {
-    return tribox_overlap_any_f64(mesh_of(c), box_of(c), &c->options, c->has_first ? &out->first : NULL);
+    return tribox_mesh_find(mesh_of(c), box_of(c), &c->options, TRIBOX_FIRST_HIT, c->has_first ? &out->first : NULL);
 }
 
 static tribox_status all(const call *c, outputs *out)
 {
-    return tribox_overlap_all_f64(mesh_of(c), box_of(c), &c->options, c->has_first ? &out->first : NULL);
+    return tribox_mesh_find(mesh_of(c), box_of(c), &c->options, TRIBOX_FIRST_MISS, c->has_first ? &out->first : NULL);
 }
 
 static tribox_status classify(const call *c, outputs *out)
@@ -264,7 +264,7 @@ static void test_overflow(void **state)
         c->mesh.count = counts[k];
         c->mesh.indices = k % 2 ? narrow : NULL;
         c->mesh.index_bytes = 2;
-        EXPECT(of_all, c, k % 2 && counts[k] <= (size_t)PTRDIFF_MAX / 12 ? TRIBOX_BAD_INDEX : TRIBOX_BAD_ARGUMENT);
+        EXPECT(of_all, c, k % 2 && counts[k] <= (size_t)PTRDIFF_MAX / 12 ? TRIBOX_BAD_VERTEX : TRIBOX_BAD_ARGUMENT);
     }
 }
 
@@ -300,7 +300,7 @@ static void test_indices(void **state)
     }
     c = right_call();
     c->mesh.vertices = 0;
-    EXPECT(of_all, c, TRIBOX_BAD_INDEX);
+    EXPECT(of_all, c, TRIBOX_BAD_VERTEX);
     c->options.kernel = "nope";
     EXPECT(of_all, c, TRIBOX_NO_KERNEL);
 }
@@ -369,7 +369,7 @@ static void test_options(void **state)
     }
     c = right_call();
     for (size_t k = 0; k < sizeof orders / sizeof orders[0]; k++) {
-        c->options.order = orders[k];
+        c->options.axis_order = orders[k];
         EXPECT(of_boxes, c, TRIBOX_BAD_OPTION);
         expect_one(streams, c, TRIBOX_OK);
     }

@@ -43,8 +43,8 @@ static void ask_all(const asked *q, answers *out)
     for (int s = 0; s < 9; s++)
         to[s] = out->stream[s];
     out->status[0] = tribox_classify_f64(&q->mesh, &q->batch.box, &q->options, out->mask, out->inside, &out->report);
-    out->status[1] = tribox_overlap_any_f64(&q->mesh, &q->batch.box, &q->options, &out->first);
-    out->status[2] = tribox_overlap_all_f64(&q->mesh, &q->batch.box, &q->options, &out->first_unlike);
+    out->status[1] = tribox_mesh_find(&q->mesh, &q->batch.box, &q->options, TRIBOX_FIRST_HIT, &out->first);
+    out->status[2] = tribox_mesh_find(&q->mesh, &q->batch.box, &q->options, TRIBOX_FIRST_MISS, &out->first_unlike);
     out->status[3] = tribox_mesh_to_local_streams(&q->mesh, q->batch.box.lo, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
 }
 

@@ -96,7 +96,7 @@ static void ask(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel
     const tribox_mesh mesh = laid_mesh_of(&t->r, &form, (const double(*)[3][3])t->batch.u, BATCH_F64,
                                           permutations[random_int(&t->r, ORDERS)], t->fences);
     const tribox_options o = {
-        .accuracy = accuracy, .axes = axes, .order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        .accuracy = accuracy, .axes = axes, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
     uint64_t mask[WORDS];
     tribox_report report;
     size_t count = 0;

@@ -157,12 +157,12 @@ static void check_classify(const tribox_mesh *mesh, const tribox_options *option
 static void check_searches(const tribox_mesh *mesh, const tribox_options *options)
 {
     size_t first = SIZE_MAX;
-    say("tribox_overlap_any_f64", mesh, options);
-    assert_int_equal(tribox_overlap_any_f64(mesh, &box, options, &first), TRIBOX_OK);
+    say("tribox_mesh_find, a hit", mesh, options);
+    assert_int_equal(tribox_mesh_find(mesh, &box, options, TRIBOX_FIRST_HIT, &first), TRIBOX_OK);
     if (first != first_bit(wanted_mask, mesh->count, true))
         fail_msg("%s: finds %zu", doing, first);
-    say("tribox_overlap_all_f64", mesh, options);
-    assert_int_equal(tribox_overlap_all_f64(mesh, &box, options, &first), TRIBOX_OK);
+    say("tribox_mesh_find, a miss", mesh, options);
+    assert_int_equal(tribox_mesh_find(mesh, &box, options, TRIBOX_FIRST_MISS, &first), TRIBOX_OK);
     if (first != first_bit(wanted_mask, mesh->count, false))
         fail_msg("%s: finds %zu", doing, first);
 }
@@ -305,17 +305,16 @@ static void test_floats(void **state)
         }
 }
 
-typedef tribox_status search(const tribox_mesh *mesh, const tribox_box_f64 *about, const tribox_options *options, size_t *first);
-
 /* A search ends where it has found something, or at the index that names no vertex; for the empty box before it has begun. */
-static void check_search_that_may_stop(search *call, const tribox_mesh *mesh, const tribox_options *options, bool is_set)
+static void check_search_that_may_stop(const tribox_mesh *mesh, const tribox_options *options, tribox_find_what what)
 {
     const bool is_empty = box.lo[0] > box.hi[0] || box.lo[1] > box.hi[1] || box.lo[2] > box.hi[2];
     size_t first = 12345;
-    const tribox_status status = call(mesh, &box, options, &first);
-    if (status == TRIBOX_BAD_INDEX)
+    const tribox_status status = tribox_mesh_find(mesh, &box, options, what, &first);
+    if (status == TRIBOX_BAD_VERTEX)
         assert_int_equal(first, 12345);
-    else if (status || first != first_bit(wanted_mask, mesh->count, is_set) || (first == mesh->count && !is_empty))
+    else if (status || first != first_bit(wanted_mask, mesh->count, what == TRIBOX_FIRST_HIT) ||
+             (first == mesh->count && !is_empty))
         fail_msg("%s: a search returns %s and finds %zu", doing, tribox_status_text(status), first);
 }
 
@@ -341,11 +340,11 @@ static void test_bad_indices(void **state)
         uint64_t *const to = (uint64_t *)(void *)mask.at, *const also = (uint64_t *)(void *)inside.at;
         tribox_report *const counts = (tribox_report *)(void *)report.at;
         say("a vertex too few", &mesh, &options);
-        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, to, counts), TRIBOX_BAD_INDEX);
-        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, NULL, counts), TRIBOX_BAD_INDEX);
-        assert_int_equal(tribox_classify_f64(&mesh, &box, &options, to, also, counts), TRIBOX_BAD_INDEX);
-        check_search_that_may_stop(tribox_overlap_any_f64, &mesh, &options, true);
-        check_search_that_may_stop(tribox_overlap_all_f64, &mesh, &options, false);
+        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, to, counts), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, NULL, counts), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_classify_f64(&mesh, &box, &options, to, also, counts), TRIBOX_BAD_VERTEX);
+        check_search_that_may_stop(&mesh, &options, TRIBOX_FIRST_HIT);
+        check_search_that_may_stop(&mesh, &options, TRIBOX_FIRST_MISS);
         assert_nothing_written(&mask);
         assert_nothing_written(&inside);
         assert_nothing_written(&report);

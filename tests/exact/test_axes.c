@@ -95,7 +95,7 @@ static void ask_every_way(const boxes_and_triangles *c, const char *test, uint64
             const unsigned sets[] = {TRIBOX_AXES_ALL, (unsigned)random_int_between(r, 1, AXIS_SETS)};
             for (size_t s = 0; s < sizeof sets / sizeof sets[0]; s++) {
                 where.options.axes = sets[s];
-                where.options.order = order_digits(random_int(r, ORDERS));
+                where.options.axis_order = order_digits(random_int(r, ORDERS));
                 ask_all_pairs(c, where);
             }
         }

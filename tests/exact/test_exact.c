@@ -116,7 +116,7 @@ static void ask_batch_as_boxes(test_run *t)
 static void choose(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel)
 {
     t->where.options = (tribox_options){
-        .accuracy = accuracy, .axes = axes, .order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        .accuracy = accuracy, .axes = axes, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
 }
 
 static int any_kernel(test_run *t) { return random_int(&t->r, t->kernel_count); }

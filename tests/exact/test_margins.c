@@ -353,7 +353,7 @@ static void ask_every_way(test_run *t, unsigned box, const char *const *kernels,
             for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
                 t->where.options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
                                                     .axes = axes | box,
-                                                    .order = order_digits(random_int(r, ORDERS)),
+                                                    .axis_order = order_digits(random_int(r, ORDERS)),
                                                     .kernel = kernels[kernel]};
                 ask(t);
             }

@@ -106,7 +106,7 @@ static size_t try_node(random_source *r, origin *where, const mesh *m, const tri
     for (int kernel = 0; kernel < kernel_count; kernel++) {
         const tribox_soup soup = soup_of(m, permutations[random_int(r, ORDERS)]);
         where->options =
-            (tribox_options){.axes = TRIBOX_AXES_ALL, .order = order_digits(random_int(r, ORDERS)), .kernel = kernels[kernel]};
+            (tribox_options){.axes = TRIBOX_AXES_ALL, .axis_order = order_digits(random_int(r, ORDERS)), .kernel = kernels[kernel]};
         ask_soup(&soup, node, &where->options, mask);
         if (kernel == 0) {
             asked = check_mask(where, m, node, mask);

@@ -19,7 +19,7 @@ drawn_options input_options(input *in)
 {
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
     drawn_options drawn = {.options.axes = input_byte(in) & 7, .wrong = 0};
-    drawn.options.order = orders[input_below(in, sizeof orders / sizeof orders[0])];
+    drawn.options.axis_order = orders[input_below(in, sizeof orders / sizeof orders[0])];
     switch (input_byte(in)) {
     case 0xff:
         drawn.options.accuracy = (tribox_accuracy)(TRIBOX_FAST + 1);
@@ -30,7 +30,7 @@ drawn_options input_options(input *in)
         drawn.wrong = 1u << TRIBOX_BAD_OPTION;
         break;
     case 0xfd:
-        drawn.options.order = 100 * input_below(in, 4) + 11;
+        drawn.options.axis_order = 100 * input_below(in, 4) + 11;
         drawn.wrong = 1u << TRIBOX_BAD_OPTION;
         break;
     case 0xfc:
@@ -113,7 +113,7 @@ static void fail_pair(const asked *a, const tribox_options *o, size_t i, bool bi
     if (can_overlap(pair))
         oracle_explain(stderr, pair);
     ensure(false, "%s, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is %d", a->call, (int)o->accuracy, o->axes,
-           o->order, o->kernel, i, a->count, bit);
+           o->axis_order, o->kernel, i, a->count, bit);
 }
 
 static void check_mask(const asked *a, const tribox_options *o, const truth *t, const uint64_t *mask)

@@ -110,8 +110,8 @@ static void check_bad_indices(const fuzz_case *q)
     const bool is_empty = q->wrong >> TRIBOX_BAD_ARGUMENT & 1;
     size_t place = 0, first;
     const size_t count = is_empty ? 0 : bad_indices(q, 0, q->mesh.count, &place);
-    const size_t found = tribox_mesh_bad_indices(&q->mesh, &first);
-    ensure(found == count && found == tribox_mesh_bad_indices(&q->mesh, NULL), "%zu bad indices found, there are %zu", found,
+    const size_t found = tribox_mesh_bad_vertices(&q->mesh, &first);
+    ensure(found == count && found == tribox_mesh_bad_vertices(&q->mesh, NULL), "%zu bad indices found, there are %zu", found,
            count);
     ensure(first == place, "the first bad index is found at %zu", first);
 }
@@ -143,7 +143,7 @@ static void check_streams(const fuzz_case *q, size_t first, size_t count, size_t
         make_streams(count, shift, streams);
         const tribox_status status =
             tribox_mesh_to_streams(&q->mesh, first, count, &(tribox_options){.kernel = *kernel}, streams, streams + 3, streams + 6);
-        status_fits("tribox_mesh_to_streams", arguments ? arguments : is_refused ? 1u << TRIBOX_BAD_INDEX : 0, status);
+        status_fits("tribox_mesh_to_streams", arguments ? arguments : is_refused ? 1u << TRIBOX_BAD_VERTEX : 0, status);
         for (int k = 0; k < 9; k++)
             ensure(!memcmp(streams[k], expected[k], count * sizeof(float)),
                    "kernel %s: stream %d of %zu triangles from %zu on is wrong", *kernel, k, count, first);
@@ -199,9 +199,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     check_streams(&q, 0, q.mesh.count, 0);
     check_streams(&q, first, count, 1);
     if (q.wrong)
-        check_refusal(&q, q.wrong | 1u << TRIBOX_BAD_INDEX);
+        check_refusal(&q, q.wrong | 1u << TRIBOX_BAD_VERTEX);
     else if (bad_indices(&q, 0, q.mesh.count, &place))
-        check_refusal(&q, 1u << TRIBOX_BAD_INDEX);
+        check_refusal(&q, 1u << TRIBOX_BAD_VERTEX);
     else
         check_overlap(&q);
     tight_memory_free_all();

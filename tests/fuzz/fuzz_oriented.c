@@ -85,7 +85,7 @@ static void explain(const fuzz_case *q, const tribox_options *o, size_t i)
     if (q->is_finite && triangle_is_finite(u))
         oriented_explain(stderr, u, &q->box);
     ensure(false, "tribox_overlap_oriented, accuracy %d, axes %u, order %u, kernel %s: bit %zu of %zu is wrong", (int)o->accuracy,
-           o->axes, o->order, o->kernel, i, q->soup.count);
+           o->axes, o->axis_order, o->kernel, i, q->soup.count);
 }
 
 /* What is true of a triangle, by all axes and by its bounds alone. */

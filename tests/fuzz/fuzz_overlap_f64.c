@@ -203,7 +203,7 @@ static fuzz_case draw_case(input *in)
     lay_positions(&q, 3 * (size_t)q.drawn, input_byte(in));
     const bool has_bad = q.mesh.index_bytes && lay_indices(&q, input_byte(in));
     q.wrong = how.wrong | (q.mesh.position_bytes == 6 ? 1u << TRIBOX_BAD_ARGUMENT : 0) |
-              (is_finite_box(&q.box) ? 0 : 1u << TRIBOX_BAD_BOX) | (has_bad ? 1u << TRIBOX_BAD_INDEX : 0);
+              (is_finite_box(&q.box) ? 0 : 1u << TRIBOX_BAD_BOX) | (has_bad ? 1u << TRIBOX_BAD_VERTEX : 0);
     return q;
 }
 
@@ -251,10 +251,10 @@ static void check_others(const fuzz_case *q, const tribox_options *o, const uint
         set++;
     while (clear < count && mask_bit(mask, clear))
         clear++;
-    status_fits("tribox_overlap_any_f64", 0, tribox_overlap_any_f64(&q->mesh, &q->box, o, &first));
-    ensure(first == set, "tribox_overlap_any_f64 finds %zu, not %zu", first, set);
-    status_fits("tribox_overlap_all_f64", 0, tribox_overlap_all_f64(&q->mesh, &q->box, o, &first));
-    ensure(first == clear, "tribox_overlap_all_f64 finds %zu, not %zu", first, clear);
+    status_fits("tribox_mesh_find", 0, tribox_mesh_find(&q->mesh, &q->box, o, TRIBOX_FIRST_HIT, &first));
+    ensure(first == set, "tribox_mesh_find finds %zu, not %zu", first, set);
+    status_fits("tribox_mesh_find", 0, tribox_mesh_find(&q->mesh, &q->box, o, TRIBOX_FIRST_MISS, &first));
+    ensure(first == clear, "tribox_mesh_find finds %zu, not %zu", first, clear);
     status_fits("tribox_classify_f64", 0, tribox_classify_f64(&q->mesh, &q->box, o, again, inside, NULL));
     ensure(!memcmp(again, mask, 8 * tribox_mask_words(count)), "tribox_classify_f64 has another mask");
     for (size_t i = 0; i < count; i++) {

@@ -43,8 +43,8 @@ static size_t first_bit(const uint64_t *mask, size_t count, bool wanted)
 static void check_any_and_all(const fuzz_case *q, const tribox_options *o, const uint64_t *mask)
 {
     size_t any, all;
-    status_fits("tribox_overlap_any", 0, tribox_overlap_any(&q->soup, &q->box, o, &any));
-    status_fits("tribox_overlap_all", 0, tribox_overlap_all(&q->soup, &q->box, o, &all));
+    status_fits("tribox_find", 0, tribox_find(&q->soup, &q->box, o, TRIBOX_FIRST_HIT, &any));
+    status_fits("tribox_find", 0, tribox_find(&q->soup, &q->box, o, TRIBOX_FIRST_MISS, &all));
     ensure(any == first_bit(mask, q->soup.count, true), "accuracy %d, axes %u, kernel %s: any finds %zu", (int)o->accuracy, o->axes,
            o->kernel, any);
     ensure(all == first_bit(mask, q->soup.count, false), "accuracy %d, axes %u, kernel %s: all finds %zu", (int)o->accuracy,
@@ -125,8 +125,8 @@ static void check_refusals(const fuzz_case *q, unsigned wrong)
     size_t first;
     memset(&report, POISON, sizeof report);
     memset(&first, POISON, sizeof first);
-    status_fits("tribox_overlap_any", wrong, tribox_overlap_any(&q->soup, &q->box, o, &first));
-    status_fits("tribox_overlap_all", wrong, tribox_overlap_all(&q->soup, &q->box, o, &first));
+    status_fits("tribox_find", wrong, tribox_find(&q->soup, &q->box, o, TRIBOX_FIRST_HIT, &first));
+    status_fits("tribox_find", wrong, tribox_find(&q->soup, &q->box, o, TRIBOX_FIRST_MISS, &first));
     status_fits("tribox_classify", wrong, tribox_classify(&q->soup, &q->box, o, mask, inside, &report));
     ensure(is_poisoned(&first, sizeof first), "any or all writes although it refuses");
     ensure(is_poisoned(mask, bytes) && is_poisoned(inside, bytes) && is_poisoned(&report, sizeof report),

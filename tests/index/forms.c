@@ -54,7 +54,7 @@ static void say(const question *q, const char *form)
 {
     static const char *const accuracies[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(doing, sizeof doing, "%s: %s, %zu triangles, kernel %s, %s, axes %u, order %u", form, q->name, q->s->soup.count,
-             q->options->kernel, accuracies[q->options->accuracy], q->options->axes, q->options->order);
+             q->options->kernel, accuracies[q->options->accuracy], q->options->axes, q->options->axis_order);
 }
 
 static void print_box(const question *q)
@@ -293,6 +293,6 @@ tribox_options any_index_options(random_source *r)
     const int kernels = kernels_here(names);
     return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
                             .axes = random_int(r, 3) ? 0 : TRIBOX_AXES_BOX | 2u * (unsigned)random_int(r, 4),
-                            .order = orders[random_int(r, sizeof orders / sizeof orders[0])],
+                            .axis_order = orders[random_int(r, sizeof orders / sizeof orders[0])],
                             .kernel = names[random_int(r, kernels)]};
 }

@@ -135,11 +135,11 @@ static void test_bad(void **state)
     for (size_t place = 0; place < COUNT; place += 89) { /* a triangle that is not there, at the first place or the last */
         memcpy(bad, order, sizeof bad);
         bad[place] = COUNT;
-        assert_int_equal(tribox_soup_gather(&soup, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_INDEX);
-        assert_int_equal(tribox_mesh_gather(&mesh, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_INDEX);
+        assert_int_equal(tribox_soup_gather(&soup, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_mesh_gather(&mesh, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
     }
     indices[3 * order[COUNT - 1] + 2] = VERTICES;
-    assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_INDEX);
+    assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
     mesh.index_bytes = 3;
     assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_mesh_gather(NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);

@@ -41,7 +41,7 @@ static void check_kind(random_source *r, order_kind kind, size_t count)
     snprintf(doing, sizeof doing, "%zu triangles, %s", count, order_kind_names[kind]);
     assert_true(expected && first);
     expect_order(&room.soup, expected);
-    assert_int_equal(tribox_soup_order(&room.soup, room.order, room.scratch), TRIBOX_OK);
+    assert_int_equal(tribox_soup_sort(&room.soup, room.order, room.scratch), TRIBOX_OK);
     memcpy(first, room.order, 4 * count);
     for (int k = 0; count && k < kernels; k++) {
         memset(room.order, 0xff, 4 * count);
@@ -104,12 +104,12 @@ static void test_boxes_and_meshes(void **state)
                     positions[9 * i + 3 * v3 + (size_t)a] = room.stream[3 * (size_t)a + v3][i];
             }
         }
-        tribox_soup_order(&room.soup, room.order, room.scratch);
-        assert_int_equal(tribox_boxes_order(&boxes, other, room.scratch), TRIBOX_OK);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
+        assert_int_equal(tribox_boxes_sort(&boxes, other, room.scratch), TRIBOX_OK);
         assert_memory_equal(other, room.order, 4 * count);
         const tribox_mesh mesh = {.positions = positions, .vertices = 3 * count, .count = count};
         memset(other, 0xff, 4 * count);
-        assert_int_equal(tribox_mesh_order(&mesh, other, room.scratch), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_sort(&mesh, other, room.scratch), TRIBOX_OK);
         assert_memory_equal(other, room.order, 4 * count);
         free(bounds);
         free(positions);
@@ -123,7 +123,7 @@ static double seconds_of(const order_room *room)
     double least = INFINITY;
     for (int turn = 0; turn < 3; turn++) {
         const clock_t start = clock();
-        tribox_soup_order(&room->soup, room->order, room->scratch);
+        tribox_soup_sort(&room->soup, room->order, room->scratch);
         const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
         least = seconds < least ? seconds : least;
     }
@@ -157,24 +157,24 @@ static void test_arguments(void **state)
     const tribox_boxes boxes = {{number, number, number}, {number, number, NULL}, 2};
     const uint32_t indices[6] = {0, 0, 0, 0, 0, 1};
     tribox_mesh mesh = {.positions = number, .vertices = 1, .indices = indices, .index_bytes = 4, .count = 2};
-    assert_int_equal(tribox_soup_order(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_order(&soup, NULL, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_order(&soup, order, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_boxes_order(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_boxes_order(&boxes, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_order(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_order(&mesh, order, scratch), TRIBOX_BAD_INDEX);
+    assert_int_equal(tribox_soup_sort(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort(&soup, NULL, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort(&soup, order, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_boxes_sort(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_boxes_sort(&boxes, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_sort(NULL, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_sort(&mesh, order, scratch), TRIBOX_BAD_VERTEX);
     mesh.stride = 11;
-    assert_int_equal(tribox_mesh_order(&mesh, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_sort(&mesh, order, scratch), TRIBOX_BAD_ARGUMENT);
     soup.count = SIZE_MAX / 16;
-    assert_int_equal(tribox_soup_order(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
     soup.count = 2;
     soup.z[1] = NULL;
-    assert_int_equal(tribox_soup_order(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort(&soup, order, scratch), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(order[0], 77);
     assert_int_equal(order[1], 78);
     soup.count = 0;
-    assert_int_equal(tribox_soup_order(&soup, NULL, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_soup_sort(&soup, NULL, NULL), TRIBOX_OK);
 }
 
 int main(int argc, char **argv)

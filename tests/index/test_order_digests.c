@@ -21,13 +21,13 @@ static void test_environments(void **state)
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         order_room room = order_room_make(&r, kinds[k], 3000);
         uint32_t *const expected = malloc(4 * 3000);
-        tribox_soup_order(&room.soup, room.order, room.scratch);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
         memcpy(expected, room.order, 4 * 3000);
         for (unsigned s = 0; s < SETTINGS; s++) {
             const unsigned before = environment_get();
             environment_set(setting(s));
             const unsigned set = environment_get();
-            tribox_soup_order(&room.soup, room.order, room.scratch);
+            tribox_soup_sort(&room.soup, room.order, room.scratch);
             const unsigned after = environment_get();
             environment_set(before);
             assert_int_equal(after, set);
@@ -62,7 +62,7 @@ static void test_digests(void **state)
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
         random_source r = random_named(1, order_kind_names[kind]);
         order_room room = order_room_make(&r, kind, 5000);
-        tribox_soup_order(&room.soup, room.order, room.scratch);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
         const uint64_t digest = digest_of(room.order, 5000);
         order_room_free(&room);
         if (digest != digests[kind])

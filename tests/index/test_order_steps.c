@@ -13,6 +13,7 @@
 #include "common/arguments.h"
 #include "common/thread_stack.h"
 #include "order_kinds.h"
+#include "tribox_threads.h"
 
 enum { COUNT = 20000, PARTS = 8, SHARE = (COUNT + PARTS - 1) / PARTS };
 
@@ -29,7 +30,7 @@ typedef struct task {
 static void *start(void *argument)
 {
     const task *const t = argument;
-    assert_int_equal(tribox_soup_order_start(&t->room->soup, t->first, t->count, t->room->scratch), TRIBOX_OK);
+    assert_int_equal(tribox_soup_sort_start(&t->room->soup, t->first, t->count, t->room->scratch), TRIBOX_OK);
     return NULL;
 }
 
@@ -38,9 +39,11 @@ static void *finish(void *argument)
     const task *const t = argument;
     const order_room *const room = t->room;
     const size_t total = room->soup.count;
-    const size_t before = t->depth ? tribox_order_cut(room->scratch, total, t->first, t->count) : 0;
+    size_t before = 0;
+    if (t->depth)
+        assert_int_equal(tribox_sort_cut(room->scratch, total, t->first, t->count, &before), TRIBOX_OK);
     if (!before) {
-        assert_int_equal(tribox_order_finish(room->scratch, total, t->first, t->count, room->order), TRIBOX_OK);
+        assert_int_equal(tribox_sort_finish(room->scratch, total, t->first, t->count, room->order), TRIBOX_OK);
         return NULL;
     }
     task one = {.room = room, .first = t->first, .count = before, .depth = t->depth - 1};
@@ -59,7 +62,7 @@ static void test_threads(void **state)
     static uint32_t expected[COUNT];
     for (order_kind kind = 0; kind < ORDER_KINDS; kind++) {
         order_room room = order_room_make(&r, kind, COUNT);
-        tribox_soup_order(&room.soup, room.order, room.scratch);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
         memcpy(expected, room.order, sizeof expected);
         memset(room.order, 0xff, sizeof expected);
         memset(room.scratch, 0xff, 16 * COUNT);
@@ -79,14 +82,15 @@ static void test_threads(void **state)
 /* Cut to the end by hand: of parts that are not cut any more, numbers are only written. */
 static void cut_to_words(const order_room *room, size_t first, size_t count)
 {
-    const size_t before = tribox_order_cut(room->scratch, room->soup.count, first, count);
+    size_t before = SIZE_MAX;
+    assert_int_equal(tribox_sort_cut(room->scratch, room->soup.count, first, count, &before), TRIBOX_OK);
     assert_int_equal(before == 0, count <= 64);
     if (before) {
         assert_true(before < count && before % 64 == 0);
         cut_to_words(room, first + before, count - before);
         cut_to_words(room, first, before);
     } else
-        assert_int_equal(tribox_order_finish(room->scratch, room->soup.count, first, count, room->order), TRIBOX_OK);
+        assert_int_equal(tribox_sort_finish(room->scratch, room->soup.count, first, count, room->order), TRIBOX_OK);
 }
 
 static void test_by_hand(void **state)
@@ -96,12 +100,12 @@ static void test_by_hand(void **state)
     uint32_t expected[4200];
     for (size_t count = 1; count <= 4200; count += 1 + (size_t)random_int(&r, 600)) {
         order_room room = order_room_make(&r, (order_kind)random_int(&r, ORDER_KINDS), count);
-        tribox_soup_order(&room.soup, room.order, room.scratch);
+        tribox_soup_sort(&room.soup, room.order, room.scratch);
         memcpy(expected, room.order, 4 * count);
         memset(room.order, 0xff, 4 * count);
         for (size_t first = 0, part; first < count; first += part) {
             part = 1 + (size_t)random_int(&r, (int)(count - first));
-            assert_int_equal(tribox_soup_order_start(&room.soup, first, part, room.scratch), TRIBOX_OK);
+            assert_int_equal(tribox_soup_sort_start(&room.soup, first, part, room.scratch), TRIBOX_OK);
         }
         cut_to_words(&room, 0, count);
         assert_memory_equal(room.order, expected, 4 * count);
@@ -115,35 +119,39 @@ static void test_arguments(void **state)
     random_source r = random_named(args.seed, "arguments");
     enum { FEW = 100 };
     order_room room = order_room_make(&r, KIND_RANDOM, FEW);
-    assert_int_equal(tribox_soup_order_start(&room.soup, FEW, 0, room.scratch), TRIBOX_OK);
-    assert_int_equal(tribox_soup_order_start(&room.soup, FEW, 1, room.scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_order_start(&room.soup, 2, SIZE_MAX, room.scratch), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_order_start(&room.soup, 0, 1, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_soup_order_start(&room.soup, 0, FEW, room.scratch), TRIBOX_OK);
-    assert_int_equal(tribox_order_cut(NULL, FEW, 0, FEW), 0);
-    assert_int_equal(tribox_order_cut(room.scratch, FEW, 1, FEW), 0);
-    assert_int_equal(tribox_order_cut(room.scratch, FEW, 0, 64), 0);
-    assert_int_equal(tribox_order_cut(room.scratch, SIZE_MAX, 0, FEW), 0);
-    assert_int_equal(tribox_order_finish(NULL, FEW, 0, FEW, room.order), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_order_finish(room.scratch, FEW, 0, FEW, NULL), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_order_finish(room.scratch, FEW, 1, FEW, room.order), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_order_finish(NULL, FEW, FEW, 0, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_soup_sort_start(&room.soup, FEW, 0, room.scratch), TRIBOX_OK);
+    assert_int_equal(tribox_soup_sort_start(&room.soup, FEW, 1, room.scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort_start(&room.soup, 2, SIZE_MAX, room.scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort_start(&room.soup, 0, 1, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_soup_sort_start(&room.soup, 0, FEW, room.scratch), TRIBOX_OK);
+    size_t before = 12345;
+    assert_int_equal(tribox_sort_cut(NULL, FEW, 0, FEW, &before), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_sort_cut(room.scratch, FEW, 1, FEW, &before), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_sort_cut(room.scratch, SIZE_MAX, 0, FEW, &before), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_sort_cut(room.scratch, FEW, 0, FEW, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(before, 12345);
+    assert_int_equal(tribox_sort_cut(room.scratch, FEW, 0, 64, &before), TRIBOX_OK);
+    assert_int_equal(before, 0);
+    assert_int_equal(tribox_sort_finish(NULL, FEW, 0, FEW, room.order), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_sort_finish(room.scratch, FEW, 0, FEW, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_sort_finish(room.scratch, FEW, 1, FEW, room.order), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_sort_finish(NULL, FEW, FEW, 0, NULL), TRIBOX_OK);
     order_room_free(&room);
     const float corner[3] = {1, 2, 3};
     const uint16_t indices[6] = {0, 0, 1, 0, 0, 0};
     const tribox_mesh mesh = {.positions = corner, .vertices = 1, .indices = indices, .index_bytes = 2, .count = 2};
     float scratch[8];
-    assert_int_equal(tribox_mesh_order_start(&mesh, 0, 1, scratch), TRIBOX_BAD_INDEX);
-    assert_int_equal(tribox_mesh_order_start(&mesh, 1, 1, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_sort_start(&mesh, 0, 1, scratch), TRIBOX_BAD_VERTEX);
+    assert_int_equal(tribox_mesh_sort_start(&mesh, 1, 1, scratch), TRIBOX_OK);
     const tribox_boxes boxes = {{corner, corner, corner}, {corner, corner, corner}, 2};
-    assert_int_equal(tribox_boxes_order_start(&boxes, 1, 1, scratch), TRIBOX_OK);
-    assert_int_equal(tribox_boxes_order_start(&boxes, 1, 2, scratch), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_boxes_sort_start(&boxes, 1, 1, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_boxes_sort_start(&boxes, 1, 2, scratch), TRIBOX_BAD_ARGUMENT);
 }
 
 static void *order_all(void *argument)
 {
     const order_room *const room = argument;
-    assert_int_equal(tribox_soup_order(&room->soup, room->order, room->scratch), TRIBOX_OK);
+    assert_int_equal(tribox_soup_sort(&room->soup, room->order, room->scratch), TRIBOX_OK);
     return NULL;
 }
 

@@ -39,23 +39,21 @@ static int tear_down(void **state)
     return 0;
 }
 
-typedef tribox_status search(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, size_t *first);
-
-static void expect(search *call, const char *name, const pair_list *q, const tribox_options *options, size_t expected)
+static void expect(tribox_find_what what, const pair_list *q, const tribox_options *options, size_t expected)
 {
     const tribox_soup soup = pair_list_soup(q);
     size_t first = SIZE_MAX;
     char text[PAIR_LIST_TEXT];
-    snprintf(doing, sizeof doing, "%s: %s", name, pair_list_text(q, options, text));
-    const tribox_status status = call(&soup, q->box, options, &first);
+    snprintf(doing, sizeof doing, "%s: %s", what == TRIBOX_FIRST_HIT ? "hit" : "miss", pair_list_text(q, options, text));
+    const tribox_status status = tribox_find(&soup, q->box, options, what, &first);
     if (status || first != expected)
         fail_msg("%s: %s, %zu where it should be %zu", doing, tribox_status_text(status), first, expected);
 }
 
 static void expect_both(const pair_list *q, const tribox_options *options, size_t first_set, size_t first_clear)
 {
-    expect(tribox_overlap_any, "any", q, options, first_set);
-    expect(tribox_overlap_all, "all", q, options, first_clear);
+    expect(TRIBOX_FIRST_HIT, q, options, first_set);
+    expect(TRIBOX_FIRST_MISS, q, options, first_clear);
 }
 
 /* What the mask says. */
@@ -114,8 +112,10 @@ static void test_axes(void **state)
     for (size_t first = 0; first < all.count; first++) {
         const pair_list q = between_fences(&all, first, all.count - first);
         for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
-            check_against_mask(
-                &q, &(tribox_options){(tribox_accuracy)(first % 3), axes, orders[first % 7], names[first % (size_t)kernels]});
+            check_against_mask(&q, &(tribox_options){.accuracy = (tribox_accuracy)(first % 3),
+                                                     .axes = axes,
+                                                     .axis_order = orders[first % 7],
+                                                     .kernel = names[first % (size_t)kernels]});
     }
 }
 
@@ -175,7 +175,7 @@ static void test_one_miss(void **state)
 }
 
 /* A triangle that is not finite overlaps nothing: any goes past it, and all stops at it. */
-static void check_not_finite(size_t count, size_t at, int stream, float usual, search *call, const char *name, size_t expected)
+static void check_not_finite(size_t count, size_t at, int stream, float usual, tribox_find_what what, size_t expected)
 {
     static const float bad[] = {NAN, -NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < count; i++)
@@ -183,7 +183,7 @@ static void check_not_finite(size_t count, size_t at, int stream, float usual, s
     numbers.stream[stream][at] = bad[(at + (size_t)stream) % 4];
     const pair_list packed = soup_of(count), q = between_fences(&packed, 0, count);
     for (int k = 0; k < kernels; k++)
-        expect(call, name, &q, &(tribox_options){.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]}, expected);
+        expect(what, &q, &(tribox_options){.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]}, expected);
 }
 
 static void test_not_finite(void **state)
@@ -193,8 +193,8 @@ static void test_not_finite(void **state)
     for (size_t count = 1; count <= 140; count += 1 + count / 9)
         for (size_t at = 0; at < count; at++)
             for (int stream = 0; stream < SOUP_STREAMS; stream++) {
-                check_not_finite(count, at, stream, 3, tribox_overlap_any, "any", at + 1);
-                check_not_finite(count, at, stream, 0, tribox_overlap_all, "all", at);
+                check_not_finite(count, at, stream, 3, TRIBOX_FIRST_HIT, at + 1);
+                check_not_finite(count, at, stream, 0, TRIBOX_FIRST_MISS, at);
             }
 }
 
@@ -239,8 +239,8 @@ static void test_stops(void **state)
                 q.stream[s] = stream;
             }
             const tribox_options options = {.accuracy = (tribox_accuracy)(at % 3), .kernel = names[k]};
-            expect(tribox_overlap_any, "any", &q, &options, at);
-            expect(tribox_overlap_all, "all", &q, &options, at == 0);
+            expect(TRIBOX_FIRST_HIT, &q, &options, at);
+            expect(TRIBOX_FIRST_MISS, &q, &options, at == 0);
             for (int s = 0; s < SOUP_STREAMS; s++)
                 pages_free((void *)(uintptr_t)q.stream[s], bytes);
         }

@@ -28,7 +28,7 @@ static void say(const char *call, const char *kernel, const tribox_mesh *mesh)
 
 static void expect_refusal(tribox_status status)
 {
-    if (status != TRIBOX_BAD_INDEX)
+    if (status != TRIBOX_BAD_VERTEX)
         fail_msg("%s: %s", doing, tribox_status_text(status));
 }
 
@@ -75,10 +75,10 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
 static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
 {
     size_t found = 12345;
-    say("tribox_mesh_bad_indices", "any kernel", mesh);
-    assert_int_equal(tribox_mesh_bad_indices(mesh, &found), count);
+    say("tribox_mesh_bad_vertices", "any kernel", mesh);
+    assert_int_equal(tribox_mesh_bad_vertices(mesh, &found), count);
     assert_int_equal(found, first);
-    assert_int_equal(tribox_mesh_bad_indices(mesh, NULL), count);
+    assert_int_equal(tribox_mesh_bad_vertices(mesh, NULL), count);
 }
 
 /* One bad index, at `corner`. */

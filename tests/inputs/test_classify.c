@@ -182,7 +182,10 @@ static void test_axes(void **state)
     for (unsigned axes = 0; axes <= TRIBOX_AXES_ALL; axes++)
         for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++)
             for (int k = 0; k < kernels; k++)
-                check(&q, &(tribox_options){(tribox_accuracy)((o + (size_t)k) % 3), axes, orders[o], names[k]});
+                check(&q, &(tribox_options){.accuracy = (tribox_accuracy)((o + (size_t)k) % 3),
+                                            .axes = axes,
+                                            .axis_order = orders[o],
+                                            .kernel = names[k]});
 }
 
 /* The whole range of floats: FAST must not lose what is inside either. */

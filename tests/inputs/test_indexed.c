@@ -35,7 +35,7 @@ static void say(const char *call, const tribox_mesh *mesh, const tribox_options 
     const char *const kernel = options->kernel ? options->kernel : "the best kernel";
     snprintf(doing, sizeof doing, "%s, %s, triangles %zu + %zu of %s", call, kernel, first, count, mesh_text(mesh, text));
     const size_t length = strlen(doing);
-    snprintf(doing + length, sizeof doing - length, ", %s %u %u", accuracy[options->accuracy], options->axes, options->order);
+    snprintf(doing + length, sizeof doing - length, ", %s %u %u", accuracy[options->accuracy], options->axes, options->axis_order);
 }
 
 /* Some triangles as streams, each at a place of its own. `expected` holds those of the whole mesh. */
@@ -104,15 +104,18 @@ static void check_answers(const tribox_mesh *mesh, const tribox_box *box, const 
 static tribox_options draw_options(random_source *r, const char *kernel)
 {
     static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
-    return (tribox_options){(tribox_accuracy)random_int(r, 3), (unsigned)random_int(r, 8), orders[random_int(r, 7)], kernel};
+    return (tribox_options){.accuracy = (tribox_accuracy)random_int(r, 3),
+                            .axes = (unsigned)random_int(r, 8),
+                            .axis_order = orders[random_int(r, 7)],
+                            .kernel = kernel};
 }
 
 static void check_mesh(random_source *r, const tribox_mesh *mesh, int place)
 {
     size_t first_bad = 12345;
     mesh_expect(mesh, 0, mesh->count, expected);
-    say("tribox_mesh_bad_indices", mesh, &(tribox_options){0}, 0, mesh->count);
-    assert_int_equal(tribox_mesh_bad_indices(mesh, &first_bad), 0);
+    say("tribox_mesh_bad_vertices", mesh, &(tribox_options){0}, 0, mesh->count);
+    assert_int_equal(tribox_mesh_bad_vertices(mesh, &first_bad), 0);
     assert_int_equal(first_bad, 3 * mesh->count);
     for (int k = 0; k < kernels; k++) {
         const size_t first = mesh->count ? (size_t)random_int(r, (int)mesh->count) : 0,
@@ -229,7 +232,10 @@ static void test_beside(void **state)
         check_mesh(&r, &mesh, AT_END);
         for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
             check_answers(&mesh, &boxes[0],
-                          &(tribox_options){(tribox_accuracy)(axes % 3), axes, 0, names[(axes + (size_t)round) % (size_t)kernels]},
+                          &(tribox_options){.accuracy = (tribox_accuracy)(axes % 3),
+                                            .axes = axes,
+                                            .axis_order = 0,
+                                            .kernel = names[(axes + (size_t)round) % (size_t)kernels]},
                           AT_END);
     }
 }

@@ -86,12 +86,12 @@ static tribox_status streams(const call *c, outputs *out)
 
 static tribox_status any(const call *c, outputs *out)
 {
-    return tribox_overlap_any(c->soup_or_null, c->box_or_null, &c->options, c->has_first ? &out->first : NULL);
+    return tribox_find(c->soup_or_null, c->box_or_null, &c->options, TRIBOX_FIRST_HIT, c->has_first ? &out->first : NULL);
 }
 
 static tribox_status all(const call *c, outputs *out)
 {
-    return tribox_overlap_all(c->soup_or_null, c->box_or_null, &c->options, c->has_first ? &out->first : NULL);
+    return tribox_find(c->soup_or_null, c->box_or_null, &c->options, TRIBOX_FIRST_MISS, c->has_first ? &out->first : NULL);
 }
 
 static tribox_status classify(const call *c, outputs *out)
@@ -154,8 +154,8 @@ static void test_absent_outputs(void **state)
     assert_int_equal(out.report.overlapping, COUNT);
     assert_int_equal(tribox_overlap_oriented(&c->soup, &turned, NULL, NULL, NULL), TRIBOX_OK);
     assert_int_equal(tribox_classify(&c->soup, &cube, NULL, NULL, NULL, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_overlap_any(&c->soup, &cube, NULL, &out.first), TRIBOX_OK);
-    assert_int_equal(tribox_overlap_all(&c->soup, &cube, NULL, &out.first), TRIBOX_OK);
+    assert_int_equal(tribox_find(&c->soup, &cube, NULL, TRIBOX_FIRST_HIT, &out.first), TRIBOX_OK);
+    assert_int_equal(tribox_find(&c->soup, &cube, NULL, TRIBOX_FIRST_MISS, &out.first), TRIBOX_OK);
     float *const to[3] = {out.stream[0], out.stream[1], out.stream[2]};
     assert_int_equal(tribox_mesh_to_streams(&c->mesh, 0, COUNT, NULL, to, to, to), TRIBOX_OK);
     assert_int_equal(tribox_overlap_indexed(NULL, &cube, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
@@ -260,7 +260,7 @@ static void test_counts_that_overflow(void **state)
             c->mesh.index_bytes = bytes;
             EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
             size_t first = 12345;
-            assert_int_equal(tribox_mesh_bad_indices(&c->mesh, &first), 0);
+            assert_int_equal(tribox_mesh_bad_vertices(&c->mesh, &first), 0);
             assert_int_equal(first, 0);
         }
 }
@@ -285,7 +285,7 @@ static void expect_bad_mesh(call *c)
 {
     size_t first = 12345;
     EXPECT(of_meshes, c, TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_bad_indices(&c->mesh, &first), 0);
+    assert_int_equal(tribox_mesh_bad_vertices(&c->mesh, &first), 0);
     assert_int_equal(first, 0);
 }
 
@@ -333,14 +333,14 @@ static void test_bad_indices_of_nothing(void **state)
 {
     (void)state;
     size_t first = 12345;
-    assert_int_equal(tribox_mesh_bad_indices(NULL, NULL), 0);
-    assert_int_equal(tribox_mesh_bad_indices(NULL, &first), 0);
+    assert_int_equal(tribox_mesh_bad_vertices(NULL, NULL), 0);
+    assert_int_equal(tribox_mesh_bad_vertices(NULL, &first), 0);
     assert_int_equal(first, 0);
     call *const c = right_call();
     c->mesh.positions = NULL;
     expect_bad_mesh(c);
     first = 12345;
-    assert_int_equal(tribox_mesh_bad_indices(&(tribox_mesh){.count = 0}, &first), 0);
+    assert_int_equal(tribox_mesh_bad_vertices(&(tribox_mesh){.count = 0}, &first), 0);
     assert_int_equal(first, 0);
 }
 
@@ -350,13 +350,13 @@ static void test_bad_index_comes_last(void **state)
     (void)state;
     call *const c = right_call();
     c->mesh.vertices--;
-    EXPECT(of_meshes, c, TRIBOX_BAD_INDEX);
+    EXPECT(of_meshes, c, TRIBOX_BAD_VERTEX);
     c->options.kernel = "nope";
     EXPECT(of_meshes, c, TRIBOX_NO_KERNEL);
     c->options.kernel = NULL;
     c->options.axes = 8;
     expect_one(indexed, c, TRIBOX_BAD_OPTION);
-    expect_one(streams, c, TRIBOX_BAD_INDEX);
+    expect_one(streams, c, TRIBOX_BAD_VERTEX);
 }
 
 static const float not_finite[] = {NAN, -NAN, INFINITY, -INFINITY};
@@ -408,7 +408,8 @@ static void test_axes_of_oriented_boxes(void **state)
                             accuracy != TRIBOX_EXACT || axes == 0 || axes == TRIBOX_AXES_ALL || axes == TRIBOX_AXES_BOX;
                         c->oriented.half[1] = is_empty ? -1 : 1;
                         c->soup.count = (size_t)count;
-                        c->options = (tribox_options){(tribox_accuracy)accuracy, axes, orders[o], NULL};
+                        c->options = (tribox_options){
+                            .accuracy = (tribox_accuracy)accuracy, .axes = axes, .axis_order = orders[o], .kernel = NULL};
                         expect_one(oriented, c, is_right ? TRIBOX_OK : TRIBOX_BAD_OPTION);
                     }
 }
@@ -434,7 +435,7 @@ static void test_options(void **state)
     }
     c = right_call();
     for (size_t k = 0; k < sizeof orders / sizeof orders[0]; k++) {
-        c->options.order = orders[k];
+        c->options.axis_order = orders[k];
         EXPECT(of_axes, c, TRIBOX_BAD_OPTION);
         expect_one(streams, c, TRIBOX_OK);
     }

@@ -57,9 +57,15 @@ static void streams(const asked *q, answers *out)
     out->status = tribox_mesh_to_streams(&q->mesh, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
 }
 
-static void any(const asked *q, answers *out) { out->status = tribox_overlap_any(&q->soup, &q->box, &q->options, &out->first); }
+static void any(const asked *q, answers *out)
+{
+    out->status = tribox_find(&q->soup, &q->box, &q->options, TRIBOX_FIRST_HIT, &out->first);
+}
 
-static void all(const asked *q, answers *out) { out->status = tribox_overlap_all(&q->soup, &q->box, &q->options, &out->first); }
+static void all(const asked *q, answers *out)
+{
+    out->status = tribox_find(&q->soup, &q->box, &q->options, TRIBOX_FIRST_MISS, &out->first);
+}
 
 static void classify(const asked *q, answers *out)
 {
@@ -75,15 +81,15 @@ static void lists(const asked *q, answers *out)
 {
     static const uint64_t mask[2] = {UINT64_C(0x8000000000000001), 6};
     (void)q;
-    out->first = tribox_mask_indices(mask, 70, out->index) + tribox_mesh_bad_indices(&q->mesh, NULL);
+    out->first = tribox_mask_indices(mask, 70, out->index) + tribox_mesh_bad_vertices(&q->mesh, NULL);
 }
 
 static const struct {
     action *act;
     const char *name;
 } actions[] = {
-    {indexed, "tribox_overlap_indexed"}, {streams, "tribox_mesh_to_streams"}, {any, "tribox_overlap_any"},
-    {all, "tribox_overlap_all"},         {classify, "tribox_classify"},       {oriented, "tribox_overlap_oriented"},
+    {indexed, "tribox_overlap_indexed"}, {streams, "tribox_mesh_to_streams"}, {any, "tribox_find"},
+    {all, "tribox_find"},         {classify, "tribox_classify"},       {oriented, "tribox_overlap_oriented"},
     {lists, "tribox_mask_indices"},
 };
 

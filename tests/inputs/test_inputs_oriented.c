@@ -105,7 +105,7 @@ static void say(const tribox_options *options)
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(doing, sizeof doing, "tribox_overlap_oriented, scene %s, seed %" PRIu64 ", %s, %s, axes %u, order %u, count %d",
              scene_name, args.seed, options->kernel ? options->kernel : "the best kernel", accuracy[options->accuracy],
-             options->axes, options->order, batch.count);
+             options->axes, options->axis_order, batch.count);
 }
 
 static void fail_at(int i, bool expected)
@@ -147,12 +147,15 @@ static const unsigned orders[] = {0, 123, 132, 213, 231, 312, 321};
 
 static void check_exact(random_source *r, const char *kernel)
 {
-    const tribox_options all = {TRIBOX_EXACT, random_int(r, 2) ? TRIBOX_AXES_ALL : 0, orders[random_int(r, 7)], kernel};
+    const tribox_options all = {.accuracy = TRIBOX_EXACT,
+                                .axes = random_int(r, 2) ? TRIBOX_AXES_ALL : 0,
+                                .axis_order = orders[random_int(r, 7)],
+                                .kernel = kernel};
     const uint64_t *got = ask(&all);
     for (int i = 0; i < batch.count; i++)
         if (bit_of(got, i) != bit_of(overlapping, i))
             fail_at(i, bit_of(overlapping, i));
-    got = ask(&(tribox_options){TRIBOX_EXACT, TRIBOX_AXES_BOX, 0, kernel});
+    got = ask(&(tribox_options){.accuracy = TRIBOX_EXACT, .axes = TRIBOX_AXES_BOX, .axis_order = 0, .kernel = kernel});
     for (int i = 0; i < batch.count; i++)
         if (bit_of(got, i) != bit_of(bounds, i))
             fail_at(i, bit_of(bounds, i));
@@ -187,7 +190,8 @@ static size_t check_conservative(random_source *r, const char *kernel)
     size_t too_many = 0;
     for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++) {
         const uint64_t *const must = axes == TRIBOX_AXES_BOX ? bounds : overlapping;
-        const uint64_t *const got = ask(&(tribox_options){TRIBOX_CONSERVATIVE, axes, orders[random_int(r, 7)], kernel});
+        const uint64_t *const got = ask(&(tribox_options){
+            .accuracy = TRIBOX_CONSERVATIVE, .axes = axes, .axis_order = orders[random_int(r, 7)], .kernel = kernel});
         for (int i = 0; i < batch.count; i++) {
             if (bit_of(got, i) ? !is_finite(batch.u[i]) : bit_of(must, i))
                 fail_at(i, bit_of(must, i));
@@ -204,7 +208,8 @@ static size_t check_conservative(random_source *r, const char *kernel)
 static size_t check_fast(const char *kernel)
 {
     size_t wrong = 0;
-    const uint64_t *const got = ask(&(tribox_options){TRIBOX_FAST, TRIBOX_AXES_ALL, 0, kernel});
+    const uint64_t *const got =
+        ask(&(tribox_options){.accuracy = TRIBOX_FAST, .axes = TRIBOX_AXES_ALL, .axis_order = 0, .kernel = kernel});
     for (int i = 0; i < batch.count; i++) {
         if (bit_of(got, i) == bit_of(overlapping, i))
             continue;

@@ -44,7 +44,7 @@ const char *pair_list_text(const pair_list *q, const tribox_options *options, ch
 {
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     snprintf(text, PAIR_LIST_TEXT, "%s, kernel %s, %s, axes %u, order %u, count %zu", call_name(q), options->kernel,
-             accuracy[options->accuracy], options->axes, options->order, q->count);
+             accuracy[options->accuracy], options->axes, options->axis_order, q->count);
     return text;
 }
 

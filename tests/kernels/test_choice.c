@@ -261,7 +261,7 @@ static void test_answers(void **state)
             for (int k = 0; k < kernels; k++)
                 for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
                     const tribox_options found = {.accuracy = accuracy, .kernel = names[k]};
-                    const tribox_options fixed = {.accuracy = accuracy, .order = 132, .kernel = names[k]};
+                    const tribox_options fixed = {.accuracy = accuracy, .axis_order = 132, .kernel = names[k]};
                     uint64_t mask[DRAWN_WORDS], expected[DRAWN_WORDS];
                     tribox_report report, of_fixed;
                     pair_list_text(&q, &found, doing);

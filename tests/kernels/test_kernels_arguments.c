@@ -188,7 +188,7 @@ static void test_unusual_boxes(void **state)
     const tribox_box empty = {{0, 1, 0}, {0, 0, 0}};
     c.box = &empty;
     assert_soup_status(&c, &c.soup, TRIBOX_OK);
-    c.options.order = 7;
+    c.options.axis_order = 7;
     assert_soup_status(&c, &c.soup, TRIBOX_BAD_OPTION);
 }
 
@@ -225,13 +225,13 @@ static void test_orders(void **state)
     call c = right_call();
     for (c.options.axes = 1; c.options.axes <= TRIBOX_AXES_ALL; c.options.axes++) {
         size_t rights = 0;
-        for (c.options.order = 0; c.options.order <= 400; c.options.order++) {
-            const bool is_right = rights < sizeof right / sizeof right[0] && right[rights] == c.options.order;
+        for (c.options.axis_order = 0; c.options.axis_order <= 400; c.options.axis_order++) {
+            const bool is_right = rights < sizeof right / sizeof right[0] && right[rights] == c.options.axis_order;
             rights += is_right;
             assert_both_statuses(&c, is_right ? TRIBOX_OK : TRIBOX_BAD_OPTION);
         }
         for (size_t k = 0; k < sizeof large / sizeof large[0]; k++) {
-            c.options.order = large[k];
+            c.options.axis_order = large[k];
             assert_both_statuses(&c, TRIBOX_BAD_OPTION);
         }
     }

@@ -50,7 +50,8 @@ static void check_everywhere(const pair_list *q, const uint64_t expected[WORDS])
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = 1; axes <= TRIBOX_AXES_ALL; axes++)
                 for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
-                    const tribox_options options = {accuracy, axes, orders[o], names[k]};
+                    const tribox_options options = {
+                        .accuracy = accuracy, .axes = axes, .axis_order = orders[o], .kernel = names[k]};
                     uint64_t mask[WORDS];
                     tribox_report report;
                     pair_list_text(q, &options, doing);

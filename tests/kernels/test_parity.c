@@ -38,7 +38,8 @@ static void ask_kernels(const pair_list *q, unsigned axes, answers *got)
 {
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
-            ask(q, &(tribox_options){accuracy, axes, 0, names[k]}, got->mask[k][accuracy]);
+            ask(q, &(tribox_options){.accuracy = accuracy, .axes = axes, .axis_order = 0, .kernel = names[k]},
+                got->mask[k][accuracy]);
 }
 
 static void check_orders(const pair_list *q, unsigned axes, const answers *got)
@@ -47,7 +48,7 @@ static void check_orders(const pair_list *q, unsigned axes, const answers *got)
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
-                const tribox_options options = {accuracy, axes, orders[o], names[k]};
+                const tribox_options options = {.accuracy = accuracy, .axes = axes, .axis_order = orders[o], .kernel = names[k]};
                 uint64_t mask[WORDS];
                 ask(q, &options, mask);
                 assert_masks_equal(q, &options, got->mask[k][accuracy], mask);
@@ -85,10 +86,10 @@ static void check_kernels(const pair_list *q, unsigned axes, const answers *got)
         size_t peer = 0;
         while (kernel_is_fused(names[peer]) != kernel_is_fused(names[k]))
             peer++;
-        assert_masks_equal(q, &(tribox_options){TRIBOX_EXACT, axes, 0, names[k]}, got->mask[0][TRIBOX_EXACT],
-                           got->mask[k][TRIBOX_EXACT]);
-        assert_fast_masks_equal(q, &(tribox_options){TRIBOX_FAST, axes, 0, names[k]}, got->mask[peer][TRIBOX_FAST],
-                                got->mask[k][TRIBOX_FAST]);
+        assert_masks_equal(q, &(tribox_options){.accuracy = TRIBOX_EXACT, .axes = axes, .axis_order = 0, .kernel = names[k]},
+                           got->mask[0][TRIBOX_EXACT], got->mask[k][TRIBOX_EXACT]);
+        assert_fast_masks_equal(q, &(tribox_options){.accuracy = TRIBOX_FAST, .axes = axes, .axis_order = 0, .kernel = names[k]},
+                                got->mask[peer][TRIBOX_FAST], got->mask[k][TRIBOX_FAST]);
     }
 }
 
@@ -98,7 +99,7 @@ static void check_alone(const pair_list *q, unsigned axes, const answers *got)
     for (int k = 0; k < kernels; k++)
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             for (size_t i = 0; i < q->count; i++) {
-                const tribox_options options = {accuracy, axes, 0, names[k]};
+                const tribox_options options = {.accuracy = accuracy, .axes = axes, .axis_order = 0, .kernel = names[k]};
                 const pair_list pair = pair_list_at(q, i);
                 uint64_t bit;
                 ask(&pair, &options, &bit);
@@ -112,7 +113,9 @@ static void check_conservative(const pair_list *q, unsigned axes, const answers 
     for (int k = 0; k < kernels; k++)
         for (size_t i = 0; i < q->count; i++)
             if (mask_bit(got->mask[k][TRIBOX_EXACT], i) && !mask_bit(got->mask[k][TRIBOX_CONSERVATIVE], i))
-                fail_at_pair(q, &(tribox_options){TRIBOX_CONSERVATIVE, axes, 0, names[k]}, i, true);
+                fail_at_pair(q,
+                             &(tribox_options){.accuracy = TRIBOX_CONSERVATIVE, .axes = axes, .axis_order = 0, .kernel = names[k]},
+                             i, true);
 }
 
 /* What is left out of the axes can only add overlaps. */
@@ -120,7 +123,8 @@ static void check_more_axes(const pair_list *q, const answers *all, unsigned axe
 {
     for (size_t i = 0; i < q->count; i++)
         if (mask_bit(all->mask[0][TRIBOX_EXACT], i) && !mask_bit(some->mask[0][TRIBOX_EXACT], i))
-            fail_at_pair(q, &(tribox_options){TRIBOX_EXACT, axes, 0, names[0]}, i, true);
+            fail_at_pair(q, &(tribox_options){.accuracy = TRIBOX_EXACT, .axes = axes, .axis_order = 0, .kernel = names[0]}, i,
+                         true);
 }
 
 static void check_question(const pair_list *q, size_t *overlapping)

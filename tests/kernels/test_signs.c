@@ -34,7 +34,8 @@ static void check_all_overlap(const pair_list *q, tribox_accuracy first, unsigne
         for (tribox_accuracy accuracy = first; accuracy <= TRIBOX_FAST; accuracy++)
             for (unsigned axes = least_axes; axes <= TRIBOX_AXES_ALL; axes++)
                 for (int o = 0; o < ORDERS; o++) {
-                    const tribox_options options = {accuracy, axes, orders[o], names[k]};
+                    const tribox_options options = {
+                        .accuracy = accuracy, .axes = axes, .axis_order = orders[o], .kernel = names[k]};
                     ask_ok(q, &options, mask, NULL);
                     assert_masks_equal(q, &options, every, mask);
                 }

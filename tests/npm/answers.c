@@ -148,9 +148,9 @@ static void answer_boxes(const question *q)
     }
     need(tribox_classify(&q->soup, &q->box, NULL, mask, inside, NULL));
     write_mask("inside", inside, q);
-    need(tribox_overlap_any(&q->soup, &q->box, NULL, &first));
+    need(tribox_find(&q->soup, &q->box, NULL, TRIBOX_FIRST_HIT, &first));
     write_number("first", first);
-    need(tribox_overlap_all(&q->soup, &q->box, NULL, &first));
+    need(tribox_find(&q->soup, &q->box, NULL, TRIBOX_FIRST_MISS, &first));
     write_number("firstMiss", first);
 }
 
@@ -172,7 +172,7 @@ static void answer_order(const question *q)
 {
     static uint32_t order[COUNT_MAX];
     static float scratch[4 * COUNT_MAX];
-    need(tribox_soup_order(&q->soup, order, scratch));
+    need(tribox_soup_sort(&q->soup, order, scratch));
     write_words("order", order, q->soup.count * sizeof *order);
 }
 

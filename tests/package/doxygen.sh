@@ -1,5 +1,5 @@
 #!/bin/sh
-# Doxygen reads the header without a warning and describes every function: doxygen.sh ROOT
+# Doxygen reads the headers without a warning and describes every function: doxygen.sh ROOT
 set -eu
 root=$1
 work=$(mktemp -d)
@@ -13,7 +13,9 @@ documented() (
 
 mkdir -p "$work/bare/include" "$work/bare/packaging"
 cp -R "$root/packaging/doxygen" "$work/bare/packaging"
-sed -e '/^ *\/\*\*/,/\*\//d' "$root/include/tribox.h" >"$work/bare/include/tribox.h"
+for header in tribox.h tribox_threads.h; do
+    sed -e '/^ *\/\*\*/,/\*\//d' "$root/include/$header" >"$work/bare/include/$header"
+done
 if documented "$work/bare" bare_out 2>/dev/null; then
     echo "Doxygen accepts a header without comments" >&2
     exit 1
@@ -21,7 +23,7 @@ fi
 
 documented "$root" out
 "$root/packaging/symbols.sh" | while read -r symbol; do
-    if ! grep -q "<name>$symbol</name>" "$work/out/xml/tribox_8h.xml"; then
+    if ! grep -q "<name>$symbol</name>" "$work"/out/xml/tribox*_8h.xml; then
         echo "$symbol is not in Doxygen's pages" >&2
         exit 1
     fi

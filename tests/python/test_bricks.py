@@ -145,7 +145,7 @@ class BrickTests(cases.TestCase):
         refuse(tribox.InputError, None, "^threads = 0", tribox.bricks, self.triangles, *grid, threads=0)
         bad = tribox.Mesh(self.triangles[0], np.full((9, 3), 3, np.uint32))
         for name in ("floats", "doubles"):
-            refuse(tribox.BadIndexError, "BAD_INDEX", "faces", tribox.bricks, bad, *GRIDS[name])
+            refuse(tribox.BadIndexError, "BAD_VERTEX", "faces", tribox.bricks, bad, *GRIDS[name])
 
     def test_tile_count(self):
         self.assertEqual(tribox.tile_count((128, 129, 1)), 2)

@@ -69,10 +69,10 @@ class Errors(cases.TestCase):
             mesh = tribox.Mesh(vertices, bad)
             pattern = fr"faces\[17, 2\] is {wrong}, but there are {count} vertices; wrong indices in all: 2"
             for call in self.calls:
-                self.refuse(BadIndexError, "BAD_INDEX", pattern, call, mesh, LO, HI)
-            self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.voxelize, mesh, *GRID)
-            self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.Soup.of, mesh)
-            self.refuse(BadIndexError, "BAD_INDEX", pattern, tribox.overlap_oriented, mesh, LO, HI, np.eye(3))
+                self.refuse(BadIndexError, "BAD_VERTEX", pattern, call, mesh, LO, HI)
+            self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.voxelize, mesh, *GRID)
+            self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.Soup.of, mesh)
+            self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.overlap_oriented, mesh, LO, HI, np.eye(3))
 
     def test_negative_indices(self):
         """Among more than 2^31 vertices, here a file of nothing but holes, a negative index is none of them either."""
@@ -83,7 +83,7 @@ class Errors(cases.TestCase):
             except (OSError, OverflowError, ValueError) as error:
                 self.skipTest(f"no file of 26 GB, not even of holes: {error}")
             mesh = tribox.Mesh(vertices, np.array([[0, 1, -(1 << 31)]], np.int32))
-            self.refuse(BadIndexError, "BAD_INDEX", r"faces\[0, 2\] is -2147483648", tribox.overlap, mesh, LO, HI)
+            self.refuse(BadIndexError, "BAD_VERTEX", r"faces\[0, 2\] is -2147483648", tribox.overlap, mesh, LO, HI)
 
     def test_no_triangles(self):
         """Errors are reported for no triangles, too."""

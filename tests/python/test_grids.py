@@ -93,7 +93,7 @@ class Grids(cases.TestCase):
             ends[0, 0], ends[0, 1] = -1.7e308, 1.7e308
             refuse(tribox.InputError, "BAD_GRID", "not finite.*: resolution = 1", call, ends, 1)
             bad = tribox.Mesh(triangles[0], np.array([[0, 1, 3]], np.uint32))
-            refuse(tribox.BadIndexError, "BAD_INDEX", r"faces\[0, 2\] is 3", call, bad, 9)
+            refuse(tribox.BadIndexError, "BAD_VERTEX", r"faces\[0, 2\] is 3", call, bad, 9)
         refuse(tribox.InputError, None, "^no grid is given; give origin, cell and size, or resolution", tribox.voxelize, triangles)
         refuse(tribox.InputError, None, "^resolution chooses .* with cell = 1$", tribox.voxelize, triangles, cell=1, resolution=2)
         refuse(tribox.InputError, "BAD_OPTION", "axes = 8", tribox.voxelize, triangles, resolution=2, axes=8)

@@ -220,7 +220,7 @@ class Errors(cases.TestCase):
         vertices, faces = cases.shared_vertices(self.triangles, np.uint32)
         faces[17, 2] = len(vertices)
         for keep_order in (False, True):
-            self.refuse(BadIndexError, "BAD_INDEX", r"faces\[17, 2\] is", tribox.Index, tribox.Mesh(vertices, faces),
+            self.refuse(BadIndexError, "BAD_VERTEX", r"faces\[17, 2\] is", tribox.Index, tribox.Mesh(vertices, faces),
                         keep_order=keep_order)
 
     def test_questions(self):

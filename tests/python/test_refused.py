@@ -53,7 +53,7 @@ class Refused(cases.TestCase):
             bad = faces.copy()
             bad[17, 2] = bad[19, 0] = wrong
             for form in (bad, bad.tolist(), bad.astype(">i8"), np.asfortranarray(bad)):
-                self.refuse(BadIndexError, "BAD_INDEX", fr"faces\[17, 2\] is {wrong}, but there are {len(vertices)} vertices; "
+                self.refuse(BadIndexError, "BAD_VERTEX", fr"faces\[17, 2\] is {wrong}, but there are {len(vertices)} vertices; "
                             "wrong indices in all: 2", tribox.Mesh, vertices, form)
 
     def test_streams(self):

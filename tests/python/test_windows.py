@@ -141,7 +141,7 @@ class Windows(cases.TestCase):
         wrong = tribox.Mesh(self.triangles[0], np.full((9, 3), 3, np.uint32))
         for way in {}, dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40):
             with mock.patch.multiple(_voxelize, processors=lambda: 2, **way):
-                self.refuse(tribox.BadIndexError, "BAD_INDEX", "faces", tribox.voxelize, wrong, *GRIDS["floats"], threads=2)
+                self.refuse(tribox.BadIndexError, "BAD_VERTEX", "faces", tribox.voxelize, wrong, *GRIDS["floats"], threads=2)
 
 
 class Insides(cases.TestCase):

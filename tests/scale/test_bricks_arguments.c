@@ -167,7 +167,7 @@ static void test_missing(void **state)
         check_all(c, bad);
 #if SIZE_MAX > UINT32_MAX
         c->soup.count = c->mesh.count = ((size_t)1 << 32) + 1;
-        check(c, bad, bad, is_double ? TRIBOX_BAD_INDEX : TRIBOX_OK);
+        check(c, bad, bad, is_double ? TRIBOX_BAD_VERTEX : TRIBOX_OK);
 #endif
     }
 }
@@ -256,7 +256,7 @@ static void test_lists(void **state)
                 const uint32_t right = c->list[at];
                 bricks = 0;
                 c->list[at] = numbers[n];
-                assert_int_equal(voxelize(c, &report), TRIBOX_BAD_INDEX);
+                assert_int_equal(voxelize(c, &report), TRIBOX_BAD_VERTEX);
                 assert_true(at < c->starts[1] ? !bricks : bricks < all);
                 assert_true(at < c->starts[TILES - 1] || bricks > 0);
                 c->list[at] = right;
@@ -280,7 +280,7 @@ static void test_indices(call *c)
         for (size_t at = 0; at < c->starts[TILES]; at++)
             is_listed |= c->list[at] == i / 3;
         corners[i] = 3 * COUNT;
-        assert_int_equal(voxelize(c, &report), is_listed ? TRIBOX_BAD_INDEX : TRIBOX_OK);
+        assert_int_equal(voxelize(c, &report), is_listed ? TRIBOX_BAD_VERTEX : TRIBOX_OK);
         corners[i] = i;
     }
     for (size_t at = 0; at < c->starts[TILES]; at++)
@@ -297,7 +297,7 @@ static void test_meshes(void **state)
     (void)state;
     call *const c = right_call(true);
     c->mesh.vertices = 3 * COUNT - 1;
-    check_all(c, TRIBOX_BAD_INDEX);
+    check_all(c, TRIBOX_BAD_VERTEX);
     test_indices(c);
     c->mesh.vertices = 3 * COUNT;
     c->mesh.position_bytes = 5;

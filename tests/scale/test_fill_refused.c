@@ -141,7 +141,7 @@ static void test_meshes(void **state)
     (void)state;
     call c = *right_call(true);
     c.mesh.vertices = 2;
-    check(&c, TRIBOX_BAD_INDEX);
+    check(&c, TRIBOX_BAD_VERTEX);
     c.mesh.vertices = 3;
     c.mesh.position_bytes = 5;
     check(&c, TRIBOX_BAD_ARGUMENT);

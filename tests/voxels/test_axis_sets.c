@@ -30,7 +30,7 @@ static void check_axes(random_source *r, request *q, unsigned axes)
     for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_CONSERVATIVE; accuracy++) {
         q->options = (tribox_options){.accuracy = (tribox_accuracy)accuracy,
                                       .axes = axes,
-                                      .order = order_digits(random_int(r, ORDERS)),
+                                      .axis_order = order_digits(random_int(r, ORDERS)),
                                       .kernel = kernels[random_int(r, kernel_count)]};
         request_ask(q, 0, triangles.count, occupied);
         for (size_t w = 0; accuracy != TRIBOX_EXACT && w < at.words; w++)

@@ -56,7 +56,7 @@ static void test_run_free(test_run *t)
 static void choose(test_run *t, tribox_accuracy accuracy, int kernel)
 {
     t->q.options =
-        (tribox_options){.accuracy = accuracy, .order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
+        (tribox_options){.accuracy = accuracy, .axis_order = order_digits(random_int(&t->r, ORDERS)), .kernel = t->kernels[kernel]};
 }
 
 static void check_together(test_run *t)

@@ -221,11 +221,11 @@ static void test_bad_arguments(void **state)
     assert_refused(&bad, &grid, NULL, NULL, NULL, TRIBOX_BAD_ARGUMENT);
     bad = mesh;
     bad.vertices = 2;
-    assert_refused(&bad, &grid, NULL, NULL, NULL, TRIBOX_BAD_INDEX);
+    assert_refused(&bad, &grid, NULL, NULL, NULL, TRIBOX_BAD_VERTEX);
     bad = mesh;
     bad.indices = numbers;
     bad.index_bytes = 4;
-    assert_refused(&bad, &grid, NULL, NULL, NULL, TRIBOX_BAD_INDEX);
+    assert_refused(&bad, &grid, NULL, NULL, NULL, TRIBOX_BAD_VERTEX);
     const tribox_options unknown = {.kernel = "mmx"}, axes = {.axes = 8};
     assert_refused(&mesh, &grid, NULL, NULL, &unknown, TRIBOX_NO_KERNEL);
     assert_refused(&mesh, &grid, NULL, NULL, &axes, TRIBOX_BAD_OPTION);

@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "tribox.h"
+
 #if defined(__MINGW32__) /* whose printf may be that of Windows, which does not know %zu */
 #include <stdio.h>
 #define MESSAGE_FORMAT __attribute__((format(__MINGW_PRINTF_FORMAT, 1, 2)))
@@ -31,6 +33,12 @@ MESSAGE_FORMAT void message_say(const char *format, ...);
 
 /* The line of a failure. Returns EXIT_CODE_FAILURE. */
 MESSAGE_FORMAT int message_failure(const char *format, ...);
+
+/* What the program says beside the statuses of the library, which allocates nothing: that there is no memory. */
+#define MESSAGE_NO_MEMORY ((tribox_status)(TRIBOX_STOPPED + 1))
+
+/* The line of a status, and EXIT_CODE_FAILURE; or EXIT_CODE_OK of TRIBOX_OK. */
+int message_status(tribox_status status);
 
 /* Writes such a line, with its line feed, into `text`, for a moment at which nothing can be formatted. */
 void message_line(char *text, size_t size, const char *before, const char *what);

@@ -89,6 +89,6 @@ int options_read_test(const char *name, const char *value, tribox_options *test)
     if (!strcmp(name, "axes"))
         return options_read_axes(value, &test->axes);
     if (!strcmp(name, "order"))
-        return options_read_order(value, &test->order);
+        return options_read_order(value, &test->axis_order);
     return options_read_kernel(value, &test->kernel);
 }

@@ -47,7 +47,7 @@ static int step_where_it_pays(box_after_box *b)
     b->stage++;
     b->seconds = 0;
     const tribox_status status = tribox_index_build(&b->m->soup, &b->r->test, b->nodes, &b->index);
-    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+    return message_status(status);
 }
 
 /* One box of doubles and all later ones need room for more words. */
@@ -55,7 +55,7 @@ static tribox_status ask_between(box_after_box *b, const tribox_box_f64 *box, tr
 {
     const size_t count = b->m->soup.count;
     if ((!b->words.bits && !found_words_make(&b->words, count)) || (!b->inner.bits && !found_words_make(&b->inner, count)))
-        return TRIBOX_NO_MEMORY;
+        return MESSAGE_NO_MEMORY;
     const tribox_status status = between_boxes_index(&b->index, &b->m->soup, box, &b->r->test, &b->words, &b->inner, report);
     if (!status && b->order)
         found_words_renumber(&b->words, b->order);
@@ -87,7 +87,7 @@ static int ask(box_after_box *b, answer *a)
     const tribox_status status = box_is_float(&a->box, &narrow) ? ask_index(b, &narrow, &report) : ask_between(b, &a->box, &report);
     a->seconds = clock_seconds() - start;
     if (status)
-        return message_failure("%s", tribox_status_text(status));
+        return message_status(status);
     a->overlapping = report.overlapping;
     a->undecided = report.undecided;
     return EXIT_CODE_OK;

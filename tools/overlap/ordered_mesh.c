@@ -5,12 +5,12 @@
 
 #include "console/memory.h"
 
-enum { SCRATCH_BYTES = 16 /* a triangle, for tribox_soup_order */ };
+enum { SCRATCH_BYTES = 16 /* a triangle, for tribox_soup_sort */ };
 
 static bool find_order(const tribox_soup *soup, uint32_t *order)
 {
     void *const scratch = malloc(soup->count * SCRATCH_BYTES);
-    const bool is_found = scratch && !tribox_soup_order(soup, order, scratch);
+    const bool is_found = scratch && !tribox_soup_sort(soup, order, scratch);
     free(scratch);
     return is_found;
 }

@@ -68,7 +68,7 @@ int overlap_ask(const request *r, const asked_triangles *t, const masks *bits, a
     const tribox_status status = ask(r, t, bits, &a->box, &report);
     a->seconds += clock_seconds() - start;
     if (status)
-        return message_failure("%s", tribox_status_text(status));
+        return message_status(status);
     a->overlapping += report.overlapping;
     a->undecided += report.undecided;
     a->inside += bits->inside ? count_bits(bits->inside, t->count) : 0;

@@ -98,7 +98,7 @@ static int sort_mesh(partition_answer *a, folder_out *out)
     }
     const tribox_mesh all = a->m->is_double ? a->m->doubles : mesh_of_streams(a->m, &indices);
     if (!all.positions)
-        return message_failure("%s", tribox_status_text(TRIBOX_NO_MEMORY));
+        return message_status(MESSAGE_NO_MEMORY);
     const voxel_task task = voxel_task_of_mesh(&all, &a->cells.grid, &test);
     const int code = sort_task(a, &task, out);
     free(indices);

@@ -209,7 +209,7 @@ int triangle_file_next(triangle_file *file, float *const streams[9], size_t *cou
         return code;
     const tribox_mesh block = {.positions = file->bytes, .vertices = 3 * *count, .count = *count};
     const tribox_status status = tribox_mesh_to_streams(&block, 0, *count, NULL, streams, streams + 3, streams + 6);
-    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+    return message_status(status);
 }
 
 int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count)

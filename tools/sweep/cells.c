@@ -70,7 +70,7 @@ static bool is_new(const timing_work *work, const tribox_box *cell)
 static bool holds_triangle(const tribox_soup *soup, const tribox_box *cell)
 {
     size_t first;
-    return tribox_overlap_any(soup, cell, NULL, &first) == TRIBOX_OK && first < soup->count;
+    return tribox_find(soup, cell, NULL, TRIBOX_FIRST_HIT, &first) == TRIBOX_OK && first < soup->count;
 }
 
 const char *cells_work(const tribox_soup *soup, unsigned along, size_t most, uint64_t seed, timing_work *work)

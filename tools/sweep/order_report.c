@@ -29,7 +29,7 @@ static void print_row(FILE *to, const sweep *s, const char *kernel, tribox_accur
     if (!plain)
         fprintf(to, "   -\n");
     else if (sweep_beats(s, best, plain))
-        fprintf(to, "   %u, by %.1f %%\n", best->options.order, 100 * (1 - sweep_time(s, best) / sweep_time(s, plain)));
+        fprintf(to, "   %u, by %.1f %%\n", best->options.axis_order, 100 * (1 - sweep_time(s, best) / sweep_time(s, plain)));
     else
         fprintf(to, "   none\n");
 }
@@ -38,8 +38,8 @@ void report_best(FILE *to, const sweep *s)
 {
     const char *const kernel = tribox_kernel_name(NULL);
     const contestant *const plain = sweep_find(s, kernel, TRIBOX_EXACT, TRIBOX_AXES_ALL, SWEEP_DEFAULT);
-    fprintf(to, "time         %.3g ns a pair, exact, in the default order; the paper's algorithm: %.3g ns\n",
-            sweep_time(s, plain), sweep_time(s, sweep_best(s, NULL, TRIBOX_FAST)));
+    fprintf(to, "time         %.3g ns a pair, exact, in the default order; the paper's algorithm: %.3g ns\n", sweep_time(s, plain),
+            sweep_time(s, sweep_best(s, NULL, TRIBOX_FAST)));
 }
 
 void report_times(FILE *to, const sweep *s)
@@ -153,7 +153,7 @@ static void json_contestant(json *to, const sweep *s, size_t c)
     json_whole(to, "lanes", why_lanes[why_width_of(kernel)]);
     json_string(to, "accuracy", accuracy_word(one->options.accuracy));
     json_whole(to, "axes", one->options.axes);
-    json_whole(to, "order", one->options.order);
+    json_whole(to, "order", one->options.axis_order);
     if (one->options.kernel)
         json_whole(to, "undecided", s->scores[c].undecided);
     json_whole(to, "reported", s->scores[c].overlapping);

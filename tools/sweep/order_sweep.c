@@ -14,7 +14,7 @@ const unsigned sweep_axes[SWEEP_AXES] = {
 
 static void enter(sweep *s, const timing_work *work, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order)
 {
-    const tribox_options options = {.accuracy = accuracy, .axes = axes, .order = order, .kernel = kernel};
+    const tribox_options options = {.accuracy = accuracy, .axes = axes, .axis_order = order, .kernel = kernel};
     s->list[s->count++] = contestant_kernel(work, &options);
 }
 
@@ -56,7 +56,8 @@ static bool is_kernel(const contestant *one, const char *kernel)
 const contestant *sweep_find(const sweep *s, const char *kernel, tribox_accuracy accuracy, unsigned axes, unsigned order)
 {
     for (const contestant *one = s->list; one < s->list + s->count; one++)
-        if (is_kernel(one, kernel) && one->options.accuracy == accuracy && one->options.axes == axes && one->options.order == order)
+        if (is_kernel(one, kernel) && one->options.accuracy == accuracy && one->options.axes == axes &&
+            one->options.axis_order == order)
             return one;
     return NULL;
 }

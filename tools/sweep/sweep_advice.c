@@ -24,7 +24,7 @@ sweep_advice sweep_advise(const sweep *s)
     const contestant *const best = sweep_best(s, kernel, TRIBOX_EXACT);
     const contestant *const advised = fastest_right(s, kernel, sweep_beats(s, best, plain) ? best : plain);
     return (sweep_advice){.kernel = kernel,
-                          .order = advised->options.order,
+                          .order = advised->options.axis_order,
                           .axes = advised->options.axes,
                           .gain = 1 - sweep_time(s, advised) / sweep_time(s, plain)};
 }
@@ -48,8 +48,9 @@ void sweep_advice_text(const sweep_advice *advice, char *text, size_t size)
         snprintf(text, size, "Use order %u and all axes here: with kernel %s it takes %.1f %% less time than the default.",
                  advice->order, advice->kernel, 100 * advice->gain);
     else
-        snprintf(text, size,
-                 "Use the default here, which finds the order as it goes, and all axes: with kernel %s no fixed order, and no choice "
-                 "of axes that reports nothing false, is faster beyond the spread.",
-                 advice->kernel);
+        snprintf(
+            text, size,
+            "Use the default here, which finds the order as it goes, and all axes: with kernel %s no fixed order, and no choice "
+            "of axes that reports nothing false, is faster beyond the spread.",
+            advice->kernel);
 }

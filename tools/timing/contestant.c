@@ -9,7 +9,7 @@
 static bool run_paper(const contestant *self, uint64_t *mask, tribox_report *report)
 {
     const timing_work *const work = self->question;
-    paper_walk *const walk = paper_in_order(self->options.order);
+    paper_walk *const walk = paper_in_order(self->options.axis_order);
     for (size_t i = 0; i < work->count; i++) {
         const timing_job *const job = &work->jobs[i];
         walk(job->center, job->half, job->triangles, job->soup.count, mask);
@@ -44,7 +44,7 @@ contestant contestant_paper(const timing_work *work, unsigned order)
     return (contestant){.name = "paper",
                         .run = run_paper,
                         .question = work,
-                        .options = {.accuracy = TRIBOX_FAST, .axes = TRIBOX_AXES_ALL, .order = order},
+                        .options = {.accuracy = TRIBOX_FAST, .axes = TRIBOX_AXES_ALL, .axis_order = order},
                         .promise = PROMISE_ROUNDED,
                         .pairs = (double)work->pairs};
 }

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/message.h"
+
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
 enum { SHARE_TRIANGLES = 4096, SHARE_TILES = 16 };
 
@@ -200,7 +202,7 @@ tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigne
     tile_room *const room = tile_room_new(set, from, to);
     *found = c.found;
     if (!room)
-        return TRIBOX_NO_MEMORY;
+        return MESSAGE_NO_MEMORY;
     pthread_mutex_init(&c.lock, NULL);
     pthread_cond_init(&c.turned, NULL);
     while (started + 1 < threads && started < to - from && start(&helpers[started], &c))

@@ -18,7 +18,7 @@ typedef struct tile_found {
  * sink: NULL to count alone.
  * threads: 1 to THREADS_MAX. Where the system starts fewer, or there is memory for fewer, those do all the work.
  *
- * Returns what tile_set_run does, or TRIBOX_NO_MEMORY where there is none even for one.
+ * Returns what tile_set_run does, or MESSAGE_NO_MEMORY where there is none even for one.
  */
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, tribox_sink *sink, void *data,
                             progress *bar, tile_found *found);

@@ -62,7 +62,7 @@ static int list_triangles(tile_set *set)
             return EXIT_CODE_FAILURE;
         status = fill_tiles(set);
     }
-    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+    return message_status(status);
 }
 
 static int make_records(tile_set *set, bool has_work)
@@ -265,7 +265,7 @@ static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *r
 {
     for (size_t r = b->from; r < b->to; r++)
         if (!partition_is_sound(set->from, r))
-            return TRIBOX_BAD_INDEX;
+            return TRIBOX_BAD_VERTEX;
     set_starts(set, b, room->starts);
     if (set->task.soup)
         return run_soup(set, b, room, sink, data, report);

@@ -47,7 +47,7 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to);
 void tile_room_free(tile_room *room);
 
 /*
- * tribox_voxelize_bricks for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_INDEX:
+ * tribox_voxelize_bricks for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_VERTEX:
  * the triangles of the partition are damaged.
  */
 tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, tribox_sink *sink, void *data,

@@ -77,10 +77,10 @@ static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
         return goals->code;
     if (goals->part && goals->part->reason)
         return EXIT_CODE_OK; /* run_to_part says so */
-    if (status == TRIBOX_BAD_INDEX && j->in->partition)
+    if (status == TRIBOX_BAD_VERTEX && j->in->partition)
         return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
                                j->in->partition->path);
-    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+    return message_status(status);
 }
 
 static int run_to_part(const tile_job *j, voxelize_files *files, brick_goals *goals, voxelize_answer *a)
@@ -206,7 +206,7 @@ static int run_doubles(const voxelize_request *r, const voxelize_input *in, voxe
     if (in->mesh) {
         all = in->mesh->is_double ? in->mesh->doubles : mesh_of_streams(in->mesh, &indices);
         if (!all.positions)
-            return message_failure("%s", tribox_status_text(TRIBOX_NO_MEMORY));
+            return message_status(MESSAGE_NO_MEMORY);
     }
     const voxel_task task = voxel_task_of_mesh(&all, &in->cells.grid, &r->test);
     const int code = run_task(r, in, &task, files, a);

@@ -50,7 +50,7 @@ static int widen(whole *w)
     if (w->cells.is_float)
         return EXIT_CODE_OK;
     w->wide = w->m->is_double ? w->m->doubles : mesh_of_streams(w->m, &w->indices);
-    return w->wide.positions ? EXIT_CODE_OK : message_failure("%s", tribox_status_text(TRIBOX_NO_MEMORY));
+    return w->wide.positions ? EXIT_CODE_OK : message_status(MESSAGE_NO_MEMORY);
 }
 
 static tribox_status run(const whole *w, progress *bar, tribox_report *report)
@@ -71,7 +71,7 @@ static int voxelize(const whole *w, voxelize_answer *a)
     const tribox_status status = run(w, &bar, &a->report);
     a->seconds = clock_seconds() - start;
     progress_end(&bar);
-    return status ? message_failure("%s", tribox_status_text(status)) : EXIT_CODE_OK;
+    return message_status(status);
 }
 
 static tribox_status fill(const whole *w, void *scratch, voxelize_answer *a)
@@ -96,7 +96,7 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     const tribox_status status = fill(w, scratch, a);
     free(scratch);
     if (status)
-        return message_failure("%s", tribox_status_text(status));
+        return message_status(status);
     if (a->odd_rows)
         message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
                     "wrong; --fill outside asks only the cells",

@@ -3,7 +3,7 @@ import { optionNumbers } from './arguments.mjs';
 import { TriboxError } from './errors.mjs';
 
 // Where each structure lies in a room that is taken once.
-const OPTIONS = 0, REPORT = 16, NUMBER = 24, BOX = 32, GRID = 96, SOUP = 136, SMALL_BYTES = 176;
+const OPTIONS = 0, REPORT = 32, NUMBER = 40, BOX = 48, GRID = 168, SOUP = 232, SMALL_BYTES = 272;
 
 // sbrk of wasi-libc takes a signed number.
 const BYTES_MAX = 2 ** 31 - 2 ** 20;

@@ -88,15 +88,20 @@ export class Triangles extends Questions {
         memory.call(`tribox_classify${this.#suffix}`, ...first, hit, inside, memory.report);
     }
 
+    /** what: TRIBOX_FIRST_HIT or TRIBOX_FIRST_MISS. */
+    find(memory, first, what) {
+        memory.call(this.#suffix ? 'tribox_mesh_find' : 'tribox_find', ...first, what, memory.number);
+    }
+
     first(box, options) {
         const memory = this.held, first = this.prepare(box, options);
-        memory.call(`tribox_overlap_any${this.#suffix}`, ...first, memory.number);
+        this.find(memory, first, 0);
         return placeIn(memory, this.length);
     }
 
     firstMiss(box, options) {
         const memory = this.held, first = this.prepare(box, options);
-        memory.call(`tribox_overlap_all${this.#suffix}`, ...first, memory.number);
+        this.find(memory, first, 1);
         return placeIn(memory, this.length);
     }
 }

@@ -69,7 +69,7 @@ export class Soup extends Triangles {
         try {
             soup.#ids = memory.borrow(4 * length, 'the order of a soup', (order) => {
                 memory.borrow(16 * length, 'sorting a soup', (scratch) =>
-                    memory.call('tribox_soup_order', this.#address, order, scratch));
+                    memory.call('tribox_soup_sort', this.#address, order, scratch));
                 const streams = soup.#address;
                 memory.call('tribox_soup_gather', this.#address, order, 0, length, streams, streams + 12, streams + 24);
                 return memory.words(order, length).slice();
