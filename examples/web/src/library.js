@@ -93,13 +93,13 @@ export class Library {
 
     pointsInside(vertex, oriented) {
         const { exports, memory } = this.tribox,
-            room = exports.malloc(128);
+            room = exports.malloc(132);
         const soup = new Uint32Array(memory.buffer, room, 10),
             from = new Uint32Array(memory.buffer, this.soup.address, 10);
         for (let axis = 0; axis < 3; axis++) soup.fill(from[3 * axis + vertex], 3 * axis, 3 * axis + 3);
         soup[9] = this.count;
         new Float32Array(memory.buffer, room + 40, 15).set([...oriented.center, ...oriented.half, ...oriented.axis.flat()]);
-        new Uint32Array(memory.buffer, room + 100, 4).set([0, 1, 0, 0]); // exact, by the axes of the box, which do for points
+        new Uint32Array(memory.buffer, room + 100, 8).set([0, 1, 0, 0, 0, 0, 0, 0]); // exact, by the axes of the box, which do for points
         exports.tribox_overlap_oriented(room, room + 40, room + 100, this.other.words.byteOffset, 0);
         exports.free(room);
         return this.other.words;
