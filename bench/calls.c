@@ -133,7 +133,7 @@ static bool answer_boxes(const box_work *work, const tribox_options *options, ui
 {
     for (size_t call = 0; call < work->count; call++) {
         const box_job *const job = &work->jobs[call];
-        if (tribox_overlap_boxes((const float(*)[3])job->triangle[0], &job->boxes, options, mask, NULL))
+        if (tribox_overlap_boxes((const float *)job->triangle[0], &job->boxes, options, mask, NULL))
             return false;
         mask += tribox_mask_words(job->boxes.count);
     }

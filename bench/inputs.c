@@ -44,7 +44,7 @@ static bool run_streams(const contestant *self, uint64_t *mask, tribox_report *r
 
 static bool run_mesh(const contestant *self, uint64_t *mask, tribox_report *report)
 {
-    return !tribox_overlap_indexed(mesh_of(self), &job_of(self)->box, &self->options, mask, report);
+    return !tribox_mesh_overlap(mesh_of(self), &job_of(self)->box, &self->options, mask, report);
 }
 
 static bool run_to_streams(const contestant *self, uint64_t *mask, tribox_report *report)
@@ -56,7 +56,7 @@ static bool run_to_streams(const contestant *self, uint64_t *mask, tribox_report
     (void)report;
     for (size_t k = 0; k < 9; k++)
         to[k] = f->streams + k * count;
-    return !tribox_mesh_to_streams(mesh_of(self), 0, count, &self->options, to, to + 3, to + 6);
+    return !tribox_mesh_to_soup(mesh_of(self), NULL, 0, count, &self->options, to, to + 3, to + 6);
 }
 
 static bool run_copy(const contestant *self, uint64_t *mask, tribox_report *report)

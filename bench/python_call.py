@@ -22,7 +22,7 @@ def rows():
     mesh, soup = tribox.Mesh(one[0], np.array([[0, 1, 2]], np.uint32)), tribox.Soup.of(one)
     lo, hi, out = np.array(LO, np.float32), np.array(HI, np.float32), np.zeros(1, bool)
     struct, box, words = held(one)[0], ffi.new("tribox_box *", (LO, HI)), ffi.new("uint64_t[1]")
-    yield "raw", lambda: lib.tribox_overlap_indexed(struct, box, ffi.NULL, words, ffi.NULL)
+    yield "raw", lambda: lib.tribox_mesh_overlap(struct, box, ffi.NULL, words, ffi.NULL)
     yield "array", lambda: tribox.overlap(one, LO, HI)
     yield "array, bounds in arrays", lambda: tribox.overlap(one, lo, hi)
     yield "array, out", lambda: tribox.overlap(one, LO, HI, out=out)

@@ -69,7 +69,7 @@ static tribox_box child_of(const tribox_box *box, int child)
 {
     tribox_box own = *box;
     for (int a = 0; a < 3; a++) {
-        const float middle = (box->lo[a] + box->hi[a]) / 2;
+        const float middle = (float)((box->lo[a] + box->hi[a]) / 2); /* which six streams of floats can hold */
         *(child >> a & 1 ? &own.lo[a] : &own.hi[a]) = middle;
     }
     return own;
@@ -85,15 +85,15 @@ static void test_children(const octree *tree, const tribox_box *box, const uint3
     for (int a = 0; a < 3; a++) {
         for (int c = 0; c < 8; c++) {
             const tribox_box child = child_of(box, c);
-            bound[0][a][c] = child.lo[a];
-            bound[1][a][c] = child.hi[a];
+            bound[0][a][c] = (float)child.lo[a];
+            bound[1][a][c] = (float)child.hi[a];
         }
         children.lo[a] = bound[0][a];
         children.hi[a] = bound[1][a];
     }
     for (size_t i = 0; i < count; i++) {
         uint64_t mask;
-        check(tribox_overlap_boxes((const float(*)[3])tree->triangles[list[i]], &children, NULL, &mask, NULL));
+        check(tribox_overlap_boxes((const float *)tree->triangles[list[i]], &children, NULL, &mask, NULL));
         overlapped[i] = (unsigned char)mask;
     }
 }
@@ -157,7 +157,7 @@ static void order_triangles(const octree *tree, ordered *o)
         o->soup.z[v] = streams[6 + v];
     }
     check(tribox_mesh_sort(&mesh, o->order, scratch));
-    check(tribox_mesh_gather(&mesh, o->order, 0, tree->count, streams, streams + 3, streams + 6));
+    check(tribox_mesh_gather(&mesh, NULL, o->order, 0, tree->count, streams, streams + 3, streams + 6));
     free(scratch);
     o->nodes = allocate(tribox_index_bytes(tree->count), 1);
     check(tribox_index_build(&o->soup, NULL, o->nodes, &o->index));

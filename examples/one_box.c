@@ -47,14 +47,14 @@ int main(void)
     tribox_report report;
 
     /* The mesh as it is: only the answer needs memory. */
-    check(tribox_overlap_indexed(&mesh, &corner, NULL, mask, &report));
+    check(tribox_mesh_overlap(&mesh, &corner, NULL, mask, &report));
     printf("%zu of %d triangles overlap the box at a corner\n", report.overlapping, TRIANGLES);
     print_mask("indexed", mask);
 
     /* Its nine streams, for a mesh that is tested often: x[v][i] is the x of vertex v of triangle i. */
     static float x[3][TRIANGLES], y[3][TRIANGLES], z[3][TRIANGLES];
-    check(tribox_mesh_to_streams(&mesh, 0, TRIANGLES, NULL, (float *[]){x[0], x[1], x[2]}, (float *[]){y[0], y[1], y[2]},
-                                 (float *[]){z[0], z[1], z[2]}));
+    check(tribox_mesh_to_soup(&mesh, NULL, 0, TRIANGLES, NULL, (float *[]){x[0], x[1], x[2]}, (float *[]){y[0], y[1], y[2]},
+                              (float *[]){z[0], z[1], z[2]}));
     const tribox_soup soup = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}, TRIANGLES};
     check(tribox_overlap(&soup, &corner, NULL, mask, NULL));
     print_mask("streams", mask);

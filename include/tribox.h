@@ -50,10 +50,12 @@ extern "C" {
 /**
  * A closed axis-aligned box. Index: 0 is x, 1 is y, 2 is z. lo == hi makes it a rectangle, a segment or a point; lo > hi on any
  * axis makes it the empty box, which nothing overlaps.
+ *
+ * Bounds are doubles for triangles of floats, too: 0.1 is the double 0.1, and no bound is rounded to float.
  */
 typedef struct tribox_box {
-    float lo[3]; /* the lower bound on each axis, part of the box */
-    float hi[3]; /* the upper bound on each axis, part of the box */
+    double lo[3]; /* the lower bound on each axis, part of the box */
+    double hi[3]; /* the upper bound on each axis, part of the box */
 } tribox_box;
 
 /**
@@ -89,30 +91,24 @@ typedef struct tribox_soup {
 } tribox_soup;
 
 /**
- * Triangles as most programs hold them: an indexed mesh, or an array of structures with nine numbers per triangle. Vertex v of
- * triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices.
+ * Triangles as most programs hold them, of floats or of doubles: an indexed mesh, or an array of structures with nine numbers per
+ * triangle. Vertex v of triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices. Zero-initialise what
+ * is not set.
  *
- * The calls that end in _f64 and tribox_mesh_to_local_streams take positions of float and of double, and any axis_stride; the
- * others take floats that follow each other. In a matrix whose columns are x, y and z, axis_stride is the bytes of a column, and
- * the stride position_bytes, which 0 then stands for.
+ * In a matrix whose columns are x, y and z, axis_stride is the bytes of a column, and the stride position_bytes, for which 0 then
+ * stands.
  */
 typedef struct tribox_mesh {
-    const void *positions; /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
-    size_t stride;         /* bytes from one vertex to the next: 12 or more, 24 of doubles; 0 stands for the least */
-    size_t vertices;       /* how many vertices there are; nothing after the z of the last is read */
-    const void *indices;   /* 3 * count vertex numbers, at any alignment; NULL for 0, 1, 2, 3, ... */
-    unsigned index_bytes;  /* 2 for uint16_t, 4 for uint32_t; ignored where indices is NULL */
-    size_t count;          /* triangles */
-
-    unsigned position_bytes; /* 4, or 0, for positions of float; 8 for double, which only calls that say so take */
+    const void *positions;   /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
+    size_t stride;           /* bytes from one vertex to the next: 12 or more, 24 of doubles; 0 stands for the least */
+    size_t vertices;         /* how many vertices there are; nothing after the z of the last is read */
+    const void *indices;     /* 3 * count vertex numbers, at any alignment; NULL for 0, 1, 2, 3, ... */
+    unsigned index_bytes;    /* 2 for uint16_t, 4 for uint32_t; ignored where indices is NULL */
+    size_t count;            /* triangles */
+    unsigned position_bytes; /* 4, or 0, for positions of float; 8 for double */
     size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z; 0 where the three follow each other */
+    uint32_t reserved[4];    /* zero, or TRIBOX_BAD_ARGUMENT */
 } tribox_mesh;
-
-/** A closed axis-aligned box in double; everything else is as for tribox_box. */
-typedef struct tribox_box_f64 {
-    double lo[3]; /* the lower bound on each axis, part of the box */
-    double hi[3]; /* the upper bound on each axis, part of the box */
-} tribox_box_f64;
 
 /* ============================================================================================================================== */
 /*                                                   Status, options and report                                                   */
@@ -202,18 +198,6 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
                                         uint64_t *mask, tribox_report *report);
 
 /**
- * tribox_overlap for a mesh as it is: the same bits as for the nine streams of its triangles, without memory for them.
- *
- * mesh: read from where it lies, in blocks that fit the cache.
- * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
- *
- * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also for a stride of 1 to 11 and for index_bytes other than 2 and 4;
- * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
- */
-TRIBOX_API tribox_status tribox_overlap_indexed(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
-                                                uint64_t *mask, tribox_report *report);
-
-/**
  * tribox_overlap for an oriented box. As in the paper (section 2) the triangles are moved into the frame of the box, in blocks, and
  * tested there.
  *
@@ -265,6 +249,41 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
                                          uint64_t *mask, uint64_t *inside, tribox_report *report);
 
 /* ============================================================================================================================== */
+/*                                                      Meshes and one box                                                        */
+/* ============================================================================================================================== */
+
+/**
+ * tribox_overlap for a mesh as it is, of floats or doubles: exact for every finite number, however far from the origin, without
+ * memory for streams. Nothing has to be moved towards the origin first, and nothing is gained by it.
+ *
+ * mesh: read from where it lies, in blocks that fit the cache.
+ * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count. For floats the same bits as for the
+ *   nine streams of the triangles, at every accuracy. Of doubles, and of floats with an axis_stride, CONSERVATIVE and FAST are one:
+ *   they never miss, and report too much only within the bounds of tribox_accuracy, of doubles with 2^-47 for 2^-19; all axes or
+ *   TRIBOX_AXES_BOX alone are fast, other sets take the second stage for every triangle that the box normals leave; and the
+ *   order of the axes is ignored.
+ *
+ * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also where a size or a stride of the mesh is not allowed, or a reserved
+ * number not zero; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
+ */
+TRIBOX_API tribox_status tribox_mesh_overlap(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
+                                             uint64_t *mask, tribox_report *report);
+
+/**
+ * tribox_classify for a mesh: which triangles miss the box, straddle its border, and lie wholly inside. FAST is taken as
+ * CONSERVATIVE. Other arguments and the returned status are as for tribox_classify and tribox_mesh_overlap.
+ */
+TRIBOX_API tribox_status tribox_mesh_classify(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
+                                              uint64_t *mask, uint64_t *inside, tribox_report *report);
+
+/**
+ * tribox_find for a mesh. Of the indices only those of triangles that are tested are checked. Other arguments and the returned
+ * status are as for tribox_find and tribox_mesh_overlap.
+ */
+TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
+                                          tribox_find_what what, size_t *triangle);
+
+/* ============================================================================================================================== */
 /*                                                    One triangle, many boxes                                                    */
 /* ============================================================================================================================== */
 
@@ -272,8 +291,7 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
  * Tests one triangle against many boxes: the inner loop of octree and grid builders.
  * Bit i % 64 of mask[i / 64] is set if the triangle overlaps box i; bits past count are zero.
  *
- * triangle: triangle[v][a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing. (Before C23 a pedantic C
- *   compiler asks for a cast to `const float (*)[3]` if the array itself is not const.)
+ * triangle: triangle[3 * v + a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
  * boxes: six streams of boxes->count floats. A box that is empty, or has a NaN or infinite bound, overlaps nothing. This is not an
  *   error.
  * options, mask, report: as for tribox_overlap, with boxes->count in place of soup->count.
@@ -281,7 +299,7 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (triangle, boxes or a stream of a non-empty set is NULL, or count floats exceed the
  * address space), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
  */
-TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options,
+TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[9], const tribox_boxes *boxes, const tribox_options *options,
                                               uint64_t *mask, tribox_report *report);
 
 /* ============================================================================================================================== */
@@ -447,8 +465,8 @@ TRIBOX_API tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *ord
 TRIBOX_API tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
 /**
- * The same for the triangles of a mesh; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed returns it, TRIBOX_BAD_VERTEX if a
- * triangle refers to a vertex that does not exist.
+ * The same for the triangles of a mesh, those of doubles seen from its first vertex; TRIBOX_BAD_ARGUMENT also where
+ * tribox_mesh_overlap returns it, TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *order, void *scratch);
 
@@ -468,13 +486,13 @@ TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint3
                                             float *const x[3], float *const y[3], float *const z[3]);
 
 /**
- * The same for a mesh: from its triangles as they are to ordered streams.
+ * The same for a mesh: from its triangles as they are to ordered streams, relative to an origin as by tribox_mesh_to_soup.
  *
- * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_overlap_indexed does, TRIBOX_BAD_VERTEX also if one
- * of these triangles refers to a vertex that does not exist.
+ * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_mesh_to_soup does, TRIBOX_BAD_VERTEX also if one of
+ * these triangles refers to a vertex that does not exist.
  */
-TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order, size_t first, size_t count,
-                                            float *const x[3], float *const y[3], float *const z[3]);
+TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const double origin[3], const uint32_t *order, size_t first,
+                                            size_t count, float *const x[3], float *const y[3], float *const z[3]);
 
 /* ============================================================================================================================== */
 /*                                                        Cells of a grid                                                         */
@@ -678,50 +696,6 @@ TRIBOX_API tribox_status tribox_fill_parity(const tribox_soup *soup, const tribo
 /* ============================================================================================================================== */
 
 /**
- * tribox_overlap_indexed for positions of either size and a box of doubles: exact for every finite double, however far from the
- * origin. Vertices are rounded once, relative to the box, while they are read; what that leaves open is settled in double and in
- * integers. So nothing has to be moved towards the origin first, and nothing is gained by it.
- *
- * mesh: position_bytes of 0, 4 or 8.
- * box: finite bounds, or TRIBOX_BAD_BOX; nothing overlaps the empty box (lo > hi on an axis).
- * options: EXACT is the true answer about the doubles. CONSERVATIVE and FAST are one here: they never miss, and report too much
- *   only within the bounds of tribox_accuracy, with 2^-47 for 2^-19. TRIBOX_AXES_ALL and TRIBOX_AXES_BOX alone are fast; other
- *   sets take the second stage for every triangle that the box normals leave. The order of the axes is ignored.
- * mask, report: as for tribox_overlap, with mesh->count in place of soup->count.
- *
- * Returns what tribox_overlap_indexed does; TRIBOX_BAD_ARGUMENT for a stride that is too small for position_bytes, and for
- * position_bytes other than 0, 4 and 8.
- */
-TRIBOX_API tribox_status tribox_overlap_indexed_f64(const tribox_mesh *mesh, const tribox_box_f64 *box,
-                                                    const tribox_options *options, uint64_t *mask, tribox_report *report);
-
-/** tribox_find for such a mesh. Of the indices only those of triangles that are tested are checked. */
-TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                          tribox_find_what what, size_t *triangle);
-
-/** tribox_classify for such a mesh: those that miss the box, straddle its border, and lie wholly inside. */
-TRIBOX_API tribox_status tribox_classify_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, const tribox_options *options,
-                                             uint64_t *mask, uint64_t *inside, tribox_report *report);
-
-/**
- * Writes triangles first .. first + count - 1 of a mesh as nine streams relative to an origin: x[v][i] is the float nearest to
- * u - origin[0], the difference taken in double, for the x u of vertex v of triangle first + i; y and z likewise. For meshes that
- * are asked often, and for an index over them: answers about the streams are exact about these floats, which are off by 2^-24 of
- * u - origin.
- *
- * mesh: position_bytes of 0, 4 or 8. Must not overlap the streams.
- * origin: finite.
- * options: only the kernel matters; NULL for the best.
- * x, y, z: three streams each, of `count` floats, at any alignment. What is beyond the range of float becomes infinite.
- *
- * Returns what tribox_mesh_to_streams does; TRIBOX_BAD_ARGUMENT also if origin is NULL or not finite, and where
- * tribox_overlap_indexed_f64 does.
- */
-TRIBOX_API tribox_status tribox_mesh_to_local_streams(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
-                                                      const tribox_options *options, float *const x[3], float *const y[3],
-                                                      float *const z[3]);
-
-/**
  * A grid in double: of size[0] x size[1] x size[2] closed cells. Plane p of axis a lies at the double nearest to
  * origin[a] + p * cell[a], rounded once (C's fma).
  *
@@ -735,11 +709,11 @@ typedef struct tribox_grid_f64 {
 } tribox_grid_f64;
 
 /** The box of cell (i, j, k), each less than the grid's size on its axis: the very box that tribox_voxelize_f64 tests. */
-TRIBOX_API tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k);
+TRIBOX_API tribox_box tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k);
 
 /**
  * tribox_voxelize for a mesh and a grid of doubles, and for a window of it: cells first[a] .. first[a] + size[a] - 1 of each axis.
- * EXACT is by definition tribox_overlap_indexed_f64 of the mesh with every tribox_grid_cell_f64, so windows have the bits of the
+ * EXACT is by definition tribox_mesh_overlap of the mesh with every tribox_grid_cell_f64, so windows have the bits of the
  * whole; at CONSERVATIVE and FAST they may differ within rounding of contact, as tribox_voxelize states it.
  *
  * mesh: position_bytes of 0, 4 or 8.
@@ -748,7 +722,7 @@ TRIBOX_API tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint
  *   (i, j, k) is bit (i - first[0]) % 64 of occupied[((k - first[2]) * size[1] + j - first[1]) * row_words + (i - first[0]) / 64].
  *
  * Other arguments are as for tribox_voxelize. Returns what it does; TRIBOX_BAD_ARGUMENT also where the window leaves the grid or
- * one of first and size alone is NULL, and where tribox_overlap_indexed_f64 does; TRIBOX_BAD_GRID if the window has too many words;
+ * one of first and size alone is NULL, and where tribox_mesh_overlap does; TRIBOX_BAD_GRID if the window has too many words;
  * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
@@ -805,27 +779,40 @@ TRIBOX_API size_t tribox_mask_indices(const uint64_t *mask, size_t count, uint32
 TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first);
 
 /**
+ * The same for a mesh of floats or doubles. A triangle that names a vertex that does not exist is not looked at
+ * (tribox_mesh_bad_vertices).
+ *
+ * mesh: counts as empty if it is NULL, or if tribox_mesh_overlap would return TRIBOX_BAD_ARGUMENT for it.
+ * first: as above.
+ */
+TRIBOX_API size_t tribox_mesh_not_finite(const tribox_mesh *mesh, size_t *first);
+
+/**
  * Counts the indices of a mesh that refer to a vertex that does not exist.
  *
- * mesh: counts as empty if it is NULL, or if tribox_overlap_indexed would return TRIBOX_BAD_ARGUMENT for it.
+ * mesh: counts as empty if it is NULL, or if tribox_mesh_overlap would return TRIBOX_BAD_ARGUMENT for it.
  * first: receives the place of the first such index among all indices (its triangle is *first / 3, its corner *first % 3), or
  *   3 * count if there is none; NULL if not wanted.
  */
 TRIBOX_API size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *first);
 
 /**
- * Writes triangles first .. first + count - 1 of a mesh as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of triangle
- * first + i. For the calls that take a soup, and for triangles that are tested more than once.
+ * Writes triangles first .. first + count - 1 of a mesh as the nine streams of a soup: x[v][i], y[v][i] and z[v][i] are vertex v of
+ * triangle first + i. For the calls that take a soup, and for triangles that are tested more than once.
  *
  * mesh: must not overlap the streams.
+ * origin: NULL, and floats are copied as they are, NaN and infinity included, and doubles rounded; or finite numbers, and each
+ *   coordinate becomes the float nearest to u - origin, the difference taken in double. Answers about such streams are exact about
+ *   these floats, which are off by 2^-24 of u - origin.
  * options: only the kernel matters; NULL for the best.
- * x, y, z: three streams each, of `count` floats, at any alignment. Values are copied as they are, NaN and infinity included.
+ * x, y, z: three streams each, of `count` floats, at any alignment. What is beyond the range of float becomes infinite.
  *
- * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_overlap_indexed; a NULL stream where count > 0; first + count exceeds
- * mesh->count), TRIBOX_BAD_VERTEX (only the indices of these triangles are checked) or TRIBOX_NO_KERNEL.
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_mesh_overlap; a NULL stream where count > 0; origin is not finite; first +
+ * count exceeds mesh->count), TRIBOX_BAD_VERTEX (only the indices of these triangles are checked) or TRIBOX_NO_KERNEL.
  */
-TRIBOX_API tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
-                                                float *const x[3], float *const y[3], float *const z[3]);
+TRIBOX_API tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
+                                             const tribox_options *options, float *const x[3], float *const y[3],
+                                             float *const z[3]);
 
 /**
  * The name of the kernel that a call with these options runs, spelt as in tribox_options.kernel; NULL if none can run: the name is

@@ -12,6 +12,7 @@
 
 #include "base/ahead.h"
 #include "base/compiler.h"
+#include "base/rounded_box.h"
 #include "mesh/vertex_numbers.h"
 #include "voxels/kernel_voxels.h"
 #include "index/kernel_nodes.h"
@@ -58,8 +59,8 @@ enum { TRIBOX_LOCAL = 3 * TRIBOX_LANES_MAX };
 typedef struct tribox_query {
     const tribox_soup *soup;
     const tribox_corners *corners; /* all axes are asked */
-    const tribox_box *box;
-    const float (*triangle)[3];
+    const tribox_rounded_box *box;
+    const float *triangle; /* [3 * v + a]: axis a of vertex v */
     const tribox_boxes *boxes;
     size_t count;
 } tribox_query;
@@ -129,7 +130,7 @@ typedef void tribox_spread_triangles(const tribox_soup *soup, tribox_partial_pac
 typedef void tribox_spread_boxes(const tribox_boxes *boxes, tribox_partial_packet *partial);
 
 /* The candidates among the triangles of a word that lie wholly in the box. Whole packets are read, as by a walk. */
-typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates);
+typedef uint64_t tribox_inside(const tribox_soup *soup, const tribox_rounded_box *box, size_t word, uint64_t candidates);
 
 /* The least and the greatest vertex number of triangles first .. first + count - 1 of a mesh, one at least. */
 typedef struct tribox_vertices {

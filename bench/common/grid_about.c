@@ -5,7 +5,7 @@
 
 tribox_grid grid_about(const mesh *m, uint32_t resolution)
 {
-    tribox_box_f64 box = {{0, 0, 0}, {1, 1, 1}};
+    tribox_box box = {{0, 0, 0}, {1, 1, 1}};
     double longest = 0;
     tribox_grid grid;
     mesh_bounds(m, &box);

@@ -15,7 +15,7 @@ struct double_peer {
 
 extern "C" {
 
-double_peer *double_peer_make(const double *nine, size_t count, const tribox_box_f64 *box)
+double_peer *double_peer_make(const double *nine, size_t count, const tribox_box *box)
 {
     auto *const peer = new double_peer;
     peer->box = {box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2]};

@@ -1,7 +1,7 @@
 /* double_no_cgal.c - stands for the peer where CGAL is not there. */
 #include "double_peer.h"
 
-double_peer *double_peer_make(const double *nine, size_t count, const tribox_box_f64 *box)
+double_peer *double_peer_make(const double *nine, size_t count, const tribox_box *box)
 {
     (void)nine;
     (void)count;

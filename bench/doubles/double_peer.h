@@ -15,7 +15,7 @@ extern "C" {
 typedef struct double_peer double_peer;
 
 /* Nine doubles a triangle, and a box; NULL without CGAL. */
-double_peer *double_peer_make(const double *nine, size_t count, const tribox_box_f64 *box);
+double_peer *double_peer_make(const double *nine, size_t count, const tribox_box *box);
 void double_peer_free(double_peer *peer);
 
 /* do_intersect for each of them. */

@@ -12,7 +12,7 @@ typedef struct double_scene {
     size_t count;
     tribox_mesh nine, indexed;               /* of doubles */
     tribox_mesh single_nine, single_indexed; /* of floats */
-    tribox_box_f64 box;
+    tribox_box box;
     tribox_box single_box;
     void *memory[5];
 } double_scene;

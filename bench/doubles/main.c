@@ -33,13 +33,13 @@ static const asked *question_of(const contestant *self) { return self->question;
 static bool run_floats(const contestant *self, uint64_t *mask, tribox_report *report)
 {
     const asked *const q = question_of(self);
-    return !tribox_overlap_indexed(q->mesh, &q->at->single_box, &self->options, mask, report);
+    return !tribox_mesh_overlap(q->mesh, &q->at->single_box, &self->options, mask, report);
 }
 
 static bool run_doubles(const contestant *self, uint64_t *mask, tribox_report *report)
 {
     const asked *const q = question_of(self);
-    return !tribox_overlap_indexed_f64(q->mesh, &q->at->box, &self->options, mask, report);
+    return !tribox_mesh_overlap(q->mesh, &q->at->box, &self->options, mask, report);
 }
 
 static bool run_reading(const contestant *self, uint64_t *mask, tribox_report *report)
@@ -62,7 +62,7 @@ static bool run_peer(const contestant *self, uint64_t *mask, tribox_report *repo
 static bool find_truth(const void *question, unsigned axes, uint64_t *mask)
 {
     const asked *const q = question;
-    return !tribox_overlap_indexed_f64(q->mesh, &q->at->box, &(tribox_options){.axes = axes, .kernel = "scalar"}, mask, NULL);
+    return !tribox_mesh_overlap(q->mesh, &q->at->box, &(tribox_options){.axes = axes, .kernel = "scalar"}, mask, NULL);
 }
 
 static uint64_t *make_mask(size_t count)

@@ -34,7 +34,8 @@ static void fit(canvas *c, const tribox_soup *soup, const tribox_box *box)
         widen(c, corner, least, most);
     }
     for (int k = 0; k < 8; k++) {
-        const float corner[3] = {(k & 1 ? box->hi : box->lo)[0], (k & 2 ? box->hi : box->lo)[1], (k & 4 ? box->hi : box->lo)[2]};
+        const float corner[3] = {(float)(k & 1 ? box->hi : box->lo)[0], (float)(k & 2 ? box->hi : box->lo)[1],
+                                 (float)(k & 4 ? box->hi : box->lo)[2]};
         widen(c, corner, least, most);
     }
     const double width = (double)(most[0] - least[0]), height = (double)(most[1] - least[1]);

@@ -168,9 +168,9 @@ static void paint_box(picture *p)
             float point[3], at[3];
             for (int a = 0; a < 3; a++) {
                 const bool is_high = edge >> (a == (along + 1) % 3 ? 0 : 1) & 1;
-                point[a] = is_high ? box.hi[a] : box.lo[a];
+                point[a] = is_high ? (float)box.hi[a] : (float)box.lo[a];
             }
-            point[along] = box.lo[along] + (box.hi[along] - box.lo[along]) * (float)d / DOTS;
+            point[along] = (float)box.lo[along] + ((float)box.hi[along] - (float)box.lo[along]) * (float)d / DOTS;
             canvas_place(&p->canvas, point, at);
             paint_dot(p, at);
         }

@@ -66,7 +66,7 @@ bool many_boxes_make(const ordered_soup *soup, const tribox_box *boxes, size_t c
         return false;
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 6; k++)
-            m->bounds[0][k][i] = k < 3 ? boxes[i].lo[k] : boxes[i].hi[k - 3];
+            m->bounds[0][k][i] = k < 3 ? (float)boxes[i].lo[k] : (float)boxes[i].hi[k - 3];
     if (tribox_boxes_sort(&m->boxes[0], m->order, m->scratch))
         return false;
     for (size_t i = 0; i < count; i++)

@@ -103,7 +103,7 @@ static bool ask_mesh(const mesh_words *q, size_t first, const tribox_box *box, c
     tribox_mesh word = q->mesh;
     word.indices = q->indices + 3 * first;
     word.count = triangles_from(first, q->mesh.count);
-    return !tribox_overlap_indexed(&word, box, options, bits, NULL);
+    return !tribox_mesh_overlap(&word, box, options, bits, NULL);
 }
 
 typedef bool ask_word(const mesh_words *q, size_t first, const tribox_box *box, const tribox_options *options, uint64_t *bits);

@@ -26,7 +26,7 @@ bool mesh_words_make(const tribox_soup *file, const ordered_soup *soup, const no
 
 void mesh_words_free(mesh_words *made);
 
-/* Times are a word's. Without streams the triangles are gathered by tribox_overlap_indexed. */
+/* Times are a word's. Without streams the triangles are gathered by tribox_mesh_overlap. */
 contestant mesh_words_contestant(const mesh_words *question, bool has_streams, const char *kernel);
 
 #endif

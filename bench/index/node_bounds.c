@@ -8,11 +8,11 @@ static size_t groups_of(size_t count) { return (count + 63) / 64; }
 
 static const tribox_box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
-static void widen(tribox_box *by, const float lo[3], const float hi[3])
+static void widen(tribox_box *by, const double lo[3], const double hi[3])
 {
     for (int a = 0; a < 3; a++) {
-        by->lo[a] = fminf(by->lo[a], lo[a]);
-        by->hi[a] = fmaxf(by->hi[a], hi[a]);
+        by->lo[a] = fmin(by->lo[a], lo[a]);
+        by->hi[a] = fmax(by->hi[a], hi[a]);
     }
 }
 
@@ -22,7 +22,7 @@ static void bound_words(const tribox_soup *soup, tribox_box *words)
         if (i % 64 == 0)
             words[i / 64] = nothing;
         for (int v = 0; v < 3; v++) {
-            const float p[3] = {soup->x[v][i], soup->y[v][i], soup->z[v][i]};
+            const double p[3] = {soup->x[v][i], soup->y[v][i], soup->z[v][i]};
             widen(&words[i / 64], p, p);
         }
     }

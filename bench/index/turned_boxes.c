@@ -12,8 +12,8 @@ static tribox_oriented_box turn(const tribox_box *box)
     const float c = 0.76484219f, s = 0.64421769f, e = 0.87758256f, d = 0.47942554f;
     tribox_oriented_box turned = {.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
     for (int a = 0; a < 3; a++) {
-        turned.center[a] = box->lo[a] / 2 + box->hi[a] / 2;
-        turned.half[a] = box->hi[a] / 2 - box->lo[a] / 2;
+        turned.center[a] = (float)box->lo[a] / 2 + (float)box->hi[a] / 2;
+        turned.half[a] = (float)box->hi[a] / 2 - (float)box->lo[a] / 2;
     }
     return turned;
 }

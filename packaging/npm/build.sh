@@ -20,8 +20,8 @@ cat >"$work/functions" <<'END'
 malloc free tribox_status_text tribox_kernel_name tribox_overlap tribox_overlap_oriented tribox_find
 tribox_classify tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap tribox_index_overlap_oriented
 tribox_index_words tribox_index_list tribox_index_list_oriented tribox_index_any tribox_soup_sort tribox_soup_gather
-tribox_voxelize tribox_voxelize_layers tribox_overlap_indexed_f64 tribox_mesh_find
-tribox_classify_f64
+tribox_voxelize tribox_voxelize_layers tribox_mesh_overlap tribox_mesh_find
+tribox_mesh_classify
 END
 
 # The kernel, and what hands pairs from one of its stages to the next, are compiled for speed. The rest, which is four times as
@@ -29,7 +29,7 @@ END
 {
     cd "$root/src"
     find wasm pairs/pairs.c -name '*.c' -exec echo -O3 {} \;
-    find ./*.c base pairs mesh index grid voxels tiles fill exact -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
+    find ./*.c base pairs mesh overlap index grid voxels tiles fill exact -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

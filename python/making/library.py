@@ -19,7 +19,7 @@ X86 = (["-DTRIBOX_X86", "-msse2"], {"sse": ["-msse2"], "avx2": ["-mavx2", "-mfma
 NEON = (["-DTRIBOX_NEON"], {"neon": []})
 ROOMS = ["", "base", "pairs", "mesh", "index", "grid", "voxels", "tiles", "fill", "exact", os.path.join("exact", "oriented")]
 PROCESSORS = {"x86_64": X86, "aarch64": NEON}
-COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
+COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
 MANYLINUX = "manylinux_2_17_"  # as old a C library as any that NumPy is made for; tests/python/test_wheel.py proves it
 
 with open(os.path.join(ROOT, "include", "tribox.h"), encoding="ascii") as header:

@@ -14,7 +14,7 @@ from ._numbers import DOUBLE, FLOAT, numbers
 from ._triangles import gathered, held, meshes, soups
 from ._typing import Accuracy, Answer, Frame, TrianglesLike, Vector
 
-BOX, BOX_F64, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_box_f64 *"), ffi.typeof("tribox_oriented_box *")
+BOX, BOX_F64, ORIENTED = ffi.typeof("tribox_box *"), ffi.typeof("tribox_box *"), ffi.typeof("tribox_oriented_box *")
 ALL = lib.TRIBOX_AXES_ALL
 MOST = np.finfo(FLOAT).max
 NOT_FINITE, EMPTY = (np.nan,) * 3, ((1, 1, 1), (0, 0, 0))
@@ -60,10 +60,10 @@ def check_answer(held_, status, **arguments):
 def fill_words(held_, box, options, words):
     """The bits of triangles that overlap a box; returns the status."""
     if held_.is_double:
-        return lib.tribox_overlap_indexed_f64(held_.struct, double_box(box), options, pointer_to(words), ffi.NULL)
+        return lib.tribox_mesh_overlap(held_.struct, double_box(box), options, pointer_to(words), ffi.NULL)
     if ffi.typeof(box) is BOX_F64:
         return fill_words_about(held_, box, options, words)
-    call = lib.tribox_overlap if held_.is_soup else lib.tribox_overlap_indexed
+    call = lib.tribox_overlap if held_.is_soup else lib.tribox_mesh_overlap
     return call(held_.struct, box, options, pointer_to(words), ffi.NULL)
 
 
@@ -77,7 +77,7 @@ def fill_words_about(held_, box, options, words):
     places = np.flatnonzero(bools(words & ~sure, held_.struct.count)).astype(np.uint32)
     for first, mesh in meshes(gathered(held_.struct, places)):
         found = new_words(mesh.count)
-        lib.tribox_overlap_indexed_f64(mesh, box, options, pointer_to(found), ffi.NULL)
+        lib.tribox_mesh_overlap(mesh, box, options, pointer_to(found), ffi.NULL)
         wrong = places[first:first + mesh.count][~bools(found, mesh.count)]
         np.bitwise_and.at(words, wrong >> 6, ~(np.uint64(1) << (wrong & 63).astype(np.uint64)))
     return status
@@ -159,7 +159,7 @@ def classify(triangles: TrianglesLike, lo: Vector, hi: Vector, *, accuracy: Accu
     """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, order, kernel)
     is_double, count = held_.is_double or ffi.typeof(box) is BOX_F64, held_.struct.count
-    call, box = lib.tribox_classify_f64 if is_double else lib.tribox_classify, double_box(box) if is_double else box
+    call, box = lib.tribox_mesh_classify if is_double else lib.tribox_classify, double_box(box) if is_double else box
     mask, inside = new_words(count), new_words(count)
     for first, part in meshes(held_) if is_double else soups(held_):
         status = call(part, box, options, pointer_to(mask[first >> 6:]), pointer_to(inside[first >> 6:]), ffi.NULL)

@@ -186,7 +186,7 @@ class Mapped:
             return Array(self.partition._map[start:end], 0, 0)
         to = room.struct
         to.count = end - start
-        check(lib.tribox_mesh_to_streams(self.partition._struct.struct, start, to.count, ffi.NULL, to.x, to.y, to.z))
+        check(lib.tribox_mesh_to_soup(self.partition._struct.struct, start, to.count, ffi.NULL, to.x, to.y, to.z))
         return room
 
 

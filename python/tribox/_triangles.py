@@ -260,9 +260,9 @@ def fill(soup, at, mesh, first, count, origin=None):
     streams = [[stream + at for stream in axis] for axis in (soup.x, soup.y, soup.z)]
     streams = [new("float *[3]", axis) for axis in streams]
     if origin is None:
-        status = lib.tribox_mesh_to_streams(mesh, first, count, NULL, *streams)
+        status = lib.tribox_mesh_to_soup(mesh, first, count, NULL, *streams)
     else:
-        status = lib.tribox_mesh_to_local_streams(mesh, origin, first, count, NULL, *streams)
+        status = lib.tribox_mesh_to_soup(mesh, origin, first, count, NULL, *streams)
     if status:
         raise error_of(status, first=first, count=count)
 

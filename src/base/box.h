@@ -9,14 +9,6 @@
 static inline bool tribox_box_is_finite(const tribox_box *box)
 {
     for (int a = 0; a < 3; a++)
-        if (!tribox_is_finite(box->lo[a]) || !tribox_is_finite(box->hi[a]))
-            return false;
-    return true;
-}
-
-static inline bool tribox_box_is_finite_f64(const tribox_box_f64 *box)
-{
-    for (int a = 0; a < 3; a++)
         if (!tribox_is_finite_f64(box->lo[a]) || !tribox_is_finite_f64(box->hi[a]))
             return false;
     return true;
@@ -24,11 +16,6 @@ static inline bool tribox_box_is_finite_f64(const tribox_box_f64 *box)
 
 /* Of a finite box, in our environment: denormals-are-zero would see no difference between two subnormal bounds. */
 static inline bool tribox_box_is_empty(const tribox_box *box)
-{
-    return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
-}
-
-static inline bool tribox_box_is_empty_f64(const tribox_box_f64 *box)
 {
     return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
 }

@@ -36,7 +36,4 @@ static inline bool tribox_are_finite_f64(const double *number, int count)
     return are;
 }
 
-/* Whether all nine coordinates of a triangle are finite. */
-static inline bool tribox_triangle_is_finite(const float u[3][3]) { return tribox_are_finite(&u[0][0], 9); }
-
 #endif

@@ -4,10 +4,7 @@
 #define AS_TEXT(number) #number
 #define VERSION_TEXT(major, minor, patch) AS_TEXT(major) "." AS_TEXT(minor) "." AS_TEXT(patch)
 
-const char *tribox_version(void)
-{
-    return VERSION_TEXT(TRIBOX_VERSION_MAJOR, TRIBOX_VERSION_MINOR, TRIBOX_VERSION_PATCH);
-}
+const char *tribox_version(void) { return VERSION_TEXT(TRIBOX_VERSION_MAJOR, TRIBOX_VERSION_MINOR, TRIBOX_VERSION_PATCH); }
 
 const char *tribox_status_text(tribox_status status)
 {

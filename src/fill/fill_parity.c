@@ -112,12 +112,12 @@ tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_
                                      uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows)
 {
     tribox_plan plan;
-    if (!grid || !occupied || !solid || !scratch || !tribox_mesh_is_readable_f64(mesh))
+    tribox_mesh strided;
+    if (!grid || !occupied || !solid || !scratch || !tribox_mesh_take(mesh, &strided))
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(NULL, &plan);
     if (status)
         return status;
-    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     const tribox_environment callers = tribox_environment_enter();
     if (!tribox_fill_is_served(grid->size) || !tribox_grid_f64_is_sound(grid))
         status = TRIBOX_BAD_GRID;

@@ -15,12 +15,12 @@ tribox_planes tribox_planes_of(const tribox_grid_f64 *grid, const uint32_t first
     return planes;
 }
 
-tribox_box_f64 tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k)
+tribox_box tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k)
 {
     const uint32_t at[3] = {i, j, k};
     const tribox_environment callers = tribox_environment_enter();
     const tribox_planes planes = tribox_planes_of(grid, NULL);
-    tribox_box_f64 box;
+    tribox_box box;
     for (int a = 0; a < 3; a++) {
         box.lo[a] = tribox_plane_at(&planes, a, at[a]);
         box.hi[a] = tribox_plane_at(&planes, a, (int64_t)at[a] + 1);

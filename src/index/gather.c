@@ -2,7 +2,10 @@
 #include <string.h>
 
 #include "mesh/vertex_numbers.h"
+#include "base/environment.h"
 #include "mesh/mesh_input.h"
+#include "mesh/mesh_streams.h"
+#include "mesh/positions.h"
 #include "base/soup.h"
 
 /* Triangles that are copied stream by stream: what they touch stays in the cache. */
@@ -55,22 +58,39 @@ static bool are_vertices_there(const tribox_mesh *mesh, const uint32_t *order, s
     return are;
 }
 
-tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const uint32_t *order, size_t first, size_t count, float *const x[3],
-                                 float *const y[3], float *const z[3])
+/* Numbers as they are. */
+static void copy_vertex(const tribox_mesh *mesh, size_t vertex, float *const to[3])
 {
-    if (!tribox_mesh_is_readable(mesh) || !is_writable(order, first, count, x, y, z))
+    const char *const from = (const char *)mesh->positions + vertex * mesh->stride;
+    for (size_t a = 0; a < 3; a++)
+        memcpy(to[a], from + a * sizeof(float), sizeof(float));
+}
+
+tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const double origin[3], const uint32_t *order, size_t first, size_t count,
+                                 float *const x[3], float *const y[3], float *const z[3])
+{
+    tribox_mesh strided;
+    double from[3];
+    if (!tribox_mesh_take(mesh, &strided) || !tribox_mesh_origin_of(origin, from) || !is_writable(order, first, count, x, y, z))
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     const unsigned bytes = tribox_vertex_bytes(mesh);
+    const bool is_copied = !origin && tribox_mesh_has_floats(&strided);
     if (count && (!is_order(order + first, count, mesh->count) || !are_vertices_there(mesh, order + first, count)))
         return TRIBOX_BAD_VERTEX;
+    const tribox_environment callers = tribox_environment_enter();
     for (size_t i = 0; i < count; i++)
         for (size_t v = 0; v < 3; v++) {
             const size_t vertex = tribox_vertex_number(mesh, bytes, 3 * (size_t)order[first + i] + v);
-            const char *const from = (const char *)mesh->positions + vertex * strided.stride;
-            memcpy(&x[v][i], from, sizeof(float));
-            memcpy(&y[v][i], from + sizeof(float), sizeof(float));
-            memcpy(&z[v][i], from + 2 * sizeof(float), sizeof(float));
+            double u[3];
+            if (is_copied) {
+                copy_vertex(&strided, vertex, (float *const[3]){&x[v][i], &y[v][i], &z[v][i]});
+                continue;
+            }
+            tribox_position_read(&strided, vertex, u);
+            x[v][i] = (float)(u[0] - from[0]);
+            y[v][i] = (float)(u[1] - from[1]);
+            z[v][i] = (float)(u[2] - from[2]);
         }
+    tribox_environment_leave(callers);
     return TRIBOX_OK;
 }

@@ -10,6 +10,7 @@
 typedef struct call {
     tribox_plan plan;
     tribox_partial_packet partial;
+    tribox_rounded_box rounded;
     tribox_answers answers;
     tribox_descent descent;
 } call;
@@ -46,7 +47,8 @@ static tribox_status prepare_at_box(call *c, const tribox_index *index, const tr
     if (!tribox_box_is_finite(box))
         return TRIBOX_BAD_BOX;
     const tribox_status status = prepare_call(c, index, soup, options);
-    c->descent.pairs.box = box;
+    c->descent.pairs.box = &c->rounded;
+    c->rounded.exact = *box; /* rounded later, in our environment */
     return status;
 }
 
@@ -63,10 +65,14 @@ static tribox_status prepare_at_oriented(call *c, const tribox_index *index, con
     return status || tribox_oriented_has_axes(&c->plan) ? status : TRIBOX_BAD_OPTION;
 }
 
-/* Needs tribox_environment_enter(). */
-static bool is_empty(const tribox_descent *q)
+/* Rounds the box. False if nothing overlaps it, as it is empty. Needs tribox_environment_enter(). */
+static bool start_at_box(call *c)
 {
-    return q->oriented ? tribox_oriented_is_empty(q->oriented) : tribox_box_is_empty(q->pairs.box);
+    if (c->descent.oriented)
+        return !tribox_oriented_is_empty(c->descent.oriented);
+    const tribox_box box = c->rounded.exact;
+    tribox_box_round(&box, true, &c->rounded);
+    return !tribox_box_is_empty(&box);
 }
 
 /* Answers about the box of a call in the form that is set, if it could be prepared. found: of words or a list; else NULL. */
@@ -77,7 +83,7 @@ static tribox_status answer(call *c, tribox_status prepared, size_t *found, trib
     if (c->answers.form == TRIBOX_MASK)
         tribox_pairs_write_none(c->descent.pairs.count, c->answers.mask);
     const tribox_environment callers = tribox_environment_enter();
-    if (!is_empty(&c->descent))
+    if (start_at_box(c))
         tribox_descent_run(&c->descent);
     tribox_environment_leave(callers);
     if (found)
@@ -158,12 +164,13 @@ tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *s
     const tribox_status status = prepare_call(&c, index, soup, options);
     if (status)
         return status;
+    c.descent.pairs.box = &c.rounded;
     const tribox_environment callers = tribox_environment_enter();
     for (size_t i = 0; i < boxes->count; i++) {
         const tribox_box box = box_at(boxes, i);
         start[i] = c.answers.found;
-        c.descent.pairs.box = &box;
-        if (tribox_box_is_finite(&box) && !tribox_box_is_empty(&box))
+        c.rounded.exact = box;
+        if (tribox_box_is_finite(&box) && start_at_box(&c))
             tribox_descent_run(&c.descent);
     }
     tribox_environment_leave(callers);
@@ -181,7 +188,7 @@ tribox_status tribox_index_any(const tribox_index *index, const tribox_soup *sou
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    if (is_empty(&c.descent) || !tribox_descent_any(&c.descent, triangle))
+    if (!start_at_box(&c) || !tribox_descent_any(&c.descent, triangle))
         *triangle = soup->count;
     tribox_environment_leave(callers);
     return TRIBOX_OK;

@@ -12,7 +12,9 @@
 #include "base/box.h"
 #include "dispatch.h"
 #include "base/environment.h"
+#include "base/finite.h"
 #include "mesh/mesh_input.h"
+#include "mesh/mesh_streams.h"
 #include "base/soup.h"
 #include "tribox_threads.h"
 
@@ -52,27 +54,38 @@ static tribox_status start_boxes(const tribox_boxes *boxes, size_t first, size_t
     return TRIBOX_OK;
 }
 
+/* Doubles are seen from the first vertex, as far from zero floats would see them all in one place. False if they need not be. */
+static bool is_far_from_zero(const tribox_mesh *mesh, double origin[3])
+{
+    if (tribox_position_bytes(mesh) != sizeof(double) || !mesh->count)
+        return false;
+    tribox_position_read(mesh, 0, origin);
+    return tribox_are_finite_f64(origin, 3);
+}
+
 /* By way of streams, block by block. */
 static void find_middles_of_mesh(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t end, void *scratch)
 {
+    double origin[3];
     float streams[9][BLOCK], *to[9];
+    const bool is_near = is_far_from_zero(mesh, origin);
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
     for (; first < end; first += BLOCK) {
         const size_t count = end - first < BLOCK ? end - first : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_sort_keys keys = tribox_sort_keys_in(scratch, mesh->count, first);
-        kernel->gather(mesh, NULL, first, count, to);
+        tribox_mesh_write_soup(mesh, kernel, is_near ? origin : NULL, first, count, to);
         kernel->nodes->find_middles(&soup, NULL, 0, count, first, &keys);
     }
 }
 
 static tribox_status start_mesh(const tribox_mesh *mesh, size_t first, size_t count, void *scratch)
 {
-    if (!tribox_mesh_is_readable(mesh) || !is_range(mesh->count, first, count, scratch))
+    tribox_mesh strided;
+    if (!tribox_mesh_take(mesh, &strided) || !is_range(mesh->count, first, count, scratch))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
-    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     if (!tribox_mesh_is_in_range(&strided, kernel, first, count))
         return TRIBOX_BAD_VERTEX;
     const tribox_environment callers = tribox_environment_enter();

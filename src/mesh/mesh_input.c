@@ -1,9 +1,11 @@
 /* mesh_input.c - what every call checks of a mesh before it reads it, and the indices that refer to no vertex. */
 #include "mesh_input.h"
 
+#include "base/finite.h"
 #include "dispatch.h"
 #include "positions.h"
 #include "base/soup.h"
+#include "plan.h"
 
 /* Whether `count` items of `bytes` bytes each fit the address space. */
 static bool fits(size_t count, size_t bytes) { return count <= PTRDIFF_MAX / bytes; }
@@ -22,9 +24,10 @@ static size_t usual_stride(const tribox_mesh *mesh)
     return mesh->axis_stride > bytes ? bytes : 3 * bytes;
 }
 
-bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh)
+static bool is_mesh_readable(const tribox_mesh *mesh)
 {
-    if (!mesh || (mesh->position_bytes && mesh->position_bytes != 4 && mesh->position_bytes != 8))
+    if (!mesh || (mesh->position_bytes && mesh->position_bytes != 4 && mesh->position_bytes != 8) ||
+        !tribox_are_reserved_zero(mesh->reserved))
         return false;
     const size_t least = least_stride(mesh), axis = mesh->axis_stride;
     if ((mesh->stride && mesh->stride < least) || !fits(mesh->vertices, mesh->stride ? mesh->stride : usual_stride(mesh)))
@@ -36,23 +39,24 @@ bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh)
     return fits(mesh->count, 3 * sizeof(float)) && (mesh->positions || !mesh->count);
 }
 
-bool tribox_mesh_is_readable(const tribox_mesh *mesh)
+bool tribox_mesh_take(const tribox_mesh *mesh, tribox_mesh *strided)
 {
-    return tribox_mesh_is_readable_f64(mesh) && mesh->position_bytes != 8 && !mesh->axis_stride;
+    if (!is_mesh_readable(mesh))
+        return false;
+    *strided = *mesh;
+    strided->stride = mesh->stride ? mesh->stride : usual_stride(mesh);
+    strided->axis_stride = mesh->axis_stride ? mesh->axis_stride : tribox_position_bytes(mesh);
+    return true;
 }
 
-tribox_mesh tribox_mesh_with_strides(const tribox_mesh *mesh)
+static bool has_triples(const tribox_mesh *mesh, size_t bytes)
 {
-    tribox_mesh strided = *mesh;
-    strided.stride = mesh->stride ? mesh->stride : usual_stride(mesh);
-    strided.axis_stride = mesh->axis_stride ? mesh->axis_stride : tribox_position_bytes(mesh);
-    return strided;
+    return tribox_position_bytes(mesh) == bytes && mesh->axis_stride == bytes && mesh->stride >= 3 * bytes;
 }
 
-bool tribox_mesh_is_direct(const tribox_mesh *mesh)
-{
-    return mesh->position_bytes == sizeof(double) && mesh->axis_stride == sizeof(double) && mesh->stride >= 3 * sizeof(double);
-}
+bool tribox_mesh_has_floats(const tribox_mesh *mesh) { return has_triples(mesh, sizeof(float)); }
+
+bool tribox_mesh_has_doubles(const tribox_mesh *mesh) { return has_triples(mesh, sizeof(double)); }
 
 /* The sizes, as arguments of their own, may be constants: then neither is asked of each corner. */
 static inline void read_corners(const tribox_mesh *mesh, unsigned index_bytes, unsigned position_bytes, size_t first, size_t count,
@@ -80,6 +84,32 @@ bool tribox_mesh_is_in_range(const tribox_mesh *mesh, const tribox_kernel *kerne
     return !count || kernel->find_vertices(mesh, first, count).greatest < mesh->vertices;
 }
 
+size_t tribox_mesh_not_finite(const tribox_mesh *mesh, size_t *first)
+{
+    tribox_mesh strided;
+    const size_t count = tribox_mesh_take(mesh, &strided) ? mesh->count : 0;
+    const unsigned bytes = count ? tribox_vertex_bytes(mesh) : 0;
+    size_t found = 0, lowest = count;
+    for (size_t i = count; i-- > 0;) {
+        bool is_there = true, is_finite = true;
+        for (size_t v = 0; v < 3; v++) {
+            const size_t vertex = tribox_vertex_number(&strided, bytes, 3 * i + v);
+            double u[3];
+            is_there &= vertex < mesh->vertices;
+            if (!is_there)
+                break;
+            tribox_position_read(&strided, vertex, u);
+            is_finite &= tribox_are_finite_f64(u, 3);
+        }
+        const bool is_bad = is_there && !is_finite;
+        found += is_bad;
+        lowest = is_bad ? i : lowest;
+    }
+    if (first)
+        *first = lowest;
+    return found;
+}
+
 /* How many corners of triangles at .. at + count - 1 have no vertex; *first becomes the first of them, if it is none yet. */
 static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t none, size_t *first)
 {
@@ -96,7 +126,7 @@ static size_t count_bad(const tribox_mesh *mesh, size_t at, size_t count, size_t
 size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *first)
 {
     const tribox_kernel *const kernel = tribox_kernel_find(NULL);
-    const size_t triangles = tribox_mesh_is_readable_f64(mesh) ? mesh->count : 0, corners = 3 * triangles;
+    const size_t triangles = is_mesh_readable(mesh) ? mesh->count : 0, corners = 3 * triangles;
     size_t found = 0, lowest = corners;
     if (corners && !mesh->indices) {
         found = corners > mesh->vertices ? corners - mesh->vertices : 0;

@@ -6,18 +6,15 @@
 
 #include "kernel.h"
 
+/* Whether the mesh can be read, but for vertex numbers that are too great. If so, the same mesh, its strides set. */
+bool tribox_mesh_take(const tribox_mesh *mesh, tribox_mesh *strided);
+
 /*
- * Whether the mesh can be read, but for vertex numbers that are too great: by the calls that take floats alone, and by the
- * others.
+ * Of a mesh with strides, whether the three positions of a vertex follow each other, so that kernels read them where they lie: as
+ * floats, or as doubles.
  */
-bool tribox_mesh_is_readable(const tribox_mesh *mesh);
-bool tribox_mesh_is_readable_f64(const tribox_mesh *mesh);
-
-/* The same mesh, its strides set. */
-tribox_mesh tribox_mesh_with_strides(const tribox_mesh *mesh);
-
-/* Of a mesh with strides, whether positions are doubles that follow each other: kernels read them where they lie. */
-bool tribox_mesh_is_direct(const tribox_mesh *mesh);
+bool tribox_mesh_has_floats(const tribox_mesh *mesh);
+bool tribox_mesh_has_doubles(const tribox_mesh *mesh);
 
 /* The positions of corners first .. first + count - 1 of a mesh with strides, whatever they are. */
 void tribox_mesh_read_corners(const tribox_mesh *mesh, size_t first, size_t count, double (*to)[3]);

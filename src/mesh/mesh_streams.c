@@ -28,20 +28,6 @@ static tribox_status find_kernel(const tribox_mesh *strided, size_t first, size_
     return tribox_mesh_is_in_range(strided, *kernel, first, count) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
 }
 
-tribox_status tribox_mesh_to_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_options *options,
-                                     float *const x[3], float *const y[3], float *const z[3])
-{
-    if (!tribox_mesh_is_readable(mesh) || !are_streams_writable(mesh->count, first, count, x, y, z))
-        return TRIBOX_BAD_ARGUMENT;
-    float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
-    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
-    const tribox_kernel *kernel;
-    const tribox_status status = find_kernel(&strided, first, count, options, &kernel);
-    if (status == TRIBOX_OK)
-        kernel->gather(&strided, NULL, first, count, to);
-    return status;
-}
-
 /* Of floats, or of doubles that do not follow each other: number by number. */
 static void write_each_triangle(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count, float *const to[9])
 {
@@ -56,35 +42,46 @@ static void write_each_triangle(const tribox_mesh *mesh, const double origin[3],
     }
 }
 
-void tribox_mesh_write_local(const tribox_mesh *mesh, const tribox_kernel *kernel, const double origin[3], size_t first,
-                             size_t count, float *const to[9])
+void tribox_mesh_write_soup(const tribox_mesh *mesh, const tribox_kernel *kernel, const double *origin, size_t first, size_t count,
+                            float *const to[9])
 {
+    static const double zero[3] = {0, 0, 0};
     double origins[TRIBOX_LOCAL];
-    if (!tribox_mesh_is_direct(mesh)) {
-        write_each_triangle(mesh, origin, first, count, to);
+    if (!origin && tribox_mesh_has_floats(mesh)) {
+        kernel->gather(mesh, NULL, first, count, to);
+        return;
+    }
+    if (!tribox_mesh_has_doubles(mesh)) {
+        write_each_triangle(mesh, origin ? origin : zero, first, count, to);
         return;
     }
     for (int k = 0; k < TRIBOX_LOCAL; k++)
-        origins[k] = origin[k % 3];
+        origins[k] = origin ? origin[k % 3] : 0;
     kernel->gather(mesh, origins, first, count, to);
 }
 
-tribox_status tribox_mesh_to_local_streams(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
-                                           const tribox_options *options, float *const x[3], float *const y[3], float *const z[3])
+bool tribox_mesh_origin_of(const double *origin, double of[3])
 {
-    if (!tribox_mesh_is_readable_f64(mesh) || !origin || !are_streams_writable(mesh->count, first, count, x, y, z))
-        return TRIBOX_BAD_ARGUMENT;
     for (int a = 0; a < 3; a++)
-        if (!tribox_is_finite_f64(origin[a]))
-            return TRIBOX_BAD_ARGUMENT;
+        of[a] = origin ? origin[a] : 0;
+    return tribox_are_finite_f64(of, 3);
+}
+
+tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,
+                                  const tribox_options *options, float *const x[3], float *const y[3], float *const z[3])
+{
+    tribox_mesh strided;
+    double from[3];
+    if (!tribox_mesh_take(mesh, &strided) || !tribox_mesh_origin_of(origin, from) ||
+        !are_streams_writable(mesh->count, first, count, x, y, z))
+        return TRIBOX_BAD_ARGUMENT;
     float *const to[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
-    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     const tribox_kernel *kernel;
     const tribox_status status = find_kernel(&strided, first, count, options, &kernel);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    tribox_mesh_write_local(&strided, kernel, origin, first, count, to);
+    tribox_mesh_write_soup(&strided, kernel, origin ? from : NULL, first, count, to);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }

@@ -21,15 +21,17 @@
  * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Only
  * wild triangles have coordinates beyond the greatest float.
  */
-static tribox_box box_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, int sign)
+static tribox_rounded_box box_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, int sign)
 {
     tribox_box box;
+    tribox_rounded_box rounded;
     for (int k = 0; k < 3; k++) {
         const double half = ((double)q->box->half[k] + sign * (double)moved->error[k]) * (1 + sign * 0x1p-22);
         box.hi[k] = half < (double)FLT_MAX ? (float)half : FLT_MAX;
         box.lo[k] = -box.hi[k];
     }
-    return box;
+    tribox_box_round(&box, true, &rounded);
+    return rounded;
 }
 
 static tribox_oriented_pair oriented_pair_at(const tribox_oriented_question *q, size_t i)
@@ -45,7 +47,7 @@ static tribox_oriented_pair oriented_pair_at(const tribox_oriented_question *q, 
 static bool overlaps_in_integers(const tribox_oriented_question *q, size_t i, size_t *undecided)
 {
     const tribox_oriented_pair pair = oriented_pair_at(q, i);
-    if (!tribox_triangle_is_finite(pair.u))
+    if (!tribox_are_finite(&pair.u[0][0], 9))
         return false;
     ++*undecided;
     return tribox_oriented_overlap(&pair, q->plan->axes);
@@ -57,7 +59,7 @@ static void answer_exactly(const tribox_oriented_question *q, const tribox_moved
 {
     tribox_plan *const plan = q->plan;
     uint64_t larger_hit[TRIBOX_MOVED_WORDS], larger_undecided[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
-    const tribox_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
+    const tribox_rounded_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
     memset(hit, 0, words * sizeof *hit);
     if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
         tribox_pairs_walk_block(&(tribox_query){.soup = soup, .box = &smaller, .count = soup->count}, plan, 0, words, hit, unused);
@@ -76,7 +78,7 @@ static void answer_exactly(const tribox_oriented_question *q, const tribox_moved
 static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
                               uint64_t *hit, uint64_t *undecided)
 {
-    const tribox_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
+    const tribox_rounded_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
     const tribox_query pairs = {.soup = soup, .box = &box, .count = soup->count};
     tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, undecided);
     for (size_t w = 0; w < words; w++)

@@ -39,20 +39,20 @@ static void fill_vertex(gathering *g, const tribox_corners *corners, size_t v)
 static void fill_batch(gathering *g, const tribox_query *p)
 {
     const float *stream[15] = {NULL};
-    float constant[15] = {0};
+    double constant[15] = {0};
     for (int a = 0; a < 3; a++) {
         for (int v = 0; v < 3; v++) {
             stream[3 * a + v] = p->soup ? tribox_soup_axis(p->soup, a)[v] : NULL;
-            constant[3 * a + v] = p->triangle ? p->triangle[v][a] : 0;
+            constant[3 * a + v] = p->triangle ? p->triangle[3 * v + a] : 0;
         }
         stream[9 + a] = p->boxes ? p->boxes->lo[a] : NULL;
         stream[12 + a] = p->boxes ? p->boxes->hi[a] : NULL;
-        constant[9 + a] = p->box ? p->box->lo[a] : 0;
-        constant[12 + a] = p->box ? p->box->hi[a] : 0;
+        constant[9 + a] = p->box ? p->box->exact.lo[a] : 0;
+        constant[12 + a] = p->box ? p->box->exact.hi[a] : 0;
     }
     for (int k = 0; k < 15; k++)
         for (unsigned i = 0; i < g->count; i++)
-            g->batch.number[k][i] = stream[k] ? stream[k][g->pair[i]] : constant[k];
+            g->batch.number[k][i] = stream[k] ? (double)stream[k][g->pair[i]] : constant[k];
     for (size_t v = 0; p->corners && v < 3; v++)
         fill_vertex(g, p->corners, v);
 }

@@ -92,8 +92,12 @@ static tribox_mesh gather_doubles(const call *s, const uint32_t *list, size_t co
     double(*const to)[3] = s->block;
     for (size_t i = 0; i < count; i++)
         tribox_mesh_read_corners(&s->mesh, 3 * (size_t)list[i], 3, to + 3 * i);
-    const tribox_mesh mesh = {.positions = to, .vertices = 3 * count, .count = count, .position_bytes = sizeof(double)};
-    return tribox_mesh_with_strides(&mesh);
+    return (tribox_mesh){.positions = to,
+                         .stride = sizeof *to,
+                         .vertices = 3 * count,
+                         .count = count,
+                         .position_bytes = sizeof(double),
+                         .axis_stride = sizeof(double)};
 }
 
 /* A tile as a window of the grid. */
@@ -278,12 +282,11 @@ tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_g
                                          void *scratch, tribox_sink *sink, void *data, tribox_report *report)
 {
     call s = {.grid_f64 = grid, .options = options ? *options : (tribox_options){0}, .outlet = {.sink = sink, .data = data}};
-    if (!grid || !starts || !scratch || !sink || !tribox_mesh_is_readable_f64(mesh))
+    if (!grid || !starts || !scratch || !sink || !tribox_mesh_take(mesh, &s.mesh))
         return TRIBOX_BAD_ARGUMENT;
     const tribox_status status = tribox_plan_make(options, &s.plan);
     if (status)
         return status;
-    s.mesh = tribox_mesh_with_strides(mesh);
     const tribox_environment callers = tribox_environment_enter();
     const bool is_sound = tribox_grid_f64_is_sound(grid);
     tribox_environment_leave(callers);

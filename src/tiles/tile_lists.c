@@ -240,7 +240,7 @@ static void list_mesh(tribox_tiles_call *l)
         const size_t left = l->mesh.count - at;
         some = left < TRIBOX_TILES_BLOCK ? left : TRIBOX_TILES_BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], TRIBOX_TILES_BLOCK, some);
-        tribox_mesh_write_local(&l->mesh, l->plan.kernel, l->planes.origin, at, some, to);
+        tribox_mesh_write_soup(&l->mesh, l->plan.kernel, l->planes.origin, at, some, to);
         l->plan.kernel->cells->find_tiles(&soup, &l->lattice, 0, some, &found);
         put_found(l, at, some, &found);
     }

@@ -68,13 +68,12 @@ static tribox_status list_double(const tribox_mesh *mesh, const tribox_grid_f64 
                                  const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_tiles_call l = {.starts = starts, .list = list};
-    if (!grid || !starts || !tribox_mesh_is_readable_f64(mesh) || !tribox_has_numbers(mesh->count))
+    if (!grid || !starts || !tribox_mesh_take(mesh, &l.mesh) || !tribox_has_numbers(mesh->count))
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = make_plan(options, &l);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    l.mesh = tribox_mesh_with_strides(mesh);
     if (!tribox_grid_f64_is_sound(grid))
         status = TRIBOX_BAD_GRID;
     else if (!tribox_tiling_make(grid->size, tile, from, to, &l.tiling))

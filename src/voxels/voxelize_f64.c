@@ -61,7 +61,7 @@ static void set_by_float(tribox_voxels *v, size_t count)
         const size_t part = count - at < BLOCK ? count - at : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, part);
         v->window.first_number = (int32_t)at;
-        tribox_mesh_write_local(v->window.mesh, kernel, v->window.lattice.origin, v->window.first_triangle + at, part, to);
+        tribox_mesh_write_soup(v->window.mesh, kernel, v->window.lattice.origin, v->window.first_triangle + at, part, to);
         kernel->cells->sort(v, &soup);
     }
     kernel->cells->finish(v);
@@ -116,13 +116,12 @@ tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64
                                   const uint32_t size[3], const tribox_options *options, uint64_t *occupied, tribox_report *report)
 {
     tribox_voxels voxels, *const v = &voxels;
-    if (!grid || !occupied || !first != !size || !tribox_mesh_is_readable_f64(mesh))
+    tribox_mesh strided;
+    if (!grid || !occupied || !first != !size || !tribox_mesh_take(mesh, &strided))
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(options, &v->plan);
     if (status)
         return status;
-
-    const tribox_mesh strided = tribox_mesh_with_strides(mesh);
     const uint32_t *const extent = size ? size : grid->size;
     const tribox_environment callers = tribox_environment_enter();
     if (!tribox_grid_f64_is_sound(grid))

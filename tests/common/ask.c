@@ -54,6 +54,6 @@ void ask_soup(const tribox_soup *soup, const tribox_box *box, const tribox_optio
 void ask_boxes(const float triangle[3][3], const tribox_boxes *boxes, const tribox_options *options, uint64_t *mask)
 {
     tribox_report report;
-    const tribox_status status = tribox_overlap_boxes(triangle, boxes, options, mask, &report);
+    const tribox_status status = tribox_overlap_boxes((const float *)triangle, boxes, options, mask, &report);
     check_answer(status, boxes->count, options->accuracy, mask, &report);
 }

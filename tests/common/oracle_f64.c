@@ -2,7 +2,7 @@
 
 #include <gmp.h>
 
-static bool is_empty(const tribox_box_f64 *box)
+static bool is_empty(const tribox_box *box)
 {
     return box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2];
 }

@@ -9,7 +9,7 @@
 
 typedef struct pair_f64 {
     double u[3][3]; /* u[j][a]: axis a of vertex j */
-    tribox_box_f64 box;
+    tribox_box box;
 } pair_f64;
 
 /* Number k of fifteen: nine of the triangle by vertex, three of lo, three of hi. */

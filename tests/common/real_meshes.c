@@ -19,8 +19,8 @@ tribox_box mesh_bounds(const mesh *m)
     for (int a = 0; a < 3; a++)
         for (int j = 0; j < 3; j++)
             for (size_t i = 0; i < m->count; i++) {
-                box.lo[a] = fminf(box.lo[a], m->coordinate[j][a][i]);
-                box.hi[a] = fmaxf(box.hi[a], m->coordinate[j][a][i]);
+                box.lo[a] = fminf((float)box.lo[a], m->coordinate[j][a][i]);
+                box.hi[a] = fmaxf((float)box.hi[a], m->coordinate[j][a][i]);
             }
     return box;
 }

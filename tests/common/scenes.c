@@ -45,8 +45,8 @@ void scene_draw_batch(const scene *s, random_source *r, scene_batch *batch)
 {
     s->draw(r, batch);
     for (int a = 0; a < 3; a++) {
-        batch->box.lo[a] = random_sign_of_zero(r, batch->box.lo[a]);
-        batch->box.hi[a] = random_sign_of_zero(r, batch->box.hi[a]);
+        batch->box.lo[a] = random_sign_of_zero(r, (float)batch->box.lo[a]);
+        batch->box.hi[a] = random_sign_of_zero(r, (float)batch->box.hi[a]);
         for (int k = 0; k < SCENE_TRIANGLES; k++)
             for (int j = 0; j < 3; j++)
                 batch->u[k][j][a] = random_sign_of_zero(r, batch->u[k][j][a]);

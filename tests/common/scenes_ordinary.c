@@ -35,7 +35,7 @@ void draw_points(random_source *r, scene_batch *batch)
     }
     for (int k = 0; k < SCENE_TRIANGLES; k++)
         for (int a = 0; a < 3; a++) {
-            const float face = random_int(r, 2) ? batch->box.lo[a] : batch->box.hi[a];
+            const float face = random_int(r, 2) ? (float)batch->box.lo[a] : (float)batch->box.hi[a];
             const float at = random_int(r, 2) ? nudged(r, face, 1) : (float)random_double(r, -2, 2);
             batch->u[k][0][a] = batch->u[k][1][a] = batch->u[k][2][a] = at;
         }

@@ -214,7 +214,7 @@ typedef struct small_input {
     float streams[9], triangle[3][3], bounds[6];
     double corner[9], near[3];
     tribox_soup soup;
-    tribox_box box;
+    tribox_rounded_box box;
     tribox_boxes boxes;
     tribox_corners corners;
     tribox_query soups, meshes, triangles;
@@ -228,7 +228,7 @@ static void put_near(small_input *to, const whole_pair *p)
             to->corner[3 * j + a] = (double)p->of[a].u[j] * SMALL_ONE;
         to->near[a] = (double)p->of[a].lo * SMALL_ONE;
         to->box.lo[a] = 0;
-        to->box.hi[a] = (float)small_rounded((double)(p->of[a].hi - p->of[a].lo) * SMALL_ONE);
+        to->box.hi[a] = to->box.H[a] = (float)small_rounded((double)(p->of[a].hi - p->of[a].lo) * SMALL_ONE);
     }
 }
 
@@ -239,6 +239,7 @@ static void put_pair(small_input *to, const whole_pair *p)
             to->streams[3 * a + j] = to->triangle[j][a] = (float)((double)p->of[a].u[j] * SMALL_ONE);
         to->bounds[a] = to->box.lo[a] = (float)((double)p->of[a].lo * SMALL_ONE);
         to->bounds[3 + a] = to->box.hi[a] = (float)((double)p->of[a].hi * SMALL_ONE);
+        to->box.H[a] = to->box.C[a] = (float)small_rounded((double)(p->of[a].hi - p->of[a].lo) * SMALL_ONE);
     }
 }
 
@@ -256,7 +257,7 @@ static void start_input(small_input *to)
     to->corners = (tribox_corners){.base = (const char *)to->corner, .origin = to->near};
     to->soups = (tribox_query){.soup = &to->soup, .box = &to->box, .count = 1};
     to->meshes = (tribox_query){.corners = &to->corners, .box = &to->box, .count = 1};
-    to->triangles = (tribox_query){.triangle = (const float(*)[3])to->triangle, .boxes = &to->boxes, .count = 1};
+    to->triangles = (tribox_query){.triangle = &to->triangle[0][0], .boxes = &to->boxes, .count = 1};
 }
 
 #define ENTRY(sequence) sequence,

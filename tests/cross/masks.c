@@ -84,9 +84,9 @@ static tribox_grid grid_about(const tribox_box *box)
 {
     tribox_grid grid = {.size = {70, 6, 5}};
     for (int a = 0; a < 3; a++) {
-        const float length = box->hi[a] - box->lo[a];
+        const float length = (float)box->hi[a] - (float)box->lo[a];
         grid.cell[a] = length > 0 ? length / (a ? 3 : 32) : 0.125f;
-        grid.origin[a] = box->lo[a] - grid.cell[a] * (a ? 1 : 8);
+        grid.origin[a] = (float)box->lo[a] - grid.cell[a] * (a ? 1 : 8);
     }
     return grid;
 }
@@ -96,8 +96,8 @@ static tribox_oriented_box oriented_about(random_source *r, const tribox_box *bo
 {
     tribox_oriented_box oriented;
     for (int k = 0; k < 3; k++) {
-        oriented.center[k] = box->lo[k] / 2 + box->hi[k] / 2;
-        oriented.half[k] = box->hi[k] / 2 - box->lo[k] / 2;
+        oriented.center[k] = (float)box->lo[k] / 2 + (float)box->hi[k] / 2;
+        oriented.half[k] = (float)box->hi[k] / 2 - (float)box->lo[k] / 2;
         for (int a = 0; a < 3; a++)
             oriented.axis[k][a] = (float)(k == a) + (float)random_int_between(r, -64, 64) / 256;
     }
@@ -143,8 +143,8 @@ static void digest_round(digest *d, const round_of_scene *round)
         digest_numbers(d, round->triangle[k], 3);
         digest_numbers(d, round->oriented.axis[k], 3);
     }
-    digest_numbers(d, round->box.lo, 3);
-    digest_numbers(d, round->box.hi, 3);
+    for (int k = 0; k < 6; k++)
+        digest_numbers(d, &(float){(float)(k < 3 ? round->box.lo : round->box.hi)[k % 3]}, 1);
     digest_numbers(d, round->oriented.center, 3);
     digest_numbers(d, round->oriented.half, 3);
     digest_numbers(d, round->grid.origin, 3);
@@ -158,7 +158,7 @@ static void ask_pairs(const round_of_scene *round, const tribox_options *options
     uint64_t *const mask = take_words(to, words), *const inside = take_words(to, words);
     put_status(to, tribox_classify(&round->soup, &round->box, options, mask, inside, NULL));
     uint64_t *const boxes = take_words(to, tribox_mask_words(round->boxes.count));
-    put_status(to, tribox_overlap_boxes(round->triangle, &round->boxes, options, boxes, NULL));
+    put_status(to, tribox_overlap_boxes((const float *)round->triangle, &round->boxes, options, boxes, NULL));
 }
 
 /*
@@ -189,7 +189,7 @@ static void ask_meshes(const round_of_scene *round, const tribox_options *option
                                       .index_bytes = index_bytes,
                                       .count = count};
             uint64_t *const mask = take_words(to, tribox_mask_words(count));
-            put_status(to, tribox_overlap_indexed(&mesh, &round->box, options, mask, NULL));
+            put_status(to, tribox_mesh_overlap(&mesh, &round->box, options, mask, NULL));
         }
 }
 

@@ -57,7 +57,7 @@ typedef struct answer {
 static answer answer_of(const laid *l, int layout, const tribox_options *options)
 {
     answer got;
-    const tribox_status status = tribox_classify_f64(&l->mesh[layout], &l->batch->box, options, got.mask, got.inside, NULL);
+    const tribox_status status = tribox_mesh_classify(&l->mesh[layout], &l->batch->box, options, got.mask, got.inside, NULL);
     if (status) {
         fprintf(stderr, "doubles: kernel %s says: %s\n", options->kernel, tribox_status_text(status));
         exit(1);
@@ -108,7 +108,7 @@ static digest streams_digest(const char *scene, const laid *l)
     for (int k = 0; k < kernels * LAYOUTS; k++) {
         const tribox_options options = {.kernel = names[k / LAYOUTS]};
         digest d = digest_start;
-        if (tribox_mesh_to_local_streams(&l->mesh[k % LAYOUTS], l->batch->box.lo, 0, BATCH_F64, &options, to, to + 3, to + 6))
+        if (tribox_mesh_to_soup(&l->mesh[k % LAYOUTS], l->batch->box.lo, 0, BATCH_F64, &options, to, to + 3, to + 6))
             die(scene, &options, "makes no local streams");
         for (size_t n = 0; n < 9 * (size_t)BATCH_F64; n++) {
             uint32_t bits;

@@ -29,7 +29,7 @@ static void outward_vector(random_source *r, const double m[3], double size, dou
 }
 
 /* A point of the box that is farthest along m: on a face, an edge, or a corner. */
-static void farthest(random_source *r, const tribox_box_f64 *box, const double m[3], double X[3])
+static void farthest(random_source *r, const tribox_box *box, const double m[3], double X[3])
 {
     for (int a = 0; a < 3; a++)
         X[a] = m[a] > 0 ? box->hi[a] : m[a] < 0 ? box->lo[a] : random_double(r, box->lo[a], box->hi[a]);
@@ -45,7 +45,7 @@ static void direction(random_source *r, int components, double m[3])
     }
 }
 
-static void vertex_contact(random_source *r, const tribox_box_f64 *box, double size, double u[3][3])
+static void vertex_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
 {
     double m[3], X[3], v[2][3];
     direction(r, random_int_between(r, 1, 3), m);
@@ -59,7 +59,7 @@ static void vertex_contact(random_source *r, const tribox_box_f64 *box, double s
     }
 }
 
-static void edge_contact(random_source *r, const tribox_box_f64 *box, double size, double u[3][3])
+static void edge_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
 {
     double m[3], X[3], d[3], v[3];
     direction(r, 2, m);
@@ -77,7 +77,7 @@ static void edge_contact(random_source *r, const tribox_box_f64 *box, double siz
     }
 }
 
-static void plane_contact(random_source *r, const tribox_box_f64 *box, double size, double u[3][3])
+static void plane_contact(random_source *r, const tribox_box *box, double size, double u[3][3])
 {
     double m[3], X[3], v[3], p[3], q[3];
     direction(r, 3, m);
@@ -104,15 +104,15 @@ static void turn_vertices(random_source *r, double u[3][3])
         memcpy(u[j], copy[(first + way * j) % 3], sizeof copy[0]);
 }
 
-void contact_f64(random_source *r, const tribox_box_f64 *box, double size, double u[3][3])
+void contact_f64(random_source *r, const tribox_box *box, double size, double u[3][3])
 {
-    static void (*const kinds[])(random_source *, const tribox_box_f64 *, double, double[3][3]) = {vertex_contact, edge_contact,
-                                                                                                   edge_contact, plane_contact};
+    static void (*const kinds[])(random_source *, const tribox_box *, double, double[3][3]) = {vertex_contact, edge_contact,
+                                                                                               edge_contact, plane_contact};
     kinds[random_int(r, 4)](r, box, size, u);
     turn_vertices(r, u);
 }
 
-void through_corner_f64(random_source *r, const tribox_box_f64 *box, double size, double u[3][3])
+void through_corner_f64(random_source *r, const tribox_box *box, double size, double u[3][3])
 {
     const int kind = random_int(r, 3), i = random_int(r, 3);
     const double s = random_double(r, -2, 2), t = random_double(r, -2, 2);
@@ -160,9 +160,9 @@ void shift_f64(random_source *r, double u[3][3], int most, double by)
     }
 }
 
-tribox_box_f64 box_f64_about_zero(random_source *r, double least, double most)
+tribox_box box_f64_about_zero(random_source *r, double least, double most)
 {
-    tribox_box_f64 box;
+    tribox_box box;
     for (int a = 0; a < 3; a++) {
         box.lo[a] = -random_double(r, least, most);
         box.hi[a] = random_double(r, least, most);

@@ -40,6 +40,9 @@ static const scene_f64 scenes[] = {
     {"stage-ends", draw_f64_stage_ends, 5},
     {"nasty", draw_f64_nasty, 10},
     {"bits", draw_f64_bits, 10},
+    {"float-planes", draw_f64_float_planes, 1},
+    {"float-edges", draw_f64_float_edges, 1},
+    {"float-faces", draw_f64_float_faces, 1},
 };
 
 enum { SCENES = sizeof scenes / sizeof scenes[0] };

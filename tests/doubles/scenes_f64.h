@@ -13,7 +13,7 @@ enum { BATCH_F64 = 100 };
 
 /* One box and the triangles about it; all numbers are finite. */
 typedef struct batch_f64 {
-    tribox_box_f64 box;
+    tribox_box box;
     double u[BATCH_F64][3][3];
 } batch_f64;
 
@@ -50,5 +50,8 @@ scene_f64_draw draw_f64_flat, draw_f64_thin, draw_f64_thin_faces, draw_f64_sides
 /* The ends of the range of doubles: scenes_f64_range.c. */
 scene_f64_draw draw_f64_range, draw_f64_subnormal, draw_f64_near_max, draw_f64_overflow, draw_f64_units, draw_f64_stage_ends,
     draw_f64_nasty, draw_f64_bits;
+
+/* Triangles of floats about boxes of doubles: scenes_f64_floats.c. */
+scene_f64_draw draw_f64_float_planes, draw_f64_float_edges, draw_f64_float_faces;
 
 #endif

@@ -155,7 +155,7 @@ void draw_f64_zero_faces(random_source *r, batch_f64 *batch)
 /* Vertices next to the faces of the paper's box. */
 void draw_f64_beside_faces(random_source *r, batch_f64 *batch)
 {
-    batch->box = (tribox_box_f64){{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
+    batch->box = (tribox_box){{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
     for (int k = 0; k < BATCH_F64; k++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++) {

@@ -4,7 +4,7 @@
 
 #include "contact_f64.h"
 
-static const tribox_box_f64 paper_box = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
+static const tribox_box paper_box = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
 
 static void draw_all(random_source *r, batch_f64 *batch, double least, double most)
 {

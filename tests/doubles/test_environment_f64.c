@@ -42,10 +42,10 @@ static void ask_all(const asked *q, answers *out)
     float *to[9];
     for (int s = 0; s < 9; s++)
         to[s] = out->stream[s];
-    out->status[0] = tribox_classify_f64(&q->mesh, &q->batch.box, &q->options, out->mask, out->inside, &out->report);
+    out->status[0] = tribox_mesh_classify(&q->mesh, &q->batch.box, &q->options, out->mask, out->inside, &out->report);
     out->status[1] = tribox_mesh_find(&q->mesh, &q->batch.box, &q->options, TRIBOX_FIRST_HIT, &out->first);
     out->status[2] = tribox_mesh_find(&q->mesh, &q->batch.box, &q->options, TRIBOX_FIRST_MISS, &out->first_unlike);
-    out->status[3] = tribox_mesh_to_local_streams(&q->mesh, q->batch.box.lo, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
+    out->status[3] = tribox_mesh_to_soup(&q->mesh, q->batch.box.lo, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
 }
 
 static void check(const asked *q)
@@ -118,13 +118,13 @@ static void test_others(void **state)
         subnormal[k / 9][k / 3 % 3][k % 3] = (float)(k % 7 - 3) * 0x1p-149f;
     q.mesh.positions = subnormal;
     q.mesh.position_bytes = 4;
-    q.batch.box = (tribox_box_f64){{0, -0x1p-149, 0x1p-1074}, {0x1p-140, 0x1p-148, 1}};
+    q.batch.box = (tribox_box){{0, -0x1p-149, 0x1p-1074}, {0x1p-140, 0x1p-148, 1}};
     check_kernels(&q);
     q.mesh.positions = q.batch.u;
     q.mesh.position_bytes = 8;
     for (int k = 0; k < 9 * BATCH_F64; k++)
         q.batch.u[k / 9][k / 3 % 3][k % 3] = (k % 7 - 3) * 0x1p-1074;
-    q.batch.box = (tribox_box_f64){{0, -0x1p-1074, 0x1p-1074}, {0x1p-1070, 0x1p-1073, 1}};
+    q.batch.box = (tribox_box){{0, -0x1p-1074, 0x1p-1074}, {0x1p-1070, 0x1p-1073, 1}};
     check_kernels(&q);
 }
 

@@ -42,7 +42,7 @@ static void draw_batch(test_run *t)
     t->scene->draw(&t->r, &t->batch);
     t->are_floats = true;
     /* Now and then floats, against a box of any doubles. */
-    for (int k = 0, is_rounded = !random_int(&t->r, 8); is_rounded && k < 9 * BATCH_F64; k++) {
+    for (int k = 0, is_rounded = !random_int(&t->r, 4); is_rounded && k < 9 * BATCH_F64; k++) {
         double *const x = &t->batch.u[k / 9][k / 3 % 3][k % 3];
         *x = fabs(*x) < 0x1p127 ? (double)(float)*x : *x;
     }
@@ -70,7 +70,7 @@ static void fail_pair_f64(const test_run *t, const tribox_mesh *mesh, const trib
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
     const pair_f64 pair = batch_f64_pair(&t->batch, k);
     char text[LAID_TEXT];
-    fprintf(stderr, "tribox_overlap_indexed_f64 answers '%s' and is wrong\n", answer ? "overlaps" : "does not overlap");
+    fprintf(stderr, "tribox_mesh_overlap answers '%s' and is wrong\n", answer ? "overlaps" : "does not overlap");
     fprintf(stderr, "  scene %s, seed %llu, triangle %d of %s\n", t->scene->name, (unsigned long long)t->seed, k,
             laid_mesh_text(mesh, text));
     fprintf(stderr, "  %s, axes %u, kernel %s\n", accuracy[o->accuracy], o->axes, o->kernel);
@@ -82,12 +82,33 @@ static void check_answer(test_run *t, const tribox_mesh *mesh, const tribox_opti
 {
     const pair_f64 pair = batch_f64_pair(&t->batch, k);
     const bool overlaps = oracle_overlaps_f64(&pair, t->truth[k], o->axes), is_false = answer && !overlaps;
+    if (o->accuracy == TRIBOX_FAST && mesh->position_bytes != sizeof(double) && mesh->axis_stride <= sizeof(float))
+        return; /* as of a soup: it errs either way */
     if (overlaps && !answer)
         fail_pair_f64(t, mesh, o, k, answer);
     if (is_false && (o->accuracy == TRIBOX_EXACT || !oracle_is_near_f64(&pair, t->truth[k], o->axes)))
         fail_pair_f64(t, mesh, o, k, answer);
     t->tally.rounded += o->accuracy != TRIBOX_EXACT;
     t->tally.rounded_false += is_false;
+}
+
+/* The same triangles as streams: as right, and at EXACT bit for bit the same. */
+static void ask_streams(test_run *t, const tribox_options *o, const uint64_t *of_mesh)
+{
+    static float stream[9][BATCH_F64];
+    tribox_soup soup = {.count = BATCH_F64};
+    const tribox_mesh as_mesh = {.position_bytes = sizeof(float)};
+    uint64_t mask[WORDS];
+    for (int n = 0; n < 9; n++) {
+        for (int k = 0; k < BATCH_F64; k++)
+            stream[n][k] = (float)t->batch.u[k][n % 3][n / 3];
+        (n < 3 ? soup.x : n < 6 ? soup.y : soup.z)[n % 3] = stream[n];
+    }
+    assert_int_equal(tribox_overlap(&soup, &t->batch.box, o, mask, NULL), TRIBOX_OK);
+    for (int k = 0; k < BATCH_F64; k++)
+        check_answer(t, &as_mesh, o, k, bit_of(mask, (size_t)k));
+    if (o->accuracy == TRIBOX_EXACT)
+        assert_memory_equal(mask, of_mesh, sizeof mask);
 }
 
 static void ask(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel)
@@ -101,7 +122,9 @@ static void ask(test_run *t, tribox_accuracy accuracy, unsigned axes, int kernel
     tribox_report report;
     size_t count = 0;
     snprintf(doing, sizeof doing, "scene %s, kernel %s, axes %u", t->scene->name, o.kernel, axes);
-    assert_int_equal(tribox_overlap_indexed_f64(&mesh, &t->batch.box, &o, mask, &report), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(&mesh, &t->batch.box, &o, mask, &report), TRIBOX_OK);
+    if (t->are_floats)
+        ask_streams(t, &o, mask);
     for (int k = 0; k < BATCH_F64; k++) {
         check_answer(t, &mesh, &o, k, bit_of(mask, (size_t)k));
         count += bit_of(mask, (size_t)k);

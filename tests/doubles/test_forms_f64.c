@@ -26,7 +26,7 @@ static laid_fences fences;
 static guarded mask_fence, inside_fence, report_fence, stream_fence[9];
 
 static double triangles[LAID_MOST][3][3];
-static tribox_box_f64 box;
+static tribox_box box;
 static uint64_t wanted_mask[WORDS], wanted_inside[WORDS];
 
 static int set_up(void **state)
@@ -82,7 +82,7 @@ static void want(size_t count, tribox_accuracy accuracy, unsigned axes, const ch
     const tribox_mesh mesh = {.positions = triangles, .vertices = 3 * count, .count = count, .position_bytes = 8};
     const tribox_options options = {.accuracy = accuracy, .axes = axes, .kernel = kernel};
     say("nine doubles", &mesh, &options);
-    assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, wanted_mask, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, wanted_mask, NULL), TRIBOX_OK);
     memset(wanted_inside, 0, sizeof wanted_inside);
     for (size_t i = 0; i < count; i++) {
         bool is_inside = true;
@@ -129,14 +129,13 @@ static void check_overlap(const tribox_mesh *mesh, const tribox_options *options
 {
     const fenced mask = fenced_place(mask_fence, 8 * tribox_mask_words(mesh->count), where),
                  report = fenced_place(report_fence, sizeof(tribox_report), where);
-    say("tribox_overlap_indexed_f64", mesh, options);
-    assert_int_equal(
-        tribox_overlap_indexed_f64(mesh, &box, options, (uint64_t *)(void *)mask.at, (tribox_report *)(void *)report.at),
-        TRIBOX_OK);
+    say("tribox_mesh_overlap", mesh, options);
+    assert_int_equal(tribox_mesh_overlap(mesh, &box, options, (uint64_t *)(void *)mask.at, (tribox_report *)(void *)report.at),
+                     TRIBOX_OK);
     expect_mask(&mask, wanted_mask, "mask");
     expect_report(&report, mesh->count);
     tribox_report alone;
-    assert_int_equal(tribox_overlap_indexed_f64(mesh, &box, options, NULL, &alone), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(mesh, &box, options, NULL, &alone), TRIBOX_OK);
     assert_int_equal(alone.overlapping, population(wanted_mask, mesh->count));
 }
 
@@ -145,9 +144,9 @@ static void check_classify(const tribox_mesh *mesh, const tribox_options *option
     const size_t bytes = 8 * tribox_mask_words(mesh->count);
     const fenced mask = fenced_place(mask_fence, bytes, where), inside = fenced_place(inside_fence, bytes, where),
                  report = fenced_place(report_fence, sizeof(tribox_report), where);
-    say("tribox_classify_f64", mesh, options);
-    assert_int_equal(tribox_classify_f64(mesh, &box, options, (uint64_t *)(void *)mask.at, (uint64_t *)(void *)inside.at,
-                                         (tribox_report *)(void *)report.at),
+    say("tribox_mesh_classify", mesh, options);
+    assert_int_equal(tribox_mesh_classify(mesh, &box, options, (uint64_t *)(void *)mask.at, (uint64_t *)(void *)inside.at,
+                                          (tribox_report *)(void *)report.at),
                      TRIBOX_OK);
     expect_mask(&mask, wanted_mask, "mask");
     expect_mask(&inside, wanted_inside, "mask of those inside");
@@ -187,8 +186,8 @@ static void check_local_streams(random_source *r, const tribox_mesh *mesh, const
         stream[s] = fenced_place(stream_fence[s], count * sizeof(float), where == AT_END ? AT_END : 4 * ((where + s) % 16));
         to[s] = (float *)(void *)stream[s].at;
     }
-    say("tribox_mesh_to_local_streams", mesh, &options);
-    assert_int_equal(tribox_mesh_to_local_streams(mesh, from, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
+    say("tribox_mesh_to_soup", mesh, &options);
+    assert_int_equal(tribox_mesh_to_soup(mesh, from, first, count, &options, to, to + 3, to + 6), TRIBOX_OK);
     for (int s = 0; s < 9; s++) {
         for (size_t i = 0; i < count; i++) {
             const float wanted = (float)(laid_mesh_number(mesh, 3 * (first + i) + (size_t)s % 3, s / 3) - from[s / 3]);
@@ -298,7 +297,7 @@ static void test_floats(void **state)
                 const tribox_options options = {.axes = (unsigned)random_int_between(&r, 1, AXIS_SETS), .kernel = names[k]};
                 const mesh_form form = mesh_form_draw(&r, true);
                 const tribox_mesh mesh = laid_mesh_of(&r, &form, (const double(*)[3][3])triangles, count, permutations[0], fences);
-                assert_int_equal(tribox_overlap_indexed(&floats, &batch.box, &options, wanted_mask, NULL), TRIBOX_OK);
+                assert_int_equal(tribox_mesh_overlap(&floats, &batch.box, &options, wanted_mask, NULL), TRIBOX_OK);
                 check_overlap(&mesh, &options, AT_END);
                 check_searches(&mesh, &options);
             }
@@ -340,9 +339,9 @@ static void test_bad_indices(void **state)
         uint64_t *const to = (uint64_t *)(void *)mask.at, *const also = (uint64_t *)(void *)inside.at;
         tribox_report *const counts = (tribox_report *)(void *)report.at;
         say("a vertex too few", &mesh, &options);
-        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, to, counts), TRIBOX_BAD_VERTEX);
-        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, NULL, counts), TRIBOX_BAD_VERTEX);
-        assert_int_equal(tribox_classify_f64(&mesh, &box, &options, to, also, counts), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, to, counts), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, NULL, counts), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_mesh_classify(&mesh, &box, &options, to, also, counts), TRIBOX_BAD_VERTEX);
         check_search_that_may_stop(&mesh, &options, TRIBOX_FIRST_HIT);
         check_search_that_may_stop(&mesh, &options, TRIBOX_FIRST_MISS);
         assert_nothing_written(&mask);

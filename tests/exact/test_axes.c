@@ -39,8 +39,8 @@ static void complete(boxes_and_triangles *c)
             for (int j = 0; j < 3; j++)
                 c->coordinate[j][a][k] = c->u[k][j][a];
         for (size_t b = 0; b < c->boxes; b++) {
-            c->lower[a][b] = c->box[b].lo[a];
-            c->upper[a][b] = c->box[b].hi[a];
+            c->lower[a][b] = (float)c->box[b].lo[a];
+            c->upper[a][b] = (float)c->box[b].hi[a];
         }
     }
 }
@@ -127,7 +127,7 @@ static tribox_box box_in_frame(const frame *f, const tribox_box *box)
 {
     tribox_box moved;
     for (int a = 0; a < 3; a++) {
-        const float p = in_frame(f, a, box->lo[a]), q = in_frame(f, a, box->hi[a]);
+        const float p = in_frame(f, a, (float)box->lo[a]), q = in_frame(f, a, (float)box->hi[a]);
         moved.lo[f->to[a]] = p < q ? p : q;
         moved.hi[f->to[a]] = p < q ? q : p;
     }
@@ -158,8 +158,8 @@ static tribox_box resized(const tribox_box *box, int size)
             other.lo[a] += size == SMALLER ? 1.0f : -1.0f;
             other.hi[a] -= size == SMALLER ? 1.0f : -1.0f;
         } else if (size != TOUCHED) {
-            other.lo[a] = nextafterf(box->lo[a], size == ULP_SMALLER ? INFINITY : -INFINITY);
-            other.hi[a] = nextafterf(box->hi[a], size == ULP_SMALLER ? -INFINITY : INFINITY);
+            other.lo[a] = nextafterf((float)box->lo[a], size == ULP_SMALLER ? INFINITY : -INFINITY);
+            other.hi[a] = nextafterf((float)box->hi[a], size == ULP_SMALLER ? -INFINITY : INFINITY);
         }
     }
     return other;

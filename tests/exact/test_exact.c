@@ -81,8 +81,8 @@ static void ask_batch(test_run *t)
 static void put_box(test_run *t, size_t lane, const tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
-        t->bound[0][a][lane] = box->lo[a];
-        t->bound[1][a][lane] = box->hi[a];
+        t->bound[0][a][lane] = (float)box->lo[a];
+        t->bound[1][a][lane] = (float)box->hi[a];
     }
 }
 

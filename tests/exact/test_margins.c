@@ -188,8 +188,8 @@ static void draw_vanishing_far_away(random_source *r, pair_f32 *pair)
     vertex_of(pair, 0, p);
     put_box(r, n, p, place, 0, 0, &pair->box);
     for (int a = 0, is_point = random_int(r, 2); a < 3 && !is_point; a++) {
-        pair->box.lo[a] = nextafterf(pair->box.lo[a], -INFINITY);
-        pair->box.hi[a] = nextafterf(pair->box.hi[a], INFINITY);
+        pair->box.lo[a] = nextafterf((float)pair->box.lo[a], -INFINITY);
+        pair->box.hi[a] = nextafterf((float)pair->box.hi[a], INFINITY);
     }
 }
 
@@ -319,13 +319,16 @@ static void ask(test_run *t)
 {
     tribox_soup soup = {.count = ORDERS};
     tribox_boxes boxes = {.count = 1};
+    float bound[6];
     uint64_t mask[1];
     for (int k = 0; k < 3; k++) {
         soup.x[k] = t->coordinate[k][0];
         soup.y[k] = t->coordinate[k][1];
         soup.z[k] = t->coordinate[k][2];
-        boxes.lo[k] = &t->pair.box.lo[k];
-        boxes.hi[k] = &t->pair.box.hi[k];
+        bound[k] = (float)t->pair.box.lo[k];
+        bound[3 + k] = (float)t->pair.box.hi[k];
+        boxes.lo[k] = &bound[k];
+        boxes.hi[k] = &bound[3 + k];
     }
     t->where.function = "tribox_overlap";
     ask_soup(&soup, &t->pair.box, &t->where.options, mask);

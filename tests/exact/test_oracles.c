@@ -136,7 +136,7 @@ static void check_oriented(const origin *where, const pair_f32 *pair, unsigned a
     tribox_pair straight;
     bool is_apart = false;
     for (int a = 0; a < 3; a++) {
-        const float center = pair->box.lo[a] / 2 + pair->box.hi[a] / 2, half = pair->box.hi[a] / 2 - pair->box.lo[a] / 2;
+        const float center = (float)pair->box.lo[a] / 2 + (float)pair->box.hi[a] / 2, half = (float)pair->box.hi[a] / 2 - (float)pair->box.lo[a] / 2;
         oriented.box.center[a] = center;
         oriented.box.half[a] = half;
         if (!is_sum_exact((double)center, -(double)half, &straight.lo[a]) ||

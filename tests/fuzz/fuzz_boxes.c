@@ -13,7 +13,7 @@ typedef struct fuzz_case {
 static tribox_status ask(const void *about, const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
     const fuzz_case *const q = about;
-    return tribox_overlap_boxes(q->triangle, &q->boxes, options, mask, report);
+    return tribox_overlap_boxes((const float *)q->triangle, &q->boxes, options, mask, report);
 }
 
 static tribox_boxes asked_boxes(const asked *a, size_t shift)
@@ -23,7 +23,7 @@ static tribox_boxes asked_boxes(const asked *a, size_t shift)
         float *const stream = tight_memory(a->count * sizeof *stream, shift * sizeof *stream);
         for (size_t i = 0; i < a->count; i++) {
             const tribox_box *const box = &a->pair[i % a->drawn].box;
-            stream[i] = k < 3 ? box->lo[k] : box->hi[k - 3];
+            stream[i] = k < 3 ? (float)box->lo[k] : (float)box->hi[k - 3];
         }
         (k < 3 ? boxes.lo : boxes.hi)[k % 3] = stream;
     }

@@ -82,13 +82,13 @@ static void read_any_obj(bytes b) { read_mesh(b, "a.obj", read_obj); }
 
 static void read_any_stl(bytes b) { read_mesh(b, "a.stl", read_stl_text); }
 
-static bool is_same_box(const tribox_box_f64 *one, const tribox_box_f64 *other)
+static bool is_same_box(const tribox_box *one, const tribox_box *other)
 {
     return !memcmp(one->lo, other->lo, sizeof one->lo) && !memcmp(one->hi, other->hi, sizeof one->hi);
 }
 
 /* Seventeen digits tell every double. */
-static void check_box_again(const tribox_box_f64 *box)
+static void check_box_again(const tribox_box *box)
 {
     char text[200];
     written_box again;

@@ -161,7 +161,7 @@ static void check_lists(const fuzz_case *q, const tribox_options *o)
     size_t *const start = tight_memory((BOXES + 1) * sizeof *start, 0), total = 0;
     for (int k = 0; k < 6; k++) {
         for (int b = 0; b < BOXES; b++)
-            bound[k][b] = k < 3 ? q->box[b].lo[k] : q->box[b].hi[k - 3];
+            bound[k][b] = k < 3 ? (float)q->box[b].lo[k] : (float)q->box[b].hi[k - 3];
         (k < 3 ? boxes.lo : boxes.hi)[k % 3] = bound[k];
     }
     status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &q->soup, &boxes, o, NULL, 0, NULL, start));

@@ -141,9 +141,9 @@ static void check_streams(const fuzz_case *q, size_t first, size_t count, size_t
         expect_streams(q, first, count, expected);
     for (const char *const *kernel = runnable_kernels(); *kernel; kernel++) {
         make_streams(count, shift, streams);
-        const tribox_status status =
-            tribox_mesh_to_streams(&q->mesh, first, count, &(tribox_options){.kernel = *kernel}, streams, streams + 3, streams + 6);
-        status_fits("tribox_mesh_to_streams", arguments ? arguments : is_refused ? 1u << TRIBOX_BAD_VERTEX : 0, status);
+        const tribox_status status = tribox_mesh_to_soup(&q->mesh, NULL, first, count, &(tribox_options){.kernel = *kernel},
+                                                         streams, streams + 3, streams + 6);
+        status_fits("tribox_mesh_to_soup", arguments ? arguments : is_refused ? 1u << TRIBOX_BAD_VERTEX : 0, status);
         for (int k = 0; k < 9; k++)
             ensure(!memcmp(streams[k], expected[k], count * sizeof(float)),
                    "kernel %s: stream %d of %zu triangles from %zu on is wrong", *kernel, k, count, first);
@@ -161,8 +161,8 @@ static void check_refusal(const fuzz_case *q, unsigned wrong)
     uint64_t *const mask = tight_mask(q->mesh.count);
     tribox_report report;
     memset(&report, POISON, sizeof report);
-    status_fits("tribox_overlap_indexed", wrong, tribox_overlap_indexed(&q->mesh, &q->box, &q->options, mask, &report));
-    ensure(is_poisoned(mask, bytes) && is_poisoned(&report, sizeof report), "tribox_overlap_indexed writes although it refuses");
+    status_fits("tribox_mesh_overlap", wrong, tribox_mesh_overlap(&q->mesh, &q->box, &q->options, mask, &report));
+    ensure(is_poisoned(mask, bytes) && is_poisoned(&report, sizeof report), "tribox_mesh_overlap writes although it refuses");
 }
 
 /* The same as of the streams, at every accuracy. */
@@ -181,11 +181,11 @@ static void check_overlap(const fuzz_case *q)
             o.kernel = *kernel;
             o.accuracy = (tribox_accuracy)accuracy;
             status_fits("tribox_overlap", 0, tribox_overlap(&soup, &q->box, &o, masks[0], &reports[0]));
-            status_fits("tribox_overlap_indexed", 0, tribox_overlap_indexed(&q->mesh, &q->box, &o, masks[1], &reports[1]));
+            status_fits("tribox_mesh_overlap", 0, tribox_mesh_overlap(&q->mesh, &q->box, &o, masks[1], &reports[1]));
             ensure(!memcmp(masks[0], masks[1], bytes) && reports[0].overlapping == reports[1].overlapping,
                    "accuracy %d, axes %u, kernel %s: the answers about a mesh and its streams differ", accuracy, o.axes, o.kernel);
         }
-    status_fits("tribox_overlap_indexed", 0, tribox_overlap_indexed(&q->mesh, &q->box, &o, NULL, NULL));
+    status_fits("tribox_mesh_overlap", 0, tribox_mesh_overlap(&q->mesh, &q->box, &o, NULL, NULL));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -24,7 +24,7 @@ typedef struct numbers {
 /* A mesh, its triangles as they are meant, and what is wrong with it. */
 typedef struct fuzz_case {
     tribox_mesh mesh;
-    tribox_box_f64 box;
+    tribox_box box;
     tribox_options options;
     double u[PAIRS_DRAWN][3][3];
     unsigned drawn, wrong;
@@ -113,10 +113,10 @@ static void draw_numbers(numbers *n, double *to, int count)
 }
 
 /* Mostly lo <= hi. */
-static tribox_box_f64 draw_box(numbers *n)
+static tribox_box draw_box(numbers *n)
 {
     double bound[6];
-    tribox_box_f64 box;
+    tribox_box box;
     draw_numbers(n, bound, 6);
     const unsigned shape = input_byte(n->in);
     for (int a = 0; a < 3; a++) {
@@ -127,7 +127,7 @@ static tribox_box_f64 draw_box(numbers *n)
     return box;
 }
 
-static bool is_finite_box(const tribox_box_f64 *box)
+static bool is_finite_box(const tribox_box *box)
 {
     bool is = true;
     for (int a = 0; a < 3; a++)
@@ -213,9 +213,8 @@ static void check_refusal(const fuzz_case *q)
     uint64_t *const mask = tight_mask(q->mesh.count);
     tribox_report report;
     memset(&report, POISON, sizeof report);
-    status_fits("tribox_overlap_indexed_f64", q->wrong, tribox_overlap_indexed_f64(&q->mesh, &q->box, &q->options, mask, &report));
-    ensure(is_poisoned(mask, bytes) && is_poisoned(&report, sizeof report),
-           "tribox_overlap_indexed_f64 writes although it refuses");
+    status_fits("tribox_mesh_overlap", q->wrong, tribox_mesh_overlap(&q->mesh, &q->box, &q->options, mask, &report));
+    ensure(is_poisoned(mask, bytes) && is_poisoned(&report, sizeof report), "tribox_mesh_overlap writes although it refuses");
 }
 
 static pair_f64 pair_of(const fuzz_case *q, size_t i)
@@ -255,14 +254,14 @@ static void check_others(const fuzz_case *q, const tribox_options *o, const uint
     ensure(first == set, "tribox_mesh_find finds %zu, not %zu", first, set);
     status_fits("tribox_mesh_find", 0, tribox_mesh_find(&q->mesh, &q->box, o, TRIBOX_FIRST_MISS, &first));
     ensure(first == clear, "tribox_mesh_find finds %zu, not %zu", first, clear);
-    status_fits("tribox_classify_f64", 0, tribox_classify_f64(&q->mesh, &q->box, o, again, inside, NULL));
-    ensure(!memcmp(again, mask, 8 * tribox_mask_words(count)), "tribox_classify_f64 has another mask");
+    status_fits("tribox_mesh_classify", 0, tribox_mesh_classify(&q->mesh, &q->box, o, again, inside, NULL));
+    ensure(!memcmp(again, mask, 8 * tribox_mask_words(count)), "tribox_mesh_classify has another mask");
     for (size_t i = 0; i < count; i++) {
         const pair_f64 pair = pair_of(q, i);
         bool is_inside = true;
         for (int k = 0; k < 9; k++)
             is_inside = is_inside && pair.u[k / 3][k % 3] >= pair.box.lo[k % 3] && pair.u[k / 3][k % 3] <= pair.box.hi[k % 3];
-        ensure(mask_bit(inside, i) == is_inside, "tribox_classify_f64: triangle %zu is %sinside", i, is_inside ? "" : "not ");
+        ensure(mask_bit(inside, i) == is_inside, "tribox_mesh_classify: triangle %zu is %sinside", i, is_inside ? "" : "not ");
     }
 }
 
@@ -272,9 +271,8 @@ static void check_streams(const fuzz_case *q, const char *kernel)
     float *to[9];
     for (int s = 0; s < 9; s++)
         to[s] = tight_memory(count * sizeof(float), 0);
-    status_fits(
-        "tribox_mesh_to_local_streams", 0,
-        tribox_mesh_to_local_streams(&q->mesh, q->box.lo, 0, count, &(tribox_options){.kernel = kernel}, to, to + 3, to + 6));
+    status_fits("tribox_mesh_to_soup", 0,
+                tribox_mesh_to_soup(&q->mesh, q->box.lo, 0, count, &(tribox_options){.kernel = kernel}, to, to + 3, to + 6));
     for (size_t k = 0; k < 9 * count; k++) {
         const size_t i = k / 9, s = k % 9;
         const float wanted = (float)(q->u[i % q->drawn][s % 3][s / 3] - q->box.lo[s / 3]);
@@ -297,9 +295,9 @@ static void check_answers(const fuzz_case *q)
             tribox_report report;
             o.kernel = *kernel;
             o.accuracy = (tribox_accuracy)accuracy;
-            status_fits("tribox_overlap_indexed_f64", 0, tribox_overlap_indexed_f64(&q->mesh, &q->box, &o, mask, &report));
+            status_fits("tribox_mesh_overlap", 0, tribox_mesh_overlap(&q->mesh, &q->box, &o, mask, &report));
             check_mask(q, &o, truth, mask);
-            ensure(report.overlapping == mask_population("tribox_overlap_indexed_f64", mask, q->mesh.count) &&
+            ensure(report.overlapping == mask_population("tribox_mesh_overlap", mask, q->mesh.count) &&
                        report.undecided <= q->mesh.count,
                    "reports %zu, %zu undecided", report.overlapping, report.undecided);
             if (accuracy == TRIBOX_EXACT)

@@ -77,8 +77,8 @@ static tribox_boxes all_cells(const tribox_grid *grid)
                 for (int a = 0; a < 3; a++) {
                     ensure(cell.lo[a] == plane(grid, a, at[a]) && cell.hi[a] == plane(grid, a, at[a] + 1),
                            "tribox_grid_cell is not by the planes");
-                    bound[a][n] = cell.lo[a];
-                    bound[3 + a][n] = cell.hi[a];
+                    bound[a][n] = (float)cell.lo[a];
+                    bound[3 + a][n] = (float)cell.hi[a];
                 }
             }
     for (int a = 0; a < 3; a++) {
@@ -98,7 +98,7 @@ static uint64_t *cells_of_each(const fuzz_case *q, const float u[][3][3])
     o.kernel = NULL;
     memcpy(occupied, q->before, q->words * sizeof *occupied);
     for (size_t t = 0; t < q->soup.count; t++) {
-        status_fits("tribox_overlap_boxes", 0, tribox_overlap_boxes(u[t], &cells, &o, mask, NULL));
+        status_fits("tribox_overlap_boxes", 0, tribox_overlap_boxes((const float *)u[t], &cells, &o, mask, NULL));
         for (size_t n = 0; n < cells.count; n++) {
             const size_t row = n / grid->size[0], i = n % grid->size[0];
             occupied[row * tribox_grid_row_words(grid) + i / 64] |= (uint64_t)mask_bit(mask, n) << i % 64;

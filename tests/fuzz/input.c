@@ -170,8 +170,8 @@ tribox_box input_box(input *in)
         const bool is_turned = one > other && !(shape & NO_ORDER);
         box.lo[a] = is_turned ? other : one;
         box.hi[a] = shape >> a & 1 ? box.lo[a] : is_turned ? one : other;
-        input_remember(in, box.lo[a]);
-        input_remember(in, box.hi[a]);
+        input_remember(in, (float)box.lo[a]);
+        input_remember(in, (float)box.hi[a]);
     }
     return box;
 }

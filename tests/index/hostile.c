@@ -217,8 +217,8 @@ tribox_box bounds_of(const stored_soup *s, size_t first, size_t count)
     tribox_box box = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
     for (size_t i = first; i < s->soup.count && i - first < count; i++)
         for (int k = 0; k < STORED_STREAMS && is_finite_at(s, i); k++) {
-            box.lo[k / 3] = fminf(box.lo[k / 3], s->stream[k][i]);
-            box.hi[k / 3] = fmaxf(box.hi[k / 3], s->stream[k][i]);
+            box.lo[k / 3] = fminf((float)box.lo[k / 3], s->stream[k][i]);
+            box.hi[k / 3] = fmaxf((float)box.hi[k / 3], s->stream[k][i]);
         }
     return box;
 }
@@ -234,8 +234,8 @@ static tribox_box draw_bounds_of_run(random_source *r, const stored_soup *s)
 static void join(tribox_box *box, const tribox_box *other)
 {
     for (int a = 0; a < 3; a++) {
-        box->lo[a] = fminf(box->lo[a], other->lo[a]);
-        box->hi[a] = fmaxf(box->hi[a], other->hi[a]);
+        box->lo[a] = fminf((float)box->lo[a], (float)other->lo[a]);
+        box->hi[a] = fmaxf((float)box->hi[a], (float)other->hi[a]);
     }
 }
 
@@ -243,8 +243,8 @@ static void join(tribox_box *box, const tribox_box *other)
 static void nudge_bounds(random_source *r, tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
-        box->lo[a] = random_sign_of_zero(r, random_int(r, 5) ? box->lo[a] : nudged(r, box->lo[a], 1));
-        box->hi[a] = random_sign_of_zero(r, random_int(r, 5) ? box->hi[a] : nudged(r, box->hi[a], 1));
+        box->lo[a] = random_sign_of_zero(r, random_int(r, 5) ? (float)box->lo[a] : nudged(r, (float)box->lo[a], 1));
+        box->hi[a] = random_sign_of_zero(r, random_int(r, 5) ? (float)box->hi[a] : nudged(r, (float)box->hi[a], 1));
     }
 }
 

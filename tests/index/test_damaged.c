@@ -108,8 +108,8 @@ static void check_oriented(const tribox_box *box, tribox_options options)
     static uint32_t list[COUNT_MAX];
     tribox_oriented_box oriented = {{0, 0, 0}, {0, 0, 0}, {{1, 0.25f, 0}, {-0.25f, 1, 0}, {0, 0, 1}}};
     for (int a = 0; a < 3; a++) {
-        oriented.center[a] = box->lo[a] / 2 + box->hi[a] / 2;
-        oriented.half[a] = box->hi[a] / 2 - box->lo[a] / 2;
+        oriented.center[a] = (float)box->lo[a] / 2 + (float)box->hi[a] / 2;
+        oriented.half[a] = (float)box->hi[a] / 2 - (float)box->lo[a] / 2;
     }
     options.axes = 0;
     options.accuracy = TRIBOX_FAST;

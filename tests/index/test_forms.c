@@ -44,8 +44,8 @@ static void check_soup(random_source *r, const soup_kind *kind)
         const tribox_box box = draw_box(r, &stored);
         check_forms(&fences, &stored, &box, &options, kind->name);
         for (int a = 0; a < 3; a++) {
-            bound[a][b] = box.lo[a];
-            bound[3 + a][b] = box.hi[a];
+            bound[a][b] = (float)box.lo[a];
+            bound[3 + a][b] = (float)box.hi[a];
         }
     }
     for (int a = 0; a < 3; a++) {

@@ -104,7 +104,7 @@ static void check_mesh(random_source *r, unsigned index_bytes, size_t stride)
     for (size_t first = 0; first <= COUNT; first += 1 + (size_t)random_int(r, 9)) {
         const size_t count = (size_t)random_int_between(r, 0, (int)(COUNT - first));
         lay_streams(count, random_int(r, 2));
-        assert_int_equal(tribox_mesh_gather(&mesh, order, first, count, to, to + 3, to + 6), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_gather(&mesh, NULL, order, first, count, to, to + 3, to + 6), TRIBOX_OK);
         demand_streams(&soup, first, count);
     }
     guarded_free(positions);
@@ -136,13 +136,13 @@ static void test_bad(void **state)
         memcpy(bad, order, sizeof bad);
         bad[place] = COUNT;
         assert_int_equal(tribox_soup_gather(&soup, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
-        assert_int_equal(tribox_mesh_gather(&mesh, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
+        assert_int_equal(tribox_mesh_gather(&mesh, NULL, bad, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
     }
     indices[3 * order[COUNT - 1] + 2] = VERTICES;
-    assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
+    assert_int_equal(tribox_mesh_gather(&mesh, NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_VERTEX);
     mesh.index_bytes = 3;
-    assert_int_equal(tribox_mesh_gather(&mesh, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
-    assert_int_equal(tribox_mesh_gather(NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_gather(&mesh, NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_gather(NULL, NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_soup_gather(NULL, order, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_soup_gather(&soup, NULL, 0, COUNT, to, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_soup_gather(&soup, order, 0, COUNT, NULL, to + 3, to + 6), TRIBOX_BAD_ARGUMENT);

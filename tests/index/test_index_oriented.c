@@ -125,8 +125,8 @@ static tribox_oriented_box draw_oriented(random_source *r)
     tribox_oriented_box box;
     draw_axes(r, &box);
     for (int a = 0; a < 3; a++) {
-        box.center[a] = about.lo[a] / 2 + about.hi[a] / 2;
-        box.half[a] = about.hi[a] / 2 - about.lo[a] / 2;
+        box.center[a] = (float)about.lo[a] / 2 + (float)about.hi[a] / 2;
+        box.half[a] = (float)about.hi[a] / 2 - (float)about.lo[a] / 2;
         if (random_int(r, 12) == 0)
             box.half[a] = random_int(r, 2) ? 0 : -box.half[a];
     }

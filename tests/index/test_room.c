@@ -115,7 +115,7 @@ static tribox_boxes streams_of(const tribox_box *box, size_t count)
     tribox_boxes boxes = {.count = count};
     for (int k = 0; k < 6; k++) {
         for (size_t b = 0; b < count; b++)
-            bound[k][b] = k < 3 ? box[b].lo[k] : box[b].hi[k - 3];
+            bound[k][b] = (float)(k < 3 ? box[b].lo[k] : box[b].hi[k - 3]);
         (k < 3 ? boxes.lo : boxes.hi)[k % 3] = bound[k];
     }
     return boxes;
@@ -179,10 +179,10 @@ static void test_thin_boxes(void **state)
             const size_t i = random_below(&r, stored.soup.count);
             const int a = turn % 3, v = random_int(&r, 3);
             tribox_box box = all;
-            float *const lo = &box.lo[a], *const hi = &box.hi[a];
+            double *const lo = &box.lo[a], *const hi = &box.hi[a];
             *lo = *hi = stored.stream[3 * a + v][i];
             if (turn % 4 == 0)
-                *lo = nextafterf(*lo, INFINITY);
+                *lo = nextafterf((float)*lo, INFINITY);
             if (turn % 4 == 1) {
                 *lo = all.hi[a];
                 *hi = all.lo[a];
@@ -212,11 +212,11 @@ static void test_boxes_without_lists(void **state)
             stored_soup_build(&stored, names[k]);
             for (int b = 0; b < BOXES; b++) {
                 box[b] = bounds_of(&stored, 0, 300);
-                float *const bound = kind < 15 ? box[b].lo : box[b].hi;
+                double *const bound = kind < 15 ? box[b].lo : box[b].hi;
                 if (random_int(&r, 2))
                     bound[kind % 3] = kind / 3 % 5 < 4 ? bad[kind / 3 % 5] : kind < 15 ? INFINITY : -INFINITY;
                 if (random_int(&r, 4) == 0)
-                    box[b].lo[kind % 3] = nextafterf(box[b].hi[kind % 3], INFINITY);
+                    box[b].lo[kind % 3] = nextafterf((float)box[b].hi[kind % 3], INFINITY);
             }
             for (size_t count = 0; count <= BOXES; count++) {
                 const tribox_boxes boxes = streams_of(box, count);

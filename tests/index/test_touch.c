@@ -94,7 +94,7 @@ static size_t count_as_without(const tribox_box *box, const tribox_options *opti
 static void check_face(const part *p, const tribox_box *about, int face, float unit, const tribox_options *options)
 {
     const bool is_lower = face < 3;
-    const float near = is_lower ? about->lo[face] : about->hi[face - 3], far = is_lower ? about->hi[face] : about->lo[face - 3];
+    const float near = is_lower ? (float)about->lo[face] : (float)about->hi[face - 3], far = is_lower ? (float)about->hi[face] : (float)about->lo[face - 3];
     const tribox_box touching = box_to(about, face, far, 3 * unit), missing = box_to(about, face, next(far, is_lower), 3 * unit);
     const tribox_box holding = box_to(about, face, near, 3 * unit), cutting = box_to(about, face, next(near, is_lower), 3 * unit);
     if (!count_as_without(&touching, options))
@@ -203,7 +203,7 @@ static void test_dirt(void **state)
             const tribox_box about = bounds_of(&stored, p.first, p.count);
             const tribox_options options = {.kernel = names[k]};
             for (int face = 0; face < FACES; face++) {
-                const float far = face < 3 ? about.hi[face] : about.lo[face - 3];
+                const float far = face < 3 ? (float)about.hi[face] : (float)about.lo[face - 3];
                 const tribox_box missing = box_to(&about, face, next(far, face < 3), 3);
                 expect_unseen(&missing, &options, "missed by an ulp", face, 0);
             }

@@ -181,14 +181,14 @@ void mesh_move_beside(random_source *r, const tribox_mesh *mesh, const tribox_bo
 {
     for (size_t first = 0, end; first < mesh->vertices; first = end) {
         const int a = random_int(r, 3), side = random_int(r, 2);
-        const float face = side ? box->hi[a] : box->lo[a], beyond = side ? INFINITY : -INFINITY;
+        const float face = side ? (float)box->hi[a] : (float)box->lo[a], beyond = side ? INFINITY : -INFINITY;
         end = first + 1 + draw_below(r, random_int(r, 4) ? 900 : 60);
         end = end < mesh->vertices ? end : mesh->vertices;
         for (size_t n = first; n < end; n++)
             set_coordinate(mesh, n, a, random_int(r, 2) ? nextafterf(face, beyond) : face + (side ? 1.0f : -1.0f));
         const size_t places[] = {first, end - 1, first + draw_below(r, end - first)};
         if (random_int(r, 2))
-            set_coordinate(mesh, places[random_int(r, 3)], a, draw_exception(r, face, (box->lo[a] + box->hi[a]) / 2));
+            set_coordinate(mesh, places[random_int(r, 3)], a, draw_exception(r, face, ((float)box->lo[a] + (float)box->hi[a]) / 2));
     }
 }
 

@@ -39,8 +39,8 @@ static tribox_status make_streams(const tribox_mesh *mesh, size_t first, size_t 
         stream[s] = fenced_place(fences.stream[s], count * sizeof(float), AT_END);
         to[s] = (float *)(void *)stream[s].at;
     }
-    say("tribox_mesh_to_streams", kernel, mesh);
-    return tribox_mesh_to_streams(mesh, first, count, &(tribox_options){.kernel = kernel}, to, to + 3, to + 6);
+    say("tribox_mesh_to_soup", kernel, mesh);
+    return tribox_mesh_to_soup(mesh, NULL, first, count, &(tribox_options){.kernel = kernel}, to, to + 3, to + 6);
 }
 
 static void check_streams_refused(const tribox_mesh *mesh, size_t first, size_t count, const char *kernel)
@@ -64,12 +64,12 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
     static const tribox_report poison = {12345, 67890};
     tribox_report report = poison;
     const fenced mask = fenced_place(fences.mask, tribox_mask_words(mesh->count) * sizeof(uint64_t), AT_END);
-    say("tribox_overlap_indexed", kernel, mesh);
-    expect_refusal(tribox_overlap_indexed(mesh, &cube, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
+    say("tribox_mesh_overlap", kernel, mesh);
+    expect_refusal(tribox_mesh_overlap(mesh, &cube, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
     assert_nothing_written(&mask);
     assert_memory_equal(&report, &poison, sizeof poison);
-    expect_refusal(tribox_overlap_indexed(mesh, &cube, &(tribox_options){.kernel = kernel}, NULL, NULL));
-    expect_refusal(tribox_overlap_indexed(mesh, &far, &(tribox_options){.kernel = kernel}, NULL, NULL));
+    expect_refusal(tribox_mesh_overlap(mesh, &cube, &(tribox_options){.kernel = kernel}, NULL, NULL));
+    expect_refusal(tribox_mesh_overlap(mesh, &far, &(tribox_options){.kernel = kernel}, NULL, NULL));
 }
 
 static void check_found(const tribox_mesh *mesh, size_t count, size_t first)
@@ -197,7 +197,7 @@ static void answer_in_parts(const tribox_mesh *mesh, const char *kernel, uint64_
         tribox_mesh part = *mesh;
         part.indices = (const uint16_t *)mesh->indices + 3 * first;
         part.count = mesh->count - first < PART ? mesh->count - first : PART;
-        assert_int_equal(tribox_overlap_indexed(&part, &cube, &(tribox_options){.kernel = kernel}, mask + first / 64, NULL),
+        assert_int_equal(tribox_mesh_overlap(&part, &cube, &(tribox_options){.kernel = kernel}, mask + first / 64, NULL),
                          TRIBOX_OK);
     }
 }
@@ -222,13 +222,13 @@ static void test_very_many(void **state)
             .positions = positions, .vertices = VERTICES, .indices = indices, .index_bytes = 2, .count = count};
         const size_t bytes = tribox_mask_words(count) * sizeof *mask, corner = 3 * count - 1 - (size_t)random_int(&r, 300);
         for (int k = 0; k < kernels; k++) {
-            say("tribox_overlap_indexed", names[k], &mesh);
+            say("tribox_mesh_overlap", names[k], &mesh);
             memcpy(mask, poison, sizeof mask);
             indices[corner] = VERTICES;
-            expect_refusal(tribox_overlap_indexed(&mesh, &cube, &(tribox_options){.kernel = names[k]}, mask, NULL));
+            expect_refusal(tribox_mesh_overlap(&mesh, &cube, &(tribox_options){.kernel = names[k]}, mask, NULL));
             assert_memory_equal(mask, poison, sizeof mask);
             indices[corner] = VERTICES - 1;
-            assert_int_equal(tribox_overlap_indexed(&mesh, &cube, &(tribox_options){.kernel = names[k]}, mask, NULL), TRIBOX_OK);
+            assert_int_equal(tribox_mesh_overlap(&mesh, &cube, &(tribox_options){.kernel = names[k]}, mask, NULL), TRIBOX_OK);
             answer_in_parts(&mesh, names[k], want);
             assert_memory_equal(mask, want, bytes);
             assert_memory_equal((char *)mask + bytes, (char *)poison + bytes, sizeof mask - bytes);
@@ -306,8 +306,8 @@ static void test_greatest_numbers(void **state)
                          *const z[3] = {got[6], got[7], got[8]};
             float *const expected[9] = {want[0], want[1], want[2], want[3], want[4], want[5], want[6], want[7], want[8]};
             mesh_expect(&mesh, 0, mesh.count, expected);
-            say("tribox_mesh_to_streams", names[k], &mesh);
-            assert_int_equal(tribox_mesh_to_streams(&mesh, 0, mesh.count, &(tribox_options){.kernel = names[k]}, x, y, z),
+            say("tribox_mesh_to_soup", names[k], &mesh);
+            assert_int_equal(tribox_mesh_to_soup(&mesh, NULL, 0, mesh.count, &(tribox_options){.kernel = names[k]}, x, y, z),
                              TRIBOX_OK);
             assert_memory_equal(got, want, sizeof got);
         }

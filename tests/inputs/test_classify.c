@@ -214,7 +214,7 @@ static void test_scenes_clamped(void **state)
             for (int s = 0; s < SOUP_STREAMS; s++)
                 for (size_t k = 0; k < q.count; k++) {
                     float *const u = &numbers.stream[s][k];
-                    *u = fminf(fmaxf(*u, q.box->lo[s / 3]), q.box->hi[s / 3]);
+                    *u = fminf(fmaxf(*u, (float)q.box->lo[s / 3]), (float)q.box->hi[s / 3]);
                     if (!random_int(&r, 40))
                         *u = nextafterf(*u, random_int(&r, 2) ? FLT_MAX : -FLT_MAX);
                 }
@@ -255,11 +255,11 @@ static void test_each_comparison(void **state)
             for (int s = 0; s < SOUP_STREAMS; s++) {
                 q.stream[s] = numbers.stream[s];
                 for (size_t i = 0; i < q.count; i++)
-                    numbers.stream[s][i] = random_sign_of_zero(&r, random_int(&r, 2) ? box->lo[s / 3] : box->hi[s / 3]);
+                    numbers.stream[s][i] = random_sign_of_zero(&r, random_int(&r, 2) ? (float)box->lo[s / 3] : (float)box->hi[s / 3]);
             }
             for (size_t c = 0; c < 18 * KINDS; c++) {
                 const size_t s = c % 9, side = c / 9 % 2, kind = c / 18;
-                const float ulp = side ? nextafterf(box->hi[s / 3], INFINITY) : nextafterf(box->lo[s / 3], -INFINITY);
+                const float ulp = side ? nextafterf((float)box->hi[s / 3], INFINITY) : nextafterf((float)box->lo[s / 3], -INFINITY);
                 const float beside[KINDS] = {ulp, side ? INFINITY : -INFINITY, NAN, -NAN};
                 numbers.stream[s][c * spread + c % spread] = beside[kind];
             }

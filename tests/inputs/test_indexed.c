@@ -47,8 +47,8 @@ static void check_streams(const tribox_mesh *mesh, const tribox_options *options
         stream[s] = fenced_place(fences.stream[s], count * sizeof(float), place == AT_END ? AT_END : 4 * ((place + s) % 16));
         to[s] = (float *)(void *)stream[s].at;
     }
-    say("tribox_mesh_to_streams", mesh, options, first, count);
-    const tribox_status status = tribox_mesh_to_streams(mesh, first, count, options, to, to + 3, to + 6);
+    say("tribox_mesh_to_soup", mesh, options, first, count);
+    const tribox_status status = tribox_mesh_to_soup(mesh, NULL, first, count, options, to, to + 3, to + 6);
     if (status)
         fail_msg("%s: %s", doing, tribox_status_text(status));
     for (int s = 0; s < 9; s++) {
@@ -82,9 +82,9 @@ static void check_answers(const tribox_mesh *mesh, const tribox_box *box, const 
 
     const fenced mask = fenced_place(fences.mask, bytes, place == AT_END ? AT_END : 8 * (place % 8));
     const fenced report = fenced_place(fences.report, sizeof wanted, place == AT_END ? AT_END : 0);
-    say("tribox_overlap_indexed", mesh, options, 0, mesh->count);
+    say("tribox_mesh_overlap", mesh, options, 0, mesh->count);
     const tribox_status status =
-        tribox_overlap_indexed(mesh, box, options, (uint64_t *)(void *)mask.at, (tribox_report *)(void *)report.at);
+        tribox_mesh_overlap(mesh, box, options, (uint64_t *)(void *)mask.at, (tribox_report *)(void *)report.at);
     if (status)
         fail_msg("%s: %s", doing, tribox_status_text(status));
     if (bytes && memcmp(mask.at, want, bytes))
@@ -97,7 +97,7 @@ static void check_answers(const tribox_mesh *mesh, const tribox_box *box, const 
     assert_nothing_beside(&report);
 
     tribox_report alone;
-    assert_int_equal(tribox_overlap_indexed(mesh, box, options, NULL, &alone), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(mesh, box, options, NULL, &alone), TRIBOX_OK);
     assert_memory_equal(&alone, got, sizeof alone);
 }
 

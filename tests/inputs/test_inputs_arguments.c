@@ -72,7 +72,7 @@ typedef tribox_status ask(const call *c, outputs *out);
 
 static tribox_status indexed(const call *c, outputs *out)
 {
-    return tribox_overlap_indexed(c->mesh_or_null, c->box_or_null, &c->options, out->mask, &out->report);
+    return tribox_mesh_overlap(c->mesh_or_null, c->box_or_null, &c->options, out->mask, &out->report);
 }
 
 static tribox_status streams(const call *c, outputs *out)
@@ -80,8 +80,8 @@ static tribox_status streams(const call *c, outputs *out)
     float *to[9];
     for (int s = 0; s < 9; s++)
         to[s] = c->has_stream[s] ? out->stream[s] : NULL;
-    return tribox_mesh_to_streams(c->mesh_or_null, c->first, c->count, &c->options, c->has_axis[0] ? to : NULL,
-                                  c->has_axis[1] ? to + 3 : NULL, c->has_axis[2] ? to + 6 : NULL);
+    return tribox_mesh_to_soup(c->mesh_or_null, NULL, c->first, c->count, &c->options, c->has_axis[0] ? to : NULL,
+                               c->has_axis[1] ? to + 3 : NULL, c->has_axis[2] ? to + 6 : NULL);
 }
 
 static tribox_status any(const call *c, outputs *out)
@@ -147,9 +147,9 @@ static void test_absent_outputs(void **state)
     (void)state;
     const call *const c = right_call();
     outputs out = poisoned();
-    assert_int_equal(tribox_overlap_indexed(&c->mesh, &cube, NULL, out.mask, &out.report), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(&c->mesh, &cube, NULL, out.mask, &out.report), TRIBOX_OK);
     assert_int_equal(out.report.overlapping, COUNT);
-    assert_int_equal(tribox_overlap_indexed(&c->mesh, &cube, NULL, NULL, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(&c->mesh, &cube, NULL, NULL, NULL), TRIBOX_OK);
     assert_int_equal(tribox_overlap_oriented(&c->soup, &turned, NULL, out.mask, &out.report), TRIBOX_OK);
     assert_int_equal(out.report.overlapping, COUNT);
     assert_int_equal(tribox_overlap_oriented(&c->soup, &turned, NULL, NULL, NULL), TRIBOX_OK);
@@ -157,8 +157,8 @@ static void test_absent_outputs(void **state)
     assert_int_equal(tribox_find(&c->soup, &cube, NULL, TRIBOX_FIRST_HIT, &out.first), TRIBOX_OK);
     assert_int_equal(tribox_find(&c->soup, &cube, NULL, TRIBOX_FIRST_MISS, &out.first), TRIBOX_OK);
     float *const to[3] = {out.stream[0], out.stream[1], out.stream[2]};
-    assert_int_equal(tribox_mesh_to_streams(&c->mesh, 0, COUNT, NULL, to, to, to), TRIBOX_OK);
-    assert_int_equal(tribox_overlap_indexed(NULL, &cube, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_mesh_to_soup(&c->mesh, NULL, 0, COUNT, NULL, to, to, to), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(NULL, &cube, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_overlap_oriented(NULL, &turned, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_classify(NULL, &cube, NULL, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
 }

@@ -46,7 +46,7 @@ typedef void action(const asked *q, answers *out);
 
 static void indexed(const asked *q, answers *out)
 {
-    out->status = tribox_overlap_indexed(&q->mesh, &q->box, &q->options, out->mask, &out->report);
+    out->status = tribox_mesh_overlap(&q->mesh, &q->box, &q->options, out->mask, &out->report);
 }
 
 static void streams(const asked *q, answers *out)
@@ -54,7 +54,7 @@ static void streams(const asked *q, answers *out)
     float *to[9];
     for (int s = 0; s < 9; s++)
         to[s] = out->stream[s];
-    out->status = tribox_mesh_to_streams(&q->mesh, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
+    out->status = tribox_mesh_to_soup(&q->mesh, NULL, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
 }
 
 static void any(const asked *q, answers *out)
@@ -88,9 +88,8 @@ static const struct {
     action *act;
     const char *name;
 } actions[] = {
-    {indexed, "tribox_overlap_indexed"}, {streams, "tribox_mesh_to_streams"}, {any, "tribox_find"},
-    {all, "tribox_find"},         {classify, "tribox_classify"},       {oriented, "tribox_overlap_oriented"},
-    {lists, "tribox_mask_indices"},
+    {indexed, "tribox_mesh_overlap"}, {streams, "tribox_mesh_to_soup"},      {any, "tribox_find"},           {all, "tribox_find"},
+    {classify, "tribox_classify"},    {oriented, "tribox_overlap_oriented"}, {lists, "tribox_mask_indices"},
 };
 
 /* Under each setting the answer is what it is under the one that a program starts with. */

@@ -32,7 +32,8 @@ static float draw_bound(random_source *r, float bound, float triangle[3][3], int
 static void put_box(random_source *r, drawn_numbers *numbers, size_t i, const tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
-        const float p = draw_bound(r, box->lo[a], numbers->triangle, a), q = draw_bound(r, box->hi[a], numbers->triangle, a);
+        const float p = draw_bound(r, (float)box->lo[a], numbers->triangle, a),
+                    q = draw_bound(r, (float)box->hi[a], numbers->triangle, a);
         numbers->stream[a][i] = p < q ? p : q;
         numbers->stream[3 + a][i] = p < q ? q : p;
     }

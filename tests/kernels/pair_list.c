@@ -37,7 +37,7 @@ tribox_status pair_list_overlap(const pair_list *q, const tribox_options *option
     const tribox_soup soup = pair_list_soup(q);
     const tribox_boxes boxes = boxes_of(q);
     return q->box ? tribox_overlap(&soup, q->box, options, mask, report)
-                  : tribox_overlap_boxes(q->triangle, &boxes, options, mask, report);
+                  : tribox_overlap_boxes((const float *)q->triangle, &boxes, options, mask, report);
 }
 
 const char *pair_list_text(const pair_list *q, const tribox_options *options, char text[PAIR_LIST_TEXT])

@@ -51,7 +51,7 @@ static void assert_soup_status(const call *c, const tribox_soup *soup, tribox_st
 static void assert_boxes_status(const call *c, const tribox_boxes *boxes, tribox_status expected)
 {
     outputs out = poison;
-    assert_int_equal(tribox_overlap_boxes(c->triangle, boxes, &c->options, out.mask, &out.report), expected);
+    assert_int_equal(tribox_overlap_boxes((const float *)c->triangle, boxes, &c->options, out.mask, &out.report), expected);
     if (expected)
         assert_memory_equal(&out, &poison, sizeof out);
 }
@@ -72,9 +72,9 @@ static void test_right_call(void **state)
     assert_int_equal(out.report.overlapping, 100);
     assert_int_equal(tribox_overlap(&c.soup, c.box, NULL, NULL, NULL), TRIBOX_OK);
     out = poison;
-    assert_int_equal(tribox_overlap_boxes(c.triangle, &c.boxes, NULL, out.mask, &out.report), TRIBOX_OK);
+    assert_int_equal(tribox_overlap_boxes((const float *)c.triangle, &c.boxes, NULL, out.mask, &out.report), TRIBOX_OK);
     assert_int_equal(out.report.overlapping, 100);
-    assert_int_equal(tribox_overlap_boxes(c.triangle, &c.boxes, NULL, NULL, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_overlap_boxes((const float *)c.triangle, &c.boxes, NULL, NULL, NULL), TRIBOX_OK);
 }
 
 /* Without options the answer is EXACT: a triangle in the plane x + y = 2, which touches an edge of the cube, is settled slowly. */
@@ -126,11 +126,11 @@ static void test_count_zero(void **state)
     assert_memory_equal(out.mask, poison.mask, sizeof out.mask);
     assert_int_equal(out.report.overlapping, 0);
     out = poison;
-    assert_int_equal(tribox_overlap_boxes(point, &boxes, NULL, out.mask, &out.report), TRIBOX_OK);
+    assert_int_equal(tribox_overlap_boxes((const float *)point, &boxes, NULL, out.mask, &out.report), TRIBOX_OK);
     assert_memory_equal(out.mask, poison.mask, sizeof out.mask);
     assert_int_equal(out.report.overlapping, 0);
     assert_int_equal(tribox_overlap(&soup, &cube, NULL, NULL, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_overlap_boxes(point, &boxes, NULL, NULL, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_overlap_boxes((const float *)point, &boxes, NULL, NULL, NULL), TRIBOX_OK);
 }
 
 /* What is wrong besides stays wrong when there is nothing to do. */
@@ -261,7 +261,7 @@ static void test_errors_without_outputs(void **state)
     assert_int_equal(tribox_overlap(NULL, &cube, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_overlap_boxes(NULL, &c.boxes, NULL, NULL, NULL), TRIBOX_BAD_ARGUMENT);
     assert_int_equal(tribox_overlap(&c.soup, &cube, &options, NULL, NULL), TRIBOX_BAD_OPTION);
-    assert_int_equal(tribox_overlap_boxes(point, &c.boxes, &options, NULL, NULL), TRIBOX_BAD_OPTION);
+    assert_int_equal(tribox_overlap_boxes((const float *)point, &c.boxes, &options, NULL, NULL), TRIBOX_BAD_OPTION);
 }
 
 static void test_mask_words(void **state)

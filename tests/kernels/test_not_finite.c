@@ -274,8 +274,8 @@ static void test_empty_boxes(void **state)
             empty_box(&box, axis, gap);
             for (size_t i = 0; i < COUNT; i++)
                 if (is_spoilt(i)) {
-                    numbers.stream[axis][i] = box.lo[axis];
-                    numbers.stream[3 + axis][i] = box.hi[axis];
+                    numbers.stream[axis][i] = (float)box.lo[axis];
+                    numbers.stream[3 + axis][i] = (float)box.hi[axis];
                 }
             check_everywhere(&q, expected);
         }

@@ -63,7 +63,7 @@ static bool is_in_fast_range(const pair_list *q, size_t i)
         largest = fmaxf(largest, fabsf(q->stream[k][i]));
     for (int a = 0; a < 3; a++)
         for (int k = 0; k < (q->box ? 2 : 3); k++)
-            largest = fmaxf(largest, fabsf(!q->box ? q->triangle[k][a] : k ? q->box->hi[a] : q->box->lo[a]));
+            largest = fmaxf(largest, fabsf(!q->box ? q->triangle[k][a] : k ? (float)q->box->hi[a] : (float)q->box->lo[a]));
     return largest <= 0x1p40f;
 }
 

@@ -18,7 +18,7 @@ enum { GRID_X = 70, GRID_Y = 9, GRID_Z = 5, GRID_WORDS = (GRID_X + 63) / 64 * GR
 /* A batch in every form that the package takes. */
 typedef struct question {
     tribox_box box;
-    tribox_box_f64 box_f64;
+    tribox_box box_f64;
     tribox_oriented_box oriented;
     tribox_grid grid;
     tribox_soup soup;
@@ -55,8 +55,8 @@ static tribox_oriented_box oriented_box(const tribox_box *box)
         {0.6f, 0.8f, 0}, {-0.8f * 5 / 13, 0.6f * 5 / 13, 12.0f / 13}, {0.8f * 12 / 13, -0.6f * 12 / 13, 5.0f / 13}};
     tribox_oriented_box oriented;
     for (int a = 0; a < 3; a++) {
-        oriented.center[a] = box->lo[a] / 2 + box->hi[a] / 2;
-        oriented.half[a] = box->hi[a] / 2 - box->lo[a] / 2;
+        oriented.center[a] = (float)box->lo[a] / 2 + (float)box->hi[a] / 2;
+        oriented.half[a] = (float)box->hi[a] / 2 - (float)box->lo[a] / 2;
     }
     memcpy(oriented.axis, axis, sizeof axis);
     return oriented;
@@ -67,8 +67,8 @@ static tribox_grid grid_at(const tribox_box *box)
 {
     tribox_grid grid = {.size = {GRID_X, GRID_Y, GRID_Z}};
     for (int a = 0; a < 3; a++) {
-        grid.origin[a] = box->lo[a];
-        grid.cell[a] = (box->hi[a] - box->lo[a]) / (float)(grid.size[a] - 2);
+        grid.origin[a] = (float)box->lo[a];
+        grid.cell[a] = ((float)box->hi[a] - (float)box->lo[a]) / (float)(grid.size[a] - 2);
     }
     return grid;
 }
@@ -161,7 +161,7 @@ static void answer_others(const question *q)
     write_mask("orientedMask", mask, q);
     need(tribox_overlap_oriented(&q->soup, &q->oriented, &(tribox_options){.axes = TRIBOX_AXES_BOX}, mask, NULL));
     write_mask("orientedBounds", mask, q);
-    need(tribox_classify_f64(&q->mesh, &q->box_f64, NULL, mask, inside, NULL));
+    need(tribox_mesh_classify(&q->mesh, &q->box_f64, NULL, mask, inside, NULL));
     write_mask("maskF64", mask, q);
     write_mask("insideF64", inside, q);
     if (!tribox_voxelize(&q->soup, &q->grid, NULL, cells, NULL))

@@ -68,7 +68,7 @@ test('is built with further functions and sources', () => inFolder(async (made) 
                 far += soup->x[0][i] > 1;
             return far;
         }`);
-    execFileSync('sh', [build, out, extra, 'count_far', 'tribox_overlap_indexed']);
+    execFileSync('sh', [build, out, extra, 'count_far', 'tribox_mesh_overlap']);
     const tribox = await load(readFileSync(path.join(out, 'tribox.wasm'))), { exports } = tribox;
     const positions = randomPositions(500), soup = tribox.soup({ positions }), mask = tribox.mask(500);
     assert.equal(exports.count_far(soup.address), soup.x[0].filter((x) => x > 1).length);
@@ -76,7 +76,7 @@ test('is built with further functions and sources', () => inFolder(async (made) 
     new Float32Array(tribox.memory.buffer, box, 6).set([...middleBox.lo, ...middleBox.hi]);
     for (const indices of [null, Uint32Array.from({ length: 1500 }, (_, k) => k)]) {
         const mesh = tribox.mesh({ positions, indices });
-        assert.equal(exports.tribox_overlap_indexed(mesh.address, box, 0, words, 0), 0);
+        assert.equal(exports.tribox_mesh_overlap(mesh.address, box, 0, words, 0), 0);
         assert.deepEqual(new Uint32Array(tribox.memory.buffer, words, 16), soup.overlap(middleBox, { into: mask }).mask.words);
     }
     const failed = spawnSync('sh', [build, path.join(made, 'none'), 'tribox_overlap_boxes'], { encoding: 'utf8' });

@@ -73,7 +73,10 @@ class Tester : public btTriangleCallback
     peer_lists *to_;
 };
 
-btVector3 vector_of(const float p[3]) { return {p[0], p[1], p[2]}; }
+template <class Number> btVector3 vector_of(const Number p[3])
+{
+    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
 
 void list(void *asked, const tribox_box *boxes, size_t count, peer_lists *to)
 {

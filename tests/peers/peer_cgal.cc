@@ -21,7 +21,7 @@ struct Tree {
     CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> nodes;
 };
 
-Point point_of(const float p[3]) { return {p[0], p[1], p[2]}; }
+template <class Number> Point point_of(const Number p[3]) { return {p[0], p[1], p[2]}; }
 
 Kernel::Iso_cuboid_3 cuboid_of(const tribox_box &box) { return {point_of(box.lo), point_of(box.hi)}; }
 

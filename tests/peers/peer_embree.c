@@ -1,6 +1,6 @@
 /*
  * peer_embree.c - Embree's rtcCollide of a scene of triangles and a scene of boxes, which knows bounding boxes alone; its
- * candidates are then tested by tribox_overlap_indexed, box by box.
+ * candidates are then tested by tribox_mesh_overlap, box by box.
  */
 #include <math.h>
 #include <stdio.h>
@@ -49,12 +49,12 @@ static void bound_triangle(const struct RTCBoundsFunctionArguments *args)
 static void bound_box(const struct RTCBoundsFunctionArguments *args)
 {
     const tribox_box *const box = (const tribox_box *)args->geometryUserPtr + args->primID;
-    args->bounds_o->lower_x = box->lo[0];
-    args->bounds_o->lower_y = box->lo[1];
-    args->bounds_o->lower_z = box->lo[2];
-    args->bounds_o->upper_x = box->hi[0];
-    args->bounds_o->upper_y = box->hi[1];
-    args->bounds_o->upper_z = box->hi[2];
+    args->bounds_o->lower_x = (float)box->lo[0];
+    args->bounds_o->lower_y = (float)box->lo[1];
+    args->bounds_o->lower_z = (float)box->lo[2];
+    args->bounds_o->upper_x = (float)box->hi[0];
+    args->bounds_o->upper_y = (float)box->hi[1];
+    args->bounds_o->upper_z = (float)box->hi[2];
 }
 
 static RTCScene make_scene(RTCDevice device, const void *things, size_t count, RTCBoundsFunction bounds)
@@ -146,7 +146,7 @@ static void filter(embree_tree *tree, size_t box, const uint32_t *candidates, si
     for (size_t i = 0; i < count; i++)
         for (uint32_t v = 0; v < 3; v++)
             tree->corners[3 * i + v] = 3 * candidates[i] + v;
-    if (tribox_overlap_indexed(&tree->mesh, &tree->box[box], NULL, tree->mask, NULL))
+    if (tribox_mesh_overlap(&tree->mesh, &tree->box[box], NULL, tree->mask, NULL))
         abort();
     for (size_t i = 0; i < count; i++)
         if (tree->mask[i / 64] >> i % 64 & 1)

@@ -93,7 +93,7 @@ static bool is_near(const field *f, uint32_t triangle, const tribox_box *box, bo
         one.z[v] = &u[v][2];
     }
     for (int a = 0; a < 3; a++) {
-        most = fmaxf(most, fmaxf(fabsf(box->lo[a]), fabsf(box->hi[a])));
+        most = fmaxf(most, fmaxf(fabsf((float)box->lo[a]), fabsf((float)box->hi[a])));
         for (int v = 0; v < 3; v++)
             most = fmaxf(most, fabsf(u[v][a]));
     }

@@ -138,8 +138,8 @@ static bool overlaps(const far_tile *t, bool is_double, const uint32_t cell[3])
     for (int a = 0; a < 3; a++)
         p[a] = t->at[a] * SIDE + cell[a];
     const tribox_box box = tribox_grid_cell(&t->grid, p[0], p[1], p[2]);
-    const tribox_box_f64 box_f64 = tribox_grid_cell_f64(&t->grid_f64, p[0], p[1], p[2]);
-    assert_int_equal(is_double ? tribox_overlap_indexed_f64(&mesh, &box_f64, &scalar, NULL, &report)
+    const tribox_box box_f64 = tribox_grid_cell_f64(&t->grid_f64, p[0], p[1], p[2]);
+    assert_int_equal(is_double ? tribox_mesh_overlap(&mesh, &box_f64, &scalar, NULL, &report)
                                : tribox_overlap(&soup, &box, &scalar, NULL, &report),
                      TRIBOX_OK);
     return report.overlapping > 0;

@@ -22,7 +22,7 @@ static tribox_grid grid_around(const mesh *m)
         longest = fmax(longest, (double)box.hi[a] - box.lo[a]);
     for (int a = 0; a < 3; a++) {
         grid.cell[a] = nextafterf((float)(longest / CELLS), INFINITY);
-        grid.origin[a] = box.lo[a];
+        grid.origin[a] = (float)box.lo[a];
         grid.size[a] = (uint32_t)fmax(1, ceil(((double)box.hi[a] - box.lo[a]) / grid.cell[a]));
     }
     return grid;

@@ -153,9 +153,9 @@ static size_t draw_across(random_source *r, const struct many_tiles *many, doubl
     return tile;
 }
 
-static tribox_box_f64 box_of(const struct many_tiles *many, size_t tile)
+static tribox_box box_of(const struct many_tiles *many, size_t tile)
 {
-    tribox_box_f64 box;
+    tribox_box box;
     for (int a = 0; a < 3; a++) {
         const size_t along = (many->size[a] + many->tile - 1) / many->tile;
         box.lo[a] = (double)(tile % along * many->tile);
@@ -204,9 +204,9 @@ static void test_few_of_many(void **state)
         assert_int_equal(count_share(many, (const double(*)[3])u, from, to, &options, starts), TRIBOX_OK);
         const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = 8};
         for (size_t t = from; t < to; t++) {
-            const tribox_box_f64 box = box_of(many, t);
+            const tribox_box box = box_of(many, t);
             uint64_t mask;
-            assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
+            assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
             if (starts[t + 1 - from] - starts[t - from] != mask)
                 fail_msg("round %zu: the triangle is %s tile %zu", round, mask ? "missing in" : "in", t);
         }

@@ -153,7 +153,7 @@ void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *op
     const tribox_mesh mesh = mesh_of(c);
     uint32_t low[3], high[3];
     tribox_box box;
-    tribox_box_f64 box_f64;
+    tribox_box box_f64;
     find_cells(c, tile, low, high);
     for (int a = 0; a < 3; a++) {
         if (c->is_double) {
@@ -164,7 +164,7 @@ void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *op
             box.hi[a] = c->at.plane[a][high[a]];
         }
     }
-    assert_int_equal(c->is_double ? tribox_overlap_indexed_f64(&mesh, &box_f64, options, mask, NULL)
+    assert_int_equal(c->is_double ? tribox_mesh_overlap(&mesh, &box_f64, options, mask, NULL)
                                   : tribox_overlap(&soup, &box, options, mask, NULL),
                      TRIBOX_OK);
 }

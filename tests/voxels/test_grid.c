@@ -17,9 +17,9 @@ enum { CELLS_MAX = 8000, PAIRS_A_ROUND = 100000 };
 
 static grid_planes at;
 
-static uint32_t bits_of(float x)
+static uint64_t bits_of(double x)
 {
-    uint32_t bits;
+    uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
@@ -264,7 +264,8 @@ static void test_bad_options(void **state)
     (void)state;
     const tribox_soup soup = wide_soup();
     const tribox_grid grid = grid_of(2, 2, 1);
-    const tribox_options bad[] = {{.accuracy = (tribox_accuracy)3}, {.axes = 8}, {.axes = ~0u}, {.axis_order = 122}, {.axis_order = 1}};
+    const tribox_options bad[] = {
+        {.accuracy = (tribox_accuracy)3}, {.axes = 8}, {.axes = ~0u}, {.axis_order = 122}, {.axis_order = 1}};
     for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++)
         assert_refused(&soup, &grid, &bad[k], TRIBOX_BAD_OPTION);
     const tribox_options unknown = {.kernel = "mmx"}, empty = {.kernel = ""};

@@ -48,7 +48,7 @@ static void test_planes(void **state)
         const double lo = fma(p, grid.cell[0], grid.origin[0]), hi = fma(p + 1.0, grid.cell[0], grid.origin[0]);
         if (!isfinite(grid.origin[0]) || !isfinite(lo) || !isfinite(hi) || !(grid.cell[0] > 0))
             continue;
-        const tribox_box_f64 box = tribox_grid_cell_f64(&grid, p, 0, 0);
+        const tribox_box box = tribox_grid_cell_f64(&grid, p, 0, 0);
         if (!has_bits_of(box.lo[0], lo) || !has_bits_of(box.hi[0], hi))
             fail_msg("origin %a, cell %a, cell number %u: %a %a for %a %a", grid.origin[0], grid.cell[0], (unsigned)p, box.lo[0],
                      box.hi[0], lo, hi);
@@ -254,12 +254,12 @@ static void test_environment(void **state)
         window_f64_open(&w);
         window_f64_ask(&w, 0, w.count, expected);
         const tribox_mesh mesh = {.positions = w.triangle, .vertices = 3 * w.count, .count = w.count, .position_bytes = 8};
-        const tribox_box_f64 right = tribox_grid_cell_f64(&w.grid, 0, 0, 0);
+        const tribox_box right = tribox_grid_cell_f64(&w.grid, 0, 0, 0);
         for (unsigned k = 0; k < SETTINGS; k++) {
             memset(occupied, 0, sizeof occupied);
             environment_set(setting(k));
             const tribox_status status = tribox_voxelize_f64(&mesh, &w.grid, NULL, NULL, NULL, occupied, NULL);
-            const tribox_box_f64 box = tribox_grid_cell_f64(&w.grid, 0, 0, 0);
+            const tribox_box box = tribox_grid_cell_f64(&w.grid, 0, 0, 0);
             const unsigned left = environment_get();
             environment_set(normal);
             assert_int_equal(status, TRIBOX_OK);

@@ -38,7 +38,7 @@ static void draw_grid(random_source *r, const mesh *m, const tribox_box *bounds,
         const double cell = kind == 1 || kind == 3 ? extent / cells : longest / resolution;
         grid.cell[a] = (float)cell;
         grid.size[a] = (uint32_t)fmin(ceil(extent / cell), cells);
-        grid.origin[a] = bounds->lo[a];
+        grid.origin[a] = (float)bounds->lo[a];
         if (kind == 2) {
             grid.origin[a] = m->coordinate[vertex % 3][a][vertex];
             grid.size[a] = (uint32_t)random_int_between(r, 1, resolution);

@@ -116,8 +116,8 @@ static void read_planes(const tall_case *c)
             uint32_t at[3] = {c->w.first[0], c->w.first[1], c->w.first[2]};
             at[a] += n - is_last;
             const tribox_box box = tribox_grid_cell(&c->grid, at[0], at[1], at[2]);
-            const tribox_box_f64 box_f64 = tribox_grid_cell_f64(&c->grid_f64, at[0], at[1], at[2]);
-            float_planes[a][n] = is_last ? box.hi[a] : box.lo[a];
+            const tribox_box box_f64 = tribox_grid_cell_f64(&c->grid_f64, at[0], at[1], at[2]);
+            float_planes[a][n] = is_last ? (float)box.hi[a] : (float)box.lo[a];
             planes[a][n] = !c->is_double ? (double)float_planes[a][n] : is_last ? box_f64.hi[a] : box_f64.lo[a];
         }
 }
@@ -160,7 +160,7 @@ static void expect_row(const tall_case *c, size_t t, const part *p, const uint32
                                 .hi = {float_planes[0] + p->first[0] + 1, bounds[2], bounds[3]},
                                 .count = count};
     triangle_list_get(&c->triangles, t, u);
-    assert_int_equal(tribox_overlap_boxes((const_vertices)u, &boxes, &options, mask, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_overlap_boxes((const float *)u, &boxes, &options, mask, NULL), TRIBOX_OK);
     for (uint32_t n = 0; n < count; n++)
         *word_of(&c->w, expected, (uint32_t[]){p->first[0] + n, at[1], at[2]}) |= (uint64_t)bit_of(mask, n)
                                                                                   << (p->first[0] + n) % 64;
@@ -171,10 +171,10 @@ static void expect_row_f64(const tall_case *c, size_t t, const part *p, const ui
     const tribox_mesh mesh = {.positions = c->corners[t], .vertices = 3, .count = 1, .position_bytes = 8};
     const tribox_options options = {.axes = c->options.axes};
     for (uint32_t i = p->first[0]; i < p->end[0]; i++) {
-        const tribox_box_f64 box = {{planes[0][i], planes[1][at[1]], planes[2][at[2]]},
-                                    {planes[0][i + 1], planes[1][at[1] + 1], planes[2][at[2] + 1]}};
+        const tribox_box box = {{planes[0][i], planes[1][at[1]], planes[2][at[2]]},
+                                {planes[0][i + 1], planes[1][at[1] + 1], planes[2][at[2] + 1]}};
         uint64_t mask;
-        assert_int_equal(tribox_overlap_indexed_f64(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_overlap(&mesh, &box, &options, &mask, NULL), TRIBOX_OK);
         *word_of(&c->w, expected, (uint32_t[]){i, at[1], at[2]}) |= (mask & 1) << i % 64;
     }
 }

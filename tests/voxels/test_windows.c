@@ -260,8 +260,8 @@ static void expect_by_boxes(const window *w, const tribox_grid *grid, unsigned a
             for (uint32_t i = 0; i < w->size[0]; i++, boxes.count++) {
                 const tribox_box box = tribox_grid_cell(grid, w->first[0] + i, w->first[1] + j, w->first[2] + k);
                 for (int a = 0; a < 3; a++) {
-                    bound[a][boxes.count] = box.lo[a];
-                    bound[3 + a][boxes.count] = box.hi[a];
+                    bound[a][boxes.count] = (float)box.lo[a];
+                    bound[3 + a][boxes.count] = (float)box.hi[a];
                 }
             }
     memset(expected, 0, window_words(w) * sizeof *expected);
@@ -269,7 +269,7 @@ static void expect_by_boxes(const window *w, const tribox_grid *grid, unsigned a
         const tribox_options options = {.axes = axes};
         float u[3][3];
         triangle_list_get(&triangles, t, u);
-        assert_int_equal(tribox_overlap_boxes((const_vertices)u, &boxes, &options, mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_overlap_boxes((const float *)u, &boxes, &options, mask, NULL), TRIBOX_OK);
         for (size_t n = 0; n < boxes.count; n++) {
             const uint32_t i = (uint32_t)(n % w->size[0]);
             expected[n / w->size[0] * row_words(w) + i / 64] |= (uint64_t)bit_of(mask, n) << i % 64;

@@ -18,7 +18,7 @@ void output_point(const double point[3], bool is_float, const char *separator)
     }
 }
 
-void output_box(const tribox_box_f64 *box, bool is_float)
+void output_box(const tribox_box *box, bool is_float)
 {
     output_point(box->lo, is_float, ",");
     putchar(',');

@@ -9,7 +9,7 @@
 void output_point(const double point[3], bool is_float, const char *separator);
 
 /* Prints a box as --box takes it: LX,LY,LZ,HX,HY,HZ. */
-void output_box(const tribox_box_f64 *box, bool is_float);
+void output_box(const tribox_box *box, bool is_float);
 
 /* Prints the words of groups of axes, as --axes takes them; axes: as in tribox_options. */
 void output_axes(unsigned axes);

@@ -94,8 +94,8 @@ void comparison_print_json(json *to, const comparison *c)
     json_string(to, "title", c->at->title);
     json_whole(to, "triangles", c->at->work.pairs);
     json_open_object(to, "box");
-    json_floats(to, "lo", box->lo, 3);
-    json_floats(to, "hi", box->hi, 3);
+    json_doubles(to, "lo", box->lo, 3, true);
+    json_doubles(to, "hi", box->hi, 3, true);
     json_close(to);
     json_open_rows(to, "rows");
     for (size_t i = 0; i < c->count; i++)

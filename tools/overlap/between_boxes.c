@@ -10,7 +10,7 @@ enum { BATCH = 256 };
 /* Triangles that are asked about the box itself, and the bits that are set where they overlap. */
 typedef struct batch {
     const tribox_soup *soup;
-    const tribox_box_f64 *box;
+    const tribox_box *box;
     const tribox_options *test;
     size_t count, asked; /* now, and in all */
     float positions[BATCH][9];
@@ -27,7 +27,7 @@ static float round_down(double number)
 static float round_up(double number) { return -round_down(-number); }
 
 /* Empty where no box of floats is inside. */
-static tribox_box inner_box(const tribox_box_f64 *box)
+static tribox_box inner_box(const tribox_box *box)
 {
     const tribox_box empty = {{1, 1, 1}, {0, 0, 0}};
     tribox_box inner;
@@ -41,7 +41,7 @@ static tribox_box inner_box(const tribox_box_f64 *box)
 }
 
 /* Returns false where float ends before the box does. */
-static bool outer_box(const tribox_box_f64 *box, tribox_box *outer)
+static bool outer_box(const tribox_box *box, tribox_box *outer)
 {
     bool is_finite = true;
     for (int a = 0; a < 3; a++) {
@@ -56,7 +56,7 @@ static tribox_status settle(batch *b)
 {
     uint64_t mask[BATCH / 64];
     const tribox_mesh mesh = {.positions = b->positions, .vertices = 3 * b->count, .count = b->count};
-    const tribox_status status = tribox_overlap_indexed_f64(&mesh, b->box, b->test, mask, NULL);
+    const tribox_status status = tribox_mesh_overlap(&mesh, b->box, b->test, mask, NULL);
     for (size_t i = 0; !status && i < b->count; i++)
         *b->word[i] |= (mask[i / 64] >> i % 64 & 1) << b->bit[i];
     b->count = 0;
@@ -103,7 +103,7 @@ static tribox_status ask_floats(const tribox_soup *soup, const tribox_box *box, 
 }
 
 /* Without an outer box every triangle is open. */
-static tribox_status ask_outer(const tribox_soup *soup, const tribox_box_f64 *box, const tribox_options *test, uint64_t *mask,
+static tribox_status ask_outer(const tribox_soup *soup, const tribox_box *box, const tribox_options *test, uint64_t *mask,
                                tribox_report *report)
 {
     tribox_box outer;
@@ -117,7 +117,7 @@ static tribox_status ask_outer(const tribox_soup *soup, const tribox_box_f64 *bo
 }
 
 /* A float is between the bounds just when it is between those of the inner box. */
-tribox_status between_boxes_ask(const tribox_soup *soup, const tribox_box_f64 *box, const tribox_options *test, uint64_t *mask,
+tribox_status between_boxes_ask(const tribox_soup *soup, const tribox_box *box, const tribox_options *test, uint64_t *mask,
                                 uint64_t *inside, uint64_t *outer, tribox_report *report)
 {
     const size_t words = tribox_mask_words(soup->count);
@@ -145,7 +145,7 @@ static tribox_status find_words(const tribox_index *index, const tribox_soup *so
 }
 
 /* Those of the outer box, where float does not end before it; else all. */
-static tribox_status find_outer(const tribox_index *index, const tribox_soup *soup, const tribox_box_f64 *box,
+static tribox_status find_outer(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
                                 const tribox_options *test, found_words *w, tribox_report *report)
 {
     tribox_box outer;
@@ -157,7 +157,7 @@ static tribox_status find_outer(const tribox_index *index, const tribox_soup *so
     return ask_outer(soup, box, test, w->bits, report);
 }
 
-tribox_status between_boxes_index(const tribox_index *index, const tribox_soup *soup, const tribox_box_f64 *box,
+tribox_status between_boxes_index(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
                                   const tribox_options *test, found_words *words, found_words *inner, tribox_report *report)
 {
     const tribox_box within = inner_box(box);

@@ -51,7 +51,7 @@ static int step_where_it_pays(box_after_box *b)
 }
 
 /* One box of doubles and all later ones need room for more words. */
-static tribox_status ask_between(box_after_box *b, const tribox_box_f64 *box, tribox_report *report)
+static tribox_status ask_between(box_after_box *b, const tribox_box *box, tribox_report *report)
 {
     const size_t count = b->m->soup.count;
     if ((!b->words.bits && !found_words_make(&b->words, count)) || (!b->inner.bits && !found_words_make(&b->inner, count)))

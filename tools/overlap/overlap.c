@@ -28,15 +28,15 @@ asked_triangles triangles_of_mesh(const mesh *m)
     return (asked_triangles){.count = m->triangles, .is_double = m->is_double, .soup = m->soup, .doubles = m->doubles};
 }
 
-static tribox_status ask_doubles(const request *r, const tribox_mesh *doubles, const masks *bits, const tribox_box_f64 *box,
+static tribox_status ask_doubles(const request *r, const tribox_mesh *doubles, const masks *bits, const tribox_box *box,
                                  tribox_report *report)
 {
     if (r->wants_inside)
-        return tribox_classify_f64(doubles, box, &r->test, bits->overlap, bits->inside, report);
-    return tribox_overlap_indexed_f64(doubles, box, &r->test, bits->overlap, report);
+        return tribox_mesh_classify(doubles, box, &r->test, bits->overlap, bits->inside, report);
+    return tribox_mesh_overlap(doubles, box, &r->test, bits->overlap, report);
 }
 
-static tribox_status ask(const request *r, const asked_triangles *t, const masks *bits, const tribox_box_f64 *box,
+static tribox_status ask(const request *r, const asked_triangles *t, const masks *bits, const tribox_box *box,
                          tribox_report *report)
 {
     tribox_box narrow;

@@ -42,9 +42,9 @@ typedef enum index_stage { INDEX_NONE, INDEX_IN_FILE_ORDER, INDEX_ORDERED } inde
 
 /* One box and what was found. */
 typedef struct answer {
-    tribox_box_f64 box; /* not with --oriented */
-    bool is_double;     /* the mesh has coordinates that float does not hold */
-    size_t line;        /* of the boxes file; 0 without one */
+    tribox_box box; /* not with --oriented */
+    bool is_double; /* the mesh has coordinates that float does not hold */
+    size_t line;    /* of the boxes file; 0 without one */
     uint64_t triangles, left_out, not_finite;
     uint64_t rounded; /* vertices that rounding to float has moved */
     double moved;     /* the most that it has moved a coordinate */

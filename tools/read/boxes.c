@@ -14,7 +14,7 @@ enum { LINE_MAX_BYTES = 1024, NAME_SHOWN = 1000 };
 
 static const char form[] = "LX,LY,LZ,HX,HY,HZ";
 
-static void note_if_empty(const tribox_box_f64 *box, const char *where)
+static void note_if_empty(const tribox_box *box, const char *where)
 {
     char lo[DECIMAL_MAX], hi[DECIMAL_MAX];
     for (int a = 0; a < 3; a++)
@@ -41,14 +41,16 @@ bool box_read_floats(const char *text, const char *where, tribox_box *box)
     float bounds[6];
     if (!numbers_read_floats(text, where, form, 6, bounds))
         return false;
-    memcpy(box->lo, bounds, sizeof box->lo);
-    memcpy(box->hi, bounds + 3, sizeof box->hi);
+    for (int a = 0; a < 3; a++) {
+        box->lo[a] = bounds[a];
+        box->hi[a] = bounds[3 + a];
+    }
     return true;
 }
 
-tribox_box_f64 box_for_mesh(const written_box *box, bool is_double)
+tribox_box box_for_mesh(const written_box *box, bool is_double)
 {
-    tribox_box_f64 bounds = box->bounds;
+    tribox_box bounds = box->bounds;
     if (!is_double) {
         numbers_round(bounds.lo, 3, box->decimals);
         numbers_round(bounds.hi, 3, box->decimals >> 3);
@@ -56,7 +58,7 @@ tribox_box_f64 box_for_mesh(const written_box *box, bool is_double)
     return bounds;
 }
 
-bool box_is_float(const tribox_box_f64 *box, tribox_box *narrow)
+bool box_is_float(const tribox_box *box, tribox_box *narrow)
 {
     for (int a = 0; a < 3; a++) {
         narrow->lo[a] = (float)box->lo[a];

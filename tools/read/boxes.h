@@ -9,8 +9,8 @@
 
 /* A box as it is written. */
 typedef struct written_box {
-    tribox_box_f64 bounds; /* the nearest doubles */
-    unsigned decimals;     /* those that are decimals, as numbers_read says it: bits 0 to 2 of lo, 3 to 5 of hi */
+    tribox_box bounds; /* the nearest doubles */
+    unsigned decimals; /* those that are decimals, as numbers_read says it: bits 0 to 2 of lo, 3 to 5 of hi */
 } written_box;
 
 /*
@@ -26,10 +26,10 @@ bool box_read_floats(const char *text, const char *where, tribox_box *box);
  * The box for a mesh: as it is for one of doubles. For one of floats a decimal that a float gives back is that float, so that a
  * float which another program has written is the same here.
  */
-tribox_box_f64 box_for_mesh(const written_box *box, bool is_double);
+tribox_box box_for_mesh(const written_box *box, bool is_double);
 
 /* Whether all bounds are floats, which *narrow then receives. */
-bool box_is_float(const tribox_box_f64 *box, tribox_box *narrow);
+bool box_is_float(const tribox_box *box, tribox_box *narrow);
 
 /* A file with a box on each line; '#' starts a comment, empty lines are skipped. Memory does not grow with the file. */
 typedef struct box_file {

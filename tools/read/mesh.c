@@ -81,7 +81,7 @@ static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
     if (code)
         return code;
     find_streams(m, to);
-    const tribox_status status = tribox_mesh_to_streams(all, 0, all->count, NULL, to, to + 3, to + 6);
+    const tribox_status status = tribox_mesh_to_soup(all, NULL, 0, all->count, NULL, to, to + 3, to + 6);
     m->soup.count = all->count;
     return status ? message_failure("%s: %s", path, tribox_status_text(status)) : EXIT_CODE_OK;
 }

@@ -56,7 +56,7 @@ int mesh_make_room(const char *path, uint64_t count, mesh *m);
 void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
 
 /* The bounds of its finite triangles; false where there are none. */
-bool mesh_bounds(const mesh *m, tribox_box_f64 *bounds);
+bool mesh_bounds(const mesh *m, tribox_box *bounds);
 
 /* Says on standard error which triangles are not finite, missing or cut badly, and which vertices are rounded. */
 void mesh_warn(const char *path, const mesh *m);

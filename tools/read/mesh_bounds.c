@@ -3,7 +3,7 @@
 
 #include "mesh.h"
 
-static void add_triangle(const double u[9], tribox_box_f64 *bounds)
+static void add_triangle(const double u[9], tribox_box *bounds)
 {
     for (int c = 0; c < 9; c++)
         if (!isfinite(u[c]))
@@ -14,9 +14,9 @@ static void add_triangle(const double u[9], tribox_box_f64 *bounds)
     }
 }
 
-bool mesh_bounds(const mesh *m, tribox_box_f64 *bounds)
+bool mesh_bounds(const mesh *m, tribox_box *bounds)
 {
-    *bounds = (tribox_box_f64){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    *bounds = (tribox_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (size_t t = 0; t < m->triangles; t++) {
         double u[9];
         mesh_triangle(m, t, u);

@@ -28,7 +28,7 @@ static double round_to(double number, double exponent)
 
 static void choose(const mesh *m, double by[3])
 {
-    tribox_box_f64 bounds;
+    tribox_box bounds;
     double longest = 0;
     if (!mesh_bounds(m, &bounds))
         return;

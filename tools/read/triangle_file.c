@@ -208,7 +208,7 @@ int triangle_file_next(triangle_file *file, float *const streams[9], size_t *cou
     if (code)
         return code;
     const tribox_mesh block = {.positions = file->bytes, .vertices = 3 * *count, .count = *count};
-    const tribox_status status = tribox_mesh_to_streams(&block, 0, *count, NULL, streams, streams + 3, streams + 6);
+    const tribox_status status = tribox_mesh_to_soup(&block, NULL, 0, *count, NULL, streams, streams + 3, streams + 6);
     return message_status(status);
 }
 

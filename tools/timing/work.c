@@ -61,8 +61,8 @@ void timing_work_add(timing_work *work, const timing_job *job, const tribox_box 
     *added = *job;
     added->box = *box;
     for (int a = 0; a < 3; a++) {
-        added->center[a] = box->lo[a] / 2 + box->hi[a] / 2;
-        added->half[a] = box->hi[a] / 2 - box->lo[a] / 2;
+        added->center[a] = (float)box->lo[a] / 2 + (float)box->hi[a] / 2;
+        added->half[a] = (float)box->hi[a] / 2 - (float)box->lo[a] / 2;
     }
     work->pairs += job->soup.count;
     work->words += tribox_mask_words(job->soup.count);

@@ -19,7 +19,7 @@ typedef struct draft {
     bool is_float;
 } draft;
 
-static int bounds_of(const char *path, const mesh *m, tribox_box_f64 *bounds)
+static int bounds_of(const char *path, const mesh *m, tribox_box *bounds)
 {
     return mesh_bounds(m, bounds) ? EXIT_CODE_OK : message_failure("%s: none of its triangles has finite coordinates", path);
 }
@@ -55,7 +55,7 @@ static double cell_reaching(const draft *d, int a, double cells, double hi)
     return *cell;
 }
 
-static int choose_cubes(const char *path, const tribox_box_f64 *bounds, uint32_t resolution, draft *d)
+static int choose_cubes(const char *path, const tribox_box *bounds, uint32_t resolution, draft *d)
 {
     int longest = 0;
     double sides[3];
@@ -83,7 +83,7 @@ static double cells_reaching(const draft *d, int a, double hi)
     return cells;
 }
 
-static int choose_size(const char *path, const tribox_box_f64 *bounds, draft *d)
+static int choose_size(const char *path, const tribox_box *bounds, draft *d)
 {
     char end[DECIMAL_MAX], start[DECIMAL_MAX];
     for (int a = 0; a < 3; a++) {
@@ -151,7 +151,7 @@ static int refuse_grid(const draft *d)
 }
 
 /* Leaves open whether the library serves the grid. */
-static int choose(const grid_choice *choice, const char *path, const tribox_box_f64 *bounds, draft *d)
+static int choose(const grid_choice *choice, const char *path, const tribox_box *bounds, draft *d)
 {
     int code = EXIT_CODE_OK;
     memcpy(d->grid.origin, choice->has_origin ? choice->origin : bounds->lo, sizeof d->grid.origin);
@@ -183,7 +183,7 @@ int grid_choose(const grid_choice *choice, const char *path, const mesh *m, trib
 {
     const grid_choice narrow = in_floats(choice);
     draft d = {.is_float = !m->is_double && are_floats(&narrow)};
-    tribox_box_f64 bounds;
+    tribox_box bounds;
     int code = bounds_of(path, m, &bounds);
     if (!code)
         code = choose(d.is_float ? &narrow : choice, path, &bounds, &d);

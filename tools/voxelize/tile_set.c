@@ -249,7 +249,7 @@ static tribox_status run_soup(const tile_set *set, const batch *b, const tile_ro
     float *to[9];
     for (size_t k = 0; k < 9; k++)
         to[k] = room->numbers + k * room->most;
-    const tribox_status status = tribox_mesh_to_streams(&b->mesh, 0, b->mesh.count, set->task.options, to, to + 3, to + 6);
+    const tribox_status status = tribox_mesh_to_soup(&b->mesh, NULL, 0, b->mesh.count, set->task.options, to, to + 3, to + 6);
     for (size_t v = 0; v < 3; v++) {
         soup.x[v] = to[v];
         soup.y[v] = to[3 + v];

@@ -14,7 +14,7 @@ export class Mesh extends Triangles {
             () => 'give a Float64Array or a Float32Array');
         const bytes = MESH_BYTES + positions.byteLength + (indices?.byteLength ?? 0);
         const room = memory.take(bytes, `a mesh of ${count} triangles`);
-        super(memory, [room], 'mesh', 'tribox_overlap_indexed_f64', '_f64');
+        super(memory, [room], 'mesh', 'tribox_mesh_overlap', '_f64');
         const Kind = kinds.find((kind) => positions instanceof kind);
         Object.defineProperty(this, 'length', { value: count, enumerable: true });
         this.#address = room;

@@ -11,7 +11,7 @@ typedef struct lane_bound {
     vnum of[6];
 } lane_bound;
 
-TRIBOX_INLINE lane_bound bound_of_box(const tribox_box *box)
+TRIBOX_INLINE lane_bound bound_of_box(const tribox_rounded_box *box)
 {
     lane_bound bound;
     for (int a = 0; a < 3; a++) {
@@ -45,7 +45,7 @@ TRIBOX_INLINE vmask is_beyond(const lane_bound *child, const lane_bound *box)
     return beyond;
 }
 
-static tribox_touch touch(const tribox_node *node, unsigned count, const tribox_box *box)
+static tribox_touch touch(const tribox_node *node, unsigned count, const tribox_rounded_box *box)
 {
     const lane_bound bound = bound_of_box(box);
     tribox_touch found = {0, 0};
@@ -60,7 +60,7 @@ static tribox_touch touch(const tribox_node *node, unsigned count, const tribox_
 }
 
 /* Halves are added, as their sum cannot overflow, and not fused, so that every kernel finds the same. */
-static uint64_t find_centred(const tribox_node *node, const tribox_box *box)
+static uint64_t find_centred(const tribox_node *node, const tribox_rounded_box *box)
 {
     const lane_bound bound = bound_of_box(box);
     uint64_t found = 0;

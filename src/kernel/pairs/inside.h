@@ -13,7 +13,7 @@ TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *b
     return left & m_bits(m_andnot(is_finite, is_beyond));
 }
 
-static uint64_t inside(const tribox_soup *soup, const tribox_box *box, size_t word, uint64_t candidates)
+static uint64_t inside(const tribox_soup *soup, const tribox_rounded_box *box, size_t word, uint64_t candidates)
 {
     uint64_t found = 0;
     lane_box lanes;

@@ -8,11 +8,13 @@
  * Only lanes where rounding may have made a vertex touch are in doubt (14.1).
  */
 
-/* Known to begin at zero, which saves a difference. */
+/* Known to begin at zero, which saves a difference and a constant. */
 TRIBOX_INLINE void near_box(lane_box *box)
 {
-    for (int a = 0; a < 3; a++)
+    for (int a = 0; a < 3; a++) {
         box->lo[a] = v_splat(0);
+        box->C[a] = box->H[a];
+    }
 }
 
 /* The box's margin, for triangles that rounding moves by less than half its thinnest side. */

@@ -6,17 +6,21 @@
  * lane that has a slack within it to the next stage (doubles.h). What a hit then needs: `certain_overlaps`.
  */
 
-TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[3][3])
+TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[9])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
-            t->u[j][a] = v_splat(triangle[j][a]);
+            t->u[j][a] = v_splat(triangle[3 * j + a]);
 }
 
-TRIBOX_INLINE void splat_box(lane_box *box, const tribox_box *from)
+TRIBOX_INLINE void splat_box(lane_box *box, const tribox_rounded_box *from)
 {
-    for (int a = 0; a < 3; a++)
-        set_bounds(box, a, v_splat(from->lo[a]), v_splat(from->hi[a]));
+    for (int a = 0; a < 3; a++) {
+        box->lo[a] = v_splat(from->lo[a]);
+        box->hi[a] = v_splat(from->hi[a]);
+        box->H[a] = v_splat(from->H[a]);
+        box->C[a] = v_splat(from->C[a]);
+    }
 }
 
 /* The lanes whose box has a point on this axis: finite bounds, lo <= hi. */

@@ -28,13 +28,16 @@ static int soup_is_right(const tribox_box *box)
 
 static int boxes_are_right(const tribox_box *box)
 {
-    static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}};
+    static const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 1};
+    float lo[3], hi[3];
     tribox_boxes boxes;
     uint64_t mask = ~(uint64_t)0;
     boxes.count = 1;
     for (int a = 0; a < 3; a++) {
-        boxes.lo[a] = &box->lo[a];
-        boxes.hi[a] = &box->hi[a];
+        lo[a] = (float)box->lo[a];
+        hi[a] = (float)box->hi[a];
+        boxes.lo[a] = &lo[a];
+        boxes.hi[a] = &hi[a];
     }
     return tribox_overlap_boxes(triangle, &boxes, NULL, &mask, NULL) == TRIBOX_OK && mask == tribox_mask_words(1);
 }

@@ -1,5 +1,5 @@
-/* mesh_f64.c - a mesh against a box of doubles, a block at a time. */
-#include "mesh_f64.h"
+/* mesh_local.c - a mesh of doubles against a box, a block at a time. */
+#include "mesh_local.h"
 
 #include "base/bits.h"
 #include "mesh_input.h"
@@ -9,7 +9,7 @@
 enum { COPIED = TRIBOX_MESH_STREAMED, BLOCK_WORDS = TRIBOX_MESH_BLOCK / 64 };
 
 /* Whether the float stage can tell: no product of lengths overflows or vanishes (PROOFS.md 14.4). */
-static bool is_ordinary(const tribox_box_f64 *box)
+static bool is_ordinary(const tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
         const double length = box->hi[a] - box->lo[a];
@@ -19,7 +19,7 @@ static bool is_ordinary(const tribox_box_f64 *box)
     return true;
 }
 
-void tribox_local_box_make(const tribox_box_f64 *box, const tribox_plan *plan, tribox_local_box *local)
+void tribox_local_box_make(const tribox_box *box, const tribox_plan *plan, tribox_local_box *local)
 {
     const bool is_for_all = plan->axes == TRIBOX_AXES_ALL && is_ordinary(box);
     local->box = box;
@@ -27,7 +27,7 @@ void tribox_local_box_make(const tribox_box_f64 *box, const tribox_plan *plan, t
     local->are_hits_certain = is_for_all || plan->axes == TRIBOX_AXES_BOX;
     for (int a = 0; a < 3; a++) {
         local->moved.lo[a] = 0;
-        local->moved.hi[a] = (float)(box->hi[a] - box->lo[a]);
+        local->moved.hi[a] = local->moved.H[a] = (float)(box->hi[a] - box->lo[a]);
     }
     for (int k = 0; k < TRIBOX_LOCAL; k++) {
         local->origin[k] = box->lo[k % 3];
@@ -47,7 +47,7 @@ static void read_doubles(const tribox_mesh *mesh, size_t triangle, double u[3][3
  * Bullet 1 of the paper, on the doubles. NaN is not apart: the next stage finds it. Without branches, which could not be
  * foreseen.
  */
-static bool is_apart_in_double(double u[3][3], const tribox_box_f64 *box)
+static bool is_apart_in_double(double u[3][3], const tribox_box *box)
 {
     bool apart = false;
     for (int a = 0; a < 3; a++) {
@@ -65,7 +65,7 @@ typedef struct gathering {
     unsigned count;
 } gathering;
 
-static void gather_pair(gathering *g, double u[3][3], const tribox_box_f64 *box, size_t lane)
+static void gather_pair(gathering *g, double u[3][3], const tribox_box *box, size_t lane)
 {
     for (int a = 0; a < 3; a++) {
         for (int v = 0; v < 3; v++)
@@ -151,7 +151,7 @@ static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, co
         leave_open(count, hit, undecided);
         return count;
     }
-    if (tribox_mesh_is_direct(mesh) && corners.base && corners.has_all && count >= plan->kernel->lanes) {
+    if (tribox_mesh_has_doubles(mesh) && corners.base && corners.has_all && count >= plan->kernel->lanes) {
         corners.origin = local->origin;
         walk(&corners, count, local, plan, hit, undecided);
         return count;
@@ -164,8 +164,8 @@ static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, co
     return count;
 }
 
-size_t tribox_mesh_answer_f64(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
-                              tribox_report *counts)
+size_t tribox_mesh_answer_local(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
+                                tribox_report *counts)
 {
     uint64_t unasked[BLOCK_WORDS], undecided[BLOCK_WORDS], *const hit = mask ? mask : unasked;
     const size_t done = walk_block(mesh, first, count, query->about, query->plan, hit, undecided), words = tribox_words_of(done);
@@ -175,7 +175,7 @@ size_t tribox_mesh_answer_f64(const tribox_mesh_query *query, const tribox_mesh 
     return done;
 }
 
-uint64_t tribox_mesh_inside_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, size_t first, uint64_t candidates)
+uint64_t tribox_mesh_inside(const tribox_mesh *mesh, const tribox_box *box, size_t first, uint64_t candidates)
 {
     uint64_t found = 0;
     for (uint64_t left = candidates; left; left &= left - 1) {

@@ -1,16 +1,16 @@
 /*
- * mesh_f64.h - a mesh against a box of doubles: vertices rounded relative to the box for the walks, and what they leave undecided
+ * mesh_local.h - a mesh of doubles against a box: vertices rounded relative to the box for the walks, and what they leave undecided
  * settled.
  */
-#ifndef TRIBOX_MESH_F64_H
-#define TRIBOX_MESH_F64_H
+#ifndef TRIBOX_MESH_LOCAL_H
+#define TRIBOX_MESH_LOCAL_H
 
 #include "mesh_blocks.h"
 
 /* A box of doubles, and the same for the walks. */
 typedef struct tribox_local_box {
-    const tribox_box_f64 *box;
-    tribox_box moved;            /* from 0 to its lengths, rounded to float */
+    const tribox_box *box;
+    tribox_rounded_box moved;    /* from 0 to its lengths, rounded to float */
     double origin[TRIBOX_LOCAL]; /* its lower corner */
     tribox_box_pattern pattern;
     tribox_local_walk walk;
@@ -18,13 +18,13 @@ typedef struct tribox_local_box {
 } tribox_local_box;
 
 /* A box of finite bounds. Every call is made in the environment of environment.h, and the accuracy of the plan is not FAST. */
-void tribox_local_box_make(const tribox_box_f64 *box, const tribox_plan *plan, tribox_local_box *local);
+void tribox_local_box_make(const tribox_box *box, const tribox_plan *plan, tribox_local_box *local);
 
 /* A tribox_answer_block about a tribox_local_box. The strides of the mesh are set. */
-size_t tribox_mesh_answer_f64(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
-                              tribox_report *counts);
+size_t tribox_mesh_answer_local(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
+                                tribox_report *counts);
 
 /* The candidates among the triangles of a word, from triangle `first` on, whose vertices are all in the box. */
-uint64_t tribox_mesh_inside_f64(const tribox_mesh *mesh, const tribox_box_f64 *box, size_t first, uint64_t candidates);
+uint64_t tribox_mesh_inside(const tribox_mesh *mesh, const tribox_box *box, size_t first, uint64_t candidates);
 
 #endif

@@ -1,0 +1,55 @@
+/* mesh_floats.c - triangles of floats, by index or nine floats each, as they lie in memory: a block to the kernel. */
+#include "mesh_floats.h"
+
+#include "pairs/pairs.h"
+#include "pairs/partial_packet.h"
+
+/* Adds what a part of a call has found. */
+static void add(tribox_report *counts, tribox_report part)
+{
+    counts->overlapping += part.overlapping;
+    counts->undecided += part.undecided;
+}
+
+/* At most TRIBOX_MESH_STREAMED triangles, by way of streams. */
+static tribox_report answer_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_rounded_box *box,
+                                    tribox_plan *plan, uint64_t *mask)
+{
+    _Alignas(64) float streams[9][TRIBOX_MESH_STREAMED]; /* no packet in two lines of the cache */
+    float *to[9];
+    tribox_partial_packet partial;
+    for (int k = 0; k < 9; k++)
+        to[k] = streams[k];
+    plan->kernel->gather(mesh, NULL, first, count, to);
+    const tribox_soup soup = tribox_soup_of(&streams[0][0], TRIBOX_MESH_STREAMED, count);
+    const tribox_query pairs = {.soup = tribox_pad_triangles(&soup, plan->kernel, &partial), .box = box, .count = count};
+    return tribox_pairs_answer(&pairs, plan, mask);
+}
+
+void tribox_float_box_make(const tribox_box *box, const tribox_plan *plan, tribox_float_box *rounded)
+{
+    tribox_box_round(box, plan->axes & TRIBOX_AXES_BOX, &rounded->box);
+    rounded->pattern.origin = NULL;
+    for (int k = 0; k < 3 * TRIBOX_LANES_MAX; k++) {
+        rounded->pattern.lo[k] = rounded->box.lo[k % 3];
+        rounded->pattern.hi[k] = rounded->box.hi[k % 3];
+    }
+}
+
+/* From where they lie to registers if all of the block can be read so, else the first by way of streams. */
+size_t tribox_mesh_answer_floats(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
+                                 tribox_report *counts)
+{
+    uint32_t offset[3 * TRIBOX_MESH_BLOCK];
+    tribox_corners corners;
+    tribox_plan *const plan = q->plan;
+    const tribox_rounded_box *const box = &((const tribox_float_box *)q->about)->box;
+    const size_t streamed = count < TRIBOX_MESH_STREAMED ? count : TRIBOX_MESH_STREAMED;
+    if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
+        return 0;
+    const tribox_query pairs = {.corners = &corners, .box = box, .count = count};
+    const bool is_direct = !TRIBOX_WALKS_SOUPS_ALONE && corners.base && corners.has_all && plan->axes == TRIBOX_AXES_ALL &&
+                           count >= plan->kernel->lanes;
+    add(counts, is_direct ? tribox_pairs_answer(&pairs, plan, mask) : answer_streams(mesh, first, streamed, box, plan, mask));
+    return is_direct ? count : streamed;
+}

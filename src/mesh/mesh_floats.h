@@ -1,0 +1,19 @@
+/* mesh_floats.h - a mesh of floats against a box of doubles: as a soup is answered, from where the vertices lie. */
+#ifndef TRIBOX_MESH_FLOATS_H
+#define TRIBOX_MESH_FLOATS_H
+
+#include "mesh_blocks.h"
+
+typedef struct tribox_float_box {
+    tribox_rounded_box box;
+    tribox_box_pattern pattern;
+} tribox_float_box;
+
+/* A box of finite bounds. Every call is made in the environment of environment.h. */
+void tribox_float_box_make(const tribox_box *box, const tribox_plan *plan, tribox_float_box *rounded);
+
+/* A tribox_answer_block about a tribox_float_box. */
+size_t tribox_mesh_answer_floats(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count,
+                                 uint64_t *mask, tribox_report *counts);
+
+#endif
