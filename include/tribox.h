@@ -270,8 +270,8 @@ TRIBOX_API tribox_status tribox_mesh_overlap(const tribox_mesh *mesh, const trib
                                              uint64_t *mask, tribox_report *report);
 
 /**
- * tribox_classify for a mesh: which triangles miss the box, straddle its border, and lie wholly inside. FAST is taken as
- * CONSERVATIVE. Other arguments and the returned status are as for tribox_classify and tribox_mesh_overlap.
+ * tribox_classify for a mesh: which triangles miss the box, straddle its border, and lie wholly inside. Other arguments and the
+ * returned status are as for tribox_classify and tribox_mesh_overlap.
  */
 TRIBOX_API tribox_status tribox_mesh_classify(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
                                               uint64_t *mask, uint64_t *inside, tribox_report *report);

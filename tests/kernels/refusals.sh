@@ -32,7 +32,7 @@ compiles() {
 }
 
 refuses 'cannot be compiled with -ffast-math' scalar/pairs_scalar.c -ffast-math
-refuses 'cannot be compiled with -ffast-math' pairs/overlap.c -ffast-math
+refuses 'cannot be compiled with -ffast-math' overlap/overlap.c -ffast-math
 if test "$family" = x86; then
     refuses 'compile this file with AVX2 and FMA' avx2/pairs_avx2.c
     refuses 'compile this file with AVX2 and FMA' avx2/pairs_avx2.c -mavx2
