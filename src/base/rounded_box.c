@@ -30,8 +30,9 @@ void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_b
     for (int a = 0; a < 3; a++) {
         const double lo = box->lo[a], hi = box->hi[a];
         const float l = is_box_asked ? float_from(lo) : nearest_finite(lo), h = -float_from(-hi);
-        rounded->lo[a] = l;
+        rounded->lo[a] = float_from(lo);
         rounded->hi[a] = h;
+        rounded->origin[a] = l;
         if ((double)l == lo && (double)h == hi) { /* of floats: rounded once */
             rounded->H[a] = rounded->C[a] = fabsf(h - l);
         } else {

@@ -11,15 +11,16 @@
 
 /* Infinite bounds stand for those that no float is beyond. */
 typedef struct tribox_rounded_box {
-    float lo[3], hi[3]; /* rounded inwards: no float lies between; or to nearest (tribox_box_round) */
-    float H[3];         /* hi - lo */
-    float C[3];         /* hi + lo - 2 l, where l is lo as rounded above: H and twice what that has moved */
+    float lo[3], hi[3]; /* rounded inwards: no float lies between */
+    float origin[3];    /* that V_0 is taken from: lo, or the float next to the bound (tribox_box_round) */
+    float H[3];         /* hi - lo, of the bounds themselves */
+    float C[3];         /* hi + lo - 2 origin: H, less twice what rounding has moved lo by */
     tribox_box exact;
 } tribox_rounded_box;
 
 /*
- * Of a finite box, in the environment of environment.h. Where the box normals are not asked, lo is the nearest float: then no
- * vertex is nearer to the bound than what rounding moves it.
+ * Of a finite box, in the environment of environment.h. Where the box normals are not asked, the origin is the float nearest to lo:
+ * then no vertex is nearer to the bound than the origin is.
  */
 void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_box *rounded);
 

@@ -9,8 +9,16 @@
 /* The signs of n: bits 0 to 2. That of d need not be tried: with all four turned the slack is too. */
 enum { SIGNS = 8 };
 
-static tally plane, near_plane;
-static double under_normal, under_rest;
+/*
+ * Boxes of floats, those that triangles of doubles are rounded to, and of doubles. Of these one form needs the most of all axes: what
+ * rounds in C and in u_0 less the origin meets n_a alone, and is the most where the origin is m_a below lo (PROOFS.md 3.9).
+ */
+enum { FORMS = 3, DRAWN = 5000 };
+static const axis_form form[FORMS] = {OF_FLOATS, NEAR, FAR_ORIGIN(-1)};
+static const axis_form of_doubles[4] = {FAR_ORIGIN(-1), FAR_ORIGIN(1), NEXT_ORIGIN(-1), NEXT_ORIGIN(1)};
+
+static tally plane[FORMS];
+static double under_normal[FORMS], under_rest[FORMS], under_lengths;
 
 /* Where the signs of the script are those of n, and that of d its own: the slack of the paper. */
 static void check_slack(const counted *slack)
@@ -26,21 +34,26 @@ static void check_slack(const counted *slack)
     COUNT_MUST(d < 0 || !(fabs(slack->x - (reach - d)) > 0));
 }
 
-static void look_at_underflow(const counted *slack)
+static void look_at_underflow(int k, const counted *slack)
 {
     for (int m = 0; m < 8; m++)
-        COUNT_MUST(m == 0 || m == 1 || m == 2 || m == 4 || !(slack->under[m] > 0));
-    for (int i = 0; i < 3; i++)
+        COUNT_MUST(m != 7 || !(slack->under[m] > 0));
+    for (int i = 0; i < 3; i++) {
+        const double FF = exact_F((i + 1) % 3) * exact_F((i + 2) % 3);
         if (exact_M(i) > 0)
-            under_normal = most_of(under_normal, slack->under[1 << i] / (exact_M(i) / 2));
-    under_rest = most_of(under_rest, slack->under[0]);
+            under_normal[k] = most_of(under_normal[k], slack->under[1 << i] / (exact_M(i) / 2));
+        COUNT_MUST(FF > 0 || !(slack->under[7 - (1 << i)] > 0));
+        if (FF > 0)
+            under_lengths = most_of(under_lengths, slack->under[7 - (1 << i)] / FF);
+    }
+    under_rest[k] = most_of(under_rest[k], slack->under[0]);
 }
 
 /* The axes are set. */
-static void count_point(bool is_near)
+static void count_point(int k)
 {
     const count_mark axes = count_now();
-    const lane_bounds bounds = bounds_of(&t, &box);
+    const lane_bounds bounds = bounds_of(&t, &truth);
     const counted bound = *count_of(bounds.plane);
     const double S = exact_S();
     for (unsigned script = 0; script < SIGNS; script++) {
@@ -48,45 +61,60 @@ static void count_point(bool is_near)
         shape_normal(&s);
         const counted *const slack = count_of(plane_slack(&s, plane_reach(&s)));
         check_slack(slack);
-        tally_both(is_near ? &near_plane : &plane, slack, S, &bound, 16);
-        if (!is_near)
-            look_at_underflow(slack);
+        tally_both(&plane[k], slack, S, &bound, 16);
+        look_at_underflow(k, slack);
     }
 }
 
-static void count_all(bool is_near)
+static void count_all(int k)
 {
     count_start(0);
     const count_mark start = count_now();
     for (int x = 0; x < RAYS; x++) {
         count_back_to(start, 0);
-        set_axis(0, &rays[x], is_near);
+        set_axis(0, &rays[x], form[k]);
         const count_mark has_x = count_now();
         for (int y = 0; y < RAYS; y++) {
             count_back_to(has_x, 0);
-            set_axis(1, &rays[y], is_near);
+            set_axis(1, &rays[y], form[k]);
             const count_mark has_y = count_now();
             for (int z = 0; z < RAYS; z++) {
                 count_back_to(has_y, 0);
-                set_axis(2, &rays[z], is_near);
-                count_point(is_near);
+                set_axis(2, &rays[z], form[k]);
+                count_point(k);
             }
         }
     }
 }
 
+/* Not for the proof: no other point, and no other form, needs more. */
+static void count_drawn(int k)
+{
+    for (int drawn = 0; drawn < DRAWN; drawn++) {
+        count_start(0);
+        for (int a = 0; a < 3; a++) {
+            const ray r = drawn_ray();
+            set_axis(a, &r, form[k].has_doubles ? drawn_form(of_doubles[drawn_below(4)]) : form[k]);
+        }
+        count_point(k);
+    }
+}
+
 int main(int argc, char **argv)
 {
+    static const char *const names[FORMS] = {"plane", "plane, near", "plane"};
     claims_start(argc, argv);
     find_rays();
-    count_signs_tried = 4;
-    count_all(false);
-    claim_tally("plane", &plane);
-    if (COUNT_BITS == 24) { /* doubles are rounded to floats for it */
-        count_all(true);
-        claim_tally("plane, near", &near_plane);
+    for (int k = 0; k < (COUNT_BITS == 24 ? FORMS : 1); k++) { /* what doubles are rounded to is float */
+        check_cones(&form[k], 1);
+        count_signs_tried = 4;
+        count_all(k);
+        count_drawn(k);
+        claim_tally(names[k], &plane[k]);
+        claim_number("plane, underflow of n", under_normal[k]);
+        claim_number("plane, underflow of the rest", under_rest[k]);
     }
-    claim_number("plane, underflow of n", under_normal);
-    claim_number("plane, underflow of the rest", under_rest);
+    if (COUNT_BITS == 24)
+        claim_number("plane, underflow of H and C", under_lengths);
     return claims_end();
 }

@@ -22,24 +22,66 @@ static inline void find_rays(void)
 }
 
 static lane_triangle t;
-static lane_box box;
+static lane_box box;   /* as a walk has it */
+static lane_box truth; /* the bounds themselves */
 static lane_shape s;
 
 /*
- * Where `is_near`, the box begins at 0 and numbers of the input are relative to it: u - 0 and hi - 0 round nothing (near.h). Else
- * they are places, of which only differences count.
+ * How an axis is given. Numbers of the input are places, of which only differences count; or, relative to the origin that V_0 is
+ * taken from, differences that round nothing. The origin is lo; of a box of doubles it is a float next to it, `moved` times m_a
+ * away, and H and C are rounded on their own (PROOFS.md 3.9).
  */
-static inline void set_axis(int a, const ray *r, bool is_near)
+typedef struct axis_form {
+    bool is_relative, has_doubles;
+    double moved;
+} axis_form;
+
+/* Of doubles: an origin as far away as it can be where u_0 less it is exact; and next to lo, where that is rounded. */
+#define OF_FLOATS \
+    { \
+        false, false, 0 \
+    }
+#define NEAR \
+    { \
+        true, false, 0 \
+    }
+#define FAR_ORIGIN(side) \
+    { \
+        true, true, (side) \
+    }
+#define NEXT_ORIGIN(side) \
+    { \
+        false, true, (side)*8 * V_UNIT \
+    }
+
+static inline vnum given_length(int a, double x)
 {
+    count_here = COUNT_HERE;
+    return count_rounded(count_input(a, x, false), 1);
+}
+
+static inline void set_axis(int a, const ray *r, axis_form form)
+{
+    const double m = most_of(abs(r->V[0]), most_of(abs(r->V[1]), abs(r->V[2]))) + r->H, origin = form.moved * m;
+    const double from = form.is_relative ? origin : 0;
+    const vnum zero = form.is_relative ? v_splat(0) : count_input(a, origin, true);
     for (int j = 0; j < 3; j++)
-        t.u[j][a] = count_input(a, r->V[j] + r->H, !is_near);
-    set_bounds(&box, a, is_near ? v_splat(0) : count_input(a, 0, true), count_input(a, 2 * r->H, !is_near));
+        t.u[j][a] = count_input(a, r->V[j] + r->H - from, !form.is_relative);
+    truth.hi[a] = count_input(a, 2 * r->H - from, !form.is_relative);
+    truth.lo[a] = form.has_doubles ? count_input(a, -from, !form.is_relative) : zero;
+    if (form.has_doubles) {
+        box.lo[a] = zero;
+        box.H[a] = given_length(a, 2 * r->H);
+        box.C[a] = given_length(a, 2 * r->H - 2 * origin);
+    } else {
+        set_bounds(&box, a, zero, truth.hi[a]);
+    }
     shape_axis(&s, &t, &box, a);
 }
 
 static inline double exact_f(int j, int a) { return count_of(t.u[(j + 1) % 3][a])->x - count_of(t.u[j][a])->x; }
-static inline double exact_H(int a) { return count_of(box.hi[a])->x - count_of(box.lo[a])->x; }
-static inline double exact_V(int j, int a) { return 2 * (count_of(t.u[j][a])->x - count_of(box.lo[a])->x) - exact_H(a); }
+static inline double exact_H(int a) { return count_of(truth.hi[a])->x - count_of(truth.lo[a])->x; }
+static inline double exact_V(int j, int a) { return 2 * (count_of(t.u[j][a])->x - count_of(truth.lo[a])->x) - exact_H(a); }
 static inline double exact_F(int a) { return most_of(fabs(exact_f(0, a)), most_of(fabs(exact_f(1, a)), fabs(exact_f(2, a)))); }
 static inline double exact_M(int a)
 {
@@ -85,16 +127,16 @@ static inline ray ray_of_cone(const int order[4], int signs, int g)
     return r;
 }
 
-/* Whether each comparison of one axis has one sign at all edges of a cone, and so within it. */
-static inline void check_cone(const int order[4], int signs)
+/* Whether each comparison of one axis has one sign at all edges of a cone, and so within it: of rays in each of the forms. */
+static inline void check_cone(const int order[4], int signs, const axis_form *forms, int count)
 {
     double sign[COUNT_COMPARISONS] = {0};
-    for (int g = 0; g < 4; g++) {
-        const ray r = ray_of_cone(order, signs, g);
+    for (int k = 0; k < 4 * count; k++) {
+        const ray r = ray_of_cone(order, signs, k % 4);
         count_start(0);
         for (int a = 0; a < 3; a++)
-            set_axis(a, &r, false);
-        bounds_of(&t, &box);
+            set_axis(a, &r, forms[k / 4]);
+        bounds_of(&t, &truth);
         shape_normal(&s);
         plane_slack(&s, plane_reach(&s));
         for (int i = 0; i < 3; i++) {
@@ -109,14 +151,14 @@ static inline void check_cone(const int order[4], int signs)
     }
 }
 
-static inline void check_cones(void)
+static inline void check_cones(const axis_form *forms, int count)
 {
     int order[4];
     count_signs_tried = COUNT_NUMBERS; /* no sign of them is a comparison on one axis */
     for (int k = 0; k < ORDERS; k++)
         for (int signs = 0; signs < 8; signs++) {
             order_of(k, order);
-            check_cone(order, signs);
+            check_cone(order, signs, forms, count);
         }
 }
 
@@ -136,4 +178,11 @@ static inline ray drawn_ray(void)
         r.V[j] = j && drawn_below(3) == 0 ? r.V[drawn_below(j)] + drawn_below(3) - 1 : drawn_below(2 * size + 1) - size;
     r.H = drawn_below(3) ? drawn_below(size + 1) : abs(r.V[drawn_below(3)]);
     return r;
+}
+
+/* The origin anywhere between. */
+static inline axis_form drawn_form(axis_form form)
+{
+    form.moved *= drawn_below(1025) / 1024.0;
+    return form;
 }

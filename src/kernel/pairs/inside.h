@@ -17,7 +17,10 @@ static uint64_t inside(const tribox_soup *soup, const tribox_rounded_box *box, s
 {
     uint64_t found = 0;
     lane_box lanes;
-    splat_box(&lanes, box);
+    for (int a = 0; a < 3; a++) {
+        lanes.lo[a] = v_splat(box->lo[a]);
+        lanes.hi[a] = v_splat(box->hi[a]);
+    }
     for (size_t lane = 0; lane < 64 && 64 * word + lane < soup->count; lane += V_LANES) {
         const packet_run run = run_of_packets(64 * word + lane, soup->count, V_LANES);
         uint64_t left = candidates >> lane << run.repeated & LANES_ALL;

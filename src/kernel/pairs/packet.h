@@ -16,7 +16,7 @@ TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[9])
 TRIBOX_INLINE void splat_box(lane_box *box, const tribox_rounded_box *from)
 {
     for (int a = 0; a < 3; a++) {
-        box->lo[a] = v_splat(from->lo[a]);
+        box->lo[a] = v_splat(from->origin[a]); /* it is lo where that is compared */
         box->hi[a] = v_splat(from->hi[a]);
         box->H[a] = v_splat(from->H[a]);
         box->C[a] = v_splat(from->C[a]);
