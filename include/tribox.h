@@ -60,13 +60,13 @@ typedef struct tribox_box {
 
 /**
  * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. Index of axis: first which axis,
- * then its x, y, z. The formula holds for whatever floats are given. They need not be orthonormal, which rounded floats hardly ever
- * are, and may even be sheared. A negative half length makes it the empty box.
+ * then its x, y, z. The formula holds for whatever doubles are given. They need not be orthonormal, which rounded numbers hardly
+ * ever are, and may even be sheared. A negative half length makes it the empty box.
  */
 typedef struct tribox_oriented_box {
-    float center[3];  /* in the same unit of length as the triangles */
-    float half[3];    /* half the length along each axis, in units of that axis: a length where the axes are unit vectors */
-    float axis[3][3]; /* axis[k]: the direction of axis k */
+    double center[3];  /* in the same unit of length as the triangles */
+    double half[3];    /* half the length along each axis, in units of that axis: a length where the axes are unit vectors */
+    double axis[3][3]; /* axis[k]: the direction of axis k */
 } tribox_oriented_box;
 
 /**
@@ -137,7 +137,7 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  * triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a, and
  * m_a the farthest that any point of the triangle is from any point of the box on it. As dot products with the axis, that is less
  * than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and for the triangle's normal less than
- * 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-80, where products underflow.
+ * 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-64, where products or lengths underflow.
  *
  * That says little where such an axis is short: the normal of a segment or sliver, and the axes of an edge far shorter than the
  * others. Rounding alone then says whether it separates, and FAST can lose a triangle that runs straight through the box: up to a
@@ -201,12 +201,12 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tribox_overlap for an oriented box. As in the paper (section 2) the triangles are moved into the frame of the box, in blocks, and
  * tested there.
  *
- * EXACT is the true answer about that box for every finite input: whatever the rounding of the move could change is settled in
- * integers. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST moves and tests in
+ * EXACT is the true answer about that box, of doubles as they are, for every finite input: whatever the rounding of the move could
+ * change is settled in integers. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST moves and tests in
  * single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It loses segments and slivers as tribox_overlap
  * does, those included that the move makes thin. A triangle that is outside along one axis of the
- * box is mostly rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled in
- * integers, which takes some microseconds each.
+ * box is mostly rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled by the
+ * last stage, which takes a microsecond or some.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is
@@ -275,6 +275,17 @@ TRIBOX_API tribox_status tribox_mesh_overlap(const tribox_mesh *mesh, const trib
  */
 TRIBOX_API tribox_status tribox_mesh_classify(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
                                               uint64_t *mask, uint64_t *inside, tribox_report *report);
+
+/**
+ * tribox_overlap_oriented for a mesh as it is. EXACT is the true answer about its numbers, for every finite double, and box. For
+ * floats the same bits as for the nine streams of the triangles, at every accuracy. Doubles are rounded to float relative to the
+ * center of the box, so that no distance from the origin makes an answer slower or less right; where a product of their distance
+ * and an axis is beyond 2^97, as where float is too narrow for the box, every pair takes the last stage.
+ *
+ * Other arguments and the returned status are as for tribox_overlap_oriented and tribox_mesh_overlap.
+ */
+TRIBOX_API tribox_status tribox_mesh_overlap_oriented(const tribox_mesh *mesh, const tribox_oriented_box *box,
+                                                      const tribox_options *options, uint64_t *mask, tribox_report *report);
 
 /**
  * tribox_find for a mesh. Of the indices only those of triangles that are tested are checked. Other arguments and the returned

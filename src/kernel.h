@@ -13,6 +13,7 @@
 #include "base/ahead.h"
 #include "base/compiler.h"
 #include "base/rounded_box.h"
+#include "base/rounded_frame.h"
 #include "mesh/vertex_numbers.h"
 #include "voxels/kernel_voxels.h"
 #include "index/kernel_nodes.h"
@@ -169,7 +170,7 @@ typedef struct tribox_moved {
 } tribox_moved;
 
 /* `count` triangles of a soup, from triangle `first` on, into the frame of the box: a whole packet at least. */
-typedef void tribox_to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t count,
+typedef void tribox_to_frame(const tribox_soup *soup, const tribox_rounded_frame *box, size_t first, size_t count,
                              tribox_moved *moved);
 
 typedef struct tribox_kernel {

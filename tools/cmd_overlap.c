@@ -71,21 +71,19 @@ static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
                                        [OPTION_JSON] = {"json", 'j', false},
                                        {NULL, 0, false}};
 
-static int read_oriented(const char *text, tribox_oriented_box *box, double center[3])
+static int read_oriented(const char *text, tribox_oriented_box *box)
 {
     static const char form[] = "CX,CY,CZ,HX,HY,HZ and three axes of three numbers";
-    float n[15];
-    double exact[15];
-    if (!numbers_read_floats(text, "--oriented", form, 15, n) || !numbers_read(text, "--oriented", form, 15, exact, NULL))
+    double n[15];
+    if (!numbers_read(text, "--oriented", form, 15, n, NULL))
         return EXIT_CODE_USAGE;
-    memcpy(center, exact, sizeof(double[3]));
     memcpy(box->center, n, sizeof box->center);
     memcpy(box->half, n + 3, sizeof box->half);
     memcpy(box->axis, n + 6, sizeof box->axis);
     for (int k = 0; k < 3; k++)
         if (box->half[k] < 0)
             message_say("note: --oriented: half length %d is %.9g: a box of negative size is empty, and nothing overlaps it", k + 1,
-                        (double)box->half[k]);
+                        box->half[k]);
     return EXIT_CODE_OK;
 }
 
@@ -103,7 +101,7 @@ static int take(void *context, int which, const char *value)
         return EXIT_CODE_OK;
     case OPTION_ORIENTED:
         r->has_oriented = true;
-        return read_oriented(value, &r->oriented, r->center);
+        return read_oriented(value, &r->oriented);
     case OPTION_FORMAT:
         return triangle_format_read(value, &r->format);
     case OPTION_SHIFT:

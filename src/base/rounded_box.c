@@ -1,7 +1,6 @@
 /* rounded_box.c - bounds of doubles, as floats that answer for them. */
 #include "rounded_box.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -15,29 +14,26 @@ static float next_above(float number)
     return number;
 }
 
-/* The least float that is not below a number: infinite if there is none. */
-static float float_from(double number)
+float tribox_float_from(double number)
 {
     const float nearest = (float)number;
     return (double)nearest < number ? next_above(nearest) : nearest;
 }
-
-static float nearest_finite(double number) { return number > FLT_MAX ? FLT_MAX : number < -FLT_MAX ? -FLT_MAX : (float)number; }
 
 void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_box *rounded)
 {
     rounded->exact = *box;
     for (int a = 0; a < 3; a++) {
         const double lo = box->lo[a], hi = box->hi[a];
-        const float l = is_box_asked ? float_from(lo) : nearest_finite(lo), h = -float_from(-hi);
-        rounded->lo[a] = float_from(lo);
+        const float l = tribox_float_from(lo), h = -tribox_float_from(-hi), origin = is_box_asked ? l : (float)lo;
+        rounded->lo[a] = l;
         rounded->hi[a] = h;
-        rounded->origin[a] = l;
+        rounded->origin[a] = origin;
         if ((double)l == lo && (double)h == hi) { /* of floats: rounded once */
             rounded->H[a] = rounded->C[a] = fabsf(h - l);
         } else {
             rounded->H[a] = (float)fabs(hi - lo);
-            rounded->C[a] = (float)((hi - (double)l) + (lo - (double)l));
+            rounded->C[a] = (float)((hi - (double)origin) + (lo - (double)origin));
         }
     }
 }

@@ -24,4 +24,7 @@ typedef struct tribox_rounded_box {
  */
 void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_box *rounded);
 
+/* The least float that is not below a number: infinite if there is none. */
+float tribox_float_from(double number);
+
 #endif

@@ -1,8 +1,10 @@
 /*
- * accumulator.h - sums of products of differences of doubles, exactly: long enough for any that are finite. No allocation.
+ * accumulator.h - sums of products of doubles, exactly: long enough for any that are finite. No allocation. The including file
+ * defines ACCUMULATOR_FACTORS, the most that a product has.
  *
  * A double is an integer below 2^53 times a power of two from 2^-1074 to 2^971. So a product of three is an integer below 2^159
- * times a power from 2^-3222 on, of which digit 0 of a sum is the first 32 bits: 198 digits are enough (PROOFS.md 9.3).
+ * times a power from 2^-3222 on, of which digit 0 of a sum is the first 32 bits: 66 digits for each factor are enough (PROOFS.md
+ * 9.3).
  */
 #ifndef TRIBOX_EXACT_ACCUMULATOR_H
 #define TRIBOX_EXACT_ACCUMULATOR_H
@@ -12,7 +14,7 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { ACCUMULATOR_DIGITS = 198, ACCUMULATOR_FACTORS = 3, ACCUMULATOR_LEAST = -1074 };
+enum { ACCUMULATOR_DIGITS = 66 * ACCUMULATOR_FACTORS, ACCUMULATOR_LEAST = -1074 };
 
 /* Digits may be of any size and sign until the sum is read. */
 typedef struct accumulator {
@@ -32,8 +34,8 @@ static void accumulator_reach(accumulator *sum, int first, int end)
         sum->digit[sum->end++] = 0;
 }
 
-/* Digits of a product, the lowest first: 31 bits of a shift and 53 of each factor need six, and multiplying writes one more. */
-enum { PRODUCT_DIGITS = 7 };
+/* Digits of a product, the lowest first: of three, 31 bits of a shift and 53 of each need six, and multiplying writes one more. */
+enum { PRODUCT_DIGITS = 2 * ACCUMULATOR_FACTORS + 1 };
 
 /* Multiplies the lowest `count` digits, which become two more. m is below 2^53. */
 static void accumulator_multiply(uint32_t digit[PRODUCT_DIGITS], int count, uint64_t m)
@@ -49,7 +51,7 @@ static void accumulator_multiply(uint32_t digit[PRODUCT_DIGITS], int count, uint
     }
 }
 
-/* Adds a product of two or three factors, none of which is zero. */
+/* Adds a product of at most so many factors, none of which is zero. */
 static void accumulator_add(accumulator *sum, const double factor[], int count)
 {
     uint64_t m[ACCUMULATOR_FACTORS];

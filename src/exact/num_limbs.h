@@ -36,12 +36,14 @@ static int limbs_compare(const vnum *a, const vnum *b)
 static vnum v_shifted(tribox_integer number)
 {
     const int place = number.shift / 32;
-    vnum a = {.used = place + 2, .is_negative = number.odd < 0};
-    const uint64_t low = (uint64_t)(number.odd < 0 ? -(int64_t)number.odd : number.odd) << number.shift % 32;
-    for (int k = 0; k < a.used; k++)
+    vnum a = {.used = place + 3, .is_negative = number.odd < 0};
+    const uint64_t odd = (uint64_t)(number.odd < 0 ? -number.odd : number.odd), low = (odd & 0xffffffff) << number.shift % 32;
+    const uint64_t high = (odd >> 32 << number.shift % 32) + (low >> 32);
+    for (int k = 0; k < place; k++)
         a.limb[k] = 0;
     a.limb[place] = (uint32_t)low;
-    a.limb[place + 1] = (uint32_t)(low >> 32);
+    a.limb[place + 1] = (uint32_t)high;
+    a.limb[place + 2] = (uint32_t)(high >> 32);
     return limbs_trimmed(a);
 }
 

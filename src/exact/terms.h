@@ -5,6 +5,7 @@
 #ifndef TRIBOX_EXACT_TERMS_H
 #define TRIBOX_EXACT_TERMS_H
 
+#define ACCUMULATOR_FACTORS 3
 #include "accumulator.h"
 
 /* A product of differences: those of the first two numbers, the next two and so on. */

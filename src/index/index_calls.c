@@ -3,7 +3,6 @@
 #include "base/environment.h"
 #include "pairs/partial_packet.h"
 #include "index_descent.h"
-#include "pairs/oriented_words.h"
 #include "base/soup.h"
 
 /* A call: its plan, its query, and what the query needs. */
@@ -11,6 +10,7 @@ typedef struct call {
     tribox_plan plan;
     tribox_partial_packet partial;
     tribox_rounded_box rounded;
+    tribox_oriented_question oriented;
     tribox_answers answers;
     tribox_descent descent;
 } call;
@@ -61,15 +61,21 @@ static tribox_status prepare_at_oriented(call *c, const tribox_index *index, con
     if (!tribox_oriented_is_finite(box))
         return TRIBOX_BAD_BOX;
     const tribox_status status = prepare_call(c, index, soup, options);
-    c->descent.oriented = box;
+    c->descent.oriented = &c->oriented;
+    c->oriented.box = box; /* asked later, in our environment */
     return status || tribox_oriented_has_axes(&c->plan) ? status : TRIBOX_BAD_OPTION;
 }
 
 /* Rounds the box. False if nothing overlaps it, as it is empty. Needs tribox_environment_enter(). */
 static bool start_at_box(call *c)
 {
-    if (c->descent.oriented)
-        return !tribox_oriented_is_empty(c->descent.oriented);
+    const tribox_oriented_box *const oriented = c->oriented.box;
+    if (c->descent.oriented && tribox_oriented_is_empty(oriented))
+        return false;
+    if (c->descent.oriented) {
+        tribox_oriented_ask_soup(&c->oriented, c->descent.pairs.soup, oriented, &c->plan);
+        return true;
+    }
     const tribox_box box = c->rounded.exact;
     tribox_box_round(&box, true, &c->rounded);
     return !tribox_box_is_empty(&box);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "pairs/oriented_words.h"
 #include "base/soup.h"
 
 /* Bits for the first `count` children of a node. */
@@ -33,7 +32,7 @@ static tribox_touch ask(const tribox_descent *q, unsigned level, size_t j, const
     const size_t of_level = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count), left = of_level - 64 * j;
     const unsigned children = left < 64 ? (unsigned)left : 64;
     tribox_touch found =
-        q->oriented ? kernel->touch_oriented(node, children, q->oriented) : kernel->touch(node, children, q->pairs.box);
+        q->oriented ? kernel->touch_oriented(node, children, &q->oriented->frame) : kernel->touch(node, children, q->pairs.box);
     found.touching &= first_bits(children);
     found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
     return found;
@@ -51,7 +50,6 @@ static unsigned run_at(const tribox_descent *q, unsigned k)
 /* Asks the pending words that have to be asked. Returns whether a lane is undecided. */
 static bool ask_pending(tribox_descent *q, uint64_t *hit, uint64_t *undecided)
 {
-    const tribox_oriented_question oriented = {q->pairs.soup, q->oriented, q->plan};
     uint64_t any = 0;
     memset(undecided, 0, q->pending * sizeof *undecided);
     /* A survey pays in full batches alone: after them more words are likely to follow. */
@@ -59,7 +57,7 @@ static bool ask_pending(tribox_descent *q, uint64_t *hit, uint64_t *undecided)
     for (unsigned k = 0, n; k < q->pending; k += n ? n : 1) {
         n = run_at(q, k);
         if (n && q->oriented)
-            q->to->counts.undecided += tribox_oriented_answer(&oriented, q->word[k], n, hit + k);
+            q->to->counts.undecided += tribox_oriented_answer(q->oriented, q->word[k], n, hit + k);
         else if (n)
             tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, undecided + k);
     }

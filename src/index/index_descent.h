@@ -6,6 +6,7 @@
 #define TRIBOX_INDEX_DESCENT_H
 
 #include "index_levels.h"
+#include "pairs/oriented_words.h"
 #include "pairs/pairs.h"
 
 typedef enum tribox_form { TRIBOX_COUNT, TRIBOX_MASK, TRIBOX_WORDS, TRIBOX_LIST } tribox_form;
@@ -30,8 +31,8 @@ enum { TRIBOX_PENDING = TRIBOX_BLOCK_WORDS };
 typedef struct tribox_descent {
     const char *nodes;
     tribox_levels levels;
-    tribox_query pairs;                  /* a soup and a box, */
-    const tribox_oriented_box *oriented; /* or this one instead; else NULL */
+    tribox_query pairs;                       /* a soup and a box, */
+    const tribox_oriented_question *oriented; /* or this question instead; else NULL */
     tribox_plan *plan;
     bool may_choose; /* the order of the groups is not fixed */
     tribox_answers *to;

@@ -3,6 +3,7 @@
 #define TRIBOX_KERNEL_NODES_H
 
 #include "base/rounded_box.h"
+#include "base/rounded_frame.h"
 
 /*
  * A node: the bounds of 64 children, each a word of 64 triangles or a node of the level below. bound[a][c] is the lower bound of
@@ -32,7 +33,7 @@ typedef struct tribox_touch {
 typedef tribox_touch tribox_touch_node(const tribox_node *node, unsigned count, const tribox_rounded_box *box);
 
 /* The same of an oriented box: some of the children may touch, for all that rounding may have done, and those inside are so. */
-typedef tribox_touch tribox_touch_oriented(const tribox_node *node, unsigned count, const tribox_oriented_box *box);
+typedef tribox_touch tribox_touch_oriented(const tribox_node *node, unsigned count, const tribox_rounded_frame *box);
 
 /* The children the middle of whose bounds is in the box: which of their triangles are likely to overlap. */
 typedef uint64_t tribox_find_centred(const tribox_node *node, const tribox_rounded_box *box);

@@ -1,5 +1,5 @@
 /*
- * oriented.c - a soup and an oriented box: moved into the frame of the box block by block, and tested there.
+ * oriented.c - triangles and an oriented box: moved into the frame of the box block by block, and tested there.
  *
  * The move rounds: each coordinate in the frame is off by at most `error`, known for each axis and block (kernel/frame.h). So the
  * rounded triangle misses the box enlarged by the error only if the triangle misses the box, and overlaps the box diminished by the
@@ -10,44 +10,38 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "base/environment.h"
 #include "exact/oriented/oriented.h"
-#include "partial_packet.h"
 #include "oriented_words.h"
 #include "pairs.h"
 #include "base/soup.h"
 
 /*
  * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Only
- * wild triangles have coordinates beyond the greatest float.
+ * wild triangles have coordinates beyond the greatest float. False if nothing is left of it.
  */
-static tribox_rounded_box box_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, int sign)
+static bool set_box_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, int sign, tribox_rounded_box *rounded)
 {
     tribox_box box;
-    tribox_rounded_box rounded;
+    bool is_left = true;
     for (int k = 0; k < 3; k++) {
-        const double half = ((double)q->box->half[k] + sign * (double)moved->error[k]) * (1 + sign * 0x1p-22);
-        box.hi[k] = half < (double)FLT_MAX ? (float)half : FLT_MAX;
-        box.lo[k] = -box.hi[k];
+        const double error = (double)moved->error[k] + q->frame.slack[k];
+        const double half = (q->box->half[k] + sign * error) * (1 + sign * 0x1p-22);
+        const float reach = half < (double)FLT_MAX ? (float)half : FLT_MAX;
+        box.lo[k] = q->frame.middle[k] - (double)reach;
+        box.hi[k] = q->frame.middle[k] + (double)reach;
+        is_left = is_left && reach >= 0;
     }
-    tribox_box_round(&box, true, &rounded);
-    return rounded;
-}
-
-static tribox_oriented_pair oriented_pair_at(const tribox_oriented_question *q, size_t i)
-{
-    tribox_oriented_pair pair = {.box = *q->box};
-    for (int v = 0; v < 3; v++)
-        for (int a = 0; a < 3; a++)
-            pair.u[v][a] = tribox_soup_axis(q->soup, a)[v][i];
-    return pair;
+    if (is_left)
+        tribox_box_round(&box, q->plan->axes & TRIBOX_AXES_BOX, rounded);
+    return is_left;
 }
 
 /* Whether triangle i overlaps, in integers. Counts it where it is finite. */
 static bool overlaps_in_integers(const tribox_oriented_question *q, size_t i, size_t *undecided)
 {
-    const tribox_oriented_pair pair = oriented_pair_at(q, i);
-    if (!tribox_are_finite(&pair.u[0][0], 9))
+    tribox_oriented_pair pair = {.box = *q->box};
+    q->read_triangle(q, i, pair.u);
+    if (!tribox_are_finite_f64(&pair.u[0][0], 9))
         return false;
     ++*undecided;
     return tribox_oriented_overlap(&pair, q->plan->axes);
@@ -59,13 +53,14 @@ static void answer_exactly(const tribox_oriented_question *q, const tribox_moved
 {
     tribox_plan *const plan = q->plan;
     uint64_t larger_hit[TRIBOX_MOVED_WORDS], larger_undecided[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
-    const tribox_rounded_box larger = box_in_frame(q, moved, 1), smaller = box_in_frame(q, moved, -1);
+    tribox_rounded_box box;
+    const tribox_query pairs = {.soup = soup, .box = &box, .count = soup->count};
     memset(hit, 0, words * sizeof *hit);
-    if (smaller.hi[0] >= 0 && smaller.hi[1] >= 0 && smaller.hi[2] >= 0)
-        tribox_pairs_walk_block(&(tribox_query){.soup = soup, .box = &smaller, .count = soup->count}, plan, 0, words, hit, unused);
+    if (set_box_in_frame(q, moved, -1, &box))
+        tribox_pairs_walk_block(&pairs, plan, 0, words, hit, unused);
+    set_box_in_frame(q, moved, 1, &box);
     plan->accuracy = TRIBOX_CONSERVATIVE;
-    tribox_pairs_walk_block(&(tribox_query){.soup = soup, .box = &larger, .count = soup->count}, plan, 0, words, larger_hit,
-                            larger_undecided);
+    tribox_pairs_walk_block(&pairs, plan, 0, words, larger_hit, larger_undecided);
     plan->accuracy = TRIBOX_EXACT;
     for (size_t w = 0; w < words; w++)
         undecided[w] = (larger_hit[w] | larger_undecided[w]) & ~hit[w] & ~moved->apart[w];
@@ -78,8 +73,9 @@ static void answer_exactly(const tribox_oriented_question *q, const tribox_moved
 static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
                               uint64_t *hit, uint64_t *undecided)
 {
-    const tribox_rounded_box box = box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0);
+    tribox_rounded_box box;
     const tribox_query pairs = {.soup = soup, .box = &box, .count = soup->count};
+    set_box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0, &box);
     tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, undecided);
     for (size_t w = 0; w < words; w++)
         undecided[w] &= ~(moved->apart[w] | moved->wild[w]);
@@ -96,9 +92,11 @@ static size_t answer_oriented_block(const tribox_oriented_question *q, size_t fi
 {
     const size_t words = tribox_words_of(count);
     size_t settled = 0;
+    tribox_streams room;
     tribox_moved moved;
     uint64_t undecided[TRIBOX_MOVED_WORDS];
-    q->plan->kernel->to_frame(q->soup, q->box, first, count, &moved);
+    const tribox_soup block = q->read_block(q, first, count, &room);
+    q->plan->kernel->to_frame(&block, &q->frame, 0, count, &moved);
     for (size_t w = 0; w < unasked; w++) {
         moved.apart[w] = ~UINT64_C(0);
         moved.wild[w] = 0;
@@ -118,11 +116,11 @@ static size_t answer_oriented_block(const tribox_oriented_question *q, size_t fi
     return settled;
 }
 
-/* The last triangles of a soup, where they fill no packet: with the word before them. */
+/* The last triangles, where they fill no packet: with the word before them. */
 static size_t answer_last(const tribox_oriented_question *q, size_t first, uint64_t *hit)
 {
     uint64_t both[2];
-    const size_t undecided = answer_oriented_block(q, first - 64, q->soup->count - (first - 64), 1, both);
+    const size_t undecided = answer_oriented_block(q, first - 64, q->count - (first - 64), 1, both);
     *hit = both[1];
     return undecided;
 }
@@ -132,7 +130,7 @@ size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, si
     size_t undecided = 0;
     for (size_t done = 0; done < words; done += TRIBOX_MOVED_WORDS) {
         const size_t block = words - done < TRIBOX_MOVED_WORDS ? words - done : TRIBOX_MOVED_WORDS;
-        const size_t first = 64 * (word + done), left = q->soup->count - first;
+        const size_t first = 64 * (word + done), left = q->count - first;
         if (first && left < q->plan->kernel->lanes)
             undecided += answer_last(q, first, hit + done);
         else
@@ -141,9 +139,9 @@ size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, si
     return undecided;
 }
 
-static tribox_report answer_all(const tribox_oriented_question *q, uint64_t *mask)
+tribox_report tribox_oriented_answer_all(const tribox_oriented_question *q, uint64_t *mask)
 {
-    const size_t words = tribox_words_of(q->soup->count);
+    const size_t words = tribox_words_of(q->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_MOVED_WORDS) {
         uint64_t unasked[TRIBOX_MOVED_WORDS], *const hit = mask ? mask + word : unasked;
@@ -155,29 +153,34 @@ static tribox_report answer_all(const tribox_oriented_question *q, uint64_t *mas
     return counts;
 }
 
-tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box, const tribox_options *options,
-                                      uint64_t *mask, tribox_report *report)
+static tribox_soup soup_block(const tribox_oriented_question *q, size_t first, size_t count, tribox_streams *room)
 {
-    if (!box || !tribox_soup_is_readable(soup))
-        return TRIBOX_BAD_ARGUMENT;
-    if (!tribox_oriented_is_finite(box))
-        return TRIBOX_BAD_BOX;
-    tribox_plan plan;
-    const tribox_status status = tribox_plan_make(options, &plan);
-    if (status)
-        return status;
-    if (!tribox_oriented_has_axes(&plan))
-        return TRIBOX_BAD_OPTION;
+    const tribox_soup *const soup = q->triangles;
+    tribox_soup block = {.count = count};
+    (void)room;
+    for (int v = 0; v < 3; v++) {
+        block.x[v] = soup->x[v] + first;
+        block.y[v] = soup->y[v] + first;
+        block.z[v] = soup->z[v] + first;
+    }
+    return block;
+}
 
-    tribox_partial_packet partial;
-    tribox_report counts = {0, 0};
-    const tribox_oriented_question q = {tribox_pad_triangles(soup, plan.kernel, &partial), box, &plan};
-    const tribox_environment callers = tribox_environment_enter();
-    if (tribox_oriented_is_empty(box))
-        tribox_pairs_write_none(soup->count, mask);
-    else
-        counts = answer_all(&q, mask);
-    tribox_environment_leave(callers);
-    tribox_plan_report(&plan, counts, report);
-    return TRIBOX_OK;
+static void soup_triangle(const tribox_oriented_question *q, size_t i, double u[3][3])
+{
+    for (int v = 0; v < 3; v++)
+        for (int a = 0; a < 3; a++)
+            u[v][a] = (double)tribox_soup_axis(q->triangles, a)[v][i];
+}
+
+void tribox_oriented_ask_soup(tribox_oriented_question *q, const tribox_soup *soup, const tribox_oriented_box *box,
+                              tribox_plan *plan)
+{
+    *q = (tribox_oriented_question){.box = box,
+                                    .plan = plan,
+                                    .triangles = soup,
+                                    .count = soup->count,
+                                    .read_block = soup_block,
+                                    .read_triangle = soup_triangle};
+    tribox_frame_round(box, NULL, false, &q->frame);
 }

@@ -34,6 +34,12 @@ static inline char *claims_cell(char *at, char *cell, size_t room)
     return at[length] ? at + length + 1 : at + length;
 }
 
+/* A number, or 2^n. */
+static inline double claims_number(const char *cell)
+{
+    return strncmp(cell, "2^", 2) ? strtod(cell, NULL) : exp2(strtod(cell + 2, NULL));
+}
+
 /* What was counted, what it is of the bound, and what the text takes; 0 where there is no bound. */
 typedef struct count_claim {
     const char *name;
@@ -59,22 +65,26 @@ static inline count_claim claims_stated(const char *name)
         if (strcmp(cell[0], name) != 0)
             continue;
         stated.needed = strtod(cell[V_FUSED ? 4 : 3], NULL);
-        stated.taken = strtod(cell[5], NULL);
+        stated.taken = claims_number(cell[5]);
     }
     fclose(file);
     return stated;
 }
 
-/* Needed is what was counted, rounded up to hundredths but for what the count itself rounds, and for second orders in constants. */
+/*
+ * Needed is what was counted, rounded up to hundredths but for what the count itself rounds, and for second orders in constants. A
+ * row says what is taken if and only if the text takes something; a power of two is stated to a tenth.
+ */
 static inline void claim(const count_claim *of)
 {
     const count_claim stated = claims_stated(of->name);
     const double needed = ceil(of->needed * 100 - 0.05) / 100;
     const bool is_stated = fabs(stated.needed - needed) < 1e-9, is_covered = of->of_bound < 1;
-    const bool is_taken = !(of->taken > 0) || fabs(stated.taken - of->taken) < 0.01 * of->taken;
+    const bool is_taken =
+        of->taken > 0 ? fabs(stated.taken / of->taken - 1) < (stated.taken < 1024 ? 0.01 : 0.035) : !(stated.taken > 0);
     printf("%-32s %7.4g", of->name, needed);
     if (of->of_bound > 0)
-        printf("   %.4f of the bound%s", of->of_bound, is_covered ? "" : ": TOO MUCH");
+        printf("   %.4g of the bound%s", of->of_bound, is_covered ? "" : ": TOO MUCH");
     if (!is_stated)
         printf("   PROOFS.md states %g, %s", stated.needed, claims_unit);
     if (!is_taken)
@@ -84,6 +94,10 @@ static inline void claim(const count_claim *of)
 }
 
 static inline void claim_number(const char *name, double needed) { claim(&(count_claim){name, needed, 0, 0}); }
+static inline void claim_taken(const char *name, double needed, double taken)
+{
+    claim(&(count_claim){name, needed, needed / taken, taken});
+}
 
 static inline void claims_start(int argc, char **argv)
 {

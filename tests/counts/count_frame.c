@@ -1,7 +1,9 @@
 /*
  * count_frame.c - counts the roundings of moving points into the frame of an oriented box: PROOFS.md 8.1, 8.3.
  *
- * What is linear here is space, all three axes of it at once, and a row of the frame: numbers 0 and 1 for the vocabulary.
+ * What is linear here is space, all three axes of it at once, and a row of the frame: numbers 0 and 1 for the vocabulary. The
+ * numbers of the row were rounded once, as those of doubles are. Points of doubles are rounded before they are moved from a center
+ * that is then zero: once, as the others are here.
  */
 #include "vec_count.h"
 #include "kernel/axes.h"
@@ -10,6 +12,7 @@
 #include "kernel/nodes/slabs.h"
 #include "claims.h"
 #include "tally.h"
+#include "taken.h"
 
 enum { SPACE, ROW };
 
@@ -21,8 +24,11 @@ static lane_frame frame_of(const double row[3])
     lane_frame frame;
     for (int a = 0; a < 3; a++) {
         frame.center[a] = count_input(SPACE, 0, true);
-        frame.axis[0][a] = count_input(ROW, row[a], false);
+        count_here = COUNT_HERE;
+        frame.axis[0][a] = count_rounded(count_input(ROW, row[a], false), 0);
+        frame.size[0][a] = v_abs(frame.axis[0][a]);
     }
+    frame.eta[0] = v_splat(V_ETA);
     return frame;
 }
 
@@ -70,7 +76,7 @@ int main(int argc, char **argv)
         }
     }
     claim_tally("point in a frame", &point);
-    claim_number("point in a frame, underflow", under);
+    claim_taken("point in a frame, underflow", under, taken_eta());
     claim_tally("corner in a frame", &corner);
     return claims_end();
 }

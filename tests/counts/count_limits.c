@@ -85,6 +85,7 @@ static void count_places(int k, bool is_coarse)
     for (int j = 0; j < 3; j++) {
         tally_first(&at_place, count_of(p.g[j]), base + count_of(p.R)->x);
         COUNT_MUST(is_coarse || V_UNIT * count_first(count_of(p.g[j])) <= count_of(p.E)->x * COUNT_ROOM);
+        at_place.taken = is_coarse ? 0 : count_of(p.E)->x / (V_UNIT * (base + count_of(p.R)->x));
     }
 }
 
@@ -122,9 +123,12 @@ int main(int argc, char **argv)
 {
     claims_start(argc, argv);
     count_all_edges(1);
+    at_place.of_bound = 0; /* all of it, which is compared where it is counted */
     claim_tally("place in a grid", &at_place);
     claim_covered("limit of an edge");
     claim_tally("limit of an edge, of E", &edge.by_E);
+    row.alone.taken = taken;
+    row.alone.of_bound = row.alone.first / taken;
     claim_tally("row beside an edge", &row.alone);
     claim_number("normal in places, its sign", turned);
     if (COUNT_BITS == 53) { /* float is not asked where planes are coarse */

@@ -5,6 +5,7 @@
 #include "claims.h"
 #include "tally.h"
 #include "rays.h"
+#include "taken.h"
 
 /* The signs of n: bits 0 to 2. That of d need not be tried: with all four turned the slack is too. */
 enum { SIGNS = 8 };
@@ -111,8 +112,8 @@ int main(int argc, char **argv)
         count_all(k);
         count_drawn(k);
         claim_tally(names[k], &plane[k]);
-        claim_number("plane, underflow of n", under_normal[k]);
-        claim_number("plane, underflow of the rest", under_rest[k]);
+        claim_taken("plane, underflow of n", under_normal[k], taken_tau());
+        claim_taken("plane, underflow of the rest", under_rest[k], taken_eta());
     }
     if (COUNT_BITS == 24)
         claim_number("plane, underflow of H and C", under_lengths);

@@ -132,6 +132,13 @@ static void digest_numbers(digest *d, const float *numbers, size_t count)
     }
 }
 
+/* Of doubles that are floats. */
+static void digest_doubles_as_floats(digest *d, const double *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        digest_numbers(d, &(float){(float)numbers[i]}, 1);
+}
+
 static void digest_round(digest *d, const round_of_scene *round)
 {
     for (int k = 0; k < 3; k++) {
@@ -141,12 +148,12 @@ static void digest_round(digest *d, const round_of_scene *round)
         digest_numbers(d, round->boxes.lo[k], round->boxes.count);
         digest_numbers(d, round->boxes.hi[k], round->boxes.count);
         digest_numbers(d, round->triangle[k], 3);
-        digest_numbers(d, round->oriented.axis[k], 3);
+        digest_doubles_as_floats(d, round->oriented.axis[k], 3);
     }
     for (int k = 0; k < 6; k++)
         digest_numbers(d, &(float){(float)(k < 3 ? round->box.lo : round->box.hi)[k % 3]}, 1);
-    digest_numbers(d, round->oriented.center, 3);
-    digest_numbers(d, round->oriented.half, 3);
+    digest_doubles_as_floats(d, round->oriented.center, 3);
+    digest_doubles_as_floats(d, round->oriented.half, 3);
     digest_numbers(d, round->grid.origin, 3);
     digest_numbers(d, round->grid.cell, 3);
 }

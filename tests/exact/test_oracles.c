@@ -129,23 +129,21 @@ static bool is_sum_exact(double a, double b, double *sum)
     return a - (*sum - part) == 0 && b - part == 0;
 }
 
-/* Integers of oriented boxes, about a box of the same axes as the others': it has a centre in float, and bounds in double. */
+/* Oriented boxes, about a box of the same axes as the others', whose bounds are the doubles about its centre; and each stage alone. */
 static void check_oriented(const origin *where, const pair_f32 *pair, unsigned axes)
 {
     tribox_oriented_pair oriented = {.box.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     tribox_pair straight;
     bool is_apart = false;
     for (int a = 0; a < 3; a++) {
-        const float center = (float)pair->box.lo[a] / 2 + (float)pair->box.hi[a] / 2, half = (float)pair->box.hi[a] / 2 - (float)pair->box.lo[a] / 2;
+        const double center = pair->box.lo[a] / 2 + pair->box.hi[a] / 2, half = pair->box.hi[a] / 2 - pair->box.lo[a] / 2;
         oriented.box.center[a] = center;
         oriented.box.half[a] = half;
-        if (!is_sum_exact((double)center, -(double)half, &straight.lo[a]) ||
-            !is_sum_exact((double)center, (double)half, &straight.hi[a]))
+        if (!is_sum_exact(center, -half, &straight.lo[a]) || !is_sum_exact(center, half, &straight.hi[a]))
             return;
         int below = 0, above = 0;
         for (int j = 0; j < 3; j++) {
-            oriented.u[j][a] = pair->u[j][a];
-            straight.u[j][a] = (double)pair->u[j][a];
+            oriented.u[j][a] = straight.u[j][a] = (double)pair->u[j][a];
             below += straight.u[j][a] < straight.lo[a];
             above += straight.u[j][a] > straight.hi[a];
         }
@@ -153,6 +151,10 @@ static void check_oriented(const origin *where, const pair_f32 *pair, unsigned a
     }
     const bool overlaps = !((axes & TRIBOX_AXES_BOX) && is_apart) && tribox_exact_overlap(&straight, axes);
     check(where, "tribox_oriented_overlap", pair, axes, tribox_oriented_overlap(&oriented, axes), overlaps);
+    check(where, "tribox_oriented_long", pair, axes, tribox_oriented_long(&oriented, axes), overlaps);
+    bool in_double;
+    if (tribox_oriented_in_double(&oriented, axes, &in_double))
+        check(where, "tribox_oriented_in_double", pair, axes, in_double, overlaps);
 }
 
 static void try_scene(const scene *s, const arguments *args, reached *count)

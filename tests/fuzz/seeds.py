@@ -249,7 +249,7 @@ def index():
 
 def oriented():
     source = random.Random(4)
-    anywhere, in_frame, any_frame, rotation, positive = b"\1", b"\0", b"\0", b"\1", b"\1\1\1"
+    anywhere, in_frame, any_frame, rotation, positive = b"\1", b"\0", b"\0", b"\1", b"\1\1\1\0"  # the last is of floats
     files = {}
 
     def drawn_anywhere(way, count):
@@ -278,6 +278,10 @@ def oriented():
                positive)
         files["rotated_%d_in_frame" % number] = (bytes([UNIT_EIGHTH]) + options(number & 1) + bytes([1, 190]) + box +
                                                  drawn_in_frame(16))
+    for form in range(1, 8):
+        box = (bytes([BITS]) + floats(0.1, 0.2, 0.3) + bytes([BITS]) + floats(0.5, 0.25, 1) + rotation + source.randbytes(4) +
+               positive[:3] + bytes([form]))
+        files["doubles_%d" % form] = bytes([UNIT_EIGHTH]) + options() + bytes([1, 190]) + box + drawn_in_frame(16) + source.randbytes(200)
     long = middle + any_frame + bytes([FAR_LATTICE]) + lattice(1, 2, 3, 4, 5, 6, 7, 8, 9) + positive
     files["long_numbers"] = (bytes([UNIT_ONE]) + options() + bytes([0, 10]) + long + drawn_anywhere(FAR_LATTICE, 5) +
                              drawn_in_frame(5))

@@ -164,11 +164,11 @@ static void test_scenes(void **state)
     for (int s = 0; s < ORIENTED_SCENES; s++) {
         random_source r = random_named(args.seed, oriented_scenes[s].name);
         for (int round = 0; round < (arguments_are_short(&args) ? 1 : 4); round++) {
-            oriented_draw(&oriented_scenes[s], &r, &batch);
+            oriented_draw(&oriented_scenes[s], (oriented_form)(round % 2), &r, &batch);
             stored_soup_lay(&stored, (size_t)batch.count, STORED_AT_END);
             for (int t = 0; t < batch.count; t++)
                 for (int k = 0; k < STORED_STREAMS; k++)
-                    memcpy(&stored.stream[k][t], &batch.u[t][k % 3][k / 3], sizeof(float));
+                    stored.stream[k][t] = (float)batch.u[t][k % 3][k / 3];
             stored_soup_build(&stored, NULL);
             for (int k = 0; k < kernels; k++)
                 check(&batch.box, &(tribox_options){.accuracy = (tribox_accuracy)((round + k) % 2), .kernel = names[k]},
@@ -203,7 +203,7 @@ static void test_rounding(void **state)
             for (size_t i = 0; i < 64; i++)
                 stored.stream[stream][i] = place[stream / 3];
             if (round % 2) /* bounds from here to the center */
-                stored.stream[stream][0] = box.center[stream / 3];
+                stored.stream[stream][0] = (float)box.center[stream / 3];
         }
         box.half[turned] = nudged(&r, (float)fabs(along), 1);
         stored_soup_build(&stored, NULL);

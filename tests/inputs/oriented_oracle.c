@@ -36,31 +36,31 @@ static void prepare(void)
     mpq_inits(product, step, NULL);
 }
 
-static void move_vertex(const float u[3], const tribox_oriented_box *box, mpq_t q[3])
+static void move_vertex(const double u[3], const tribox_oriented_box *box, mpq_t q[3])
 {
     for (int a = 0; a < 3; a++) {
-        mpq_set_d(offset[a], (double)u[a]);
-        mpq_set_d(product, (double)box->center[a]);
+        mpq_set_d(offset[a], u[a]);
+        mpq_set_d(product, box->center[a]);
         mpq_sub(offset[a], offset[a], product);
     }
     for (int k = 0; k < 3; k++) {
         mpq_set_ui(q[k], 0, 1);
         for (int a = 0; a < 3; a++) {
-            mpq_set_d(product, (double)box->axis[k][a]);
+            mpq_set_d(product, box->axis[k][a]);
             mpq_mul(product, product, offset[a]);
             mpq_add(q[k], q[k], product);
         }
     }
 }
 
-static void load(const float u[3][3], const tribox_oriented_box *box, const double change[3])
+static void load(const double u[3][3], const tribox_oriented_box *box, const double change[3])
 {
     prepare();
     polygons[0].count = 3;
     for (int j = 0; j < 3; j++)
         move_vertex(u[j], box, polygons[0].at[j]);
     for (int k = 0; k < 3; k++) {
-        mpq_set_d(half[k], (double)box->half[k]);
+        mpq_set_d(half[k], box->half[k]);
         mpq_set_d(product, change[k]);
         mpq_add(half[k], half[k], product);
     }
@@ -129,7 +129,7 @@ static bool do_bounds_meet(void)
     return true;
 }
 
-bool oriented_oracle_within(const float u[3][3], const tribox_oriented_box *box, const double change[3], bool bounds_alone)
+bool oriented_oracle_within(const double u[3][3], const tribox_oriented_box *box, const double change[3], bool bounds_alone)
 {
     load(u, box, change);
     if (mpq_sgn(half[0]) < 0 || mpq_sgn(half[1]) < 0 || mpq_sgn(half[2]) < 0)
@@ -139,22 +139,22 @@ bool oriented_oracle_within(const float u[3][3], const tribox_oriented_box *box,
 
 static const double no_change[3];
 
-bool oriented_oracle(const float u[3][3], const tribox_oriented_box *box)
+bool oriented_oracle(const double u[3][3], const tribox_oriented_box *box)
 {
     return oriented_oracle_within(u, box, no_change, false);
 }
 
-bool oriented_oracle_bounds(const float u[3][3], const tribox_oriented_box *box)
+bool oriented_oracle_bounds(const double u[3][3], const tribox_oriented_box *box)
 {
     return oriented_oracle_within(u, box, no_change, true);
 }
 
-static void print_three(FILE *out, const char *name, int k, const float v[3])
+static void print_three(FILE *out, const char *name, int k, const double v[3])
 {
-    fprintf(out, "  %s %d  %a, %a, %a\n", name, k, (double)v[0], (double)v[1], (double)v[2]);
+    fprintf(out, "  %s %d  %a, %a, %a\n", name, k, v[0], v[1], v[2]);
 }
 
-void oriented_explain(FILE *out, const float u[3][3], const tribox_oriented_box *box)
+void oriented_explain(FILE *out, const double u[3][3], const tribox_oriented_box *box)
 {
     for (int j = 0; j < 3; j++)
         print_three(out, "vertex", j, u[j]);

@@ -39,15 +39,39 @@ static void draw_upright(random_source *r, scene_draw *draw, upright *up)
     }
 }
 
+static double nearest_finite(double number) { return isinf(number) ? copysign(DBL_MAX, number) : number; }
+
+/* A number of the box, or of its triangles, as the form of the batch has them. */
+static double of_box(const oriented_batch *batch, double number)
+{
+    return batch->form == ORIENTED_FLOATS ? (double)nearest_float(number) : nearest_finite(number);
+}
+
+static double of_triangle(const oriented_batch *batch, double number)
+{
+    return batch->form == ORIENTED_DOUBLES ? nearest_finite(number) : (double)nearest_float(number);
+}
+
+/* The next number, or the one before it, as floats or as doubles; never infinite. */
+static double next_to(random_source *r, double number, bool is_float)
+{
+    const double to = random_int(r, 2) ? DBL_MAX : -DBL_MAX;
+    return is_float ? (double)nudged(r, (float)number, 1) : random_int(r, 3) ? nextafter(number, to) : number;
+}
+
+/* By how many times floats' powers of two those of axes and of positions may be: as far as doubles reach. */
+static int range_of_axes(const oriented_batch *batch) { return batch->form == ORIENTED_FLOATS ? 1 : 7; }
+static int range_of_positions(const oriented_batch *batch) { return batch->form == ORIENTED_DOUBLES ? 7 : 1; }
+
 /* frame: what takes the place of the three unit vectors; inverse: of frame, but for the factor `size`. */
 static void place(const upright *up, double frame[3][3], double inverse[3][3], double size, const double center[3],
                   oriented_batch *batch)
 {
     for (int k = 0; k < 3; k++) {
-        batch->box.center[k] = nearest_float(center[k]);
-        batch->box.half[k] = nearest_float(size * up->half[k]);
+        batch->box.center[k] = of_box(batch, center[k]);
+        batch->box.half[k] = of_box(batch, size * up->half[k]);
         for (int a = 0; a < 3; a++)
-            batch->box.axis[k][a] = nearest_float(frame[k][a]);
+            batch->box.axis[k][a] = of_box(batch, frame[k][a]);
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int j = 0; j < 3; j++)
@@ -55,7 +79,7 @@ static void place(const upright *up, double frame[3][3], double inverse[3][3], d
                 double p = center[a];
                 for (int k = 0; k < 3; k++)
                     p += inverse[a][k] * (up->u[t][j][k] - up->center[k]);
-                batch->u[t][j][a] = nearest_float(p);
+                batch->u[t][j][a] = of_triangle(batch, p);
             }
 }
 
@@ -147,26 +171,27 @@ static void draw_whole(random_source *r, oriented_batch *batch)
     place(&up, frame, inverse, size, up.center, batch);
 }
 
-/* Moves some numbers of the box and of the triangles to the next float. */
+/* Moves some numbers of the box and of the triangles to the next. */
 static void nudge(random_source *r, oriented_batch *batch)
 {
+    const bool is_box_float = batch->form == ORIENTED_FLOATS, are_floats = batch->form != ORIENTED_DOUBLES;
     if (random_int(r, 2)) {
-        float *const c = &batch->box.center[random_int(r, 3)];
-        *c = nudged(r, *c, 1);
+        double *const c = &batch->box.center[random_int(r, 3)];
+        *c = next_to(r, *c, is_box_float);
     }
     if (random_int(r, 2)) {
-        float *const h = &batch->box.half[random_int(r, 3)];
-        *h = nudged(r, *h, 1);
+        double *const h = &batch->box.half[random_int(r, 3)];
+        *h = next_to(r, *h, is_box_float);
         *h = *h < 0 ? 0 : *h;
     }
     if (random_int(r, 2)) {
-        float *const number = &batch->box.axis[random_int(r, 3)][random_int(r, 3)];
-        *number = nudged(r, *number, 1);
+        double *const number = &batch->box.axis[random_int(r, 3)][random_int(r, 3)];
+        *number = next_to(r, *number, is_box_float);
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int times = random_int(r, 3); times > 0; times--) {
-            float *const number = &batch->u[t][random_int(r, 3)][random_int(r, 3)];
-            *number = nudged(r, *number, 1);
+            double *const number = &batch->u[t][random_int(r, 3)][random_int(r, 3)];
+            *number = next_to(r, *number, are_floats);
         }
 }
 
@@ -197,7 +222,7 @@ static void draw_ordinary(random_source *r, oriented_batch *batch)
     draw_rotation(r, frame, inverse);
     const double distance = random_int(r, 100);
     for (int a = 0; a < 3; a++)
-        center[a] = (double)(float)(distance * random_double(r, -1, 1));
+        center[a] = of_box(batch, distance * random_double(r, -1, 1));
     place(&up, frame, inverse, 1, center, batch);
 }
 
@@ -213,7 +238,7 @@ static void draw_face(random_source *r, oriented_batch *batch)
     const int face = random_int(r, 3);
     for (int k = 0; k < 3; k++) {
         up.center[k] = random_int(r, 2) ? random_double(r, -1, 1) : 0;
-        up.half[k] = (double)(float)(k == face ? ldexp(random_double(r, 0, 1), -random_int(r, 12)) : random_double(r, 0, 1));
+        up.half[k] = of_box(batch, k == face ? ldexp(random_double(r, 0, 1), -random_int(r, 12)) : random_double(r, 0, 1));
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
         for (int k = 0; k < 3; k++)
@@ -233,7 +258,7 @@ static void draw_sheared(random_source *r, oriented_batch *batch)
     do {
         for (int k = 0; k < 3; k++)
             for (int a = 0; a < 3; a++)
-                frame[k][a] = (float)random_double(r, -1, 1);
+                frame[k][a] = of_box(batch, random_double(r, -1, 1));
         size = adjugate(frame, inverse);
     } while (size < 1e-3);
     place(&up, frame, inverse, size, up.center, batch);
@@ -247,11 +272,11 @@ static void draw_singular(random_source *r, oriented_batch *batch)
     else
         draw_whole(r, batch);
     const int k = random_int(r, 3), l = (k + 1) % 3, m = (k + 2) % 3, kind = random_int(r, 5);
-    float(*const axis)[3] = batch->box.axis;
+    double(*const axis)[3] = batch->box.axis;
     for (int a = 0; a < 3; a++) {
         if (kind == 4)
             axis[l][a] = axis[m][a] = 0;
-        axis[k][a] = kind == 0 ? axis[l][a] : kind == 1 ? -axis[l][a] : kind == 2 ? axis[l][a] + axis[m][a] : 0;
+        axis[k][a] = kind == 0 ? axis[l][a] : kind == 1 ? -axis[l][a] : kind == 2 ? of_box(batch, axis[l][a] + axis[m][a]) : 0;
     }
 }
 
@@ -264,7 +289,7 @@ static void draw_far(random_source *r, oriented_batch *batch)
     draw_rotation(r, frame, inverse);
     const double distance = ldexp(1, random_int_between(r, 10, 22));
     for (int a = 0; a < 3; a++)
-        center[a] = (double)(float)(distance * random_double(r, -1, 1));
+        center[a] = of_box(batch, distance * random_double(r, -1, 1));
     place(&up, frame, inverse, 1, center, batch);
 }
 
@@ -274,12 +299,12 @@ static void draw_cancelling(random_source *r, oriented_batch *batch)
     draw_whole(r, batch);
     const int k = random_int(r, 3), exponent = random_int_between(r, 8, 30);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
-        const float *const axis = batch->box.axis[k];
+        const double *const axis = batch->box.axis[k];
         const int b = random_int(r, 3), c = (b + 1) % 3;
         const double far = ldexp(random_int_between(r, -4, 4), exponent);
         for (int j = 0; j < 3; j++) {
-            batch->u[t][j][b] = nearest_float(batch->u[t][j][b] + far * axis[c]);
-            batch->u[t][j][c] = nearest_float(batch->u[t][j][c] - far * axis[b]);
+            batch->u[t][j][b] = of_triangle(batch, batch->u[t][j][b] + far * axis[c]);
+            batch->u[t][j][c] = of_triangle(batch, batch->u[t][j][c] - far * axis[b]);
         }
     }
 }
@@ -287,15 +312,15 @@ static void draw_cancelling(random_source *r, oriented_batch *batch)
 static void scale(oriented_batch *batch, int of_positions, int of_axes)
 {
     for (int k = 0; k < 3; k++) {
-        batch->box.center[k] = nearest_float(ldexp(batch->box.center[k], of_positions));
-        batch->box.half[k] = nearest_float(ldexp(batch->box.half[k], of_positions + of_axes));
+        batch->box.center[k] = of_box(batch, ldexp(batch->box.center[k], of_positions));
+        batch->box.half[k] = of_box(batch, ldexp(batch->box.half[k], of_positions + of_axes));
         for (int a = 0; a < 3; a++)
-            batch->box.axis[k][a] = nearest_float(ldexp(batch->box.axis[k][a], of_axes));
+            batch->box.axis[k][a] = of_box(batch, ldexp(batch->box.axis[k][a], of_axes));
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                batch->u[t][j][a] = nearest_float(ldexp(batch->u[t][j][a], of_positions));
+                batch->u[t][j][a] = of_triangle(batch, ldexp(batch->u[t][j][a], of_positions));
 }
 
 /* From where nearly all is subnormal to where nearly all overflows; the axes by themselves too. */
@@ -303,16 +328,17 @@ static void draw_scaled_frame(random_source *r, oriented_batch *batch)
 {
     static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_whole_ulp, draw_sheared};
     bases[random_int(r, 4)](r, batch);
-    const int positions = random_int_between(r, -146, 124);
-    scale(batch, positions, random_int(r, 2) ? 0 : random_int_between(r, -126 - positions / 2, 126 - positions / 2) / 2);
+    const int positions = range_of_positions(batch) * random_int_between(r, -146, 124), most = range_of_axes(batch) * 126;
+    scale(batch, positions, random_int(r, 2) ? 0 : random_int_between(r, -most - positions / 2, most - positions / 2) / 2);
 }
 
-/* About the least float: products lose bits that no share of them makes up for. */
+/* About the least float, or the least double: products lose bits that no share of them makes up for. */
 static void draw_least(random_source *r, oriented_batch *batch)
 {
     static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_face, draw_sheared};
     bases[random_int(r, 4)](r, batch);
-    const int exponent = random_int_between(r, -148, -132), of_axes = random_int(r, 2) ? 0 : random_int_between(r, -140, 0);
+    const int below = batch->form == ORIENTED_DOUBLES && random_int(r, 2) ? random_int_between(r, 865, 925) : 0;
+    const int exponent = random_int_between(r, -148, -132) - below, of_axes = random_int(r, 2) ? 0 : random_int_between(r, -140, 0);
     scale(batch, exponent - of_axes, of_axes);
 }
 
@@ -321,12 +347,13 @@ static void draw_tiny_and_huge_ones(random_source *r, oriented_batch *batch)
 {
     draw_turned(r, batch);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
-        const int exponent = random_int(r, 3) ? random_int_between(r, -20, 20) : random_int_between(r, -140, 126);
+        const int exponent =
+            random_int(r, 3) ? random_int_between(r, -20, 20) : range_of_positions(batch) * random_int_between(r, -140, 126);
         const int kept = random_int_between(r, -1, 2);
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
                 if (j != kept)
-                    batch->u[t][j][a] = nearest_float(batch->box.center[a] + ldexp(batch->u[t][j][a], exponent));
+                    batch->u[t][j][a] = of_triangle(batch, batch->box.center[a] + ldexp(batch->u[t][j][a], exponent));
     }
 }
 
@@ -344,14 +371,14 @@ static void draw_wide(random_source *r, oriented_batch *batch)
     for (int k = 0; k < 3; k++) {
         const double length = k == face ? 1 : ldexp(1, bits - of_positions);
         const double half = floor(most * random_double(r, 0.5, 1));
-        batch->box.axis[k][k] = (float)length;
-        batch->box.half[k] = (float)(length * half);
+        batch->box.axis[k][k] = length;
+        batch->box.half[k] = of_box(batch, length * half);
         for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
             const int side = t % 2 ? 1 : -1, touching = random_int(r, 3);
             for (int j = 0; j < 3; j++)
-                batch->u[t][j][k] = k != face         ? (float)floor(random_double(r, -most, most))
-                                    : (j == touching) ? (float)(side * half)
-                                                      : (float)(side * floor(random_double(r, half, most)));
+                batch->u[t][j][k] = k != face         ? floor(random_double(r, -most, most))
+                                    : (j == touching) ? side * half
+                                                      : side * floor(random_double(r, half, most));
         }
     }
 }
@@ -359,26 +386,30 @@ static void draw_wide(random_source *r, oriented_batch *batch)
 /* At both ends of the range, so that differences overflow, or nearly and cancel. */
 static void draw_ends_of_range(random_source *r, oriented_batch *batch)
 {
+    static const double of_floats[] = {FLT_MAX, -FLT_MAX, 0x1p127, -0x1p126, 0x1p100, -0x1p99, 0x1p-149, 0};
+    static const double of_doubles[] = {DBL_MAX, -DBL_MAX, 0x1p1023, -0x1p1000, 0x1p129, -0x1p200, 0x1p-1074, 0};
     if (!random_int(r, 3)) {
         draw_cancelling(r, batch);
-        scale(batch, random_int_between(r, 80, 98), 0);
+        scale(batch, range_of_positions(batch) * random_int_between(r, 80, 98), 0);
         return;
     }
     draw_turned(r, batch);
     if (random_int(r, 2))
         scale(batch, random_int_between(r, 110, 126), random_int(r, 2) ? 0 : -random_int_between(r, 0, 126));
-    const float ends[] = {FLT_MAX, -FLT_MAX, 0x1p127f, -0x1p126f, 0x1p100f, -0x1p99f, 0x1p-149f, 0};
+    const double *const ends = batch->form == ORIENTED_FLOATS || random_int(r, 2) ? of_floats : of_doubles;
     for (int a = 0; a < 3; a++)
         if (!random_int(r, 3))
             batch->box.center[a] = ends[random_int(r, 8)];
     if (!random_int(r, 4))
-        batch->box.half[random_int(r, 3)] = fabsf(ends[random_int(r, 8)]);
+        batch->box.half[random_int(r, 3)] = fabs(ends[random_int(r, 8)]);
+    if (batch->form != ORIENTED_FLOATS && !random_int(r, 4))
+        batch->box.axis[random_int(r, 3)][random_int(r, 3)] = ends[random_int(r, 8)];
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int times = random_int(r, 5); times > 0; times--)
-            batch->u[t][random_int(r, 3)][random_int(r, 3)] = ends[random_int(r, 8)];
+            batch->u[t][random_int(r, 3)][random_int(r, 3)] = of_triangle(batch, ends[random_int(r, 8)]);
 }
 
-/* Slabs and beams that end where floats do. */
+/* Slabs and beams that end where floats do, or doubles. */
 static void draw_endless(random_source *r, oriented_batch *batch)
 {
     if (random_int(r, 2))
@@ -386,37 +417,85 @@ static void draw_endless(random_source *r, oriented_batch *batch)
     else
         draw_whole(r, batch);
     for (int times = random_int_between(r, 1, 2); times > 0; times--)
-        batch->box.half[random_int(r, 3)] = random_int(r, 2) ? FLT_MAX : ldexpf(1, random_int_between(r, 60, 127));
+        batch->box.half[random_int(r, 3)] = of_box(batch, random_int(r, 2) ? DBL_MAX : ldexp(1, random_int_between(r, 60, 200)));
 }
 
-static float any_finite(random_source *r)
+static double any_finite(random_source *r, bool is_float)
 {
     for (;;) {
-        const uint32_t bits = (uint32_t)random_bits(r);
-        float number;
+        const uint64_t bits = random_bits(r);
+        double number;
+        float narrow;
         memcpy(&number, &bits, sizeof number);
+        memcpy(&narrow, &bits, sizeof narrow);
+        number = is_float ? (double)narrow : number;
         if (isfinite(number))
             return number;
     }
 }
 
+static double any_number(random_source *r, bool is_float, bool is_narrow)
+{
+    if (!is_narrow)
+        return any_finite(r, is_float);
+    const double number = ldexp(random_double(r, -1, 1), random_int_between(r, -9, 9));
+    return is_float ? (double)(float)number : number;
+}
+
 /* Any bits; and any exponents about the middle, where products do not leave the range. */
 static void draw_any_bits(random_source *r, oriented_batch *batch)
 {
-    const bool is_narrow = random_int(r, 2);
+    const bool is_narrow = random_int(r, 2), is_box_float = batch->form == ORIENTED_FLOATS;
     for (int k = 0; k < 3; k++) {
-        batch->box.center[k] = is_narrow ? ldexpf((float)random_double(r, -1, 1), random_int_between(r, -9, 9)) : any_finite(r);
-        batch->box.half[k] =
-            fabsf(is_narrow ? ldexpf((float)random_double(r, 0, 1), random_int_between(r, -9, 18)) : any_finite(r));
+        batch->box.center[k] = any_number(r, is_box_float, is_narrow);
+        batch->box.half[k] = fabs(any_number(r, is_box_float, is_narrow)) * (is_narrow ? 512 : 1);
+        batch->box.half[k] = of_box(batch, batch->box.half[k]);
         for (int a = 0; a < 3; a++)
-            batch->box.axis[k][a] =
-                is_narrow ? ldexpf((float)random_double(r, -1, 1), random_int_between(r, -9, 9)) : any_finite(r);
+            batch->box.axis[k][a] = any_number(r, is_box_float, is_narrow);
     }
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int j = 0; j < 3; j++)
             for (int a = 0; a < 3; a++)
-                batch->u[t][j][a] =
-                    is_narrow ? ldexpf((float)random_double(r, -1, 1), random_int_between(r, -9, 9)) : any_finite(r);
+                batch->u[t][j][a] = any_number(r, batch->form != ORIENTED_DOUBLES, is_narrow);
+}
+
+/* A map's coordinates: millions of metres, millimetres, and a box turned and sized in tenths. */
+static void draw_map(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3];
+    const double center[3] = {431234.1 + random_double(r, 0, 10), 5312345.6 + random_double(r, 0, 10), random_double(r, 0, 3000)};
+    upright up;
+    draw_upright(r, random_int(r, 2) ? draw_near_contact : draw_touching, &up);
+    draw_rotation(r, frame, inverse);
+    for (int k = 0; k < 3; k++) {
+        const double of_tenths = floor(10 * up.half[k] + 1) / 10 / (up.half[k] > 0 ? up.half[k] : 1);
+        up.half[k] *= of_tenths;
+        for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+            for (int j = 0; j < 3; j++)
+                up.u[t][j][k] = up.center[k] + (up.u[t][j][k] - up.center[k]) * of_tenths;
+    }
+    place(&up, frame, inverse, 1, center, batch);
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int j = 0; t % 2 && j < 3; j++)
+            for (int a = 0; a < 3; a++)
+                batch->u[t][j][a] = of_triangle(batch, floor(batch->u[t][j][a] * 1000 + 0.5) / 1000);
+}
+
+/* A quarter turn by sine and cosine, which leaves 6e-17 where a zero is meant; faces that touch but for that. */
+static void draw_quarter_turn(random_source *r, oriented_batch *batch)
+{
+    const int a = random_int(r, 3), b = (a + 1) % 3;
+    const double angle = acos(-1) / 2 * random_int_between(r, -3, 3);
+    upright up;
+    draw_lattice_scene(r, &up);
+    double frame[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, inverse[3][3];
+    frame[a][a] = frame[b][b] = cos(angle);
+    frame[a][b] = -sin(angle);
+    frame[b][a] = sin(angle);
+    for (int k = 0; k < 3; k++)
+        for (int c = 0; c < 3; c++)
+            inverse[c][k] = fabs(frame[k][c]) < 0.5 ? 0 : frame[k][c];
+    place(&up, frame, inverse, 1, up.center, batch);
 }
 
 /* The scenes of upright boxes, all of them, with the axes of space. */
@@ -448,17 +527,20 @@ const oriented_scene oriented_scenes[ORIENTED_SCENES] = {
     {"wide", draw_wide, false, 1},
     {"any-bits", draw_any_bits, false, 1},
     {"any-upright", draw_any_upright, false, 1},
+    {"map", draw_map, false, 1},
+    {"quarter-turn", draw_quarter_turn, false, 1},
 };
 
-static void sign_zeros(random_source *r, float *number, int count)
+static void sign_zeros(random_source *r, double *number, int count)
 {
     for (int k = 0; k < count; k++)
-        number[k] = random_sign_of_zero(r, number[k]);
+        number[k] = number[k] == 0 ? (double)random_sign_of_zero(r, 0) : number[k];
 }
 
-void oriented_draw(const oriented_scene *s, random_source *r, oriented_batch *batch)
+void oriented_draw(const oriented_scene *s, oriented_form form, random_source *r, oriented_batch *batch)
 {
-    static const float not_finite[] = {NAN, -NAN, INFINITY, -INFINITY};
+    static const double not_finite[] = {(double)NAN, -(double)NAN, (double)INFINITY, -(double)INFINITY};
+    batch->form = form;
     s->draw(r, batch);
     batch->count = random_int(r, 4) ? ORIENTED_TRIANGLES : random_int_between(r, 0, ORIENTED_TRIANGLES);
     for (int t = 0; t < ORIENTED_TRIANGLES; t++) {

@@ -20,6 +20,9 @@ static mesh_fences fences;
 
 static const tribox_box cube = {{-1, -1, -1}, {1, 1, 1}}, far = {{1e37f, 1e37f, 1e37f}, {2e37f, 2e37f, 2e37f}};
 
+static const tribox_oriented_box turned = {{0, 0, 0}, {1, 1, 1}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                                 empty = {{0, 0, 0}, {1, -1, 1}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
 static void say(const char *call, const char *kernel, const tribox_mesh *mesh)
 {
     char text[MESH_TEXT];
@@ -70,6 +73,12 @@ static void check_answers_refused(const tribox_mesh *mesh, const char *kernel)
     assert_memory_equal(&report, &poison, sizeof poison);
     expect_refusal(tribox_mesh_overlap(mesh, &cube, &(tribox_options){.kernel = kernel}, NULL, NULL));
     expect_refusal(tribox_mesh_overlap(mesh, &far, &(tribox_options){.kernel = kernel}, NULL, NULL));
+    say("tribox_mesh_overlap_oriented", kernel, mesh);
+    expect_refusal(
+        tribox_mesh_overlap_oriented(mesh, &turned, &(tribox_options){.kernel = kernel}, (uint64_t *)(void *)mask.at, &report));
+    assert_nothing_written(&mask);
+    assert_memory_equal(&report, &poison, sizeof poison);
+    expect_refusal(tribox_mesh_overlap_oriented(mesh, &empty, &(tribox_options){.kernel = kernel}, NULL, NULL));
 }
 
 static void check_found(const tribox_mesh *mesh, size_t count, size_t first)

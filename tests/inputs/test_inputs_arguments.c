@@ -104,11 +104,16 @@ static tribox_status oriented(const call *c, outputs *out)
     return tribox_overlap_oriented(c->soup_or_null, c->oriented_or_null, &c->options, out->mask, &out->report);
 }
 
+static tribox_status mesh_oriented(const call *c, outputs *out)
+{
+    return tribox_mesh_overlap_oriented(c->mesh_or_null, c->oriented_or_null, &c->options, out->mask, &out->report);
+}
+
 static ask *const of_soups[] = {any, all, classify, oriented};
-static ask *const of_meshes[] = {indexed, streams};
+static ask *const of_meshes[] = {indexed, streams, mesh_oriented};
 static ask *const of_boxes[] = {any, all, classify, indexed};
-static ask *const of_axes[] = {any, all, classify, oriented, indexed};
-static ask *const of_all[] = {any, all, classify, oriented, indexed, streams};
+static ask *const of_axes[] = {any, all, classify, oriented, indexed, mesh_oriented};
+static ask *const of_all[] = {any, all, classify, oriented, indexed, streams, mesh_oriented};
 
 static void expect_one(ask *which, const call *c, tribox_status expected)
 {
@@ -133,6 +138,8 @@ static void test_right_call(void **state)
     assert_int_equal(out.report.overlapping, COUNT);
     assert_int_equal(oriented(c, &out), TRIBOX_OK);
     assert_int_equal(out.report.overlapping, COUNT);
+    assert_int_equal(mesh_oriented(c, &out), TRIBOX_OK);
+    assert_int_equal(out.report.overlapping, COUNT);
     assert_int_equal(any(c, &out), TRIBOX_OK);
     assert_int_equal(out.first, 0);
     assert_int_equal(all(c, &out), TRIBOX_OK);
@@ -153,6 +160,7 @@ static void test_absent_outputs(void **state)
     assert_int_equal(tribox_overlap_oriented(&c->soup, &turned, NULL, out.mask, &out.report), TRIBOX_OK);
     assert_int_equal(out.report.overlapping, COUNT);
     assert_int_equal(tribox_overlap_oriented(&c->soup, &turned, NULL, NULL, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap_oriented(&c->mesh, &turned, NULL, NULL, NULL), TRIBOX_OK);
     assert_int_equal(tribox_classify(&c->soup, &cube, NULL, NULL, NULL, NULL), TRIBOX_OK);
     assert_int_equal(tribox_find(&c->soup, &cube, NULL, TRIBOX_FIRST_HIT, &out.first), TRIBOX_OK);
     assert_int_equal(tribox_find(&c->soup, &cube, NULL, TRIBOX_FIRST_MISS, &out.first), TRIBOX_OK);
@@ -356,6 +364,9 @@ static void test_bad_index_comes_last(void **state)
     c->options.kernel = NULL;
     c->options.axes = 8;
     expect_one(indexed, c, TRIBOX_BAD_OPTION);
+    expect_one(mesh_oriented, c, TRIBOX_BAD_OPTION);
+    c->options.axes = TRIBOX_AXES_EDGES;
+    expect_one(mesh_oriented, c, TRIBOX_BAD_OPTION);
     expect_one(streams, c, TRIBOX_BAD_VERTEX);
 }
 
@@ -388,8 +399,10 @@ static void test_oriented_boxes(void **state)
                   : k < 6 ? &c->oriented.half[k - 3]
                           : &c->oriented.axis[(k - 6) / 3][(k - 6) % 3]) = not_finite[b];
                 expect_one(oriented, c, TRIBOX_BAD_BOX);
-                c->soup.count = 0;
+                expect_one(mesh_oriented, c, TRIBOX_BAD_BOX);
+                c->soup.count = c->mesh.count = 0;
                 expect_one(oriented, c, TRIBOX_BAD_BOX);
+                expect_one(mesh_oriented, c, TRIBOX_BAD_BOX);
             }
 }
 
@@ -407,10 +420,11 @@ static void test_axes_of_oriented_boxes(void **state)
                         const bool is_right =
                             accuracy != TRIBOX_EXACT || axes == 0 || axes == TRIBOX_AXES_ALL || axes == TRIBOX_AXES_BOX;
                         c->oriented.half[1] = is_empty ? -1 : 1;
-                        c->soup.count = (size_t)count;
+                        c->soup.count = c->mesh.count = (size_t)count;
                         c->options = (tribox_options){
                             .accuracy = (tribox_accuracy)accuracy, .axes = axes, .axis_order = orders[o], .kernel = NULL};
                         expect_one(oriented, c, is_right ? TRIBOX_OK : TRIBOX_BAD_OPTION);
+                        expect_one(mesh_oriented, c, is_right ? TRIBOX_OK : TRIBOX_BAD_OPTION);
                     }
 }
 

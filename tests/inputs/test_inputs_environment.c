@@ -77,6 +77,11 @@ static void oriented(const asked *q, answers *out)
     out->status = tribox_overlap_oriented(&q->soup, &q->oriented, &q->options, out->mask, &out->report);
 }
 
+static void mesh_oriented(const asked *q, answers *out)
+{
+    out->status = tribox_mesh_overlap_oriented(&q->mesh, &q->oriented, &q->options, out->mask, &out->report);
+}
+
 static void lists(const asked *q, answers *out)
 {
     static const uint64_t mask[2] = {UINT64_C(0x8000000000000001), 6};
@@ -88,8 +93,14 @@ static const struct {
     action *act;
     const char *name;
 } actions[] = {
-    {indexed, "tribox_mesh_overlap"}, {streams, "tribox_mesh_to_soup"},      {any, "tribox_find"},           {all, "tribox_find"},
-    {classify, "tribox_classify"},    {oriented, "tribox_overlap_oriented"}, {lists, "tribox_mask_indices"},
+    {indexed, "tribox_mesh_overlap"},
+    {streams, "tribox_mesh_to_soup"},
+    {any, "tribox_find"},
+    {all, "tribox_find"},
+    {classify, "tribox_classify"},
+    {oriented, "tribox_overlap_oriented"},
+    {mesh_oriented, "tribox_mesh_overlap_oriented"},
+    {lists, "tribox_mask_indices"},
 };
 
 /* Under each setting the answer is what it is under the one that a program starts with. */
@@ -161,7 +172,7 @@ static tribox_soup soup_of_batch(void)
     const float **const axis[3] = {soup.x, soup.y, soup.z};
     for (int s = 0; s < 9; s++) {
         for (int t = 0; t < batch.count; t++)
-            memcpy(&numbers.stream[s][t], &batch.u[t][s % 3][s / 3], sizeof(float));
+            numbers.stream[s][t] = (float)batch.u[t][s % 3][s / 3];
         axis[s / 3][s % 3] = numbers.stream[s];
     }
     return soup;
@@ -173,9 +184,12 @@ static void test_oriented(void **state)
     catch_faults();
     for (int s = 0; s < ORIENTED_SCENES; s += arguments_are_short(&args) ? 4 : 1) {
         random_source r = random_named(args.seed, oriented_scenes[s].name);
-        oriented_draw(&oriented_scenes[s], &r, &batch);
-        asked ask = {.soup = soup_of_batch(), .oriented = batch.box};
-        check_kernels(&ask, ORIENTED, ORIENTED + 1);
+        oriented_draw(&oriented_scenes[s], (oriented_form)(s % ORIENTED_FORMS), &r, &batch);
+        const size_t count = (size_t)batch.count;
+        asked ask = {.soup = soup_of_batch(),
+                     .mesh = {.positions = batch.u, .vertices = 3 * count, .count = count, .position_bytes = 8},
+                     .oriented = batch.box};
+        check_kernels(&ask, ORIENTED, ORIENTED + 2);
     }
 }
 
@@ -183,10 +197,11 @@ static void test_oriented(void **state)
 static void test_refusals(void **state)
 {
     (void)state;
-    static const uint32_t bits[] = {0x00000001, 0x80000001, 0x7f800001, 0x7fc00000, 0x7f800000};
+    static const uint64_t bits[] = {1, UINT64_C(1) << 63 | 1, UINT64_C(0x7ff) << 52 | 1, UINT64_C(0xfff) << 51,
+                                    UINT64_C(0x7ff) << 52};
     catch_faults();
     random_source r = random_named(args.seed, "refusals");
-    oriented_draw(&oriented_scenes[0], &r, &batch);
+    oriented_draw(&oriented_scenes[0], ORIENTED_FLOATS, &r, &batch);
     asked ask = {.soup = soup_of_batch(), .oriented = batch.box, .box = {{0, 0, 0}, {1, 1, 1}}};
     ask.mesh = mesh_of(&ask.soup);
     ask.mesh.vertices--;

@@ -1,6 +1,6 @@
 /*
- * test_inputs_oriented.c - oriented boxes against rational numbers: EXACT is the oracle on every kernel, CONSERVATIVE never misses,
- * and FAST errs within its bound alone.
+ * test_inputs_oriented.c - oriented boxes of floats and of doubles, about soups and meshes, against rational numbers: EXACT is the
+ * oracle on every kernel, CONSERVATIVE never misses, FAST errs within its bound alone, and a mesh of floats is the soup bit by bit.
  */
 #include <float.h>
 #include <inttypes.h>
@@ -14,6 +14,8 @@
 
 #include "common/arguments.h"
 #include "common/guard.h"
+#include "doubles/laid_mesh.h"
+#include "exact/oriented/oriented.h"
 #include "oriented_oracle.h"
 #include "oriented_scenes.h"
 #include "common/kernels_here.h"
@@ -24,12 +26,15 @@ static int kernels;
 
 enum { STREAMS = 9, WORDS = (ORIENTED_TRIANGLES + 63) / 64 };
 static guarded fence[STREAMS], mask_fence;
+static laid_fences mesh_fence;
 
 /* The question at hand. */
 static const char *scene_name;
 static bool is_ordinary;
 static oriented_batch batch;
 static tribox_soup soup;
+static tribox_mesh mesh;
+static bool is_mesh; /* which of the two is asked */
 
 /* What is true of it: the triangles that overlap, and those whose bounding box in the frame does. */
 static uint64_t overlapping[WORDS], bounds[WORDS];
@@ -40,6 +45,7 @@ static int set_up(void **state)
     for (int s = 0; s < STREAMS; s++)
         fence[s] = guarded_make(ORIENTED_TRIANGLES * sizeof(float));
     mask_fence = guarded_make(WORDS * sizeof(uint64_t));
+    mesh_fence = laid_fences_make(args.seed);
     return 0;
 }
 
@@ -49,6 +55,7 @@ static int tear_down(void **state)
     for (int s = 0; s < STREAMS; s++)
         guarded_free(fence[s]);
     guarded_free(mask_fence);
+    laid_fences_free(mesh_fence);
     return 0;
 }
 
@@ -61,12 +68,23 @@ static void lay_soup(bool is_at_end)
     for (size_t s = 0; s < STREAMS; s++) {
         float *const stream = is_at_end ? guarded_tail(fence[s], count * sizeof(float)) : (void *)fence[s].first;
         for (size_t i = 0; i < count; i++)
-            stream[i] = batch.u[i][s % 3][s / 3];
+            stream[i] = (float)batch.u[i][s % 3][s / 3];
         axis[s / 3][s % 3] = stream;
     }
 }
 
-static bool is_finite(float u[3][3])
+typedef const double (*const_triangle)[3];
+typedef const double (*const_triangles)[3][3];
+
+/* Of any layout, as floats only where all numbers are such. */
+static void lay_mesh(random_source *r)
+{
+    static const int turn[3] = {0, 1, 2};
+    const mesh_form form = mesh_form_draw(r, batch.form != ORIENTED_DOUBLES);
+    mesh = laid_mesh_of(r, &form, (const_triangles)batch.u, (size_t)batch.count, turn, mesh_fence);
+}
+
+static bool is_finite(double u[3][3])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
@@ -74,8 +92,6 @@ static bool is_finite(float u[3][3])
                 return false;
     return true;
 }
-
-typedef const float (*const_triangle)[3];
 
 static void ask_oracle(void)
 {
@@ -103,9 +119,10 @@ static size_t population(const uint64_t *mask)
 static void say(const tribox_options *options)
 {
     static const char *const accuracy[] = {"EXACT", "CONSERVATIVE", "FAST"};
-    snprintf(doing, sizeof doing, "tribox_overlap_oriented, scene %s, seed %" PRIu64 ", %s, %s, axes %u, order %u, count %d",
-             scene_name, args.seed, options->kernel ? options->kernel : "the best kernel", accuracy[options->accuracy],
-             options->axes, options->axis_order, batch.count);
+    snprintf(doing, sizeof doing, "%s, scene %s, form %d, seed %" PRIu64 ", %s, %s, axes %u, order %u, count %d",
+             is_mesh ? "tribox_mesh_overlap_oriented" : "tribox_overlap_oriented", scene_name, (int)batch.form, args.seed,
+             options->kernel ? options->kernel : "the best kernel", accuracy[options->accuracy], options->axes, options->axis_order,
+             batch.count);
 }
 
 static void fail_at(int i, bool expected)
@@ -116,16 +133,22 @@ static void fail_at(int i, bool expected)
     fail();
 }
 
+static tribox_status call(const tribox_options *options, uint64_t *mask, tribox_report *report)
+{
+    return is_mesh ? tribox_mesh_overlap_oriented(&mesh, &batch.box, options, mask, report)
+                   : tribox_overlap_oriented(&soup, &batch.box, options, mask, report);
+}
+
 /* The mask, between pages that cannot be touched; bits past the count are zero. */
 static const uint64_t *ask(const tribox_options *options)
 {
-    const size_t words = tribox_mask_words(soup.count);
+    const size_t words = tribox_mask_words((size_t)batch.count);
     static uint64_t got[WORDS];
     tribox_report report = {12345, 67890};
     uint64_t *const mask = guarded_tail(mask_fence, words * sizeof *mask);
     memset(mask, 0xa5, words * sizeof *mask);
     say(options);
-    const tribox_status status = tribox_overlap_oriented(&soup, &batch.box, options, mask, &report);
+    const tribox_status status = call(options, mask, &report);
     if (status)
         fail_msg("%s: %s", doing, tribox_status_text(status));
     memset(got, 0, sizeof got);
@@ -135,10 +158,10 @@ static const uint64_t *ask(const tribox_options *options)
             fail_at(i, false);
     if (report.overlapping != population(got))
         fail_msg("%s: reports %zu of %zu", doing, report.overlapping, population(got));
-    if (report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : soup.count))
+    if (report.undecided > (options->accuracy == TRIBOX_FAST ? 0 : (size_t)batch.count))
         fail_msg("%s: reports %zu undecided", doing, report.undecided);
     tribox_report alone;
-    assert_int_equal(tribox_overlap_oriented(&soup, &batch.box, options, NULL, &alone), TRIBOX_OK);
+    assert_int_equal(call(options, NULL, &alone), TRIBOX_OK);
     assert_memory_equal(&alone, &report, sizeof alone);
     return got;
 }
@@ -166,10 +189,10 @@ static bool is_near_contact(int i, double share, bool answer)
 {
     double change[3];
     for (int k = 0; k < 3; k++) {
-        double size = (double)batch.box.half[k];
+        double size = batch.box.half[k];
         for (int a = 0; a < 3; a++)
             for (int j = 0; j < 3; j++)
-                size += fabs((double)batch.box.axis[k][a] * ((double)batch.u[i][j][a] - (double)batch.box.center[a]));
+                size += fabs(batch.box.axis[k][a] * (batch.u[i][j][a] - batch.box.center[a]));
         change[k] = (answer ? share : -share) * size;
     }
     return oriented_oracle_within((const_triangle)batch.u[i], &batch.box, change, false) == answer;
@@ -221,10 +244,22 @@ static size_t check_fast(const char *kernel)
     return wrong;
 }
 
-static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
+/* A mesh of floats is the soup, at every accuracy. */
+static void check_same(const char *kernel)
 {
-    lay_soup(true);
-    ask_oracle();
+    for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
+        const tribox_options options = {.accuracy = accuracy, .kernel = kernel};
+        uint64_t of_soup[WORDS];
+        is_mesh = false;
+        memcpy(of_soup, ask(&options), sizeof of_soup);
+        is_mesh = true;
+        if (memcmp(of_soup, ask(&options), sizeof of_soup))
+            fail_msg("%s: is not what the soup's answer is", doing);
+    }
+}
+
+static void check_kernels(random_source *r, size_t *too_many, size_t *wrong)
+{
     for (int k = 0; k < kernels; k++) {
         check_exact(r, names[k]);
         *too_many += check_conservative(r, names[k]);
@@ -232,28 +267,79 @@ static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
     }
 }
 
+static void check_stage(int i, const char *stage, bool answer, bool expected)
+{
+    if (answer == expected)
+        return;
+    snprintf(doing, sizeof doing, "%s, scene %s, form %d, seed %" PRIu64, stage, scene_name, (int)batch.form, args.seed);
+    fail_at(i, expected);
+}
+
+/* What few pairs reach: stages that are asked where others cannot tell. */
+static void check_last_stages(void)
+{
+    for (int i = 0; i < batch.count; i++) {
+        tribox_oriented_pair pair = {.box = batch.box};
+        bool overlaps;
+        memcpy(pair.u, batch.u[i], sizeof pair.u);
+        if (!is_finite(batch.u[i]))
+            continue;
+        check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_ALL), bit_of(overlapping, i));
+        check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_BOX), bit_of(bounds, i));
+        if (i % 4 == 0)
+            check_stage(i, "tribox_oriented_long", tribox_oriented_long(&pair, TRIBOX_AXES_ALL), bit_of(overlapping, i));
+        if (tribox_oriented_in_double(&pair, TRIBOX_AXES_ALL, &overlaps))
+            check_stage(i, "tribox_oriented_in_double", overlaps, bit_of(overlapping, i));
+    }
+}
+
+static void check_batch(random_source *r, size_t *too_many, size_t *wrong)
+{
+    size_t unused = 0;
+    ask_oracle();
+    check_last_stages();
+    lay_mesh(r);
+    is_mesh = true;
+    check_kernels(r, batch.form == ORIENTED_DOUBLES ? too_many : &unused, batch.form == ORIENTED_DOUBLES ? wrong : &unused);
+    is_mesh = false;
+    if (batch.form == ORIENTED_DOUBLES)
+        return;
+    lay_soup(true);
+    check_kernels(r, too_many, wrong);
+    for (int k = 0; k < kernels && mesh.position_bytes != 8; k++)
+        check_same(names[k]);
+    is_mesh = false;
+}
+
+static void check_scene(const oriented_scene *scene, oriented_form form)
+{
+    static const char *const numbers[] = {"floats", "a box of doubles", "doubles"};
+    size_t asked = 0, hits = 0, too_many = 0, wrong = 0;
+    random_source r = random_named(args.seed, scene_name);
+    const size_t rounds = arguments_rounds(&args, ORIENTED_TRIANGLES * 50);
+    for (size_t round = 0; round < rounds * scene->share; round++) {
+        oriented_draw(scene, form, &r, &batch);
+        check_batch(&r, &too_many, &wrong);
+        asked += (size_t)batch.count;
+        hits += population(overlapping);
+    }
+    print_message("%-14s %-16s %zu pairs, %zu overlap; per kernel CONSERVATIVE adds %zu, FAST errs in %zu\n", scene_name,
+                  numbers[form], asked, hits, too_many / (size_t)kernels, wrong / (size_t)kernels);
+    if (!arguments_are_short(&args)) /* which is too few to say how many there are */
+        assert_in_range(hits, asked / 200, asked - asked / 200);
+}
+
 static void test_scenes(void **state)
 {
     (void)state;
     catch_faults();
-    const size_t rounds = arguments_rounds(&args, ORIENTED_TRIANGLES * 50);
     for (int s = 0; s < ORIENTED_SCENES; s++) {
-        size_t asked = 0, hits = 0, too_many = 0, wrong = 0;
         scene_name = oriented_scenes[s].name;
         is_ordinary = oriented_scenes[s].is_ordinary;
         if (args.scenes && strcmp(args.scenes, scene_name))
             continue;
-        random_source r = random_named(args.seed, scene_name);
-        for (size_t round = 0; round < rounds * oriented_scenes[s].share; round++) {
-            oriented_draw(&oriented_scenes[s], &r, &batch);
-            check_batch(&r, &too_many, &wrong);
-            asked += soup.count;
-            hits += population(overlapping);
-        }
-        print_message("%-14s %zu pairs, %zu overlap; per kernel CONSERVATIVE adds %zu, FAST errs in %zu\n", scene_name, asked, hits,
-                      too_many / (size_t)kernels, wrong / (size_t)kernels);
-        if (!arguments_are_short(&args)) /* which is too few to say how many there are */
-            assert_in_range(hits, asked / 200, asked - asked / 200);
+        for (oriented_form form = ORIENTED_FLOATS; form < ORIENTED_FORMS; form++)
+            check_scene(&oriented_scenes[s], form);
     }
 }
 
@@ -268,14 +354,14 @@ static void expect_none(const char *kernel)
 static void test_empty_boxes(void **state)
 {
     (void)state;
-    static const float below[] = {-0x1p-149f, -1, -FLT_MAX};
+    static const double below[] = {-0x1p-1074, -0x1p-149, -1, -DBL_MAX};
     catch_faults();
     scene_name = "empty";
     random_source r = random_named(args.seed, scene_name);
     for (int count = 0; count <= ORIENTED_TRIANGLES; count += 1 + count / 7)
         for (int a = 0; a < 3; a++)
-            for (int b = 0; b < 3; b++) {
-                oriented_draw(&oriented_scenes[0], &r, &batch);
+            for (int b = 0; b < 4; b++) {
+                oriented_draw(&oriented_scenes[0], ORIENTED_FLOATS, &r, &batch);
                 batch.count = count;
                 lay_soup(true);
                 batch.box.half[a] = below[b];
@@ -293,21 +379,28 @@ static void test_faces(void **state)
     is_ordinary = false;
     random_source r = random_named(args.seed, scene_name);
     size_t unused = 0;
-    for (int round = 0; round < 20; round++) {
-        oriented_draw(&oriented_scenes[1], &r, &batch); /* right angles: coordinates in the frame are those of space */
+    for (int round = 0; round < 40; round++) {
+        const oriented_form form = (oriented_form)(round / 4 % ORIENTED_FORMS);
+        oriented_draw(&oriented_scenes[1], form, &r, &batch); /* right angles: coordinates in the frame are those of space */
         batch.count = ORIENTED_TRIANGLES;
         for (int a = 0; a < 3; a++) {
             batch.box.center[a] = 0;
-            batch.box.half[a] = round % 4 ? (float)random_double(&r, 0, 2) : 0;
+            const double half = round % 4 ? random_double(&r, 0, 2) : 0;
+            batch.box.half[a] = form == ORIENTED_FLOATS ? (double)(float)half : half;
         }
         for (int t = 0; t < ORIENTED_TRIANGLES; t++) {
             const int k = t % 3, side = t / 3 % 2, beyond = t / 6 % 3;
             for (int i = 0; i < 3; i++) {
-                const float *const axis = batch.box.axis[i];
+                const double *const axis = batch.box.axis[i];
                 const int a = axis[0] != 0 ? 0 : axis[1] != 0 ? 1 : 2;
-                const float h = batch.box.half[i], plane = beyond == 0 ? h : nextafterf(h, beyond == 1 ? FLT_MAX : -FLT_MAX);
-                for (int j = 0; j < 3; j++)
-                    batch.u[t][j][a] = i != k ? (random_int(&r, 2) ? h : -h) : side ? plane : -plane;
+                const double h = batch.box.half[i], to = beyond == 1 ? DBL_MAX : -DBL_MAX;
+                const double plane = beyond == 0               ? h
+                                     : form == ORIENTED_FLOATS ? (double)nextafterf((float)h, (float)to)
+                                                               : nextafter(h, to);
+                for (int j = 0; j < 3; j++) {
+                    const double place = i != k ? (random_int(&r, 2) ? h : -h) : side ? plane : -plane;
+                    batch.u[t][j][a] = form == ORIENTED_DOUBLES ? place : (double)(float)place;
+                }
             }
         }
         check_batch(&r, &unused, &unused);
@@ -325,7 +418,7 @@ static void check_large(const tribox_options *options, size_t count)
     for (size_t s = 0; s < STREAMS; s++) {
         axis[s / 3][s % 3] = stream[s];
         for (size_t i = 0; i < count; i++)
-            stream[s][i] = batch.u[(i + i / ORIENTED_TRIANGLES) % ORIENTED_TRIANGLES][s % 3][s / 3];
+            stream[s][i] = (float)batch.u[(i + i / ORIENTED_TRIANGLES) % ORIENTED_TRIANGLES][s % 3][s / 3];
     }
     tribox_report report;
     size_t hits = 0;
@@ -351,7 +444,7 @@ static void test_large(void **state)
         const oriented_scene *const s = &oriented_scenes[c % ORIENTED_SCENES];
         scene_name = s->name;
         random_source r = random_named(args.seed, scene_name);
-        oriented_draw(s, &r, &batch);
+        oriented_draw(s, ORIENTED_FLOATS, &r, &batch);
         batch.count = ORIENTED_TRIANGLES;
         ask_oracle();
         for (int k = 0; k < kernels; k++)
@@ -368,16 +461,16 @@ static void test_every_count(void **state)
     scene_name = oriented_scenes[0].name;
     is_ordinary = oriented_scenes[0].is_ordinary;
     random_source r = random_named(args.seed, "every count");
-    oriented_draw(&oriented_scenes[0], &r, &batch);
+    oriented_draw(&oriented_scenes[0], ORIENTED_FLOATS, &r, &batch);
     for (int place = 0; place < 2; place++)
         for (batch.count = ORIENTED_TRIANGLES; batch.count >= 0; batch.count--) {
+            size_t unused = 0;
             lay_soup(place == 0);
+            lay_mesh(&r);
             ask_oracle();
-            for (int k = 0; k < kernels; k++) {
-                check_exact(&r, names[k]);
-                check_fast(names[k]);
-                check_conservative(&r, names[k]);
-            }
+            is_mesh = batch.count % 2;
+            check_kernels(&r, &unused, &unused);
+            is_mesh = false;
         }
 }
 

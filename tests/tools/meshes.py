@@ -59,11 +59,6 @@ def overlapping(triangles, box):
     return [i for i, triangle in enumerate(triangles) if overlaps_planes(triangle, planes)]
 
 
-def floats(numbers):
-    """The float32 numbers that these become in the program."""
-    return struct.unpack("<%df" % len(numbers), struct.pack("<%df" % len(numbers), *numbers))
-
-
 def overlapping_oriented(triangles, box):
     """box: the fifteen numbers of --oriented."""
     numbers = [Fraction(x) for x in box]

@@ -115,17 +115,16 @@ class Overlap(support.TestCase):
                            "overlap", self.write("cut.f64", bytes(size)), "--box", "0,0,0,1,1,1")
 
     def test_oriented(self):
-        """In float, about the centre of the box, which a warning says."""
+        """As the doubles that they are."""
         triangles = far_triangles(80, seed=9)
         mesh = self.write("far.ply", ply(triangles))
         exact = [repr(x) for x in FAR]
-        result = support.run("overlap", mesh, "--oriented", ",".join(exact) + ",0.75,0.75,0.75,1,0,0,0,1,0,0,0,1", "--json", "--list")
-        answer = json.loads(result.stdout)
-        self.assertEqual((answer["positions"], answer["oriented"]["center"]), ("float32", list(FAR)))
-        self.assertEqual(answer["indices"], meshes.overlapping(triangles, [x - 0.75 for x in FAR] + [x + 0.75 for x in FAR]))
-        self.assertGreater(answer["rounded"], 0)
-        self.assertLess(answer["moved"], 1e-6)
-        self.assert_one_line(result.stderr, r"rounding to float moved coordinates of \d+ vertices by up to \S+e-0[78]$")
+        for content in (mesh, self.write("far.f64", pack_doubles(triangles))):
+            text = self.succeed("overlap", content, "--oriented", ",".join(exact) + ",0.7,0.7,0.7,1,0,0,0,1,0,0,0,1", "--json", "--list")
+            answer = json.loads(text)
+            self.assertEqual((answer["positions"], answer["oriented"]["center"]), ("float64", list(FAR)))
+            self.assertEqual((answer["oriented"]["half"], answer["rounded"]), ([0.7] * 3, 0))
+            self.assertEqual(answer["indices"], meshes.overlapping_oriented(triangles, list(FAR) + [0.7] * 3 + [1, 0, 0, 0, 1, 0, 0, 0, 1]))
 
 
 class BoxesOfDoubles(support.TestCase):

@@ -12,7 +12,7 @@ BOXES = [(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5), (-2, -2, -2, 2, 2, 2), (-1, -2, -2, 
 
 
 def text_of(numbers):
-    return ",".join("%.9g" % x for x in numbers)
+    return ",".join("%.17g" % x for x in numbers)
 
 
 class Questions(support.TestCase):
@@ -69,14 +69,14 @@ class Inside(Questions):
 
 
 class Oriented(Questions):
-    turned = meshes.floats((0.25, -0.125, 0, 1, 0.5, 0.25, 0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1))
-    sheared = meshes.floats((0, 0, 0, 0.5, 0.75, 1, 1, 0.25, 0, 0, 1, -0.5, 0.5, 0, 2))
+    turned = (0.25, -0.125, 0, 1, 0.5, 0.25, 0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1)
+    sheared = (0, 0, 0, 0.5, 0.75, 1, 1, 0.25, 0, 0, 1, -0.5, 0.5, 0, 2)
 
     def test_indices(self):
         """For rotations, a sheared frame and a mirrored one, exact as for other boxes."""
         angle = math.sqrt(2)
         cos, sin = math.cos(angle), math.sin(angle)
-        tilted = meshes.floats((0.1, 0.2, 0.3, 0.7, 0.6, 0.5, cos, sin, 0, -sin, cos, 0, 0, 0, -1))
+        tilted = (0.1, 0.2, 0.3, 0.7, 0.6, 0.5, cos, sin, 0, -sin, cos, 0, 0, 0, -1)
         for box in (self.turned, self.sheared, tilted):
             expected = meshes.overlapping_oriented(TRIANGLES, box)
             self.assertGreater(len(expected), 15)

@@ -119,8 +119,8 @@ class WrongCommandLine(support.TestCase):
             self.fail_with(2, r"^tribox overlap: --oriented: " + pattern, "overlap", "a.obj", "--oriented", box)
         wrong(support.UNIT_BOX, "6 numbers where 15 are needed; give CX,CY,CZ,HX,HY,HZ and three axes of three numbers")
         wrong(support.UNIT_ORIENTED + ",1", "more than 15 numbers")
-        wrong("1e39" + support.UNIT_ORIENTED[1:], r"'1e39' \(number 1 of 15\) is too large for float, which ends at 3\.40282347e\+38")
-        wrong("1e-46" + support.UNIT_ORIENTED[1:], r"'1e-46' \(number 1 of 15\) is too small for float; give 0 or at least 1\.4e-45")
+        wrong("1e309" + support.UNIT_ORIENTED[1:], r"'1e309' \(number 1 of 15\) is too large for double, which ends at 1\.79769313e\+308")
+        wrong("1e-325" + support.UNIT_ORIENTED[1:], r"'1e-325' \(number 1 of 15\) is too small for double; give 0 or at least 4\.9e-324")
         wrong(support.UNIT_ORIENTED[:-1] + "nan", r"'nan' \(number 15 of 15\) is not finite")
 
     def test_words(self):

@@ -127,14 +127,6 @@ void json_float(json *j, const char *key, float value)
     put_literal(j, key, isfinite(value) ? decimal_of(value, text) : "null");
 }
 
-void json_floats(json *j, const char *key, const float *values, size_t count)
-{
-    json_open_array(j, key);
-    for (size_t i = 0; i < count; i++)
-        json_float(j, NULL, values[i]);
-    json_close(j);
-}
-
 void json_doubles(json *j, const char *key, const double *values, size_t count, bool is_float)
 {
     char text[DECIMAL_MAX];

@@ -52,7 +52,6 @@ void json_number(json *j, const char *key, int digits, double value);
 void json_float(json *j, const char *key, float value);
 
 /* Arrays of numbers. Those of doubles read back as the same doubles or, if is_float, the same floats, which they then are. */
-void json_floats(json *j, const char *key, const float *values, size_t count);
 void json_doubles(json *j, const char *key, const double *values, size_t count, bool is_float);
 void json_wholes(json *j, const char *key, const size_t *values, size_t count);
 

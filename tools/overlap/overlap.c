@@ -40,6 +40,8 @@ static tribox_status ask(const request *r, const asked_triangles *t, const masks
                          tribox_report *report)
 {
     tribox_box narrow;
+    if (r->has_oriented && t->is_double)
+        return tribox_mesh_overlap_oriented(&t->doubles, &r->oriented, &r->test, bits->overlap, report);
     if (r->has_oriented)
         return tribox_overlap_oriented(&t->soup, &r->oriented, &r->test, bits->overlap, report);
     if (t->is_double)

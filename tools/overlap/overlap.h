@@ -16,8 +16,7 @@ typedef struct request {
     written_box box;        /* with --box */
     bool has_box;
     const char *boxes_path;       /* with --boxes, else NULL */
-    tribox_oriented_box oriented; /* with --oriented; about its centre where the mesh is one of doubles */
-    double center[3];             /* its centre */
+    tribox_oriented_box oriented; /* with --oriented */
     bool has_oriented;
     tribox_options test;
     bool wants_inside, wants_list, wants_json;

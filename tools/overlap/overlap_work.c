@@ -1,7 +1,5 @@
 /* overlap_work.c - reads a mesh and answers about one box, or about box after box. */
 #define _POSIX_C_SOURCE 200809L
-#include <string.h>
-
 #include "box_after_box.h"
 #include "console/message.h"
 #include "report.h"
@@ -97,31 +95,15 @@ static int answer_boxes(mesh *m, const request *r)
     return code;
 }
 
-static void set_center(const double center[3], const float middle[3], request *own)
-{
-    memcpy(own->center, center, sizeof own->center);
-    memcpy(own->oriented.center, middle, sizeof own->oriented.center);
-}
-
-/* Oriented boxes are tested in float, about their centre where the mesh is one of doubles. */
-static int take_oriented(const request *r, mesh *m, request *own)
-{
-    if (m->is_double)
-        set_center(r->center, (const float[3]){0, 0, 0}, own);
-    return mesh_to_floats(r->mesh_path, own->center, m);
-}
-
-static int answer_mesh(const request *r, request *own)
+static int answer_mesh(const request *r)
 {
     mesh m;
-    int code = mesh_read_shifted(r->mesh_path, r->format, &own->shift, &m);
+    request own = *r; /* its shift is found from the mesh */
+    int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, &m);
     if (code)
         return code;
-    if (r->has_oriented)
-        code = take_oriented(r, &m, own);
     mesh_warn(r->mesh_path, &m);
-    if (!code)
-        code = r->boxes_path ? answer_boxes(&m, own) : answer_box(&m, own);
+    code = r->boxes_path ? answer_boxes(&m, &own) : answer_box(&m, &own);
     mesh_free(&m);
     return code;
 }
@@ -131,12 +113,8 @@ int overlap_work(const request *r)
 {
     triangle_file file = {.stream = NULL};
     const int code = r->boxes_path || r->shift.is_wanted ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
-    const bool is_whole = r->has_oriented && file.format == TRIANGLES_F64;
-    const float *const middle = r->oriented.center;
-    request own = *r;
-    set_center((const double[3]){(double)middle[0], (double)middle[1], (double)middle[2]}, middle, &own);
-    if (!code && file.stream && !is_whole)
-        return overlap_stream(&own, &file);
+    if (!code && file.stream)
+        return overlap_stream(r, &file);
     triangle_file_close(&file);
-    return code ? code : answer_mesh(r, &own);
+    return code ? code : answer_mesh(r);
 }

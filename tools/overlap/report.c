@@ -27,13 +27,12 @@ static const char *positions_word(const answer *a) { return a->is_double ? "floa
 
 static void print_oriented(const request *r)
 {
-    const float *const parts[4] = {r->oriented.half, r->oriented.axis[0], r->oriented.axis[1], r->oriented.axis[2]};
+    const tribox_oriented_box *const box = &r->oriented;
+    const double *const parts[5] = {box->center, box->half, box->axis[0], box->axis[1], box->axis[2]};
     fputs("oriented ", stdout);
-    output_point(r->center, numbers_are_floats(r->center, 3), ",");
-    for (int i = 0; i < 4; i++) {
-        const double part[3] = {(double)parts[i][0], (double)parts[i][1], (double)parts[i][2]};
-        putchar(',');
-        output_point(part, true, ",");
+    for (int i = 0; i < 5; i++) {
+        fputs(i ? "," : "", stdout);
+        output_point(parts[i], numbers_are_floats(parts[i], 3), ",");
     }
 }
 
@@ -107,11 +106,11 @@ static void print_json_oriented(json *j, const request *r)
 {
     const tribox_oriented_box *const box = &r->oriented;
     json_open_object(j, "oriented");
-    json_doubles(j, "center", r->center, 3, numbers_are_floats(r->center, 3));
-    json_floats(j, "half", box->half, 3);
+    json_doubles(j, "center", box->center, 3, numbers_are_floats(box->center, 3));
+    json_doubles(j, "half", box->half, 3, numbers_are_floats(box->half, 3));
     json_open_array(j, "axes");
     for (int k = 0; k < 3; k++)
-        json_floats(j, NULL, box->axis[k], 3);
+        json_doubles(j, NULL, box->axis[k], 3, numbers_are_floats(box->axis[k], 3));
     json_close(j);
     json_close(j);
 }

@@ -1,4 +1,4 @@
-/* oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers. */
+/* oriented.c - one triangle and one oriented box in integers that are wide enough for their numbers, or by exact sums. */
 #include "oriented.h"
 
 #include <string.h>
@@ -13,24 +13,24 @@ typedef struct power_span {
     int least, greatest;
 } power_span;
 
-static tribox_integer integer_of(float number)
+static tribox_integer integer_of(double number)
 {
-    uint32_t bits;
+    uint64_t bits;
     memcpy(&bits, &number, sizeof bits);
-    const int field = (int)(bits >> 23 & 0xff);
-    int32_t odd = (int32_t)(bits & 0x7fffff) | (field ? 0x800000 : 0);
+    const int field = (int)(bits >> 52 & 0x7ff);
+    uint64_t odd = (bits & UINT64_C(0xfffffffffffff)) | (field ? UINT64_C(1) << 52 : 0);
     if (!odd)
         return (tribox_integer){0, 0};
-    const int zeros = (int)tribox_lowest_bit((uint64_t)odd);
+    const int zeros = (int)tribox_lowest_bit(odd);
     odd >>= zeros;
-    return (tribox_integer){bits >> 31 ? -odd : odd, (field ? field : 1) - 150 + zeros};
+    return (tribox_integer){bits >> 63 ? -(int64_t)odd : (int64_t)odd, (field ? field : 1) - 1075 + zeros};
 }
 
 static power_span span_of(const tribox_integer *numbers, int count)
 {
-    power_span span = {128, -149};
+    power_span span = {1024, -1074};
     for (int k = 0; k < count; k++) {
-        const int32_t odd = numbers[k].odd;
+        const int64_t odd = numbers[k].odd;
         const int end = numbers[k].shift + (int)tribox_bit_length((uint64_t)(odd < 0 ? -odd : odd));
         if (odd && numbers[k].shift < span.least)
             span.least = numbers[k].shift;
@@ -40,8 +40,8 @@ static power_span span_of(const tribox_integer *numbers, int count)
     return span;
 }
 
-/* Integers of floats, and their span; then shifts from the least of it. */
-static power_span read_integers(const float *from, int count, tribox_integer *to)
+/* Integers of doubles, and their span; then shifts from the least of it. */
+static power_span read_integers(const double *from, int count, tribox_integer *to)
 {
     for (int k = 0; k < count; k++)
         to[k] = integer_of(from[k]);
@@ -57,7 +57,7 @@ static void count_from(int unit, tribox_integer *numbers, int count)
 static tribox_oriented_integers integers_of(const tribox_oriented_pair *pair)
 {
     tribox_oriented_integers in;
-    float position[12], axis[9];
+    double position[12], axis[9];
     for (int k = 0; k < 9; k++)
         position[k] = pair->u[k % 3][k / 3];
     memcpy(position + 9, pair->box.center, 3 * sizeof *position);
@@ -92,5 +92,10 @@ bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes)
     if (integers.bits <= TRIBOX_INT128_BITS)
         return tribox_oriented_int128(&integers, axes);
 #endif
-    return integers.bits <= TRIBOX_SHORT_BITS ? tribox_oriented_short(&integers, axes) : tribox_oriented_limbs(&integers, axes);
+    bool overlaps;
+    if (tribox_oriented_in_double(pair, axes, &overlaps))
+        return overlaps;
+    if (integers.bits <= TRIBOX_SHORT_BITS)
+        return tribox_oriented_short(&integers, axes);
+    return integers.bits <= TRIBOX_LIMBS_BITS ? tribox_oriented_limbs(&integers, axes) : tribox_oriented_long(pair, axes);
 }

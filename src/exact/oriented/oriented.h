@@ -9,16 +9,16 @@
 
 /* One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? */
 typedef struct tribox_oriented_pair {
-    float u[3][3];
+    double u[3][3];
     tribox_oriented_box box;
 } tribox_oriented_pair;
 
 /* Whether no axis of the chosen groups separates in the frame of the box: for a finite triangle and a finite box. */
 bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes);
 
-/* A finite float as odd * 2^shift; zero as 0 * 2^0. */
+/* A finite double as odd * 2^shift; zero as 0 * 2^0. */
 typedef struct tribox_integer {
-    int32_t odd;
+    int64_t odd;
     int shift;
 } tribox_integer;
 
@@ -35,7 +35,7 @@ typedef struct tribox_oriented_integers {
 } tribox_oriented_integers;
 
 /* What each width of integer can carry: 3 * bits + 8 for the plane's slack, with one to spare, and the sign (PROOFS.md 9.4). */
-enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39, TRIBOX_SHORT_BITS = 145 };
+enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39, TRIBOX_SHORT_BITS = 145, TRIBOX_LIMBS_BITS = 317 };
 
 bool tribox_oriented_int64(const tribox_oriented_integers *in, unsigned axes);
 #if defined(__SIZEOF_INT128__)
@@ -43,5 +43,9 @@ bool tribox_oriented_int128(const tribox_oriented_integers *in, unsigned axes);
 #endif
 bool tribox_oriented_short(const tribox_oriented_integers *in, unsigned axes);
 bool tribox_oriented_limbs(const tribox_oriented_integers *in, unsigned axes);
+
+/* Without integers: any pair, sign by sign; and where no sign needs more, in double alone. False if one does. */
+bool tribox_oriented_long(const tribox_oriented_pair *pair, unsigned axes);
+bool tribox_oriented_in_double(const tribox_oriented_pair *pair, unsigned axes, bool *overlaps);
 
 #endif

@@ -33,12 +33,12 @@ TRIBOX_INLINE lane_span span_in_frame(const lane_bound *child, const lane_frame 
 /* The lanes whose span is certainly within the slab. */
 TRIBOX_INLINE vmask within_slab(const lane_frame *frame, int k, const lane_span *span)
 {
-    const vmask is_below = v_gt(frame->half[k], v_add(span->most, span->error));
-    const vmask is_above = v_gt(v_sub(span->least, span->error), v_sub(v_splat(0), frame->half[k]));
+    const vmask is_below = v_gt(frame->inner_hi[k], v_add(span->most, span->error));
+    const vmask is_above = v_gt(v_sub(span->least, span->error), frame->inner_lo[k]);
     return m_and(span->is_tame, m_and(is_below, is_above));
 }
 
-static tribox_touch touch_oriented(const tribox_node *node, unsigned count, const tribox_oriented_box *box)
+static tribox_touch touch_oriented(const tribox_node *node, unsigned count, const tribox_rounded_frame *box)
 {
     lane_frame frame;
     tribox_touch found = {0, 0};

@@ -19,7 +19,7 @@ TRIBOX_INLINE void move_packet(const tribox_soup *soup, const lane_frame *frame,
     }
 }
 
-static void to_frame(const tribox_soup *soup, const tribox_oriented_box *box, size_t first, size_t count, tribox_moved *moved)
+static void to_frame(const tribox_soup *soup, const tribox_rounded_frame *box, size_t first, size_t count, tribox_moved *moved)
 {
     lane_frame frame;
     packet_run run;

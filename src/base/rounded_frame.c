@@ -1,0 +1,70 @@
+/* rounded_frame.c - an oriented box of doubles, as floats that answer for it. */
+#include "rounded_frame.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "rounded_box.h"
+
+/* By way of memory: gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
+static float nearest_float(double number)
+{
+    const volatile float nearest = (float)number;
+    return nearest;
+}
+
+/* What subtracting rounds off a difference (D. E. Knuth). */
+static double lost_by_difference(double from, double less)
+{
+    const double difference = from - less, of_less = from - difference, of_from = difference + of_less;
+    return (from - of_from) + (of_less - less);
+}
+
+/* A number of an axis. Rounded among subnormal floats it moves by 2^-150 at most. */
+static void round_number(double number, float *nearest, float *size)
+{
+    *nearest = nearest_float(number);
+    *size = fabsf(*nearest);
+    if ((double)*nearest != number && *size < FLT_MIN)
+        *size = FLT_MIN;
+}
+
+/* The box on axis k, about what the center leaves there. */
+static void round_bounds(tribox_rounded_frame *frame, int k, double half)
+{
+    const double middle = frame->middle[k], slack = frame->slack[k];
+    frame->outer_hi[k] = tribox_float_from(middle + half + slack);
+    frame->outer_lo[k] = -tribox_float_from(half - middle + slack);
+    frame->inner_hi[k] = -tribox_float_from(-(middle + half - slack));
+    frame->inner_lo[k] = tribox_float_from(middle - half + slack);
+}
+
+/* Axis k, where `rest` is what of the center is left. */
+static void round_axis(const tribox_oriented_box *box, int k, const double rest[3], bool are_rounded, tribox_rounded_frame *frame)
+{
+    double middle = 0, reach = 0, size = 0;
+    for (int a = 0; a < 3; a++) {
+        round_number(box->axis[k][a], &frame->axis[k][a], &frame->size[k][a]);
+        size += (double)frame->size[k][a];
+        middle += box->axis[k][a] * rest[a];
+        reach += fabs(box->axis[k][a] * rest[a]);
+    }
+    const bool is_narrow = !(reach <= FLT_MAX); /* a NaN too */
+    frame->middle[k] = is_narrow ? 0 : middle;
+    frame->slack[k] = is_narrow || reach == 0 ? 0 : 0x1p-49 * reach + 0x1p-51 * box->half[k];
+    frame->lost[k] = is_narrow ? INFINITY : are_rounded ? (float)(0x1p-149 * size) : 0;
+}
+
+void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bool are_rounded, tribox_rounded_frame *frame)
+{
+    double rest[3];
+    for (int a = 0; a < 3; a++) {
+        const double less = origin ? origin[a] : 0, difference = box->center[a] - less;
+        frame->center[a] = nearest_float(difference);
+        rest[a] = (difference - (double)frame->center[a]) + lost_by_difference(box->center[a], less);
+    }
+    for (int k = 0; k < 3; k++) {
+        round_axis(box, k, rest, are_rounded, frame);
+        round_bounds(frame, k, box->half[k]);
+    }
+}

@@ -1,0 +1,55 @@
+/* overlap_oriented.c - which triangles overlap an oriented box: the calls. */
+#include "base/environment.h"
+#include "mesh/mesh_input.h"
+#include "mesh/mesh_oriented.h"
+#include "pairs/pairs.h"
+#include "pairs/partial_packet.h"
+
+/* Triangles of a soup, or where that is NULL of a mesh whose strides are set; is_taken: whether they can be read. */
+static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, const tribox_mesh *mesh,
+                                      const tribox_oriented_box *box, const tribox_options *options, uint64_t *mask,
+                                      tribox_report *report)
+{
+    if (!box || !is_taken)
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_oriented_is_finite(box))
+        return TRIBOX_BAD_BOX;
+    tribox_plan plan;
+    const tribox_status status = tribox_plan_make(options, &plan);
+    if (status)
+        return status;
+    if (!tribox_oriented_has_axes(&plan))
+        return TRIBOX_BAD_OPTION;
+    if (!soup && !tribox_mesh_is_in_range(mesh, plan.kernel, 0, mesh->count))
+        return TRIBOX_BAD_VERTEX;
+
+    tribox_partial_packet partial;
+    tribox_oriented_question q;
+    tribox_report counts = {0, 0};
+    const tribox_environment callers = tribox_environment_enter();
+    if (tribox_oriented_is_empty(box)) {
+        tribox_pairs_write_none(soup ? soup->count : mesh->count, mask);
+    } else {
+        if (soup)
+            tribox_oriented_ask_soup(&q, tribox_pad_triangles(soup, plan.kernel, &partial), box, &plan);
+        else
+            tribox_oriented_ask_mesh(&q, mesh, box, &plan);
+        counts = tribox_oriented_answer_all(&q, mask);
+    }
+    tribox_environment_leave(callers);
+    tribox_plan_report(&plan, counts, report);
+    return TRIBOX_OK;
+}
+
+tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box, const tribox_options *options,
+                                      uint64_t *mask, tribox_report *report)
+{
+    return overlap_oriented(tribox_soup_is_readable(soup), soup, NULL, box, options, mask, report);
+}
+
+tribox_status tribox_mesh_overlap_oriented(const tribox_mesh *mesh, const tribox_oriented_box *box, const tribox_options *options,
+                                           uint64_t *mask, tribox_report *report)
+{
+    tribox_mesh strided;
+    return overlap_oriented(tribox_mesh_take(mesh, &strided), NULL, &strided, box, options, mask, report);
+}
