@@ -160,7 +160,8 @@ static void order_triangles(const octree *tree, ordered *o)
     check(tribox_mesh_gather(&mesh, NULL, o->order, 0, tree->count, streams, streams + 3, streams + 6));
     free(scratch);
     o->nodes = allocate(tribox_index_bytes(tree->count), 1);
-    check(tribox_index_build(&o->soup, NULL, o->nodes, &o->index));
+    o->index = (tribox_index){.nodes = o->nodes, .soup = &o->soup, .ids = o->order};
+    check(tribox_index_build(&o->index, NULL, o->nodes));
 }
 
 /* Asks for as many triangles as a leaf may have: where there are more, the answer is how many, and the node is divided. */
@@ -170,10 +171,10 @@ static void divide_box(octree *tree, const ordered *o, const tribox_box *box, in
     uint32_t *list = leaf_room(tree, LEAF);
     size_t room = is_last ? tree->room - tree->used - 1 : LEAF;
     size_t found;
-    check(tribox_index_list(&o->index, &o->soup, box, NULL, o->order, room, list, &found));
+    check(tribox_index_list(&o->index, &(tribox_region){.box = box}, NULL, room, list, &found));
     if (is_last && found > room) {
         list = leaf_room(tree, found);
-        check(tribox_index_list(&o->index, &o->soup, box, NULL, o->order, found, list, &found));
+        check(tribox_index_list(&o->index, &(tribox_region){.box = box}, NULL, found, list, &found));
     }
 
     tree->nodes[depth]++;

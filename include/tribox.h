@@ -202,11 +202,11 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tested there.
  *
  * EXACT is the true answer about that box, of doubles as they are, for every finite input: whatever the rounding of the move could
- * change is settled in integers. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST moves and tests in
- * single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It loses segments and slivers as tribox_overlap
- * does, those included that the move makes thin. A triangle that is outside along one axis of the
- * box is mostly rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled by the
- * last stage, which takes a microsecond or some.
+ * change is settled by exact signs. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST
+ * moves and tests in single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It loses segments and slivers
+ * as tribox_overlap does, those included that the move makes thin. A triangle that is outside along one axis of the box is mostly
+ * rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled by the last stage,
+ * which takes half a microsecond each, and where it needs integers, some microseconds.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is
@@ -314,41 +314,50 @@ TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[9], const tri
                                               uint64_t *mask, tribox_report *report);
 
 /* ============================================================================================================================== */
-/*                                                    One soup, box after box                                                     */
+/*                                                   Box after box: an index                                                      */
 /* ============================================================================================================================== */
 
 /**
- * An index over a soup: the bounds of every 64 triangles, of every 64 of those, and so on, in memory of the caller's. It makes
- * questions about boxes cost what the answer and the border of the box cost, and not the soup. Answers are those of tribox_overlap,
- * bit for bit.
+ * An index over a soup or a mesh: the bounds of every 64 triangles, of every 64 of those, and so on, in memory of the caller's. It
+ * makes questions about boxes cost what the answer and the border of the box cost, and not the triangles. Answers are those of
+ * tribox_overlap or tribox_mesh_overlap, bit for bit: of doubles, about the doubles.
  *
- * It pays where triangles that are near in number are near in space, as tribox_soup_sort makes them. In any other order answers
- * are as right, and hardly slower than without an index.
+ * It pays where triangles that are near in number are near in space, as tribox_soup_sort and tribox_mesh_sort make them. In any
+ * other order answers are as right, and hardly slower than without an index.
  *
- * It may be copied, mapped, or written to a file for the same version of the library and byte order: no number in it is an address.
- * Whatever stands in it, nothing is read outside it and the soup. Any number of threads may ask it at once.
+ * The nodes may be copied, mapped, or written to a file for the same version of the library and byte order: no number in them is an
+ * address. Whatever stands in them, nothing is read outside them and the triangles; and so it is where the triangles have changed
+ * since: one that refers to a vertex that does not exist then overlaps nothing. Any number of threads may ask at once.
  */
 typedef struct tribox_index {
-    const void *nodes; /* tribox_index_bytes(count) bytes, at any alignment; 64 is the fastest */
-    size_t count;      /* triangles of the soup that it was built over */
+    const void *nodes;       /* tribox_index_bytes(count) bytes, at any alignment; 64 is the fastest; building does not look here */
+    const tribox_soup *soup; /* what it is over; or NULL, and */
+    const tribox_mesh *mesh; /* this is, of floats or doubles */
+    const uint32_t *ids;     /* triangle i is ids[i] in lists, such as the order wrote in which it was gathered; NULL for i itself */
+    uint32_t reserved[4];    /* zero, or TRIBOX_BAD_ARGUMENT */
 } tribox_index;
+
+/** What an index is asked about: a box, or an oriented one. The other pointer is NULL, or TRIBOX_BAD_ARGUMENT. */
+typedef struct tribox_region {
+    const tribox_box *box;
+    const tribox_oriented_box *oriented;
+} tribox_region;
 
 /** The bytes of an index over so many triangles: some 1.1 % of their soup, and 1600 at the least. No count makes it overflow. */
 TRIBOX_API size_t tribox_index_bytes(size_t count);
 
 /**
- * Builds the index of a soup, whose streams are read once. Triangles with a NaN or infinite coordinate overlap nothing, and the
- * triangles around them are found as fast as without them.
+ * Builds an index: reads its soup or mesh once, and writes the nodes. Triangles with a NaN or infinite coordinate overlap nothing,
+ * and the triangles around them are found as fast as without them.
  *
- * options: only the kernel matters; NULL for the best. Every kernel builds the same bytes.
- * memory: tribox_index_bytes(soup->count) bytes, all of them written. Must not overlap the soup.
- * index: receives memory and soup->count; NULL if not wanted.
+ * options: only the kernel matters; NULL for the best. Every kernel builds the same bytes, and so do a soup and a mesh of floats.
+ * nodes: tribox_index_bytes of the count of triangles, all of them written. Must not overlap the triangles.
  *
- * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup, memory or a stream of a non-empty soup is NULL, or count floats exceed the address
- * space) or TRIBOX_NO_KERNEL.
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (index or nodes are NULL; not exactly one of soup and mesh is given; a reserved number is
+ * not zero; what tribox_overlap or tribox_mesh_overlap says of the triangles), TRIBOX_NO_KERNEL or TRIBOX_BAD_VERTEX (a triangle
+ * refers to a vertex that does not exist).
  */
-TRIBOX_API tribox_status tribox_index_build(const tribox_soup *soup, const tribox_options *options, void *memory,
-                                            tribox_index *index);
+TRIBOX_API tribox_status tribox_index_build(const tribox_index *index, const tribox_options *options, void *nodes);
 
 /** Triangles under one node of the lowest level: what threads that update an index share out. */
 enum { TRIBOX_INDEX_BLOCK = 4096 };
@@ -358,31 +367,36 @@ enum { TRIBOX_INDEX_BLOCK = 4096 };
  * writes.
  *
  * Threads may share this work, or that of a build. Ranges of whole blocks, which begin at a multiple of TRIBOX_INDEX_BLOCK and end
- * at one or with the soup, leave out what they would have in common unless they are the whole soup: so any number of threads may
- * update such ranges at once, and when all are done, one call of count 0 finishes the index. It has to come; until then, answers
- * may be wrong.
+ * at one or with the triangles, leave out what they would have in common unless they are all: so any number of threads may update
+ * such ranges at once, and when all are done, one call of count 0 finishes the index. It has to come; until then, answers may be
+ * wrong.
  *
- * soup, options: as for tribox_index_build.
- * memory: of an index over a soup of as many triangles.
+ * index, options: as for tribox_index_build.
+ * nodes: of an index over as many triangles.
  *
- * Returns what tribox_index_build does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
+ * Returns what tribox_index_build does, of a mesh TRIBOX_BAD_VERTEX for the blocks that are read alone; TRIBOX_BAD_ARGUMENT also
+ * where first + count exceeds the count of triangles.
  */
-TRIBOX_API tribox_status tribox_index_update(const tribox_soup *soup, size_t first, size_t count, const tribox_options *options,
-                                             void *memory);
+TRIBOX_API tribox_status tribox_index_update(const tribox_index *index, size_t first, size_t count, const tribox_options *options,
+                                             void *nodes);
 
 /**
- * tribox_overlap by an index: the same mask at EXACT and CONSERVATIVE, and at FAST that mask and triangles of groups of 64 that lie
- * wholly inside the box, which are never tested.
+ * tribox_overlap by an index, or what it is of a mesh or an oriented box: the same mask at EXACT and CONSERVATIVE, and at FAST that
+ * mask and triangles of groups of 64 that lie wholly inside the box, which are never tested. About an oriented box CONSERVATIVE and
+ * FAST may differ within rounding of contact, as groups that certainly miss it, or certainly lie inside, are not tested.
  *
- * soup: the one that the index was built over. About other triangles, or a damaged index, answers are wrong, but nothing else is.
+ * index: with the nodes, and the triangles that they were built over. About others, or damaged nodes, answers are wrong, but nothing
+ *   else is.
+ * region: finite, or TRIBOX_BAD_BOX.
  * options: as for tribox_overlap, but the axes have to include TRIBOX_AXES_BOX: without it far triangles overlap, too.
  * mask: all of its words are written, however few triangles overlap; NULL to count them, which writes nothing and reads least.
  *
- * Other arguments and the returned status are as for tribox_overlap; TRIBOX_BAD_ARGUMENT also if index or its nodes are NULL, or
- * its count is not soup->count; TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
+ * Other arguments and the returned status are as for tribox_overlap, tribox_mesh_overlap or tribox_overlap_oriented, but that
+ * vertices are not checked again; TRIBOX_BAD_ARGUMENT also where tribox_index_build returns it, or region is not one of the two;
+ * TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
  */
-TRIBOX_API tribox_status tribox_index_overlap(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
-                                              const tribox_options *options, uint64_t *mask, tribox_report *report);
+TRIBOX_API tribox_status tribox_index_overlap(const tribox_index *index, const tribox_region *region, const tribox_options *options,
+                                              uint64_t *mask, tribox_report *report);
 
 /**
  * The words of that mask that are not zero, in ascending order: bit b of bits[k] says that triangle 64 * number[k] + b overlaps.
@@ -393,67 +407,48 @@ TRIBOX_API tribox_status tribox_index_overlap(const tribox_index *index, const t
  * found: receives how many words there are, be there room for them or not.
  *
  * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if found is NULL, number or
- * bits is NULL and room is not 0, or soup->count is more than 2^38.
+ * bits is NULL and room is not 0, inside is not NULL about an oriented box, or there are more than 2^38 triangles.
  */
-TRIBOX_API tribox_status tribox_index_words(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
-                                            const tribox_options *options, size_t room, uint32_t *number, uint64_t *bits,
-                                            uint64_t *inside, size_t *found, tribox_report *report);
+TRIBOX_API tribox_status tribox_index_words(const tribox_index *index, const tribox_region *region, const tribox_options *options,
+                                            size_t room, uint32_t *number, uint64_t *bits, uint64_t *inside, size_t *found,
+                                            tribox_report *report);
 
 /**
- * The triangles that overlap, as a list.
+ * The triangles that overlap, as a list of index->ids, or of their numbers; either in ascending order of the numbers.
  *
- * ids: the list has ids[i] for triangle i, such as tribox_soup_sort wrote: the triangle's number before the soup was gathered in
- *   order. NULL for i itself. In either case the list is in ascending order of i.
- * room: how many numbers list has room for; those beyond are not written.
+ * room: how many list has room for; those beyond are not written.
  * found: receives how many triangles overlap, be there room for them or not.
  *
  * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if found is NULL, list is NULL
- * and room is not 0, or soup->count is more than 2^32.
+ * and room is not 0, or there are more than 2^32 triangles.
  */
-TRIBOX_API tribox_status tribox_index_list(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
-                                           const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list,
-                                           size_t *found);
+TRIBOX_API tribox_status tribox_index_list(const tribox_index *index, const tribox_region *region, const tribox_options *options,
+                                           size_t room, uint32_t *list, size_t *found);
 
 /**
  * The lists of many boxes, one after another: that of box i is list[start[i]] .. list[start[i + 1] - 1]. Boxes that are near in
  * number should be near in space (tribox_boxes_sort), so that they find their triangles in the cache.
  *
  * boxes: six streams. A box that is empty, or has a NaN or infinite bound, has an empty list. This is not an error.
- * ids, room: as for tribox_index_list. All is written in turn as far as room goes.
+ * room: as for tribox_index_list. All is written in turn as far as room goes.
  * start: boxes->count + 1 numbers, all of them written; start[boxes->count] is the room that all lists take.
  *
  * Other arguments and the returned status are as for tribox_index_list; TRIBOX_BAD_ARGUMENT also if boxes, a stream of a non-empty
  * set or start is NULL.
  */
-TRIBOX_API tribox_status tribox_index_lists(const tribox_index *index, const tribox_soup *soup, const tribox_boxes *boxes,
-                                            const tribox_options *options, const uint32_t *ids, size_t room, uint32_t *list,
-                                            size_t *start);
+TRIBOX_API tribox_status tribox_index_lists(const tribox_index *index, const tribox_boxes *boxes, const tribox_options *options,
+                                            size_t room, uint32_t *list, size_t *start);
 
 /**
- * Finds some triangle that overlaps the box: not the first, but at EXACT the same on every processor. At FAST it may be one that
+ * Finds some triangle that overlaps the region: not the first, but at EXACT the same on every processor. At FAST it may be one that
  * FAST misses and that lies wholly inside.
  *
- * triangle: receives its index, or soup->count if no triangle overlaps.
+ * triangle: receives its number, or the count of triangles if none overlaps.
  *
  * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if triangle is NULL.
  */
-TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribox_soup *soup, const tribox_box *box,
-                                          const tribox_options *options, size_t *triangle);
-
-/**
- * tribox_overlap_oriented by an index. At EXACT it is the same mask; at CONSERVATIVE and FAST it may differ within rounding of
- * contact, as groups of triangles that certainly miss the box, or certainly lie wholly inside, are not tested.
- *
- * Other arguments and the returned status are as for tribox_index_overlap and tribox_overlap_oriented.
- */
-TRIBOX_API tribox_status tribox_index_overlap_oriented(const tribox_index *index, const tribox_soup *soup,
-                                                       const tribox_oriented_box *box, const tribox_options *options,
-                                                       uint64_t *mask, tribox_report *report);
-
-/** The triangles of that mask as a list. Other arguments and the returned status are as for tribox_index_list. */
-TRIBOX_API tribox_status tribox_index_list_oriented(const tribox_index *index, const tribox_soup *soup,
-                                                    const tribox_oriented_box *box, const tribox_options *options,
-                                                    const uint32_t *ids, size_t room, uint32_t *list, size_t *found);
+TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribox_region *region, const tribox_options *options,
+                                          size_t *triangle);
 
 /**
  * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th. It is the

@@ -13,7 +13,7 @@
 #include "base/ahead.h"
 #include "base/compiler.h"
 #include "base/rounded_box.h"
-#include "base/rounded_frame.h"
+#include "pairs/rounded_frame.h"
 #include "mesh/vertex_numbers.h"
 #include "voxels/kernel_voxels.h"
 #include "index/kernel_nodes.h"

@@ -39,20 +39,20 @@ void answer_room_free(answer_room *made)
 
 static bool ask_list(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
 {
-    return !tribox_index_list(&q->soup->index, &q->soup->room.soup, box, options, q->soup->ids, q->soup->room.soup.count,
-                              q->room->list, &report->overlapping);
+    return !tribox_index_list(&q->soup->index, &(tribox_region){.box = box}, options, q->soup->room.soup.count, q->room->list,
+                              &report->overlapping);
 }
 
 static bool ask_count(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
 {
-    return !tribox_index_overlap(&q->soup->index, &q->soup->room.soup, box, options, NULL, report);
+    return !tribox_index_overlap(&q->soup->index, &(tribox_region){.box = box}, options, NULL, report);
 }
 
 /* Counts whether there is one; which it is stands in number[0]. */
 static bool ask_any(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
 {
     size_t triangle;
-    const bool is_answered = !tribox_index_any(&q->soup->index, &q->soup->room.soup, box, options, &triangle);
+    const bool is_answered = !tribox_index_any(&q->soup->index, &(tribox_region){.box = box}, options, &triangle);
     q->room->number[0] = (uint32_t)triangle;
     report->overlapping = triangle < q->soup->room.soup.count;
     return is_answered;
@@ -62,13 +62,13 @@ static bool ask_any(const index_question *q, const tribox_box *box, const tribox
 static bool ask_words(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
 {
     const tribox_soup *const soup = &q->soup->room.soup;
-    return !tribox_index_words(&q->soup->index, soup, box, options, tribox_mask_words(soup->count), q->room->number, q->room->bits,
-                               NULL, &report->overlapping, NULL);
+    return !tribox_index_words(&q->soup->index, &(tribox_region){.box = box}, options, tribox_mask_words(soup->count),
+                               q->room->number, q->room->bits, NULL, &report->overlapping, NULL);
 }
 
 static bool ask_mask(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)
 {
-    return !tribox_index_overlap(&q->soup->index, &q->soup->room.soup, box, options, q->room->mask, report);
+    return !tribox_index_overlap(&q->soup->index, &(tribox_region){.box = box}, options, q->room->mask, report);
 }
 
 static bool ask_linear(const index_question *q, const tribox_box *box, const tribox_options *options, tribox_report *report)

@@ -8,7 +8,7 @@
 #include "common/loads.h"
 #include "console/message.h"
 #include "many_boxes.h"
-#include "mesh_words.h"
+#include "mesh_lists.h"
 #include "node_bounds.h"
 #include "timing/measure.h"
 #include "turned_boxes.h"
@@ -59,7 +59,7 @@ static bool run_build(const contestant *self, uint64_t *mask, tribox_report *rep
     const ordered_soup *const s = self->question;
     (void)mask;
     (void)report;
-    return !tribox_index_build(&s->room.soup, &self->options, s->memory, NULL);
+    return !tribox_index_build(&s->index, &self->options, s->memory);
 }
 
 static void measure_builds(bench *b, scene_result *r)
@@ -186,26 +186,38 @@ static bool measure_many(bench *b, int size, many_result *r)
     return is_made || message_failure("the lists of %zu boxes are wrong, or there is no memory for them", count) == EXIT_CODE_OK;
 }
 
-/* ---- a mesh without streams ------------------------------------------------------------------------------------------------ */
+/* ---- meshes, and boxes of doubles ------------------------------------------------------------------------------------------ */
 
-/* Boxes of a tenth: words enough, from all over the soup. */
-static bool measure_mesh(bench *b, scene_result *r)
+static bool measure_meshes_at(bench *b, int size, scene_result *r)
 {
-    mesh_words question;
-    uint64_t answer[2] = {0, 0};
-    index_scene_boxes(b->scene, 0.1, (size_t)b->how->boxes, b->how->seed, b->boxes);
-    if (!mesh_words_make(&b->scene->room.soup, &b->soup[ORDER_CUTS], &b->bounds[ORDER_CUTS], b->boxes, (size_t)b->how->boxes,
-                         &question))
+    mesh_lists question;
+    const char *const kernel = b->how->kernel;
+    contestant list[MESH_LISTS + 2];
+    index_scene_boxes(b->scene, box_part[size], (size_t)b->how->boxes, b->how->seed + (uint64_t)size, b->boxes);
+    if (!mesh_lists_make(b->scene, &b->soup[ORDER_CUTS], b->boxes, (size_t)b->how->boxes, b->room.list, kernel, &question))
         return false;
-    const contestant list[2] = {mesh_words_contestant(&question, true, b->how->kernel),
-                                mesh_words_contestant(&question, false, b->how->kernel)};
+    const size_t verified = index_scene_boxes_within(b->scene, verified_pairs, (size_t)b->how->boxes);
+    const bool is_right = mesh_lists_are_right(&question, verified, b->room.linear, kernel);
+    for (int c = 0; c < MESH_LISTS; c++)
+        list[c] = mesh_lists_contestant(&question, (mesh_list_of)c, kernel);
     for (int c = 0; c < 2; c++)
-        list[c].run(&list[c], &answer[c], NULL);
-    take_times(b, list, 2, sample_seconds);
-    r->streams_word = least_ns(b, 0);
-    r->mesh_word = least_ns(b, 1);
-    mesh_words_free(&question);
-    return answer[0] == answer[1] || message_failure("streams and mesh answer differently") == EXIT_CODE_OK;
+        list[MESH_LISTS + c] = mesh_lists_build(&question, c, kernel);
+    if (is_right)
+        take_times(b, list, MESH_LISTS + 2, sample_seconds);
+    for (size_t c = 0; is_right && c < MESH_LISTS; c++)
+        r->mesh[size][c] = 1e-3 * least_ns(b, c);
+    for (size_t c = 0; is_right && c < 2; c++)
+        r->mesh_build[c] = least_ns(b, MESH_LISTS + c);
+    mesh_lists_free(&question);
+    return is_right;
+}
+
+static bool measure_meshes(bench *b, scene_result *r)
+{
+    bool is_measured = true;
+    for (int p = 0; is_measured && p < BOX_SIZES; p++)
+        is_measured = measure_meshes_at(b, p, r);
+    return is_measured;
 }
 
 /* ---- all of it ------------------------------------------------------------------------------------------------------------- */
@@ -252,7 +264,7 @@ bool index_measure(const index_scene *scene, const index_effort *how, generator 
         is_measured = measure_size(&b, p, r);
     for (int k = 0; is_measured && k < MANY_SIZES; k++)
         is_measured = measure_many(&b, k, &r->many[k]);
-    is_measured = is_measured && measure_mesh(&b, r);
+    is_measured = is_measured && measure_meshes(&b, r);
     release(&b);
     return is_measured;
 }

@@ -211,7 +211,7 @@ static int ask(picture *p)
     if (!ordered_soup_make(&p->scene, ORDER_CUTS, 1, NULL, &p->ordered) || !node_bounds_make(&p->ordered.room.soup, &p->bounds) ||
         !find_states(p))
         return message_failure("out of memory for the index");
-    if (tribox_index_overlap(&p->ordered.index, &p->ordered.room.soup, &box, NULL, NULL, &report))
+    if (tribox_index_overlap(&p->ordered.index, &(tribox_region){.box = &box}, NULL, NULL, &report))
         return EXIT_CODE_FAILURE;
     printf("%zu triangles, %zu nodes, %zu words; %zu overlap the box\n", p->ordered.room.soup.count, p->bounds.count[1],
            p->bounds.count[0], report.overlapping);

@@ -51,6 +51,20 @@ static void print_cold(const order_result *o)
     }
 }
 
+/* Lists by the soup, and how many times as long others take. */
+static void print_meshes(const scene_result *r)
+{
+    printf("meshes: build, ns a triangle: floats %.2f, doubles %.2f\n", r->mesh_build[0], r->mesh_build[1]);
+    for (int p = 0; p < BOX_SIZES; p++) {
+        const double *const us = r->mesh[p], soup = us[LIST_OF_SOUP];
+        printf(
+            "       %5.1f %%  lists, us: soup %.2f, boxes of doubles %.2f (%.2f x), mesh of floats %.2f (%.2f x), of doubles %.2f "
+            "(%.2f x)\n",
+            100 * box_part[p], soup, us[LIST_OF_WIDE_BOXES], us[LIST_OF_WIDE_BOXES] / soup, us[LIST_OF_MESH],
+            us[LIST_OF_MESH] / soup, us[LIST_OF_MESH_IN_DOUBLE], us[LIST_OF_MESH_IN_DOUBLE] / soup);
+    }
+}
+
 void index_print_scene(const scene_result *r)
 {
     printf("\n%s: %zu triangles; the index takes %.3f %% of the streams\n", r->name, r->triangles, 100 * r->memory);
@@ -73,8 +87,7 @@ void index_print_scene(const scene_result *r)
     for (int k = 0; k < MANY_SIZES; k++)
         printf("lists of %zu boxes of %.1f %%, ns a box: as drawn %.0f, in order %.0f, ordering them %.0f\n", r->many[k].boxes,
                100 * box_part[k], r->many[k].as_drawn, r->many[k].in_order, r->many[k].ordering);
-    printf("a word of 64 triangles, ns: from streams %.0f, from a mesh %.0f (%.2f x)\n", r->streams_word, r->mesh_word,
-           r->mesh_word / r->streams_word);
+    print_meshes(r);
     fflush(stdout);
 }
 
@@ -135,8 +148,19 @@ void index_print_json(json *to, const scene_result *r)
         json_close(to);
     }
     json_close(to);
-    json_number(to, "streams_word_ns", 6, r->streams_word);
-    json_number(to, "mesh_word_ns", 6, r->mesh_word);
+    json_open_rows(to, "meshes");
+    for (int p = 0; p < BOX_SIZES; p++) {
+        json_open_object(to, NULL);
+        json_number(to, "part", 3, box_part[p]);
+        json_number(to, "soup_us", 6, r->mesh[p][LIST_OF_SOUP]);
+        json_number(to, "wide_boxes_us", 6, r->mesh[p][LIST_OF_WIDE_BOXES]);
+        json_number(to, "mesh_us", 6, r->mesh[p][LIST_OF_MESH]);
+        json_number(to, "mesh_in_double_us", 6, r->mesh[p][LIST_OF_MESH_IN_DOUBLE]);
+        json_close(to);
+    }
+    json_close(to);
+    json_number(to, "mesh_build_ns", 6, r->mesh_build[0]);
+    json_number(to, "mesh_in_double_build_ns", 6, r->mesh_build[1]);
     json_close(to);
     fflush(to->to);
 }

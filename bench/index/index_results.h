@@ -4,6 +4,7 @@
 
 #include "console/json.h"
 #include "index_forms.h"
+#include "mesh_lists.h"
 
 enum { BOX_SIZES = 4, MANY_SIZES = 2 };
 
@@ -37,7 +38,8 @@ typedef struct scene_result {
     order_result order[ORDERS];
     double turned[BOX_SIZES], turned_linear[BOX_SIZES]; /* microseconds of a list of cuts, and of tribox_overlap_oriented */
     many_result many[MANY_SIZES];
-    double streams_word, mesh_word; /* nanoseconds of a word of 64 triangles, from streams and from a mesh */
+    double mesh[BOX_SIZES][MESH_LISTS]; /* microseconds of a list */
+    double mesh_build[2];               /* nanoseconds of a triangle, of floats and doubles */
 } scene_result;
 
 void index_print_scene(const scene_result *r);

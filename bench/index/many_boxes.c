@@ -7,8 +7,7 @@
 static bool run_lists(const contestant *self, int which)
 {
     const many_boxes *const m = self->question;
-    return !tribox_index_lists(&m->soup->index, &m->soup->room.soup, &m->boxes[which], &self->options, m->soup->ids, m->room,
-                               m->list, m->start);
+    return !tribox_index_lists(&m->soup->index, &m->boxes[which], &self->options, m->room, m->list, m->start);
 }
 
 static bool run_as_drawn(const contestant *self, uint64_t *mask, tribox_report *report)
@@ -72,7 +71,7 @@ bool many_boxes_make(const ordered_soup *soup, const tribox_box *boxes, size_t c
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 6; k++)
             m->bounds[1][k][i] = m->bounds[0][k][m->order[i]];
-    if (tribox_index_lists(&m->soup->index, &m->soup->room.soup, &m->boxes[0], &options, m->soup->ids, 0, NULL, m->start))
+    if (tribox_index_lists(&m->soup->index, &m->boxes[0], &options, 0, NULL, m->start))
         return false;
     m->room = m->start[count];
     m->list = malloc((m->room + 1) * sizeof *m->list);
@@ -83,11 +82,11 @@ bool many_boxes_are_right(const many_boxes *m, const char *kernel, uint32_t *lis
 {
     const ordered_soup *const s = m->soup;
     const tribox_options options = {.kernel = kernel};
-    if (tribox_index_lists(&s->index, &s->room.soup, &m->boxes[0], &options, s->ids, m->room, m->list, m->start))
+    if (tribox_index_lists(&s->index, &m->boxes[0], &options, m->room, m->list, m->start))
         return false;
     for (size_t i = 0; i < m->boxes[0].count; i++) {
         size_t found;
-        if (tribox_index_list(&s->index, &s->room.soup, &m->drawn[i], &options, s->ids, s->room.soup.count, list, &found) ||
+        if (tribox_index_list(&s->index, &(tribox_region){.box = &m->drawn[i]}, &options, s->room.soup.count, list, &found) ||
             found != m->start[i + 1] - m->start[i] || memcmp(list, m->list + m->start[i], found * sizeof *m->list) != 0)
             return false;
     }

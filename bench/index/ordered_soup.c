@@ -54,7 +54,8 @@ static bool try_once(const index_scene *scene, soup_order order, const char *ker
             return false;
         begin = keep_least(&made->cost.gather, begin, count);
     }
-    if (tribox_index_build(&made->room.soup, &(tribox_options){.kernel = kernel}, made->memory, &made->index) != TRIBOX_OK)
+    made->index = (tribox_index){.nodes = made->memory, .soup = &made->room.soup, .ids = made->ids};
+    if (tribox_index_build(&made->index, &(tribox_options){.kernel = kernel}, made->memory) != TRIBOX_OK)
         return false;
     keep_least(&made->cost.build, begin, count);
     return true;

@@ -31,8 +31,8 @@ void turned_boxes_free(turned_boxes *made) { free(made->boxes); }
 
 static bool ask_index(const turned_boxes *q, const tribox_oriented_box *box, const tribox_options *options, size_t *found)
 {
-    return !tribox_index_list_oriented(&q->soup->index, &q->soup->room.soup, box, options, q->soup->ids, q->soup->room.soup.count,
-                                       q->list, found);
+    return !tribox_index_list(&q->soup->index, &(tribox_region){.oriented = box}, options, q->soup->room.soup.count, q->list,
+                              found);
 }
 
 static bool ask_linear(const turned_boxes *q, const tribox_oriented_box *box, const tribox_options *options)

@@ -29,7 +29,7 @@ END
 {
     cd "$root/src"
     find wasm pairs/pairs.c -name '*.c' -exec echo -O3 {} \;
-    find ./*.c base pairs mesh overlap index grid voxels tiles fill exact -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
+    find ./*.c base pairs mesh overlap index order grid voxels tiles fill exact -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

@@ -2,22 +2,13 @@
 #include "rounded_box.h"
 
 #include <math.h>
-#include <string.h>
 
-/* The float above a number that is not the greatest, and not infinite but for -infinity. */
-static float next_above(float number)
-{
-    int32_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    bits = number > 0 ? bits + 1 : number < 0 ? bits - 1 : 1;
-    memcpy(&number, &bits, sizeof bits);
-    return number;
-}
+#include "next_float.h"
 
 float tribox_float_from(double number)
 {
     const float nearest = (float)number;
-    return (double)nearest < number ? next_above(nearest) : nearest;
+    return (double)nearest < number ? tribox_float_above(nearest) : nearest;
 }
 
 void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_box *rounded)

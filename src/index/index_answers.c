@@ -46,11 +46,11 @@ void tribox_answers_take_word(const tribox_descent *q, size_t word, uint64_t hit
     tribox_answers *const to = q->to;
     uint64_t inside = 0;
     if (to->inside) { /* as in tribox_classify */
-        const uint64_t candidates = q->plan->accuracy == TRIBOX_FAST ? ~UINT64_C(0) : hit;
-        inside = candidates ? q->plan->kernel->inside(q->pairs.soup, q->pairs.box, word, candidates) : 0;
+        const uint64_t candidates = q->about->plan.accuracy == TRIBOX_FAST ? ~UINT64_C(0) : hit;
+        inside = candidates ? tribox_question_inside(q->about, word, candidates) : 0;
         hit |= inside;
     }
-    to->counts.overlapping += tribox_count_bits(hit);
+    to->overlapping += tribox_count_bits(hit);
     if (to->form == TRIBOX_MASK)
         to->mask[word] = hit;
     else if (to->form == TRIBOX_WORDS && hit)
@@ -62,7 +62,7 @@ void tribox_answers_take_word(const tribox_descent *q, size_t word, uint64_t hit
 void tribox_answers_take_full(const tribox_descent *q, size_t word, size_t words)
 {
     tribox_answers *const to = q->to;
-    to->counts.overlapping += 64 * words;
+    to->overlapping += 64 * words;
     if (to->form == TRIBOX_MASK)
         memset(to->mask + word, 0xFF, words * sizeof *to->mask);
     for (size_t w = 0; to->form == TRIBOX_WORDS && w < words; w++)

@@ -1,10 +1,9 @@
-/* index_descent.c - the descent from the top of an index to the words that a box can touch, and what the kernel says of them. */
+/* index_descent.c - the descent from the top of an index to the words that a region can touch, and what becomes of them. */
 #include "index_descent.h"
 
 #include <string.h>
 
 #include "base/bits.h"
-#include "base/soup.h"
 
 /* Bits for the first `count` children of a node. */
 static uint64_t first_bits(size_t count) { return count < 64 ? (UINT64_C(1) << count) - 1 : ~UINT64_C(0); }
@@ -28,49 +27,19 @@ static const tribox_node *node_at(const tribox_descent *q, unsigned level, size_
  */
 static tribox_touch ask(const tribox_descent *q, unsigned level, size_t j, const tribox_node *node)
 {
-    const tribox_nodes_kernel *const kernel = q->plan->kernel->nodes;
-    const size_t of_level = level ? q->levels.nodes[level - 1] : tribox_words_of(q->pairs.count), left = of_level - 64 * j;
+    const size_t count = q->about->over.count;
+    const size_t of_level = level ? q->levels.nodes[level - 1] : tribox_words_of(count), left = of_level - 64 * j;
     const unsigned children = left < 64 ? (unsigned)left : 64;
-    tribox_touch found =
-        q->oriented ? kernel->touch_oriented(node, children, &q->oriented->frame) : kernel->touch(node, children, q->pairs.box);
+    tribox_touch found = tribox_question_touch(q->about, node, children);
     found.touching &= first_bits(children);
-    found.inside &= there(q->pairs.count >> 6 * (level + 1), 64 * j);
+    found.inside &= there(count >> 6 * (level + 1), 64 * j);
     return found;
-}
-
-/* How many of the pending words from place k on have to be asked and follow one another. */
-static unsigned run_at(const tribox_descent *q, unsigned k)
-{
-    unsigned n = 0;
-    while (k + n < q->pending && !q->full[k + n] && q->word[k + n] == q->word[k] + n)
-        n++;
-    return n;
-}
-
-/* Asks the pending words that have to be asked. Returns whether a lane is undecided. */
-static bool ask_pending(tribox_descent *q, uint64_t *hit, uint64_t *undecided)
-{
-    uint64_t any = 0;
-    memset(undecided, 0, q->pending * sizeof *undecided);
-    /* A survey pays in full batches alone: after them more words are likely to follow. */
-    q->plan->choice.is_adaptive = q->may_choose && q->pending == TRIBOX_PENDING;
-    for (unsigned k = 0, n; k < q->pending; k += n ? n : 1) {
-        n = run_at(q, k);
-        if (n && q->oriented)
-            q->to->counts.undecided += tribox_oriented_answer(q->oriented, q->word[k], n, hit + k);
-        else if (n)
-            tribox_pairs_walk_block(&q->pairs, q->plan, q->word[k], n, hit + k, undecided + k);
-    }
-    for (unsigned k = 0; k < q->pending; k++)
-        any |= undecided[k];
-    return any;
 }
 
 static void answer_pending(tribox_descent *q)
 {
-    uint64_t hit[TRIBOX_PENDING], undecided[TRIBOX_PENDING];
-    if (ask_pending(q, hit, undecided))
-        q->to->counts.undecided += tribox_pairs_settle_words(&q->pairs, q->plan, q->word, q->pending, undecided, hit);
+    uint64_t hit[TRIBOX_PENDING];
+    tribox_question_answer(q->about, q->word, q->full, q->pending, hit);
     for (unsigned k = 0; k < q->pending; k++) {
         if (q->full[k])
             tribox_answers_take_full(q, q->word[k], q->full[k]);
@@ -135,40 +104,31 @@ void tribox_descent_run(tribox_descent *q)
     answer_pending(q);
 }
 
-/* A triangle that lies wholly inside is found sooner than another. */
-static bool any_in_word(tribox_descent *q, size_t word, size_t *triangle)
-{
-    uint64_t hit = q->plan->kernel->inside(q->pairs.soup, q->pairs.box, word, ~UINT64_C(0));
-    if (!hit)
-        tribox_pairs_answer_block(&q->pairs, q->plan, word, 1, &hit);
-    if (hit)
-        *triangle = 64 * word + tribox_lowest_bit(hit);
-    return hit;
-}
-
-/* Children that lie inside answer at once. Of the others, where there are several, those come first whose middle is in the box. */
+/*
+ * Children that lie inside answer at once. Of the others, where there are several, those come first whose middle is in the box.
+ * What lies inside an oriented box is not the same on every processor: there children come in the order of their numbers.
+ */
 static bool any_in_node(tribox_descent *q, unsigned level, size_t j, size_t *triangle)
 {
     tribox_node copy;
     const tribox_node *const node = node_at(q, level, j, &copy);
     const tribox_touch found = ask(q, level, j, node);
-    if (found.inside) {
-        *triangle = 64 * ((64 * j + tribox_lowest_bit(found.inside)) << 6 * level);
-        return true;
-    }
-    const bool is_one = !(found.touching & (found.touching - 1));
-    uint64_t first = is_one ? 0 : found.touching & q->plan->kernel->nodes->find_centred(node, q->pairs.box);
+    const bool is_box = !q->about->oriented, is_one = !(found.touching & (found.touching - 1));
+    uint64_t first = is_box ? found.inside : 0;
+    if (is_box && !first && !is_one)
+        first = found.touching & q->about->plan.kernel->nodes->find_centred(node, &q->about->nodes);
     for (uint64_t left = found.touching; left; first &= left) {
         const unsigned c = tribox_lowest_bit(first ? first : left);
+        const size_t child = 64 * j + c;
         left &= ~(UINT64_C(1) << c);
-        if (level ? any_in_node(q, level - 1, 64 * j + c, triangle) : any_in_word(q, 64 * j + c, triangle))
+        if (found.inside >> c & 1) {
+            *triangle = 64 * (child << 6 * level);
+            return true;
+        }
+        if (level ? any_in_node(q, level - 1, child, triangle) : tribox_question_any(q->about, child, triangle))
             return true;
     }
     return false;
 }
 
-bool tribox_descent_any(tribox_descent *q, size_t *triangle)
-{
-    q->plan->choice.is_adaptive = false;
-    return any_in_node(q, q->levels.count - 1, 0, triangle);
-}
+bool tribox_descent_any(tribox_descent *q, size_t *triangle) { return any_in_node(q, q->levels.count - 1, 0, triangle); }

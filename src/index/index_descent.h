@@ -1,13 +1,11 @@
 /*
- * index_descent.h - one query of an index: the descent (index_descent.c) finds which words of the soup can have an answer, and
- * which lie wholly in the box; index_answers.c takes the answers in the form that the caller asked for.
+ * index_descent.h - one query of an index: the descent (index_descent.c) finds which words can have an answer, and which lie
+ * wholly in the region; index_answers.c takes the answers in the form that the caller asked for.
  */
 #ifndef TRIBOX_INDEX_DESCENT_H
 #define TRIBOX_INDEX_DESCENT_H
 
-#include "index_levels.h"
-#include "pairs/oriented_words.h"
-#include "pairs/pairs.h"
+#include "index_question.h"
 
 typedef enum tribox_form { TRIBOX_COUNT, TRIBOX_MASK, TRIBOX_WORDS, TRIBOX_LIST } tribox_form;
 
@@ -22,7 +20,7 @@ typedef struct tribox_answers {
     uint32_t *list;      /* of LIST */
     size_t room;         /* for words, or for numbers of the list */
     size_t found;        /* how many there are */
-    tribox_report counts;
+    size_t overlapping;  /* triangles */
 } tribox_answers;
 
 /* Words wait until so many have come together, from wherever they lie: ties of all are settled at once. */
@@ -31,23 +29,20 @@ enum { TRIBOX_PENDING = TRIBOX_BLOCK_WORDS };
 typedef struct tribox_descent {
     const char *nodes;
     tribox_levels levels;
-    tribox_query pairs;                       /* a soup and a box, */
-    const tribox_oriented_question *oriented; /* or this question instead; else NULL */
-    tribox_plan *plan;
-    bool may_choose; /* the order of the groups is not fixed */
+    tribox_question *about;
     tribox_answers *to;
     unsigned pending;
     size_t word[TRIBOX_PENDING]; /* in ascending order */
-    size_t full[TRIBOX_PENDING]; /* so many words from that one on lie wholly in the box; 0: one word that has to be asked */
+    size_t full[TRIBOX_PENDING]; /* so many words from that one on lie wholly inside; 0: one word that has to be asked */
 } tribox_descent;
 
 /* Takes the answer about one word. */
 void tribox_answers_take_word(const tribox_descent *q, size_t word, uint64_t hit);
 
-/* Takes words whose triangles all lie in the box. */
+/* Takes words whose triangles all lie in the region. */
 void tribox_answers_take_full(const tribox_descent *q, size_t word, size_t words);
 
-/* Finds all answers, in ascending order where that matters. The box is finite and not empty. */
+/* Finds all answers, in ascending order where that matters. The region is finite and not empty. */
 void tribox_descent_run(tribox_descent *q);
 
 /* Finds some triangle; false if there is none. */

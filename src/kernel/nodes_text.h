@@ -15,7 +15,7 @@
 
 extern const tribox_nodes_kernel TRIBOX_SYMBOL(nodes);
 const tribox_nodes_kernel TRIBOX_SYMBOL(nodes) = {
-    .bound_soup = bound_soup,
+    .bound_words = bound_words,
     .bound_nodes = bound_nodes,
     .touch = touch,
     .find_centred = find_centred,

@@ -18,8 +18,16 @@ typedef struct tribox_mesh_query tribox_mesh_query;
 typedef size_t tribox_answer_block(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count,
                                    uint64_t *mask, tribox_report *counts);
 
+/*
+ * Answers words from anywhere, whose corners follow one another and can all be read: word w has the triangles from first[w] on, 64
+ * of them but for the last word; `count` in all, a packet at least and TRIBOX_MESH_BLOCK at most. Returns how many were undecided.
+ */
+typedef size_t tribox_answer_corners(const tribox_mesh_query *query, const tribox_mesh *mesh, const tribox_corners *corners,
+                                     const size_t *first, size_t count, uint64_t *hit);
+
 struct tribox_mesh_query {
     tribox_answer_block *answer;
+    tribox_answer_corners *answer_corners; /* NULL where corners cannot be walked */
     tribox_plan *plan;
     const tribox_box_pattern *pattern; /* NULL where vertices are not compared with the box, word by word */
     bool is_empty;                     /* nothing overlaps this box */

@@ -1,6 +1,7 @@
 /* mesh_floats.c - triangles of floats, by index or nine floats each, as they lie in memory: a block to the kernel. */
 #include "mesh_floats.h"
 
+#include "base/bits.h"
 #include "pairs/pairs.h"
 #include "pairs/partial_packet.h"
 
@@ -36,6 +37,23 @@ void tribox_float_box_make(const tribox_box *box, const tribox_plan *plan, tribo
     }
 }
 
+static bool are_corners_walked(const tribox_plan *plan) { return !TRIBOX_WALKS_SOUPS_ALONE && plan->axes == TRIBOX_AXES_ALL; }
+
+static size_t answer_float_corners(const tribox_mesh_query *q, const tribox_mesh *mesh, const tribox_corners *corners,
+                                   const size_t *first, size_t count, uint64_t *hit)
+{
+    const tribox_rounded_box *const box = &((const tribox_float_box *)q->about)->box;
+    const tribox_query pairs = {.corners = corners, .box = box, .count = count};
+    (void)mesh; /* corners are enough */
+    (void)first;
+    return tribox_pairs_answer_block(&pairs, q->plan, 0, tribox_words_of(count), hit);
+}
+
+tribox_answer_corners *tribox_mesh_floats_corners(const tribox_plan *plan)
+{
+    return are_corners_walked(plan) ? answer_float_corners : NULL;
+}
+
 /* From where they lie to registers if all of the block can be read so, else the first by way of streams. */
 size_t tribox_mesh_answer_floats(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
                                  tribox_report *counts)
@@ -48,8 +66,7 @@ size_t tribox_mesh_answer_floats(const tribox_mesh_query *q, const tribox_mesh *
     if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
         return 0;
     const tribox_query pairs = {.corners = &corners, .box = box, .count = count};
-    const bool is_direct = !TRIBOX_WALKS_SOUPS_ALONE && corners.base && corners.has_all && plan->axes == TRIBOX_AXES_ALL &&
-                           count >= plan->kernel->lanes;
+    const bool is_direct = are_corners_walked(plan) && corners.base && corners.has_all && count >= plan->kernel->lanes;
     add(counts, is_direct ? tribox_pairs_answer(&pairs, plan, mask) : answer_streams(mesh, first, streamed, box, plan, mask));
     return is_direct ? count : streamed;
 }

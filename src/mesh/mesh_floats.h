@@ -12,6 +12,9 @@ typedef struct tribox_float_box {
 /* A box of finite bounds. Every call is made in the environment of environment.h. */
 void tribox_float_box_make(const tribox_box *box, const tribox_plan *plan, tribox_float_box *rounded);
 
+/* Whether walks take the corners of a mesh of floats: a tribox_answer_corners for tribox_mesh_query, or NULL. */
+tribox_answer_corners *tribox_mesh_floats_corners(const tribox_plan *plan);
+
 /* A tribox_answer_block about a tribox_float_box. */
 size_t tribox_mesh_answer_floats(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count,
                                  uint64_t *mask, tribox_report *counts);

@@ -88,7 +88,8 @@ static size_t settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
     return tribox_count_bits(verdict.finite);
 }
 
-static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_local_box *local, const tribox_plan *plan,
+/* Word w has the triangles from first[w] on. */
+static size_t settle_words(const tribox_mesh *mesh, const size_t *first, const tribox_local_box *local, const tribox_plan *plan,
                            size_t words, const uint64_t *undecided, uint64_t *hit)
 {
     gathering g;
@@ -96,9 +97,9 @@ static size_t settle_words(const tribox_mesh *mesh, size_t first, const tribox_l
     g.count = 0;
     for (size_t w = 0; w < words; w++)
         for (uint64_t left = undecided[w]; left; left &= left - 1) {
-            const size_t lane = 64 * w + tribox_lowest_bit(left);
+            const size_t bit = tribox_lowest_bit(left), lane = 64 * w + bit;
             double u[3][3];
-            read_doubles(mesh, first + lane, u);
+            read_doubles(mesh, first[w] + bit, u);
             if (plan->axes & TRIBOX_AXES_BOX && is_apart_in_double(u, local->box))
                 continue;
             gather_pair(&g, u, local->box, lane);
@@ -169,10 +170,29 @@ size_t tribox_mesh_answer_local(const tribox_mesh_query *query, const tribox_mes
 {
     uint64_t unasked[BLOCK_WORDS], undecided[BLOCK_WORDS], *const hit = mask ? mask : unasked;
     const size_t done = walk_block(mesh, first, count, query->about, query->plan, hit, undecided), words = tribox_words_of(done);
-    counts->undecided += settle_words(mesh, first, query->about, query->plan, words, undecided, hit);
+    size_t first_of[BLOCK_WORDS];
+    for (size_t w = 0; w < BLOCK_WORDS; w++)
+        first_of[w] = first + 64 * w;
+    counts->undecided += settle_words(mesh, first_of, query->about, query->plan, words, undecided, hit);
     for (size_t w = 0; w < words; w++)
         counts->overlapping += tribox_count_bits(hit[w]);
     return done;
+}
+
+static size_t answer_local_corners(const tribox_mesh_query *query, const tribox_mesh *mesh, const tribox_corners *corners,
+                                   const size_t *first, size_t count, uint64_t *hit)
+{
+    const tribox_local_box *const local = query->about;
+    uint64_t undecided[BLOCK_WORDS];
+    tribox_corners doubles = *corners;
+    doubles.origin = local->origin;
+    walk(&doubles, count, local, query->plan, hit, undecided);
+    return settle_words(mesh, first, local, query->plan, tribox_words_of(count), undecided, hit);
+}
+
+tribox_answer_corners *tribox_mesh_local_corners(const tribox_mesh *mesh)
+{
+    return tribox_mesh_has_doubles(mesh) ? answer_local_corners : NULL;
 }
 
 uint64_t tribox_mesh_inside(const tribox_mesh *mesh, const tribox_box *box, size_t first, uint64_t candidates)

@@ -20,6 +20,9 @@ typedef struct tribox_local_box {
 /* A box of finite bounds. Every call is made in the environment of environment.h, and the accuracy of the plan is not FAST. */
 void tribox_local_box_make(const tribox_box *box, const tribox_plan *plan, tribox_local_box *local);
 
+/* A tribox_answer_corners for a mesh, or NULL where its positions do not follow each other. */
+tribox_answer_corners *tribox_mesh_local_corners(const tribox_mesh *mesh);
+
 /* A tribox_answer_block about a tribox_local_box. The strides of the mesh are set. */
 size_t tribox_mesh_answer_local(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
                                 tribox_report *counts);

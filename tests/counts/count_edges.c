@@ -25,7 +25,7 @@ static asked about[] = {
     {.suffix = ", near", .forms = 1, .of = {NEAR}},
     {.suffix = "", .forms = 4, .of = {FAR_ORIGIN(-1), FAR_ORIGIN(1), NEXT_ORIGIN(-1), NEXT_ORIGIN(1)}},
 };
-static tally normal;
+static tally normal, distance;
 static double turned, under_normal;
 
 /* In halves of the least number. An edge meets both its axes, so but for lengths nothing that underflows meets another. */
@@ -87,6 +87,9 @@ static void look_at_one_side(asked *to, const counted *bound)
 
 static void look_at_normal(void)
 {
+    for (int a = 1; a < 3; a++)
+        if (exact_M(a) > 0)
+            tally_first(&distance, count_of(s.V[a]), exact_M(a));
     const counted *const n = count_of(s.n[0]);
     const double D = fabs(exact_f(0, 1) * exact_f(1, 2)) + fabs(exact_f(0, 2) * exact_f(1, 1));
     under_normal = most_of(under_normal, underflow_of(n));
@@ -193,6 +196,7 @@ int main(int argc, char **argv)
         count_all(&about[k]);
         claim_all(&about[k]);
     }
+    claim_tally("V_0", &distance);
     claim_tally("normal", &normal);
     claim_number("normal, its sign", turned);
     claim_number("normal, underflow", under_normal);

@@ -7,7 +7,9 @@
  */
 #include "vec_count.h"
 #include "kernel/axes.h"
+#include "kernel/pairs/tail.h"
 #include "kernel/frame.h"
+#include "kernel/pairs/move.h"
 #include "kernel/nodes/nodes.h"
 #include "kernel/nodes/slabs.h"
 #include "claims.h"
@@ -19,33 +21,47 @@ enum { SPACE, ROW };
 static tally point, corner;
 static double under;
 
+/* All rows alike. */
 static lane_frame frame_of(const double row[3])
 {
     lane_frame frame;
     for (int a = 0; a < 3; a++) {
         frame.center[a] = count_input(SPACE, 0, true);
         count_here = COUNT_HERE;
-        frame.axis[0][a] = count_rounded(count_input(ROW, row[a], false), 0);
-        frame.size[0][a] = v_abs(frame.axis[0][a]);
+        for (int k = 0; k < 3; k++) {
+            frame.axis[k][a] = count_rounded(count_input(ROW, row[a], false), 0);
+            frame.size[k][a] = v_abs(frame.axis[k][a]);
+        }
+        frame.eta[a] = v_splat(V_ETA);
     }
-    frame.eta[0] = v_splat(V_ETA);
     return frame;
 }
 
-/* A vertex beside the center, as far from it as any that is moved with it: unit vectors are the edges of every orthant. */
-static void count_point(int axis, int of_row)
+/*
+ * Three vertices that are moved together, d[j] away from the center on one axis: in the order of what they are away, and by their
+ * signs, 0 and that alone are the edges.
+ */
+static void count_points(int axis, const int d[3], int of_row)
 {
+    static const float number[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8}; /* places among those that are given */
     const double row[3] = {of_row == 0, of_row == 1, of_row == 2};
-    vnum d[3], most[3];
+    const double farthest = most_of(abs(d[0]), most_of(abs(d[1]), abs(d[2])));
+    const tribox_soup soup = {.x = {number, number + 1, number + 2},
+                              .y = {number + 3, number + 4, number + 5},
+                              .z = {number + 6, number + 7, number + 8},
+                              .count = 1};
+    static vnum u[9];
+    vnum q[3][3], error[3];
     count_start(0);
     const lane_frame frame = frame_of(row);
-    for (int a = 0; a < 3; a++) {
-        d[a] = v_sub(count_input(SPACE, a == axis, true), frame.center[a]);
-        most[a] = v_abs(d[a]);
+    for (int k = 0; k < 9; k++)
+        u[k] = count_input(SPACE, k / 3 == axis ? d[k % 3] : 0, true);
+    count_memory = u;
+    move_packet(&soup, &frame, 0, q, error);
+    for (int j = 0; j < 3; j++) {
+        tally_both(&point, count_of(q[j][0]), axis == of_row ? farthest : 0, count_of(error[0]), 1);
+        under = most_of(under, count_of(q[j][0])->under[0]);
     }
-    const counted *const q = count_of(dot3(frame.axis[0], d)), *const bound = count_of(frame_error(&frame, 0, most));
-    tally_both(&point, q, axis == of_row, bound, 1);
-    under = most_of(under, q->under[0]);
 }
 
 /* Lower and upper bounds of a child on an axis: these are the edges of what their signs, and the longer of the two, leave. */
@@ -69,7 +85,10 @@ int main(int argc, char **argv)
     static const double bounds[5][2] = {{1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}};
     claims_start(argc, argv);
     for (int k = 0; k < 9; k++) {
-        count_point(k % 3, k / 3);
+        for (int n = 0; n < 27; n++) {
+            const int d[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+            count_points(k % 3, d, k / 3);
+        }
         for (int b = 0; b < 5; b++) {
             count_corners(k % 3, bounds[b], k / 3, 1);
             count_corners(k % 3, bounds[b], k / 3, -1);

@@ -1,5 +1,6 @@
 /*
- * count_sides.c - counts the roundings of the sides of edges on which rays along x are, and of n_x: PROOFS.md 15.4.
+ * count_sides.c - counts the roundings of the sides of edges on which rays along x are, of n_x, and of where they cross: PROOFS.md
+ * 15.4.
  *
  * The ray lies within the box of the triangle. On an axis that leaves cones by the order of its place and those of the vertices, of
  * which the least and the greatest are vertices': their edges have every number 0 or 1, and not all vertices alike.
@@ -14,7 +15,7 @@
 /* Bits 0 to 2 the vertices, bit 3 the ray. */
 enum { FIRST = 1, LAST = 14 };
 
-static tally side, area;
+static tally side, area, crossing;
 static vnum ray[3], least[3], most[3];
 
 static void set_axis(int a, unsigned numbers, vnum u[9])
@@ -41,6 +42,29 @@ static void count_point(unsigned y, unsigned z)
         tally_both(&side, count_of(side_of_edge(&s, e, ray[1], ray[2])), 1, bound, 1);
 }
 
+/* A number of y and z. */
+static vnum given(double x)
+{
+    const vnum a = count_new(6);
+    count_of(a)->x = x;
+    return a;
+}
+
+/* Sides 0 and 2, which are n_x at the most together, as they are computed; times n_x, a crossing is linear in them. */
+static void count_crossing(unsigned x, double side_0, double side_2)
+{
+    vnum u[9];
+    lane_seen s;
+    count_start(0);
+    set_axis(0, x, u);
+    set_axis(1, FIRST, u);
+    set_axis(2, FIRST, u);
+    find_edges(&s, u);
+    s.area = given(1);
+    s.per_area = v_div(v_splat(1), s.area);
+    tally_first(&crossing, count_of(crossing_past(&s, given(side_0), given(side_2))), 1);
+}
+
 static bool has_extent(unsigned numbers) { return (numbers & 7) != 0 && (numbers & 7) != 7; }
 
 int main(int argc, char **argv)
@@ -50,7 +74,11 @@ int main(int argc, char **argv)
         for (unsigned z = FIRST; z <= LAST; z++)
             if (has_extent(y) && has_extent(z))
                 count_point(y, z);
+    for (unsigned x = FIRST; x <= LAST; x++)
+        for (int k = 0; has_extent(x) && k < 3; k++)
+            count_crossing(x, k == 1, k == 2);
     claim_tally("side of a ray", &side);
+    claim_tally("crossing of a ray", &crossing);
     claim_tally("n_x of a ray", &area);
     return claims_end();
 }

@@ -39,3 +39,4 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return (void)sign, a; }
 TRIBOX_INLINE vnum v_min(vnum a, vnum b) { return (vnum){a.x < b.x ? a.x : b.x, NO_BOUND}; }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a.x > b.x; }
 TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a || b; }
+TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a && b; }

@@ -239,7 +239,7 @@ static void build_index(const round_of_scene *round, const tribox_options *optio
         fputs("masks.c: NODES is wrong\n", stderr);
         exit(2);
     }
-    put_status(to, tribox_index_build(&soup, options, nodes, NULL));
+    put_status(to, tribox_index_build(&(tribox_index){.soup = &soup}, options, nodes));
     for (size_t n = 0; n < NODES; n++) {
         uint64_t *const bounds = take_words(to, 6 * 32), *const whole = take_words(to, 1);
         for (size_t k = 0; k < 6 * 64; k++) {
@@ -264,22 +264,23 @@ static void ask_index(const round_of_scene *round, const tribox_options *options
     uint32_t number[WORDS_MAX];
     size_t found, start[SCENE_TRIANGLES + 1];
     const size_t words = tribox_mask_words(round->soup.count);
-    tribox_index index;
+    tribox_index index = {.nodes = nodes, .soup = &round->soup};
     build_index(round, options, to);
-    put_status(to, tribox_index_build(&round->soup, options, nodes, &index));
+    put_status(to, tribox_index_build(&index, options, nodes));
     uint64_t *const mask = take_words(to, words), *const bits = take_words(to, words), *const inside = take_words(to, words);
-    put_status(to, tribox_index_overlap(&index, &round->soup, &round->box, options, mask, NULL));
-    put_status(to, tribox_index_words(&index, &round->soup, &round->box, options, words, number, bits, inside, &found, NULL));
+    put_status(to, tribox_index_overlap(&index, &(tribox_region){.box = &round->box}, options, mask, NULL));
+    put_status(
+        to, tribox_index_words(&index, &(tribox_region){.box = &round->box}, options, words, number, bits, inside, &found, NULL));
     put_numbers(to, number, found);
-    put_status(to, tribox_index_list(&index, &round->soup, &round->box, options, NULL, WORDS_MAX, number, &found));
+    put_status(to, tribox_index_list(&index, &(tribox_region){.box = &round->box}, options, WORDS_MAX, number, &found));
     put_numbers(to, number, found);
-    put_status(to, tribox_index_any(&index, &round->soup, &round->box, options, &found));
+    put_status(to, tribox_index_any(&index, &(tribox_region){.box = &round->box}, options, &found));
     *take_words(to, 1) = found;
     uint64_t *const oriented = take_words(to, words);
-    put_status(to, tribox_index_overlap_oriented(&index, &round->soup, &round->oriented, options, oriented, NULL));
-    put_status(to, tribox_index_list_oriented(&index, &round->soup, &round->oriented, options, NULL, WORDS_MAX, number, &found));
+    put_status(to, tribox_index_overlap(&index, &(tribox_region){.oriented = &round->oriented}, options, oriented, NULL));
+    put_status(to, tribox_index_list(&index, &(tribox_region){.oriented = &round->oriented}, options, WORDS_MAX, number, &found));
     put_numbers(to, number, found);
-    put_status(to, tribox_index_lists(&index, &round->soup, &round->boxes, options, NULL, 0, NULL, start));
+    put_status(to, tribox_index_lists(&index, &round->boxes, options, 0, NULL, start));
     for (size_t b = 0; b <= round->boxes.count; b++)
         *take_words(to, 1) = start[b];
 }

@@ -15,7 +15,7 @@ typedef struct fuzz_case {
     tribox_soup soup;
     tribox_box box[BOXES]; /* all asked at once; the first alone too */
     unsigned char *nodes;
-    tribox_index index;
+    tribox_index index, with_ids;
     uint32_t *ids;
     bool is_damaged;
 } fuzz_case;
@@ -45,9 +45,9 @@ static void check_build(const fuzz_case *q, size_t first, size_t count)
     for (const char *const *kernel = runnable_kernels(); *kernel; kernel++) {
         const tribox_options o = {.kernel = *kernel};
         unsigned char *const again = tight_memory(bytes, 0);
-        status_fits("tribox_index_build", 0, tribox_index_build(&q->soup, &o, again, NULL));
+        status_fits("tribox_index_build", 0, tribox_index_build(&q->index, &o, again));
         ensure(!memcmp(again, q->nodes, bytes), "kernel %s builds other bytes", *kernel);
-        status_fits("tribox_index_update", 0, tribox_index_update(&q->soup, first, count, &o, again));
+        status_fits("tribox_index_update", 0, tribox_index_update(&q->index, first, count, &o, again));
         ensure(!memcmp(again, q->nodes, bytes), "kernel %s updates %zu and %zu more to other bytes", *kernel, first, count);
     }
 }
@@ -79,8 +79,8 @@ static uint64_t *check_mask(const fuzz_case *q, const tribox_options *o)
     tribox_report report, alone;
     status_fits("tribox_overlap", 0, tribox_overlap(&q->soup, &q->box[0], o, without, NULL));
     status_fits("tribox_classify", 0, tribox_classify(&q->soup, &q->box[0], o, NULL, inside, NULL));
-    status_fits("tribox_index_overlap", 0, tribox_index_overlap(&q->index, &q->soup, &q->box[0], o, mask, &report));
-    status_fits("tribox_index_overlap", 0, tribox_index_overlap(&q->index, &q->soup, &q->box[0], o, NULL, &alone));
+    status_fits("tribox_index_overlap", 0, tribox_index_overlap(&q->index, &(tribox_region){.box = &q->box[0]}, o, mask, &report));
+    status_fits("tribox_index_overlap", 0, tribox_index_overlap(&q->index, &(tribox_region){.box = &q->box[0]}, o, NULL, &alone));
     ensure(report.overlapping == mask_population("tribox_index_overlap", mask, count) && alone.overlapping == report.overlapping,
            "accuracy %d, kernel %s: %zu overlap by the report, %zu without a mask", (int)o->accuracy, o->kernel, report.overlapping,
            alone.overlapping);
@@ -99,7 +99,7 @@ static void check_words(const fuzz_case *q, const tribox_options *o, const uint6
     uint32_t *const number = tight_memory(expected * sizeof *number, 0);
     uint64_t *const bits = tight_mask(64 * expected);
     status_fits("tribox_index_words", 0,
-                tribox_index_words(&q->index, &q->soup, &q->box[0], o, expected, number, bits, NULL, &found, NULL));
+                tribox_index_words(&q->index, &(tribox_region){.box = &q->box[0]}, o, expected, number, bits, NULL, &found, NULL));
     ensure(found == expected, "accuracy %d, kernel %s: %zu words", (int)o->accuracy, o->kernel, found);
     for (size_t w = 0, k = 0; w < words; w++)
         if (mask[w]) {
@@ -117,7 +117,7 @@ static void check_inside(const fuzz_case *q, const tribox_options *o)
     size_t found = SIZE_MAX;
     status_fits("tribox_classify", 0, tribox_classify(&q->soup, &q->box[0], o, NULL, truth, NULL));
     status_fits("tribox_index_words", 0,
-                tribox_index_words(&q->index, &q->soup, &q->box[0], o, words, number, bits, inside, &found, NULL));
+                tribox_index_words(&q->index, &(tribox_region){.box = &q->box[0]}, o, words, number, bits, inside, &found, NULL));
     ensure(found <= words, "%zu words of %zu", found, words);
     for (size_t k = 0; k < found; k++)
         ensure(number[k] < words && !(inside[k] & ~bits[k]) && (q->is_damaged || inside[k] == truth[number[k]]),
@@ -141,12 +141,13 @@ static void check_list(const fuzz_case *q, const tribox_options *o, const uint64
     const size_t expected = mask_population("tribox_index_overlap", mask, q->soup.count);
     uint32_t *const list = tight_memory(expected * sizeof *list, 0);
     size_t found = SIZE_MAX, k = 0, triangle = SIZE_MAX;
-    status_fits("tribox_index_list", 0, tribox_index_list(&q->index, &q->soup, &q->box[0], o, q->ids, expected, list, &found));
+    status_fits("tribox_index_list", 0,
+                tribox_index_list(&q->with_ids, &(tribox_region){.box = &q->box[0]}, o, expected, list, &found));
     ensure(found == expected, "accuracy %d, kernel %s: a list of %zu", (int)o->accuracy, o->kernel, found);
     for (size_t i = 0; i < q->soup.count; i++)
         if (mask_bit(mask, i))
             ensure(list[k++] == q->ids[i], "accuracy %d, kernel %s: triangle %zu is not listed", (int)o->accuracy, o->kernel, i);
-    status_fits("tribox_index_any", 0, tribox_index_any(&q->index, &q->soup, &q->box[0], o, &triangle));
+    status_fits("tribox_index_any", 0, tribox_index_any(&q->index, &(tribox_region){.box = &q->box[0]}, o, &triangle));
     const bool is_none = triangle == q->soup.count && !expected;
     ensure(is_none ||
                (triangle < q->soup.count && (mask_bit(mask, triangle) || (o->accuracy == TRIBOX_FAST && is_inside(q, triangle)))),
@@ -164,18 +165,19 @@ static void check_lists(const fuzz_case *q, const tribox_options *o)
             bound[k][b] = k < 3 ? (float)q->box[b].lo[k] : (float)q->box[b].hi[k - 3];
         (k < 3 ? boxes.lo : boxes.hi)[k % 3] = bound[k];
     }
-    status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &q->soup, &boxes, o, NULL, 0, NULL, start));
+    status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &boxes, o, 0, NULL, start));
     for (int b = 0; b < BOXES; b++) {
         size_t found = 0;
         ensure(start[b] == total, "list %d starts at %zu", b, start[b]);
         if (box_is_finite(&q->box[b]))
-            status_fits("tribox_index_list", 0, tribox_index_list(&q->index, &q->soup, &q->box[b], o, NULL, 0, NULL, &found));
+            status_fits("tribox_index_list", 0,
+                        tribox_index_list(&q->index, &(tribox_region){.box = &q->box[b]}, o, 0, NULL, &found));
         total += found;
     }
     ensure(start[BOXES] == total, "lists of %zu and not %zu", start[BOXES], total);
     uint32_t *const half = tight_memory(total / 2 * sizeof *half, 0), *const all = tight_memory(total * sizeof *all, 0);
-    status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &q->soup, &boxes, o, NULL, total / 2, half, start));
-    status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &q->soup, &boxes, o, NULL, total, all, start));
+    status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &boxes, o, total / 2, half, start));
+    status_fits("tribox_index_lists", 0, tribox_index_lists(&q->index, &boxes, o, total, all, start));
     ensure(!(total / 2) || !memcmp(half, all, total / 2 * sizeof *half), "half the room, other lists");
     for (size_t k = 0; k < total; k++)
         ensure(all[k] < q->soup.count, "triangle %u of %zu", (unsigned)all[k], q->soup.count);
@@ -205,11 +207,12 @@ static void check_refusals(const fuzz_case *q, const tribox_options *o, unsigned
     tribox_report report;
     memset(&report, POISON, sizeof report);
     memset(&found, POISON, sizeof found);
-    status_fits("tribox_index_overlap", wrong, tribox_index_overlap(&q->index, &q->soup, &q->box[0], o, mask, &report));
+    status_fits("tribox_index_overlap", wrong,
+                tribox_index_overlap(&q->index, &(tribox_region){.box = &q->box[0]}, o, mask, &report));
     status_fits("tribox_index_words", wrong,
-                tribox_index_words(&q->index, &q->soup, &q->box[0], o, 0, NULL, NULL, NULL, &found, &report));
-    status_fits("tribox_index_list", wrong, tribox_index_list(&q->index, &q->soup, &q->box[0], o, NULL, 0, NULL, &found));
-    status_fits("tribox_index_any", wrong, tribox_index_any(&q->index, &q->soup, &q->box[0], o, &found));
+                tribox_index_words(&q->index, &(tribox_region){.box = &q->box[0]}, o, 0, NULL, NULL, NULL, &found, &report));
+    status_fits("tribox_index_list", wrong, tribox_index_list(&q->index, &(tribox_region){.box = &q->box[0]}, o, 0, NULL, &found));
+    status_fits("tribox_index_any", wrong, tribox_index_any(&q->index, &(tribox_region){.box = &q->box[0]}, o, &found));
     ensure(is_poisoned(mask, tribox_mask_words(q->soup.count) * sizeof *mask) && is_poisoned(&report, sizeof report) &&
                is_poisoned(&found, sizeof found),
            "a call about an index writes although it refuses");
@@ -229,7 +232,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     q.ids = tight_memory(q.soup.count * sizeof *q.ids, 0);
     for (size_t i = 0; i < q.soup.count; i++)
         q.ids[i] = (uint32_t)(3 * i + 1);
-    status_fits("tribox_index_build", 0, tribox_index_build(&q.soup, NULL, q.nodes, &q.index));
+    q.index = q.with_ids = (tribox_index){.nodes = q.nodes, .soup = &q.soup};
+    q.with_ids.ids = q.ids;
+    status_fits("tribox_index_build", 0, tribox_index_build(&q.index, NULL, q.nodes));
     const size_t first = q.soup.count * input_byte(&in) / 255;
     check_build(&q, first, (q.soup.count - first) * input_byte(&in) / 255);
     const unsigned quarter = input_byte(&in);

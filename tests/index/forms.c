@@ -77,6 +77,20 @@ static void demand(const question *q, bool holds, const char *what, size_t numbe
     fail_msg("%s: %s %zu", doing, what, number);
 }
 
+static tribox_status ask_without(const question *q, const tribox_options *options)
+{
+    const tribox_index *const index = &q->s->index;
+    return index->soup ? tribox_overlap(index->soup, q->box, options, q->least, NULL)
+                       : tribox_mesh_overlap(index->mesh, q->box, options, q->least, NULL);
+}
+
+static tribox_status classify_without(const question *q, const tribox_options *options)
+{
+    const tribox_index *const index = &q->s->index;
+    return index->soup ? tribox_classify(index->soup, q->box, options, NULL, q->inside, NULL)
+                       : tribox_mesh_classify(index->mesh, q->box, options, NULL, q->inside, NULL);
+}
+
 /* Words wholly inside are never tested: at FAST they are set as they are. */
 static void expect(question *q)
 {
@@ -85,9 +99,9 @@ static void expect(question *q)
     say(q, "tribox_overlap");
     if (options.accuracy == TRIBOX_EXACT)
         options.kernel = "scalar";
-    demand_ok(tribox_overlap(&q->s->soup, q->box, &options, q->least, NULL));
+    demand_ok(ask_without(q, &options));
     options.kernel = kernel;
-    demand_ok(tribox_classify(&q->s->soup, q->box, &options, NULL, q->inside, NULL));
+    demand_ok(classify_without(q, &options));
     memcpy(q->most, q->least, q->words * sizeof *q->most);
     for (size_t w = 0; options.accuracy == TRIBOX_FAST && w < q->words; w++) {
         const size_t left = q->s->soup.count - 64 * w;
@@ -141,7 +155,7 @@ static void check_mask(question *q)
     fenced place;
     tribox_report *const report = report_place(q, &place);
     say(q, "tribox_index_overlap");
-    demand_ok(tribox_index_overlap(&q->s->index, &q->s->soup, q->box, q->options, words_of(mask), report));
+    demand_ok(tribox_index_overlap(&q->s->index, &(tribox_region){.box = q->box}, q->options, words_of(mask), report));
     demand_mask(q, words_of(mask));
     assert_nothing_beside(&mask);
     demand_report(q, report, population(words_of(mask), q->words));
@@ -153,7 +167,7 @@ static void check_count(const question *q)
     fenced place;
     tribox_report *const report = report_place(q, &place);
     say(q, "tribox_index_overlap without a mask");
-    demand_ok(tribox_index_overlap(&q->s->index, &q->s->soup, q->box, q->options, NULL, report));
+    demand_ok(tribox_index_overlap(&q->s->index, &(tribox_region){.box = q->box}, q->options, NULL, report));
     demand_report(q, report, population(q->mask, q->words));
 }
 
@@ -171,8 +185,8 @@ static void check_words(const question *q, bool has_inside)
     fenced place;
     tribox_report *const report = report_place(q, &place);
     say(q, has_inside ? "tribox_index_words with inside" : "tribox_index_words");
-    demand_ok(tribox_index_words(&q->s->index, &q->s->soup, q->box, q->options, expected, numbers_of(number), words_of(bits),
-                                 has_inside ? words_of(inside) : NULL, (size_t *)(void *)found.at, report));
+    demand_ok(tribox_index_words(&q->s->index, &(tribox_region){.box = q->box}, q->options, expected, numbers_of(number),
+                                 words_of(bits), has_inside ? words_of(inside) : NULL, (size_t *)(void *)found.at, report));
     demand(q, *(size_t *)(void *)found.at == expected, "words found", *(size_t *)(void *)found.at);
     for (size_t w = 0; w < q->words; w++) {
         const uint64_t all = q->mask[w] | (is_classified ? q->inside[w] : 0);
@@ -195,7 +209,8 @@ static void check_list(const question *q, const uint32_t *ids)
     const fenced list = fenced_place(q->f->list, expected * sizeof(uint32_t), AT_END);
     size_t found = 0, k = 0;
     say(q, ids ? "tribox_index_list with numbers" : "tribox_index_list");
-    demand_ok(tribox_index_list(&q->s->index, &q->s->soup, q->box, q->options, ids, expected, numbers_of(list), &found));
+    demand_ok(tribox_index_list(ids ? &q->s->with_ids : &q->s->index, &(tribox_region){.box = q->box}, q->options, expected,
+                                numbers_of(list), &found));
     demand(q, found == expected, "triangles found", found);
     for (size_t i = 0; i < q->s->soup.count; i++)
         if (is_set(q->mask, i)) {
@@ -211,7 +226,7 @@ static void check_any(const question *q)
     size_t triangle = SIZE_MAX, again = SIZE_MAX;
     const bool is_fast = q->options->accuracy == TRIBOX_FAST;
     say(q, "tribox_index_any");
-    demand_ok(tribox_index_any(&q->s->index, &q->s->soup, q->box, q->options, &triangle));
+    demand_ok(tribox_index_any(&q->s->index, &(tribox_region){.box = q->box}, q->options, &triangle));
     if (triangle < q->s->soup.count)
         demand(q, is_set(q->mask, triangle) || (is_fast && is_set(q->inside, triangle)), "not overlapping", triangle);
     else
@@ -219,7 +234,7 @@ static void check_any(const question *q)
     if (q->options->accuracy == TRIBOX_EXACT) {
         tribox_options other = *q->options;
         other.kernel = "scalar";
-        demand_ok(tribox_index_any(&q->s->index, &q->s->soup, q->box, &other, &again));
+        demand_ok(tribox_index_any(&q->s->index, &(tribox_region){.box = q->box}, &other, &again));
         demand(q, triangle == again, "another than the scalar kernel,", triangle);
     }
 }
@@ -266,7 +281,8 @@ void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes 
         }
         say(&q, "tribox_index_list");
         if (has_list(&box))
-            demand_ok(tribox_index_list(&s->index, &s->soup, &box, options, s->ids, s->soup.count, expected + total, &found));
+            demand_ok(
+                tribox_index_list(&s->with_ids, &(tribox_region){.box = &box}, options, s->soup.count, expected + total, &found));
         begins[b] = total;
         total += found;
     }
@@ -275,7 +291,7 @@ void check_lists(const form_fences *f, const stored_soup *s, const tribox_boxes 
     const fenced list = fenced_place(f->list, total * sizeof(uint32_t), AT_END);
     const fenced start = fenced_place(f->start, (boxes->count + 1) * sizeof(size_t), AT_END);
     say(&q, "tribox_index_lists, the last box of which is");
-    demand_ok(tribox_index_lists(&s->index, &s->soup, boxes, options, s->ids, total, numbers_of(list), (size_t *)(void *)start.at));
+    demand_ok(tribox_index_lists(&s->with_ids, boxes, options, total, numbers_of(list), (size_t *)(void *)start.at));
     for (size_t b = 0; b <= boxes->count; b++)
         demand(&q, ((size_t *)(void *)start.at)[b] == begins[b], "another start of list", b);
     for (size_t k = 0; k < total; k++)

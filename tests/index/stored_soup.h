@@ -15,7 +15,7 @@ typedef struct stored_soup {
     uint32_t *ids;                 /* no two alike, in no order */
     unsigned char *nodes;
     tribox_soup soup;
-    tribox_index index;
+    tribox_index index, with_ids; /* over the soup, until a test sets something else; with ids too */
 } stored_soup;
 
 /* Fences for so many triangles at most, with room to shift all in. */
@@ -29,7 +29,7 @@ void stored_soup_free(stored_soup *s);
 enum { STORED_AT_END = -1, STORED_SHIFTS = 16 };
 void stored_soup_lay(stored_soup *s, size_t count, int shift);
 
-/* Fills the index's memory with poison, then builds the index of the numbers as they are now. */
+/* Fills the index's memory with poison, then builds the index of what it is over, as that is now. */
 void stored_soup_build(stored_soup *s, const char *kernel);
 
 static inline size_t stored_index_bytes(const stored_soup *s) { return tribox_index_bytes(s->soup.count); }

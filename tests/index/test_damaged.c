@@ -58,11 +58,12 @@ static void check_mask(const tribox_box *box, const tribox_options *options)
     const uint64_t *const mask = (const uint64_t *)(const void *)place.at;
     tribox_report report = {SIZE_MAX, SIZE_MAX}, again = report;
     say("tribox_index_overlap", options);
-    demand(!tribox_index_overlap(&stored.index, &stored.soup, box, options, (uint64_t *)(void *)place.at, &report), "refused");
+    demand(!tribox_index_overlap(&stored.index, &(tribox_region){.box = box}, options, (uint64_t *)(void *)place.at, &report),
+           "refused");
     demand(report.overlapping == population(mask, words) && report.undecided <= stored.soup.count, "another report");
     demand(!words || !has_bits_past_count(mask[words - 1], words - 1), "bits past the count");
     assert_nothing_beside(&place);
-    demand(!tribox_index_overlap(&stored.index, &stored.soup, box, options, NULL, &again), "refused");
+    demand(!tribox_index_overlap(&stored.index, &(tribox_region){.box = box}, options, NULL, &again), "refused");
     demand(again.overlapping == report.overlapping, "counts otherwise than it marks");
 }
 
@@ -73,7 +74,8 @@ static void check_words(const tribox_box *box, const tribox_options *options, si
     const size_t words = tribox_mask_words(stored.soup.count);
     size_t found = SIZE_MAX;
     say("tribox_index_words", options);
-    demand(!tribox_index_words(&stored.index, &stored.soup, box, options, room, number, bits, inside, &found, NULL), "refused");
+    demand(!tribox_index_words(&stored.index, &(tribox_region){.box = box}, options, room, number, bits, inside, &found, NULL),
+           "refused");
     demand(found <= words, "more words than there are");
     for (size_t k = 0; k < (found < room ? found : room); k++) {
         demand(number[k] < words && (!k || number[k] > number[k - 1]), "numbers of words that are none, or not in order");
@@ -86,8 +88,8 @@ static void check_list(const tribox_box *box, const tribox_options *options, siz
     static uint32_t list[COUNT_MAX], with_ids[COUNT_MAX];
     size_t found = SIZE_MAX, again = SIZE_MAX;
     say("tribox_index_list", options);
-    demand(!tribox_index_list(&stored.index, &stored.soup, box, options, NULL, room, list, &found), "refused");
-    demand(!tribox_index_list(&stored.index, &stored.soup, box, options, stored.ids, room, with_ids, &again), "refused");
+    demand(!tribox_index_list(&stored.index, &(tribox_region){.box = box}, options, room, list, &found), "refused");
+    demand(!tribox_index_list(&stored.with_ids, &(tribox_region){.box = box}, options, room, with_ids, &again), "refused");
     demand(found == again && found <= stored.soup.count, "more triangles than there are");
     for (size_t k = 0; k < (found < room ? found : room); k++) {
         demand(list[k] < stored.soup.count && (!k || list[k] > list[k - 1]), "triangles that are none, or not in order");
@@ -99,7 +101,7 @@ static void check_any(const tribox_box *box, const tribox_options *options)
 {
     size_t triangle = SIZE_MAX;
     say("tribox_index_any", options);
-    demand(!tribox_index_any(&stored.index, &stored.soup, box, options, &triangle), "refused");
+    demand(!tribox_index_any(&stored.index, &(tribox_region){.box = box}, options, &triangle), "refused");
     demand(triangle <= stored.soup.count, "a triangle that is none");
 }
 
@@ -116,8 +118,9 @@ static void check_oriented(const tribox_box *box, tribox_options options)
     tribox_report report = {SIZE_MAX, SIZE_MAX};
     size_t found = SIZE_MAX;
     say("tribox_index_list_oriented", &options);
-    demand(!tribox_index_overlap_oriented(&stored.index, &stored.soup, &oriented, &options, NULL, &report), "refused");
-    demand(!tribox_index_list_oriented(&stored.index, &stored.soup, &oriented, &options, NULL, COUNT_MAX, list, &found), "refused");
+    demand(!tribox_index_overlap(&stored.index, &(tribox_region){.oriented = &oriented}, &options, NULL, &report), "refused");
+    demand(!tribox_index_list(&stored.index, &(tribox_region){.oriented = &oriented}, &options, COUNT_MAX, list, &found),
+           "refused");
     demand(found <= stored.soup.count && found == report.overlapping, "more triangles than there are");
     for (size_t k = 0; k < found; k++)
         demand(list[k] < stored.soup.count && (!k || list[k] > list[k - 1]), "triangles that are none, or not in order");
@@ -223,7 +226,8 @@ static void test_copies(void **state)
     for (int shift = 0; shift < STORED_SHIFTS; shift++) {
         draw(&r);
         const size_t bytes = stored_index_bytes(&stored);
-        stored.index.nodes = memcpy(shift % 3 ? elsewhere.first + shift : guarded_tail(elsewhere, bytes), stored.nodes, bytes);
+        stored.index.nodes = stored.with_ids.nodes =
+            memcpy(shift % 3 ? elsewhere.first + shift : guarded_tail(elsewhere, bytes), stored.nodes, bytes);
         memset(stored.nodes, 0, bytes);
         guarded_read_only(elsewhere, true);
         for (int b = 0; b < 3 * BOXES; b++) {

@@ -12,21 +12,22 @@
 
 #include "tribox.h"
 
-enum { COUNT = 100, WORDS = 2, BOXES = 3, NODES = 4096 };
+enum { COUNT = 100, WORDS = 2, BOXES = 3, NODES = 4096, VERTICES = 33 };
 
 static const float zeros[COUNT];
+static uint16_t vertex_numbers[3 * COUNT];
 static unsigned char nodes[NODES];
 
 /* A call's arguments, right until a test spoils one. */
 typedef struct call {
     tribox_soup soup;
-    const tribox_soup *soup_or_null;
+    tribox_mesh mesh;
     tribox_index index;
     const tribox_index *index_or_null;
     tribox_box box;
-    const tribox_box *box_or_null;
     tribox_oriented_box oriented;
-    const tribox_oriented_box *oriented_or_null;
+    tribox_region region, turned;
+    bool has_region;
     tribox_boxes boxes;
     const tribox_boxes *boxes_or_null;
     tribox_options options;
@@ -39,28 +40,28 @@ static call *right_call(void)
 {
     static call c;
     c = (call){.soup = {{zeros, zeros, zeros}, {zeros, zeros, zeros}, {zeros, zeros, zeros}, COUNT},
-               .index = {nodes, COUNT},
+               .mesh = {.positions = zeros, .indices = vertex_numbers, .vertices = VERTICES, .index_bytes = 2, .count = COUNT},
                .box = {{-1, -1, -1}, {1, 1, 1}},
                .oriented = {{0, 0, 0}, {1, 1, 1}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                .boxes = {{zeros, zeros, zeros}, {zeros, zeros, zeros}, BOXES},
                .count = COUNT,
                .room = COUNT,
+               .has_region = true,
                .has_memory = true,
                .has_place = true,
                .has_bits = true,
                .has_found = true};
-    c.soup_or_null = &c.soup;
+    c.index = (tribox_index){.nodes = nodes, .soup = &c.soup};
+    c.region.box = &c.box;
+    c.turned.oriented = &c.oriented;
     c.index_or_null = &c.index;
-    c.box_or_null = &c.box;
     c.boxes_or_null = &c.boxes;
-    c.oriented_or_null = &c.oriented;
     return &c;
 }
 
 /* All that can be written, poisoned before a call and compared after it. */
 typedef struct outputs {
     unsigned char nodes[NODES];
-    tribox_index index;
     uint64_t mask[WORDS], bits[COUNT], inside[COUNT];
     uint32_t place[BOXES * COUNT];
     size_t start[BOXES + 1], found;
@@ -69,65 +70,79 @@ typedef struct outputs {
 
 typedef tribox_status ask(const call *c, outputs *out);
 
+static const tribox_region *region_of(const call *c) { return c->has_region ? &c->region : NULL; }
+static const tribox_region *turned_of(const call *c) { return c->has_region ? &c->turned : NULL; }
+
 static tribox_status build(const call *c, outputs *out)
 {
-    return tribox_index_build(c->soup_or_null, &c->options, c->has_memory ? out->nodes : NULL, &out->index);
+    return tribox_index_build(c->index_or_null, &c->options, c->has_memory ? out->nodes : NULL);
 }
 
 static tribox_status update(const call *c, outputs *out)
 {
-    return tribox_index_update(c->soup_or_null, c->first, c->count, &c->options, c->has_memory ? out->nodes : NULL);
+    return tribox_index_update(c->index_or_null, c->first, c->count, &c->options, c->has_memory ? out->nodes : NULL);
 }
 
 static tribox_status overlap(const call *c, outputs *out)
 {
-    return tribox_index_overlap(c->index_or_null, c->soup_or_null, c->box_or_null, &c->options, out->mask, &out->report);
+    return tribox_index_overlap(c->index_or_null, region_of(c), &c->options, out->mask, &out->report);
 }
 
 static tribox_status words(const call *c, outputs *out)
 {
-    return tribox_index_words(c->index_or_null, c->soup_or_null, c->box_or_null, &c->options, c->room,
-                              c->has_place ? out->place : NULL, c->has_bits ? out->bits : NULL, out->inside,
-                              c->has_found ? &out->found : NULL, &out->report);
+    return tribox_index_words(c->index_or_null, region_of(c), &c->options, c->room, c->has_place ? out->place : NULL,
+                              c->has_bits ? out->bits : NULL, out->inside, c->has_found ? &out->found : NULL, &out->report);
 }
 
 static tribox_status list(const call *c, outputs *out)
 {
-    return tribox_index_list(c->index_or_null, c->soup_or_null, c->box_or_null, &c->options, NULL, c->room,
-                             c->has_place ? out->place : NULL, c->has_found ? &out->found : NULL);
+    return tribox_index_list(c->index_or_null, region_of(c), &c->options, c->room, c->has_place ? out->place : NULL,
+                             c->has_found ? &out->found : NULL);
 }
 
 static tribox_status lists(const call *c, outputs *out)
 {
-    return tribox_index_lists(c->index_or_null, c->soup_or_null, c->boxes_or_null, &c->options, NULL, c->room,
-                              c->has_place ? out->place : NULL, c->has_found ? out->start : NULL);
+    return tribox_index_lists(c->index_or_null, c->boxes_or_null, &c->options, c->room, c->has_place ? out->place : NULL,
+                              c->has_found ? out->start : NULL);
 }
 
 static tribox_status any(const call *c, outputs *out)
 {
-    return tribox_index_any(c->index_or_null, c->soup_or_null, c->box_or_null, &c->options, c->has_found ? &out->found : NULL);
+    return tribox_index_any(c->index_or_null, region_of(c), &c->options, c->has_found ? &out->found : NULL);
 }
 
 static tribox_status overlap_oriented(const call *c, outputs *out)
 {
-    return tribox_index_overlap_oriented(c->index_or_null, c->soup_or_null, c->oriented_or_null, &c->options, out->mask,
-                                         &out->report);
+    return tribox_index_overlap(c->index_or_null, turned_of(c), &c->options, out->mask, &out->report);
+}
+
+static tribox_status words_oriented(const call *c, outputs *out)
+{
+    return tribox_index_words(c->index_or_null, turned_of(c), &c->options, c->room, c->has_place ? out->place : NULL,
+                              c->has_bits ? out->bits : NULL, NULL, c->has_found ? &out->found : NULL, &out->report);
+}
+
+static tribox_status any_oriented(const call *c, outputs *out)
+{
+    return tribox_index_any(c->index_or_null, turned_of(c), &c->options, c->has_found ? &out->found : NULL);
 }
 
 static tribox_status list_oriented(const call *c, outputs *out)
 {
-    return tribox_index_list_oriented(c->index_or_null, c->soup_or_null, c->oriented_or_null, &c->options, NULL, c->room,
-                                      c->has_place ? out->place : NULL, c->has_found ? &out->found : NULL);
+    return tribox_index_list(c->index_or_null, turned_of(c), &c->options, c->room, c->has_place ? out->place : NULL,
+                             c->has_found ? &out->found : NULL);
 }
 
-static ask *const of_all[] = {build, update, overlap, words, list, lists, any, overlap_oriented, list_oriented};
+static ask *const of_all[] = {build, update,           overlap,       words,          list,        lists,
+                              any,   overlap_oriented, list_oriented, words_oriented, any_oriented};
 static ask *const of_builds[] = {build, update};
-static ask *const of_questions[] = {overlap, words, list, lists, any, overlap_oriented, list_oriented};
+static ask *const of_questions[] = {overlap,          words,         list,           lists,       any,
+                                    overlap_oriented, list_oriented, words_oriented, any_oriented};
 static ask *const of_one_box[] = {overlap, words, list, any};
-static ask *const of_oriented[] = {overlap_oriented, list_oriented};
-static ask *const of_found[] = {words, list, lists, any, list_oriented};
+static ask *const of_oriented[] = {overlap_oriented, list_oriented, words_oriented, any_oriented};
+static ask *const of_found[] = {words, list, lists, any, list_oriented, words_oriented, any_oriented};
 static ask *const of_lists[] = {list, lists, list_oriented};
-static ask *const of_places[] = {words, list, lists, list_oriented};
+static ask *const of_places[] = {words, list, lists, list_oriented, words_oriented};
 
 static void expect_one(ask *which, const call *c, tribox_status expected)
 {
@@ -145,49 +160,120 @@ static void expect_one(ask *which, const call *c, tribox_status expected)
             expect_one((calls)[k_], c, status); \
     } while (0)
 
+static void use_mesh(call *c)
+{
+    c->index.soup = NULL;
+    c->index.mesh = &c->mesh;
+}
+
 static void test_right_call(void **state)
 {
     (void)state;
     EXPECT(of_all, right_call(), TRIBOX_OK);
     static outputs out;
-    const call *const c = right_call();
-    assert_int_equal(tribox_index_build(&c->soup, NULL, out.nodes, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_index_update(&c->soup, 0, 1, NULL, out.nodes), TRIBOX_OK);
-    assert_int_equal(tribox_index_overlap(&c->index, &c->soup, &c->box, NULL, NULL, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_index_words(&c->index, &c->soup, &c->box, NULL, 0, NULL, NULL, NULL, &out.found, NULL), TRIBOX_OK);
-    assert_int_equal(out.found, WORDS);
-    assert_int_equal(tribox_index_list(&c->index, &c->soup, &c->box, NULL, NULL, 0, NULL, &out.found), TRIBOX_OK);
-    assert_int_equal(out.found, COUNT);
-    assert_int_equal(tribox_index_lists(&c->index, &c->soup, &c->boxes, NULL, NULL, 0, NULL, out.start), TRIBOX_OK);
-    assert_int_equal(out.start[BOXES], BOXES * COUNT);
-    assert_int_equal(tribox_index_any(&c->index, &c->soup, &c->box, NULL, &out.found), TRIBOX_OK);
-    assert_true(out.found < COUNT);
+    call *const c = right_call();
+    for (int of_mesh = 0; of_mesh < 2; of_mesh++) {
+        assert_int_equal(tribox_index_build(&c->index, NULL, out.nodes), TRIBOX_OK);
+        assert_int_equal(tribox_index_update(&c->index, 0, 1, NULL, out.nodes), TRIBOX_OK);
+        assert_int_equal(tribox_index_overlap(&c->index, &c->region, NULL, NULL, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_index_words(&c->index, &c->region, NULL, 0, NULL, NULL, NULL, &out.found, NULL), TRIBOX_OK);
+        assert_int_equal(out.found, WORDS);
+        assert_int_equal(tribox_index_list(&c->index, &c->region, NULL, 0, NULL, &out.found), TRIBOX_OK);
+        assert_int_equal(out.found, COUNT);
+        assert_int_equal(tribox_index_lists(&c->index, &c->boxes, NULL, 0, NULL, out.start), TRIBOX_OK);
+        assert_int_equal(out.start[BOXES], BOXES * COUNT);
+        assert_int_equal(tribox_index_any(&c->index, &c->region, NULL, &out.found), TRIBOX_OK);
+        assert_true(out.found < COUNT);
+        use_mesh(c);
+    }
+    EXPECT(of_builds, c, TRIBOX_OK);
+    EXPECT(of_one_box, c, TRIBOX_OK);
+    expect_one(lists, c, TRIBOX_OK);
 }
 
 static void test_null(void **state)
 {
     (void)state;
     call *c = right_call();
-    c->soup_or_null = NULL;
+    c->index.soup = NULL;
     EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
     c = right_call();
     c->has_memory = false;
     EXPECT(of_builds, c, TRIBOX_BAD_ARGUMENT);
     c = right_call();
     c->index_or_null = NULL;
-    EXPECT(of_questions, c, TRIBOX_BAD_ARGUMENT);
+    EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
     c = right_call();
     c->index.nodes = NULL;
     EXPECT(of_questions, c, TRIBOX_BAD_ARGUMENT);
+    EXPECT(of_builds, c, TRIBOX_OK);
     c = right_call();
-    c->box_or_null = NULL;
+    c->has_region = false;
     EXPECT(of_one_box, c, TRIBOX_BAD_ARGUMENT);
-    c = right_call();
-    c->oriented_or_null = NULL;
     EXPECT(of_oriented, c, TRIBOX_BAD_ARGUMENT);
     c = right_call();
     c->boxes_or_null = NULL;
     expect_one(lists, c, TRIBOX_BAD_ARGUMENT);
+}
+
+/* One of two pointers, and not both: what an index is over, and what a region is. */
+static void test_one_of_two(void **state)
+{
+    (void)state;
+    call *c = right_call();
+    c->index.mesh = &c->mesh;
+    EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
+    c = right_call();
+    c->region = c->turned = (tribox_region){NULL, NULL};
+    EXPECT(of_one_box, c, TRIBOX_BAD_ARGUMENT);
+    EXPECT(of_oriented, c, TRIBOX_BAD_ARGUMENT);
+    c->region = (tribox_region){&c->box, &c->oriented};
+    EXPECT(of_one_box, c, TRIBOX_BAD_ARGUMENT);
+    c = right_call();
+    c->region = c->turned;
+    expect_one(words, c, TRIBOX_BAD_ARGUMENT); /* nothing is said to be inside of an oriented box */
+}
+
+static void test_reserved(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        call *c = right_call();
+        c->index.reserved[k] = 1;
+        EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
+        c = right_call();
+        c->options.reserved[k] = 1u << 31;
+        EXPECT(of_questions, c, TRIBOX_BAD_OPTION);
+    }
+}
+
+/* What tribox_mesh_overlap refuses; vertices are looked at where they are read first. */
+static void test_meshes(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        call *const c = right_call();
+        use_mesh(c);
+        if (k == 0)
+            c->mesh.positions = NULL;
+        else if (k == 1)
+            c->mesh.stride = 11;
+        else if (k == 2)
+            c->mesh.index_bytes = 3;
+        else if (k == 3)
+            c->mesh.position_bytes = 5;
+        else
+            c->mesh.reserved[3] = 1;
+        EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
+    }
+    call *const c = right_call();
+    use_mesh(c);
+    vertex_numbers[3 * COUNT - 1] = VERTICES;
+    EXPECT(of_builds, c, TRIBOX_BAD_VERTEX);
+    EXPECT(of_one_box, c, TRIBOX_OK);
+    vertex_numbers[3 * COUNT - 1] = 0;
+    c->count = 0;
+    expect_one(update, c, TRIBOX_OK);
 }
 
 static void test_null_streams(void **state)
@@ -224,20 +310,14 @@ static void test_null_outputs(void **state)
     expect_one(words, c, TRIBOX_OK);
 }
 
-/* Of a soup that is not the index's, or that is larger than any. */
+/* Of a soup that is larger than any. */
 static void test_counts(void **state)
 {
     (void)state;
-    static const size_t others[] = {0, COUNT - 1, COUNT + 1, SIZE_MAX};
-    for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
-        call *const c = right_call();
-        c->index.count = others[k];
-        EXPECT(of_questions, c, TRIBOX_BAD_ARGUMENT);
-    }
     static const size_t huge[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / sizeof(float), PTRDIFF_MAX / sizeof(float) + 1};
     for (size_t k = 0; k < sizeof huge / sizeof huge[0]; k++) {
         call *c = right_call();
-        c->soup.count = c->index.count = huge[k];
+        c->soup.count = huge[k];
         EXPECT(of_all, c, TRIBOX_BAD_ARGUMENT);
         c = right_call();
         c->boxes.count = huge[k];
@@ -251,9 +331,9 @@ static void test_too_many_for_numbers(void **state)
 {
     (void)state;
     call *const c = right_call();
-    c->soup.count = c->index.count = ((size_t)1 << 32) + 1;
+    c->soup.count = ((size_t)1 << 32) + 1;
     EXPECT(of_lists, c, TRIBOX_BAD_ARGUMENT);
-    c->soup.count = c->index.count = ((size_t)1 << 38) + 1;
+    c->soup.count = ((size_t)1 << 38) + 1;
     expect_one(words, c, TRIBOX_BAD_ARGUMENT);
 }
 #endif
@@ -341,7 +421,7 @@ static void test_nothing(void **state)
     call *c = right_call();
     const tribox_soup soup = {.count = 0};
     c->soup = soup;
-    c->index.count = c->first = c->count = 0;
+    c->first = c->count = 0;
     EXPECT(of_all, c, TRIBOX_OK);
     assert_int_equal(list(c, &out), TRIBOX_OK);
     assert_int_equal(out.found, 0);
@@ -369,11 +449,14 @@ int main(void)
     if (tribox_index_bytes(COUNT) > NODES)
         return 1;
     const call *const c = right_call();
-    if (tribox_index_build(&c->soup, NULL, nodes, NULL))
+    if (tribox_index_build(&c->index, NULL, nodes))
         return 1;
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_right_call),
         cmocka_unit_test(test_null),
+        cmocka_unit_test(test_one_of_two),
+        cmocka_unit_test(test_reserved),
+        cmocka_unit_test(test_meshes),
         cmocka_unit_test(test_null_streams),
         cmocka_unit_test(test_counts),
         cmocka_unit_test(test_ranges),

@@ -52,29 +52,29 @@ typedef struct answers {
 
 typedef void action(const asked *q, answers *out);
 
-static void build(const asked *q, answers *out) { out->status = tribox_index_build(&stored.soup, &q->options, out->nodes, NULL); }
+static void build(const asked *q, answers *out) { out->status = tribox_index_build(&stored.index, &q->options, out->nodes); }
 
 static void update(const asked *q, answers *out)
 {
     memcpy(out->nodes, stored.nodes, stored_index_bytes(&stored));
-    out->status = tribox_index_update(&stored.soup, 70, 9, &q->options, out->nodes);
+    out->status = tribox_index_update(&stored.index, 70, 9, &q->options, out->nodes);
 }
 
 static void overlap(const asked *q, answers *out)
 {
-    out->status = tribox_index_overlap(&stored.index, &stored.soup, &q->box[0], &q->options, out->mask, &out->report);
+    out->status = tribox_index_overlap(&stored.index, &(tribox_region){.box = &q->box[0]}, &q->options, out->mask, &out->report);
 }
 
 static void words(const asked *q, answers *out)
 {
-    out->status = tribox_index_words(&stored.index, &stored.soup, &q->box[0], &q->options, WORDS, out->number, out->bits,
+    out->status = tribox_index_words(&stored.index, &(tribox_region){.box = &q->box[0]}, &q->options, WORDS, out->number, out->bits,
                                      out->inside, &out->found, &out->report);
 }
 
 static void list(const asked *q, answers *out)
 {
     out->status =
-        tribox_index_list(&stored.index, &stored.soup, &q->box[0], &q->options, stored.ids, COUNT, out->list, &out->found);
+        tribox_index_list(&stored.with_ids, &(tribox_region){.box = &q->box[0]}, &q->options, COUNT, out->list, &out->found);
 }
 
 static void lists(const asked *q, answers *out)
@@ -86,12 +86,12 @@ static void lists(const asked *q, answers *out)
             memcpy(&bound[k][b], k < 3 ? &q->box[b].lo[k] : &q->box[b].hi[k - 3], sizeof(float));
         (k < 3 ? boxes.lo : boxes.hi)[k % 3] = bound[k];
     }
-    out->status = tribox_index_lists(&stored.index, &stored.soup, &boxes, &q->options, NULL, BOXES * COUNT, out->list, out->start);
+    out->status = tribox_index_lists(&stored.index, &boxes, &q->options, BOXES * COUNT, out->list, out->start);
 }
 
 static void any(const asked *q, answers *out)
 {
-    out->status = tribox_index_any(&stored.index, &stored.soup, &q->box[0], &q->options, &out->found);
+    out->status = tribox_index_any(&stored.index, &(tribox_region){.box = &q->box[0]}, &q->options, &out->found);
 }
 
 /* Any center and half lengths, but soups of a lattice alone: others take long, and tests/inputs sees to them. */
@@ -101,7 +101,7 @@ static void overlap_oriented(const asked *q, answers *out)
     memcpy(box.center, q->box[0].lo, sizeof box.center);
     memcpy(box.half, q->box[0].hi, sizeof box.half);
     if (is_lattice)
-        out->status = tribox_index_overlap_oriented(&stored.index, &stored.soup, &box, &q->options, out->mask, &out->report);
+        out->status = tribox_index_overlap(&stored.index, &(tribox_region){.oriented = &box}, &q->options, out->mask, &out->report);
 }
 
 static const struct {

@@ -60,8 +60,8 @@ static void check_list(const tribox_oriented_box *box, const tribox_options *opt
         const uint32_t *const list = (const uint32_t *)(const void *)place.at;
         size_t found = SIZE_MAX, k = 0;
         say("tribox_index_list_oriented", options, name);
-        assert_int_equal(tribox_index_list_oriented(&stored.index, &stored.soup, box, options, stored.ids, room,
-                                                    (uint32_t *)(void *)place.at, &found),
+        assert_int_equal(tribox_index_list(&stored.with_ids, &(tribox_region){.oriented = box}, options, room,
+                                           (uint32_t *)(void *)place.at, &found),
                          TRIBOX_OK);
         demand(found == expected, box, "triangles found", found);
         for (size_t i = 0; i < stored.soup.count && k < room; i++)
@@ -85,7 +85,8 @@ static void check(const tribox_oriented_box *box, const tribox_options *options,
     const uint64_t *const mask = (const uint64_t *)(const void *)place.at;
     say("tribox_index_overlap_oriented", options, name);
     assert_int_equal(
-        tribox_index_overlap_oriented(&stored.index, &stored.soup, box, options, (uint64_t *)(void *)place.at, &report), TRIBOX_OK);
+        tribox_index_overlap(&stored.index, &(tribox_region){.oriented = box}, options, (uint64_t *)(void *)place.at, &report),
+        TRIBOX_OK);
     for (size_t i = 0; i < stored.soup.count; i++) {
         demand(options->accuracy != TRIBOX_EXACT || is_set(mask, i) == is_set(truth, i), box, "another bit", i);
         demand(options->accuracy != TRIBOX_CONSERVATIVE || is_set(mask, i) >= is_set(truth, i), box, "misses triangle", i);
@@ -93,7 +94,7 @@ static void check(const tribox_oriented_box *box, const tribox_options *options,
     assert_nothing_beside(&place);
     demand(report.overlapping == population(mask), box, "overlapping by the report", report.overlapping);
     demand(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : stored.soup.count), box, "undecided", report.undecided);
-    assert_int_equal(tribox_index_overlap_oriented(&stored.index, &stored.soup, box, options, NULL, &alone), TRIBOX_OK);
+    assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.oriented = box}, options, NULL, &alone), TRIBOX_OK);
     demand(alone.overlapping == report.overlapping, box, "overlapping without a mask", alone.overlapping);
     check_list(box, options, mask, name);
 }
@@ -237,9 +238,10 @@ static void test_unseen(void **state)
             tribox_report inside = {0, 1}, outside = {1, 1};
             say("a question that needs no triangle", &options, "unseen");
             stored_soup_hide(&stored, true);
-            const tribox_status one = tribox_index_overlap_oriented(&stored.index, &stored.soup, &around, &options, NULL, &inside);
+            const tribox_status one =
+                tribox_index_overlap(&stored.index, &(tribox_region){.oriented = &around}, &options, NULL, &inside);
             const tribox_status other =
-                tribox_index_overlap_oriented(&stored.index, &stored.soup, &beside, &options, NULL, &outside);
+                tribox_index_overlap(&stored.index, &(tribox_region){.oriented = &beside}, &options, NULL, &outside);
             stored_soup_hide(&stored, false);
             assert_int_equal(one, TRIBOX_OK);
             assert_int_equal(other, TRIBOX_OK);

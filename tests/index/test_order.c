@@ -17,7 +17,7 @@
 #include "dispatch.h"
 #include "base/environment.h"
 #include "order_kinds.h"
-#include "index/sort_keys.h"
+#include "order/sort_keys.h"
 
 static arguments args;
 

@@ -63,8 +63,9 @@ static void check_words(const tribox_box *box, const tribox_options *options)
     static uint32_t number[WORDS];
     static uint64_t bits[WORDS], inside[WORDS];
     size_t expected = 0, rooms[ROOMS];
-    assert_int_equal(tribox_index_words(&stored.index, &stored.soup, box, options, WORDS, number, bits, inside, &expected, NULL),
-                     TRIBOX_OK);
+    assert_int_equal(
+        tribox_index_words(&stored.index, &(tribox_region){.box = box}, options, WORDS, number, bits, inside, &expected, NULL),
+        TRIBOX_OK);
     rooms_about(expected, WORDS, rooms);
     for (size_t k = 0; k < ROOMS; k++) {
         const size_t fits = less(rooms[k], expected);
@@ -73,7 +74,7 @@ static void check_words(const tribox_box *box, const tribox_options *options)
         size_t found = SIZE_MAX;
         tribox_report report = {0, 0};
         say("tribox_index_words", options, rooms[k]);
-        assert_int_equal(tribox_index_words(&stored.index, &stored.soup, box, options, rooms[k], numbers_of(place[0]),
+        assert_int_equal(tribox_index_words(&stored.index, &(tribox_region){.box = box}, options, rooms[k], numbers_of(place[0]),
                                             words_of(place[1]), words_of(place[2]), &found, &report),
                          TRIBOX_OK);
         demand_found(found, expected);
@@ -86,7 +87,8 @@ static void check_words(const tribox_box *box, const tribox_options *options)
         assert_int_equal(report.overlapping, overlapping);
     }
     size_t found = SIZE_MAX;
-    assert_int_equal(tribox_index_words(&stored.index, &stored.soup, box, options, 0, NULL, NULL, NULL, &found, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_index_words(&stored.index, &(tribox_region){.box = box}, options, 0, NULL, NULL, NULL, &found, NULL),
+                     TRIBOX_OK);
     assert_true(options->accuracy == TRIBOX_FAST ? found <= expected : found == expected);
 }
 
@@ -94,13 +96,15 @@ static void check_list(const tribox_box *box, const tribox_options *options, con
 {
     static uint32_t list[TRIANGLES];
     size_t expected = 0, rooms[ROOMS];
-    assert_int_equal(tribox_index_list(&stored.index, &stored.soup, box, options, ids, TRIANGLES, list, &expected), TRIBOX_OK);
+    assert_int_equal(tribox_index_list(ids ? &stored.with_ids : &stored.index, &(tribox_region){.box = box}, options, TRIANGLES,
+                                       list, &expected),
+                     TRIBOX_OK);
     rooms_about(expected, TRIANGLES, rooms);
     for (size_t k = 0; k < ROOMS; k++) {
         const fenced place = place_for(fences.list, less(rooms[k], expected), sizeof list[0]);
         size_t found = SIZE_MAX;
         say("tribox_index_list", options, rooms[k]);
-        assert_int_equal(tribox_index_list(&stored.index, &stored.soup, box, options, ids, rooms[k],
+        assert_int_equal(tribox_index_list(ids ? &stored.with_ids : &stored.index, &(tribox_region){.box = box}, options, rooms[k],
                                            rooms[k] ? numbers_of(place) : NULL, &found),
                          TRIBOX_OK);
         demand_found(found, expected);
@@ -125,16 +129,16 @@ static void check_lists_rooms(const tribox_boxes *boxes, const tribox_options *o
 {
     static uint32_t list[LISTED];
     size_t begins[BOXES + 1], rooms[ROOMS];
-    assert_int_equal(tribox_index_lists(&stored.index, &stored.soup, boxes, options, stored.ids, LISTED, list, begins), TRIBOX_OK);
+    assert_int_equal(tribox_index_lists(&stored.with_ids, boxes, options, LISTED, list, begins), TRIBOX_OK);
     rooms_about(begins[boxes->count], LISTED, rooms);
     for (size_t k = 0; k < ROOMS + boxes->count; k++) {
         const size_t room = k < ROOMS ? rooms[k] : begins[k - ROOMS];
         const fenced place = place_for(fences.list, less(room, begins[boxes->count]), sizeof list[0]);
         const fenced start = fenced_place(fences.start, (boxes->count + 1) * sizeof(size_t), AT_END);
         say("tribox_index_lists", options, room);
-        assert_int_equal(tribox_index_lists(&stored.index, &stored.soup, boxes, options, stored.ids, room,
-                                            room ? numbers_of(place) : NULL, (size_t *)(void *)start.at),
-                         TRIBOX_OK);
+        assert_int_equal(
+            tribox_index_lists(&stored.with_ids, boxes, options, room, room ? numbers_of(place) : NULL, (size_t *)(void *)start.at),
+            TRIBOX_OK);
         demand_part(&place, list);
         demand_part(&start, begins);
     }

@@ -59,7 +59,7 @@ static void run_all(void *(*work)(void *))
 static void *update(void *argument)
 {
     worker *const w = argument;
-    w->status = tribox_index_update(&stored.soup, w->first, w->count, &w->options, shared);
+    w->status = tribox_index_update(&stored.index, w->first, w->count, &w->options, shared);
     return NULL;
 }
 
@@ -95,7 +95,7 @@ static void test_build(void **state)
             workers[t].options = (tribox_options){.kernel = k < 0 ? NULL : names[(k + t) % kernels]};
         memset(shared, 0xff, stored_index_bytes(&stored));
         run_all(update);
-        assert_int_equal(tribox_index_update(&stored.soup, 0, 0, NULL, shared), TRIBOX_OK);
+        assert_int_equal(tribox_index_update(&stored.index, 0, 0, NULL, shared), TRIBOX_OK);
         stored_soup_build(&stored, names[0]);
         assert_memory_equal(shared, stored.nodes, stored_index_bytes(&stored));
     }
@@ -104,8 +104,9 @@ static void test_build(void **state)
 static tribox_status ask_all(worker *w)
 {
     for (int b = 0; b < BOXES; b++) {
-        const tribox_status one = tribox_index_overlap(&stored.index, &stored.soup, &w->box[b], &w->options, w->mask[b], NULL);
-        const tribox_status other = tribox_index_any(&stored.index, &stored.soup, &w->box[b], &w->options, &w->any[b]);
+        const tribox_status one =
+            tribox_index_overlap(&stored.index, &(tribox_region){.box = &w->box[b]}, &w->options, w->mask[b], NULL);
+        const tribox_status other = tribox_index_any(&stored.index, &(tribox_region){.box = &w->box[b]}, &w->options, &w->any[b]);
         if (one || other)
             return one ? one : other;
     }

@@ -66,7 +66,7 @@ static size_t count_unseen(const tribox_box *box, const tribox_options *options,
     snprintf(doing, sizeof doing, "a question that needs no triangle: %s, kernel %s, accuracy %d", how, options->kernel,
              (int)options->accuracy);
     stored_soup_hide(&stored, true);
-    const tribox_status status = tribox_index_overlap(&stored.index, &stored.soup, box, options, NULL, &report);
+    const tribox_status status = tribox_index_overlap(&stored.index, &(tribox_region){.box = box}, options, NULL, &report);
     stored_soup_hide(&stored, false);
     assert_int_equal(status, TRIBOX_OK);
     assert_int_equal(report.undecided, 0);
@@ -84,7 +84,7 @@ static void expect_unseen(const tribox_box *box, const tribox_options *options, 
 static size_t count_as_without(const tribox_box *box, const tribox_options *options)
 {
     tribox_report report = {0, 0}, without = {0, 0};
-    assert_int_equal(tribox_index_overlap(&stored.index, &stored.soup, box, options, NULL, &report), TRIBOX_OK);
+    assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.box = box}, options, NULL, &report), TRIBOX_OK);
     assert_int_equal(tribox_overlap(&stored.soup, box, options, NULL, &without), TRIBOX_OK);
     if (options->accuracy == TRIBOX_FAST ? report.overlapping < without.overlapping : report.overlapping != without.overlapping)
         fail_msg("%zu overlap, without the index %zu", report.overlapping, without.overlapping);
@@ -94,7 +94,8 @@ static size_t count_as_without(const tribox_box *box, const tribox_options *opti
 static void check_face(const part *p, const tribox_box *about, int face, float unit, const tribox_options *options)
 {
     const bool is_lower = face < 3;
-    const float near = is_lower ? (float)about->lo[face] : (float)about->hi[face - 3], far = is_lower ? (float)about->hi[face] : (float)about->lo[face - 3];
+    const float near = is_lower ? (float)about->lo[face] : (float)about->hi[face - 3],
+                far = is_lower ? (float)about->hi[face] : (float)about->lo[face - 3];
     const tribox_box touching = box_to(about, face, far, 3 * unit), missing = box_to(about, face, next(far, is_lower), 3 * unit);
     const tribox_box holding = box_to(about, face, near, 3 * unit), cutting = box_to(about, face, next(near, is_lower), 3 * unit);
     if (!count_as_without(&touching, options))

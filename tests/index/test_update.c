@@ -73,7 +73,7 @@ static void update(const fenced *index, size_t first, size_t count, const tribox
 {
     snprintf(doing, sizeof doing, "tribox_index_update: triangles %zu and %zu more of %zu, kernel %s", first, count,
              stored.soup.count, options->kernel);
-    const tribox_status status = tribox_index_update(&stored.soup, first, count, options, index->at);
+    const tribox_status status = tribox_index_update(&stored.index, first, count, options, index->at);
     if (status)
         fail_msg("%s: %s", doing, tribox_status_text(status));
     assert_nothing_beside(index);
@@ -99,9 +99,7 @@ static void test_kernels(void **state)
         for (int k = 0; k < kernels; k++) {
             memset(index.at, 0x5a + k, index.bytes);
             snprintf(doing, sizeof doing, "tribox_index_build: %zu triangles, kernel %s", stored.soup.count, names[k]);
-            assert_int_equal(
-                tribox_index_build(&stored.soup, &(tribox_options){.kernel = names[k]}, index.at, k % 2 ? &stored.index : NULL),
-                TRIBOX_OK);
+            assert_int_equal(tribox_index_build(&stored.index, &(tribox_options){.kernel = names[k]}, index.at), TRIBOX_OK);
             assert_nothing_beside(&index);
             stored.index.nodes = stored.nodes;
             demand_as_built(&index, names[0]);

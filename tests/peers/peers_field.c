@@ -64,8 +64,8 @@ static bool answer_by_index(field *f)
     f->list = NULL;
     for (size_t b = 0; b < f->box_count; b++) {
         f->start[b] = found;
-        if (tribox_index_list(&f->soup.index, &f->soup.room.soup, &f->boxes[b], NULL, f->soup.ids, f->soup.room.soup.count,
-                              f->room.list, &room))
+        if (tribox_index_list(&f->soup.index, &(tribox_region){.box = &f->boxes[b]}, NULL, f->soup.room.soup.count, f->room.list,
+                              &room))
             return message_failure("the index refuses a question") == EXIT_CODE_OK;
         uint32_t *const list = realloc(f->list, (found + room + 1) * sizeof *list);
         if (!list)

@@ -1,6 +1,7 @@
 /*
  * test_tall.c - grids of more than 2^31 words, and triangles that go far beyond the few layers, window or tiles that are asked for:
  * tall, long and wide ones, flat ones, lines and bricks. Each cell is compared with tribox_overlap, and words lie between guards.
+ * Fills are not asked: they refuse a grid of more than 2^31 words (tests/scale).
  */
 #include "occupancy.h"
 

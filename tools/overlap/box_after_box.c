@@ -6,7 +6,6 @@
 
 #include "console/clock.h"
 #include "console/message.h"
-#include "between_boxes.h"
 #include "ordered_mesh.h"
 #include "report.h"
 
@@ -17,7 +16,7 @@ static const double seconds_per_triangle[] = {[INDEX_NONE] = 0, [INDEX_IN_FILE_O
 static bool is_for_index(const request *r, const mesh *m)
 {
     const bool has_box_axes = !r->test.axes || r->test.axes & TRIBOX_AXES_BOX;
-    return has_box_axes && !r->wants_inside && r->test.accuracy != TRIBOX_FAST && !m->is_double && m->triangles <= UINT32_MAX;
+    return has_box_axes && !r->wants_inside && r->test.accuracy != TRIBOX_FAST && m->triangles <= UINT32_MAX;
 }
 
 int box_after_box_start(const request *r, mesh *m, box_after_box *b)
@@ -29,7 +28,7 @@ int box_after_box_start(const request *r, mesh *m, box_after_box *b)
 /* Whether there is memory for a stage. Where there is not, nothing has changed. */
 static bool prepare(box_after_box *b, index_stage stage)
 {
-    const size_t count = b->m->soup.count;
+    const size_t count = b->m->triangles;
     if (stage == INDEX_ORDERED)
         return (b->order = mesh_order(b->m)) != NULL;
     b->nodes = malloc(tribox_index_bytes(count));
@@ -46,31 +45,22 @@ static int step_where_it_pays(box_after_box *b)
     }
     b->stage++;
     b->seconds = 0;
-    const tribox_status status = tribox_index_build(&b->m->soup, &b->r->test, b->nodes, &b->index);
-    return message_status(status);
-}
-
-/* One box of doubles and all later ones need room for more words. */
-static tribox_status ask_between(box_after_box *b, const tribox_box *box, tribox_report *report)
-{
-    const size_t count = b->m->soup.count;
-    if ((!b->words.bits && !found_words_make(&b->words, count)) || (!b->inner.bits && !found_words_make(&b->inner, count)))
-        return MESSAGE_NO_MEMORY;
-    const tribox_status status = between_boxes_index(&b->index, &b->m->soup, box, &b->r->test, &b->words, &b->inner, report);
-    if (!status && b->order)
-        found_words_renumber(&b->words, b->order);
-    return status;
+    b->index = (tribox_index){.nodes = b->nodes};
+    if (b->m->is_double)
+        b->index.mesh = &b->m->doubles;
+    else
+        b->index.soup = &b->m->soup;
+    return message_status(tribox_index_build(&b->index, &b->r->test, b->nodes));
 }
 
 static tribox_status ask_index(box_after_box *b, const tribox_box *box, tribox_report *report)
 {
-    const tribox_soup *const soup = &b->m->soup;
-    const tribox_options *const test = &b->r->test;
+    const tribox_region region = {.box = box};
     found_words *const w = &b->words;
     if (!b->r->wants_list)
-        return tribox_index_overlap(&b->index, soup, box, test, NULL, report);
+        return tribox_index_overlap(&b->index, &region, &b->r->test, NULL, report);
     const tribox_status status =
-        tribox_index_words(&b->index, soup, box, test, w->room, w->number, w->bits, NULL, &w->count, report);
+        tribox_index_words(&b->index, &region, &b->r->test, w->room, w->number, w->bits, NULL, &w->count, report);
     if (!status && b->order)
         found_words_renumber(w, b->order);
     return status;
@@ -81,10 +71,9 @@ static int ask(box_after_box *b, answer *a)
     const asked_triangles all = triangles_of_mesh(b->m);
     if (b->stage == INDEX_NONE)
         return overlap_ask(b->r, &all, &b->bits, a);
-    tribox_box narrow;
     tribox_report report;
     const double start = clock_seconds();
-    const tribox_status status = box_is_float(&a->box, &narrow) ? ask_index(b, &narrow, &report) : ask_between(b, &a->box, &report);
+    const tribox_status status = ask_index(b, &a->box, &report);
     a->seconds = clock_seconds() - start;
     if (status)
         return message_status(status);
@@ -112,7 +101,6 @@ void box_after_box_end(box_after_box *b)
 {
     masks_free(&b->bits);
     found_words_free(&b->words);
-    found_words_free(&b->inner);
     free(b->nodes);
     free(b->order);
 }

@@ -19,8 +19,7 @@ typedef struct box_after_box {
     tribox_index index;
     void *nodes;       /* of the index */
     uint32_t *order;   /* the number in the file of each triangle; NULL until the mesh is in order */
-    found_words words; /* with --list, and for boxes of doubles */
-    found_words inner; /* for boxes of doubles */
+    found_words words; /* with --list */
 } box_after_box;
 
 /* Returns an exit_code; on success box_after_box_end gives back what this and the questions have taken, but not the mesh. */

@@ -1,18 +1,21 @@
-/* ordered_mesh.c - a second set of streams takes the place of the first. */
+/* ordered_mesh.c - a second set of streams, or of vertex numbers, takes the place of the first. */
 #include "ordered_mesh.h"
 
 #include <stdlib.h>
 
 #include "console/memory.h"
+#include "console/message.h"
 
-enum { SCRATCH_BYTES = 16 /* a triangle, for tribox_soup_sort */ };
+enum { SCRATCH_BYTES = 16 /* a triangle, for an order */ };
 
-static bool find_order(const tribox_soup *soup, uint32_t *order)
+static bool find_order(const mesh *m, uint32_t *order)
 {
-    void *const scratch = malloc(soup->count * SCRATCH_BYTES);
-    const bool is_found = scratch && !tribox_soup_sort(soup, order, scratch);
+    void *const scratch = malloc(m->triangles * SCRATCH_BYTES);
+    const tribox_status status = !scratch       ? MESSAGE_NO_MEMORY
+                                 : m->is_double ? tribox_mesh_sort(&m->doubles, order, scratch)
+                                                : tribox_soup_sort(&m->soup, order, scratch);
     free(scratch);
-    return is_found;
+    return !status;
 }
 
 /* The streams of so many triangles, one after the other: x of the three vertices, then y, then z. */
@@ -48,13 +51,31 @@ static bool gather(mesh *m, const uint32_t *order)
     return true;
 }
 
+/* Positions stay where they are. */
+static bool reorder_corners(mesh *m, const uint32_t *order)
+{
+    uint32_t *const corners = malloc(3 * m->triangles * sizeof *corners);
+    if (!corners)
+        return false;
+    for (size_t i = 0; i < m->triangles; i++)
+        for (size_t v = 0; v < 3; v++) {
+            const size_t corner = 3 * (size_t)order[i] + v;
+            corners[3 * i + v] = m->corners ? m->corners[corner] : (uint32_t)corner;
+        }
+    free(m->corners);
+    m->corners = corners;
+    m->doubles.indices = corners;
+    m->doubles.index_bytes = sizeof *corners;
+    return true;
+}
+
 uint32_t *mesh_order(mesh *m)
 {
     const size_t triangle_bytes = 9 * sizeof(float) + sizeof(uint32_t);
-    if (m->soup.count > memory_available() / triangle_bytes)
+    if (m->triangles > memory_available() / triangle_bytes || (m->is_double && m->doubles.vertices > UINT32_MAX))
         return NULL;
-    uint32_t *order = malloc(m->soup.count * sizeof *order);
-    if (order && (!find_order(&m->soup, order) || !gather(m, order))) {
+    uint32_t *order = malloc(m->triangles * sizeof *order);
+    if (order && (!find_order(m, order) || !(m->is_double ? reorder_corners(m, order) : gather(m, order)))) {
         free(order);
         order = NULL;
     }

@@ -4,16 +4,14 @@
 
 #include <stdlib.h>
 
-#include "between_boxes.h"
 #include "console/clock.h"
 #include "console/message.h"
 
 int masks_make(size_t count, bool wants_inside, masks *bits)
 {
     const size_t words = tribox_mask_words(count);
-    bits->overlap = malloc((words * (wants_inside ? 3 : 2) + 1) * sizeof *bits->overlap);
-    bits->outer = bits->overlap ? bits->overlap + words : NULL;
-    bits->inside = bits->overlap && wants_inside ? bits->outer + words : NULL;
+    bits->overlap = malloc((words * (wants_inside ? 2 : 1) + 1) * sizeof *bits->overlap);
+    bits->inside = bits->overlap && wants_inside ? bits->overlap + words : NULL;
     return bits->overlap ? EXIT_CODE_OK : message_failure("out of memory for the answers of %zu triangles", count);
 }
 
@@ -39,18 +37,15 @@ static tribox_status ask_doubles(const request *r, const tribox_mesh *doubles, c
 static tribox_status ask(const request *r, const asked_triangles *t, const masks *bits, const tribox_box *box,
                          tribox_report *report)
 {
-    tribox_box narrow;
     if (r->has_oriented && t->is_double)
         return tribox_mesh_overlap_oriented(&t->doubles, &r->oriented, &r->test, bits->overlap, report);
     if (r->has_oriented)
         return tribox_overlap_oriented(&t->soup, &r->oriented, &r->test, bits->overlap, report);
     if (t->is_double)
         return ask_doubles(r, &t->doubles, bits, box, report);
-    if (!box_is_float(box, &narrow))
-        return between_boxes_ask(&t->soup, box, &r->test, bits->overlap, bits->inside, bits->outer, report);
     if (r->wants_inside)
-        return tribox_classify(&t->soup, &narrow, &r->test, bits->overlap, bits->inside, report);
-    return tribox_overlap(&t->soup, &narrow, &r->test, bits->overlap, report);
+        return tribox_classify(&t->soup, box, &r->test, bits->overlap, bits->inside, report);
+    return tribox_overlap(&t->soup, box, &r->test, bits->overlap, report);
 }
 
 /* In parts, since the library counts up to 2^32 bits at once. */

@@ -25,7 +25,6 @@ typedef struct request {
 /* A bit per triangle: which overlap and, with --inside, which of these lie inside; else `inside` is NULL. */
 typedef struct masks {
     uint64_t *overlap, *inside;
-    uint64_t *outer; /* of the box around one of doubles */
 } masks;
 
 /* Triangles to ask about: all of a mesh, or a block. */

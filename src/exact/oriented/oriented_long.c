@@ -1,4 +1,4 @@
-/* oriented_long.c - oriented pairs of any finite doubles, sign by sign: in double where rounding cannot turn it, else in a long sum. */
+/* oriented_long.c - oriented pairs of any finite doubles, sign by sign: in double where rounding turns none, else in long sums. */
 #include "oriented.h"
 
 #include "exact/exact.h"
@@ -48,7 +48,7 @@ static int sign_of_height(const exact_points *p, const int X[3])
 
 #include "exact/sides.h"
 
-static bool are_tame(const double *number, int count)
+static bool are_tame_in_frame(const double *number, int count)
 {
     bool are = true;
     for (int n = 0; n < count; n++)
@@ -58,8 +58,8 @@ static bool are_tame(const double *number, int count)
 
 static bool is_tame_pair(const tribox_oriented_pair *pair)
 {
-    return are_tame(pair->u[0], 9) && are_tame(pair->box.center, 3) && are_tame(pair->box.half, 3) &&
-           are_tame(pair->box.axis[0], 9);
+    return are_tame_in_frame(pair->u[0], 9) && are_tame_in_frame(pair->box.center, 3) && are_tame_in_frame(pair->box.half, 3) &&
+           are_tame_in_frame(pair->box.axis[0], 9);
 }
 
 static void set_axis(exact_points *p, const tribox_oriented_pair *pair, int k)

@@ -123,17 +123,18 @@ TRIBOX_INLINE void put_children(tribox_node *node, int first, const lane_childre
         v_write(node->bound[k] + first, v_add(across_lanes(children, k), v_splat(0))); /* -0 becomes +0 */
 }
 
-static void bound_soup(const tribox_soup *soup, size_t first, tribox_node *node)
+static void bound_words(const tribox_soup *soup, size_t first, int child, int end, tribox_node *node)
 {
-    *node = (tribox_node){.whole = 0};
-    for (int c = 0; c < 64; c += V_LANES) {
+    for (int c = child; c < end; c += V_LANES) {
         lane_children children;
+        uint64_t whole = 0;
         for (int i = 0; i < V_LANES; i++) {
-            const size_t at = 64 * (first + (size_t)(c + i)), left = at < soup->count ? soup->count - at : 0;
+            const size_t at = 64 * (first + (size_t)(c - child + i)), left = at < soup->count ? soup->count - at : 0;
             lane_extent extent = no_extent();
-            node->whole |= (uint64_t)take_word(&extent, soup, at, left < 64 ? left : 64) << (c + i);
+            whole |= (uint64_t)take_word(&extent, soup, at, left < 64 ? left : 64) << i;
             put_child(&children, i, &extent);
         }
+        node->whole = (node->whole & ~(LANES_ALL << c)) | whole << c;
         put_children(node, c, &children);
     }
 }

@@ -129,6 +129,13 @@ TRIBOX_INLINE vnum side_of_edge(const lane_seen *s, int e, vnum y, vnum z)
     return v_fms(s->dy[e], v_sub(z, s->z[e]), v_mul(s->dz[e], v_sub(y, s->y[e])));
 }
 
+/* How far past vertex 0 the ray of these sides crosses. Two lengths are divided by two: three multiplied could vanish. */
+TRIBOX_INLINE vnum crossing_past(const lane_seen *s, vnum side_0, vnum side_2)
+{
+    const vnum weight[2] = {v_mul(side_2, s->per_area), v_mul(side_0, s->per_area)};
+    return v_fma(weight[0], s->dx[0], v_mul(weight[1], s->dx[1]));
+}
+
 /* The pair `number` of each triangle, line by line: its row, where that crosses, and where exact signs have to tell. */
 typedef struct lane_crossing {
     vnum row[2], cell;
@@ -144,8 +151,7 @@ TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen
     for (int e = 0; e < 3; e++)
         side[e] = side_of_edge(s, e, y, z);
     const vnum least = lane_min3(v_flip(side[0], s->area), v_flip(side[1], s->area), v_flip(side[2], s->area));
-    const vnum weight[2] = {v_mul(side[2], s->per_area), v_mul(side[0], s->per_area)}; /* two lengths by two: three could vanish */
-    const vnum x = v_add(s->x, v_fma(weight[0], s->dx[0], v_mul(weight[1], s->dx[1])));
+    const vnum x = v_add(s->x, crossing_past(s, side[0], side[2]));
     const vnum place = v_mul(v_sub(x, v_splat(m->origin[0])), v_splat(m->per_cell[0]));
     const vnum inside = v_min(v_max(place, v_splat(0)), v_splat(m->size[0]));
     c.cell = whole_near(inside);

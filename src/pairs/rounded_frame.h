@@ -1,5 +1,5 @@
 /*
- * rounded_frame.h - an oriented box of doubles as kernels that compute in float take it: what is rounded once a box, and by how much.
+ * rounded_frame.h - an oriented box of doubles as kernels that compute in float take it: what is rounded once a box, and how far.
  *
  * Points are moved from `center`, which is the nearest float to that of the box; what it leaves of the center is a place in the
  * frame, `middle`, about which the box lies. Where all numbers of the box are floats, so are all of these, and nothing is rounded.

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "rounded_box.h"
+#include "base/rounded_box.h"
 
 /* By way of memory: gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
 static float nearest_float(double number)

@@ -1,0 +1,325 @@
+/*
+ * test_meshes.c - an index over a mesh answers as tribox_mesh_overlap does, bit by bit: floats and doubles, in every layout, anywhere;
+ * its bytes do not hang on layout and kernel; what is apart or inside is not read; a mesh that has changed since is safe.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "fences.h"
+#include "hostile.h"
+#include "index_fixture.h"
+#include "stored_mesh.h"
+
+enum { TRIANGLES = 2000, LARGE = 64 * TRIBOX_INDEX_BLOCK + 100, BOXES = 12, PAIRS_A_QUESTION = 20 };
+
+static arguments args;
+static stored_mesh mesh;
+
+static int make_all(void **state)
+{
+    (void)state;
+    mesh = stored_mesh_make(LARGE);
+    return index_fixture_make(LARGE, 1);
+}
+
+static int free_all(void **state)
+{
+    stored_mesh_free(&mesh);
+    return index_fixture_free(state);
+}
+
+static void draw_soup(random_source *r, const soup_kind *kind, size_t count)
+{
+    stored_soup_lay(&stored, count, random_int(r, 2) ? STORED_AT_END : random_int(r, STORED_SHIFTS));
+    kind->draw(r, &stored);
+    spoil_soup(r, &stored, random_int(r, 2) ? DIRT_NONE : (dirt)random_int(r, DIRTS));
+}
+
+static void draw_mesh(random_source *r, const soup_kind *kind, size_t count)
+{
+    draw_soup(r, kind, count);
+    const mesh_layout layout = draw_layout(r, count);
+    stored_mesh_lay(r, &mesh, &layout, &stored);
+    stored_soup_build(&stored, names[random_int(r, kernels)]);
+}
+
+static void ask_all(random_source *r, const tribox_box *about, const char *name)
+{
+    const tribox_box box = box_in_place(r, &mesh.layout, about);
+    const tribox_options options = any_index_options(r);
+    char what[128];
+    snprintf(what, sizeof what, "%s, mesh of %u bytes, numbers of %u, scale %g, offset %g", name, mesh.layout.position_bytes,
+             mesh.layout.index_bytes, mesh.layout.place.scale, mesh.layout.place.offset[0]);
+    check_forms(&fences, &stored, &box, &options, what);
+}
+
+static void test_hostile_meshes(void **state)
+{
+    (void)state;
+    catch_faults();
+    const size_t rounds = arguments_rounds(&args, soup_kind_count() * BOXES * PAIRS_A_QUESTION);
+    for (size_t k = 0; k < soup_kind_count(); k++) {
+        random_source r = random_named(args.seed, soup_kind_at(k)->name);
+        for (size_t round = 0; round < rounds; round++) {
+            draw_mesh(&r, soup_kind_at(k), (size_t)random_int(&r, random_int(&r, 12) ? 300 : TRIANGLES));
+            for (int b = 0; b < BOXES; b++) {
+                const tribox_box box = draw_box(&r, &stored);
+                ask_all(&r, &box, soup_kind_at(k)->name);
+            }
+        }
+    }
+}
+
+/* Scenes of pairs that are hard to tell, with every option there is. */
+static void test_mesh_scenes(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        scene_batch batch;
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        scene_draw_batch(scene_at(i), &r, &batch);
+        stored_soup_lay(&stored, SCENE_TRIANGLES, STORED_AT_END);
+        put_batch(&stored, 0, &batch);
+        const mesh_layout layout = draw_layout(&r, SCENE_TRIANGLES);
+        stored_mesh_lay(&r, &mesh, &layout, &stored);
+        stored_soup_build(&stored, names[i % (size_t)kernels]);
+        for (int n = 0; n < 3 * kernels; n++)
+            ask_all(&r, &batch.box, scene_at(i)->name);
+    }
+}
+
+/* Two and three levels of nodes; boxes about parts of them. */
+static void test_levels(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {TRIBOX_INDEX_BLOCK, TRIBOX_INDEX_BLOCK + 1, 3 * TRIBOX_INDEX_BLOCK - 64, 50000, LARGE};
+    catch_faults();
+    random_source r = random_named(args.seed, "levels");
+    for (size_t c = 0; c < (arguments_are_short(&args) ? 3 : 5); c++) {
+        draw_mesh(&r, soup_kind_at(0), counts[c]);
+        for (int b = 0; b < 6; b++) {
+            const size_t part = b % 2 ? TRIBOX_INDEX_BLOCK : counts[c];
+            const tribox_box box = b < 4 ? draw_box(&r, &stored) : bounds_of(&stored, 0, part);
+            ask_all(&r, &box, "cells");
+        }
+    }
+}
+
+/* A build of these triangles by a kernel, to be compared with that of the stored index. */
+static void expect_same_bytes(const tribox_index *index, const char *kernel, const char *what)
+{
+    const size_t bytes = stored_index_bytes(&stored);
+    unsigned char *const again = malloc(bytes);
+    assert_non_null(again);
+    assert_int_equal(tribox_index_build(index, &(tribox_options){.kernel = kernel}, again), TRIBOX_OK);
+    if (memcmp(again, stored.nodes, bytes) != 0)
+        fail_msg("%zu triangles, kernel %s: %s has other bytes", stored.soup.count, kernel, what);
+    free(again);
+}
+
+/* Of floats, those of the soup; of doubles, the same in every layout; each by every kernel. */
+static void test_bytes(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t k = 0; k < soup_kind_count(); k++) {
+        random_source r = random_named(args.seed, soup_kind_at(k)->name);
+        for (int round = 0; round < 4; round++) {
+            draw_mesh(&r, soup_kind_at(k), (size_t)random_int(&r, round ? 600 : 2 * TRIBOX_INDEX_BLOCK));
+            for (int n = 0; n < kernels; n++) {
+                mesh_layout other = mesh.layout;
+                other.is_columns = random_int(&r, 2);
+                other.is_padded = random_int(&r, 2);
+                stored_mesh_lay(&r, &mesh, &other, &stored);
+                expect_same_bytes(&stored.index, names[n], "another layout");
+                if (mesh.layout.position_bytes == 4)
+                    expect_same_bytes(&(tribox_index){.soup = &stored.soup}, names[n], "the soup");
+            }
+        }
+    }
+}
+
+/* Numbers change; updates of their range write the bytes of a build. */
+static void test_updates(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "updates");
+    for (int round = 0; round < 40; round++) {
+        const size_t count = 1 + random_below(&r, round % 4 ? 1000 : 3 * TRIBOX_INDEX_BLOCK);
+        draw_mesh(&r, soup_kind_at((size_t)round % soup_kind_count()), count);
+        for (int n = 0; n < 3; n++) {
+            const size_t first = random_below(&r, count), changed = 1 + random_below(&r, count - first);
+            for (size_t i = first; i < first + changed; i++)
+                for (int k = 0; k < STORED_STREAMS; k++)
+                    stored.stream[k][i] = random_int(&r, 50) ? (float)random_int_between(&r, -100, 100) : INFINITY;
+            stored_mesh_write(&mesh, &stored, first, changed);
+            const tribox_options options = {.kernel = names[random_int(&r, kernels)]};
+            assert_int_equal(tribox_index_update(&stored.index, first, changed, &options, stored.nodes), TRIBOX_OK);
+            expect_same_bytes(&stored.index, names[n % kernels], "an update");
+        }
+    }
+}
+
+/* Triangles of 4 units about 500 units apart, word by word, wherever they are. */
+static void draw_words(random_source *r)
+{
+    for (size_t i = 0; i < stored.soup.count; i++)
+        for (int k = 0; k < STORED_STREAMS; k++)
+            stored.stream[k][i] = (float)(k < 3   ? 500 * (i / 64 % 50)
+                                          : k < 6 ? 500 * (i / 3200 % 50)
+                                                  : 500 * (i / 160000)) +
+                                  (float)random_int_between(r, 0, 4);
+}
+
+/* How many overlap, without a look at the mesh. */
+static size_t count_unseen(const tribox_box *box, const char *kernel)
+{
+    tribox_report report = {SIZE_MAX, SIZE_MAX};
+    snprintf(doing, sizeof doing, "a question that needs no triangle, kernel %s", kernel);
+    stored_mesh_hide(&mesh, true);
+    const tribox_status status =
+        tribox_index_overlap(&stored.index, &(tribox_region){.box = box}, &(tribox_options){.kernel = kernel}, NULL, &report);
+    stored_mesh_hide(&mesh, false);
+    assert_int_equal(status, TRIBOX_OK);
+    return report.overlapping;
+}
+
+/* A thousandth of a unit beside a word, and about it: nothing is read, far from zero too, where floats are units apart. */
+static void test_unseen(void **state)
+{
+    (void)state;
+    static const double far[] = {0, 5123456.7, 0x1p36};
+    catch_faults();
+    random_source r = random_named(args.seed, "unseen");
+    for (size_t n = 0; n < 3 * (size_t)kernels; n++) {
+        const double at = far[n % 3];
+        const mesh_layout layout = {.position_bytes = 8, .index_bytes = 4, .place = {1, {at, -at, at}}};
+        stored_soup_lay(&stored, 64 * 300, STORED_AT_END);
+        draw_words(&r);
+        stored_mesh_lay(&r, &mesh, &layout, &stored);
+        stored_soup_build(&stored, names[n / 3]);
+        for (int word = 0; word < 300; word += 7) {
+            const tribox_box of_word = bounds_of(&stored, 64 * (size_t)word, 64);
+            tribox_box about, beside;
+            for (int a = 0; a < 3; a++) {
+                about.lo[a] = of_word.lo[a] + layout.place.offset[a] - 0.001;
+                about.hi[a] = of_word.hi[a] + layout.place.offset[a] + 0.001;
+            }
+            beside = about;
+            beside.lo[word % 3] = about.hi[word % 3] + 0.001;
+            beside.hi[word % 3] = beside.lo[word % 3] + 100;
+            assert_int_equal(count_unseen(&about, names[n / 3]), 64);
+            assert_int_equal(count_unseen(&beside, names[n / 3]), 0);
+        }
+    }
+}
+
+static bool has_vertices(size_t i)
+{
+    for (size_t v = 0; v < 3; v++)
+        if (mesh.vertex[3 * i + v] >= mesh.mesh.vertices)
+            return false;
+    return true;
+}
+
+/* A triangle that has lost a vertex overlaps nothing, unless it is in a word that was inside. Others are answered as ever. */
+static void check_lost(const tribox_box *box, const uint64_t *before, const tribox_options *options)
+{
+    const size_t words = tribox_mask_words(stored.soup.count);
+    const fenced place = fenced_place(fences.mask, words * sizeof(uint64_t), AT_END);
+    uint64_t *const mask = (uint64_t *)(void *)place.at;
+    const tribox_region region = {.box = box};
+    size_t found = 0, any = 0, listed = 0;
+    snprintf(doing, sizeof doing, "a mesh that has changed, kernel %s, accuracy %d", options->kernel, (int)options->accuracy);
+    assert_int_equal(tribox_index_overlap(&stored.index, &region, options, mask, NULL), TRIBOX_OK);
+    for (size_t i = 0; i < stored.soup.count; i++) {
+        const bool bit = is_set(mask, i), is_whole = i / 64 < stored.soup.count / 64 && mask[i / 64] == ~UINT64_C(0);
+        found += bit;
+        if (has_vertices(i) ? bit != is_set(before, i) : bit && !is_whole)
+            fail_msg("%s: bit %zu is %d", doing, i, bit);
+    }
+    assert_int_equal(tribox_index_any(&stored.index, &region, options, &any), TRIBOX_OK);
+    assert_true(found ? is_set(mask, any) : any == stored.soup.count);
+    assert_int_equal(tribox_index_list(&stored.index, &region, options, 0, NULL, &listed), TRIBOX_OK);
+    assert_int_equal(listed, found);
+    uint64_t *const bits = malloc((2 * words + 1) * sizeof *bits);
+    uint32_t *const number = malloc((words + 1) * sizeof *number);
+    assert_true(bits && number);
+    assert_int_equal(tribox_index_words(&stored.index, &region, options, words, number, bits, bits + words, &listed, NULL),
+                     TRIBOX_OK);
+    for (size_t k = 0; k < listed; k++)
+        assert_true(bits[k] == mask[number[k]] && !(bits[words + k] & ~bits[k]));
+    free(bits);
+    free(number);
+}
+
+static void test_changed(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "changed");
+    for (size_t round = 0; round < arguments_rounds(&args, 5000); round++) {
+        const size_t count = 1 + random_below(&r, 1000), words = tribox_mask_words(count);
+        draw_soup(&r, soup_kind_at(round % soup_kind_count()), count);
+        mesh_layout layout = draw_layout(&r, count);
+        layout.index_bytes = layout.index_bytes ? layout.index_bytes : 4;
+        stored_mesh_lay(&r, &mesh, &layout, &stored);
+        stored_soup_build(&stored, NULL);
+        const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &layout, &about);
+        tribox_options options = any_index_options(&r);
+        options.accuracy = options.accuracy == TRIBOX_FAST ? TRIBOX_EXACT : options.accuracy;
+        uint64_t *const before = malloc((words + 1) * sizeof *before);
+        assert_int_equal(tribox_mesh_overlap(&mesh.mesh, &box, &options, before, NULL), TRIBOX_OK);
+        for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
+            const size_t corner = random_below(&r, 3 * count);
+            mesh.vertex[corner] = (uint32_t)mesh.mesh.vertices + (uint32_t)random_below(&r, 3);
+            stored_mesh_name(&mesh, corner, mesh.vertex[corner]);
+        }
+        check_lost(&box, before, &options);
+        options.accuracy = TRIBOX_FAST; /* for what it reads */
+        assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.box = &box}, &options, before, NULL), TRIBOX_OK);
+        free(before);
+    }
+}
+
+/* A mesh that has lost its vertices, all of them or the last: what it has no room for is not read. */
+static void test_shrunk(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "shrunk");
+    for (int round = 0; round < 100; round++) {
+        draw_mesh(&r, soup_kind_at((size_t)round % soup_kind_count()), 1 + random_below(&r, 500));
+        const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &mesh.layout, &about);
+        const tribox_options options = any_index_options(&r);
+        tribox_report report;
+        mesh.mesh.vertices = random_below(&r, 2) ? random_below(&r, 3 * stored.soup.count) : 0;
+        if (mesh.layout.is_columns)
+            continue;
+        const size_t left = mesh.mesh.vertices ? (mesh.mesh.vertices - 1) * mesh.mesh.stride + 3 * mesh.layout.position_bytes : 0;
+        void *const kept = guarded_tail(mesh.positions_fence, left);
+        mesh.mesh.positions = memmove(kept, mesh.mesh.positions, left);
+        assert_int_equal(tribox_index_overlap(&stored.index, &(tribox_region){.box = &box}, &options, NULL, &report), TRIBOX_OK);
+        assert_int_equal(tribox_index_build(&stored.index, &options, stored.nodes), TRIBOX_BAD_VERTEX);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hostile_meshes), cmocka_unit_test(test_mesh_scenes), cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_bytes),          cmocka_unit_test(test_updates),     cmocka_unit_test(test_unseen),
+        cmocka_unit_test(test_changed),        cmocka_unit_test(test_shrunk),
+    };
+    return cmocka_run_group_tests(tests, make_all, free_all);
+}
