@@ -49,14 +49,14 @@ static void draw_scene(size_t s)
 static size_t pass(int way, const char *kernel)
 {
     static const tribox_box box = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
-    static const tribox_grid grid = {{-2, -2, -2}, {0.0625f, 0.0625f, 0.0625f}, {CELLS, CELLS, CELLS}};
+    static const tribox_grid grid = {{-2, -2, -2}, {0.0625, 0.0625, 0.0625}, {CELLS, CELLS, CELLS}};
     const tribox_options options = {.accuracy = way < 3 ? (tribox_accuracy)way : TRIBOX_EXACT, .kernel = kernel};
     const tribox_soup soup = {.x = {streams[0], streams[1], streams[2]},
                               .y = {streams[3], streams[4], streams[5]},
                               .z = {streams[6], streams[7], streams[8]},
                               .count = way < 3 ? TRIANGLES : IN_CELLS};
     const tribox_status status =
-        way < 3 ? tribox_overlap(&soup, &box, &options, mask, NULL) : tribox_voxelize(&soup, &grid, &options, occupied, NULL);
+        way < 3 ? tribox_overlap(&soup, &box, &options, mask, NULL) : tribox_voxelize(&soup, &grid, NULL, &options, occupied, NULL);
     if (status != TRIBOX_OK) {
         fprintf(stderr, "%s: %s\n", kernel, tribox_status_text(status));
         exit(1);

@@ -14,7 +14,7 @@ static float x[3][TRIANGLES], y[3][TRIANGLES], z[3][TRIANGLES];
 static const tribox_soup soup = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}, TRIANGLES};
 
 /* As bits 64 GiB; the surface touches one cell in four thousand. */
-static const tribox_grid grid = {.origin = {-1, -1, -1}, .cell = {0x1p-12f, 0x1p-12f, 0x1p-12f}, .size = {SIDE, SIDE, SIDE}};
+static const tribox_grid grid = {.origin = {-1, -1, -1}, .cell = {0x1p-12, 0x1p-12, 0x1p-12}, .size = {SIDE, SIDE, SIDE}};
 
 static void make_soup(void)
 {
@@ -37,7 +37,7 @@ static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
             putchar('\n');
         }
     }
-    return 1; /* go on */
+    return 0; /* go on */
 }
 
 /* What there is memory for, or the end. */
@@ -52,25 +52,26 @@ static void *allocate(size_t bytes)
 
 int main(void)
 {
-    const size_t tiles = tribox_tiles(grid.size, TILE);
-    size_t *const starts = allocate((tiles + 1) * sizeof *starts), bricks = 0;
+    const size_t count = tribox_tile_count(grid.size, TILE);
+    const tribox_tiles tiles = {TILE, 0, count}; /* all at once; a thread, or a machine, would take its share of them */
+    size_t *const starts = allocate((count + 1) * sizeof *starts), bricks = 0;
     void *const scratch = allocate(tribox_bricks_bytes(TILE));
+    const tribox_sink sink = {take, &bricks};
     tribox_report report = {0, 0};
     make_soup();
 
     /* Which triangles each tile has to look at: counted, then listed. */
-    tribox_status status = tribox_tiles_count(&soup, &grid, TILE, 0, tiles, NULL, starts);
-    uint32_t *const list = allocate((status ? 0 : starts[tiles]) * sizeof *list);
+    tribox_status status = tribox_tile_lists(&soup, &grid, &tiles, NULL, starts, NULL);
+    uint32_t *const list = allocate((status ? 0 : starts[count]) * sizeof *list);
     if (!status)
-        status = tribox_tiles_fill(&soup, &grid, TILE, 0, tiles, NULL, starts, list);
+        status = tribox_tile_lists(&soup, &grid, &tiles, NULL, starts, list);
 
-    /* All tiles at once; a thread, or a machine, would take its share of them. */
     if (!status)
-        status = tribox_voxelize_bricks(&soup, &grid, TILE, 0, tiles, starts, list, NULL, scratch, take, &bricks, &report);
+        status = tribox_bricks(&soup, &grid, &tiles, starts, list, NULL, scratch, &sink, &report);
     if (status)
         fprintf(stderr, "%s\n", tribox_status_text(status));
     else
-        printf("%zu cells in %zu bricks, of %zu tiles\n", report.overlapping, bricks, tiles);
+        printf("%zu cells in %zu bricks, of %zu tiles\n", report.overlapping, bricks, count);
     free(list);
     free(starts);
     free(scratch);

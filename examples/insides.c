@@ -25,7 +25,7 @@ static void make_octahedron(void)
 
 static void print_cut(const uint64_t *occupied, const uint64_t *solid)
 {
-    const uint32_t k = 14, words = (uint32_t)tribox_grid_row_words(&grid);
+    const uint32_t k = 14, words = (uint32_t)tribox_mask_words(grid.size[0]);
     for (uint32_t j = 0; j < grid.size[1]; j++) {
         const size_t row = (k * grid.size[1] + j) * words;
         for (uint32_t i = 0; i < grid.size[0]; i++)
@@ -38,19 +38,19 @@ static void print_cut(const uint64_t *occupied, const uint64_t *solid)
 static int fill(size_t count)
 {
     const tribox_soup soup = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}, count};
-    const size_t bytes = tribox_grid_words(&grid) * sizeof(uint64_t);
+    const size_t bytes = tribox_window_words(grid.size) * sizeof(uint64_t);
     uint64_t *occupied = calloc(1, bytes), *solid = malloc(bytes); /* a bit for each cell; the surface is clear at first */
     void *scratch = malloc(tribox_fill_bytes(grid.size));
     size_t inside, odd_rows;
     const char *failed = "out of memory";
     if (occupied && solid && scratch) {
-        tribox_status status = tribox_voxelize(&soup, &grid, NULL, occupied, NULL);
+        tribox_status status = tribox_voxelize(&soup, &grid, NULL, NULL, occupied, NULL);
         if (!status)
-            status = tribox_fill_outside(grid.size, occupied, solid, scratch, &inside);
+            status = tribox_fill_outside(grid.size, occupied, scratch, solid, &inside);
         if (!status) {
             printf("%zu sides, what the outside does not reach: %zu cells\n", count, inside);
             print_cut(occupied, solid);
-            status = tribox_fill_parity(&soup, &grid, occupied, solid, scratch, &inside, &odd_rows);
+            status = tribox_fill_parity(&soup, &grid, occupied, scratch, solid, &inside, &odd_rows);
         }
         if (!status) {
             printf("%zu sides, by parity: %zu cells, %zu odd rows\n", count, inside, odd_rows);

@@ -14,7 +14,7 @@ enum { SHELLS = 3, TRIANGLES = 8 * SHELLS, THREADS = 4 };
 /* Octahedra, one within another: x[v][i] is the x of vertex v of triangle i. */
 static float x[3][TRIANGLES], y[3][TRIANGLES], z[3][TRIANGLES];
 static const tribox_soup soup = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}, TRIANGLES};
-static const tribox_grid grid = {.origin = {-12, -12, -12}, .cell = {0.5f, 0.5f, 0.5f}, .size = {48, 48, 48}};
+static const tribox_grid grid = {.origin = {-12, -12, -12}, .cell = {0.5, 0.5, 0.5}, .size = {48, 48, 48}};
 
 typedef struct share {
     uint32_t first, layers; /* layers first .. first + layers - 1 along z */
@@ -36,14 +36,15 @@ static void make_soup(void)
 static void *work(void *data)
 {
     share *s = data;
-    s->status = tribox_voxelize_layers(&soup, &grid, s->first, s->layers, NULL, s->occupied, &s->report);
+    const tribox_window window = {{0, 0, s->first}, {grid.size[0], grid.size[1], s->layers}};
+    s->status = tribox_voxelize(&soup, &grid, &window, NULL, s->occupied, &s->report);
     return NULL;
 }
 
 static void print_layer(const uint64_t *occupied, uint32_t k)
 {
     for (uint32_t j = 0; j < grid.size[1]; j++) {
-        const uint64_t *row = occupied + (k * grid.size[1] + j) * tribox_grid_row_words(&grid);
+        const uint64_t *row = occupied + (k * grid.size[1] + j) * tribox_mask_words(grid.size[0]);
         for (uint32_t i = 0; i < grid.size[0]; i++)
             putchar(row[i / 64] >> i % 64 & 1 ? '#' : '.');
         putchar('\n');
@@ -52,7 +53,7 @@ static void print_layer(const uint64_t *occupied, uint32_t k)
 
 int main(void)
 {
-    uint64_t *occupied = calloc(tribox_grid_words(&grid), sizeof *occupied); /* a bit for each cell, clear at first */
+    uint64_t *occupied = calloc(tribox_window_words(grid.size), sizeof *occupied); /* a bit for each cell, clear at first */
     if (!occupied) {
         fprintf(stderr, "out of memory\n");
         return 1;
@@ -61,7 +62,7 @@ int main(void)
 
     share shares[THREADS];
     pthread_t threads[THREADS];
-    const size_t layer_words = tribox_grid_row_words(&grid) * grid.size[1];
+    const size_t layer_words = tribox_mask_words(grid.size[0]) * grid.size[1];
     for (uint32_t t = 0; t < THREADS; t++) {
         const uint32_t first = t * grid.size[2] / THREADS, end = (t + 1) * grid.size[2] / THREADS;
         shares[t] = (share){.first = first, .layers = end - first, .occupied = occupied + first * layer_words};

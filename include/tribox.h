@@ -506,130 +506,132 @@ TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const doubl
 
 /**
  * A grid of size[0] x size[1] x size[2] closed cells, which need not be cubes. Index: 0 is x, 1 is y, 2 is z.
- * Plane p of axis a lies at the float nearest to origin[a] + p * cell[a], evaluated in double. The cells on both sides share that
- * very number, so no surface can slip between them.
+ * Plane p of axis a lies at the double nearest to origin[a] + p * cell[a], rounded once (C's fma), for triangles of floats as for
+ * those of doubles. The cells on both sides share that very number, so no surface can slip between them.
  *
- * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same float. Any other grid
+ * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same double. Any other grid
  * is TRIBOX_BAD_GRID. A grid may have any number of cells; what one call writes is at most 2^31 words.
  */
 typedef struct tribox_grid {
-    float origin[3];  /* the lower corner of cell (0, 0, 0), in the same unit of length as the triangles */
-    float cell[3];    /* the lengths of a cell, in the same unit */
+    double origin[3]; /* the lower corner of cell (0, 0, 0), in the same unit of length as the triangles */
+    double cell[3];   /* the lengths of a cell, in the same unit */
     uint32_t size[3]; /* the number of cells on each axis */
 } tribox_grid;
+
+/** A box of cells: first[a] .. first[a] + size[a] - 1 of each axis. */
+typedef struct tribox_window {
+    uint32_t first[3]; /* the lowest cell */
+    uint32_t size[3];  /* how many cells on each axis; 0 makes it empty */
+} tribox_window;
 
 /** The box of cell (i, j, k), each less than the grid's size on its axis: the very box that voxelizations test. */
 TRIBOX_API tribox_box tribox_grid_cell(const tribox_grid *grid, uint32_t i, uint32_t j, uint32_t k);
 
-/** The number of 64-bit words in a row of cells along x: (size[0] + 63) / 64. Every row starts with a word of its own. */
-TRIBOX_API size_t tribox_grid_row_words(const tribox_grid *grid);
-
-/** The number of words in the whole grid: row words * size[1] * size[2], or SIZE_MAX where that overflows. */
-TRIBOX_API size_t tribox_grid_words(const tribox_grid *grid);
+/**
+ * The number of 64-bit words for the cells of a grid or window of this size: size[1] * size[2] rows of (size[0] + 63) / 64 words,
+ * as every row along x starts with a word of its own. SIZE_MAX where that overflows.
+ */
+TRIBOX_API size_t tribox_window_words(const uint32_t size[3]);
 
 /**
  * Sets the bit of every cell that some triangle of the soup overlaps. Bits are only set, never cleared, so soups accumulate. Only
  * the surface is marked: a cell inside a closed mesh that no triangle overlaps stays clear.
  *
  * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set. CONSERVATIVE sets a
- * superset of it: the extra cells miss their triangle by less than 2^-7 of a cell on some axis, and by more only in grids of more
- * than 2^13 cells along an axis or where floats are hardly finer than cells. FAST takes the same limits without error bounds, but
- * for that of the plane, and errs by as much on either side. Triangles may lie outside the grid in part or wholly.
+ * superset of it: the extra cells miss their triangle by less than 2^-7 of a cell on some axis, and by more only where there are
+ * more than 2^13 cells along an axis, or floats near the window are hardly finer than its cells. FAST takes the same limits without
+ * error bounds, but for that of the plane, and errs by as much on either side. Triangles may lie outside the grid in part or
+ * wholly.
  *
- * occupied: tribox_grid_words(grid) words. Cell (i, j, k) is bit i % 64 of occupied[(k * size[1] + j) * row_words + i / 64].
+ * window: the cells that are asked for; NULL for the whole grid. EXACT has the bits of the whole grid, and so have the others where
+ *   the window is of whole layers, of a grid of at most 2^30: for threads, each of which owns some layers. Other windows may differ
+ *   from the whole within rounding of contact. What lies outside the window costs next to nothing.
+ * occupied: tribox_window_words(size) words, size being that of the window. Let rows have W = (size[0] + 63) / 64 words: cell
+ *   (i, j, k) of the window, which is cell (first[0] + i, first[1] + j, first[2] + k) of the grid, is bit i % 64 of
+ *   occupied[(k * size[1] + j) * W + i / 64].
  * options: NULL for the defaults; the order of the axes is ignored here.
  * report: overlapping counts the cells newly set; NULL if not wanted.
  *
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except for
- * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the grid. Many triangles in one call are
+ * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the window. Many triangles in one call are
  * faster than one in each: small ones are taken a packet at once. Nothing is allocated; the call takes up to 96 KB of stack.
  *
- * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, or count floats exceed the address space), TRIBOX_BAD_GRID (also if there
- * are more than 2^31 words to write: tribox_voxelize_window), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, count floats exceed the address space, or the window leaves the grid),
+ * TRIBOX_BAD_GRID (also if there are more than 2^31 words to write: ask for windows), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
  */
-TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options,
-                                         uint64_t *occupied, tribox_report *report);
+TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
+                                         const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
 /**
- * tribox_voxelize for the layers k = first .. first + layers - 1 alone, with the same bits as for the whole grid at every accuracy:
- * for threads, each of which owns some layers, and for grids larger than memory.
+ * tribox_voxelize for a mesh, of floats or doubles: EXACT is tribox_mesh_overlap of the mesh with every tribox_grid_cell. A mesh of
+ * floats has the bits of its soup at every accuracy; of doubles FAST is taken as CONSERVATIVE.
  *
- * occupied: row words * size[1] * layers words, for these layers alone: cell (i, j, k) is bit i % 64 of
- *   occupied[((k - first) * size[1] + j) * row_words + i / 64].
- *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also where first + layers exceeds size[2].
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also where tribox_mesh_overlap does; TRIBOX_BAD_VERTEX if a triangle
+ * refers to a vertex that does not exist.
  */
-TRIBOX_API tribox_status tribox_voxelize_layers(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
-                                                const tribox_options *options, uint64_t *occupied, tribox_report *report);
-
-/**
- * tribox_voxelize for a window alone: cells first[a] .. first[a] + size[a] - 1 of each axis. EXACT has the bits of the whole grid.
- * CONSERVATIVE and FAST have them where the window is of whole layers, as tribox_voxelize_layers; others may differ from the whole
- * within rounding of contact, as tribox_voxelize states it. What lies outside the window costs next to nothing.
- *
- * occupied: row words * size[1] * size[2] words of the window, of which there may be 2^31; row words is (size[0] + 63) / 64. Cell
- *   (i, j, k) is bit (i - first[0]) % 64 of occupied[((k - first[2]) * size[1] + j - first[1]) * row_words + (i - first[0]) / 64].
- *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if first or size is NULL or the window leaves the grid.
- */
-TRIBOX_API tribox_status tribox_voxelize_window(const tribox_soup *soup, const tribox_grid *grid, const uint32_t first[3],
-                                                const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
-                                                tribox_report *report);
+TRIBOX_API tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
+                                              const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
 /* ============================================================================================================================== */
 /*                                                        Tiles and bricks                                                        */
 /* ============================================================================================================================== */
 
 /**
- * A grid beyond memory is voxelized tile by tile. Tiles are cubes of `tile` cells a side, but for those at the upper borders, which
- * the grid cuts. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the numbers of tiles along x and y, size
- * divided by tile and rounded up. 128 cells a side suit the caches.
+ * A share of the tiles of a grid. A grid beyond memory is voxelized tile by tile: tiles are cubes of `side` cells a side, but for
+ * those at the upper borders, which the grid cuts. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the
+ * numbers of tiles along x and y, size divided by side and rounded up. 128 cells a side suit the caches.
+ *
+ * A share is what a thread takes, or a machine that has no memory for all.
  */
+typedef struct tribox_tiles {
+    uint32_t side; /* cells along a side of a tile */
+    size_t first;  /* the share: tiles first .. first + count - 1 */
+    size_t count;  /* how many they are */
+} tribox_tiles;
 
-/** The number of tiles of a grid of this size; 0 if tile or a size is 0, SIZE_MAX if they are too many to number. */
-TRIBOX_API size_t tribox_tiles(const uint32_t size[3], uint32_t tile);
+/** The number of tiles of a grid of this size; 0 if side or a size is 0, SIZE_MAX if they are too many to number. */
+TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
 
 /**
- * Counts which triangles are in which tile, and where the list of each tile begins: the first of two passes. With tiles of one
- * cell, the lists of triangles by cell that builders of grids and trees ask for.
+ * Lists which triangles are in which tile, in two passes: without a list it counts them, and writes where the list of each tile
+ * begins; with a list, and the starts of the first pass for the same arguments, it writes the numbers of the triangles, in rising
+ * order in each. With tiles of one cell, the lists of triangles by cell that builders of grids and trees ask for.
  *
  * A triangle is in a tile if it overlaps the tile's box, from the lowest plane of its cells to the highest: EXACT by definition
  * tribox_overlap, CONSERVATIVE more, and FAST as that.
  *
  * soup: at most 2^32 triangles.
  * grid: as for tribox_voxelize.
- * from, to: the tiles from .. to - 1 alone: the share of a thread, or of a machine that has no memory for all.
+ * tiles: the share.
  * options: NULL for the defaults; the order of the axes is ignored. Without TRIBOX_AXES_BOX all triangles are tested against all
  *   tiles.
- * starts: to - from + 1 numbers; written. The list of tile t is what lies from starts[t - from] to before starts[t - from + 1];
- *   the last number is the length of all lists.
+ * starts: tiles->count + 1 numbers. Without a list, written. The list of tile tiles->first + t is what lies from starts[t] to
+ *   before starts[t + 1], and the last number is the length of all lists. With a list they are read; they change meanwhile, and are
+ *   the same again on return.
+ * list: starts[tiles->count] numbers, written; NULL to count.
  *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if tile is 0, if from > to, if there are fewer tiles than `to`, and
- * if there are more triangles.
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if the side is 0, if the grid does not have all tiles of the share,
+ * and if there are more triangles.
  */
-TRIBOX_API tribox_status tribox_tiles_count(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
-                                            const tribox_options *options, size_t *starts);
-
-/**
- * Writes the lists that tribox_tiles_count counted, for the same arguments: the numbers of the triangles, in rising order in each.
- *
- * starts: as tribox_tiles_count wrote them, and so again on return; they change meanwhile.
- * list: starts[to - from] numbers; written.
- *
- * Returns what tribox_tiles_count does; TRIBOX_BAD_ARGUMENT also if list is NULL.
- */
-TRIBOX_API tribox_status tribox_tiles_fill(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from, size_t to,
+TRIBOX_API tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                            const tribox_options *options, size_t *starts, uint32_t *list);
 
-/**
- * Takes a brick, 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
- * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. data is what the caller handed on. Returns whether to go on: 0 ends
- * the call. It runs in the caller's floating-point environment, may call the library, and must return.
- */
-typedef int tribox_sink(void *data, const uint32_t at[3], const uint64_t bits[8]);
+/** tribox_tile_lists for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
+                                                const tribox_options *options, size_t *starts, uint32_t *list);
 
-/** The bytes of scratch that tribox_voxelize_bricks needs for tiles of this size, whatever the grid; SIZE_MAX if it overflows. */
-TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
+/**
+ * Takes bricks, 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
+ * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. take returns 0 to go on; anything else ends the call. It runs in the
+ * caller's floating-point environment, may call the library, and must return.
+ */
+typedef struct tribox_sink {
+    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8]);
+    void *data; /* what take is handed */
+} tribox_sink;
+
+/** The bytes of scratch that tribox_bricks needs for tiles of this side, whatever the grid; SIZE_MAX if it overflows. */
+TRIBOX_API size_t tribox_bricks_bytes(uint32_t side);
 
 /**
  * tribox_voxelize for grids whose cells need not fit into memory: hands each brick that is not empty to a sink, once. EXACT has the
@@ -640,22 +642,27 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t tile);
  * much stack as tribox_voxelize.
  *
  * soup, grid: as for tribox_voxelize.
- * tile: a multiple of 8, at most 1024.
- * from, to: the tiles from .. to - 1 alone.
- * starts, list: by tile, which triangles to look at; starts[0] is that of the first tile. They are those of tribox_tiles_fill for
+ * tiles: the share; its side is a multiple of 8, at most 1024.
+ * starts, list: by tile, which triangles to look at; starts[0] is that of the first tile. They are those of tribox_tile_lists for
  *   the same axes, at any accuracy, or any others: triangles that are not listed for a tile are not in its bricks.
- * scratch: tribox_bricks_bytes(tile) bytes, at any alignment; one for each thread.
- * sink, data: the sink, and what it is handed.
+ * scratch: tribox_bricks_bytes(tiles->side) bytes, at any alignment; one for each thread.
  * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.
  *
- * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for such a tile, from > to, fewer tiles than `to`, or starts that
- * fall; TRIBOX_BAD_VERTEX if a list names a triangle that the soup does not have: bricks of tiles before it were handed on by then;
- * TRIBOX_STOPPED if the sink ended the call: the report is then of what it was handed.
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for another side, a share that the grid does not have, a sink without
+ * take, or starts that fall; TRIBOX_BAD_VERTEX if a list names a triangle that the soup does not have: bricks of tiles before it
+ * were handed on by then; TRIBOX_STOPPED if the sink ended the call: the report is then of what it was handed.
  */
-TRIBOX_API tribox_status tribox_voxelize_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t tile, size_t from,
-                                                size_t to, const size_t *starts, const uint32_t *list,
-                                                const tribox_options *options, void *scratch, tribox_sink *sink, void *data,
-                                                tribox_report *report);
+TRIBOX_API tribox_status tribox_bricks(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
+                                       const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
+                                       const tribox_sink *sink, tribox_report *report);
+
+/**
+ * tribox_bricks for a mesh, of floats or doubles: EXACT has the cells of tribox_mesh_voxelize. TRIBOX_BAD_VERTEX also if a triangle
+ * of a list refers to a vertex that does not exist; with indices, others are not looked at.
+ */
+TRIBOX_API tribox_status tribox_mesh_bricks(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
+                                            const size_t *starts, const uint32_t *list, const tribox_options *options,
+                                            void *scratch, const tribox_sink *sink, tribox_report *report);
 
 /* ============================================================================================================================== */
 /*                                                      Insides of surfaces                                                       */
@@ -669,15 +676,15 @@ TRIBOX_API size_t tribox_fill_bytes(const uint32_t size[3]);
  * occupied. Exact by construction, as nothing but the cells of the surface is asked. Surfaces may be doubled, self-intersecting or
  * in pieces; a hole of a cell or more lets the outside in.
  *
- * size: of the grid, of floats or doubles alike: at most 2^31 words.
+ * size: of the grid: at most 2^31 words.
  * occupied: the cells of the surface, as tribox_voxelize writes them; bits past a row's last cell are ignored.
- * solid: as many words, apart from occupied; written: the surface and its inside, with zeros past each row's last cell.
  * scratch: tribox_fill_bytes(size) bytes, at any alignment.
+ * solid: as many words as occupied, apart from it; written: the surface and its inside, with zeros past each row's last cell.
  * inside: how many cells were filled, without those occupied; NULL if not wanted.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or too many words).
  */
-TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint64_t *occupied, uint64_t *solid, void *scratch,
+TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint64_t *occupied, void *scratch, uint64_t *solid,
                                              size_t *inside);
 
 /**
@@ -688,76 +695,18 @@ TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint6
  * twice is outside. Where it is open, it streaks along x: see odd_rows, and examples/insides for pictures.
  *
  * soup, grid: those of the surface. The middle of a cell lies at the double nearest to that of its planes.
- * occupied, solid, scratch, inside: as for tribox_fill_outside, for the words of the grid.
+ * occupied, scratch, solid, inside: as for tribox_fill_outside, for the words of the grid.
  * odd_rows: how many rows of cells along x have an odd number of crossings in all: with one or more the mesh is certainly not
  *   closed. NULL if not wanted.
  *
  * Triangles with a NaN or infinite coordinate are left out. Returns what tribox_voxelize does.
  */
 TRIBOX_API tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied,
-                                            uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows);
+                                            void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows);
 
-/* ============================================================================================================================== */
-/*                                                      Meshes of doubles                                                       */
-/* ============================================================================================================================== */
-
-/**
- * A grid in double: of size[0] x size[1] x size[2] closed cells. Plane p of axis a lies at the double nearest to
- * origin[a] + p * cell[a], rounded once (C's fma).
- *
- * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same double. Any other grid
- * is TRIBOX_BAD_GRID.
- */
-typedef struct tribox_grid_f64 {
-    double origin[3]; /* the lower corner of cell (0, 0, 0), in the same unit of length as the triangles */
-    double cell[3];   /* the lengths of a cell, in the same unit */
-    uint32_t size[3]; /* the number of cells on each axis */
-} tribox_grid_f64;
-
-/** The box of cell (i, j, k), each less than the grid's size on its axis: the very box that tribox_voxelize_f64 tests. */
-TRIBOX_API tribox_box tribox_grid_cell_f64(const tribox_grid_f64 *grid, uint32_t i, uint32_t j, uint32_t k);
-
-/**
- * tribox_voxelize for a mesh and a grid of doubles, and for a window of it: cells first[a] .. first[a] + size[a] - 1 of each axis.
- * EXACT is by definition tribox_mesh_overlap of the mesh with every tribox_grid_cell_f64, so windows have the bits of the
- * whole; at CONSERVATIVE and FAST they may differ within rounding of contact, as tribox_voxelize states it.
- *
- * mesh: position_bytes of 0, 4 or 8.
- * first, size: the window; NULL for the whole grid. Cells outside it cost next to nothing.
- * occupied: row words * size[1] * size[2] words of the window, of which there may be 2^31; row words is (size[0] + 63) / 64. Cell
- *   (i, j, k) is bit (i - first[0]) % 64 of occupied[((k - first[2]) * size[1] + j - first[1]) * row_words + (i - first[0]) / 64].
- *
- * Other arguments are as for tribox_voxelize. Returns what it does; TRIBOX_BAD_ARGUMENT also where the window leaves the grid or
- * one of first and size alone is NULL, and where tribox_mesh_overlap does; TRIBOX_BAD_GRID if the window has too many words;
- * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
- */
-TRIBOX_API tribox_status tribox_voxelize_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
-                                             const uint32_t size[3], const tribox_options *options, uint64_t *occupied,
-                                             tribox_report *report);
-
-/**
- * tribox_tiles_count for such a mesh, of at most 2^32 triangles, and grid; tiles are as there. TRIBOX_BAD_VERTEX if a triangle
- * refers to a vertex that does not exist.
- */
-TRIBOX_API tribox_status tribox_tiles_count_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
-                                                size_t to, const tribox_options *options, size_t *starts);
-
-/** tribox_tiles_fill for such a mesh and grid; TRIBOX_BAD_VERTEX as above. */
-TRIBOX_API tribox_status tribox_tiles_fill_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile, size_t from,
-                                               size_t to, const tribox_options *options, size_t *starts, uint32_t *list);
-
-/**
- * tribox_voxelize_bricks for such a mesh and grid: EXACT has the cells of tribox_voxelize_f64. TRIBOX_BAD_VERTEX also if a triangle
- * of a list refers to a vertex that does not exist; others are not looked at.
- */
-TRIBOX_API tribox_status tribox_voxelize_bricks_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t tile,
-                                                    size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                                                    const tribox_options *options, void *scratch, tribox_sink *sink, void *data,
-                                                    tribox_report *report);
-
-/** tribox_fill_parity for such a mesh and grid; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist. */
-TRIBOX_API tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint64_t *occupied,
-                                                uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows);
+/** tribox_fill_parity for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+TRIBOX_API tribox_status tribox_mesh_fill_parity(const tribox_mesh *mesh, const tribox_grid *grid, const uint64_t *occupied,
+                                                 void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows);
 
 /* ============================================================================================================================== */
 /*                                                   Masks, meshes and kernels                                                    */

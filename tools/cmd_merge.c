@@ -137,7 +137,7 @@ static const char fewer[] = "choose a sparse format, -o FILE.npz or .vdb, withou
 /* A dense format and the picture take all cells at once. */
 static int take_words(merging *m)
 {
-    const tribox_grid_f64 *const grid = &m->cells.grid;
+    const tribox_grid *const grid = &m->cells.grid;
     const result_request *const result = &m->r->result;
     int code = EXIT_CODE_OK;
     if (!result->format->bricks || result->preview_path)

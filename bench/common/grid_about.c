@@ -12,9 +12,9 @@ tribox_grid grid_about(const mesh *m, uint32_t resolution)
     for (int a = 0; a < 3; a++)
         longest = fmax(longest, box.hi[a] - box.lo[a]);
     for (int a = 0; a < 3; a++) {
-        grid.origin[a] = (float)box.lo[a];
-        grid.cell[a] = (float)(longest / resolution) * 1.00001f;
-        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / (double)grid.cell[a]));
+        grid.origin[a] = box.lo[a];
+        grid.cell[a] = longest / resolution * 1.00001;
+        grid.size[a] = (uint32_t)fmax(1, ceil((box.hi[a] - box.lo[a]) / grid.cell[a]));
     }
     return grid;
 }

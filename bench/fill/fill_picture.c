@@ -75,9 +75,9 @@ static int show(const char *folder, const fill_kind *kind)
     kind->make(&body);
     const tribox_soup soup = fill_body_soup(&body);
     memset(occupied, 0, sizeof occupied);
-    if (tribox_fill_bytes(grid.size) > sizeof scratch || tribox_voxelize(&soup, &grid, NULL, occupied, NULL) ||
-        tribox_fill_outside(grid.size, occupied, solid[1], scratch, &outside) ||
-        tribox_fill_parity(&soup, &grid, occupied, solid[2], scratch, &inside, &odd_rows))
+    if (tribox_fill_bytes(grid.size) > sizeof scratch || tribox_voxelize(&soup, &grid, NULL, NULL, occupied, NULL) ||
+        tribox_fill_outside(grid.size, occupied, scratch, solid[1], &outside) ||
+        tribox_fill_parity(&soup, &grid, occupied, scratch, solid[2], &inside, &odd_rows))
         return message_failure("%s: cannot be filled", kind->name);
     memcpy(solid[0], occupied, sizeof occupied);
     printf("%-9s %5zu triangles: outside fills %6zu cells, parity %6zu; odd rows %4zu\n", kind->name, soup.count, outside, inside,

@@ -46,15 +46,15 @@ typedef struct answer {
 
 static bool find_answer(const mesh *m, const tribox_grid *grid, answer *a)
 {
-    const size_t words = tribox_grid_words(grid);
+    const size_t words = tribox_window_words(grid->size);
     uint64_t *const occupied = calloc(words, sizeof *occupied), *solid[2] = {malloc(words * 8), malloc(words * 8)};
     void *const scratch = malloc(tribox_fill_bytes(grid->size));
     bool is = occupied && solid[0] && solid[1] && scratch;
     for (step s = SURFACE; is && s < STEPS; s++) {
         const double from = processor_time();
-        is = !(s == SURFACE   ? tribox_voxelize(&m->soup, grid, NULL, occupied, NULL)
-               : s == OUTSIDE ? tribox_fill_outside(grid->size, occupied, solid[0], scratch, &a->outside)
-                              : tribox_fill_parity(&m->soup, grid, occupied, solid[1], scratch, &a->parity, &a->odd_rows));
+        is = !(s == SURFACE   ? tribox_voxelize(&m->soup, grid, NULL, NULL, occupied, NULL)
+               : s == OUTSIDE ? tribox_fill_outside(grid->size, occupied, scratch, solid[0], &a->outside)
+                              : tribox_fill_parity(&m->soup, grid, occupied, scratch, solid[1], &a->parity, &a->odd_rows));
         a->seconds[s] = processor_time() - from;
     }
     free(occupied);

@@ -40,7 +40,7 @@ static const char usage[] =
     "  --quick          256 cells, one round\n";
 
 /* Whether dense bits of 2^31 words would do. */
-static bool is_for_dense(const tribox_grid *grid) { return tribox_grid_words(grid) <= (size_t)1 << 31; }
+static bool is_for_dense(const tribox_grid *grid) { return tribox_window_words(grid->size) <= (size_t)1 << 31; }
 
 static void print_way(const char *name, const scale_answer *a, const scale_answer *dense)
 {

@@ -107,20 +107,21 @@ static uint64_t sum_kept(const taken *t)
 
 static bool find_bricks(scale_way way, const scale_question *q, scale_answer *answer)
 {
-    const size_t tiles = tribox_tiles(q->grid.size, q->tile);
+    const size_t tiles = tribox_tile_count(q->grid.size, q->tile);
+    const tribox_tiles all = {q->tile, 0, tiles};
     taken t = {.last = NULL};
+    const tribox_sink sink = {way == WAY_KEPT ? keep : only_count, &t};
     tribox_report report = {0, 0};
     const double begin = cpu_seconds();
     size_t *const starts = malloc((tiles + 1) * sizeof *starts);
-    if (!starts || tribox_tiles_count(q->soup, &q->grid, q->tile, 0, tiles, &q->options, starts))
+    if (!starts || tribox_tile_lists(q->soup, &q->grid, &all, &q->options, starts, NULL))
         return false;
     uint32_t *const list = malloc(starts[tiles] * sizeof *list + 1);
     void *const scratch = malloc(tribox_bricks_bytes(q->tile));
-    if (!list || !scratch || tribox_tiles_fill(q->soup, &q->grid, q->tile, 0, tiles, &q->options, starts, list))
+    if (!list || !scratch || tribox_tile_lists(q->soup, &q->grid, &all, &q->options, starts, list))
         return false;
     answer->listing = cpu_seconds() - begin;
-    if (tribox_voxelize_bricks(q->soup, &q->grid, q->tile, 0, tiles, starts, list, &q->options, scratch,
-                               way == WAY_KEPT ? keep : only_count, &t, &report))
+    if (tribox_bricks(q->soup, &q->grid, &all, starts, list, &q->options, scratch, &sink, &report))
         return false;
     answer->seconds = cpu_seconds() - begin;
     answer->pairs = starts[tiles];
@@ -133,7 +134,7 @@ static bool find_bricks(scale_way way, const scale_question *q, scale_answer *an
 /* The bricks of dense bits, for the sum. */
 static void sum_dense(const scale_question *q, const uint64_t *bits, scale_answer *answer)
 {
-    const size_t row = tribox_grid_row_words(&q->grid);
+    const size_t row = tribox_mask_words(q->grid.size[0]);
     const uint32_t *const size = q->grid.size;
     uint32_t at[3];
     for (at[2] = 0; 8 * at[2] < size[2]; at[2]++)
@@ -156,8 +157,8 @@ static bool find_dense(const scale_question *q, scale_answer *answer, double meg
 {
     tribox_report report;
     const double begin = cpu_seconds();
-    uint64_t *const bits = calloc(tribox_grid_words(&q->grid), sizeof *bits);
-    if (!bits || tribox_voxelize(q->soup, &q->grid, &q->options, bits, &report))
+    uint64_t *const bits = calloc(tribox_window_words(q->grid.size), sizeof *bits);
+    if (!bits || tribox_voxelize(q->soup, &q->grid, NULL, &q->options, bits, &report))
         return false;
     answer->seconds = cpu_seconds() - begin;
     answer->megabytes = megabytes_of("VmHWM") - megabytes_before;

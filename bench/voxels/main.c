@@ -85,13 +85,14 @@ static void clear(const contestant *self, uint64_t *bits)
 static bool run_tribox(const contestant *self, uint64_t *bits, tribox_report *report)
 {
     const task *const t = self->question;
-    return !tribox_voxelize(&t->scene->soup, &t->grid, &self->options, bits, report);
+    return !tribox_voxelize(&t->scene->soup, &t->grid, NULL, &self->options, bits, report);
 }
 
 static bool run_threads(const contestant *self, uint64_t *bits, tribox_report *report)
 {
     const task *const t = self->question;
-    return !voxelize_in_threads(&t->scene->soup, &t->grid, 0, t->grid.size[2], &self->options, 2, bits, report, NULL, NULL);
+    const voxel_task work = voxel_task_of_soup(&t->scene->soup, &t->grid, &self->options);
+    return !voxelize_in_threads(&work, 0, t->grid.size[2], 2, bits, report, NULL, NULL);
 }
 
 static size_t pick_sample(const task *t, size_t step)
@@ -194,7 +195,7 @@ static bool find_truth(const void *question, unsigned axes, uint64_t *bits)
 {
     const task *const t = question;
     memset(bits, 0, t->words * sizeof *bits);
-    return !tribox_voxelize(&t->scene->soup, &t->grid, &(tribox_options){.axes = axes, .kernel = "scalar"}, bits, NULL);
+    return !tribox_voxelize(&t->scene->soup, &t->grid, NULL, &(tribox_options){.axes = axes, .kernel = "scalar"}, bits, NULL);
 }
 
 /* The seconds of a pass over every step-th triangle. */
@@ -303,7 +304,7 @@ static bool run_grid(const voxel_scene *at, uint32_t resolution, const settings 
     task t = {.scene = at, .s = s, .grid = voxel_scene_grid(at, resolution)};
     for (size_t c = 0; c < TIMED; c++)
         t.step[c] = 1;
-    t.words = tribox_grid_words(&t.grid);
+    t.words = tribox_window_words(t.grid.size);
     t.bits = malloc(t.words * sizeof *t.bits);
     t.sample = malloc(at->soup.count * sizeof *t.sample);
     const bool is_answered = t.bits && t.sample

@@ -49,7 +49,7 @@ static bool take_words(const tribox_grid *grid, const cell_box *box, uint64_t *o
 {
     for (size_t k = box->first[2]; k <= box->last[2]; k++)
         for (size_t j = box->first[1]; j <= box->last[1]; j++) {
-            const size_t row = (k * grid->size[1] + j) * tribox_grid_row_words(grid);
+            const size_t row = (k * grid->size[1] + j) * tribox_mask_words(grid->size[0]);
             for (size_t word = row + box->first[0] / 64; word <= row + box->last[0] / 64; word++) {
                 if (occupied[word] && !put(to, word, occupied[word]))
                     return false;
@@ -70,7 +70,7 @@ bool voxel_words_find(const tribox_soup *soup, const tribox_grid *grid, const tr
             one.z[v] = soup->z[v] + t;
         }
         const cell_box box = box_of(grid, &one);
-        if (tribox_voxelize(&one, grid, options, blank, NULL) || !take_words(grid, &box, blank, found))
+        if (tribox_voxelize(&one, grid, NULL, options, blank, NULL) || !take_words(grid, &box, blank, found))
             return false;
     }
     return true;

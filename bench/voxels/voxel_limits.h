@@ -20,7 +20,7 @@ typedef struct voxel_words {
     uint64_t *bits;
 } voxel_words;
 
-/* `blank` has tribox_grid_words words, zero before and after. False if memory runs out or the library refuses. */
+/* `blank` has tribox_window_words words, zero before and after. False if memory runs out or the library refuses. */
 bool voxel_words_find(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options, uint64_t *blank,
                       voxel_words *found);
 

@@ -7,12 +7,28 @@
 #include "paper/paper.h"
 #include "paper/paper_axes.h"
 
+/* A grid as these ways take it. */
+typedef struct float_grid {
+    float origin[3], cell[3];
+    const uint32_t *size;
+} float_grid;
+
+static float_grid rounded(const tribox_grid *grid)
+{
+    float_grid narrow = {.size = grid->size};
+    for (int a = 0; a < 3; a++) {
+        narrow.origin[a] = (float)grid->origin[a];
+        narrow.cell[a] = (float)grid->cell[a];
+    }
+    return narrow;
+}
+
 /* The cells of a triangle's bounding box, first to last on each axis. */
 typedef struct cell_range {
     int first[3], last[3], axes_spanned;
 } cell_range;
 
-static cell_range range_of(const tribox_grid *grid, const float v[3][3])
+static cell_range range_of(const float_grid *grid, const float v[3][3])
 {
     cell_range range = {.axes_spanned = 0};
     for (int a = 0; a < 3; a++) {
@@ -26,14 +42,14 @@ static cell_range range_of(const tribox_grid *grid, const float v[3][3])
 }
 
 /* The vertices in cells from the grid's corner. */
-static void place(const tribox_grid *grid, const float u[3][3], float v[3][3])
+static void place(const float_grid *grid, const float u[3][3], float v[3][3])
 {
     for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++)
             v[j][a] = (u[j][a] - grid->origin[a]) / grid->cell[a];
 }
 
-static uint64_t *row_of(const tribox_grid *grid, uint64_t *occupied, int j, int k)
+static uint64_t *row_of(const float_grid *grid, uint64_t *occupied, int j, int k)
 {
     return occupied + ((size_t)k * grid->size[1] + (size_t)j) * ((grid->size[0] + 63) / 64);
 }
@@ -48,8 +64,9 @@ overlaps(const float center[3], const float half[3], const float triangle[3][3])
     return paper_overlaps(center, half, triangle, PAPER_ORDER);
 }
 
-void voxelize_cell_by_cell(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
+void voxelize_cell_by_cell(const tribox_grid *of_doubles, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
 {
+    const float_grid of_floats = rounded(of_doubles), *const grid = &of_floats;
     const float half[3] = {grid->cell[0] / 2, grid->cell[1] / 2, grid->cell[2] / 2};
     for (size_t t = 0; t < count; t++) {
         float v[3][3];
@@ -127,7 +144,7 @@ static inline void set_row(const set_up *s, const cell_range *range, int j, int 
     }
 }
 
-static inline void set_rows(const tribox_grid *grid, const set_up *s, const cell_range *range, int thin, uint64_t *occupied)
+static inline void set_rows(const float_grid *grid, const set_up *s, const cell_range *range, int thin, uint64_t *occupied)
 {
     for (int k = range->first[2]; k <= range->last[2]; k++)
         for (int j = range->first[1]; j <= range->last[1]; j++) {
@@ -147,8 +164,9 @@ static int thin_axis(const cell_range *range)
     return 3;
 }
 
-void voxelize_schwarz_seidel(const tribox_grid *grid, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
+void voxelize_schwarz_seidel(const tribox_grid *of_doubles, const float (*triangles)[3][3], size_t count, uint64_t *occupied)
 {
+    const float_grid of_floats = rounded(of_doubles), *const grid = &of_floats;
     for (size_t t = 0; t < count; t++) {
         float v[3][3];
         place(grid, triangles[t], v);

@@ -126,9 +126,9 @@ tribox_grid voxel_scene_grid(const voxel_scene *scene, uint32_t resolution)
     for (int a = 0; a < 3; a++)
         longest = fmaxf(longest, hi[a] - lo[a]);
     for (int a = 0; a < 3; a++) {
-        grid.origin[a] = lo[a];
-        grid.cell[a] = longest / (float)resolution * 1.0001f; /* what lies on the far side lies inside */
-        grid.size[a] = (uint32_t)fmaxf(1, ceilf((hi[a] - lo[a]) / grid.cell[a]));
+        grid.origin[a] = (double)lo[a];
+        grid.cell[a] = (double)(longest / (float)resolution * 1.0001f); /* what lies on the far side lies inside */
+        grid.size[a] = (uint32_t)fmax(1, ceil((double)(hi[a] - lo[a]) / grid.cell[a]));
     }
     return grid;
 }

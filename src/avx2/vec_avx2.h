@@ -44,15 +44,6 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, _mm256_an
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vnum v_floor(vnum a) { return _mm256_floor_ps(a); }
 TRIBOX_INLINE vnum avx2_join(__m128 low, __m128 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
-TRIBOX_INLINE __m128 avx2_plane(__m128 p, double cell, double origin)
-{
-    return _mm256_cvtpd_ps(_mm256_add_pd(_mm256_set1_pd(origin), _mm256_mul_pd(_mm256_cvtps_pd(p), _mm256_set1_pd(cell))));
-}
-TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
-{
-    const __m128 low = avx2_plane(_mm256_castps256_ps128(p), cell, origin);
-    return avx2_join(low, avx2_plane(_mm256_extractf128_ps(p, 1), cell, origin));
-}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_EQ_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_ps(b, a, m); }

@@ -24,7 +24,6 @@ TRIBOX_INLINE vnum v_load(const float *p) { return _mm256_cvtps_pd(_mm_loadu_ps(
 TRIBOX_INLINE vnum v_read(const double *p) { return _mm256_loadu_pd(p); }
 TRIBOX_INLINE void v_write(double *p, vnum a) { _mm256_storeu_pd(p, a); }
 TRIBOX_INLINE void v_write_int(int32_t *p, vnum a) { _mm_storeu_si128((__m128i *)p, _mm256_cvttpd_epi32(a)); }
-TRIBOX_INLINE vnum v_nearest_float(vnum a) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(a)); }
 TRIBOX_INLINE vnum v_splat(double a) { return _mm256_set1_pd(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm256_add_pd(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm256_sub_pd(a, b); }

@@ -52,16 +52,6 @@ TRIBOX_INLINE vnum avx512_join(__m256 low, __m256 high)
 {
     return _mm512_castpd_ps(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_castps_pd(low)), _mm256_castps_pd(high), 1));
 }
-TRIBOX_INLINE __m256 avx512_plane(__m256 p, double cell, double origin)
-{
-    return _mm512_cvtpd_ps(_mm512_add_pd(_mm512_set1_pd(origin), _mm512_mul_pd(_mm512_cvtps_pd(p), _mm512_set1_pd(cell))));
-}
-TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
-{
-    const __m256 low = avx512_plane(_mm512_castps512_ps256(p), cell, origin);
-    const __m256 high = avx512_plane(_mm256_castpd_ps(_mm512_extractf64x4_pd(_mm512_castps_pd(p), 1)), cell, origin);
-    return avx512_join(low, high);
-}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_EQ_OQ); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_blend_ps(m, b, a); }

@@ -28,7 +28,6 @@ TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_cvtps_pd(_mm256_loadu_
 TRIBOX_INLINE vnum v_read(const double *p) { return _mm512_loadu_pd(p); }
 TRIBOX_INLINE void v_write(double *p, vnum a) { _mm512_storeu_pd(p, a); }
 TRIBOX_INLINE void v_write_int(int32_t *p, vnum a) { _mm256_storeu_si256((__m256i *)p, _mm512_cvttpd_epi32(a)); }
-TRIBOX_INLINE vnum v_nearest_float(vnum a) { return _mm512_cvtps_pd(_mm512_cvtpd_ps(a)); }
 TRIBOX_INLINE vnum v_splat(double a) { return _mm512_set1_pd(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_pd(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return _mm512_sub_pd(a, b); }

@@ -18,7 +18,7 @@ static double greatest_coordinate(double u[3][3], int a)
 static tribox_cells cells_of_triangle(const tribox_crossings *c, double u[3][3], int a)
 {
     const int64_t size = c->middles.size[a];
-    tribox_cells cells = tribox_middles_cells(&c->middles, a, least_coordinate(u, a), greatest_coordinate(u, a));
+    tribox_cells cells = tribox_planes_cells(&c->middles.planes, a, size, least_coordinate(u, a), greatest_coordinate(u, a));
     cells.first = cells.first < 0 ? 0 : cells.first;
     cells.last = cells.last < size ? cells.last : size - 1;
     return cells;

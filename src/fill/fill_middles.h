@@ -1,30 +1,38 @@
 /*
- * fill_middles.h - the middles of cells of a grid of floats or doubles, and where a number lies among them. Call in the environment
- * of environment.h.
+ * fill_middles.h - the middles of cells of a grid, and where a number lies among them. Call in the environment of environment.h.
  */
 #ifndef TRIBOX_FILL_MIDDLES_H
 #define TRIBOX_FILL_MIDDLES_H
 
 #include "base/finite.h"
 #include "grid/grid_cells.h"
-#include "grid/planes.h"
 
 /* A grid, and places of numbers in it: (number - origin) per_cell, off from where planes and middles lie by `error` at most. */
 typedef struct tribox_middles {
-    const tribox_grid *grid; /* of floats, or NULL */
-    tribox_planes planes;    /* of doubles */
-    const uint32_t *size;
+    tribox_planes planes;
+    uint32_t size[3];
     double origin[3], cell[3], per_cell[3], error[3];
-    double off[3];   /* by which tribox_middle_near errs at the most */
+    double off[3];   /* how far from the middle of cell i origin + (i + 1/2) cell can be, in double */
     bool has_places; /* errors are less than a quarter of a cell */
 } tribox_middles;
 
-/* Of a sound grid: one of the two is NULL. */
-tribox_middles tribox_middles_of(const tribox_grid *grid, const tribox_grid_f64 *grid_f64);
-
-static inline double tribox_middles_plane(const tribox_middles *m, int a, int64_t p)
+/* Of a sound grid. Planes are off by half a spacing of doubles, as are their means. */
+static inline tribox_middles tribox_middles_of(const tribox_grid *grid)
 {
-    return m->grid ? tribox_grid_plane(m->grid, a, (uint64_t)p) : tribox_plane_at(&m->planes, a, p);
+    tribox_middles m = {.planes = tribox_planes_of(grid, NULL), .has_places = true};
+    for (int a = 0; a < 3; a++) {
+        const double cell = grid->cell[a];
+        const double lowest = tribox_plane_at(&m.planes, a, 0), highest = tribox_plane_at(&m.planes, a, grid->size[a]);
+        const double farthest = -lowest > highest ? -lowest : highest;
+        m.size[a] = grid->size[a];
+        m.origin[a] = lowest;
+        m.cell[a] = cell;
+        m.per_cell[a] = 1 / cell;
+        m.error[a] = 0x1p-51 * farthest * m.per_cell[a] + 0x1p-50 * ((double)m.size[a] + 4);
+        m.off[a] = 0x1p-50 * farthest + m.error[a] * cell;
+        m.has_places = m.has_places && cell >= 0x1p-700 && cell <= 0x1p700 && m.error[a] < 0.25;
+    }
+    return m;
 }
 
 /* The double nearest to the mean: rounded once, as a sum is exact where its half is subnormal (PROOFS.md 15.2). */
@@ -36,16 +44,7 @@ static inline double tribox_mean(double lo, double hi)
 
 static inline double tribox_middle(const tribox_middles *m, int a, int64_t cell)
 {
-    return tribox_mean(tribox_middles_plane(m, a, cell), tribox_middles_plane(m, a, cell + 1));
+    return tribox_mean(tribox_plane_at(&m->planes, a, cell), tribox_plane_at(&m->planes, a, cell + 1));
 }
-
-/* Planes of doubles are rounded once, which takes its time. */
-static inline double tribox_middle_near(const tribox_middles *m, int a, int64_t cell)
-{
-    return m->grid ? tribox_middle(m, a, cell) : m->origin[a] + ((double)cell + 0.5) * m->cell[a];
-}
-
-/* The closed cells of axis a that an interval touches, -1 and size standing for those outside the grid. */
-tribox_cells tribox_middles_cells(const tribox_middles *m, int a, double least, double most);
 
 #endif

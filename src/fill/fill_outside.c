@@ -174,7 +174,7 @@ static void take_layers(flood *f)
             take_layer(f, k);
 }
 
-tribox_status tribox_fill_outside(const uint32_t size[3], const uint64_t *occupied, uint64_t *solid, void *scratch, size_t *inside)
+tribox_status tribox_fill_outside(const uint32_t size[3], const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside)
 {
     if (!size || !occupied || !solid || !scratch)
         return TRIBOX_BAD_ARGUMENT;

@@ -1,11 +1,8 @@
 /* fill_parity.c - the inside of a surface by the parity of crossings along x: the calls, and from crossings to cells. */
 #include "base/environment.h"
 #include "fill_crossings.h"
-#include "grid/grid_cells.h"
-#include "grid/grid_f64.h"
-#include "mesh/mesh_input.h"
+#include "grid/triangles.h"
 #include "plan.h"
-#include "mesh/positions.h"
 
 /* Every bit that has an odd number of bits at and below it. */
 static uint64_t parity_below(uint64_t word)
@@ -45,92 +42,70 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
         *odd_rows = odd;
 }
 
-static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, const uint32_t size[3], uint64_t *solid,
+static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, const tribox_grid *grid, uint64_t *solid,
                             void *scratch)
 {
     c->handlers = &tribox_exact_crossings;
     c->kernel = kernel;
-    c->rows = tribox_rows_of(size);
+    c->middles = tribox_middles_of(grid);
+    c->rows = tribox_rows_of(grid->size);
     c->solid = solid;
     c->beyond = tribox_fill_row_bits(scratch, &c->rows);
     c->turns.count = 0;
     memset(solid, 0, c->rows.count * c->rows.words * sizeof *solid);
 }
 
-static void add_soup(tribox_crossings *c, const tribox_soup *soup)
+static void cross_all(tribox_crossings *c, const tribox_triangles *triangles)
 {
     tribox_seen_along seen = {0};
-    for (size_t first = 0; first < soup->count; first += TRIBOX_SEEN_ALONG) {
-        const size_t count = soup->count - first < TRIBOX_SEEN_ALONG ? soup->count - first : TRIBOX_SEEN_ALONG;
-        for (int n = 0; n < 9; n++) {
-            const float *const from = tribox_soup_axis(soup, n / 3)[n % 3] + first;
-            for (size_t i = 0; i < count; i++)
-                seen.number[n][i] = from[i];
-        }
+    for (size_t first = 0; first < triangles->count; first += TRIBOX_SEEN_ALONG) {
+        const size_t left = triangles->count - first, count = left < TRIBOX_SEEN_ALONG ? left : TRIBOX_SEEN_ALONG;
+        tribox_triangles_read(triangles, first, count, seen.number[0], TRIBOX_SEEN_ALONG);
         tribox_crossings_add(c, &seen, count);
     }
+    tribox_crossings_finish(c);
 }
 
-tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied, uint64_t *solid,
-                                 void *scratch, size_t *inside, size_t *odd_rows)
+static tribox_status check_fill(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_kernel *kernel)
+{
+    if (!tribox_fill_is_served(grid->size) || !tribox_grid_is_sound(grid))
+        return TRIBOX_BAD_GRID;
+    return tribox_triangles_have_vertices(triangles, kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
+}
+
+static tribox_status fill_parity(const tribox_triangles *triangles, const tribox_grid *grid, const uint64_t *occupied,
+                                 void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows)
 {
     tribox_plan plan;
-    if (!grid || !occupied || !solid || !scratch || !tribox_soup_is_readable(soup))
-        return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = tribox_plan_make(NULL, &plan);
-    if (status)
-        return status;
-    const tribox_environment callers = tribox_environment_enter();
-    const bool is_served = tribox_fill_is_served(grid->size) && tribox_grid_is_sound(grid);
-    if (is_served) {
-        tribox_crossings c;
-        start_crossings(&c, plan.kernel, grid->size, solid, scratch);
-        c.middles = tribox_middles_of(grid, NULL);
-        add_soup(&c, soup);
-        tribox_crossings_finish(&c);
-        fill_rows(&c, occupied, inside, odd_rows);
-    }
-    tribox_environment_leave(callers);
-    return is_served ? TRIBOX_OK : TRIBOX_BAD_GRID;
-}
-
-static void add_mesh(tribox_crossings *c, const tribox_mesh *mesh)
-{
-    tribox_seen_along seen = {0};
-    double corner[3 * TRIBOX_SEEN_ALONG][3];
-    for (size_t first = 0; first < mesh->count; first += TRIBOX_SEEN_ALONG) {
-        const size_t count = mesh->count - first < TRIBOX_SEEN_ALONG ? mesh->count - first : TRIBOX_SEEN_ALONG;
-        tribox_mesh_read_corners(mesh, 3 * first, 3 * count, corner);
-        for (size_t i = 0; i < 3 * count; i++)
-            for (size_t a = 0; a < 3; a++)
-                seen.number[3 * a + i % 3][i / 3] = corner[i][a];
-        tribox_crossings_add(c, &seen, count);
-    }
-}
-
-tribox_status tribox_fill_parity_f64(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint64_t *occupied,
-                                     uint64_t *solid, void *scratch, size_t *inside, size_t *odd_rows)
-{
-    tribox_plan plan;
-    tribox_mesh strided;
-    if (!grid || !occupied || !solid || !scratch || !tribox_mesh_take(mesh, &strided))
+    if (!grid || !occupied || !scratch || !solid)
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(NULL, &plan);
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    if (!tribox_fill_is_served(grid->size) || !tribox_grid_f64_is_sound(grid))
-        status = TRIBOX_BAD_GRID;
-    else if (!tribox_mesh_is_in_range(&strided, plan.kernel, 0, mesh->count))
-        status = TRIBOX_BAD_VERTEX;
+    status = check_fill(triangles, grid, plan.kernel);
     if (!status) {
         tribox_crossings c;
-        start_crossings(&c, plan.kernel, grid->size, solid, scratch);
-        c.middles = tribox_middles_of(NULL, grid);
-        add_mesh(&c, &strided);
-        tribox_crossings_finish(&c);
+        start_crossings(&c, plan.kernel, grid, solid, scratch);
+        cross_all(&c, triangles);
         fill_rows(&c, occupied, inside, odd_rows);
     }
     tribox_environment_leave(callers);
     return status;
+}
+
+tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied, void *scratch,
+                                 uint64_t *solid, size_t *inside, size_t *odd_rows)
+{
+    tribox_triangles triangles;
+    return tribox_triangles_of_soup(soup, &triangles) ? fill_parity(&triangles, grid, occupied, scratch, solid, inside, odd_rows)
+                                                      : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_mesh_fill_parity(const tribox_mesh *mesh, const tribox_grid *grid, const uint64_t *occupied, void *scratch,
+                                      uint64_t *solid, size_t *inside, size_t *odd_rows)
+{
+    tribox_triangles triangles;
+    return tribox_triangles_of_mesh(mesh, &triangles) ? fill_parity(&triangles, grid, occupied, scratch, solid, inside, odd_rows)
+                                                      : TRIBOX_BAD_ARGUMENT;
 }

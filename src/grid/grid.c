@@ -1,82 +1,22 @@
 /* grid.c - whether a grid can be served, its cells as boxes, and which cells an interval touches. */
 #include "grid_cells.h"
 
-#include <string.h>
-
 #include "base/bits.h"
 #include "base/environment.h"
 #include "base/finite.h"
 
 #define WORDS_MAX (UINT64_C(1) << 31)
 
-size_t tribox_grid_row_words(const tribox_grid *grid) { return tribox_words_of(grid->size[0]); }
-
-/* SIZE_MAX where the product overflows: such a grid cannot be addressed. */
-size_t tribox_grid_words(const tribox_grid *grid)
+/* SIZE_MAX where the product overflows: such a window cannot be addressed. */
+size_t tribox_window_words(const uint32_t size[3])
 {
-    size_t words = tribox_words_of(grid->size[0]);
+    size_t words = tribox_words_of(size[0]);
     for (int a = 1; a < 3; a++) {
-        if (grid->size[a] && words > SIZE_MAX / grid->size[a])
+        if (size[a] && words > SIZE_MAX / size[a])
             return SIZE_MAX;
-        words *= grid->size[a];
+        words *= size[a];
     }
     return words;
-}
-
-tribox_box tribox_grid_cell(const tribox_grid *grid, uint32_t i, uint32_t j, uint32_t k)
-{
-    const uint32_t at[3] = {i, j, k};
-    const tribox_environment callers = tribox_environment_enter();
-    tribox_box box;
-    for (int a = 0; a < 3; a++) {
-        box.lo[a] = tribox_grid_plane(grid, a, at[a]);
-        box.hi[a] = tribox_grid_plane(grid, a, (uint64_t)at[a] + 1);
-    }
-    tribox_environment_leave(callers);
-    return box;
-}
-
-/* The spacing of floats above a finite magnitude. */
-static float spacing_at(float magnitude)
-{
-    float next;
-    uint32_t bits;
-    memcpy(&bits, &magnitude, sizeof bits);
-    bits++;
-    memcpy(&next, &bits, sizeof next);
-    return next - magnitude;
-}
-
-static float magnitude(float x) { return x < 0 ? -x : x; }
-
-/*
- * No two planes are the same float. Planes lie within half a spacing of floats of their exact places, so cells of two spacings are
- * safe. In finer grids every plane is compared with the one before: 2^25 or so at most, as two must coincide by then (PROOFS.md
- * 7.2).
- */
-static bool has_rising_planes(const tribox_grid *grid, int a)
-{
-    const float first = tribox_grid_plane(grid, a, 0), last = tribox_grid_plane(grid, a, grid->size[a]);
-    const float farthest = magnitude(first) > magnitude(last) ? magnitude(first) : magnitude(last);
-    if (grid->cell[a] >= 2 * spacing_at(farthest))
-        return true;
-    float below = first;
-    for (uint64_t p = 1; p <= grid->size[a]; p++) {
-        const float plane = tribox_grid_plane(grid, a, p);
-        if (plane <= below)
-            return false;
-        below = plane;
-    }
-    return true;
-}
-
-bool tribox_grid_is_sound(const tribox_grid *grid)
-{
-    for (int a = 0; a < 3; a++)
-        if (!tribox_is_finite(grid->origin[a]) || !tribox_is_finite(grid->cell[a]) || !(grid->cell[a] > 0) || !grid->size[a] ||
-            !tribox_is_finite(tribox_grid_plane(grid, a, grid->size[a])))
-            return false;
-    return has_rising_planes(grid, 0) && has_rising_planes(grid, 1) && has_rising_planes(grid, 2);
 }
 
 /* Three factors below 2^32, of which the first is below 2^27. */
@@ -86,25 +26,120 @@ bool tribox_fits_one_call(const uint32_t size[3])
     return !layer || !size[2] || layer <= WORDS_MAX / size[2];
 }
 
-/*
- * The cell of a window, -1 to size, in which a number lies, but for the rounding of planes: where the search starts. Never below
- * the first cell that the number touches: a float beyond plane p is beyond origin + p cell, and p cell, of 50 bits in a sound grid,
- * is a double (PROOFS.md 7.2, 7.3).
- */
-static int64_t cell_near(const tribox_grid *grid, int a, int64_t first, int64_t size, float x)
+tribox_planes tribox_planes_of(const tribox_grid *grid, const uint32_t first[3])
 {
-    const double at = ((double)x - grid->origin[a]) / grid->cell[a];
-    return at < (double)first ? -1 : at < (double)(first + size) ? (int64_t)at - first : size;
+    tribox_planes planes;
+    for (int a = 0; a < 3; a++) {
+        planes.origin[a] = grid->origin[a];
+        planes.cell[a] = grid->cell[a];
+        planes.first[a] = first ? first[a] : 0;
+    }
+    return planes;
 }
 
-tribox_cells tribox_grid_cells(const tribox_grid *grid, int a, int64_t first, int64_t size, float least, float most)
+tribox_box tribox_grid_cell(const tribox_grid *grid, uint32_t i, uint32_t j, uint32_t k)
 {
-    int64_t from = cell_near(grid, a, first, size, least), last = cell_near(grid, a, first, size, most);
-    while (from >= 0 && tribox_grid_plane(grid, a, (uint64_t)(first + from)) >= least)
-        from--;
-    while (last < size && tribox_grid_plane(grid, a, (uint64_t)(first + last + 1)) <= most)
-        last++;
-    while (last >= 0 && tribox_grid_plane(grid, a, (uint64_t)(first + last)) > most)
-        last--;
-    return (tribox_cells){from, last};
+    const uint32_t at[3] = {i, j, k};
+    const tribox_environment callers = tribox_environment_enter();
+    const tribox_planes planes = tribox_planes_of(grid, NULL);
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = tribox_plane_at(&planes, a, at[a]);
+        box.hi[a] = tribox_plane_at(&planes, a, (int64_t)at[a] + 1);
+    }
+    tribox_environment_leave(callers);
+    return box;
+}
+
+static double size_of(double x) { return x < 0 ? -x : x; }
+
+/* The power of two at or below a magnitude, and the spacing of doubles from there to the next power. */
+typedef struct binade {
+    double from, spacing;
+} binade;
+
+static binade binade_of(double size)
+{
+    binade b;
+    double next;
+    uint64_t bits;
+    memcpy(&bits, &size, sizeof bits);
+    bits &= UINT64_C(0x7ff) << 52;
+    memcpy(&b.from, &bits, sizeof b.from);
+    bits++;
+    memcpy(&next, &bits, sizeof next);
+    b.spacing = next - b.from;
+    return b;
+}
+
+/*
+ * Planes first to last, of one binade, whose cells are not longer than its spacing: from one to the next it is one spacing or
+ * none, so that it is enough to count. Where cell and spacing are one number it may also be two, after none, among the first three
+ * (PROOFS.md 7.10).
+ */
+static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int64_t last, double spacing)
+{
+    if (planes->cell[a] > spacing)
+        return true;
+    for (int64_t p = first; p < last && p < first + 2; p++)
+        if (!(tribox_plane_at(planes, a, p + 1) > tribox_plane_at(planes, a, p)))
+            return false;
+    return (tribox_plane_at(planes, a, last) - tribox_plane_at(planes, a, first)) / spacing >= (double)(last - first);
+}
+
+/*
+ * No two planes are the same double: if cells are longer than the spacing of doubles at the farthest plane. Otherwise the planes
+ * lie in two binades at most, and the first of the binade further up parts them.
+ */
+static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
+{
+    const double first = tribox_plane_at(planes, a, 0), last = tribox_plane_at(planes, a, size);
+    const bool is_falling = first < 0; /* away from zero */
+    const binade top = binade_of(is_falling && -first > last ? -first : last);
+    if (planes->cell[a] > top.spacing)
+        return true;
+    int64_t low = -1, high = size + 1; /* planes below and above the parting, where they rise away from zero */
+    while (high - low > 1) {
+        const int64_t middle = low + (high - low) / 2;
+        const bool is_top = size_of(tribox_plane_at(planes, a, middle)) >= top.from;
+        *(is_top == is_falling ? &low : &high) = middle;
+    }
+    const double below = is_falling ? top.spacing : top.spacing / 2, above = is_falling ? top.spacing / 2 : top.spacing;
+    return (low < 0 || is_run_rising(planes, a, 0, low, below)) && (high > size || is_run_rising(planes, a, high, size, above));
+}
+
+bool tribox_grid_is_sound(const tribox_grid *grid)
+{
+    if (!tribox_are_finite_f64(grid->origin, 3) || !tribox_are_finite_f64(grid->cell, 3))
+        return false;
+    const tribox_planes planes = tribox_planes_of(grid, NULL);
+    for (int a = 0; a < 3; a++)
+        if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_f64(tribox_plane_at(&planes, a, grid->size[a])) ||
+            !has_rising_planes(&planes, a, grid->size[a]))
+            return false;
+    return true;
+}
+
+/* How many of planes 0 to size lie below x, or at it where `is_closed`: nearly always as many as the place of x says. */
+static int64_t planes_below(const tribox_planes *planes, int a, int64_t size, double x, bool is_closed)
+{
+    const double place = (x - planes->origin[a]) / planes->cell[a] - planes->first[a];
+    int64_t low = -1, high = size + 1, step = 1;
+    int64_t at = place > 0 ? place < (double)size ? (int64_t)place : size : 0; /* 0 of a NaN */
+    while (high - low > 1) {
+        const double plane = tribox_plane_at(planes, a, at);
+        const bool is_below = plane < x || (is_closed && plane <= x);
+        *(is_below ? &low : &high) = at;
+        at = is_below ? low + step : high - step;
+        if (at <= low || at >= high)
+            at = low + (high - low) / 2;
+        step *= 2;
+    }
+    return high;
+}
+
+tribox_cells tribox_planes_cells(const tribox_planes *planes, int a, int64_t size, double least, double most)
+{
+    const int64_t last = planes_below(planes, a, size, most, true) - 1, below = planes_below(planes, a, size, least, false) - 1;
+    return (tribox_cells){below, last};
 }

@@ -1,5 +1,5 @@
 /*
- * planes.h - the planes of a window of a grid in double: origin + p cell, rounded once. Call in the environment of environment.h.
+ * planes.h - the planes of a window of a grid: origin + p cell in double, rounded once. Call in the environment of environment.h.
  */
 #ifndef TRIBOX_PLANES_H
 #define TRIBOX_PLANES_H

@@ -11,14 +11,13 @@
  *   n . (g_0 - X) >= 0 >= n . (g_0 - Y)       X the corner of least n . x, Y the opposite one
  *
  * Error bounds (PROOFS.md 7.2, 7.6, 7.7), u the unit roundoff. With F the extent of the triangle on an axis and R = F + cells + 2,
- * |g - X| <= 3 R (<= R unless planes are nearly as close as floats). A place and the plane that it is compared with are off by at
- * most E = error + 4 u (base + R) together, the left side of an edge by
+ * |g - X| <= R. A place and the plane that it is compared with are off by at most E = error + 4 u (base + R) together, the left
+ * side of an edge by
  *   W = F_p (E_q + 128 u R_q) + F_q (E_p + 128 u R_p)
  * which also covers a sign of n that rounding turns, and the plane by
  *   sum of |n_a| E_a + 256 u S     S = sum of F_a F_b R_i
  * Divided by |m_q| or |n_x| these bound a limit. Where n_x is below 32 u S / R_x, that is used in its place. FAST keeps 256 u S:
- * without it a segment, whose n is zero, would be lost. Of these 30 u are needed for an edge and 62 u S for the plane, 59 u and
- * 130 u S where planes are coarse: the text counts that itself.
+ * without it a segment, whose n is zero, would be lost. Of these 30 u are needed for an edge and 62 u S for the plane.
  *
  * Redundant axes are left out (PROOFS.md 2): they are the ties of scenes that lie in the grid's own planes.
  */

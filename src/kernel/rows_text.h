@@ -4,10 +4,8 @@
 #include "axes.h"
 #include "limits.h"
 #include "kernel/rows/rows.h"
-#include "kernel/rows/own_planes.h"
 #include "kernel/rows/columns.h"
 #include "kernel/rows/packed_rows.h"
-#include "kernel/rows/undecided_rows.h"
 #if !defined(TRIBOX_SMALL)
 #include "kernel/rows/crossings.h"
 #endif

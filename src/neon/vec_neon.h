@@ -49,15 +49,6 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u32(neon_bits(a), neon_bits(b))); }
 TRIBOX_INLINE vnum v_floor(vnum a) { return vrndmq_f32(a); }
-TRIBOX_INLINE float64x2_t neon_plane(float64x2_t p, double cell, double origin)
-{
-    return vaddq_f64(vdupq_n_f64(origin), vmulq_f64(p, vdupq_n_f64(cell)));
-}
-TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
-{
-    const float32x2_t low = vcvt_f32_f64(neon_plane(vcvt_f64_f32(vget_low_f32(p)), cell, origin));
-    return vcvt_high_f32_f64(low, neon_plane(vcvt_high_f64_f32(p), cell, origin));
-}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f32(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return vceqzq_f32(a); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f32(m, a, b); }

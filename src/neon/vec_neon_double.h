@@ -27,7 +27,6 @@ TRIBOX_INLINE vnum v_load(const float *p) { return vcvt_f64_f32(vld1_f32(p)); }
 TRIBOX_INLINE vnum v_read(const double *p) { return vld1q_f64(p); }
 TRIBOX_INLINE void v_write(double *p, vnum a) { vst1q_f64(p, a); }
 TRIBOX_INLINE void v_write_int(int32_t *p, vnum a) { vst1_s32(p, vmovn_s64(vcvtq_s64_f64(a))); }
-TRIBOX_INLINE vnum v_nearest_float(vnum a) { return vcvt_f64_f32(vcvt_f32_f64(a)); }
 TRIBOX_INLINE vnum v_splat(double a) { return vdupq_n_f64(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return vaddq_f64(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return vsubq_f64(a, b); }

@@ -62,7 +62,6 @@ TRIBOX_INLINE vnum v_floor(vnum a)
     const vnum whole = a + 0x1.8p23f - 0x1.8p23f;
     return whole - (float)(whole > a);
 }
-TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin) { return (float)(origin + (double)p * cell); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return a == 0; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)

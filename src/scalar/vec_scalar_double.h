@@ -22,7 +22,6 @@ TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
 TRIBOX_INLINE vnum v_read(const double *p) { return *p; }
 TRIBOX_INLINE void v_write(double *p, vnum a) { *p = a; }
 TRIBOX_INLINE void v_write_int(int32_t *p, vnum a) { *p = (int32_t)a; }
-TRIBOX_INLINE vnum v_nearest_float(vnum a) { return (double)(float)a; }
 TRIBOX_INLINE vnum v_splat(double a) { return a; }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }

@@ -47,15 +47,6 @@ TRIBOX_INLINE vnum v_floor(vnum a)
     const vnum far_away = _mm_set1_ps(0x1.8p23f), whole = _mm_sub_ps(_mm_add_ps(a, far_away), far_away);
     return _mm_sub_ps(whole, _mm_and_ps(_mm_cmpgt_ps(whole, a), _mm_set1_ps(1)));
 }
-/* Of lanes 0 and 1. */
-TRIBOX_INLINE vnum sse2_plane(vnum p, double cell, double origin)
-{
-    return _mm_cvtpd_ps(_mm_add_pd(_mm_set1_pd(origin), _mm_mul_pd(_mm_cvtps_pd(p), _mm_set1_pd(cell))));
-}
-TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
-{
-    return _mm_movelh_ps(sse2_plane(p, cell, origin), sse2_plane(_mm_movehl_ps(p, p), cell, origin));
-}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm_cmpeq_ps(a, _mm_setzero_ps()); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }

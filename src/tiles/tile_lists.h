@@ -1,9 +1,10 @@
-/* tile_lists.h - which triangles are in which tile: counted, or listed. */
+/* tile_lists.h - which triangles are in which tile: counted, or listed. In the environment of environment.h. */
 #ifndef TRIBOX_TILE_LISTS_H
 #define TRIBOX_TILE_LISTS_H
 
+#include "grid/grid_cells.h"
+#include "grid/triangles.h"
 #include "plan.h"
-#include "grid/planes.h"
 #include "tiles.h"
 
 /* Tiles base[a] .. base[a] + tiles[a] - 1 of each axis. */
@@ -17,10 +18,8 @@ enum { TRIBOX_SHARE_PARTS = 5 };
 /* One call. */
 typedef struct tribox_tiles_call {
     tribox_tiling tiling;
-    tribox_plan plan;        /* its accuracy is not FAST */
-    const tribox_soup *soup; /* with a sound grid; or NULL, and then: */
-    const tribox_grid *grid;
-    tribox_mesh mesh; /* its strides set, its vertices there */
+    tribox_plan plan; /* its accuracy is not FAST */
+    const tribox_triangles *triangles;
     tribox_planes planes;
     size_t *starts;
     uint32_t *list; /* NULL to count */
@@ -28,10 +27,30 @@ typedef struct tribox_tiles_call {
     tribox_tile_box part[TRIBOX_SHARE_PARTS]; /* boxes that the share is made of */
     int parts;
     uint32_t triangle; /* the one at hand */
-    tribox_tile_lattice lattice;
 } tribox_tiles_call;
 
-/* Makes the starts, or fills the list that they are of. In the environment of environment.h. */
-void tribox_tiles_list(tribox_tiles_call *l);
+/* Finds the boxes of the share. */
+void tribox_tiles_cut_share(tribox_tiles_call *l);
+
+/* Tiles 0 to the count of them along the axis: their lowest cells lie above the planes between them. */
+double tribox_tile_plane(const void *call, int a, int64_t tile);
+
+/* Puts the triangle at hand into the list of a tile, if the share has the tile. */
+static inline void tribox_tiles_put(tribox_tiles_call *l, size_t tile)
+{
+    if (tile < l->tiling.first || tile >= l->tiling.end)
+        return;
+    size_t *const start = l->starts + (tile - l->tiling.first);
+    if (l->list)
+        l->list[(*start)++] = l->triangle;
+    else
+        start[1]++;
+}
+
+/* Into those of the share that it overlaps, whatever its numbers. */
+void tribox_tiles_put_by_planes(tribox_tiles_call *l);
+
+/* The same where its bounding box touches tiles from `first` on (tribox_tile_range), more than one of them. */
+void tribox_tiles_put_range(tribox_tiles_call *l, size_t first, unsigned more);
 
 #endif

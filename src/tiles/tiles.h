@@ -7,14 +7,14 @@
 #include "tribox.h"
 
 typedef struct tribox_tiling {
-    uint32_t size[3]; /* of the grid, in cells */
-    uint32_t tile;    /* cells of a tile along each axis, where the grid does not cut it */
-    size_t along[3];  /* tiles along each axis */
-    size_t tiles;     /* in all */
-    size_t from, to;  /* the share: tiles from .. to - 1 */
+    uint32_t size[3];  /* of the grid, in cells */
+    uint32_t side;     /* cells of a tile along each axis, where the grid does not cut it */
+    size_t along[3];   /* tiles along each axis */
+    size_t tiles;      /* in all */
+    size_t first, end; /* the share: tiles first .. end - 1 */
 } tribox_tiling;
 
 /* False if there is no such share. */
-bool tribox_tiling_make(const uint32_t size[3], uint32_t tile, size_t from, size_t to, tribox_tiling *tiling);
+bool tribox_tiling_make(const uint32_t size[3], const tribox_tiles *share, tribox_tiling *tiling);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * kernel_voxels.h - how voxelize.c, voxelize_f64.c and the kernels speak of grids. Cells are counted on each axis from the origin
- * of the grid, or in double of a window of it; a place on an axis is in cells too. No two planes are the same float, so an axis has
- * fewer than 2^26 cells (PROOFS.md 7.2); in double kernels are asked about 2^30 at most (7.10).
+ * kernel_voxels.h - how voxelizing.c and the kernels speak of grids. Cells are counted on each axis from the first of the window;
+ * a place on an axis is in cells too. Kernels are asked about 2^30 cells an axis at most, and in float about 2^20 (PROOFS.md 7.9,
+ * 7.10).
  */
 #ifndef TRIBOX_KERNEL_VOXELS_H
 #define TRIBOX_KERNEL_VOXELS_H
@@ -12,10 +12,10 @@
 
 typedef struct tribox_voxels tribox_voxels; /* one call: voxelizing.h */
 
-/* A grid as kernels see it. */
+/* A window as kernels see it. */
 typedef struct tribox_lattice {
     double origin[3], per_cell[3]; /* the place of x is (x - origin) * per_cell */
-    double error[3]; /* cells: how far off plane p and the place of a number near the grid can be, together (PROOFS.md 7.2) */
+    double error[3]; /* cells: how far off plane p and the place of a number near the window can be, together (PROOFS.md 7.2) */
 } tribox_lattice;
 
 /* Triangles are limited row by row, this many at a time. */
@@ -58,10 +58,10 @@ typedef void tribox_write(tribox_voxels *v);
 
 /*
  * The tiles of a grid as kernels see them, where float tells their places apart: fewer than 2^31 in all. The place of x is
- * (x - origin) * per_tile.
+ * (x - origin) * per_tile + off.
  */
 typedef struct tribox_tile_lattice {
-    float origin[3], per_tile[3];
+    float origin[3], per_tile[3], off[3];
     float end[3];     /* the place where the grid ends */
     float doubt[3];   /* how far off places and planes can be, together (PROOFS.md 7.12) */
     int32_t along[3]; /* how many tiles */
@@ -72,7 +72,7 @@ typedef struct tribox_tile_lattice {
  * TRIBOX_TILES_BITS each. Or there is none, or the planes have to be asked.
  */
 enum {
-    TRIBOX_TILES_BLOCK = 512,
+    TRIBOX_TILES_BLOCK = 256,
     TRIBOX_TILES_BITS = 10,
     TRIBOX_TILES_MORE = (1 << TRIBOX_TILES_BITS) - 1,
     TRIBOX_TILES_NONE = -2,
@@ -82,12 +82,8 @@ typedef struct tribox_tile_range {
     int32_t first[TRIBOX_TILES_BLOCK], more[TRIBOX_TILES_BLOCK];
 } tribox_tile_range;
 
-/*
- * Triangles first .. first + count - 1 of a soup, TRIBOX_TILES_BLOCK at most. Whole packets are read, as by tribox_sort_soup; so
- * there are as many triangles as lanes, or numbers after them.
- */
-typedef void tribox_find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, size_t first, size_t count,
-                               tribox_tile_range *range);
+/* Of the triangles of a soup, TRIBOX_TILES_BLOCK at most. Whole packets are read, as by tribox_sort_soup. */
+typedef void tribox_find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, tribox_tile_range *range);
 
 /* The least and the greatest of numbers. */
 typedef struct tribox_ends {
@@ -99,8 +95,7 @@ typedef void tribox_find_ends(const float *number, size_t count, tribox_ends *en
 
 /* A sink, and how many cells it was given. */
 typedef struct tribox_outlet {
-    tribox_sink *sink;
-    void *data;
+    tribox_sink sink;
     size_t cells;
 } tribox_outlet;
 

@@ -31,15 +31,15 @@ typedef struct tribox_queue {
      * them
      */
     float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
-    int32_t triangle[TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of a mesh its number */
+    int32_t triangle[TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of doubles its number */
 } tribox_queue;
 
 /* Open cells of up to TRIBOX_WAITING rows. Entry n: cell at[0][n] + b of row (at[1][n], at[2][n]) for every bit b; all unsigned. */
 enum { TRIBOX_WAITING = 128 };
 typedef struct tribox_waiting {
     unsigned count;
-    float u[9][TRIBOX_WAITING + TRIBOX_LANES_MAX];     /* the triangle of a soup, */
-    int32_t number[TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* or the number of one of a mesh */
+    float u[9][TRIBOX_WAITING + TRIBOX_LANES_MAX];     /* the triangle, of floats; */
+    int32_t number[TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* or the number of one of doubles */
     int32_t at[3][TRIBOX_WAITING + TRIBOX_LANES_MAX], bits[TRIBOX_WAITING + TRIBOX_LANES_MAX];
 } tribox_waiting;
 

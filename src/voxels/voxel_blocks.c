@@ -1,4 +1,4 @@
-/* voxel_blocks.c - triangles of doubles for which no limits hold (PROOFS.md 7.10). Slow, but right for whatever numbers. */
+/* voxel_blocks.c - triangles for which no limits hold (PROOFS.md 7.10). Slow, but right for whatever numbers. */
 #include "voxelizing.h"
 
 #include "grid/blocks.h"
@@ -16,5 +16,8 @@ void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle,
 {
     const tribox_blocks blocks = {
         .plan = &v->plan, .plane = window_plane, .lattice = &v->window.planes, .take = set_cell, .taker = v};
-    v->counts.undecided += tribox_blocks_ask(&blocks, triangle->u, range->base, range->cells);
+    const int64_t first = tribox_greatest(range->base[2], v->window.first_layer);
+    const int64_t end = tribox_least(range->base[2] + range->cells[2], v->window.end_layer);
+    const int64_t base[3] = {range->base[0], range->base[1], first}, cells[3] = {range->cells[0], range->cells[1], end - first};
+    v->counts.undecided += tribox_blocks_ask(&blocks, triangle->u, base, cells);
 }

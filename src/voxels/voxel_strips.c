@@ -6,7 +6,6 @@
 #include "voxelizing.h"
 
 #include "base/finite.h"
-#include "grid/grid_f64.h"
 
 /* The rows of a strip's triangles, and empties it. Lanes up to a whole packet repeat the last triangle. */
 static void set_full_strip(tribox_voxels *v, tribox_shape shape)
@@ -78,12 +77,14 @@ static tribox_shape shape_of(const bool spans[3], unsigned axes)
 }
 
 /*
- * Whether limits in double are right about a triangle of doubles: edges are zero or of a size, in cells, whose products neither
+ * Whether limits in double are right about a triangle: edges are zero or of a size, in cells, whose products neither
  * overflow nor vanish (PROOFS.md 7.10).
  */
 static bool has_limits(const tribox_voxels *v, const double u[9])
 {
     bool has = v->window.has_limits;
+    if (v->window.has_all_limits)
+        return true;
     for (int a = 0; a < 3; a++)
         for (int j = 0; j < 3; j++) {
             const double f = u[3 * a + (j + 1) % 3] - u[3 * a + j], size = (f < 0 ? -f : f) * v->window.lattice.per_cell[a];
@@ -96,16 +97,10 @@ void tribox_voxels_take_triangle(tribox_voxels *v, const tribox_triangle *triang
 {
     if (range->spans[0] + range->spans[1] + range->spans[2] < 2)
         set_line(v, range->base, range->cells);
-    else if (v->window.mesh && !has_limits(v, triangle->u))
+    else if (!has_limits(v, triangle->u))
         tribox_voxels_ask_blocks(v, triangle, range);
     else
         join(v, triangle, range->base, range->cells, shape_of(range->spans, v->plan.axes));
-}
-
-static tribox_cells cells_touched(const tribox_voxels *v, int a, double least, double most)
-{
-    return v->window.mesh ? tribox_planes_cells(&v->window.planes, a, v->window.size[a], least, most)
-                          : tribox_grid_cells(v->window.grid, a, v->window.first[a], v->window.size[a], (float)least, (float)most);
 }
 
 void tribox_voxels_add_triangle(tribox_voxels *v, const tribox_triangle *triangle)
@@ -120,7 +115,7 @@ void tribox_voxels_add_triangle(tribox_voxels *v, const tribox_triangle *triangl
             least = u[3 * a + j] < least ? u[3 * a + j] : least;
             most = u[3 * a + j] > most ? u[3 * a + j] : most;
         }
-        const tribox_cells touched = cells_touched(v, a, least, most);
+        const tribox_cells touched = tribox_planes_cells(&v->window.planes, a, v->window.size[a], least, most);
         const int64_t from = a == 2 ? v->window.first_layer : 0, end = a == 2 ? v->window.end_layer : v->window.size[a];
         if (touched.first >= end || touched.last < from)
             return;

@@ -47,17 +47,16 @@ static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
 
 static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above)
 {
-    return v->window.mesh ? tribox_plane_at(&v->window.planes, a, (int64_t)p + above)
-                          : tribox_window_plane(&v->window, a, (uint64_t)p + above);
+    return tribox_plane_at(&v->window.planes, a, (int64_t)p + above);
 }
 
 /* The numbers of a batch that all cells of row n have: those of the triangle, and the bounds across the row. */
 static void read_row(const tribox_voxels *v, unsigned n, double number[15])
 {
     const tribox_triangle triangle =
-        v->window.mesh ? tribox_window_read_triangle(&v->window, v->sinks.waiting.number[n]) : (tribox_triangle){.number = 0};
+        v->window.doubles ? tribox_window_read_triangle(&v->window, v->sinks.waiting.number[n]) : (tribox_triangle){.number = 0};
     for (int m = 0; m < 9; m++)
-        number[m] = v->window.mesh ? triangle.u[m] : v->sinks.waiting.u[m][n];
+        number[m] = v->window.doubles ? triangle.u[m] : v->sinks.waiting.u[m][n];
     for (int a = 1; a < 3; a++) {
         number[9 + a] = plane_at(v, a, (uint32_t)v->sinks.waiting.at[a][n], 0);
         number[12 + a] = plane_at(v, a, (uint32_t)v->sinks.waiting.at[a][n], 1);

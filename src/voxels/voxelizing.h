@@ -16,7 +16,7 @@
 
 struct tribox_voxels {
     tribox_plan plan;
-    tribox_window window;
+    tribox_voxel_window window;
     tribox_voxel_sinks sinks;
     tribox_report counts;
 };
@@ -25,17 +25,24 @@ static inline int64_t tribox_least(int64_t a, int64_t b) { return a < b ? a : b;
 static inline int64_t tribox_greatest(int64_t a, int64_t b) { return a > b ? a : b; }
 
 /*
- * A window of a sound grid as a grid of its own; the plan is made. In the environment of environment.h: begin, put soups, end. Bits
- * and counts are whole then.
+ * A window of a sound grid as a grid of its own; the plan is made, and the triangles have their vertices. In the environment of
+ * environment.h: begin, put triangles, end. Bits and counts are whole then. Of doubles FAST becomes CONSERVATIVE.
  */
-void tribox_voxels_begin(tribox_voxels *v, const tribox_grid *grid, const uint32_t first[3], const uint32_t size[3],
+void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
                          uint64_t *occupied);
-void tribox_voxels_put_soup(tribox_voxels *v, const tribox_soup *soup);
 void tribox_voxels_end(tribox_voxels *v);
 
-/* All of it for a mesh, its strides set and its vertices there, in a window of a sound grid in double. */
-void tribox_voxels_set_mesh(tribox_voxels *v, const tribox_mesh *mesh, const tribox_grid_f64 *grid, const uint32_t first[3],
-                            const uint32_t size[3], uint64_t *occupied);
+/* Right after the beginning: only these layers are written, the first of which is now that of `occupied`. */
+void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layers);
+
+/*
+ * Some of the triangles, as streams of which whole packets can be read: floats, or doubles less tribox_voxels_origin, with the
+ * number of each.
+ */
+void tribox_voxels_put(tribox_voxels *v, const tribox_soup *streams, const int32_t *number);
+static inline const double *tribox_voxels_origin(const tribox_voxels *v) { return v->window.lattice.origin; }
+
+void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles);
 
 /* Nothing waits and nothing is counted: before the first triangle, once sizes and layers are known. */
 void tribox_voxels_empty_sinks(tribox_voxels *v, uint64_t *occupied);
@@ -55,7 +62,7 @@ void tribox_voxels_set_strips(tribox_voxels *v);
 /* One triangle, whatever its numbers: the planes of the grid decide which cells its box touches. */
 void tribox_voxels_add_triangle(tribox_voxels *v, const tribox_triangle *triangle);
 
-/* The triangle of a mesh whose cells are found by no limits, but by asking blocks of them, and blocks of these (PROOFS.md 7.10). */
+/* A triangle whose cells are found by no limits, but by asking blocks of them, and blocks of these (PROOFS.md 7.10). */
 void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range);
 
 /* Cells first to last of row (j, k) wait with their triangle. */
@@ -66,7 +73,7 @@ static inline void tribox_voxels_wait_for_row(tribox_voxels *v, const tribox_tri
     for (; first <= last; first += 32) {
         if (w->count == TRIBOX_WAITING)
             v->sinks.handlers->settle_waiting(v);
-        for (int n = 0; n < 9 && !v->window.mesh; n++)
+        for (int n = 0; n < 9 && !v->window.doubles; n++)
             w->u[n][w->count] = (float)triangle->u[n];
         w->number[w->count] = triangle->number;
         w->at[0][w->count] = (int32_t)(uint32_t)first;

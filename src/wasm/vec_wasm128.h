@@ -42,17 +42,6 @@ TRIBOX_INLINE vnum v_abs(vnum a) { return wasm_f32x4_abs(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return wasm_v128_xor(a, wasm_v128_and(wasm_f32x4_const_splat(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return wasm_v128_or(a, b); }
 TRIBOX_INLINE vnum v_floor(vnum a) { return wasm_f32x4_floor(a); }
-/* Of lanes 0 and 1. */
-TRIBOX_INLINE vnum wasm_plane(vnum p, double cell, double origin)
-{
-    const v128_t product = wasm_f64x2_mul(wasm_f64x2_promote_low_f32x4(p), wasm_f64x2_splat(cell));
-    return wasm_f32x4_demote_f64x2_zero(wasm_f64x2_add(wasm_f64x2_splat(origin), product));
-}
-TRIBOX_INLINE vnum v_plane(vnum p, double cell, double origin)
-{
-    const vnum high = wasm_i64x2_shuffle(p, p, 1, 1);
-    return wasm_i64x2_shuffle(wasm_plane(p, cell, origin), wasm_plane(high, cell, origin), 0, 2);
-}
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return wasm_f32x4_gt(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return wasm_f32x4_eq(a, wasm_f32x4_const_splat(0)); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return wasm_v128_bitselect(a, b, m); }

@@ -24,7 +24,6 @@ TRIBOX_INLINE vnum v_load(const float *p) { return wasm_f64x2_promote_low_f32x4(
 TRIBOX_INLINE vnum v_read(const double *p) { return wasm_v128_load(p); }
 TRIBOX_INLINE void v_write(double *p, vnum a) { wasm_v128_store(p, a); }
 TRIBOX_INLINE void v_write_int(int32_t *p, vnum a) { wasm_v128_store64_lane(p, wasm_i32x4_trunc_sat_f64x2_zero(a), 0); }
-TRIBOX_INLINE vnum v_nearest_float(vnum a) { return wasm_f64x2_promote_low_f32x4(wasm_f32x4_demote_f64x2_zero(a)); }
 TRIBOX_INLINE vnum v_splat(double a) { return wasm_f64x2_splat(a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return wasm_f64x2_add(a, b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return wasm_f64x2_sub(a, b); }

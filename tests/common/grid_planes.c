@@ -6,7 +6,7 @@
 
 float grid_planes_place(const tribox_grid *grid, int axis, double p)
 {
-    return nearest_float((double)grid->origin[axis] + p * (double)grid->cell[axis]);
+    return nearest_float(fma(p, grid->cell[axis], grid->origin[axis]));
 }
 
 bool grid_planes_make(grid_planes *l, const tribox_grid *grid)
@@ -16,7 +16,7 @@ bool grid_planes_make(grid_planes *l, const tribox_grid *grid)
         if (grid->size[a] > GRID_PLANES_CELLS)
             return false;
         for (uint32_t p = 0; p <= grid->size[a]; p++) {
-            l->plane[a][p] = (float)((double)grid->origin[a] + (double)p * (double)grid->cell[a]);
+            l->plane[a][p] = fma(p, grid->cell[a], grid->origin[a]);
             if (!isfinite(l->plane[a][p]) || (p && !(l->plane[a][p] > l->plane[a][p - 1])))
                 return false;
         }
@@ -40,7 +40,7 @@ tribox_box grid_planes_cell(const grid_planes *l, int i, int j, int k)
 void grid_planes_range(const grid_planes *l, int axis, float least, float most, int *first, int *last)
 {
     const int size = (int)l->grid.size[axis];
-    const float *const plane = l->plane[axis];
+    const double *const plane = l->plane[axis];
     *first = size;
     *last = -1;
     for (int c = 0; c < size; c++)
@@ -53,6 +53,6 @@ void grid_planes_range(const grid_planes *l, int axis, float least, float most, 
 void grid_planes_print(FILE *out, const tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++)
-        fprintf(out, "  %c   origin %a, cell %a, size %u\n", "xyz"[a], (double)grid -> origin[a], (double)grid -> cell[a],
+        fprintf(out, "  %c   origin %a, cell %a, size %u\n", "xyz"[a], grid -> origin[a], grid -> cell[a],
                 (unsigned)grid -> size[a]);
 }

@@ -13,15 +13,15 @@ enum { GRID_PLANES_CELLS = 1200 /* on one axis at most */ };
 
 typedef struct grid_planes {
     tribox_grid grid;
-    float plane[3][GRID_PLANES_CELLS + 1];
+    double plane[3][GRID_PLANES_CELLS + 1];
     size_t row_words;
     size_t words; /* of the whole grid */
 } grid_planes;
 
-/* Plane p of an axis, also outside of the grid, and between planes: always a finite number. */
+/* The float nearest to plane p of an axis, also outside of the grid, and between planes: always a finite number. */
 float grid_planes_place(const tribox_grid *grid, int axis, double p);
 
-/* False if two planes are one float, or one is not finite. */
+/* False if two planes are one double, or one is not finite. */
 bool grid_planes_make(grid_planes *l, const tribox_grid *grid);
 
 tribox_box grid_planes_cell(const grid_planes *l, int i, int j, int k);
@@ -44,7 +44,7 @@ static inline void grid_planes_set(const grid_planes *l, uint64_t *occupied, int
 /* The closed cells of an axis that [least, most] touches: every plane is looked at. None if *first > *last. */
 void grid_planes_range(const grid_planes *l, int axis, float least, float most, int *first, int *last);
 
-/* In hexadecimal floats. */
+/* In hexadecimal numbers. */
 void grid_planes_print(FILE *out, const tribox_grid *grid);
 
 #endif

@@ -71,7 +71,7 @@ static void count_edges(int q_edge, int p_edge)
 }
 
 /* Vertices in places, and the first cell of their range: as E has it. */
-static void count_places(int k, bool is_coarse)
+static void count_places(int k)
 {
     const cone_edge *const at = k < edges.count ? &edges.of[k] : NULL;
     const double base = !at;
@@ -84,23 +84,23 @@ static void count_places(int k, bool is_coarse)
                                     count_input(0, 0, true), per_cell(), count_input(0, 0, false));
     for (int j = 0; j < 3; j++) {
         tally_first(&at_place, count_of(p.g[j]), base + count_of(p.R)->x);
-        COUNT_MUST(is_coarse || V_UNIT * count_first(count_of(p.g[j])) <= count_of(p.E)->x * COUNT_ROOM);
-        at_place.taken = is_coarse ? 0 : count_of(p.E)->x / (V_UNIT * (base + count_of(p.R)->x));
+        COUNT_MUST(V_UNIT * count_first(count_of(p.g[j])) <= count_of(p.E)->x * COUNT_ROOM);
+        at_place.taken = count_of(p.E)->x / (V_UNIT * (base + count_of(p.R)->x));
     }
 }
 
-static void count_all_edges(double beside)
+static void count_all_edges(void)
 {
     memset(&edge, 0, sizeof edge);
     memset(&row, 0, sizeof row);
     taken = INFINITY;
     memset(&at_place, 0, sizeof at_place);
     cone_edges all;
-    find_edges_of_cones(&all, beside, check_cone);
+    find_edges_of_cones(&all, 1, check_cone);
     edges = all;
     count_signs_tried = 2;
     for (int k = 0; k <= edges.count; k++)
-        count_places(k, beside > 1);
+        count_places(k);
     for (int k = 0; k < edges.count + OF_E; k++)
         for (int l = 0; l < edges.count + OF_E; l++)
             if (k < edges.count || l < edges.count)
@@ -122,7 +122,7 @@ static void claim_covered(const char *name)
 int main(int argc, char **argv)
 {
     claims_start(argc, argv);
-    count_all_edges(1);
+    count_all_edges();
     at_place.of_bound = 0; /* all of it, which is compared where it is counted */
     claim_tally("place in a grid", &at_place);
     claim_covered("limit of an edge");
@@ -131,10 +131,5 @@ int main(int argc, char **argv)
     row.alone.of_bound = row.alone.first / taken;
     claim_tally("row beside an edge", &row.alone);
     claim_number("normal in places, its sign", turned);
-    if (COUNT_BITS == 53) { /* float is not asked where planes are coarse */
-        count_all_edges(6.1);
-        claim_tally("coarse place in a grid", &at_place);
-        claim_covered("coarse limit of an edge");
-    }
     return claims_end();
 }

@@ -89,12 +89,12 @@ static void count_point(void)
     }
 }
 
-static void count_all(double beside)
+static void count_all(void)
 {
     memset(&plane, 0, sizeof plane);
     taken = INFINITY;
     cone_edges all;
-    find_edges_of_cones(&all, beside, check_cone);
+    find_edges_of_cones(&all, 1, check_cone);
     edges = all;
     count_signs_tried = 3;
     count_start(0);
@@ -117,10 +117,10 @@ static void count_all(double beside)
     }
 }
 
-/* With E at its largest, and what an n_x that takes the place of a smaller one moves, times |g - X|. */
-static void claim_covered(const char *name, double farthest)
+/* With E at its largest, and what an n_x that takes the place of a smaller one moves. */
+static void claim_covered(const char *name)
 {
-    plane.alone.of_bound = (plane.alone.first + plane.by_E.first * LARGEST_E + replaced * farthest) / taken;
+    plane.alone.of_bound = (plane.alone.first + plane.by_E.first * LARGEST_E + replaced) / taken;
     plane.alone.taken = taken;
     claim_tally(name, &plane.alone);
 }
@@ -128,12 +128,8 @@ static void claim_covered(const char *name, double farthest)
 int main(int argc, char **argv)
 {
     claims_start(argc, argv);
-    count_all(1);
-    claim_covered("limit of the plane", 1);
+    count_all();
+    claim_covered("limit of the plane");
     claim_tally("limit of the plane, of E", &plane.by_E);
-    if (COUNT_BITS == 53) { /* float is not asked where planes are coarse */
-        count_all(6.1);
-        claim_covered("coarse limit of the plane", 7.1 / 3);
-    }
     return claims_end();
 }

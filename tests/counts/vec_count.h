@@ -437,4 +437,3 @@ TRIBOX_INLINE vnum v_load(const float *p) { return count_memory ? count_memory[(
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count) { return (void)count, v_load(p); }
 TRIBOX_INLINE vnum v_read(const double *p) { return count_constant(*p); }
 #define v_write(p, a) ((void)(*(p) = 0), (void)(a))
-#define v_nearest_float(a) (a)

@@ -79,14 +79,15 @@ static uint64_t *take_words(answers *to, size_t count)
 
 static void put_status(answers *to, tribox_status status) { *take_words(to, 1) = (uint64_t)status; }
 
-/* A grid about the box, whose rows take two words. Where it is too fine for float, the answer is TRIBOX_BAD_GRID. */
+/* A grid about the box, whose rows take two words. Where it is too fine for double, the answer is TRIBOX_BAD_GRID. */
 static tribox_grid grid_about(const tribox_box *box)
 {
     tribox_grid grid = {.size = {70, 6, 5}};
     for (int a = 0; a < 3; a++) {
         const float length = (float)box->hi[a] - (float)box->lo[a];
-        grid.cell[a] = length > 0 ? length / (a ? 3 : 32) : 0.125f;
-        grid.origin[a] = (float)box->lo[a] - grid.cell[a] * (a ? 1 : 8);
+        const float cell = length > 0 ? length / (a ? 3 : 32) : 0.125f;
+        grid.cell[a] = cell;
+        grid.origin[a] = (float)box->lo[a] - cell * (a ? 1 : 8);
     }
     return grid;
 }
@@ -154,8 +155,8 @@ static void digest_round(digest *d, const round_of_scene *round)
         digest_numbers(d, &(float){(float)(k < 3 ? round->box.lo : round->box.hi)[k % 3]}, 1);
     digest_doubles_as_floats(d, round->oriented.center, 3);
     digest_doubles_as_floats(d, round->oriented.half, 3);
-    digest_numbers(d, round->grid.origin, 3);
-    digest_numbers(d, round->grid.cell, 3);
+    digest_doubles_as_floats(d, round->grid.origin, 3);
+    digest_doubles_as_floats(d, round->grid.cell, 3);
 }
 
 /* Triangles and boxes, and which triangles lie inside. */
@@ -208,8 +209,8 @@ static void ask_oriented(const round_of_scene *round, const tribox_options *opti
 
 static void ask_voxels(const round_of_scene *round, const tribox_options *options, answers *to)
 {
-    uint64_t *const occupied = take_words(to, tribox_grid_words(&round->grid));
-    put_status(to, tribox_voxelize(&round->soup, &round->grid, options, occupied, NULL));
+    uint64_t *const occupied = take_words(to, tribox_window_words(round->grid.size));
+    put_status(to, tribox_voxelize(&round->soup, &round->grid, NULL, options, occupied, NULL));
 }
 
 /* More triangles than a node of the lowest level has: those of the round, over and over, some of them with a NaN. */

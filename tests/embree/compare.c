@@ -45,9 +45,9 @@ static void ask_about(candidate_boxes *q, const grid_planes *p, const block *can
         for (at[1] = 0; at[1] < candidates->count[1]; at[1]++)
             for (at[0] = 0; at[0] < candidates->count[0]; at[0]++, number++)
                 for (int a = 0; a < 3; a++) {
-                    const float *const plane = &p->plane[a][candidates->first[a] + at[a]];
-                    q->bound[a][number] = plane[0];
-                    q->bound[3 + a][number] = plane[1];
+                    const double *const plane = &p->plane[a][candidates->first[a] + at[a]];
+                    q->bound[a][number] = (float)plane[0];
+                    q->bound[3 + a][number] = (float)plane[1];
                 }
 }
 

@@ -148,10 +148,16 @@ static void voxelize(check *c, const tribox_options *options)
     const uint32_t layers = c->d->grid.size[2], below = (uint32_t)random_int(&c->r, (int)layers + 1);
     uint64_t *const upper = c->voxels + c->words / layers * below;
     memset(c->voxels, 0, c->words * sizeof *c->voxels);
-    assert_int_equal(tribox_voxelize_layers(&c->streams.soup, &c->d->grid, 0, below, options, c->voxels, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_voxelize_layers(&c->streams.soup, &c->d->grid, below, layers - below, options, upper, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&c->streams.soup, &c->d->grid,
+                                     &(tribox_window){{0, 0, 0}, {c->d->grid.size[0], c->d->grid.size[1], below}}, options,
+                                     c->voxels, NULL),
+                     TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&c->streams.soup, &c->d->grid,
+                                     &(tribox_window){{0, 0, below}, {c->d->grid.size[0], c->d->grid.size[1], layers - below}},
+                                     options, upper, NULL),
+                     TRIBOX_OK);
     tribox_report report;
-    assert_int_equal(tribox_voxelize(&c->streams.soup, &c->d->grid, options, c->voxels, &report), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&c->streams.soup, &c->d->grid, NULL, options, c->voxels, &report), TRIBOX_OK);
     assert_int_equal(report.overlapping, 0);
 }
 
@@ -217,7 +223,7 @@ static void check_counts(const check *c, size_t pairs)
 void data_set_check(data_set *d, uint64_t seed)
 {
     const clock_t start = clock();
-    check c = {.d = d, .r = random_named(seed, d->name), .words = tribox_grid_words(&d->grid)};
+    check c = {.d = d, .r = random_named(seed, d->name), .words = tribox_window_words(d->grid.size)};
     assert_true(planes_make(&c.planes, &d->grid));
     c.witness = witness_make(&c.planes, &d->model, d->is_exact);
     c.streams = streams_make(&d->model);

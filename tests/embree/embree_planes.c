@@ -9,7 +9,7 @@ bool planes_make(grid_planes *p, const tribox_grid *grid)
     for (int a = 0; a < 3; a++)
         for (uint32_t c = 0; c < grid->size[a]; c++) {
             const tribox_box cell = tribox_grid_cell(grid, a == 0 ? c : 0, a == 1 ? c : 0, a == 2 ? c : 0);
-            if (cell.lo[a] != p->plane[a][c] || cell.hi[a] != p->plane[a][c + 1])
+            if (cell.lo[a] != p->plane[a][c] || cell.hi[a] != p->plane[a][c + 1] || cell.hi[a] != (double)(float)cell.hi[a])
                 return false;
         }
     return true;

@@ -24,9 +24,9 @@ static size_t number_of(const grid_planes *p, const int cell[3])
     return ((size_t)cell[2] * (size_t)p->grid.size[1] + (size_t)cell[1]) * (size_t)p->grid.size[0] + (size_t)cell[0];
 }
 
-static float drawn_between(random_source *r, float lo, float hi)
+static float drawn_between(random_source *r, double lo, double hi)
 {
-    return (float)random_double(r, 0.8 * (double)lo + 0.2 * (double)hi, 0.2 * (double)lo + 0.8 * (double)hi);
+    return (float)random_double(r, 0.8 * lo + 0.2 * hi, 0.2 * lo + 0.8 * hi);
 }
 
 /* False if the line has to be drawn again. */
@@ -35,7 +35,8 @@ static bool cast_line(const grid_planes *p, const model *s, embree_scene *scene,
     float along[3] = {0};
     along[axis] = 1;
     const embree_hit *hits;
-    l->count = embree_cast(scene, from, along, p->plane[axis][(int)p->grid.size[axis]] - from[axis] + p->grid.cell[axis], &hits);
+    l->count =
+        embree_cast(scene, from, along, (float)(p->plane[axis][(int)p->grid.size[axis]] - from[axis] + p->grid.cell[axis]), &hits);
     if (l->count % 2 || l->count > CROSSINGS_MAX)
         return false;
     int turns = 0;
@@ -69,13 +70,13 @@ static bool cast_column(const grid_planes *p, const model *s, embree_scene *scen
         if (tries++ > RECASTS_MAX)
             return false;
         for (int a = 0; a < 3; a++)
-            from[a] =
-                a == axis ? p->plane[a][0] - p->grid.cell[a] : drawn_between(r, p->plane[a][cell[a]], p->plane[a][cell[a] + 1]);
+            from[a] = a == axis ? (float)(p->plane[a][0] - p->grid.cell[a])
+                                : drawn_between(r, p->plane[a][cell[a]], p->plane[a][cell[a] + 1]);
     } while (!cast_line(p, s, scene, axis, from, &l));
     *recasts += (size_t)(tries - 1);
     for (cell[axis] = 0; cell[axis] < (int)p->grid.size[axis]; cell[axis]++) {
-        const float *const plane = &p->plane[axis][cell[axis]];
-        sides[number_of(p, cell)] |= (uint8_t)(is_inside(&l, ((double)plane[0] + (double)plane[1]) / 2) << axis);
+        const double *const plane = &p->plane[axis][cell[axis]];
+        sides[number_of(p, cell)] |= (uint8_t)(is_inside(&l, (plane[0] + plane[1]) / 2) << axis);
     }
     cell[axis] = 0;
     return true;

@@ -14,7 +14,7 @@ static bounds bounds_of(const grid_planes *p, const model *s)
 {
     bounds b;
     for (int a = 0; a < 3; a++) {
-        float lo = p->plane[a][0], hi = p->plane[a][(int)p->grid.size[a]];
+        float lo = (float)p->plane[a][0], hi = (float)p->plane[a][(int)p->grid.size[a]];
         for (size_t t = 0; t < s->count; t++)
             for (int j = 0; j < 3; j++) {
                 lo = fminf(lo, s->triangles[t].u[j][a]);
@@ -49,7 +49,7 @@ plane_scene plane_scene_make(const grid_planes *p, const model *s)
     for (int a = 0; a < 3; a++) {
         d.first[a] = count;
         for (int i = 0; i <= (int)p->grid.size[a]; i++)
-            triangles[count++] = plane_triangle(&b, a, p->plane[a][i]);
+            triangles[count++] = plane_triangle(&b, a, (float)p->plane[a][i]);
     }
     d.scene = embree_scene_make(triangles, (size_t)count);
     free(triangles);

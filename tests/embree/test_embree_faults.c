@@ -83,7 +83,7 @@ static size_t differing(const uint64_t *a, const uint64_t *b, size_t words)
     return cells;
 }
 
-static size_t words_of(const data *d) { return tribox_grid_words(&d->planes.grid); }
+static size_t words_of(const data *d) { return tribox_window_words(d->planes.grid.size); }
 
 /* Returns how many pairs were seen to be wrong: on integers all that are. */
 static size_t try_fault(const setting *s, const data *d, fault f, const uint64_t *right)

@@ -40,7 +40,7 @@ static mesh make_mesh(const char *name, model s, int cells, bool is_snapped, uin
         grid.size[a] = (uint32_t)cells;
     }
     assert_true(planes_make(&m.planes, &grid));
-    m.words = tribox_grid_words(&grid);
+    m.words = tribox_window_words(grid.size);
     m.occupied = memory_of(m.words, sizeof *m.occupied);
     m.sides = memory_of(parity_cells(&m.planes), sizeof *m.sides);
     random_source r = random_named(seed, name);
@@ -61,7 +61,7 @@ static void voxelize(mesh *m, const char *kernel)
     streams s = streams_make(&m->model);
     for (size_t k = 0; k < m->words; k++)
         m->occupied[k] = 0;
-    assert_int_equal(tribox_voxelize(&s.soup, &m->planes.grid, &options, m->occupied, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&s.soup, &m->planes.grid, NULL, &options, m->occupied, NULL), TRIBOX_OK);
     streams_free(&s);
 }
 

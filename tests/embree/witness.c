@@ -120,7 +120,8 @@ static void count_lattice_hit(witness_counts *n, const crossing *c, float embree
 static void cast_lattice_line(witness *w, embree_scene *scene, int axis, reach at[3], const float from[3])
 {
     const grid_planes *const p = w->planes;
-    const float lowest = p->plane[axis][0], highest = p->plane[axis][(int)p->grid.size[axis]], cell = p->grid.cell[axis];
+    const float lowest = (float)p->plane[axis][0], highest = (float)p->plane[axis][(int)p->grid.size[axis]];
+    const float cell = (float)p->grid.cell[axis];
     float along[3] = {0};
     along[axis] = 1;
     const embree_hit *hits;
@@ -150,9 +151,9 @@ static void cast_lattice(witness *w)
                 at[a] = reach_of_plane(p, a, i);
                 at[b] = reach_of_plane(p, b, j);
                 float from[3];
-                from[axis] = p->plane[axis][0] - p->grid.cell[axis];
-                from[a] = p->plane[a][i];
-                from[b] = p->plane[b][j];
+                from[axis] = (float)(p->plane[axis][0] - p->grid.cell[axis]);
+                from[a] = (float)p->plane[a][i];
+                from[b] = (float)p->plane[b][j];
                 cast_lattice_line(w, scene, axis, at, from);
             }
     }

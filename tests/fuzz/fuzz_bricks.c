@@ -23,14 +23,17 @@ static tribox_grid draw_grid(input *in, bool is_small)
 {
     static const uint32_t rows[] = {1, 7, 8, 9, 16, 63, 65, 129}, others[] = {1, 2, 7, 8, 9, 16, 17, 20};
     tribox_grid grid;
-    input_numbers(in, grid.origin, 3);
-    input_numbers(in, grid.cell, 3);
-    grid.size[0] = rows[input_below(in, 8)];
+    input_doubles(in, grid.origin);
+    input_doubles(in, grid.cell);
+    const unsigned row = input_byte(in); /* what is left of it makes the grid one of doubles */
+    grid.size[0] = rows[row % 8];
+    move_up(grid.origin, 3, row / 8 % 4);
+    move_up(grid.cell, 3, row / 32);
     grid.size[1] = others[input_below(in, is_small ? 2 : 8)];
     grid.size[2] = others[input_below(in, is_small ? 5 : 8)];
     for (int a = 0; a < 3; a++) {
-        grid.cell[a] = fabsf(grid.cell[a]);
-        input_remember(in, (float)((double)grid.origin[a] + 8 * (double)grid.cell[a]));
+        grid.cell[a] = fabs(grid.cell[a]);
+        input_remember(in, (float)(grid.origin[a] + 8 * grid.cell[a]));
     }
     return grid;
 }
@@ -44,13 +47,13 @@ static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
         if (!(bits[n / 64] >> n % 64 & 1))
             continue;
         ensure(i < q->grid.size[0] && j < q->grid.size[1] && k < q->grid.size[2], "cell %u %u %u of a brick is outside", i, j, k);
-        uint64_t *const word = &q->taken[((size_t)k * q->grid.size[1] + j) * tribox_grid_row_words(&q->grid) + i / 64];
+        uint64_t *const word = &q->taken[((size_t)k * q->grid.size[1] + j) * tribox_mask_words(q->grid.size[0]) + i / 64];
         ensure(!(*word >> i % 64 & 1), "cell %u %u %u comes twice", i, j, k);
         *word |= UINT64_C(1) << i % 64;
         q->cells++;
     }
     ensure(q->cells > before, "a brick is empty");
-    return ++q->bricks < q->most;
+    return ++q->bricks >= q->most;
 }
 
 /* The box of the tile. */
@@ -87,19 +90,20 @@ static void check_list(const fuzz_case *q, size_t tile, const uint32_t *list, si
 
 static void check_bricks(fuzz_case *q, const tribox_options *o)
 {
-    const size_t tiles = tribox_tiles(q->grid.size, q->tile), bytes = sizeof(size_t);
+    const size_t tiles = tribox_tile_count(q->grid.size, q->tile), bytes = sizeof(size_t);
     size_t *const starts = tight_memory((tiles + 1) * bytes, 0);
     tribox_report report;
-    status_fits("tribox_tiles_count", 0, tribox_tiles_count(&q->soup, &q->grid, q->tile, 0, tiles, o, starts));
+    const tribox_tiles all = {q->tile, 0, tiles};
+    status_fits("tribox_tile_lists", 0, tribox_tile_lists(&q->soup, &q->grid, &all, o, starts, NULL));
     uint32_t *const list = tight_memory(starts[tiles] * sizeof *list, 0);
-    status_fits("tribox_tiles_fill", 0, tribox_tiles_fill(&q->soup, &q->grid, q->tile, 0, tiles, o, starts, list));
+    status_fits("tribox_tile_lists", 0, tribox_tile_lists(&q->soup, &q->grid, &all, o, starts, list));
     for (size_t t = 0; t < tiles; t++)
         check_list(q, t, list + starts[t], starts[t + 1] - starts[t], o->accuracy == TRIBOX_EXACT);
     void *const scratch = tight_memory(tribox_bricks_bytes(q->tile), 0);
     memset(q->taken, 0, sizeof q->taken);
     q->cells = q->bricks = 0;
     const tribox_status status =
-        tribox_voxelize_bricks(&q->soup, &q->grid, q->tile, 0, tiles, starts, list, o, scratch, take, q, &report);
+        tribox_bricks(&q->soup, &q->grid, &all, starts, list, o, scratch, &(tribox_sink){take, q}, &report);
     ensure(status == (q->bricks < q->most ? TRIBOX_OK : TRIBOX_STOPPED), "status %d after %zu bricks", (int)status, q->bricks);
     ensure(report.overlapping == q->cells, "%zu cells reported of %zu", report.overlapping, q->cells);
     for (size_t w = 0; w < WORDS_MAX && o->accuracy != TRIBOX_FAST; w++) {
@@ -114,7 +118,7 @@ static void check_answers(fuzz_case *q)
 {
     tribox_options o = {.axes = q->options.axes, .kernel = "scalar"};
     memset(q->expected, 0, sizeof q->expected);
-    if (tribox_voxelize(&q->soup, &q->grid, &o, q->expected, NULL) != TRIBOX_OK)
+    if (tribox_voxelize(&q->soup, &q->grid, NULL, &o, q->expected, NULL) != TRIBOX_OK)
         return; /* a grid that is refused */
     for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {

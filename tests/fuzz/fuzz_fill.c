@@ -8,28 +8,30 @@
 #include "target.h"
 #include "tight_memory.h"
 
-enum { TRIANGLES_MAX = 6, WORDS_MAX = 64, CELLS_MAX = 130 * 16, FLOAT_BITS = 151 /* of means of floats */ };
+enum {
+    TRIANGLES_MAX = 6,
+    WORDS_MAX = 64,
+    CELLS_MAX = 130 * 16,
+    FLOAT_BITS = 151 /* of means of planes, which are sums of multiples of floats */
+};
 
 static crossing_case at;
 static bool is_inside[ORACLE_CELLS], is_odd[ORACLE_CELLS];
 
-static float plane(const tribox_grid *grid, int a, uint32_t p)
-{
-    return (float)((double)grid->origin[a] + p * (double)grid->cell[a]);
-}
+static double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
 
 static tribox_grid draw_grid(input *in)
 {
     static const uint32_t rows[] = {1, 2, 3, 8, 17, 63, 64, 65, 127, 128, 129};
     tribox_grid grid;
-    input_numbers(in, grid.origin, 3);
-    input_numbers(in, grid.cell, 3);
+    input_doubles(in, grid.origin);
+    input_doubles(in, grid.cell);
     grid.size[0] = rows[input_below(in, sizeof rows / sizeof rows[0])];
     grid.size[1] = 1 + input_below(in, 4);
     grid.size[2] = 1 + input_below(in, 4);
     for (int a = 0; a < 3; a++) {
-        grid.cell[a] = fabsf(grid.cell[a]);
-        input_remember(in, (float)((double)grid.origin[a] + 0.5 * (double)grid.cell[a]));
+        grid.cell[a] = fabs(grid.cell[a]);
+        input_remember(in, (float)(grid.origin[a] + 0.5 * grid.cell[a]));
     }
     return grid;
 }
@@ -53,11 +55,11 @@ static bool bit(const uint64_t *words, size_t row, uint32_t i)
 
 static void check_parity(const tribox_grid *grid, const tribox_soup *soup, const uint64_t *occupied)
 {
-    const size_t words = tribox_grid_words(grid);
+    const size_t words = tribox_window_words(grid->size);
     uint64_t *const solid = tight_memory(words * sizeof *solid, 0);
     void *const scratch = tight_memory(tribox_fill_bytes(grid->size), 1);
     size_t inside = 0, odd_rows = 0, expected_inside = 0, expected_odd = 0;
-    const tribox_status status = tribox_fill_parity(soup, grid, occupied, solid, scratch, &inside, &odd_rows);
+    const tribox_status status = tribox_fill_parity(soup, grid, occupied, scratch, solid, &inside, &odd_rows);
     if (!is_sound(grid)) {
         ensure(status == TRIBOX_BAD_GRID && is_poisoned(solid, words * sizeof *solid), "status %d of a grid that is none", status);
         return;
@@ -106,7 +108,7 @@ static void check_outside(const uint64_t *occupied)
     memset(is_reached, 0, sizeof is_reached);
     expected -= spread(occupied, is_reached);
     const tribox_status status =
-        tribox_fill_outside(at.size, occupied, solid, tight_memory(tribox_fill_bytes(at.size), 3), &inside);
+        tribox_fill_outside(at.size, occupied, tight_memory(tribox_fill_bytes(at.size), 3), solid, &inside);
     ensure(status == TRIBOX_OK, "status %d", status);
     for (size_t row = 0; row < rows; row++)
         for (uint32_t i = 0; i < (at.size[0] + 63) / 64 * 64; i++) {
@@ -122,8 +124,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     input in = input_of(data, size);
     const tribox_grid grid = draw_grid(&in);
     float u[TRIANGLES_MAX][3][3], streams[9][TRIANGLES_MAX];
-    uint64_t *const occupied = tight_memory(tribox_grid_words(&grid) * sizeof *occupied, 0);
-    for (size_t w = 0; w < tribox_grid_words(&grid); w++)
+    uint64_t *const occupied = tight_memory(tribox_window_words(grid.size) * sizeof *occupied, 0);
+    for (size_t w = 0; w < tribox_window_words(grid.size); w++)
         occupied[w] = input_byte(&in) * UINT64_C(0x0102040810204081) * (input_byte(&in) | 1);
     at.count = 0;
     do
@@ -144,7 +146,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     at.bits = FLOAT_BITS;
     for (int a = 0; a < 3; a++)
         for (uint32_t n = 0; n < at.size[a]; n++)
-            at.middle[a][n] = ((double)plane(&grid, a, n) + plane(&grid, a, n + 1)) / 2;
+            at.middle[a][n] = (plane(&grid, a, n) + plane(&grid, a, n + 1)) / 2;
     check_parity(&grid, &soup, occupied);
     check_outside(occupied);
     tight_memory_free_all();

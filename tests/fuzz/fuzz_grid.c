@@ -10,10 +10,7 @@
 #include "write/voxels.h"
 #include "target.h"
 
-static double plane(const tribox_grid_f64 *grid, bool is_float, int a, uint32_t p)
-{
-    return is_float ? (double)(float)(grid->origin[a] + p * grid->cell[a]) : fma(p, grid->cell[a], grid->origin[a]);
-}
+static double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
 
 /* Floats, or doubles close to them. */
 static void draw_numbers(input *in, double numbers[3])
@@ -46,13 +43,13 @@ static grid_choice draw_choice(input *in)
 }
 
 /* A side that the choice leaves open holds the mesh. */
-static void check_holds(const grid_choice *choice, const tribox_grid_f64 *grid, bool is_float, const asked *a)
+static void check_holds(const grid_choice *choice, const tribox_grid *grid, const asked *a)
 {
     for (unsigned i = 0; i < a->drawn; i++) {
         const const_triangle u = triangle_of(&a->pair[i]);
         for (int k = 0; triangle_is_finite(u) && k < 9; k++) {
             const int axis = k % 3;
-            const double x = (double)u[k / 3][axis], end = plane(grid, is_float, axis, grid->size[axis]);
+            const double x = (double)u[k / 3][axis], end = plane(grid, axis, grid->size[axis]);
             ensure(choice->has_origin || x >= grid->origin[axis], "%a lies below the grid, which begins at %a on axis %d", x,
                    grid->origin[axis], axis);
             ensure(choice->has_size || x <= end, "%a lies above the grid, which ends at %a on axis %d", x, end, axis);
@@ -60,7 +57,7 @@ static void check_holds(const grid_choice *choice, const tribox_grid_f64 *grid, 
     }
 }
 
-static bool is_as_chosen(const grid_choice *choice, const tribox_grid_f64 *grid)
+static bool is_as_chosen(const grid_choice *choice, const tribox_grid *grid)
 {
     return (!choice->has_origin || !memcmp(grid->origin, choice->origin, sizeof grid->origin)) &&
            (!choice->has_size || !memcmp(grid->size, choice->size, sizeof grid->size)) &&
@@ -77,15 +74,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     while (!input_is_over(&in) && a.drawn < PAIRS_DRAWN);
     a.count = a.drawn;
     const mesh m = {.soup = asked_soup(&a, 0), .triangles = a.count};
-    tribox_grid_f64 grid;
-    bool is_float;
+    tribox_grid grid;
     lines_forget();
-    const int code = grid_choose(&choice, "a.ply", &m, &grid, &is_float);
+    const int code = grid_choose(&choice, "a.ply", &m, &grid);
     lines_fit("grid_choose", code);
     if (!code) {
-        ensure(voxels_are_served(&grid, is_float, NULL), "the library refuses the grid");
+        ensure(voxels_are_served(&grid, NULL), "the library refuses the grid");
         ensure(is_as_chosen(&choice, &grid), "the grid is not the one that was asked for");
-        check_holds(&choice, &grid, is_float, &a);
+        check_holds(&choice, &grid, &a);
     }
     tight_memory_free_all();
     return 0;

@@ -14,30 +14,30 @@ typedef struct fuzz_case {
     tribox_soup soup;
     tribox_options options;
     size_t words;
-    uint32_t cut;               /* the layers in two parts: those below it, and the others */
-    uint32_t first[3], size[3]; /* a window */
-    const uint64_t *before;     /* what is set already */
+    uint32_t cut; /* the layers in two parts: those below it, and the others */
+    tribox_window window;
+    const uint64_t *before; /* what is set already */
 } fuzz_case;
 
 /* By the definition in tribox.h. */
-static float plane(const tribox_grid *grid, int a, uint32_t p)
-{
-    return (float)((double)grid->origin[a] + p * (double)grid->cell[a]);
-}
+static double plane(const tribox_grid *grid, int a, uint32_t p) { return fma(p, grid->cell[a], grid->origin[a]); }
 
 /* Rows about a word, and short ones. */
 static tribox_grid draw_grid(input *in, bool has_short_rows)
 {
     static const uint32_t rows[] = {1, 2, 3, 5, 8, 17, 63, 64, 65, 127, 128, 129};
     tribox_grid grid;
-    input_numbers(in, grid.origin, 3);
-    input_numbers(in, grid.cell, 3);
-    grid.size[0] = rows[input_below(in, has_short_rows ? 6 : sizeof rows / sizeof rows[0])];
+    input_doubles(in, grid.origin);
+    input_doubles(in, grid.cell);
+    const unsigned row = input_byte(in), kinds = has_short_rows ? 6 : sizeof rows / sizeof rows[0];
+    grid.size[0] = rows[row % kinds]; /* what is left of it makes the grid one of doubles */
+    move_up(grid.origin, 3, row / kinds % 4);
+    move_up(grid.cell, 3, row / kinds / 4);
     grid.size[1] = input_below(in, 4);
     grid.size[2] = input_below(in, 4);
     for (int a = 0; a < 3; a++) {
-        grid.cell[a] = fabsf(grid.cell[a]);
-        input_remember(in, plane(&grid, a, grid.size[a]));
+        grid.cell[a] = fabs(grid.cell[a]);
+        input_remember(in, (float)plane(&grid, a, grid.size[a]));
     }
     return grid;
 }
@@ -58,56 +58,39 @@ static bool is_sound(const tribox_grid *grid)
 static uint64_t cells_of_word(const tribox_grid *grid, size_t w)
 {
     const uint32_t rest = grid->size[0] % 64;
-    return rest && (w + 1) % tribox_grid_row_words(grid) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
+    return rest && (w + 1) % tribox_mask_words(grid->size[0]) == 0 ? ~(~UINT64_C(0) << rest) : ~UINT64_C(0);
 }
 
-/* The cells, all as boxes, in the order of the words' bits without the gaps at the ends of rows. */
-static tribox_boxes all_cells(const tribox_grid *grid)
-{
-    tribox_boxes cells = {.count = (size_t)grid->size[0] * grid->size[1] * grid->size[2]};
-    float *bound[6];
-    for (int k = 0; k < 6; k++)
-        bound[k] = tight_memory(cells.count * sizeof(float), 0);
-    size_t n = 0;
-    for (uint32_t k = 0; k < grid->size[2]; k++)
-        for (uint32_t j = 0; j < grid->size[1]; j++)
-            for (uint32_t i = 0; i < grid->size[0]; i++, n++) {
-                const tribox_box cell = tribox_grid_cell(grid, i, j, k);
-                const uint32_t at[3] = {i, j, k};
-                for (int a = 0; a < 3; a++) {
-                    ensure(cell.lo[a] == plane(grid, a, at[a]) && cell.hi[a] == plane(grid, a, at[a] + 1),
-                           "tribox_grid_cell is not by the planes");
-                    bound[a][n] = (float)cell.lo[a];
-                    bound[3 + a][n] = (float)cell.hi[a];
-                }
-            }
-    for (int a = 0; a < 3; a++) {
-        cells.lo[a] = bound[a];
-        cells.hi[a] = bound[3 + a];
-    }
-    return cells;
-}
-
-/* What EXACT has to set: every triangle asked about every cell. */
-static uint64_t *cells_of_each(const fuzz_case *q, const float u[][3][3])
+/* What EXACT has to set: every cell asked for the triangles that it has. */
+static uint64_t *cells_of_each(const fuzz_case *q)
 {
     const tribox_grid *const grid = &q->grid;
-    const tribox_boxes cells = all_cells(grid);
-    uint64_t *const occupied = tight_mask(64 * q->words), *const mask = tight_mask(cells.count);
+    uint64_t *const occupied = tight_mask(64 * q->words);
     tribox_options o = q->options;
     o.kernel = NULL;
     memcpy(occupied, q->before, q->words * sizeof *occupied);
-    for (size_t t = 0; t < q->soup.count; t++) {
-        status_fits("tribox_overlap_boxes", 0, tribox_overlap_boxes((const float *)u[t], &cells, &o, mask, NULL));
-        for (size_t n = 0; n < cells.count; n++) {
-            const size_t row = n / grid->size[0], i = n % grid->size[0];
-            occupied[row * tribox_grid_row_words(grid) + i / 64] |= (uint64_t)mask_bit(mask, n) << i % 64;
-        }
-    }
+    for (uint32_t k = 0; k < grid->size[2]; k++)
+        for (uint32_t j = 0; j < grid->size[1]; j++)
+            for (uint32_t i = 0; i < grid->size[0]; i++) {
+                const tribox_box cell = tribox_grid_cell(grid, i, j, k);
+                const uint32_t at[3] = {i, j, k};
+                tribox_report report;
+                for (int a = 0; a < 3; a++)
+                    ensure(cell.lo[a] == plane(grid, a, at[a]) && cell.hi[a] == plane(grid, a, at[a] + 1),
+                           "tribox_grid_cell is not by the planes");
+                status_fits("tribox_overlap", 0, tribox_overlap(&q->soup, &cell, &o, NULL, &report));
+                occupied[((size_t)k * grid->size[1] + j) * tribox_mask_words(grid->size[0]) + i / 64] |=
+                    (uint64_t)(report.overlapping > 0) << i % 64;
+            }
     return occupied;
 }
 
 static size_t population(const uint64_t *words, size_t count) { return mask_population("tribox_voxelize", words, 64 * count); }
+
+static tribox_window layers_of(const fuzz_case *q, uint32_t first, uint32_t layers)
+{
+    return (tribox_window){{0, 0, first}, {q->grid.size[0], q->grid.size[1], layers}};
+}
 
 /* The whole, and in two parts. Returns what is set. */
 static uint64_t *voxelize(const fuzz_case *q, const tribox_options *o)
@@ -119,10 +102,10 @@ static uint64_t *voxelize(const fuzz_case *q, const tribox_options *o)
     memcpy(whole, q->before, bytes);
     memcpy(part[0], q->before, below * sizeof *whole);
     memcpy(part[1], q->before + below, bytes - below * sizeof *whole);
-    status_fits("tribox_voxelize", 0, tribox_voxelize(&q->soup, &q->grid, o, whole, &report));
-    status_fits("tribox_voxelize_layers", 0, tribox_voxelize_layers(&q->soup, &q->grid, 0, q->cut, o, part[0], &parts[0]));
-    status_fits("tribox_voxelize_layers", 0,
-                tribox_voxelize_layers(&q->soup, &q->grid, q->cut, q->grid.size[2] - q->cut, o, part[1], &parts[1]));
+    status_fits("tribox_voxelize", 0, tribox_voxelize(&q->soup, &q->grid, NULL, o, whole, &report));
+    const tribox_window lower = layers_of(q, 0, q->cut), upper = layers_of(q, q->cut, q->grid.size[2] - q->cut);
+    status_fits("tribox_voxelize", 0, tribox_voxelize(&q->soup, &q->grid, &lower, o, part[0], &parts[0]));
+    status_fits("tribox_voxelize", 0, tribox_voxelize(&q->soup, &q->grid, &upper, o, part[1], &parts[1]));
     ensure(!memcmp(whole, part[0], below * sizeof *whole) && !memcmp(whole + below, part[1], bytes - below * sizeof *whole),
            "layers are not as in the whole: accuracy %d, axes %u, kernel %s", (int)o->accuracy, o->axes, o->kernel);
     ensure(report.overlapping == population(whole, q->words) - population(q->before, q->words), "%zu cells reported as newly set",
@@ -140,17 +123,17 @@ static bool cell_bit(const uint64_t *words, size_t row_words, uint32_t rows, uin
 /* A window has what EXACT sets in the whole, besides what was there before. */
 static void check_window(const fuzz_case *q, const tribox_options *o, const uint64_t *expected)
 {
-    const uint32_t *const first = q->first, *const size = q->size;
+    const uint32_t *const first = q->window.first, *const size = q->window.size;
     const size_t row_words = ((size_t)size[0] + 63) / 64, words = row_words * size[1] * size[2];
     uint64_t *const occupied = tight_mask(64 * words);
     tribox_report report;
     memset(occupied, 0, words * sizeof *occupied);
-    status_fits("tribox_voxelize_window", 0, tribox_voxelize_window(&q->soup, &q->grid, first, size, o, occupied, &report));
+    status_fits("tribox_voxelize", 0, tribox_voxelize(&q->soup, &q->grid, &q->window, o, occupied, &report));
     ensure(report.overlapping == population(occupied, words), "%zu cells reported of a window", report.overlapping);
     for (uint32_t k = 0; k < size[2]; k++)
         for (uint32_t j = 0; j < size[1]; j++)
             for (uint32_t i = 0; i < size[0]; i++) {
-                const size_t whole = tribox_grid_row_words(&q->grid);
+                const size_t whole = tribox_mask_words(q->grid.size[0]);
                 const uint32_t rows = q->grid.size[1], at[3] = {first[0] + i, first[1] + j, first[2] + k};
                 const bool is = cell_bit(occupied, row_words, size[1], i, j, k);
                 const bool wanted = cell_bit(expected, whole, rows, at[0], at[1], at[2]);
@@ -161,9 +144,9 @@ static void check_window(const fuzz_case *q, const tribox_options *o, const uint
             }
 }
 
-static void check_answers(const fuzz_case *q, const float u[][3][3])
+static void check_answers(const fuzz_case *q)
 {
-    const uint64_t *const expected = cells_of_each(q, u);
+    const uint64_t *const expected = cells_of_each(q);
     tribox_options o = q->options;
     for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
@@ -187,10 +170,11 @@ static void check_refusal(const fuzz_case *q, unsigned wrong, uint32_t first, ui
     tribox_report report;
     uint64_t *const occupied = tight_mask(64);
     memset(&report, POISON, sizeof report);
-    const tribox_status status = tribox_voxelize_layers(&q->soup, &q->grid, first, layers, &q->options, occupied, &report);
-    status_fits("tribox_voxelize_layers", wrong, status);
+    const tribox_window window = layers_of(q, first, layers);
+    const tribox_status status = tribox_voxelize(&q->soup, &q->grid, &window, &q->options, occupied, &report);
+    status_fits("tribox_voxelize", wrong, status);
     ensure(is_poisoned(occupied, sizeof *occupied) && is_poisoned(&report, sizeof report),
-           "tribox_voxelize_layers writes although it refuses");
+           "tribox_voxelize writes although it refuses");
 }
 
 /* A few cells. */
@@ -211,8 +195,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     q.cut = q.grid.size[2] ? input_below(&in, q.grid.size[2] + 1) : 0;
     const unsigned before = input_byte(&in);
     for (int n = 0; n < 3; n++) {
-        q.first[n] = input_below(&in, q.grid.size[n] + 1);
-        q.size[n] = input_below(&in, q.grid.size[n] - q.first[n] + 1);
+        q.window.first[n] = input_below(&in, q.grid.size[n] + 1);
+        q.window.size[n] = input_below(&in, q.grid.size[n] - q.window.first[n] + 1);
     }
     float u[TRIANGLES_MAX][3][3];
     do {
@@ -227,10 +211,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (wrong)
         check_refusal(&q, wrong, 0, 0);
     else {
-        q.words = tribox_grid_words(&q.grid);
+        q.words = tribox_window_words(q.grid.size);
         q.before = set_before(before, &q.grid, q.words);
         check_refusal(&q, 1u << TRIBOX_BAD_ARGUMENT, q.cut, q.grid.size[2] - q.cut + 1);
-        check_answers(&q, (const float(*)[3][3])u);
+        check_answers(&q);
     }
     tight_memory_free_all();
     return 0;

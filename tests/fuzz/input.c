@@ -134,6 +134,21 @@ void input_numbers(input *in, float *numbers, int count)
         input_remember(in, numbers[k]);
 }
 
+void input_doubles(input *in, double numbers[3])
+{
+    float floats[3];
+    input_numbers(in, floats, 3);
+    for (int n = 0; n < 3; n++)
+        numbers[n] = (double)floats[n];
+}
+
+void move_up(double *numbers, int count, unsigned steps)
+{
+    for (; steps; steps--)
+        for (int k = 0; k < count; k++)
+            numbers[k] = isfinite(numbers[k]) ? nextafter(numbers[k], INFINITY) : numbers[k];
+}
+
 /* What a byte, past its three bits of the way, makes of a triangle: the segment, the point, or flat along an axis. */
 static void make_degenerate(float u[3][3], unsigned shape)
 {

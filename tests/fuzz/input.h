@@ -39,6 +39,12 @@ size_t input_count(input *in);
 /* Numbers that are all written in one way, which the first byte chooses. They become known. */
 void input_numbers(input *in, float *numbers, int count);
 
+/* Three of them as doubles. */
+void input_doubles(input *in, double numbers[3]);
+
+/* Moves numbers so many doubles up, but those that are not finite. */
+void move_up(double *numbers, int count, unsigned steps);
+
 void input_remember(input *in, float number);
 
 /* Degenerate ones, and such with NaN and infinity, among them. Their numbers become known. */

@@ -315,7 +315,7 @@ def ply(form, line_end=b"\n", vertices=3, faces=1):
 FIRST_BRICK, LAST_BRICK = ((0, 0, 0), [1] + [0] * 7), ((8, 0, 0), [0x3f] + [0] * 7)
 
 
-def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), magic=b"tribox part 4\n", numbers=(4, 4), tile=8, tiles=None):
+def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), magic=b"tribox part 5\n", numbers=(0, 4), tile=8, tiles=None):
     """Of a row of tiles of one brick each, of which every shard has as many."""
     count = (size[0] + 7) // 8
     first, end = tiles or (count * (shard - 1) // shards, count * shard // shards)
@@ -327,8 +327,8 @@ def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), m
             struct.pack("<3Q", len(cells), sum(n for at, n, bits in cells), 0))
 
 
-def partition(records=((0, 0, 5, 0), (1, 1, 7, 0)), places=3, tile=64, numbers=(4, 4), size=(100, 50, 50), record_bytes=32,
-              magic=b"tribox tiles 1\n"):
+def partition(records=((0, 0, 5, 0), (1, 1, 7, 0)), places=3, tile=64, numbers=(0, 4), size=(100, 50, 50), record_bytes=32,
+              magic=b"tribox tiles 2\n"):
     index = (magic.ljust(16, b"\0") +
              struct.pack("<2I9d6I6Q", 0x01020304, tile, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, *numbers, record_bytes, 2, 34, 0, len(records),
                          places, 0) + b"".join(struct.pack("<4Q", *record) for record in records))
@@ -391,8 +391,8 @@ def part_files():
     whole, half = part(), part(1, 2)
     single = {"whole": whole, "one_of_two": half, "more_shards_than_tiles": part(2, 20), "cut": whole[:-1], "long": whole + b"\0",
               "header_cut": whole[:160], "no_end": whole[:180], "shard_0": part(0, 1, tiles=(0, 9)),
-              "huge": part(size=(2**31, 64, 1), bricks=()), "magic": part(magic=b"tribox part 3\n"),
-              "doubles": part(numbers=(8, 8)), "three_bytes": part(numbers=(3, 4)), "tile_of_12": part(tile=12), "no_tile": part(tile=0),
+              "huge": part(size=(2**31, 64, 1), bricks=()), "magic": part(magic=b"tribox part 4\n"),
+              "doubles": part(numbers=(0, 8)), "three_bytes": part(numbers=(3, 4)), "tile_of_12": part(tile=12), "no_tile": part(tile=0),
               "out_of_order": part(bricks=(LAST_BRICK, FIRST_BRICK)), "twice": part(bricks=(FIRST_BRICK, FIRST_BRICK)),
               "one_tile": part(tile=128, tiles=(0, 1)), "other_tiles": part(tiles=(5, 9)), "too_many_tiles": part(tiles=(0, 10)),
               "backwards": part(tiles=(5, 3)), "stray_x": part(bricks=(((8, 0, 0), [0x40] + [0] * 7),)),
@@ -405,14 +405,14 @@ def part_files():
 
 def partition_files():
     whole = partition()
-    return {"whole": whole, "empty": partition(records=(), places=0), "doubles": partition(numbers=(8, 8)),
+    return {"whole": whole, "empty": partition(records=(), places=0), "doubles": partition(numbers=(0, 8)),
             "floats_in_doubles": partition(numbers=(8, 4)), "doubles_in_floats": partition(numbers=(4, 8)), "cut": whole[:-1],
             "no_triangles": whole[:233], "header_cut": b"\x12" + whole[1:], "tile_of_12": partition(tile=12),
             "backwards": partition(records=((1, 0, 5, 0), (0, 1, 7, 0))), "same_tile": partition(records=((1, 0, 5, 0), (1, 1, 7, 0))),
             "beyond_tiles": partition(records=((0, 0, 5, 0), (2, 1, 7, 0))), "no_place": partition(records=((0, 0, 5, 0), (1, 0, 7, 0))),
             "far_place": partition(records=((0, 0, 5, 0), (1, 2**63, 7, 0))), "gap": partition(records=((0, 1, 5, 0), (1, 2, 7, 0))),
             "much_work": partition(records=((0, 0, 2**63, 0), (1, 1, 2**63, 0))), "record_of_40": partition(record_bytes=40),
-            "magic": partition(magic=b"tribox tiles 2\n"), "other": partition(magic=b"something else")}
+            "magic": partition(magic=b"tribox tiles 1\n"), "other": partition(magic=b"something else")}
 
 
 def triangles_files():

@@ -15,6 +15,7 @@
 #include "fences.h"
 #include "hostile.h"
 #include "index_fixture.h"
+#include "index/local_bounds.h"
 #include "stored_mesh.h"
 
 enum { TRIANGLES = 2000, LARGE = 64 * TRIBOX_INDEX_BLOCK + 100, BOXES = 12, PAIRS_A_QUESTION = 20 };
@@ -313,13 +314,140 @@ static void test_shrunk(void **state)
     }
 }
 
+/* The box of a region turned about z, or not, and stretched. */
+static tribox_oriented_box draw_turned(random_source *r, const tribox_box *box)
+{
+    const double angle = random_int(r, 3) ? random_double(r, -4, 4) : 0, c = cos(angle), s = sin(angle);
+    tribox_oriented_box turned = {.axis = {{c, s, 0}, {-s, c, 0}, {0, 0, random_int(r, 2) ? 1 : 0.75}}};
+    for (int a = 0; a < 3; a++) {
+        turned.center[a] = box->lo[a] / 2 + box->hi[a] / 2;
+        turned.half[a] = fabs(box->hi[a] / 2 - box->lo[a] / 2) * random_double(r, 0, 2);
+    }
+    return turned;
+}
+
+/* Every form about an oriented box, beside the call without an index. */
+static void check_turned(const tribox_oriented_box *turned, const tribox_options *options, const char *name)
+{
+    const size_t count = stored.soup.count, words = tribox_mask_words(count);
+    const tribox_region region = {.oriented = turned};
+    const tribox_options exact = {.axes = options->axes, .kernel = "scalar"};
+    uint64_t *const truth = malloc((3 * words + 1) * sizeof *truth), *const mask = truth + words, *const bits = mask + words;
+    uint32_t *const number = malloc((words + 1) * sizeof *number);
+    tribox_report report;
+    size_t any, found, k = 0, listed;
+    assert_true(truth && number);
+    snprintf(doing, sizeof doing, "turned, %s, kernel %s, accuracy %d, axes %u", name, options->kernel, (int)options->accuracy,
+             options->axes);
+    assert_int_equal(tribox_mesh_overlap_oriented(&mesh.mesh, turned, &exact, truth, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_index_overlap(&stored.index, &region, options, mask, &report), TRIBOX_OK);
+    for (size_t w = 0; w < words; w++)
+        if (options->accuracy == TRIBOX_EXACT ? mask[w] != truth[w]
+                                              : options->accuracy == TRIBOX_CONSERVATIVE && (truth[w] & ~mask[w]) != 0)
+            fail_msg("%s: word %zu of %zu triangles is %llx and not %llx, scale %g", doing, w, count, (unsigned long long)mask[w],
+                     (unsigned long long)truth[w], mesh.layout.place.scale);
+    assert_int_equal(tribox_index_words(&stored.index, &region, options, words, number, bits, NULL, &found, NULL), TRIBOX_OK);
+    for (size_t w = 0; w < words; w++)
+        if (mask[w]) {
+            assert_true(k < found && number[k] == w && bits[k] == mask[w]);
+            k++;
+        }
+    assert_int_equal(k, found);
+    assert_int_equal(tribox_index_list(&stored.index, &region, options, 0, NULL, &listed), TRIBOX_OK);
+    assert_int_equal(listed, report.overlapping);
+    assert_int_equal(tribox_index_any(&stored.index, &region, options, &any), TRIBOX_OK);
+    assert_true(listed ? is_set(mask, any) : any == count);
+    free(truth);
+    free(number);
+}
+
+static tribox_options any_turned_options(random_source *r)
+{
+    tribox_options options = any_index_options(r);
+    options.axes = random_int(r, 3) ? 0 : TRIBOX_AXES_BOX;
+    return options;
+}
+
+static void test_turned(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "turned");
+    for (size_t round = 0; round < arguments_rounds(&args, 2000); round++) {
+        const soup_kind *const kind = soup_kind_at(round % soup_kind_count());
+        draw_mesh(&r, kind, 1 + random_below(&r, round % 20 ? 500 : TRIBOX_INDEX_BLOCK + 200));
+        for (int b = 0; b < 3; b++) {
+            const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &mesh.layout, &about);
+            const tribox_oriented_box turned = draw_turned(&r, &box);
+            const tribox_options options = any_turned_options(&r);
+            check_turned(&turned, &options, kind->name);
+        }
+    }
+}
+
+/* Triangles that have lost a vertex overlap no oriented box either. */
+static void test_turned_and_changed(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "turned and changed");
+    for (size_t round = 0; round < arguments_rounds(&args, 1000); round++) {
+        const size_t count = 1 + random_below(&r, 300);
+        draw_soup(&r, soup_kind_at(round % soup_kind_count()), count);
+        mesh_layout layout = draw_layout(&r, count);
+        layout.index_bytes = layout.index_bytes ? layout.index_bytes : 4;
+        stored_mesh_lay(&r, &mesh, &layout, &stored);
+        stored_soup_build(&stored, NULL);
+        const tribox_box about = draw_box(&r, &stored), box = box_in_place(&r, &layout, &about);
+        const tribox_oriented_box turned = draw_turned(&r, &box);
+        const tribox_region region = {.oriented = &turned};
+        uint64_t before[5] = {0}, after[5] = {0};
+        assert_int_equal(tribox_mesh_overlap_oriented(&mesh.mesh, &turned, NULL, before, NULL), TRIBOX_OK);
+        for (size_t lost = random_below(&r, 1 + count / 3); lost > 0; lost--) {
+            const size_t corner = random_below(&r, 3 * count);
+            mesh.vertex[corner] = (uint32_t)mesh.mesh.vertices;
+            stored_mesh_name(&mesh, corner, mesh.vertex[corner]);
+        }
+        assert_int_equal(tribox_index_overlap(&stored.index, &region, NULL, after, NULL), TRIBOX_OK);
+        for (size_t i = 0; i < count; i++)
+            if (has_vertices(i) ? is_set(after, i) != is_set(before, i) : is_set(after, i) && ~after[i / 64])
+                fail_msg("bit %zu of %zu is %d", i, count, is_set(after, i));
+    }
+}
+
+/* Numbers near one another and far apart, seen from one origin and then from another: bounds hold them on every level. */
+static void test_bounds(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "bounds");
+    tribox_node below[2], above;
+    for (int round = 0; round < 200000; round++) {
+        const double unit = ldexp(1, random_int_between(&r, -60, 160)), origin = unit * random_double(&r, -1, 1);
+        const double number = random_int(&r, 3) ? origin + unit * random_double(&r, -1e-3, 1e-3) : unit * random_double(&r, -9, 9);
+        memset(below, 0, sizeof below);
+        memset(&above, 0, sizeof above);
+        below[0].origin[0] = unit * random_double(&r, -9, 9);
+        below[1].origin[0] = origin;
+        for (int c = 0; c < 2; c++)
+            above.bound[0][c] = above.bound[3][c] = tribox_number_seen(number, below[c].origin[0]);
+        tribox_bounds_join(below, 2, &above);
+        const float seen = tribox_number_seen(number, above.origin[0]);
+        if (!(above.bound[0][1] <= seen && seen <= above.bound[3][1]))
+            fail_msg("%a seen from %a, then from %a: %a is not between %a and %a", number, origin, above.origin[0], (double)seen,
+                     (double)above.bound[0][1], (double)above.bound[3][1]);
+    }
+}
+
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hostile_meshes), cmocka_unit_test(test_mesh_scenes), cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_bytes),          cmocka_unit_test(test_updates),     cmocka_unit_test(test_unseen),
+        cmocka_unit_test(test_hostile_meshes), cmocka_unit_test(test_mesh_scenes),
+        cmocka_unit_test(test_levels),         cmocka_unit_test(test_bytes),
+        cmocka_unit_test(test_updates),        cmocka_unit_test(test_unseen),
         cmocka_unit_test(test_changed),        cmocka_unit_test(test_shrunk),
+        cmocka_unit_test(test_turned),         cmocka_unit_test(test_turned_and_changed),
+        cmocka_unit_test(test_bounds),
     };
     return cmocka_run_group_tests(tests, make_all, free_all);
 }

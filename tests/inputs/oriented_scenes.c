@@ -332,12 +332,25 @@ static void draw_scaled_frame(random_source *r, oriented_batch *batch)
     scale(batch, positions, random_int(r, 2) ? 0 : random_int_between(r, -most - positions / 2, most - positions / 2) / 2);
 }
 
+/* Axes or positions, of which only doubles are, among subnormal floats, and the others large: rounding moves them, and products show it. */
+static void scale_apart(random_source *r, oriented_batch *batch)
+{
+    const int small = random_int_between(r, -148, -130), large = random_int_between(r, 30, 110);
+    const bool are_axes_small = batch->form != ORIENTED_DOUBLES || random_int(r, 2);
+    scale(batch, are_axes_small ? large : small, are_axes_small ? small : large);
+}
+
 /* About the least float, or the least double: products lose bits that no share of them makes up for. */
 static void draw_least(random_source *r, oriented_batch *batch)
 {
     static void (*const bases[])(random_source *, oriented_batch *) = {draw_turned, draw_whole, draw_face, draw_sheared};
     bases[random_int(r, 4)](r, batch);
-    const int below = batch->form == ORIENTED_DOUBLES && random_int(r, 2) ? random_int_between(r, 865, 925) : 0;
+    if (batch->form != ORIENTED_FLOATS && !random_int(r, 3)) {
+        scale_apart(r, batch);
+        return;
+    }
+    const int of_doubles[] = {0, 925, 882}; /* among subnormal doubles, and where they begin */
+    const int below = batch->form == ORIENTED_DOUBLES ? of_doubles[random_int(r, 3)] : 0;
     const int exponent = random_int_between(r, -148, -132) - below, of_axes = random_int(r, 2) ? 0 : random_int_between(r, -140, 0);
     scale(batch, exponent - of_axes, of_axes);
 }

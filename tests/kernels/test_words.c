@@ -100,9 +100,6 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
 #if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return b > c ? NAN : a;
-#else
-    case V_NEAREST_FLOAT:
-        return (lane_number)(float)a;
 #endif
     case NUMBER_WORDS:
         break;
@@ -151,8 +148,6 @@ static const char *const number_names[NUMBER_WORDS] = {
     [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select",
 #if !defined(LANES_OF_DOUBLE)
     [V_DROP] = "v_drop",
-#else
-    [V_NEAREST_FLOAT] = "v_nearest_float",
 #endif
 };
 
@@ -169,9 +164,6 @@ static bool may_change_payload(number_word word)
 {
 #if !defined(LANES_OF_DOUBLE)
     if (word == V_DROP)
-        return true;
-#else
-    if (word == V_NEAREST_FLOAT)
         return true;
 #endif
     return (word >= V_ADD && word <= V_FMS) || word == V_FLIP;
@@ -466,37 +458,6 @@ static void test_floors(void **state)
     }
 }
 
-/* Each step is stored, so that no compiler fuses them. */
-static float plane_of(float p, double cell, double origin)
-{
-    const volatile double product = (double)p * cell;
-    const volatile double sum = origin + product;
-    return (float)sum;
-}
-
-/* Any numbers, and sums that cancel, where a fused operation would show. */
-static void test_planes(void **state)
-{
-    (void)state;
-    random_source r = random_named(args.seed, "planes");
-    for (int round = 0; round < 100000; round++) {
-        float p[LANES_MAX], out[LANES_MAX];
-        for (unsigned lane = 0; lane < lanes_count; lane++)
-            p[lane] = random_int(&r, 2) ? (float)random_int(&r, 1 << 24) : any_bits(&r);
-        const double cell =
-            random_int(&r, 2) ? (double)any_bits(&r) : ldexp(random_double(&r, 0, 1), random_int_between(&r, -40, 40));
-        const volatile double first = (double)p[0] * cell;
-        const double origin = random_int(&r, 2) ? (double)any_bits(&r) : -first;
-        lanes_plane(p, cell, origin, out);
-        for (unsigned lane = 0; lane < lanes_count; lane++) {
-            const float expected = plane_of(p[lane], cell, origin);
-            if (bits_of(out[lane]) != bits_of(expected) && !(isnan(out[lane]) && isnan(expected)))
-                fail_msg("v_plane(%a, %a, %a) in lane %u gives %a and should give %a", (double)p[lane], cell, origin, lane,
-                         (double)out[lane], (double)expected);
-        }
-    }
-}
-
 /* Bits alone; those shifted out on either side are gone. */
 static uint32_t int_of(int_word word, uint32_t first, uint32_t a, uint32_t b)
 {
@@ -709,7 +670,6 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_transposes),
         cmocka_unit_test(test_near),
         cmocka_unit_test(test_floors),
-        cmocka_unit_test(test_planes),
         cmocka_unit_test(test_ints),
         cmocka_unit_test(test_shifts),
         cmocka_unit_test(test_ones),

@@ -64,9 +64,6 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
 #if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return v_drop(v_gt(b, c), a);
-#else
-    case V_NEAREST_FLOAT:
-        return v_nearest_float(a);
 #endif
     case NUMBER_WORDS:
         break;
@@ -110,8 +107,6 @@ void lanes_near_transpose(const void *const *from, const double *lo, lane_number
 }
 
 void lanes_floor(const float *a, float *out) { put(v_floor(lanes_of(a)), out); }
-
-void lanes_plane(const float *p, double cell, double origin, float *out) { put(v_plane(lanes_of(p), cell, origin), out); }
 
 /* Not i_load, which is a word under test. */
 static vint ints_of(const int32_t *from)

@@ -35,8 +35,6 @@ typedef enum number_word {
     V_SELECT, /* a where b > c, else b */
 #if !defined(LANES_OF_DOUBLE)
     V_DROP, /* NaN where b > c, else a */
-#else
-    V_NEAREST_FLOAT,
 #endif
     NUMBER_WORDS
 } number_word;
@@ -89,7 +87,6 @@ void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX]);
 void lanes_near(const void *from, const double *lo, lane_number *out);
 void lanes_near_transpose(const void *const *from, const double *lo, lane_number out[4][LANES_MAX]);
 void lanes_floor(const float *a, float *out);
-void lanes_plane(const float *p, double cell, double origin, float *out);
 void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out);
 uint64_t lanes_with_bits(const int32_t *a);
 void lanes_pack(const float *a, const int32_t *chosen, float *out); /* those where `chosen` has bits */

@@ -164,7 +164,7 @@ static void answer_others(const question *q)
     need(tribox_mesh_classify(&q->mesh, &q->box_f64, NULL, mask, inside, NULL));
     write_mask("maskF64", mask, q);
     write_mask("insideF64", inside, q);
-    if (!tribox_voxelize(&q->soup, &q->grid, NULL, cells, NULL))
+    if (!tribox_voxelize(&q->soup, &q->grid, NULL, NULL, cells, NULL))
         write_words("cells", cells, sizeof cells);
 }
 

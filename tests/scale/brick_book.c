@@ -47,5 +47,5 @@ int brick_book_take(void *book, const uint32_t at[3], const uint64_t bits[8])
             if (bits[k] >> n & 1)
                 take_cell(b, (uint64_t[3]){8 * (uint64_t)at[0] + n % 8, 8 * (uint64_t)at[1] + n / 8, 8 * (uint64_t)at[2] + k});
     assert_true(b->cells > before);
-    return ++b->bricks < b->most;
+    return ++b->bricks >= b->most;
 }

@@ -7,27 +7,20 @@
 
 #include "common/closed_meshes.h"
 
-const uint32_t *fill_case_size(const fill_case *c) { return c->is_double ? c->grid_f64.size : c->grid.size; }
+const uint32_t *fill_case_size(const fill_case *c) { return c->grid.size; }
 
 size_t fill_case_words(const fill_case *c) { return (size_t)(c->at.size[0] + 63) / 64 * c->at.size[1] * c->at.size[2]; }
 
 /* ------------------------------------------------------------------------------------------------------------------------ grids */
 
-static double origin_of(const fill_case *c, int a) { return c->is_double ? c->grid_f64.origin[a] : (double)c->grid.origin[a]; }
-
-static double cell_of(const fill_case *c, int a) { return c->is_double ? c->grid_f64.cell[a] : (double)c->grid.cell[a]; }
-
 /* The number at a place, counted in cells, as a mesh of the case can have it. */
 static double number_at(const fill_case *c, int a, double place)
 {
-    const double number = fma(place, cell_of(c, a), origin_of(c, a));
+    const double number = fma(place, c->grid.cell[a], c->grid.origin[a]);
     return c->is_double ? number : (double)(float)number;
 }
 
-static double plane_at(const fill_case *c, int a, uint32_t plane)
-{
-    return c->is_double ? fma(plane, cell_of(c, a), origin_of(c, a)) : (double)(float)(origin_of(c, a) + plane * cell_of(c, a));
-}
+static double plane_at(const fill_case *c, int a, uint32_t plane) { return fma(plane, c->grid.cell[a], c->grid.origin[a]); }
 
 static void set_middles(fill_case *c)
 {
@@ -77,11 +70,9 @@ static void draw_grid(random_source *r, const scene *s, fill_case *c)
         const uint32_t size = (uint32_t)(a                  ? random_int_between(r, 1, 9)
                                          : random_int(r, 6) ? random_int_between(r, 2, 20)
                                                             : random_int_between(r, 60, 130));
-        c->grid.origin[a] = (float)origin;
-        c->grid.cell[a] = (float)cell;
-        c->grid_f64.origin[a] = origin;
-        c->grid_f64.cell[a] = cell;
-        c->grid.size[a] = c->grid_f64.size[a] = c->at.size[a] = size;
+        c->grid.origin[a] = origin;
+        c->grid.cell[a] = cell;
+        c->grid.size[a] = c->at.size[a] = size;
     }
     set_middles(c);
 }
@@ -162,8 +153,8 @@ static void put_about_middle(random_source *r, fill_case *c)
     const bool is_edge = random_int(r, 2);
     const double s = random_double(r, 0.1, 2), t = is_edge ? 0 : random_double(r, 0.1, 2);
     for (int a = 0; a < 3; a++) {
-        const double middle = c->at.middle[a][random_below(r, c->at.size[a])] + (a || !is_edge ? 0 : 0.3 * cell_of(c, 0));
-        const double reach = random_double(r, 0.1, 5) * cell_of(c, a) * (a || random_int(r, 2) ? 1 : 1000);
+        const double middle = c->at.middle[a][random_below(r, c->at.size[a])] + (a || !is_edge ? 0 : 0.3 * c->grid.cell[0]);
+        const double reach = random_double(r, 0.1, 5) * c->grid.cell[a] * (a || random_int(r, 2) ? 1 : 1000);
         for (int v = 0; v < 2; v++)
             d[v][a] = random_double(r, -1, 1) * reach;
         u[0][a] = middle + d[0][a];
@@ -275,16 +266,16 @@ fill_mesh fill_mesh_make(const fill_case *c)
 tribox_status fill_case_parity(const fill_case *c, const fill_mesh *m, const uint64_t *occupied, uint64_t *solid, void *scratch,
                                size_t *inside, size_t *odd_rows)
 {
-    return c->is_double ? tribox_fill_parity_f64(&m->mesh, &c->grid_f64, occupied, solid, scratch, inside, odd_rows)
-                        : tribox_fill_parity(&m->soup, &c->grid, occupied, solid, scratch, inside, odd_rows);
+    return c->is_double ? tribox_mesh_fill_parity(&m->mesh, &c->grid, occupied, scratch, solid, inside, odd_rows)
+                        : tribox_fill_parity(&m->soup, &c->grid, occupied, scratch, solid, inside, odd_rows);
 }
 
 static tribox_status voxelize(fill_case *c)
 {
     const fill_mesh m = fill_mesh_make(c);
     memset(c->occupied, 0, sizeof c->occupied);
-    const tribox_status status = c->is_double ? tribox_voxelize_f64(&m.mesh, &c->grid_f64, NULL, NULL, NULL, c->occupied, NULL)
-                                              : tribox_voxelize(&m.soup, &c->grid, NULL, c->occupied, NULL);
+    const tribox_status status = c->is_double ? tribox_mesh_voxelize(&m.mesh, &c->grid, NULL, NULL, c->occupied, NULL)
+                                              : tribox_voxelize(&m.soup, &c->grid, NULL, NULL, c->occupied, NULL);
     fill_mesh_free(m);
     return status;
 }

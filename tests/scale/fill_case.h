@@ -1,4 +1,4 @@
-/* fill_case.h - meshes and grids whose insides are asked for, in float or double, and the calls about them by one name. */
+/* fill_case.h - meshes and grids whose insides are asked for, of floats or doubles, and the calls about them by one name. */
 #ifndef TRIBOX_TESTS_FILL_CASE_H
 #define TRIBOX_TESTS_FILL_CASE_H
 
@@ -16,7 +16,6 @@ typedef struct fill_case {
     bool is_double, is_closed;
     bool is_within; /* the mesh is in the grid */
     tribox_grid grid;
-    tribox_grid_f64 grid_f64;
     crossing_case at; /* the triangles, and the middles by the definition */
     uint64_t occupied[CASE_WORDS_MAX];
 } fill_case;

@@ -44,8 +44,9 @@ static size_t take_share(const tile_case *c, size_t from, size_t to, const tile_
 {
     brick_book book = brick_book_open(c, occupied_by);
     tribox_report report = {0, 0};
-    assert_int_equal(tile_case_bricks(c, from, to, lists->starts + from, lists->list, bytes, brick_book_take, &book, &report),
-                     TRIBOX_OK);
+    assert_int_equal(
+        tile_case_bricks(c, from, to, lists->starts + from, lists->list, bytes, &(tribox_sink){brick_book_take, &book}, &report),
+        TRIBOX_OK);
     assert_int_equal(report.overlapping, book.cells);
     return book.cells;
 }
@@ -105,11 +106,13 @@ static void test_stops(void **state)
         const scratch s = make_scratch(drawn.tile, 0);
         brick_book whole = brick_book_open(&drawn, NULL), book = whole;
         tribox_report report = {0, 0};
-        assert_int_equal(tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, brick_book_take, &whole, &report),
-                         TRIBOX_OK);
+        assert_int_equal(
+            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, &(tribox_sink){brick_book_take, &whole}, &report),
+            TRIBOX_OK);
         if (whole.bricks) {
             book.most = 1 + (size_t)random_int(&r, (int)whole.bricks);
-            assert_int_equal(tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, brick_book_take, &book, &report),
+            assert_int_equal(tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes,
+                                              &(tribox_sink){brick_book_take, &book}, &report),
                              TRIBOX_STOPPED);
             assert_int_equal(book.bricks, book.most);
             assert_int_equal(report.overlapping, book.cells);
@@ -141,7 +144,7 @@ static void test_environment(void **state)
         environment_set(set);
         const tribox_status counted = tile_case_count(&drawn, 0, count, lists.starts);
         const tribox_status status =
-            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, brick_book_take, &book, &report);
+            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, &(tribox_sink){brick_book_take, &book}, &report);
         const unsigned left = environment_get();
         environment_set(normal);
         assert_int_equal(counted, TRIBOX_OK);
@@ -168,7 +171,8 @@ static void *work(void *argument)
     brick_book book = brick_book_open(&drawn, w->occupied);
     w->lists = tile_case_lists(&drawn, w->from, w->to);
     assert_non_null(bytes);
-    assert_int_equal(tile_case_bricks(&drawn, w->from, w->to, w->lists.starts, w->lists.list, bytes, brick_book_take, &book, NULL),
+    assert_int_equal(tile_case_bricks(&drawn, w->from, w->to, w->lists.starts, w->lists.list, bytes,
+                                      &(tribox_sink){brick_book_take, &book}, NULL),
                      TRIBOX_OK);
     free(bytes);
     return NULL;

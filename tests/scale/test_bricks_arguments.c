@@ -21,13 +21,11 @@ typedef struct call {
     tribox_soup soup;
     tribox_mesh mesh;
     tribox_grid grid;
-    tribox_grid_f64 grid_f64;
-    uint32_t tile;
-    size_t from, to;
+    tribox_tiles tiles;
     size_t starts[TILES + 1];
     uint32_t list[TILES * COUNT];
     tribox_options options;
-    bool has_triangles, has_grid, has_starts, has_list, has_scratch, has_sink;
+    bool has_triangles, has_grid, has_tiles, has_starts, has_list, has_scratch, has_sink, has_take;
 } call;
 
 static unsigned char scratch[ROOM * 32];
@@ -37,41 +35,29 @@ static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
     (void)data, (void)at, (void)bits;
     bricks++;
-    return 1;
+    return 0;
 }
 
-static tribox_status count(const call *c, size_t *starts)
+static tribox_status list_tiles(const call *c, size_t *starts, uint32_t *list)
 {
+    const tribox_grid *const grid = c->has_grid ? &c->grid : NULL;
+    const tribox_tiles *const tiles = c->has_tiles ? &c->tiles : NULL;
     size_t *const to = c->has_starts ? starts : NULL;
-    if (c->is_double)
-        return tribox_tiles_count_f64(c->has_triangles ? &c->mesh : NULL, c->has_grid ? &c->grid_f64 : NULL, c->tile, c->from,
-                                      c->to, &c->options, to);
-    return tribox_tiles_count(c->has_triangles ? &c->soup : NULL, c->has_grid ? &c->grid : NULL, c->tile, c->from, c->to,
-                              &c->options, to);
-}
-
-static tribox_status fill(const call *c, size_t *starts, uint32_t *list)
-{
-    size_t *const begin = c->has_starts ? starts : NULL;
-    uint32_t *const to = c->has_list ? list : NULL;
-    if (c->is_double)
-        return tribox_tiles_fill_f64(c->has_triangles ? &c->mesh : NULL, c->has_grid ? &c->grid_f64 : NULL, c->tile, c->from, c->to,
-                                     &c->options, begin, to);
-    return tribox_tiles_fill(c->has_triangles ? &c->soup : NULL, c->has_grid ? &c->grid : NULL, c->tile, c->from, c->to,
-                             &c->options, begin, to);
+    return c->is_double ? tribox_mesh_tile_lists(c->has_triangles ? &c->mesh : NULL, grid, tiles, &c->options, to, list)
+                        : tribox_tile_lists(c->has_triangles ? &c->soup : NULL, grid, tiles, &c->options, to, list);
 }
 
 static tribox_status voxelize(const call *c, tribox_report *report)
 {
+    const tribox_grid *const grid = c->has_grid ? &c->grid : NULL;
+    const tribox_tiles *const tiles = c->has_tiles ? &c->tiles : NULL;
     const size_t *const starts = c->has_starts ? c->starts : NULL;
     const uint32_t *const list = c->has_list ? c->list : NULL;
     void *const bytes = c->has_scratch ? scratch : NULL;
-    tribox_sink *const sink = c->has_sink ? count_brick : NULL;
-    if (c->is_double)
-        return tribox_voxelize_bricks_f64(c->has_triangles ? &c->mesh : NULL, c->has_grid ? &c->grid_f64 : NULL, c->tile, c->from,
-                                          c->to, starts, list, &c->options, bytes, sink, NULL, report);
-    return tribox_voxelize_bricks(c->has_triangles ? &c->soup : NULL, c->has_grid ? &c->grid : NULL, c->tile, c->from, c->to,
-                                  starts, list, &c->options, bytes, sink, NULL, report);
+    const tribox_sink sink = {c->has_take ? count_brick : NULL, NULL}, *const to = c->has_sink ? &sink : NULL;
+    return c->is_double
+               ? tribox_mesh_bricks(c->has_triangles ? &c->mesh : NULL, grid, tiles, starts, list, &c->options, bytes, to, report)
+               : tribox_bricks(c->has_triangles ? &c->soup : NULL, grid, tiles, starts, list, &c->options, bytes, to, report);
 }
 
 /* A fan of triangles through all tiles. Valid until the next one. */
@@ -82,15 +68,15 @@ static call *right_call(bool is_double)
                .soup = {.count = COUNT},
                .mesh = {.positions = c.corners, .vertices = 3 * COUNT, .count = COUNT, .position_bytes = 8},
                .grid = {{0, 0, 0}, {1, 1, 1}, {SIDE, SIDE, SIDE}},
-               .grid_f64 = {{0, 0, 0}, {1, 1, 1}, {SIDE, SIDE, SIDE}},
-               .tile = TILE,
-               .to = TILES,
+               .tiles = {TILE, 0, TILES},
                .has_triangles = true,
                .has_grid = true,
+               .has_tiles = true,
                .has_starts = true,
                .has_list = true,
                .has_scratch = true,
-               .has_sink = true};
+               .has_sink = true,
+               .has_take = true};
     for (int n = 0; n < 9; n++)
         for (int i = 0; i < COUNT; i++) {
             c.corners[i][n] = n / 3 == 0 ? 1 : n / 3 == 1 ? SIDE - 1 : (i * (n + 1)) % SIDE;
@@ -102,9 +88,9 @@ static call *right_call(bool is_double)
         c.soup.z[v] = c.streams[3 * v + 2];
     }
     assert_true(tribox_bricks_bytes(TILE) <= sizeof scratch);
-    assert_int_equal(count(&c, c.starts), TRIBOX_OK);
+    assert_int_equal(list_tiles(&c, c.starts, NULL), TRIBOX_OK);
     assert_true(c.starts[TILES] > 0 && c.starts[TILES] <= TILES * COUNT);
-    assert_int_equal(fill(&c, c.starts, c.list), TRIBOX_OK);
+    assert_int_equal(list_tiles(&c, c.starts, c.list), TRIBOX_OK);
     bricks = 0;
     return &c;
 }
@@ -119,12 +105,12 @@ static void check(const call *c, tribox_status counted, tribox_status filled, tr
     memset(poison, 0xa5, sizeof poison);
     memset(&untouched, 0xa5, sizeof untouched);
     memset(starts, 0xa5, sizeof starts);
-    assert_int_equal(count(c, starts), counted);
+    assert_int_equal(list_tiles(c, starts, NULL), counted);
     if (counted)
         assert_memory_equal(starts, poison, sizeof starts);
     memset(list, 0xa5, sizeof list);
     memcpy(starts, c->starts, sizeof starts);
-    assert_int_equal(fill(c, starts, list), filled);
+    assert_int_equal(list_tiles(c, starts, list), filled);
     assert_memory_equal(starts, c->starts, sizeof starts);
     if (filled)
         assert_memory_equal(list, poison, sizeof list);
@@ -153,11 +139,15 @@ static void test_missing(void **state)
         (c = right_call(is_double))->has_starts = false;
         check_all(c, bad);
         (c = right_call(is_double))->has_list = false;
-        check(c, TRIBOX_OK, bad, bad);
+        check(c, TRIBOX_OK, TRIBOX_OK, bad);
         (c = right_call(is_double))->has_scratch = false;
         check(c, TRIBOX_OK, TRIBOX_OK, bad);
         (c = right_call(is_double))->has_sink = false;
         check(c, TRIBOX_OK, TRIBOX_OK, bad);
+        (c = right_call(is_double))->has_take = false;
+        check(c, TRIBOX_OK, TRIBOX_OK, bad);
+        (c = right_call(is_double))->has_tiles = false;
+        check_all(c, bad);
         c = right_call(is_double);
         c->soup.z[2] = NULL;
         c->mesh.positions = NULL;
@@ -178,21 +168,20 @@ static void test_tiles(void **state)
     for (int is_double = 0; is_double < 2; is_double++) {
         const tribox_status bad = TRIBOX_BAD_ARGUMENT;
         call *c = right_call(is_double);
-        c->tile = 0;
+        c->tiles.side = 0;
         check_all(c, bad);
-        (c = right_call(is_double))->tile = UINT32_MAX; /* one tile */
+        (c = right_call(is_double))->tiles.side = UINT32_MAX; /* one tile */
         check_all(c, bad);
-        (c = right_call(is_double))->to = TILES + 1;
+        (c = right_call(is_double))->tiles.count = TILES + 1;
         check_all(c, bad);
         c = right_call(is_double);
-        c->from = 3;
-        c->to = 2;
+        c->tiles = (tribox_tiles){TILE, 3, SIZE_MAX - 1};
         check_all(c, bad);
         static const uint32_t not_of_bricks[] = {4, 15, 17, 20, 1032, UINT32_MAX - 7};
         for (size_t n = 0; n < sizeof not_of_bricks / sizeof not_of_bricks[0]; n++) {
             c = right_call(is_double);
-            c->tile = not_of_bricks[n];
-            c->to = 1;
+            c->tiles.side = not_of_bricks[n];
+            c->tiles.count = 1;
             check(c, TRIBOX_OK, TRIBOX_OK, bad);
         }
     }
@@ -203,20 +192,17 @@ static void test_grids(void **state)
     (void)state;
     for (int is_double = 0; is_double < 2; is_double++)
         for (int a = 0; a < 3; a++) {
-            static const float cells[] = {0, -1, NAN, INFINITY, 1e-30f};
+            static const double cells[] = {0, -1, NAN, INFINITY, 1e-30};
             call *c = right_call(is_double);
-            c->grid.size[a] = c->grid_f64.size[a] = 0;
+            c->grid.size[a] = 0;
             check_all(c, TRIBOX_BAD_GRID);
             c = right_call(is_double);
             c->grid.origin[a] = NAN;
-            c->grid_f64.origin[a] = NAN;
             check_all(c, TRIBOX_BAD_GRID);
             for (size_t n = 0; n < sizeof cells / sizeof cells[0]; n++) {
                 c = right_call(is_double);
                 c->grid.cell[a] = cells[n];
-                c->grid_f64.cell[a] = (double)cells[n];
                 c->grid.origin[a] = 1;
-                c->grid_f64.origin[a] = 1;
                 check_all(c, TRIBOX_BAD_GRID);
             }
         }
@@ -313,15 +299,16 @@ static void test_no_triangles(void **state)
         call *const c = right_call(is_double);
         c->soup = (tribox_soup){.count = 0};
         c->mesh = (tribox_mesh){.count = 0};
-        assert_int_equal(count(c, starts), TRIBOX_OK);
+        assert_int_equal(list_tiles(c, starts, NULL), TRIBOX_OK);
         for (int t = 0; t <= TILES; t++)
             assert_int_equal(starts[t], 0);
         memcpy(c->starts, starts, sizeof starts);
         assert_int_equal(voxelize(c, &report), TRIBOX_OK);
         assert_int_equal(bricks, 0);
         assert_int_equal(report.overlapping, 0);
-        c->to = c->from = TILES;
-        assert_int_equal(count(c, starts), TRIBOX_OK);
+        c->tiles.first = TILES;
+        c->tiles.count = 0;
+        assert_int_equal(list_tiles(c, starts, NULL), TRIBOX_OK);
         assert_int_equal(starts[0], 0);
     }
 }

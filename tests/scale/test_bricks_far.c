@@ -24,7 +24,6 @@ enum { TRIANGLES = 40, SAMPLES = 400, ROUNDS = 500, SIDE = 128, BRICKS = SIDE / 
 /* One tile of a huge grid, and triangles about it. */
 typedef struct far_tile {
     tribox_grid grid;
-    tribox_grid_f64 grid_f64;
     uint32_t at[3]; /* in tiles */
     float streams[9][TRIANGLES];
     double corners[TRIANGLES][9];
@@ -45,7 +44,7 @@ static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
                 t->cells[at[2] % BRICKS * 8 + k][at[1] % BRICKS * 8 + n / 8][at[0] % BRICKS * 8 + n % 8] = 1;
                 t->set++;
             }
-    return 1;
+    return 0;
 }
 
 static size_t number_of(const far_tile *t)
@@ -59,11 +58,8 @@ static void draw(random_source *r, far_tile *t)
 {
     for (int a = 0; a < 3; a++) {
         t->grid.size[a] = (uint32_t)1 << random_int_between(r, 13, 20);
-        t->grid.cell[a] = random_int(r, 2) ? 0.1f : nearest_float(random_double(r, 0.5, 2));
-        t->grid.origin[a] = random_int(r, 2) ? 0 : -0.5f * (float)t->grid.size[a] * t->grid.cell[a];
-        t->grid_f64.size[a] = t->grid.size[a];
-        t->grid_f64.cell[a] = (double)t->grid.cell[a];
-        t->grid_f64.origin[a] = (double)t->grid.origin[a];
+        t->grid.cell[a] = random_int(r, 2) ? 0.1 : random_double(r, 0.5, 2);
+        t->grid.origin[a] = random_int(r, 2) ? 0 : -0.5 * t->grid.size[a] * t->grid.cell[a];
         const uint32_t tiles = t->grid.size[a] / SIDE;
         t->at[a] = random_int(r, 2) ? (uint32_t)random_int(r, (int)tiles) : random_int(r, 2) ? tiles - 1 : 0;
     }
@@ -104,25 +100,20 @@ static void make_bricks(far_tile *t, bool is_double, const tribox_options *optio
 {
     const tribox_soup soup = soup_of(t);
     const tribox_mesh mesh = mesh_of(t);
-    const size_t tile = number_of(t);
     size_t starts[2];
     uint32_t list[TRIANGLES];
     tribox_report report;
     void *const scratch = malloc(tribox_bricks_bytes(SIDE));
     assert_non_null(scratch);
-    if (is_double) {
-        assert_int_equal(tribox_tiles_count_f64(&mesh, &t->grid_f64, SIDE, tile, tile + 1, options, starts), TRIBOX_OK);
-        assert_int_equal(tribox_tiles_fill_f64(&mesh, &t->grid_f64, SIDE, tile, tile + 1, options, starts, list), TRIBOX_OK);
-        assert_int_equal(
-            tribox_voxelize_bricks_f64(&mesh, &t->grid_f64, SIDE, tile, tile + 1, starts, list, options, scratch, take, t, &report),
-            TRIBOX_OK);
-    } else {
-        assert_int_equal(tribox_tiles_count(&soup, &t->grid, SIDE, tile, tile + 1, options, starts), TRIBOX_OK);
-        assert_int_equal(tribox_tiles_fill(&soup, &t->grid, SIDE, tile, tile + 1, options, starts, list), TRIBOX_OK);
-        assert_int_equal(
-            tribox_voxelize_bricks(&soup, &t->grid, SIDE, tile, tile + 1, starts, list, options, scratch, take, t, &report),
-            TRIBOX_OK);
-    }
+    const tribox_tiles one = {SIDE, number_of(t), 1};
+    const tribox_sink sink = {take, t};
+    for (int pass = 0; pass < 2; pass++)
+        assert_int_equal(is_double ? tribox_mesh_tile_lists(&mesh, &t->grid, &one, options, starts, pass ? list : NULL)
+                                   : tribox_tile_lists(&soup, &t->grid, &one, options, starts, pass ? list : NULL),
+                         TRIBOX_OK);
+    assert_int_equal(is_double ? tribox_mesh_bricks(&mesh, &t->grid, &one, starts, list, options, scratch, &sink, &report)
+                               : tribox_bricks(&soup, &t->grid, &one, starts, list, options, scratch, &sink, &report),
+                     TRIBOX_OK);
     free(scratch);
     assert_int_equal(report.overlapping, t->set);
 }
@@ -138,8 +129,7 @@ static bool overlaps(const far_tile *t, bool is_double, const uint32_t cell[3])
     for (int a = 0; a < 3; a++)
         p[a] = t->at[a] * SIDE + cell[a];
     const tribox_box box = tribox_grid_cell(&t->grid, p[0], p[1], p[2]);
-    const tribox_box box_f64 = tribox_grid_cell_f64(&t->grid_f64, p[0], p[1], p[2]);
-    assert_int_equal(is_double ? tribox_mesh_overlap(&mesh, &box_f64, &scalar, NULL, &report)
+    assert_int_equal(is_double ? tribox_mesh_overlap(&mesh, &box, &scalar, NULL, &report)
                                : tribox_overlap(&soup, &box, &scalar, NULL, &report),
                      TRIBOX_OK);
     return report.overlapping > 0;

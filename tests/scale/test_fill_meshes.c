@@ -21,8 +21,8 @@ static tribox_grid grid_around(const mesh *m)
     for (int a = 0; a < 3; a++)
         longest = fmax(longest, (double)box.hi[a] - box.lo[a]);
     for (int a = 0; a < 3; a++) {
-        grid.cell[a] = nextafterf((float)(longest / CELLS), INFINITY);
-        grid.origin[a] = (float)box.lo[a];
+        grid.cell[a] = nextafter(longest / CELLS, INFINITY);
+        grid.origin[a] = box.lo[a];
         grid.size[a] = (uint32_t)fmax(1, ceil(((double)box.hi[a] - box.lo[a]) / grid.cell[a]));
     }
     return grid;
@@ -41,7 +41,7 @@ static tribox_soup soup_of(const mesh *m, const int vertex[3])
 
 static uint64_t *words_of(const tribox_grid *grid)
 {
-    uint64_t *const words = calloc(tribox_grid_words(grid), sizeof *words);
+    uint64_t *const words = calloc(tribox_window_words(grid->size), sizeof *words);
     assert_non_null(words);
     return words;
 }
@@ -55,12 +55,12 @@ static void fill(const arguments *args, const char *name, const mesh *m)
                     *const other = words_of(&grid);
     void *const scratch = malloc(tribox_fill_bytes(grid.size));
     size_t sealed, inside, odd_rows, only = 0;
-    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, occupied, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_fill_outside(grid.size, occupied, outside, scratch, &sealed), TRIBOX_OK);
-    assert_int_equal(tribox_fill_parity(&soup, &grid, occupied, parity, scratch, &inside, &odd_rows), TRIBOX_OK);
-    assert_int_equal(tribox_fill_parity(&turned, &grid, occupied, other, scratch, NULL, NULL), TRIBOX_OK);
-    assert_memory_equal(parity, other, tribox_grid_words(&grid) * sizeof *parity);
-    for (size_t w = 0; w < tribox_grid_words(&grid); w++)
+    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, NULL, occupied, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_fill_outside(grid.size, occupied, scratch, outside, &sealed), TRIBOX_OK);
+    assert_int_equal(tribox_fill_parity(&soup, &grid, occupied, scratch, parity, &inside, &odd_rows), TRIBOX_OK);
+    assert_int_equal(tribox_fill_parity(&turned, &grid, occupied, scratch, other, NULL, NULL), TRIBOX_OK);
+    assert_memory_equal(parity, other, tribox_window_words(grid.size) * sizeof *parity);
+    for (size_t w = 0; w < tribox_window_words(grid.size); w++)
         only += (parity[w] & ~outside[w]) != 0;
     printf("%s: %zu cells not reached, %zu inside by parity, %zu odd rows\n", name, sealed, inside, odd_rows);
     if (!strcmp(name, "buildings.ply"))

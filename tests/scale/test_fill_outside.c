@@ -97,7 +97,7 @@ static void check_drawn(random_source *r)
     set_walls(r, &drawn, occupied);
     guarded_read_only(occupied.pages, true);
     void *const scratch = random_int(r, 2) ? guarded_tail(scratch_pages, scratch_bytes) : (void *)scratch_pages.first;
-    assert_int_equal(tribox_fill_outside(drawn.size, occupied.word, solid.word, scratch, random_int(r, 4) ? &inside : NULL),
+    assert_int_equal(tribox_fill_outside(drawn.size, occupied.word, scratch, solid.word, random_int(r, 4) ? &inside : NULL),
                      TRIBOX_OK);
     check_words(&drawn, solid);
     if (inside != SIZE_MAX && inside != free_cells - reached)
@@ -133,7 +133,7 @@ static void test_scratch(void **state)
             const size_t bytes = tribox_fill_bytes(sizes[n]);
             assert_true(bytes + off + 8 < sizeof scratch);
             memset(scratch, 0x5a, sizeof scratch);
-            assert_int_equal(tribox_fill_outside(sizes[n], occupied, solid, scratch + off, NULL), TRIBOX_OK);
+            assert_int_equal(tribox_fill_outside(sizes[n], occupied, scratch + off, solid, NULL), TRIBOX_OK);
             for (size_t at = 0; at < sizeof scratch; at++)
                 assert_true((at >= off && at < off + bytes) || scratch[at] == 0x5a);
         }
@@ -158,7 +158,7 @@ static void check_refused(tribox_status expected, const uint32_t *size, const ui
     unsigned char bytes[64];
     memset(words, 0xa5, sizeof words);
     memset(bytes, 0xa5, sizeof bytes);
-    assert_int_equal(tribox_fill_outside(size, occupied, solid ? words : NULL, scratch ? bytes : NULL, &inside), expected);
+    assert_int_equal(tribox_fill_outside(size, occupied, scratch ? bytes : NULL, solid ? words : NULL, &inside), expected);
     assert_int_equal(inside, 123);
     for (size_t n = 0; n < sizeof bytes; n++)
         assert_true(bytes[n] == 0xa5 && ((unsigned char *)words)[n] == 0xa5);

@@ -86,7 +86,7 @@ static void check_regions(const fill_case *c)
 static void check_both_ways(const fill_case *c, const answer *parity)
 {
     uint64_t flood[CASE_WORDS_MAX], scratch[2 * ORACLE_CELLS / 64 + 3];
-    assert_int_equal(tribox_fill_outside(fill_case_size(c), c->occupied, flood, scratch, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_fill_outside(fill_case_size(c), c->occupied, scratch, flood, NULL), TRIBOX_OK);
     for (size_t row = 0; row < rows_of(c); row++)
         for (uint32_t i = 0; i < c->at.size[0]; i++) {
             const bool is_flood = bit(c, flood, row, i), is_parity = bit(c, parity->solid, row, i);

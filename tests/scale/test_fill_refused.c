@@ -20,7 +20,6 @@ typedef struct call {
     tribox_soup soup;
     tribox_mesh mesh;
     tribox_grid grid;
-    tribox_grid_f64 grid_f64;
     bool has_triangles, has_grid, has_occupied, has_solid, has_scratch, has_counts;
 } call;
 
@@ -32,7 +31,6 @@ static call *right_call(bool is_double)
                .soup = {.count = 1},
                .mesh = {.positions = c.corners, .vertices = 3, .count = 1, .position_bytes = 8},
                .grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}},
-               .grid_f64 = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}},
                .has_triangles = true,
                .has_grid = true,
                .has_occupied = true,
@@ -70,10 +68,10 @@ static void check(const call *c, tribox_status expected)
     uint64_t *const words = c->has_solid ? solid : NULL;
     void *const bytes = c->has_scratch ? scratch : NULL;
     const tribox_status status = c->is_double
-                                     ? tribox_fill_parity_f64(c->has_triangles ? &c->mesh : NULL, c->has_grid ? &c->grid_f64 : NULL,
-                                                              from, words, bytes, to[0], to[1])
+                                     ? tribox_mesh_fill_parity(c->has_triangles ? &c->mesh : NULL, c->has_grid ? &c->grid : NULL,
+                                                               from, bytes, words, to[0], to[1])
                                      : tribox_fill_parity(c->has_triangles ? &c->soup : NULL, c->has_grid ? &c->grid : NULL, from,
-                                                          words, bytes, to[0], to[1]);
+                                                          bytes, words, to[0], to[1]);
     assert_int_equal(status, expected);
     if (expected) {
         assert_true(is_poison(solid, sizeof solid) && is_poison(scratch, sizeof scratch));
@@ -111,26 +109,23 @@ static void test_missing(void **state)
 static void test_grids(void **state)
 {
     (void)state;
-    static const float cells[] = {0, -1, NAN, INFINITY, 1e-30f};
+    static const double cells[] = {0, -1, NAN, INFINITY, 1e-30};
     for (int is_double = 0; is_double < 2; is_double++)
         for (int a = 0; a < 3; a++) {
             call c = *right_call(is_double);
-            c.grid.size[a] = c.grid_f64.size[a] = 0;
+            c.grid.size[a] = 0;
             check(&c, TRIBOX_BAD_GRID);
             c = *right_call(is_double);
             c.grid.origin[a] = NAN;
-            c.grid_f64.origin[a] = NAN;
             check(&c, TRIBOX_BAD_GRID);
             c = *right_call(is_double);
-            c.grid.size[a] = c.grid_f64.size[a] = UINT32_MAX;
-            c.grid.size[(a + 1) % 3] = c.grid_f64.size[(a + 1) % 3] = UINT32_MAX;
+            c.grid.size[a] = UINT32_MAX;
+            c.grid.size[(a + 1) % 3] = UINT32_MAX;
             check(&c, TRIBOX_BAD_GRID);
             for (size_t n = 0; n < sizeof cells / sizeof cells[0]; n++) {
                 c = *right_call(is_double);
                 c.grid.cell[a] = cells[n];
-                c.grid_f64.cell[a] = (double)cells[n];
                 c.grid.origin[a] = 1;
-                c.grid_f64.origin[a] = 1;
                 check(&c, TRIBOX_BAD_GRID);
             }
         }
@@ -176,8 +171,8 @@ static void test_no_triangles(void **state)
         const call *const c = right_call(is_double);
         for (size_t n = 0; n < WORDS; n++)
             occupied[n] = ~UINT64_C(0) - n;
-        assert_int_equal(is_double ? tribox_fill_parity_f64(&mesh, &c->grid_f64, occupied, solid, scratch, &inside, &odd_rows)
-                                   : tribox_fill_parity(&soup, &c->grid, occupied, solid, scratch, &inside, &odd_rows),
+        assert_int_equal(is_double ? tribox_mesh_fill_parity(&mesh, &c->grid, occupied, scratch, solid, &inside, &odd_rows)
+                                   : tribox_fill_parity(&soup, &c->grid, occupied, scratch, solid, &inside, &odd_rows),
                          TRIBOX_OK);
         assert_true(!inside && !odd_rows);
         for (size_t n = 0; n < WORDS; n++)

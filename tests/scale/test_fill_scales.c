@@ -20,7 +20,7 @@ enum { SIDE = 20, TRIANGLES = 400, ROUNDS = 12, PAIRS = 100000, SCALES = 200 };
 typedef struct scaled_mesh {
     double u[TRIANGLES][3][3];
     size_t count;
-    tribox_grid_f64 grid;
+    tribox_grid grid;
     double centre[3], radius[3];
 } scaled_mesh;
 
@@ -76,7 +76,7 @@ static void ask(const scaled_mesh *m, const int scale[3], answer *to)
 {
     static double u[TRIANGLES][3][3];
     static uint64_t none[SIDE * SIDE], scratch[2 * SIDE * SIDE];
-    tribox_grid_f64 grid = m->grid;
+    tribox_grid grid = m->grid;
     for (size_t n = 0; n < 9 * m->count; n++)
         u[n / 9][n / 3 % 3][n % 3] = ldexp(m->u[n / 9][n / 3 % 3][n % 3], scale[n % 3]);
     for (int a = 0; a < 3; a++) {
@@ -86,7 +86,7 @@ static void ask(const scaled_mesh *m, const int scale[3], answer *to)
     const tribox_mesh mesh = {.positions = u, .vertices = 3 * m->count, .count = m->count, .position_bytes = 8};
     memset(to, 0, sizeof *to);
     assert_true(tribox_fill_bytes(grid.size) <= sizeof scratch);
-    assert_int_equal(tribox_fill_parity_f64(&mesh, &grid, none, to->solid, scratch, &to->inside, &to->odd_rows), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_fill_parity(&mesh, &grid, none, scratch, to->solid, &to->inside, &to->odd_rows), TRIBOX_OK);
 }
 
 static void check(const scaled_mesh *m, const int scale[3], const answer *expected)

@@ -170,7 +170,6 @@ static tribox_status count_share(const struct many_tiles *many, const double u[3
 {
     const uint32_t *const size = many->size;
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {size[0], size[1], size[2]}};
-    const tribox_grid_f64 grid_f64 = {{0, 0, 0}, {1, 1, 1}, {size[0], size[1], size[2]}};
     const tribox_mesh mesh = {.positions = u, .vertices = 3, .count = 1, .position_bytes = 8};
     float number[9];
     tribox_soup soup = {.count = 1};
@@ -181,8 +180,9 @@ static tribox_status count_share(const struct many_tiles *many, const double u[3
         soup.y[v] = number + 3 + v;
         soup.z[v] = number + 6 + v;
     }
-    return many->is_double ? tribox_tiles_count_f64(&mesh, &grid_f64, many->tile, from, to, options, starts)
-                           : tribox_tiles_count(&soup, &grid, many->tile, from, to, options, starts);
+    const tribox_tiles share = {many->tile, from, to - from};
+    return many->is_double ? tribox_mesh_tile_lists(&mesh, &grid, &share, options, starts, NULL)
+                           : tribox_tile_lists(&soup, &grid, &share, options, starts, NULL);
 }
 
 /* Shares of a few tiles, which take no longer than they have to: all of them hours, if a layer or a row were looked at. */
@@ -193,7 +193,7 @@ static void test_few_of_many(void **state)
     random_source r = random_named(args->seed, "few of many tiles");
     for (size_t round = 0; round < SHARES / (arguments_are_short(args) ? 10 : 1); round++) {
         const struct many_tiles *const many = &many_tiles[round % (sizeof many_tiles / sizeof many_tiles[0])];
-        const size_t count = tribox_tiles(many->size, many->tile);
+        const size_t count = tribox_tile_count(many->size, many->tile);
         const tribox_options options = {.axes = random_int(&r, 2) ? TRIBOX_AXES_BOX : TRIBOX_AXES_ALL};
         double u[3][3];
         size_t starts[6], tile = draw_across(&r, many, u);
@@ -223,7 +223,7 @@ static void test_long_row(void **state)
     static size_t starts[TILES + 1];
     static uint32_t list[2 * TILES];
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {TILES, 1, 1}};
-    const tribox_grid_f64 grid_f64 = {{0, 0, 0}, {1, 1, 1}, {TILES, 1, 1}};
+    const tribox_tiles all = {1, 0, TILES};
     tribox_soup soup = {.count = TILES};
     for (int v = 0; v < 3; v++) {
         soup.x[v] = streams[3 * v];
@@ -239,12 +239,12 @@ static void test_long_row(void **state)
     for (const char *const *kernel = (const char *[]){"scalar", tribox_kernel_name(NULL), NULL}; *kernel; kernel++)
         for (int is_double = 0; is_double < 2; is_double++) {
             const tribox_options options = {.kernel = *kernel};
-            assert_int_equal(is_double ? tribox_tiles_count_f64(&mesh, &grid_f64, 1, 0, TILES, &options, starts)
-                                       : tribox_tiles_count(&soup, &grid, 1, 0, TILES, &options, starts),
+            assert_int_equal(is_double ? tribox_mesh_tile_lists(&mesh, &grid, &all, &options, starts, NULL)
+                                       : tribox_tile_lists(&soup, &grid, &all, &options, starts, NULL),
                              TRIBOX_OK);
             assert_int_equal(starts[TILES], 2 * TILES - 1);
-            assert_int_equal(is_double ? tribox_tiles_fill_f64(&mesh, &grid_f64, 1, 0, TILES, &options, starts, list)
-                                       : tribox_tiles_fill(&soup, &grid, 1, 0, TILES, &options, starts, list),
+            assert_int_equal(is_double ? tribox_mesh_tile_lists(&mesh, &grid, &all, &options, starts, list)
+                                       : tribox_tile_lists(&soup, &grid, &all, &options, starts, list),
                              TRIBOX_OK);
             for (uint32_t t = 0; t < TILES; t++) {
                 assert_int_equal(list[starts[t]], t);
@@ -257,16 +257,16 @@ static void test_numbers_of_tiles(void **state)
 {
     (void)state;
     const uint32_t size[3] = {100, 7, 33}, most[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX}, flat[3] = {5, 0, 5};
-    assert_int_equal(tribox_tiles(size, 1), 100 * 7 * 33);
-    assert_int_equal(tribox_tiles(size, 8), 13 * 1 * 5);
-    assert_int_equal(tribox_tiles(size, 100), 1);
-    assert_int_equal(tribox_tiles(size, UINT32_MAX), 1);
-    assert_int_equal(tribox_tiles(size, 0), 0);
-    assert_int_equal(tribox_tiles(flat, 3), 0);
-    assert_true(tribox_tiles(most, 1) == SIZE_MAX);
-    assert_true(tribox_tiles(most, 1 << 11) == (sizeof(size_t) > 4 ? (uint64_t)1 << 63 : SIZE_MAX));
-    assert_int_equal(tribox_tiles(most, UINT32_MAX), 1);
-    assert_int_equal(tribox_tiles(most, UINT32_MAX - 1), 8);
+    assert_int_equal(tribox_tile_count(size, 1), 100 * 7 * 33);
+    assert_int_equal(tribox_tile_count(size, 8), 13 * 1 * 5);
+    assert_int_equal(tribox_tile_count(size, 100), 1);
+    assert_int_equal(tribox_tile_count(size, UINT32_MAX), 1);
+    assert_int_equal(tribox_tile_count(size, 0), 0);
+    assert_int_equal(tribox_tile_count(flat, 3), 0);
+    assert_true(tribox_tile_count(most, 1) == SIZE_MAX);
+    assert_true(tribox_tile_count(most, 1 << 11) == (sizeof(size_t) > 4 ? (uint64_t)1 << 63 : SIZE_MAX));
+    assert_int_equal(tribox_tile_count(most, UINT32_MAX), 1);
+    assert_int_equal(tribox_tile_count(most, UINT32_MAX - 1), 8);
 }
 
 int main(int argc, char **argv)

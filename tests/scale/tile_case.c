@@ -39,6 +39,8 @@ static void draw_floats(random_source *r, tile_case *c)
             u[random_int(r, 3)][random_int(r, 3)] = not_a_number(r);
         triangle_list_put(&c->triangles, (const_vertices)u);
     }
+    for (size_t t = 0; t < c->triangles.count; t++)
+        triangle_list_get(&c->triangles, t, c->corners[t]);
 }
 
 static void move_to_tiles_f64(random_source *r, const tile_case *c, triangle_f64 u)
@@ -73,7 +75,11 @@ void tile_case_draw(random_source *r, uint32_t tile, tile_case *c)
     const int kernel_count = kernels_here(kernels);
     c->tile = tile ? tile : (uint32_t)random_int_between(r, 1, 40);
     c->is_double = random_int(r, 3) == 0;
-    (c->is_double ? draw_doubles : draw_floats)(r, c);
+    c->is_mesh = c->is_double || random_int(r, 3) == 0;
+    if (c->is_double)
+        draw_doubles(r, c);
+    else
+        draw_floats(r, c);
     c->options = (tribox_options){.accuracy = (tribox_accuracy)(random_int(r, 2) ? 0 : random_int(r, 3)),
                                   .axes = (unsigned)(random_int(r, 3) ? 0 : random_int_between(r, 1, AXIS_SETS)),
                                   .kernel = kernels[random_int(r, kernel_count)]};
@@ -83,45 +89,57 @@ void tile_case_tell(const tile_case *c, char *text, size_t length)
 {
     const uint32_t *const size = tile_case_size(c);
     snprintf(text, length, "%s of %s, %ux%ux%u cells, tiles of %u, accuracy %d, axes %u, kernel %s", c->scene,
-             c->is_double ? "doubles" : "floats", (unsigned)size[0], (unsigned)size[1], (unsigned)size[2], (unsigned)c->tile,
-             (int)c->options.accuracy, c->options.axes, c->options.kernel);
+             c->is_double ? "doubles"
+             : c->is_mesh ? "a mesh"
+                          : "a soup",
+             (unsigned)size[0], (unsigned)size[1], (unsigned)size[2], (unsigned)c->tile, (int)c->options.accuracy, c->options.axes,
+             c->options.kernel);
 }
 
 const uint32_t *tile_case_size(const tile_case *c) { return c->is_double ? c->window.grid.size : c->at.grid.size; }
 size_t tile_case_triangles(const tile_case *c) { return c->is_double ? c->window.count : c->triangles.count; }
-size_t tile_case_tiles(const tile_case *c) { return tribox_tiles(tile_case_size(c), c->tile); }
+size_t tile_case_tiles(const tile_case *c) { return tribox_tile_count(tile_case_size(c), c->tile); }
 
+/* Of doubles, or of the floats of the soup. */
 static tribox_mesh mesh_of(const tile_case *c)
 {
     const window_f64 *const w = &c->window;
-    return (tribox_mesh){.positions = w->triangle, .vertices = 3 * w->count, .count = w->count, .position_bytes = 8};
+    const size_t count = tile_case_triangles(c);
+    return (tribox_mesh){.positions = c->is_double ? (const void *)w->triangle : c->corners,
+                         .vertices = 3 * count,
+                         .count = count,
+                         .position_bytes = c->is_double ? 8 : 4};
+}
+
+static const tribox_grid *grid_of(const tile_case *c) { return c->is_double ? &c->window.grid : &c->at.grid; }
+
+static tribox_status list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *numbers)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    const tribox_tiles tiles = {c->tile, from, to - from};
+    return c->is_mesh ? tribox_mesh_tile_lists(&mesh, grid_of(c), &tiles, &c->options, starts, numbers)
+                      : tribox_tile_lists(&soup, grid_of(c), &tiles, &c->options, starts, numbers);
 }
 
 tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts)
 {
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
-    return c->is_double ? tribox_tiles_count_f64(&mesh, &c->window.grid, c->tile, from, to, &c->options, starts)
-                        : tribox_tiles_count(&soup, &c->at.grid, c->tile, from, to, &c->options, starts);
+    return list(c, from, to, starts, NULL);
 }
 
-tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list)
+tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *numbers)
+{
+    return list(c, from, to, starts, numbers);
+}
+
+tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *numbers,
+                               void *scratch, const tribox_sink *sink, tribox_report *report)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
     const tribox_mesh mesh = mesh_of(c);
-    return c->is_double ? tribox_tiles_fill_f64(&mesh, &c->window.grid, c->tile, from, to, &c->options, starts, list)
-                        : tribox_tiles_fill(&soup, &c->at.grid, c->tile, from, to, &c->options, starts, list);
-}
-
-tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                               void *scratch, tribox_sink *sink, void *data, tribox_report *report)
-{
-    const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
-    return c->is_double ? tribox_voxelize_bricks_f64(&mesh, &c->window.grid, c->tile, from, to, starts, list, &c->options, scratch,
-                                                     sink, data, report)
-                        : tribox_voxelize_bricks(&soup, &c->at.grid, c->tile, from, to, starts, list, &c->options, scratch, sink,
-                                                 data, report);
+    const tribox_tiles tiles = {c->tile, from, to - from};
+    return c->is_mesh ? tribox_mesh_bricks(&mesh, grid_of(c), &tiles, starts, numbers, &c->options, scratch, sink, report)
+                      : tribox_bricks(&soup, grid_of(c), &tiles, starts, numbers, &c->options, scratch, sink, report);
 }
 
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied)
@@ -130,8 +148,8 @@ size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64
     const tribox_mesh mesh = mesh_of(c);
     tribox_report report;
     memset(occupied, 0, CASE_WORDS * sizeof *occupied);
-    const tribox_status status = c->is_double ? tribox_voxelize_f64(&mesh, &c->window.grid, NULL, NULL, options, occupied, &report)
-                                              : tribox_voxelize(&soup, &c->at.grid, options, occupied, &report);
+    const tribox_status status = c->is_double ? tribox_mesh_voxelize(&mesh, grid_of(c), NULL, options, occupied, &report)
+                                              : tribox_voxelize(&soup, grid_of(c), NULL, options, occupied, &report);
     assert_int_equal(status, TRIBOX_OK);
     return report.overlapping;
 }
@@ -153,18 +171,12 @@ void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *op
     const tribox_mesh mesh = mesh_of(c);
     uint32_t low[3], high[3];
     tribox_box box;
-    tribox_box box_f64;
     find_cells(c, tile, low, high);
     for (int a = 0; a < 3; a++) {
-        if (c->is_double) {
-            box_f64.lo[a] = window_f64_plane(&c->window.grid, a, low[a]);
-            box_f64.hi[a] = window_f64_plane(&c->window.grid, a, high[a]);
-        } else {
-            box.lo[a] = c->at.plane[a][low[a]];
-            box.hi[a] = c->at.plane[a][high[a]];
-        }
+        box.lo[a] = window_f64_plane(grid_of(c), a, low[a]);
+        box.hi[a] = window_f64_plane(grid_of(c), a, high[a]);
     }
-    assert_int_equal(c->is_double ? tribox_mesh_overlap(&mesh, &box_f64, options, mask, NULL)
+    assert_int_equal(c->is_double ? tribox_mesh_overlap(&mesh, &box, options, mask, NULL)
                                   : tribox_overlap(&soup, &box, options, mask, NULL),
                      TRIBOX_OK);
 }

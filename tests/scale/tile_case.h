@@ -1,4 +1,4 @@
-/* tile_case.h - triangles, a grid and its tiles, in float or double, and the calls about them by one name. */
+/* tile_case.h - triangles of floats or doubles, a grid and its tiles, and the calls about them by one name. */
 #ifndef TRIBOX_TESTS_TILE_CASE_H
 #define TRIBOX_TESTS_TILE_CASE_H
 
@@ -8,9 +8,10 @@
 enum { CASE_CELLS = 60000, CASE_CELLS_F64 = 3000, CASE_WORDS = CASE_CELLS };
 
 typedef struct tile_case {
-    bool is_double;
-    grid_planes at; /* of floats: the grid and the triangles */
+    bool is_double, is_mesh;
+    grid_planes at; /* of floats: the grid, the triangles, and these as a mesh */
     triangle_list triangles;
+    float corners[TRIANGLE_LIST_MAX][3][3];
     window_f64 window; /* of doubles */
     const char *scene;
     uint32_t tile;
@@ -34,7 +35,7 @@ size_t tile_case_tiles(const tile_case *c);
 tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts);
 tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list);
 tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
-                               void *scratch, tribox_sink *sink, void *data, tribox_report *report);
+                               void *scratch, const tribox_sink *sink, tribox_report *report);
 
 /* The bits of the whole grid, by the scalar kernel where all are to be right. */
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied);

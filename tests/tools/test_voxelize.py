@@ -31,7 +31,7 @@ class Voxelize(support.TestCase):
         size, cells = volumes.read_npy(self.path("cells.npy"))
         self.assertEqual(list(size), found["grid"]["size"])
         self.assertEqual(found["occupied"], len(cells))
-        return volumes.single_floats(found["grid"]), cells
+        return found["grid"], cells
 
 
 class Answers(Voxelize):
@@ -106,7 +106,7 @@ class Grids(Voxelize):
                          for t in meshes.lattice_triangles(9, seed)]
             mesh = self.write("other.ply", meshes.ply_binary(triangles))
             for n in (1, 2, 3, 10, 333):
-                grid = volumes.single_floats(self.voxelize("o.raw", "--resolution", str(n), mesh=mesh)["grid"])
+                grid = self.voxelize("o.raw", "--resolution", str(n), mesh=mesh)["grid"]
                 lo = [min(v[a] for t in triangles for v in t) for a in range(3)]
                 hi = [max(v[a] for t in triangles for v in t) for a in range(3)]
                 longest = max(range(3), key=lambda a: hi[a] - lo[a])

@@ -155,16 +155,9 @@ def float_of(number):
 
 
 def planes(grid, axis):
-    """Rounded once, to the nearest double, or to it and then to the nearest float."""
-    if grid.get("planes") == "float64":
-        origin, cell = Fraction(grid["origin"][axis]), Fraction(grid["cell"][axis])
-        return [float(origin + p * cell) for p in range(grid["size"][axis] + 1)]
-    return [float_of(grid["origin"][axis] + p * grid["cell"][axis]) for p in range(grid["size"][axis] + 1)]
-
-
-def single_floats(grid):
-    """The grid as --json prints it, its decimals taken for the floats that they stand for."""
-    return {"origin": [float_of(x) for x in grid["origin"]], "cell": [float_of(x) for x in grid["cell"]], "size": grid["size"]}
+    """Rounded once, to the nearest double."""
+    origin, cell = Fraction(grid["origin"][axis]), Fraction(grid["cell"][axis])
+    return [float(origin + p * cell) for p in range(grid["size"][axis] + 1)]
 
 
 def occupied(triangles, grid):

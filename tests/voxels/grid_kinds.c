@@ -45,8 +45,8 @@ static void draw_size(random_source *r, uint32_t size[3])
 static void set_grid(tribox_grid *grid, double origin, double cell)
 {
     for (int a = 0; a < 3; a++) {
-        grid->origin[a] = nearest_float(origin);
-        grid->cell[a] = nearest_float(cell);
+        grid->origin[a] = origin;
+        grid->cell[a] = cell;
     }
 }
 
@@ -60,26 +60,29 @@ static void draw_units(random_source *r, tribox_grid *grid)
 static void draw_dyadic(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf(1, random_int_between(r, -6, 3));
-        grid->origin[a] = grid->cell[a] * (float)random_int_between(r, -40, 40) / 4;
+        grid->cell[a] = ldexp(1, random_int_between(r, -6, 3));
+        grid->origin[a] = grid->cell[a] * random_int_between(r, -40, 40) / 4;
     }
 }
 
 static void draw_tenths(random_source *r, tribox_grid *grid)
 {
-    static const float length[] = {0.1f, 0.3f, 1.0f / 3, 0.7f, 1.1f, 0.05f};
+    static const double length[] = {0.1, 0.3, 1.0 / 3, 0.7, 1.1, 0.05};
     const bool is_cubic = random_int(r, 2);
     for (int a = 0; a < 3; a++) {
         grid->cell[a] = is_cubic && a ? grid->cell[0] : length[random_int(r, sizeof length / sizeof length[0])];
-        grid->origin[a] = (float)random_int_between(r, -30, 30) * 0.1f;
+        grid->origin[a] = random_int_between(r, -30, 30) * 0.1;
     }
 }
 
+/* Of floats or of doubles; planes are doubles. */
 static void draw_any(random_source *r, tribox_grid *grid)
 {
+    const bool is_float = random_int(r, 2);
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = nearest_float(random_double(r, 0.4, 2.5));
-        grid->origin[a] = nearest_float(random_double(r, -50, 20));
+        const double cell = random_double(r, 0.4, 2.5), origin = random_double(r, -50, 20);
+        grid->cell[a] = is_float ? nearest_float(cell) : cell;
+        grid->origin[a] = is_float ? nearest_float(origin) : origin;
     }
 }
 
@@ -87,19 +90,21 @@ static void draw_any(random_source *r, tribox_grid *grid)
 static void draw_about_zero(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = random_int(r, 2) ? 0.1f : nearest_float(random_double(r, 0.1, 1));
-        grid->origin[a] = random_sign_of_zero(r, nearest_float(-(double)grid->cell[a] * random_int(r, (int)grid->size[a] + 1)));
+        grid->cell[a] = random_int(r, 2) ? 0.1 : random_double(r, 0.1, 1);
+        grid->origin[a] = -grid->cell[a] * random_int(r, (int)grid->size[a] + 1);
+        if (random_int(r, 2))
+            grid->origin[a] = random_sign_of_zero(r, nearest_float(grid->origin[a]));
     }
 }
 
-/* Far from the origin the planes round: cells of 1 to 9 spacings of floats, the next longer or shorter than the last. */
+/* Far from the origin, where floats are hardly finer than cells, or coarser. */
 static void draw_far(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         const double far = pow(10, random_double(r, 5, 7)) * (random_int(r, 2) ? 1 : -1);
         const double spacing = ldexp(1, ilogb(far) - 23);
-        grid->origin[a] = nearest_float(far);
-        grid->cell[a] = nearest_float(spacing * (random_int(r, 3) ? random_double(r, 1.01, 9) : random_int_between(r, 1, 64)));
+        grid->origin[a] = random_int(r, 2) ? nearest_float(far) : far;
+        grid->cell[a] = spacing * (random_int(r, 3) ? random_double(r, 0.1, 9) : random_int_between(r, 1, 64));
     }
 }
 
@@ -107,22 +112,22 @@ static void draw_offset(random_source *r, tribox_grid *grid)
 {
     draw_any(r, grid);
     for (int a = 0; a < 3; a++)
-        grid->origin[a] += nearest_float(random_int_between(r, -1, 1) * pow(10, random_double(r, 3, 5)));
+        grid->origin[a] += random_int_between(r, -1, 1) * pow(10, random_double(r, 3, 5));
 }
 
 static void draw_own_lengths(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf(random_int(r, 2) ? 1 : 1.3f, random_int_between(r, -20, 20));
-        grid->origin[a] = grid->cell[a] * (float)random_int_between(r, -100, 100);
+        grid->cell[a] = ldexp(random_int(r, 2) ? 1 : 1.3, random_int_between(r, -20, 20));
+        grid->origin[a] = grid->cell[a] * random_int_between(r, -100, 100);
     }
 }
 
 static void scale(tribox_grid *grid, int exponent)
 {
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf(grid->cell[a], exponent);
-        grid->origin[a] = ldexpf(grid->origin[a], exponent);
+        grid->cell[a] = ldexp(grid->cell[a], exponent);
+        grid->origin[a] = ldexp(grid->origin[a], exponent);
     }
 }
 
@@ -145,24 +150,33 @@ static void draw_scaled(random_source *r, tribox_grid *grid)
     scale(grid, random_int(r, 2) ? -90 : 90);
 }
 
-/* Planes that are off by nearly half a cell, by just that, and by more: from there on float tells no cell from its neighbour. */
+/* The float nearest to the first plane is many cells away from it, up to more than float can count with. */
 static void draw_brink(random_source *r, tribox_grid *grid)
 {
-    const int spacings = random_int_between(r, 1, 2);
     for (int a = 0; a < 3; a++) {
-        const int exponent = random_int_between(r, 20, 22), from = random_int_between(r, -40, 40);
-        grid->cell[a] = ldexpf((float)spacings, exponent - 23);
-        grid->origin[a] = (float)(random_int(r, 2) ? 1 : -1) * ldexpf(1, exponent + spacings - 1) + grid->cell[a] * (float)from;
+        const int exponent = random_int_between(r, 0, 22), finer = random_int_between(r, 0, 24);
+        grid->cell[a] = ldexp(random_int(r, 2) ? 1 : random_double(r, 1, 2), exponent - 23 - finer);
+        grid->origin[a] = (random_int(r, 2) ? 1 : -1) * random_double(r, 1, 2) * ldexp(1, exponent);
+        if (random_int(r, 2))
+            grid->origin[a] = nearest_float(grid->origin[a]) - grid->cell[a] * random_int(r, (int)grid->size[a] + 1);
     }
 }
 
-/* Cells of a few times the least float. */
+/* Cells of a few times the least float, or of parts of it. */
 static void draw_subnormal(random_source *r, tribox_grid *grid)
 {
+    const int finer = random_int(r, 2) ? 0 : random_int_between(r, 1, 60);
     for (int a = 0; a < 3; a++) {
-        grid->cell[a] = ldexpf((float)random_int_between(r, 1, 5), -149);
+        grid->cell[a] = ldexp(random_int_between(r, 1, 5), -149 - finer);
         grid->origin[a] = random_sign_of_zero(r, ldexpf((float)random_int_between(r, -300, 100), -149));
     }
+}
+
+/* No number of the grid is a float, nor near one. */
+static void draw_beyond_floats(random_source *r, tribox_grid *grid)
+{
+    draw_any(r, grid);
+    scale(grid, random_int(r, 2) ? random_int_between(r, -1060, -150) : random_int_between(r, 126, 1000));
 }
 
 /* Subnormal on one axis, ordinary on another, huge on the third. */
@@ -171,10 +185,10 @@ static void draw_mixed(random_source *r, tribox_grid *grid)
     const int turn = random_int(r, 3);
     draw_any(r, grid);
     const int low = turn, high = (turn + 1) % 3;
-    grid->cell[low] = ldexpf((float)random_int_between(r, 1, 9), random_int_between(r, -149, -130));
-    grid->origin[low] = grid->cell[low] * (float)random_int_between(r, -50, 50);
-    grid->cell[high] = ldexpf(grid->cell[high], 100);
-    grid->origin[high] = ldexpf(grid->origin[high], 100);
+    grid->cell[low] = ldexp(random_int_between(r, 1, 9), random_int_between(r, -149, -130));
+    grid->origin[low] = grid->cell[low] * random_int_between(r, -50, 50);
+    grid->cell[high] = ldexp(grid->cell[high], 100);
+    grid->origin[high] = ldexp(grid->origin[high], 100);
 }
 
 /* From one end of the float range to the other: the length of the whole is not a float. */
@@ -182,7 +196,7 @@ static void draw_ends_of_range(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         grid->size[a] = grid->size[a] < 3 ? 3 : grid->size[a];
-        grid->cell[a] = nearest_float(2 * (double)FLT_MAX / grid->size[a] * (random_int(r, 2) ? 0.9999999 : 0.7));
+        grid->cell[a] = 2 * (double)FLT_MAX / grid->size[a] * (random_int(r, 2) ? 0.9999999 : 0.7);
         grid->origin[a] = -FLT_MAX;
     }
 }
@@ -209,6 +223,7 @@ static const grid_kind kinds[] = {
     {"subnormal", draw_subnormal, false},
     {"mixed", draw_mixed, false},
     {"range", draw_ends_of_range, false},
+    {"beyond floats", draw_beyond_floats, false},
     {"one cell", draw_one_cell, true},
 };
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static void draw_plain(random_source *r, tribox_grid_f64 *grid)
+static void draw_plain(random_source *r, tribox_grid *grid)
 {
     static const double cells[] = {1, 0.1, 0.25, 1.0 / 3, 3};
     for (int a = 0; a < 3; a++) {
@@ -13,7 +13,7 @@ static void draw_plain(random_source *r, tribox_grid_f64 *grid)
     }
 }
 
-static void draw_dyadic(random_source *r, tribox_grid_f64 *grid)
+static void draw_dyadic(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         grid->origin[a] = random_int_between(r, -64, 64) / 4.0;
@@ -21,7 +21,7 @@ static void draw_dyadic(random_source *r, tribox_grid_f64 *grid)
     }
 }
 
-static void draw_offset(random_source *r, tribox_grid_f64 *grid)
+static void draw_offset(random_source *r, tribox_grid *grid)
 {
     static const double cells[] = {0.5, 0.1, 0.0625, 1e-3, 1e-5};
     const double cell = cells[random_int(r, 5)];
@@ -32,7 +32,7 @@ static void draw_offset(random_source *r, tribox_grid_f64 *grid)
 }
 
 /* Cells of few spacings of doubles, down to one. */
-static void draw_geocentric(random_source *r, tribox_grid_f64 *grid)
+static void draw_geocentric(random_source *r, tribox_grid *grid)
 {
     static const double at[3] = {4.1e6, -1.13e6, 4.74e6};
     for (int a = 0; a < 3; a++) {
@@ -41,7 +41,7 @@ static void draw_geocentric(random_source *r, tribox_grid_f64 *grid)
     }
 }
 
-static void draw_mercator(random_source *r, tribox_grid_f64 *grid)
+static void draw_mercator(random_source *r, tribox_grid *grid)
 {
     static const double at[3] = {1.49e6, 6.89e6, 120};
     for (int a = 0; a < 3; a++) {
@@ -52,7 +52,7 @@ static void draw_mercator(random_source *r, tribox_grid_f64 *grid)
 
 static double draw_number(random_source *r) { return (random_int(r, 2) ? 1 : -1) * random_double(r, 1, 2); }
 
-static void draw_lengths(random_source *r, tribox_grid_f64 *grid)
+static void draw_lengths(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         grid->cell[a] = fabs(ldexp(draw_number(r), random_int_between(r, -60, 60)));
@@ -60,7 +60,7 @@ static void draw_lengths(random_source *r, tribox_grid_f64 *grid)
     }
 }
 
-static void draw_exponents(random_source *r, tribox_grid_f64 *grid)
+static void draw_exponents(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         const int exponent = random_int_between(r, -1070, 1010);
@@ -70,7 +70,7 @@ static void draw_exponents(random_source *r, tribox_grid_f64 *grid)
     }
 }
 
-static void draw_huge(random_source *r, tribox_grid_f64 *grid)
+static void draw_huge(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         grid->origin[a] = -random_double(r, 0, 1) * DBL_MAX;
@@ -78,7 +78,7 @@ static void draw_huge(random_source *r, tribox_grid_f64 *grid)
     }
 }
 
-static void draw_subnormal(random_source *r, tribox_grid_f64 *grid)
+static void draw_subnormal(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         grid->origin[a] = random_int_between(r, -100, 100) * 0x1p-1074;
@@ -87,7 +87,7 @@ static void draw_subnormal(random_source *r, tribox_grid_f64 *grid)
 }
 
 /* Planes next to each other, or nearly. */
-static void draw_spacings(random_source *r, tribox_grid_f64 *grid)
+static void draw_spacings(random_source *r, tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++) {
         const double from = ldexp(draw_number(r), random_int_between(r, -20, 20)), spacing = nextafter(from, INFINITY) - from;
@@ -106,7 +106,7 @@ size_t scene_f64_count(void) { return sizeof scenes / sizeof scenes[0]; }
 const scene_f64 *scene_f64_at(size_t i) { return &scenes[i]; }
 
 /* By definition: sizes here are small. */
-static bool has_rising_planes(const tribox_grid_f64 *grid)
+static bool has_rising_planes(const tribox_grid *grid)
 {
     for (int a = 0; a < 3; a++)
         for (uint32_t p = 0; p <= grid->size[a]; p++)
@@ -117,7 +117,7 @@ static bool has_rising_planes(const tribox_grid_f64 *grid)
 }
 
 /* Places far along x count most for what float rounds. */
-static bool draw_long_grid(random_source *r, const scene_f64 *scene, tribox_grid_f64 *grid)
+static bool draw_long_grid(random_source *r, const scene_f64 *scene, tribox_grid *grid)
 {
     for (int trial = 0; trial < 5; trial++) {
         scene->draw(r, grid);
@@ -130,7 +130,7 @@ static bool draw_long_grid(random_source *r, const scene_f64 *scene, tribox_grid
     return false;
 }
 
-void draw_grid_f64(random_source *r, const scene_f64 *scene, int cells, tribox_grid_f64 *grid)
+void draw_grid_f64(random_source *r, const scene_f64 *scene, int cells, tribox_grid *grid)
 {
     if (cells > 1000 && !random_int(r, 6) && draw_long_grid(r, scene, grid))
         return;
@@ -154,7 +154,7 @@ static double moved(double x, int spacings)
     return x;
 }
 
-static double draw_coordinate(random_source *r, const tribox_grid_f64 *grid, int a, double least, double most)
+static double draw_coordinate(random_source *r, const tribox_grid *grid, int a, double least, double most)
 {
     const double p = random_double(r, least, most);
     double x;
@@ -177,7 +177,7 @@ static double draw_coordinate(random_source *r, const tribox_grid_f64 *grid, int
 }
 
 /* The last vertex next to the edge of the others, by what float can tell or not. */
-static void draw_sliver(random_source *r, const tribox_grid_f64 *grid, triangle_f64 u)
+static void draw_sliver(random_source *r, const tribox_grid *grid, triangle_f64 u)
 {
     const double at = random_int(r, 2) ? random_double(r, 0, 1) : random_int(r, 9) / 8.0;
     const int exponent = random_int_between(r, -45, -4);
@@ -202,7 +202,7 @@ static void draw_extreme(random_source *r, triangle_f64 u)
         u[random_int(r, 3)][random_int(r, 3)] = far[random_int(r, 9)];
 }
 
-void draw_triangle_f64(random_source *r, const tribox_grid_f64 *grid, triangle_f64 u)
+void draw_triangle_f64(random_source *r, const tribox_grid *grid, triangle_f64 u)
 {
     static const double lengths[] = {0.3, 1.5, 3, 8, 40, 100};
     const double length = lengths[random_int(r, 6)];

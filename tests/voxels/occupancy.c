@@ -77,15 +77,40 @@ static void check_row_ends(const grid_planes *l, const uint64_t *occupied)
             fail_msg("bits past the end of the row at word %zu are set", w);
 }
 
+/* A mesh of the same floats has the same bits at every accuracy, and EXACT one of doubles. */
+static void check_meshes(const request *q, size_t first, size_t count, const uint64_t *expected)
+{
+    static float floats[TRIANGLE_LIST_MAX][3][3];
+    static double doubles[TRIANGLE_LIST_MAX][3][3];
+    uint64_t *const occupied = occupancy_make(q->at->words);
+    for (size_t t = 0; t < count; t++) {
+        triangle_list_get(q->triangles, first + t, floats[t]);
+        for (int n = 0; n < 9; n++)
+            doubles[t][n / 3][n % 3] = floats[t][n / 3][n % 3];
+    }
+    for (unsigned bytes = 4; bytes <= 8; bytes += 4) {
+        const void *const positions = bytes == 8 ? (const void *)doubles : floats;
+        const tribox_mesh mesh = {.positions = positions, .vertices = 3 * count, .count = count, .position_bytes = bytes};
+        if (bytes == 8 && q->options.accuracy != TRIBOX_EXACT)
+            continue;
+        memset(occupied, 0, q->at->words * sizeof *occupied);
+        assert_int_equal(tribox_mesh_voxelize(&mesh, &q->at->grid, NULL, &q->options, occupied, NULL), TRIBOX_OK);
+        if (memcmp(occupied, expected, q->at->words * sizeof *occupied))
+            fail_msg("%s: a mesh of %u bytes a number has other bits than its soup; seed %" PRIu64, q->scene, bytes, q->seed);
+    }
+    free(occupied);
+}
+
 void request_ask(const request *q, size_t first, size_t count, uint64_t *occupied)
 {
     static const int as_they_are[3] = {0, 1, 2};
     const tribox_soup soup = triangle_list_part(q->triangles, first, count, as_they_are);
     tribox_report report = {SIZE_MAX, SIZE_MAX};
     memset(occupied, 0, q->at->words * sizeof *occupied);
-    assert_int_equal(tribox_voxelize(&soup, &q->at->grid, &q->options, occupied, &report), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&soup, &q->at->grid, NULL, &q->options, occupied, &report), TRIBOX_OK);
     assert_int_equal(report.overlapping, occupancy_count(occupied, q->at->words));
     check_row_ends(q->at, occupied);
+    check_meshes(q, first, count, occupied);
 }
 
 /* The triangle that alone makes the oracle and the library differ about the cell, or else the last of them. */

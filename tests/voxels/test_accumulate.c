@@ -38,7 +38,7 @@ static tribox_options any_options(random_source *r, tribox_accuracy accuracy)
 static size_t ask(const tribox_soup *soup, const tribox_options *options, uint64_t *words)
 {
     tribox_report report = {SIZE_MAX, SIZE_MAX};
-    assert_int_equal(tribox_voxelize(soup, &at.grid, options, words, &report), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(soup, &at.grid, NULL, options, words, &report), TRIBOX_OK);
     return report.overlapping;
 }
 
@@ -71,7 +71,7 @@ static void test_bits_stay(void **state)
                 fail_msg("round %zu, word %zu: %#llx and %#llx give %#llx", round, w, (unsigned long long)noise[w],
                          (unsigned long long)whole[w], (unsigned long long)occupied[w]);
         assert_int_equal(ask(&soup, &options, occupied), 0);
-        assert_int_equal(tribox_voxelize(&soup, &at.grid, &options, occupied, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_voxelize(&soup, &at.grid, NULL, &options, occupied, NULL), TRIBOX_OK);
         for (size_t w = 0; w < at.words; w++)
             assert_int_equal(occupied[w], noise[w] | whole[w]);
     }

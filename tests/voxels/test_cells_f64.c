@@ -100,8 +100,10 @@ static void test_planes_of_slivers(void **state)
     trial *const t = &test;
     t->kernel_count = kernels_here(t->kernels);
     t->r = random_named(args->seed, "slivers");
-    t->w = (window_f64){
-        .scene = "slivers", .seed = args->seed, .grid = {{0.3, -7, 100}, {0.1, 0.1, 0.1}, {60000, 2, 2}}, .size = {60000, 2, 2}};
+    t->w = (window_f64){.scene = "slivers",
+                        .seed = args->seed,
+                        .grid = {{0.3, -7, 100}, {0.1, 0.1, 0.1}, {60000, 2, 2}},
+                        .at = {.size = {60000, 2, 2}}};
     for (size_t round = 0; round < 50 * arguments_rounds(args, 100000); round++) {
         for (t->w.count = 0; t->w.count < 10; t->w.count++) {
             double(*const u)[3] = t->w.triangle[t->w.count];

@@ -82,9 +82,10 @@ static void check_layers(test_run *t, const request *q, const uint64_t *whole)
     for (uint32_t first = 0, layers; first < size; first += layers) {
         tribox_report report;
         layers = 1 + (uint32_t)random_int(&t->r, (int)(size - first));
-        assert_int_equal(
-            tribox_voxelize_layers(&soup, &t->at.grid, first, layers, &q->options, t->other + first * layer_words, &report),
-            TRIBOX_OK);
+        assert_int_equal(tribox_voxelize(&soup, &t->at.grid,
+                                         &(tribox_window){{0, 0, first}, {t->at.grid.size[0], t->at.grid.size[1], layers}},
+                                         &q->options, t->other + first * layer_words, &report),
+                         TRIBOX_OK);
         set += report.overlapping;
     }
     if (memcmp(t->other, whole, t->at.words * sizeof *whole))
@@ -101,7 +102,7 @@ static void check_exact(test_run *t, int kernel)
     request_ask(&q, 0, t->all.count, t->occupied);
     request_check_exact(&q, 0, t->all.count, t->expected, t->occupied);
     check_layers(t, &q, t->occupied);
-    assert_int_equal(tribox_voxelize(&soup, &t->at.grid, &q.options, t->occupied, &report), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&soup, &t->at.grid, NULL, &q.options, t->occupied, &report), TRIBOX_OK);
     if (report.overlapping || memcmp(t->occupied, t->expected, t->at.words * sizeof *t->expected))
         fail_soup(t, &q, "asked again it sets more cells");
 }
@@ -258,14 +259,14 @@ static void try_speck(test_run *t)
     draw_grid_of_size(&t->r, kind, size, &t->at);
     tribox_grid grid = t->at.grid;
     for (int a = 0; a < 3; a++)
-        grid.origin[a] = -ldexpf(grid.cell[a], random_int_between(&t->r, 0, 2));
+        grid.origin[a] = -ldexp(grid.cell[a], random_int_between(&t->r, 0, 2));
     if (!grid_planes_make(&t->at, &grid))
         return;
     float u[3][3];
     for (int a = 0; a < 3; a++) {
         const int exponent = -random_int(&t->r, 130);
         for (int j = 0; j < 3; j++) {
-            const double at = ldexp(random_double(&t->r, -1, 1), exponent) * (double)grid.cell[a];
+            const double at = ldexp(random_double(&t->r, -1, 1), exponent) * grid.cell[a];
             const int n = random_int(&t->r, 8);
             u[j][a] = n > 2 ? nearest_float(at) : n > 1 ? copysignf(0x1p-149f, (float)at) : 0;
         }

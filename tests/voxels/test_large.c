@@ -89,7 +89,7 @@ static size_t try_triangle(random_source *r, origin *where, const tribox_grid *g
 {
     const char *kernels[KERNELS_MAX];
     const int kernel_count = kernels_here(kernels);
-    const size_t words = tribox_grid_words(grid);
+    const size_t words = tribox_window_words(grid->size);
     triangle_list c = {.count = 0};
     float u[3][3];
     draw_triangle(r, grid, u);
@@ -100,7 +100,7 @@ static size_t try_triangle(random_source *r, origin *where, const tribox_grid *g
         uint64_t *const words_of = kernel ? occupied : first;
         where->options = (tribox_options){.kernel = kernels[kernel], .axes = TRIBOX_AXES_ALL};
         memset(words_of, 0, words * sizeof *words_of);
-        assert_int_equal(tribox_voxelize(&soup, grid, &where->options, words_of, &report), TRIBOX_OK);
+        assert_int_equal(tribox_voxelize(&soup, grid, NULL, &where->options, words_of, &report), TRIBOX_OK);
         assert_int_equal(report.overlapping, occupancy_count(words_of, words));
         if (kernel && memcmp(first, occupied, words * sizeof *first))
             fail_msg("kernels %s and %s differ", kernels[0], kernels[kernel]);
@@ -121,7 +121,7 @@ static void test_large(void **state)
         const tribox_grid *const grid = &grids[g];
         random_source r = random_named(args->seed + g, "large");
         origin where = {.scene = "large", .seed = args->seed, .function = "tribox_voxelize"};
-        const size_t words = tribox_grid_words(grid);
+        const size_t words = tribox_window_words(grid->size);
         uint64_t *const first = occupancy_make(words), *const occupied = occupancy_make(words);
         size_t set = 0;
         for (size_t k = 0; k < 3 * arguments_rounds(args, PAIRS_A_ROUND); k++)

@@ -47,7 +47,7 @@ static size_t ask_whole(const tribox_options *options)
     const tribox_soup soup = triangle_list_soup(&triangles);
     tribox_report report;
     memset(whole, 0, at.words * sizeof *whole);
-    assert_int_equal(tribox_voxelize(&soup, &at.grid, options, whole, &report), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&soup, &at.grid, NULL, options, whole, &report), TRIBOX_OK);
     assert_int_equal(report.overlapping, occupancy_count(whole, at.words));
     return report.overlapping;
 }
@@ -64,7 +64,10 @@ static size_t ask_slab(const tribox_options *options, uint32_t first, uint32_t l
     for (int side = 0; side < 2; side++) {
         uint64_t *const slab = side ? guarded_tail(g, bytes) : (void *)g.first;
         memset(slab, 0, bytes);
-        assert_int_equal(tribox_voxelize_layers(&soup, &at.grid, first, layers, options, slab, &report), TRIBOX_OK);
+        assert_int_equal(tribox_voxelize(&soup, &at.grid,
+                                         &(tribox_window){{0, 0, first}, {at.grid.size[0], at.grid.size[1], layers}}, options, slab,
+                                         &report),
+                         TRIBOX_OK);
         if (words && memcmp(slab, whole + first * layer_words(), bytes))
             fail_msg("%s: the bits are not those of the whole", doing);
         assert_int_equal(report.overlapping, occupancy_count(slab, words));
@@ -109,8 +112,8 @@ static void *work(void *argument)
 {
     worker *const w = argument;
     const tribox_soup soup = triangle_list_soup(&triangles);
-    w->status =
-        tribox_voxelize_layers(&soup, &at.grid, w->first, w->layers, w->options, parts + w->first * layer_words(), &w->report);
+    w->status = tribox_voxelize(&soup, &at.grid, &(tribox_window){{0, 0, w->first}, {at.grid.size[0], at.grid.size[1], w->layers}},
+                                w->options, parts + w->first * layer_words(), &w->report);
     return NULL;
 }
 

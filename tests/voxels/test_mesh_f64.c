@@ -22,7 +22,7 @@ static uint64_t expected[CELLS_MAX], occupied[CELLS_MAX];
 /* Numbers on a lattice, so that they can be moved without rounding: cells of 1/8, and of vertices those beside them. */
 static void draw_lattice_mesh(random_source *r)
 {
-    const tribox_grid grid = {{-2, 3, 1}, {0.125f, 0.125f, 0.125f}, {40, 25, 20}};
+    const tribox_grid grid = {{-2, 3, 1}, {0.125, 0.125, 0.125}, {40, 25, 20}};
     assert_true(grid_planes_make(&at, &grid));
     triangles.count = 0;
     const int count = random_int_between(r, 1, 400);
@@ -40,7 +40,7 @@ static void draw_lattice_mesh(random_source *r)
     }
     memset(expected, 0, at.words * sizeof *expected);
     const tribox_soup soup = triangle_list_soup(&triangles);
-    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, expected, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, NULL, expected, NULL), TRIBOX_OK);
 }
 
 /* How vertices lie in memory. */
@@ -86,9 +86,9 @@ static tribox_mesh lay_out(const layout *l, const double offset[3])
     return laid;
 }
 
-static tribox_grid_f64 moved_grid(const double offset[3])
+static tribox_grid moved_grid(const double offset[3])
 {
-    tribox_grid_f64 grid;
+    tribox_grid grid;
     for (int a = 0; a < 3; a++) {
         grid.origin[a] = (double)at.grid.origin[a] + offset[a];
         grid.cell[a] = (double)at.grid.cell[a];
@@ -97,11 +97,11 @@ static tribox_grid_f64 moved_grid(const double offset[3])
     return grid;
 }
 
-static void check_mesh(const tribox_mesh *laid, const tribox_grid_f64 *grid, const char *kernel)
+static void check_mesh(const tribox_mesh *laid, const tribox_grid *grid, const char *kernel)
 {
     const tribox_options options = {.kernel = kernel};
     memset(occupied, 0, sizeof occupied);
-    assert_int_equal(tribox_voxelize_f64(laid, grid, NULL, NULL, &options, occupied, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_voxelize(laid, grid, NULL, &options, occupied, NULL), TRIBOX_OK);
     assert_memory_equal(occupied, expected, at.words * sizeof *occupied);
 }
 
@@ -118,18 +118,18 @@ static void test_layouts(void **state)
         for (size_t k = 0; k < sizeof layouts / sizeof layouts[0]; k++) {
             const double *const offset = far[layouts[k].position_bytes == 8 ? random_int(&r, 4) : 0];
             const tribox_mesh laid = lay_out(&layouts[k], offset);
-            const tribox_grid_f64 grid = moved_grid(offset);
+            const tribox_grid grid = moved_grid(offset);
             check_mesh(&laid, &grid, kernels[random_int(&r, kernel_count)]);
         }
     }
 }
 
 /* Cells of these by the call about one box. */
-static void check_cells(const tribox_mesh *long_one, const tribox_grid_f64 *grid, uint32_t first, uint32_t count,
+static void check_cells(const tribox_mesh *long_one, const tribox_grid *grid, uint32_t first, uint32_t count,
                         const tribox_options *options, const uint64_t *row)
 {
     for (uint32_t i = 0; i < count; i++) {
-        const tribox_box box = tribox_grid_cell_f64(grid, first + i, 0, 0);
+        const tribox_box box = tribox_grid_cell(grid, first + i, 0, 0);
         uint64_t mask;
         assert_int_equal(tribox_mesh_overlap(long_one, &box, options, &mask, NULL), TRIBOX_OK);
         assert_int_equal(mask, row[i / 64] >> i % 64 & 1);
@@ -145,9 +145,10 @@ static void test_long_rows(void **state)
     (void)state;
     static const double triangles_of[2][3][3] = {{{-7.5, 0.5, 0.5}, {9.25, 0.75, -0.5}, {3, -0.5, 0.75}},
                                                  {{-0x1p31, -0x1p29, 0.25}, {0x1p31, 0x1p29, 0.5}, {0x1p31, 0x1p29, -7}}};
-    const uint32_t size = UINT32_MAX - 50, zero[3] = {0, 0, 0}, whole[3] = {size, 1, 1};
-    const uint32_t first[3] = {0x7fffffc0, 0, 0}, end[3] = {UINT32_MAX - 140, 0, 0}, part[3] = {140, 1, 1};
-    const tribox_grid_f64 grid = {{-0x1p31, 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
+    const uint32_t size = UINT32_MAX - 50, first = 0x7fffffc0, end = UINT32_MAX - 140, part = 140;
+    const tribox_window whole = {{0, 0, 0}, {size, 1, 1}}, middle = {{first, 0, 0}, {part, 1, 1}},
+                        last = {{end, 0, 0}, {part, 1, 1}};
+    const tribox_grid grid = {{-0x1p31, 0, 0}, {1, 1, 1}, {UINT32_MAX, 1, 1}};
     const tribox_options plane = {.axes = TRIBOX_AXES_PLANE};
     uint64_t *const row = calloc(size / 64 + 1, sizeof *row);
     if (!row)
@@ -156,15 +157,15 @@ static void test_long_rows(void **state)
         const tribox_mesh long_one = {.positions = triangles_of[t], .vertices = 3, .count = 1, .position_bytes = 8};
         uint64_t window[3] = {0}, far[3] = {0};
         tribox_report report, report_of_window;
-        assert_int_equal(tribox_voxelize_f64(&long_one, &grid, zero, whole, NULL, row, &report), TRIBOX_OK);
-        assert_int_equal(tribox_voxelize_f64(&long_one, &grid, first, part, NULL, window, &report_of_window), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &whole, NULL, row, &report), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &middle, NULL, window, &report_of_window), TRIBOX_OK);
         assert_in_range(report.overlapping, 4, 20);
         assert_int_equal(report_of_window.overlapping, report.overlapping);
-        assert_memory_equal(row + first[0] / 64, window, sizeof window);
-        check_cells(&long_one, &grid, first[0], part[0], NULL, window);
-        assert_int_equal(tribox_voxelize_f64(&long_one, &grid, end, part, &plane, far, NULL), TRIBOX_OK);
-        check_cells(&long_one, &grid, end[0], part[0], &plane, far);
-        memset(row + first[0] / 64, 0, sizeof window);
+        assert_memory_equal(row + first / 64, window, sizeof window);
+        check_cells(&long_one, &grid, first, part, NULL, window);
+        assert_int_equal(tribox_mesh_voxelize(&long_one, &grid, &last, &plane, far, NULL), TRIBOX_OK);
+        check_cells(&long_one, &grid, end, part, &plane, far);
+        memset(row + first / 64, 0, sizeof window);
     }
     free(row);
 }
@@ -183,7 +184,7 @@ static void test_bunny(void **state)
     const tribox_box bounds = mesh_bounds(&m);
     double longest = 0, (*u)[3][3] = calloc(m.count, sizeof *u);
     assert_non_null(u);
-    tribox_grid_f64 grid = {.cell = {0.5, 0.5, 0.5}};
+    tribox_grid grid = {.cell = {0.5, 0.5, 0.5}};
     for (int a = 0; a < 3; a++)
         longest = fmax(longest, (double)bounds.hi[a] - (double)bounds.lo[a]);
     for (int a = 0; a < 3; a++) {
@@ -201,7 +202,7 @@ static void test_bunny(void **state)
     const size_t words = (size_t)((grid.size[0] + 63) / 64) * grid.size[1] * grid.size[2];
     uint64_t *const cells = occupancy_make(words);
     tribox_report report;
-    assert_int_equal(tribox_voxelize_f64(&moved, &grid, NULL, NULL, NULL, cells, &report), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_voxelize(&moved, &grid, NULL, NULL, cells, &report), TRIBOX_OK);
     printf("%u x %u x %u cells, %zu set\n", (unsigned)grid.size[0], (unsigned)grid.size[1], (unsigned)grid.size[2],
            report.overlapping);
     assert_int_equal(report.overlapping, 5379);

@@ -54,20 +54,20 @@ static void *voxelize(void *options)
 {
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
     memset(occupied, 0, sizeof occupied);
-    assert_int_equal(tribox_voxelize(&soup, &grid, options, occupied, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_voxelize(&soup, &grid, NULL, options, occupied, NULL), TRIBOX_OK);
     return NULL;
 }
 
 /* The same triangles, in cells of their size, and in cells so small that blocks of them are asked. */
-static void *voxelize_f64(void *options)
+static void *voxelize_mesh(void *options)
 {
     const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
-    static const uint32_t size[3] = {CELLS, CELLS, CELLS};
+    static const tribox_window corner = {.size = {CELLS, CELLS, CELLS}};
     for (int is_fine = 0; is_fine < 2; is_fine++) {
         const double cell = is_fine ? 0x1p-1074 : 1;
-        const tribox_grid_f64 grid = {{0, 0, 0}, {cell, cell, cell}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
+        const tribox_grid grid = {{0, 0, 0}, {cell, cell, cell}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
         memset(occupied, 0, sizeof occupied);
-        assert_int_equal(tribox_voxelize_f64(&mesh, &grid, (uint32_t[]){0, 0, 0}, size, options, occupied, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, &corner, options, occupied, NULL), TRIBOX_OK);
     }
     return NULL;
 }
@@ -81,28 +81,30 @@ static unsigned char scratch[256 * 1024];
 static int take_none(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
     (void)data, (void)at, (void)bits;
-    return 1;
+    return 0;
 }
 
 static void *make_bricks(void *options)
 {
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
     assert_true(tribox_bricks_bytes(TILE) <= sizeof scratch);
-    assert_int_equal(tribox_tiles_count(&soup, &grid, TILE, 0, TILES, options, starts), TRIBOX_OK);
-    assert_int_equal(tribox_tiles_fill(&soup, &grid, TILE, 0, TILES, options, starts, list), TRIBOX_OK);
-    assert_int_equal(tribox_voxelize_bricks(&soup, &grid, TILE, 0, TILES, starts, list, options, scratch, take_none, NULL, NULL),
+    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, list), TRIBOX_OK);
+    assert_int_equal(tribox_bricks(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, starts, list, options, scratch,
+                                   &(tribox_sink){take_none, NULL}, NULL),
                      TRIBOX_OK);
     return NULL;
 }
 
-static void *make_bricks_f64(void *options)
+static void *make_mesh_bricks(void *options)
 {
     const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
-    const tribox_grid_f64 grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    assert_int_equal(tribox_tiles_count_f64(&mesh, &grid, TILE, 0, TILES, options, starts), TRIBOX_OK);
-    assert_int_equal(tribox_tiles_fill_f64(&mesh, &grid, TILE, 0, TILES, options, starts, list), TRIBOX_OK);
-    assert_int_equal(
-        tribox_voxelize_bricks_f64(&mesh, &grid, TILE, 0, TILES, starts, list, options, scratch, take_none, NULL, NULL), TRIBOX_OK);
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, list), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_bricks(&mesh, &grid, &(tribox_tiles){TILE, 0, TILES}, starts, list, options, scratch,
+                                        &(tribox_sink){take_none, NULL}, NULL),
+                     TRIBOX_OK);
     return NULL;
 }
 
@@ -127,9 +129,9 @@ static void test_stack(void **state)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[k]};
             check_stack(voxelize, "tribox_voxelize", &options);
-            check_stack(voxelize_f64, "tribox_voxelize_f64", &options);
-            check_stack(make_bricks, "tribox_voxelize_bricks", &options);
-            check_stack(make_bricks_f64, "tribox_voxelize_bricks_f64", &options);
+            check_stack(voxelize_mesh, "tribox_mesh_voxelize", &options);
+            check_stack(make_bricks, "tribox_bricks", &options);
+            check_stack(make_mesh_bricks, "tribox_mesh_bricks", &options);
         }
 }
 

@@ -34,27 +34,27 @@ typedef struct tall_grid {
 /* Their layers are small. */
 static const tall_grid grids[] = {
     {"told by floats", {{0, 0, 0}, {1, 1, 1}, {192, 1024, 1 << 20}}, 40},
-    {"cells of many lengths", {{-70, -300, -0x1p17f}, {0.75f, 0.5f, 0.25f}, {192, 1024, 1 << 20}}, 40},
+    {"cells of many lengths", {{-70, -300, -0x1p17}, {0.75, 0.5, 0.25}, {192, 1024, 1 << 20}}, 40},
     {"more layers than floats tell", {{0, 0, 0}, {1, 1, 1}, {64, 4096, 1 << 21}}, 20},
     {"most layers", {{0, -32, 0}, {1, 1, 1}, {130, 256, 1 << 22}}, 9},
-    {"planes off a little", {{0, 0, -43230}, {1.1f, 0.9f, 0.66f}, {256, 5000, 131000}}, 20},
-    {"planes off by much", {{0, 0, 0}, {0.7f, 1.3f, 0.7f}, {70, 600, 1 << 21}}, 20},
-    {"long rows", {{0, 0, -0x1p19f}, {1, 1, 1}, {65000, 3, 1 << 20}}, 70},
+    {"planes off a little", {{0, 0, -43230}, {1.1, 0.9, 0.66}, {256, 5000, 131000}}, 20},
+    {"planes off by much", {{0, 0, 0}, {0.7, 1.3, 0.7}, {70, 600, 1 << 21}}, 20},
+    {"long rows", {{0, 0, -0x1p19}, {1, 1, 1}, {65000, 3, 1 << 20}}, 70},
 };
 enum { GRIDS = sizeof grids / sizeof grids[0] };
 
 /* Windows alone: a layer has too many words. */
 static const tall_grid wide_grids[] = {
     {"wide", {{0, 0, 0}, {1, 1, 1}, {1 << 22, 4096, 8192}}, 20},
-    {"long", {{0, 0, 0}, {1, 0.5f, 1}, {4096, 1 << 22, 4096}}, 20},
-    {"wide and told by floats", {{-0x1p19f, 0, 0}, {1, 1, 1}, {1 << 20, 1 << 20, 1 << 20}}, 40},
-    {"all long", {{-0x1p22f, 0, -3}, {1, 0.7f, 2}, {1 << 23, 1 << 22, 1 << 22}}, 12},
+    {"long", {{0, 0, 0}, {1, 0.5, 1}, {4096, 1 << 22, 4096}}, 20},
+    {"wide and told by floats", {{-0x1p19, 0, 0}, {1, 1, 1}, {1 << 20, 1 << 20, 1 << 20}}, 40},
+    {"all long", {{-0x1p22, 0, -3}, {1, 0.7, 2}, {1 << 23, 1 << 22, 1 << 22}}, 12},
 };
 enum { WIDE_GRIDS = sizeof wide_grids / sizeof wide_grids[0] };
 
 static const struct {
     const char *name;
-    tribox_grid_f64 grid;
+    tribox_grid grid;
 } grids_f64[] = {
     {"tall", {{0, 0, -1e6}, {1, 0.1, 1}, {64, 70, UINT32_MAX}}},
     {"tall layers of many words", {{0, 0, 0}, {1, 1, 0.125}, {130, 30, (uint32_t)1 << 31}}},
@@ -64,18 +64,12 @@ static const struct {
 };
 enum { GRIDS_F64 = sizeof grids_f64 / sizeof grids_f64[0] };
 
-typedef struct window {
-    uint32_t first[3], size[3];
-} window;
-
 /* What is asked: of floats, or of doubles. */
 typedef struct tall_case {
     const char *name;
     bool is_double;
     tribox_grid grid;
-    tribox_grid_f64 grid_f64;
-    const uint32_t *grid_size;
-    window w;
+    tribox_window w;
     triangle_list triangles;
     double corners[TRIANGLES][3][3]; /* the same triangles in doubles */
     tribox_options options;
@@ -84,11 +78,11 @@ typedef struct tall_case {
 static tall_case drawn;
 static uint64_t expected[WORDS_MAX], layer_words[WORDS_MAX];
 
-static size_t row_words(const window *w) { return (w->size[0] + 63) / 64; }
-static size_t words_of(const window *w) { return row_words(w) * w->size[1] * w->size[2]; }
+static size_t row_words(const tribox_window *w) { return (w->size[0] + 63) / 64; }
+static size_t words_of(const tribox_window *w) { return row_words(w) * w->size[1] * w->size[2]; }
 
 /* Cells are counted from the first of the window. */
-static uint64_t *word_of(const window *w, uint64_t *words, const uint32_t at[3])
+static uint64_t *word_of(const tribox_window *w, uint64_t *words, const uint32_t at[3])
 {
     return &words[((size_t)at[2] * w->size[1] + at[1]) * row_words(w) + at[0] / 64];
 }
@@ -107,7 +101,6 @@ static tribox_mesh mesh_of(const tall_case *c)
 
 /* The planes of the window, from the boxes of its cells. */
 static double planes[3][CELLS_MAX + 1];
-static float float_planes[3][CELLS_MAX + 1];
 
 static void read_planes(const tall_case *c)
 {
@@ -117,9 +110,7 @@ static void read_planes(const tall_case *c)
             uint32_t at[3] = {c->w.first[0], c->w.first[1], c->w.first[2]};
             at[a] += n - is_last;
             const tribox_box box = tribox_grid_cell(&c->grid, at[0], at[1], at[2]);
-            const tribox_box box_f64 = tribox_grid_cell_f64(&c->grid_f64, at[0], at[1], at[2]);
-            float_planes[a][n] = is_last ? (float)box.hi[a] : (float)box.lo[a];
-            planes[a][n] = !c->is_double ? (double)float_planes[a][n] : is_last ? box_f64.hi[a] : box_f64.lo[a];
+            planes[a][n] = is_last ? box.hi[a] : box.lo[a];
         }
 }
 
@@ -146,28 +137,7 @@ static part touched(const tall_case *c, size_t t)
     return p;
 }
 
-/* One row of cells of a triangle in float. */
 static void expect_row(const tall_case *c, size_t t, const part *p, const uint32_t at[3])
-{
-    static float bounds[4][CELLS_MAX];
-    static uint64_t mask[CELLS_MAX / 64 + 1];
-    const tribox_options options = {.axes = c->options.axes};
-    const size_t count = p->end[0] - p->first[0];
-    float u[3][3];
-    for (size_t n = 0; n < count; n++)
-        for (int b = 0; b < 4; b++)
-            bounds[b][n] = float_planes[1 + b % 2][at[1 + b % 2] + (uint32_t)b / 2];
-    const tribox_boxes boxes = {.lo = {float_planes[0] + p->first[0], bounds[0], bounds[1]},
-                                .hi = {float_planes[0] + p->first[0] + 1, bounds[2], bounds[3]},
-                                .count = count};
-    triangle_list_get(&c->triangles, t, u);
-    assert_int_equal(tribox_overlap_boxes((const float *)u, &boxes, &options, mask, NULL), TRIBOX_OK);
-    for (uint32_t n = 0; n < count; n++)
-        *word_of(&c->w, expected, (uint32_t[]){p->first[0] + n, at[1], at[2]}) |= (uint64_t)bit_of(mask, n)
-                                                                                  << (p->first[0] + n) % 64;
-}
-
-static void expect_row_f64(const tall_case *c, size_t t, const part *p, const uint32_t at[3])
 {
     const tribox_mesh mesh = {.positions = c->corners[t], .vertices = 3, .count = 1, .position_bytes = 8};
     const tribox_options options = {.axes = c->options.axes};
@@ -192,7 +162,7 @@ static size_t expect(const tall_case *c)
             continue;
         for (at[2] = p.first[2]; at[2] < p.end[2]; at[2]++)
             for (at[1] = p.first[1]; at[1] < p.end[1]; at[1]++)
-                (c->is_double ? expect_row_f64 : expect_row)(c, t, &p, at);
+                expect_row(c, t, &p, at);
     }
     return occupancy_count(expected, words_of(&c->w));
 }
@@ -210,21 +180,19 @@ static void check(const tall_case *c, const uint64_t *words)
     }
 }
 
-static tribox_status voxelize(const tall_case *c, const window *w, uint64_t *words, tribox_report *report)
+static tribox_status voxelize(const tall_case *c, const tribox_window *w, uint64_t *words, tribox_report *report)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
     const tribox_mesh mesh = mesh_of(c);
-    const bool has_layers = !c->is_double && w->size[0] == c->grid_size[0] && w->size[1] == c->grid_size[1];
     memset(words, 0, words_of(w) * sizeof *words);
-    return c->is_double ? tribox_voxelize_f64(&mesh, &c->grid_f64, w->first, w->size, &c->options, words, report)
-           : has_layers ? tribox_voxelize_layers(&soup, &c->grid, w->first[2], w->size[2], &c->options, words, report)
-                        : tribox_voxelize_window(&soup, &c->grid, w->first, w->size, &c->options, words, report);
+    return c->is_double ? tribox_mesh_voxelize(&mesh, &c->grid, w, &c->options, words, report)
+                        : tribox_voxelize(&soup, &c->grid, w, &c->options, words, report);
 }
 
 /* Layers have the bits of the grid at every accuracy: so each alone has those of all. */
 static void check_layers(const tall_case *c, const uint64_t *words)
 {
-    window w = c->w;
+    tribox_window w = c->w;
     const size_t layer = row_words(&w) * w.size[1];
     w.size[2] = 1;
     for (uint32_t k = 0; k < c->w.size[2]; k++, w.first[2]++) {
@@ -269,7 +237,7 @@ static size_t ask_all(tall_case *c, bool has_layers)
 
 static double place(const tall_case *c, int a, double p)
 {
-    return c->is_double ? window_f64_plane(&c->grid_f64, a, p) : (double)grid_planes_place(&c->grid, a, p);
+    return c->is_double ? window_f64_plane(&c->grid, a, p) : (double)grid_planes_place(&c->grid, a, p);
 }
 
 /*
@@ -283,7 +251,7 @@ static void draw_triangles(random_source *r, tall_case *c, double widest)
         const double one = random_double(r, 0.2, 1.5), other = random_double(r, 0.1, 1.5);
         const bool is_on_planes = random_int(r, 6) == 0;
         for (int a = 0; a < 3; a++) {
-            const double all = 0.5 * c->grid_size[a], far = a == 2 || all < widest ? all : widest;
+            const double all = 0.5 * c->grid.size[a], far = a == 2 || all < widest ? all : widest;
             const double lengths[] = {0.1, 3, 28, far}, most = lengths[random_int(r, 4)];
             const double within = is_on_planes ? 0 : random_double(r, 0.4, 0.6);
             const double in = c->w.first[a] + (double)random_below(r, c->w.size[a]) + within;
@@ -306,7 +274,7 @@ static void put_by_hand(tall_case *c)
     for (size_t t = 0; t < TRIANGLES; t++) {
         float u[3][3];
         for (int a = 0; a < 3; a++) {
-            const uint32_t size = c->grid_size[a], beside = (uint32_t)(2 * t) % size;
+            const uint32_t size = c->grid.size[a], beside = (uint32_t)(2 * t) % size;
             const double from = a == 2 ? 0 : beside, most = a == 2 ? size - 1 : size < 80 ? size / 2 : 40;
             const double wide[3] = {0.5, most + 0.5, 0.4 * most + 0.5}, narrow[3] = {0.3, 0.7, 0.5};
             const double cell = a == 2 ? c->w.first[a] : beside;
@@ -329,16 +297,14 @@ static void open_float(tall_case *c, const tall_grid *from)
 {
     c->name = from->name;
     c->is_double = false;
-    c->grid_f64 = grids_f64[0].grid; /* any */
     c->grid = from->grid;
-    c->grid_size = c->grid.size;
 }
 
 /* `length` cells of an axis at either end, anywhere, or the first that lie 2^31 words behind the first layer, or next to them. */
-static void put_span(random_source *r, const tall_case *c, int a, uint32_t length, window *w)
+static void put_span(random_source *r, const tall_case *c, int a, uint32_t length, tribox_window *w)
 {
-    const uint32_t size = c->grid_size[a];
-    const uint64_t layer = ((uint64_t)c->grid_size[0] + 63) / 64 * c->grid_size[1], far = (uint64_t)random_int_between(r, 1, 2)
+    const uint32_t size = c->grid.size[a];
+    const uint64_t layer = ((uint64_t)c->grid.size[0] + 63) / 64 * c->grid.size[1], far = (uint64_t)random_int_between(r, 1, 2)
                                                                                           << 31;
     w->size[a] = length < size ? length : size;
     const uint32_t last = size - w->size[a], anywhere = (uint32_t)random_below(r, (size_t)last + 1);
@@ -359,7 +325,7 @@ static void test_layers(void **state)
         for (size_t round = 0; round < rounds; round++) {
             open_float(&drawn, &grids[n]);
             memset(drawn.w.first, 0, sizeof drawn.w.first);
-            memcpy(drawn.w.size, drawn.grid_size, sizeof drawn.w.size);
+            memcpy(drawn.w.size, drawn.grid.size, sizeof drawn.w.size);
             put_span(&r, &drawn, 2, (uint32_t)random_int_between(&r, 1, 3), &drawn.w);
             if (words_of(&drawn.w) > WORDS_MAX)
                 drawn.w.size[2] = 1;
@@ -379,11 +345,11 @@ static void test_by_hand(void **state)
     for (size_t n = 0; n < GRIDS; n++)
         for (uint32_t step = 0; step < 4; step++) {
             open_float(&drawn, &grids[n]);
-            const uint32_t layer = (drawn.grid_size[0] + 63) / 64 * drawn.grid_size[1];
+            const uint32_t layer = (drawn.grid.size[0] + 63) / 64 * drawn.grid.size[1];
             memset(drawn.w.first, 0, sizeof drawn.w.first);
-            memcpy(drawn.w.size, drawn.grid_size, sizeof drawn.w.size);
+            memcpy(drawn.w.size, drawn.grid.size, sizeof drawn.w.size);
             drawn.w.size[2] = 1;
-            drawn.w.first[2] = step == 3 ? drawn.grid_size[2] - 1 : (UINT32_C(1) << 31) / layer - 1 + step;
+            drawn.w.first[2] = step == 3 ? drawn.grid.size[2] - 1 : (UINT32_C(1) << 31) / layer - 1 + step;
             put_by_hand(&drawn);
             drawn.options = (tribox_options){0};
             assert_true(ask_all(&drawn, true) > TRIANGLES);
@@ -415,9 +381,7 @@ static void open_double(tall_case *c, size_t n)
 {
     c->name = grids_f64[n].name;
     c->is_double = true;
-    c->grid = grids[0].grid; /* any */
-    c->grid_f64 = grids_f64[n].grid;
-    c->grid_size = c->grid_f64.size;
+    c->grid = grids_f64[n].grid;
 }
 
 /* Whole layers too, where they are small. */
@@ -431,9 +395,9 @@ static void test_doubles(void **state)
         size_t set = 0;
         for (size_t round = 0; round < rounds; round++) {
             open_double(&drawn, n);
-            const bool has_layers = drawn.grid_size[0] < 200 && drawn.grid_size[1] < 400 && random_int(&r, 3) == 0;
+            const bool has_layers = drawn.grid.size[0] < 200 && drawn.grid.size[1] < 400 && random_int(&r, 3) == 0;
             for (int a = 0; a < 3; a++)
-                put_span(&r, &drawn, a, a < 2 && has_layers ? drawn.grid_size[a] : (uint32_t)random_int_between(&r, 1, a ? 5 : 70),
+                put_span(&r, &drawn, a, a < 2 && has_layers ? drawn.grid.size[a] : (uint32_t)random_int_between(&r, 1, a ? 5 : 70),
                          &drawn.w);
             draw_triangles(&r, &drawn, INFINITY);
             draw_axes(&r, &drawn);
@@ -448,9 +412,9 @@ static size_t tile_of(tall_case *c)
 {
     size_t tile = 0;
     for (int a = 2; a >= 0; a--) {
-        const uint32_t along = c->grid_size[a] / TILE + (c->grid_size[a] % TILE != 0), at = c->w.first[a] / TILE;
+        const uint32_t along = c->grid.size[a] / TILE + (c->grid.size[a] % TILE != 0), at = c->w.first[a] / TILE;
         c->w.first[a] = at * TILE;
-        c->w.size[a] = c->grid_size[a] - at * TILE < TILE ? c->grid_size[a] - at * TILE : TILE;
+        c->w.size[a] = c->grid.size[a] - at * TILE < TILE ? c->grid.size[a] - at * TILE : TILE;
         tile = tile * along + at;
     }
     return tile;
@@ -466,7 +430,7 @@ static int take(void *words, const uint32_t at[3], const uint64_t bits[8])
         if (bits[n / 64] >> n % 64 & 1)
             *word_of(&drawn.w, words, cell) |= UINT64_C(1) << cell[0] % 64;
     }
-    return 1;
+    return 0;
 }
 
 /* The list of a tile, and its cells from bricks. */
@@ -474,6 +438,8 @@ static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
     const tribox_mesh mesh = mesh_of(c);
+    const tribox_tiles one = {TILE, tile, 1};
+    const tribox_sink sink = {take, words};
     size_t starts[2];
     uint32_t list[TRIANGLES];
     const size_t bytes = tribox_bricks_bytes(TILE);
@@ -481,20 +447,13 @@ static void ask_bricks(const tall_case *c, size_t tile, uint64_t *words)
     void *const scratch = guarded_tail(g, bytes);
     tribox_report report;
     memset(words, 0, words_of(&c->w) * sizeof *words);
-    if (c->is_double) {
-        const tribox_grid_f64 *const grid = &c->grid_f64;
-        assert_int_equal(tribox_tiles_count_f64(&mesh, grid, TILE, tile, tile + 1, &c->options, starts), TRIBOX_OK);
-        assert_int_equal(tribox_tiles_fill_f64(&mesh, grid, TILE, tile, tile + 1, &c->options, starts, list), TRIBOX_OK);
-        assert_int_equal(
-            tribox_voxelize_bricks_f64(&mesh, grid, TILE, tile, tile + 1, starts, list, &c->options, scratch, take, words, &report),
-            TRIBOX_OK);
-    } else {
-        assert_int_equal(tribox_tiles_count(&soup, &c->grid, TILE, tile, tile + 1, &c->options, starts), TRIBOX_OK);
-        assert_int_equal(tribox_tiles_fill(&soup, &c->grid, TILE, tile, tile + 1, &c->options, starts, list), TRIBOX_OK);
-        assert_int_equal(
-            tribox_voxelize_bricks(&soup, &c->grid, TILE, tile, tile + 1, starts, list, &c->options, scratch, take, words, &report),
-            TRIBOX_OK);
-    }
+    for (int pass = 0; pass < 2; pass++)
+        assert_int_equal(c->is_double ? tribox_mesh_tile_lists(&mesh, &c->grid, &one, &c->options, starts, pass ? list : NULL)
+                                      : tribox_tile_lists(&soup, &c->grid, &one, &c->options, starts, pass ? list : NULL),
+                         TRIBOX_OK);
+    assert_int_equal(c->is_double ? tribox_mesh_bricks(&mesh, &c->grid, &one, starts, list, &c->options, scratch, &sink, &report)
+                                  : tribox_bricks(&soup, &c->grid, &one, starts, list, &c->options, scratch, &sink, &report),
+                     TRIBOX_OK);
     guarded_free(g);
     assert_int_equal(report.overlapping, occupancy_count(words, words_of(&c->w)));
 }
@@ -513,7 +472,7 @@ static void test_bricks(void **state)
             open_double(&drawn, round % GRIDS_F64);
         else
             open_float(&drawn, random_int(&r, 2) ? &grids[round % GRIDS] : &wide_grids[round % WIDE_GRIDS]);
-        if (tribox_tiles(drawn.grid_size, TILE) == SIZE_MAX) /* on small machines */
+        if (tribox_tile_count(drawn.grid.size, TILE) == SIZE_MAX) /* on small machines */
             continue;
         for (int a = 0; a < 3; a++)
             put_span(&r, &drawn, a, 1, &drawn.w);

@@ -10,6 +10,7 @@
 #include "grid_kinds.h"
 #include "common/guard.h"
 #include "common/float_environment.h"
+#include "grid_scenes_f64.h"
 #include "triangle_kinds.h"
 
 enum { CELLS_MAX = 3000, TRIANGLES = 30, ROUNDS = 20, PAIRS_A_ROUND = 100000 / ROUNDS };
@@ -37,7 +38,7 @@ static void check_setting(unsigned set, const tribox_options *options, const tri
              options->kernel);
     memset(occupied, 0, at.words * sizeof *occupied);
     environment_set(set);
-    const tribox_status status = tribox_voxelize(&soup, &at.grid, options, occupied, &report);
+    const tribox_status status = tribox_voxelize(&soup, &at.grid, NULL, options, occupied, &report);
     const unsigned left = environment_get();
     environment_set(normal);
     assert_int_equal(status, TRIBOX_OK);
@@ -63,9 +64,39 @@ static void test_voxelize(void **state)
         const tribox_soup soup = triangle_list_soup(&triangles);
         tribox_report report;
         memset(expected, 0, at.words * sizeof *expected);
-        assert_int_equal(tribox_voxelize(&soup, &at.grid, &options, expected, &report), TRIBOX_OK);
+        assert_int_equal(tribox_voxelize(&soup, &at.grid, NULL, &options, expected, &report), TRIBOX_OK);
         for (unsigned k = 0; k < SETTINGS; k++)
             check_setting(setting(k), &options, &report);
+    }
+}
+
+/* A mesh of doubles. */
+static void test_doubles(void **state)
+{
+    const arguments *const args = *state;
+    static window_f64 w;
+    static uint64_t usual[WINDOW_CELLS + 1], found[WINDOW_CELLS + 1];
+    random_source r = random_named(args->seed, "doubles");
+    const unsigned normal = environment_get();
+    for (size_t round = 0; round < 4 * scene_f64_count(); round++) {
+        const scene_f64 *const scene = scene_f64_at(round % scene_f64_count());
+        w = (window_f64){.scene = scene->name, .seed = args->seed, .count = 20};
+        draw_grid_f64(&r, scene, 2000, &w.grid);
+        for (size_t t = 0; t < w.count; t++)
+            draw_triangle_f64(&r, &w.grid, w.triangle[t]);
+        window_f64_open(&w);
+        window_f64_ask(&w, 0, w.count, usual);
+        const tribox_mesh mesh = {.positions = w.triangle, .vertices = 3 * w.count, .count = w.count, .position_bytes = 8};
+        for (unsigned k = 0; k < SETTINGS; k++) {
+            memset(found, 0, sizeof found);
+            environment_set(setting(k));
+            const tribox_status status = tribox_mesh_voxelize(&mesh, &w.grid, NULL, NULL, found, NULL);
+            const unsigned left = environment_get();
+            environment_set(normal);
+            assert_int_equal(status, TRIBOX_OK);
+            assert_int_equal(left, setting(k));
+            assert_memory_equal(found, usual, window_f64_words(&w) * sizeof *found);
+        }
     }
 }
 
@@ -99,7 +130,8 @@ static void test_refusals(void **state)
 {
     (void)state;
     catch_faults();
-    static const uint32_t length[] = {0x00000001, 0x80000001, 0x7f800001, 0x7fc00000, 0x7f800000, 0};
+    static const uint64_t length[] = {
+        1, UINT64_C(1) << 63 | 1, UINT64_C(0x7ff) << 52 | 1, UINT64_C(0x7ff8) << 48, UINT64_C(0x7ff) << 52, 0};
     const unsigned normal = environment_get();
     for (size_t b = 0; b < sizeof length / sizeof length[0]; b++)
         for (unsigned k = 0; k < SETTINGS; k++) {
@@ -107,9 +139,9 @@ static void test_refusals(void **state)
             uint64_t words[4] = {0};
             const tribox_soup none = {.count = 0};
             memcpy(&grid.cell[b % 3], &length[b], sizeof length[b]);
-            snprintf(doing, sizeof doing, "a grid of cell %#x under setting %#x", (unsigned)length[b], setting(k));
+            snprintf(doing, sizeof doing, "a grid of cell %#llx under setting %#x", (unsigned long long)length[b], setting(k));
             environment_set(setting(k));
-            const tribox_status status = tribox_voxelize(&none, &grid, NULL, words, NULL);
+            const tribox_status status = tribox_voxelize(&none, &grid, NULL, NULL, words, NULL);
             const unsigned left = environment_get();
             environment_set(normal);
             assert_int_equal(left, setting(k));
@@ -122,6 +154,7 @@ int main(int argc, char **argv)
     arguments args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(test_voxelize, &args),
+        cmocka_unit_test_prestate(test_doubles, &args),
         cmocka_unit_test_prestate(test_cells, &args),
         cmocka_unit_test_prestate(test_refusals, &args),
     };

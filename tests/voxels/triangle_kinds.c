@@ -275,10 +275,10 @@ static void draw_touching(random_source *r, const grid_planes *l, float u[3][3])
     for (int a = 0; a < 3; a++)
         at[a] = random_int(r, size_of(l, a));
     const tribox_box cell = grid_planes_cell(l, at[0], at[1], at[2]);
-    const float *const length = l->grid.cell;
+    const double *const length = l->grid.cell;
     const bool is_cubic = length[0] == length[1] && length[0] == length[2];
-    const contact_style style = {.step = is_cubic && random_int(r, 2) ? (double)length[0] / 4 : 0,
-                                 .size = (double)length[random_int(r, 3)] * power(r, -3, 5)};
+    const contact_style style = {.step = is_cubic && random_int(r, 2) ? length[0] / 4 : 0,
+                                 .size = length[random_int(r, 3)] * power(r, -3, 5)};
     draw_contact(r, &cell, style, any_contact_part(r), u);
 }
 
@@ -286,7 +286,7 @@ static void draw_touching(random_source *r, const grid_planes *l, float u[3][3])
 static void draw_beside(random_source *r, const grid_planes *l, float u[3][3])
 {
     const int axis = random_int(r, 3), side = random_int(r, 2);
-    const float limit = l->plane[axis][side ? size_of(l, axis) : 0];
+    const float limit = grid_planes_place(&l->grid, axis, side ? size_of(l, axis) : 0);
     draw_about(r, l, power(r, 0, 6), u);
     const int touching = random_int(r, 8);
     for (int j = 0; j < 3; j++) {
@@ -319,7 +319,7 @@ static void draw_extremes(random_source *r, const grid_planes *l, float u[3][3])
         for (int a = 0; a < 3; a++) {
             const float choice[] = {FLT_MAX, -FLT_MAX, 0x1p-149f, -0x1p-149f, 0, FLT_MIN};
             const int n = random_int(r, 12);
-            u[j][a] = n < 6 ? choice[n] : l->plane[a][random_int(r, size_of(l, a) + 1)];
+            u[j][a] = n < 6 ? choice[n] : grid_planes_place(&l->grid, a, random_int(r, size_of(l, a) + 1));
         }
 }
 

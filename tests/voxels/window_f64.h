@@ -16,8 +16,8 @@ typedef double triangle_f64[3][3]; /* [j][a]: axis a of vertex j */
 typedef struct window_f64 {
     const char *scene;
     uint64_t seed;
-    tribox_grid_f64 grid;
-    uint32_t first[3], size[3];
+    tribox_grid grid;
+    tribox_window at;
     triangle_f64 triangle[WINDOW_TRIANGLES];
     size_t count;
     tribox_options options;
@@ -32,7 +32,7 @@ void window_f64_draw(window_f64 *w, random_source *r);
 size_t window_f64_words(const window_f64 *w);
 
 /* Plane p of axis a, as C's fma says. */
-double window_f64_plane(const tribox_grid_f64 *grid, int a, double p);
+double window_f64_plane(const tribox_grid *grid, int a, double p);
 
 /*
  * The cells that triangles first .. first + count - 1 overlap by these axes, by the oracle. Returns how many pairs it was asked

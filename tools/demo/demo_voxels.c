@@ -26,13 +26,14 @@ typedef struct result {
 
 static tribox_status voxelize(const result *r, const tribox_options *options, unsigned threads, uint64_t *bits)
 {
-    return voxelize_in_threads(r->soup, &r->grid, 0, r->grid.size[2], options, threads, bits, NULL, NULL, NULL);
+    const voxel_task task = voxel_task_of_soup(r->soup, &r->grid, options);
+    return voxelize_in_threads(&task, 0, r->grid.size[2], threads, bits, NULL, NULL, NULL);
 }
 
 static void clear(const contestant *self, uint64_t *bits)
 {
     const result *const r = self->question;
-    memset(bits, 0, tribox_grid_words(&r->grid) * sizeof *bits);
+    memset(bits, 0, tribox_window_words(r->grid.size) * sizeof *bits);
 }
 
 static bool run(const contestant *self, uint64_t *bits, tribox_report *report)
@@ -45,7 +46,7 @@ static bool run(const contestant *self, uint64_t *bits, tribox_report *report)
 static bool find_truth(const void *question, unsigned axes, uint64_t *bits)
 {
     const result *const r = question;
-    memset(bits, 0, tribox_grid_words(&r->grid) * sizeof *bits);
+    memset(bits, 0, tribox_window_words(r->grid.size) * sizeof *bits);
     return !voxelize(r, &(tribox_options){.axes = axes, .kernel = "scalar"}, 1, bits);
 }
 
@@ -57,7 +58,7 @@ static int time_voxels(result *r, uint64_t *bits)
     generator order = {0};
     const contestant all = {
         .name = "voxels", .run = run, .prepare = clear, .question = r, .promise = PROMISE_EXACT, .pairs = 1, .has_threads = true};
-    const truth from = {find_truth, r, tribox_grid_words(&r->grid)};
+    const truth from = {find_truth, r, tribox_window_words(r->grid.size)};
     if (!verify(&all, 1, &from, &answer, wrong))
         return message_failure("%s; nothing is timed", wrong);
     measure(&all, 1, (effort){.rounds = ROUNDS, .seconds = 1e9}, &order, bits, &taken);
@@ -69,7 +70,7 @@ static int time_voxels(result *r, uint64_t *bits)
 static int draw(const uint64_t *bits, const result *r, file_out *picture)
 {
     const voxels_slab slab = {0, r->grid.size[2], bits};
-    const voxels v = {.grid = voxels_widen(&r->grid), .is_float = true, .slab = &slab, .slabs = 1};
+    const voxels v = {.grid = r->grid, .slab = &slab, .slabs = 1};
     return preview_draw(picture, &v, &PREVIEW_LOOK_DEFAULT, r->threads, true);
 }
 
@@ -100,13 +101,10 @@ int demo_voxels(const tribox_soup *soup, file_out *picture, json *to)
 {
     const mesh m = {.soup = *soup, .triangles = soup->count};
     result r = {.soup = soup, .threads = processors_here()};
-    tribox_grid_f64 grid;
-    bool is_float;
-    int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", &m, &grid, &is_float);
+    int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", &m, &r.grid);
     if (code)
         return code;
-    r.grid = voxels_narrow(&grid);
-    uint64_t *bits = malloc(tribox_grid_words(&r.grid) * sizeof *bits);
+    uint64_t *bits = malloc(tribox_window_words(r.grid.size) * sizeof *bits);
     if (!bits)
         return message_failure("out of memory for the voxels of the mesh");
     code = time_voxels(&r, bits);

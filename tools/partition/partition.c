@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "console/message.h"
-#include "console/numbers.h"
 #include "files/named_file.h"
 #include "write/checksum.h"
 
@@ -25,7 +24,7 @@ bool partition_is_folder(const char *path)
 
 voxels partition_voxels(const partition_header *header)
 {
-    voxels v = {.is_float = header->plane_bytes == sizeof(float)};
+    voxels v = {.slabs = 0};
     memcpy(v.grid.origin, header->origin, sizeof v.grid.origin);
     memcpy(v.grid.cell, header->cell, sizeof v.grid.cell);
     memcpy(v.grid.size, header->size, sizeof v.grid.size);
@@ -81,11 +80,9 @@ static bool is_header_sound(const partition_header *header)
 {
     enum { TILE_MOST = 1024, BRICK = 8 };
     const voxels v = partition_voxels(header);
-    const bool are_floats = numbers_are_floats(header->origin, 3) && numbers_are_floats(header->cell, 3);
-    return header->tile && header->tile <= TILE_MOST && header->tile % BRICK == 0 && is_size(header->plane_bytes) &&
-           is_size(header->position_bytes) && header->record_bytes == sizeof(partition_tile) && (are_floats || !v.is_float) &&
-           (header->position_bytes == sizeof(float) || !v.is_float) && isfinite(v.shift[0] + v.shift[1] + v.shift[2]) &&
-           voxels_are_served(&v.grid, v.is_float, NULL);
+    return header->tile && header->tile <= TILE_MOST && header->tile % BRICK == 0 && !header->reserved &&
+           is_size(header->position_bytes) && header->record_bytes == sizeof(partition_tile) &&
+           isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && voxels_are_served(&v.grid, NULL);
 }
 
 static int check_header(partition *p)
@@ -113,7 +110,7 @@ static int check_header(partition *p)
 
 static int check_records(const partition *p)
 {
-    const size_t tiles = tribox_tiles(p->header.size, p->header.tile);
+    const size_t tiles = tribox_tile_count(p->header.size, p->header.tile);
     uint64_t first = 0, work = 0;
     for (size_t r = 0; r < p->header.records; r++) {
         const partition_tile *const tile = &p->tiles[r];

@@ -6,7 +6,7 @@
  *   triangles  nine numbers a triangle, x, y and z of its three vertices, floats or doubles as position_bytes says, and nothing
  *              else: the triangles of the first record, those of the second, and so on. A triangle is in the file once for each
  *              tile that it is in. The triangles of a tile are in the order of the mesh.
- * A tile has every triangle that touches the box of its cells, as tribox_tiles_count states it, and may have others that come
+ * A tile has every triangle that touches the box of its cells, as tribox_tile_lists states it, and may have others that come
  * close.
  * Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are size[0] and size[1] divided by `tile` and rounded up.
  */
@@ -27,8 +27,8 @@ typedef struct partition_header {
     double origin[3], cell[3]; /*  24, 48: of the grid */
     double shift[3];           /*  72: what was subtracted from the mesh; zeros for nothing */
     uint32_t size[3];          /*  96: cells of the grid */
-    uint32_t plane_bytes;      /* 108: 4: the grid is a tribox_grid, whose origin and cell are floats; 8: a tribox_grid_f64 */
-    uint32_t position_bytes;   /* 112: 4: the triangles are of floats, 8: of doubles, and so are the planes then */
+    uint32_t reserved;         /* 108: 0 */
+    uint32_t position_bytes;   /* 112: 4: the triangles are of floats, 8: of doubles */
     uint32_t record_bytes;     /* 116: of a partition_tile */
     uint64_t triangles;        /* 120: of the mesh */
     uint64_t mesh_checksum;    /* 128: of their coordinates, which the parts of one whole have in common */
@@ -46,7 +46,7 @@ typedef struct partition_tile {
     uint64_t checksum; /* 24: of its triangles' bytes */
 } partition_tile;
 
-#define PARTITION_MAGIC "tribox tiles 1\n"
+#define PARTITION_MAGIC "tribox tiles 2\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
 /* One that is open, its two files mapped. */

@@ -27,7 +27,7 @@ static void print_summary(const partition_answer *a)
            a->m->is_double ? "float64" : "float32");
     voxelize_print_grid(&a->cells, a->is_shifted);
     printf("tiles        %" PRIu64 " of %u cells along a side, of %zu in the grid\n", h->records, h->tile,
-           tribox_tiles(h->size, h->tile));
+           tribox_tile_count(h->size, h->tile));
     printf("sorted       %" PRIu64 " triangles, %.3f for each of the mesh\nwritten      %s\n", h->places,
            (double)h->places / (double)h->triangles, a->r->out_path);
 }
@@ -42,7 +42,7 @@ static void print_json(const partition_answer *a)
     json_whole(&j, "not_finite", a->m->not_finite);
     voxelize_json_grid(&j, &a->cells, a->is_shifted);
     json_whole(&j, "tile", a->header.tile);
-    json_whole(&j, "tiles", tribox_tiles(a->header.size, a->header.tile));
+    json_whole(&j, "tiles", tribox_tile_count(a->header.size, a->header.tile));
     json_whole(&j, "filled_tiles", a->header.records);
     json_whole(&j, "sorted", a->header.places);
     json_string(&j, "output", a->r->out_path);
@@ -55,7 +55,6 @@ static void fill_header(partition_answer *a, uint32_t tile)
     *h = (partition_header){.magic = PARTITION_MAGIC,
                             .byte_order = PARTITION_BYTE_ORDER,
                             .tile = tile,
-                            .plane_bytes = a->cells.is_float ? sizeof(float) : sizeof(double),
                             .position_bytes = a->m->is_double ? sizeof(double) : sizeof(float),
                             .record_bytes = sizeof(partition_tile),
                             .triangles = a->m->triangles,
@@ -76,32 +75,17 @@ static int write_set(partition_answer *a, tile_set *set, folder_out *out)
     return has_memory ? folder_out_keep(out) : message_failure("out of memory to sort the triangles");
 }
 
-static int sort_task(partition_answer *a, const voxel_task *task, folder_out *out)
+static int sort_mesh(partition_answer *a, folder_out *out)
 {
+    const tribox_options test = {.accuracy = TRIBOX_EXACT};
+    const voxel_task task = a->m->is_double ? voxel_task_of_mesh(&a->m->doubles, &a->cells.grid, &test)
+                                            : voxel_task_of_soup(&a->m->soup, &a->cells.grid, &test);
     tile_set set;
-    int code = tile_set_of_task(task, true, &set);
+    int code = tile_set_of_task(&task, true, &set);
     if (code)
         return code;
     code = write_set(a, &set, out);
     tile_set_free(&set);
-    return code;
-}
-
-static int sort_mesh(partition_answer *a, folder_out *out)
-{
-    const tribox_options test = {.accuracy = TRIBOX_EXACT};
-    const tribox_grid narrow = voxels_narrow(&a->cells.grid);
-    uint32_t *indices = NULL;
-    if (a->cells.is_float) {
-        const voxel_task task = voxel_task_of_soup(&a->m->soup, &narrow, &test);
-        return sort_task(a, &task, out);
-    }
-    const tribox_mesh all = a->m->is_double ? a->m->doubles : mesh_of_streams(a->m, &indices);
-    if (!all.positions)
-        return message_status(MESSAGE_NO_MEMORY);
-    const voxel_task task = voxel_task_of_mesh(&all, &a->cells.grid, &test);
-    const int code = sort_task(a, &task, out);
-    free(indices);
     return code;
 }
 
@@ -116,7 +100,7 @@ static int report(const partition_answer *a)
 static int answer(partition_answer *a)
 {
     folder_out out;
-    int code = grid_choose(&a->r->from.choice, triangle_file_name(a->r->from.mesh_path), a->m, &a->cells.grid, &a->cells.is_float);
+    int code = grid_choose(&a->r->from.choice, triangle_file_name(a->r->from.mesh_path), a->m, &a->cells.grid);
     if (!code)
         code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES);
     if (code)

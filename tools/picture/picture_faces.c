@@ -11,20 +11,20 @@ enum { SIDE_MOST = 1536, FACES_MOST = 12 << 20 };
 typedef struct scan {
     const voxels *v;
     uint32_t factor; /* how many cells along each axis become one */
-    tribox_grid_f64 grid;
+    tribox_grid grid;
     size_t row_words, layer_words;
     uint64_t *layers; /* three, and one without cells */
 } scan;
 
-static tribox_grid_f64 joined(const tribox_grid_f64 *grid, uint32_t factor)
+static tribox_grid joined(const tribox_grid *grid, uint32_t factor)
 {
-    tribox_grid_f64 g = *grid;
+    tribox_grid g = *grid;
     for (int a = 0; a < 3; a++)
         g.size[a] = (g.size[a] - 1) / factor + 1;
     return g;
 }
 
-static uint32_t least_factor(const tribox_grid_f64 *grid)
+static uint32_t least_factor(const tribox_grid *grid)
 {
     uint32_t longest = 0;
     for (int a = 0; a < 3; a++)
@@ -32,11 +32,11 @@ static uint32_t least_factor(const tribox_grid_f64 *grid)
     return (longest - 1) / SIDE_MOST + 1;
 }
 
-static uint64_t scan_words(const tribox_grid_f64 *grid) { return 4 * (uint64_t)voxels_layer_words(grid); }
+static uint64_t scan_words(const tribox_grid *grid) { return 4 * (uint64_t)voxels_layer_words(grid); }
 
-uint64_t picture_faces_memory(const tribox_grid_f64 *grid)
+uint64_t picture_faces_memory(const tribox_grid *grid)
 {
-    const tribox_grid_f64 g = joined(grid, least_factor(grid));
+    const tribox_grid g = joined(grid, least_factor(grid));
     const uint64_t faces = 6 * (uint64_t)g.size[0] * g.size[1] * g.size[2];
     return (faces < FACES_MOST ? faces : FACES_MOST) * sizeof(picture_face) + scan_words(&g) * sizeof(uint64_t);
 }
@@ -56,7 +56,7 @@ static void join_row(const uint64_t *row, uint32_t cells, uint32_t factor, uint6
 
 static void load_layer(const scan *s, uint32_t k)
 {
-    const tribox_grid_f64 *fine = &s->v->grid;
+    const tribox_grid *fine = &s->v->grid;
     const size_t row_words = voxels_row_words(fine);
     uint64_t *layer = layer_of(s, k);
     memset(layer, 0, s->layer_words * sizeof *layer);

@@ -24,6 +24,6 @@ bool picture_faces_make(const voxels *v, picture_faces *f);
 void picture_faces_free(picture_faces *f);
 
 /* The bytes that they take, at most. */
-uint64_t picture_faces_memory(const tribox_grid_f64 *grid);
+uint64_t picture_faces_memory(const tribox_grid *grid);
 
 #endif

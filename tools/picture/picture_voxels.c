@@ -231,7 +231,7 @@ static void place_all(drawing *d, const picture_look *look, uint16_t *maps)
 
 static size_t samples_of(const picture_look *look) { return (size_t)PICTURE_SAMPLES * look->size[0] * look->size[1]; }
 
-uint64_t picture_memory(const tribox_grid_f64 *grid, const picture_look *look)
+uint64_t picture_memory(const tribox_grid *grid, const picture_look *look)
 {
     return picture_faces_memory(grid) + samples_of(look) * sizeof(uint32_t) + PICTURE_MAP_POINTS * sizeof(uint16_t);
 }

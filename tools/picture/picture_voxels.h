@@ -15,7 +15,7 @@ typedef struct picture_look {
 } picture_look;
 
 /* Memory for drawing besides the cells, in bytes. */
-uint64_t picture_memory(const tribox_grid_f64 *grid, const picture_look *look);
+uint64_t picture_memory(const tribox_grid *grid, const picture_look *look);
 
 /*
  * Draws rows of red, green, blue bytes. Returns false where memory does not suffice. The picture is the same for every number of

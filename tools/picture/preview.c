@@ -60,7 +60,7 @@ int preview_read_size(const char *text, picture_look *look)
 
 static size_t pixel_bytes(const picture_look *look) { return (size_t)3 * look->size[0] * look->size[1]; }
 
-uint64_t preview_memory(const tribox_grid_f64 *grid, const picture_look *look)
+uint64_t preview_memory(const tribox_grid *grid, const picture_look *look)
 {
     return pixel_bytes(look) + picture_memory(grid, look);
 }

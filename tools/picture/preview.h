@@ -22,7 +22,7 @@ int preview_read_view(const char *text, picture_look *look);
 int preview_read_size(const char *text, picture_look *look);
 
 /* Memory for drawing besides the cells, in bytes. */
-uint64_t preview_memory(const tribox_grid_f64 *grid, const picture_look *look);
+uint64_t preview_memory(const tribox_grid *grid, const picture_look *look);
 
 /* Draws into a file and keeps it; does nothing where none is open. Returns an exit_code. */
 int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress);

@@ -43,12 +43,6 @@ int mesh_read(const char *path, mesh *m);
 /* Makes a mesh of doubles one of floats, rounded once after the origin is subtracted. Returns an exit_code. */
 int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 
-/*
- * The floats of a mesh as tribox_mesh, for the calls that take floats and doubles; *indices receives memory for free(). Where there
- * is none, the mesh has no positions.
- */
-tribox_mesh mesh_of_streams(const mesh *m, uint32_t **indices);
-
 /* Makes room for triangles as floats, for which the readers ask. No triangles at all are a failure. Returns an exit_code. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
 

@@ -23,25 +23,6 @@ void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, siz
                                .position_bytes = sizeof *positions};
 }
 
-/* Streams one after the other are a matrix: all x, all y, all z, of the first vertices, the second and the third. */
-tribox_mesh mesh_of_streams(const mesh *m, uint32_t **indices)
-{
-    const size_t room = m->capacity, count = m->soup.count;
-    *indices = 3 * (uint64_t)room <= UINT32_MAX ? malloc(3 * count * sizeof **indices) : NULL;
-    if (!*indices)
-        return (tribox_mesh){.positions = NULL};
-    for (size_t t = 0; t < count; t++)
-        for (size_t v = 0; v < 3; v++)
-            (*indices)[3 * t + v] = (uint32_t)(v * room + t);
-    return (tribox_mesh){.positions = m->coordinates,
-                         .stride = sizeof(float),
-                         .axis_stride = 3 * room * sizeof(float),
-                         .vertices = 2 * room + count,
-                         .indices = *indices,
-                         .index_bytes = sizeof **indices,
-                         .count = count};
-}
-
 /* Number i of the floats ends before number i + 1 of the doubles begins. */
 static double round_number(unsigned char *bytes, size_t i, double origin)
 {

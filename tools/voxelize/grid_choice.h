@@ -10,16 +10,11 @@
 typedef struct grid_choice {
     uint32_t resolution; /* cells along the longest side of the mesh; 0 where the cell is given */
     double cell[3], origin[3];
-    unsigned cell_decimals, origin_decimals; /* as for numbers_read */
     bool has_origin, has_size;
     uint32_t size[3];
 } grid_choice;
 
-/*
- * Makes the grid; it holds the mesh where size and origin are left open. path: that of the mesh. Returns an exit_code.
- * is_float: receives whether it is the tribox_grid that voxels_narrow gives: where mesh, cell and origin are floats, and floats
- * tell its planes apart. Otherwise it is a tribox_grid_f64.
- */
-int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid_f64 *grid, bool *is_float);
+/* Makes the grid; it holds the mesh where size and origin are left open. path: that of the mesh. Returns an exit_code. */
+int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid *grid);
 
 #endif

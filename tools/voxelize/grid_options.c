@@ -6,15 +6,13 @@
 #include "console/message.h"
 #include "console/numbers.h"
 
-static int read_cell(const char *text, double cell[3], unsigned *decimals)
+static int read_cell(const char *text, double cell[3])
 {
     const bool is_one = !strpbrk(text, NUMBERS_BLANKS ",");
-    if (!numbers_read(text, "--cell", is_one ? "S" : "SX,SY,SZ", is_one ? 1 : 3, cell, decimals))
+    if (!numbers_read(text, "--cell", is_one ? "S" : "SX,SY,SZ", is_one ? 1 : 3, cell, NULL))
         return EXIT_CODE_USAGE;
-    if (is_one) {
+    if (is_one)
         cell[1] = cell[2] = cell[0];
-        *decimals *= 7;
-    }
     for (int a = 0; a < 3; a++)
         if (!(cell[a] > 0))
             return message_usage("--cell: %.9g is not greater than 0", cell[a]);
@@ -31,11 +29,10 @@ int grid_take(grid_request *r, int which, const char *value)
     case GRID_RESOLUTION:
         return numbers_read_whole(value, "--resolution", GRID_CELLS_MAX, &r->choice.resolution);
     case GRID_CELL:
-        return read_cell(value, r->choice.cell, &r->choice.cell_decimals);
+        return read_cell(value, r->choice.cell);
     case GRID_ORIGIN:
         r->choice.has_origin = true;
-        return numbers_read(value, "--origin", "X,Y,Z", 3, r->choice.origin, &r->choice.origin_decimals) ? EXIT_CODE_OK
-                                                                                                         : EXIT_CODE_USAGE;
+        return numbers_read(value, "--origin", "X,Y,Z", 3, r->choice.origin, NULL) ? EXIT_CODE_OK : EXIT_CODE_USAGE;
     default:
         r->choice.has_size = true;
         return numbers_read_sizes(value, "--size", GRID_CELLS_MAX, r->choice.size);

@@ -72,7 +72,7 @@ static void run_slab(crew *c, int slab)
 {
     const voxel_task *const task = c->task;
     const uint32_t layers = c->border[slab + 1] - c->border[slab];
-    uint64_t *own = c->occupied + tribox_mask_words(task->size[0]) * task->size[1] * c->border[slab];
+    uint64_t *own = c->occupied + tribox_mask_words(task->grid.size[0]) * task->grid.size[1] * c->border[slab];
     for (size_t start = 0; layers && start < task->count; start += WINDOW) {
         const size_t count = task->count - start < WINDOW ? task->count - start : WINDOW;
         tribox_report report = {0, 0};
@@ -104,10 +104,21 @@ static void run_crew(crew *c, unsigned threads)
     pthread_mutex_destroy(&c->lock);
 }
 
-/* For arguments that the library takes. */
-static tribox_status run_task(const voxel_task *task, uint32_t first, uint32_t layers, unsigned threads, uint64_t *occupied,
-                              tribox_report *report, void (*progress)(void *data, double done), void *data)
+/* What the library returns for these arguments but the triangles, before any thread starts. */
+static tribox_status check_layers(const voxel_task *task, uint32_t first, uint32_t layers, uint64_t *occupied)
 {
+    const tribox_soup nothing = {.count = 0};
+    const tribox_window none = {{0, 0, first}, {task->grid.size[0], task->grid.size[1], 0}};
+    const tribox_status status = tribox_voxelize(&nothing, &task->grid, &none, task->options, occupied, NULL);
+    return status ? status : layers > task->grid.size[2] - first ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK;
+}
+
+tribox_status voxelize_in_threads(const voxel_task *task, uint32_t first, uint32_t layers, unsigned threads, uint64_t *occupied,
+                                  tribox_report *report, void (*progress)(void *data, double done), void *data)
+{
+    const tribox_status status = check_layers(task, first, layers, occupied);
+    if (status)
+        return status;
     threads = !threads ? 1 : threads < THREADS_MAX ? threads : THREADS_MAX;
     crew c = {.task = task, .occupied = occupied, .first = first, .progress = progress, .data = data};
     if (layers) {
@@ -120,40 +131,4 @@ static tribox_status run_task(const voxel_task *task, uint32_t first, uint32_t l
     if (!c.status && report)
         *report = c.report;
     return c.status;
-}
-
-/* What tribox_voxelize_layers returns for these arguments, before any thread starts. */
-static tribox_status check(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
-                           const tribox_options *options, uint64_t *occupied)
-{
-    tribox_soup one = soup ? *soup : (tribox_soup){.count = 0};
-    one.count = one.count ? 1 : 0;
-    const tribox_status status = tribox_voxelize_layers(soup ? &one : NULL, grid, first, 0, options, occupied, NULL);
-    return status ? status : layers > grid->size[2] - first ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK;
-}
-
-tribox_status voxelize_in_threads(const tribox_soup *soup, const tribox_grid *grid, uint32_t first, uint32_t layers,
-                                  const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,
-                                  void (*progress)(void *data, double done), void *data)
-{
-    const tribox_status status = check(soup, grid, first, layers, options, occupied);
-    if (status)
-        return status;
-    const voxel_task task = voxel_task_of_soup(soup, grid, options);
-    return run_task(&task, first, layers, threads, occupied, report, progress, data);
-}
-
-/* The grid is checked with nothing to put into it. */
-tribox_status voxelize_mesh_in_threads(const tribox_mesh *mesh, const tribox_grid_f64 *grid, uint32_t first, uint32_t layers,
-                                       const tribox_options *options, unsigned threads, uint64_t *occupied, tribox_report *report,
-                                       void (*progress)(void *data, double done), void *data)
-{
-    const tribox_mesh nothing = {.count = 0};
-    const tribox_status status = tribox_voxelize_f64(mesh ? &nothing : NULL, grid, NULL, NULL, options, occupied, NULL);
-    if (status)
-        return status;
-    if (first > grid->size[2] || layers > grid->size[2] - first)
-        return TRIBOX_BAD_ARGUMENT;
-    const voxel_task task = voxel_task_of_mesh(mesh, grid, options);
-    return run_task(&task, first, layers, threads, occupied, report, progress, data);
 }

@@ -19,7 +19,7 @@ typedef struct interval {
 } interval;
 
 /* In cells. */
-static double place(const voxel_task *task, int a, double x) { return (x - task->origin[a]) / task->cell[a]; }
+static double place(const voxel_task *task, int a, double x) { return (x - task->grid.origin[a]) / task->grid.cell[a]; }
 
 static interval interval_of(const double x[3])
 {
@@ -45,11 +45,11 @@ static void add_triangle(const voxel_task *task, size_t t, uint32_t first, uint3
         sum += x[v] + y[v] + z[v];
     }
     const interval ix = interval_of(x), iy = interval_of(y), iz = interval_of(z);
-    if (!isfinite(sum) || !meets(ix, task->size[0]) || !meets(iy, task->size[1]) || !meets(iz, layers))
+    if (!isfinite(sum) || !meets(ix, task->grid.size[0]) || !meets(iy, task->grid.size[1]) || !meets(iz, layers))
         return;
     const double height = floor(iz.hi) - floor(iz.lo) + 1;
     const double rows = 0.5 * twice_area(y, z) + (iy.hi - iy.lo) + height;
-    const double per_layer = triangle_cost / height + row_cost * lesser(rows / height, task->size[1]);
+    const double per_layer = triangle_cost / height + row_cost * lesser(rows / height, task->grid.size[1]);
     const double bin_of_layer = (double)bins / layers;
     const int from = (int)(greater(iz.lo, 0) * bin_of_layer), to = (int)(lesser(iz.hi, layers) * bin_of_layer);
     const double in_bin = per_layer * lesser(height, 1 / bin_of_layer);
@@ -68,7 +68,7 @@ void layers_work_estimate(const voxel_task *task, uint32_t first, uint32_t layer
         work->up_to[b] = 0;
     double scale = 1, least = empty_layer_cost * layers / work->bins;
     if (is_everywhere(task->options)) {
-        least += (double)task->count * row_cost * task->size[1] * layers / work->bins;
+        least += (double)task->count * row_cost * task->grid.size[1] * layers / work->bins;
     } else {
         const size_t stride = task->count / SAMPLE | 1; /* odd: quads are often two triangles each */
         for (size_t t = 0; t < task->count; t += stride)

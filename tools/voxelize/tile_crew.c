@@ -26,8 +26,7 @@ typedef struct crew {
     const tile_set *set;
     size_t from, to;
     bool is_alone;
-    tribox_sink *sink;
-    void *data;
+    const tribox_sink *sink; /* NULL to count */
     progress *bar;
     pthread_mutex_t lock; /* of what follows */
     pthread_cond_t turned;
@@ -67,7 +66,7 @@ static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
     (void)at, (void)bits;
     ++*(uint64_t *)data;
-    return 1;
+    return 0;
 }
 
 /* The sink of a crew of one, and how many it was handed. */
@@ -80,7 +79,7 @@ static int pass_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
     direct *const d = data;
     d->bricks++;
-    return d->crew->sink(d->crew->data, at, bits);
+    return d->crew->sink->take(d->crew->sink->data, at, bits);
 }
 
 static int keep_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
@@ -90,20 +89,20 @@ static int keep_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
         const size_t room = k->room ? 2 * k->room : 1024;
         kept_brick *const grown = realloc(k->bricks, room * sizeof *grown);
         if (!grown)
-            return 0;
+            return 1;
         k->bricks = grown;
         k->room = room;
     }
     kept_brick *const to = &k->bricks[k->count++];
     memcpy(to->at, at, sizeof to->at);
     memcpy(to->bits, bits, sizeof to->bits);
-    return 1;
+    return 0;
 }
 
 static tribox_status hand_on(const crew *c, const kept *k)
 {
     size_t i = 0;
-    while (i < k->count && c->sink(c->data, k->bricks[i].at, k->bricks[i].bits))
+    while (i < k->count && !c->sink->take(c->sink->data, k->bricks[i].at, k->bricks[i].bits))
         i++;
     return i == k->count ? TRIBOX_OK : TRIBOX_STOPPED;
 }
@@ -139,8 +138,8 @@ static void account(crew *c, const share *s, tribox_status status, const tribox_
 static tribox_status run_directly(const crew *c, const share *s, tile_room *room, tribox_report *report, uint64_t *bricks)
 {
     direct d = {c, 0};
-    const tribox_status status =
-        tile_set_run(c->set, s->from, s->to, room, c->sink ? pass_brick : count_brick, c->sink ? (void *)&d : bricks, report);
+    const tribox_sink sink = c->sink ? (tribox_sink){pass_brick, &d} : (tribox_sink){count_brick, bricks};
+    const tribox_status status = tile_set_run(c->set, s->from, s->to, room, &sink, report);
     if (c->sink)
         *bricks = d.bricks;
     return status;
@@ -150,7 +149,7 @@ static tribox_status run_directly(const crew *c, const share *s, tile_room *room
 static tribox_status run_in_turn(crew *c, const share *s, tile_room *room, kept *k, tribox_report *report, uint64_t *bricks)
 {
     k->count = 0;
-    tribox_status status = tile_set_run(c->set, s->from, s->to, room, keep_brick, k, report);
+    tribox_status status = tile_set_run(c->set, s->from, s->to, room, &(tribox_sink){keep_brick, k}, report);
     const bool is_full = status == TRIBOX_STOPPED;
     *bricks = k->count;
     if ((!status || is_full) && wait_turn(c, s))
@@ -193,12 +192,12 @@ static bool start(helper *h, crew *c)
     return false;
 }
 
-tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, tribox_sink *sink, void *data,
-                            progress *bar, tile_found *found)
+tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
+                            tile_found *found)
 {
     helper helpers[THREADS_MAX];
     unsigned started = 0;
-    crew c = {.set = set, .from = from, .to = to, .is_alone = threads == 1, .sink = sink, .data = data, .bar = bar, .next = from};
+    crew c = {.set = set, .from = from, .to = to, .is_alone = threads == 1, .sink = sink, .bar = bar, .next = from};
     tile_room *const room = tile_room_new(set, from, to);
     *found = c.found;
     if (!room)

@@ -12,7 +12,7 @@ typedef struct tile_found {
 } tile_found;
 
 /*
- * Voxelizes the tiles of records from .. to - 1 and hands their bricks to the sink, in the order of tribox_voxelize_bricks and one
+ * Voxelizes the tiles of records from .. to - 1 and hands their bricks to the sink, in the order of tribox_bricks and one
  * at a time, but from any of the threads. A thread keeps the bricks of a few tiles until it is their turn; one thread keeps none.
  *
  * sink: NULL to count alone.
@@ -20,7 +20,7 @@ typedef struct tile_found {
  *
  * Returns what tile_set_run does, or MESSAGE_NO_MEMORY where there is none even for one.
  */
-tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, tribox_sink *sink, void *data,
-                            progress *bar, tile_found *found);
+tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
+                            tile_found *found);
 
 #endif

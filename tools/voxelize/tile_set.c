@@ -14,23 +14,18 @@ uint32_t tile_set_side(const uint32_t size[3])
     enum { SIDE = 128, SIDE_MOST = 1024 };
     static const size_t tiles_most = (size_t)1 << 24;
     uint32_t side = SIDE;
-    while (side <= SIDE_MOST && tribox_tiles(size, side) > tiles_most)
+    while (side <= SIDE_MOST && tribox_tile_count(size, side) > tiles_most)
         side *= 2;
     return side <= SIDE_MOST ? side : 0;
 }
 
-static tribox_status count_tiles(const tile_set *set)
+/* Counts without a list, and fills one. */
+static tribox_status list_tiles(const tile_set *set, uint32_t *list)
 {
     const voxel_task *const t = &set->task;
-    return t->soup ? tribox_tiles_count(t->soup, t->grid, set->tile, 0, set->tiles, &set->listing, set->starts)
-                   : tribox_tiles_count_f64(t->mesh, t->wide_grid, set->tile, 0, set->tiles, &set->listing, set->starts);
-}
-
-static tribox_status fill_tiles(const tile_set *set)
-{
-    const voxel_task *const t = &set->task;
-    return t->soup ? tribox_tiles_fill(t->soup, t->grid, set->tile, 0, set->tiles, &set->listing, set->starts, set->list)
-                   : tribox_tiles_fill_f64(t->mesh, t->wide_grid, set->tile, 0, set->tiles, &set->listing, set->starts, set->list);
+    const tribox_tiles all = {set->tile, 0, set->tiles};
+    return t->soup ? tribox_tile_lists(t->soup, &t->grid, &all, &set->listing, set->starts, list)
+                   : tribox_mesh_tile_lists(t->mesh, &t->grid, &all, &set->listing, set->starts, list);
 }
 
 /* Memory for `count` things of `size` bytes, if so much is available. NULL after a line. */
@@ -54,13 +49,13 @@ static int list_triangles(tile_set *set)
     set->starts = take(set->tiles + 1, sizeof *set->starts, "table of tiles");
     if (!set->starts)
         return EXIT_CODE_FAILURE;
-    tribox_status status = count_tiles(set);
+    tribox_status status = list_tiles(set, NULL);
     if (!status) {
         set->places = set->starts[set->tiles];
         set->list = take(set->starts[set->tiles], sizeof *set->list, "list of triangles by tile");
         if (!set->list)
             return EXIT_CODE_FAILURE;
-        status = fill_tiles(set);
+        status = list_tiles(set, set->list);
     }
     return message_status(status);
 }
@@ -82,14 +77,14 @@ static int make_records(tile_set *set, bool has_work)
 
 int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set)
 {
-    *set = (tile_set){.task = *task, .tile = tile_set_side(task->size), .listing = *task->options};
+    *set = (tile_set){.task = *task, .tile = tile_set_side(task->grid.size), .listing = *task->options};
     /* Shards are the same on every processor, and in sum the whole: only exact cells are not decided by which tiles are asked. */
     const bool is_exact = has_work || task->options->accuracy != TRIBOX_EXACT;
     set->listing.accuracy = is_exact ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE;
     if (!set->tile)
-        return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", task->size[0],
-                               task->size[1], task->size[2]);
-    set->tiles = tribox_tiles(task->size, set->tile);
+        return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", task->grid.size[0],
+                               task->grid.size[1], task->grid.size[2]);
+    set->tiles = tribox_tile_count(task->grid.size, set->tile);
     int code = list_triangles(set);
     if (!code)
         code = make_records(set, has_work);
@@ -102,7 +97,7 @@ tile_set tile_set_of_partition(const partition *from, const voxel_task *task)
 {
     return (tile_set){.task = *task,
                       .tile = from->header.tile,
-                      .tiles = tribox_tiles(from->header.size, from->header.tile),
+                      .tiles = tribox_tile_count(from->header.size, from->header.tile),
                       .records = from->tiles,
                       .count = from->header.records,
                       .places = from->header.places,
@@ -158,22 +153,20 @@ enum { BATCH_TRIANGLES = 4096, BATCH_TILES = 256 };
 struct tile_room {
     void *scratch;
     size_t most;                    /* triangles of a partition at once */
-    float *numbers;                 /* nine streams of as many floats */
     uint32_t *list;                 /* 0, 1, 2, ... */
     size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
 };
 
-static bool make_streams(const tile_set *set, size_t from, size_t to, tile_room *room)
+static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *room)
 {
     room->most = BATCH_TRIANGLES;
     for (size_t r = from; r < to; r++)
         if (tile_set_triangles(set, r) > room->most)
             room->most = tile_set_triangles(set, r);
     room->list = malloc(room->most * sizeof *room->list);
-    room->numbers = set->task.soup ? malloc(room->most * 9 * sizeof *room->numbers) : NULL;
     for (size_t i = 0; room->list && i < room->most; i++)
         room->list[i] = (uint32_t)i;
-    return room->list && (room->numbers || !set->task.soup);
+    return room->list;
 }
 
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
@@ -182,7 +175,7 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
     if (!room)
         return NULL;
     room->scratch = malloc(tribox_bricks_bytes(set->tile));
-    if (room->scratch && (!set->from || make_streams(set, from, to, room)))
+    if (room->scratch && (!set->from || make_list(set, from, to, room)))
         return room;
     tile_room_free(room);
     return NULL;
@@ -193,21 +186,18 @@ void tile_room_free(tile_room *room)
     if (!room)
         return;
     free(room->scratch);
-    free(room->numbers);
     free(room->list);
     free(room);
 }
 
-/* The tiles from .. to - 1 of a mesh in memory. */
-static tribox_status run_lists(const tile_set *set, size_t from, size_t to, void *scratch, tribox_sink *sink, void *data,
+/* Some tiles of a mesh in memory. */
+static tribox_status run_lists(const tile_set *set, const tribox_tiles *tiles, void *scratch, const tribox_sink *sink,
                                tribox_report *report)
 {
     const voxel_task *const t = &set->task;
-    const size_t *const starts = set->starts + from;
-    return t->soup ? tribox_voxelize_bricks(t->soup, t->grid, set->tile, from, to, starts, set->list, t->options, scratch, sink,
-                                            data, report)
-                   : tribox_voxelize_bricks_f64(t->mesh, t->wide_grid, set->tile, from, to, starts, set->list, t->options, scratch,
-                                                sink, data, report);
+    const size_t *const starts = set->starts + tiles->first;
+    return t->soup ? tribox_bricks(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, sink, report)
+                   : tribox_mesh_bricks(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, sink, report);
 }
 
 /* Records from .. to - 1 of a partition, whose triangles lie one after the other. */
@@ -242,51 +232,32 @@ static void set_starts(const tile_set *set, const batch *b, size_t *starts)
     starts[b->end - b->first] = before;
 }
 
-static tribox_status run_soup(const tile_set *set, const batch *b, const tile_room *room, tribox_sink *sink, void *data,
-                              tribox_report *report)
+static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tribox_sink *sink, tribox_report *report)
 {
-    tribox_soup soup = {.count = b->mesh.count};
-    float *to[9];
-    for (size_t k = 0; k < 9; k++)
-        to[k] = room->numbers + k * room->most;
-    const tribox_status status = tribox_mesh_to_soup(&b->mesh, NULL, 0, b->mesh.count, set->task.options, to, to + 3, to + 6);
-    for (size_t v = 0; v < 3; v++) {
-        soup.x[v] = to[v];
-        soup.y[v] = to[3 + v];
-        soup.z[v] = to[6 + v];
-    }
-    return status ? status
-                  : tribox_voxelize_bricks(&soup, set->task.grid, set->tile, b->first, b->end, room->starts, room->list,
-                                           set->task.options, room->scratch, sink, data, report);
-}
-
-static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, tribox_sink *sink, void *data,
-                               tribox_report *report)
-{
+    const tribox_tiles tiles = {set->tile, b->first, b->end - b->first};
     for (size_t r = b->from; r < b->to; r++)
         if (!partition_is_sound(set->from, r))
             return TRIBOX_BAD_VERTEX;
     set_starts(set, b, room->starts);
-    if (set->task.soup)
-        return run_soup(set, b, room, sink, data, report);
-    return tribox_voxelize_bricks_f64(&b->mesh, set->task.wide_grid, set->tile, b->first, b->end, room->starts, room->list,
-                                      set->task.options, room->scratch, sink, data, report);
+    return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch, sink,
+                              report);
 }
 
-tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, tribox_sink *sink, void *data,
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tribox_sink *sink,
                            tribox_report *report)
 {
     tribox_status status = TRIBOX_OK;
     *report = (tribox_report){0, 0};
     if (from == to)
         return TRIBOX_OK;
-    if (!set->from)
-        return run_lists(set, (size_t)set->records[from].tile, (size_t)set->records[to - 1].tile + 1, room->scratch, sink, data,
-                         report);
+    if (!set->from) {
+        const size_t first = (size_t)set->records[from].tile, last = (size_t)set->records[to - 1].tile;
+        return run_lists(set, &(tribox_tiles){set->tile, first, last - first + 1}, room->scratch, sink, report);
+    }
     for (batch b = {.to = from}; !status && b.to < to;) {
         tribox_report one = {0, 0};
         b = take_batch(set, b.to, to, room);
-        status = run_batch(set, &b, room, sink, data, &one);
+        status = run_batch(set, &b, room, sink, &one);
         report->overlapping += one.overlapping;
         report->undecided += one.undecided;
     }

@@ -16,7 +16,7 @@ typedef struct tile_set {
     uint64_t places; /* triangles of all tiles together */
 
     const partition *from; /* NULL: lists */
-    size_t *starts;        /* as of tribox_tiles_fill for all tiles */
+    size_t *starts;        /* as of tribox_tile_lists for all tiles */
     uint32_t *list;
     partition_tile *own_records;
 } tile_set;
@@ -47,10 +47,10 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to);
 void tile_room_free(tile_room *room);
 
 /*
- * tribox_voxelize_bricks for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_VERTEX:
+ * tribox_bricks for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_VERTEX:
  * the triangles of the partition are damaged.
  */
-tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, tribox_sink *sink, void *data,
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tribox_sink *sink,
                            tribox_report *report);
 
 #endif

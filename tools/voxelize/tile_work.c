@@ -8,7 +8,7 @@
 static const double tile_cost = 62000, row_cost = 10, reach_cost = 23;
 
 /* In cells. */
-static double place(const voxel_task *task, int a, double x) { return (x - task->origin[a]) / task->cell[a]; }
+static double place(const voxel_task *task, int a, double x) { return (x - task->grid.origin[a]) / task->grid.cell[a]; }
 
 static double reach(const double x[3]) { return fmax(fmax(x[0], x[1]), x[2]) - fmin(fmin(x[0], x[1]), x[2]); }
 

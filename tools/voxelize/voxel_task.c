@@ -5,22 +5,12 @@
 
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options)
 {
-    voxel_task task = {.soup = soup, .grid = grid, .options = options, .count = soup->count};
-    for (int a = 0; a < 3; a++) {
-        task.origin[a] = (double)grid->origin[a];
-        task.cell[a] = (double)grid->cell[a];
-        task.size[a] = grid->size[a];
-    }
-    return task;
+    return (voxel_task){.soup = soup, .count = soup->count, .grid = *grid, .options = options};
 }
 
-voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const tribox_options *options)
+voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_options *options)
 {
-    voxel_task task = {.mesh = mesh, .wide_grid = grid, .options = options, .count = mesh->count};
-    memcpy(task.origin, grid->origin, sizeof task.origin);
-    memcpy(task.cell, grid->cell, sizeof task.cell);
-    memcpy(task.size, grid->size, sizeof task.size);
-    return task;
+    return (voxel_task){.mesh = mesh, .count = mesh->count, .grid = *grid, .options = options};
 }
 
 static tribox_soup part_of_soup(const tribox_soup *soup, size_t start, size_t count)
@@ -54,13 +44,13 @@ static tribox_mesh part_of_mesh(const tribox_mesh *mesh, size_t start, size_t co
 tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,
                              uint64_t *occupied, tribox_report *report)
 {
+    const tribox_window window = {{0, 0, first}, {task->grid.size[0], task->grid.size[1], layers}};
     if (task->soup) {
         const tribox_soup part = part_of_soup(task->soup, start, count);
-        return tribox_voxelize_layers(&part, task->grid, first, layers, task->options, occupied, report);
+        return tribox_voxelize(&part, &task->grid, &window, task->options, occupied, report);
     }
     const tribox_mesh part = part_of_mesh(task->mesh, start, count);
-    const uint32_t from[3] = {0, 0, first}, size[3] = {task->size[0], task->size[1], layers};
-    return tribox_voxelize_f64(&part, task->wide_grid, from, size, task->options, occupied, report);
+    return tribox_mesh_voxelize(&part, &task->grid, &window, task->options, occupied, report);
 }
 
 static double number_at(const unsigned char *at, size_t bytes)

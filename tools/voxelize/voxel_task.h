@@ -1,23 +1,19 @@
-/* voxel_task.h - triangles and a grid: a soup and a grid of floats, or a mesh and a grid of doubles. */
+/* voxel_task.h - triangles and a grid: a soup, or a mesh of doubles. */
 #ifndef VOXEL_TASK_H
 #define VOXEL_TASK_H
 
 #include "tribox.h"
 
 typedef struct voxel_task {
-    const tribox_soup *soup; /* NULL: mesh and wide_grid count */
-    const tribox_grid *grid;
+    const tribox_soup *soup; /* NULL: the mesh counts, whose indices have 32 bits */
     const tribox_mesh *mesh;
-    const tribox_grid_f64 *wide_grid;
+    size_t count; /* of the triangles */
+    tribox_grid grid;
     const tribox_options *options;
-    size_t count; /* of the triangles; the rest is that of the grid */
-    double origin[3], cell[3];
-    uint32_t size[3];
 } voxel_task;
 
-/* Nothing may be NULL. */
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options);
-voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid_f64 *grid, const tribox_options *options);
+voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_options *options);
 
 /* Triangles start .. start + count - 1 into these layers, whose words are `occupied`. */
 tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,

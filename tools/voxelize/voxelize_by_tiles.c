@@ -30,7 +30,7 @@ static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
         part_put(g->part, at, bits);
     if (g->words)
         bricks_lay(&g->cells->grid, g->words, at, bits);
-    return !g->code && !(g->part && g->part->reason);
+    return g->code || (g->part && g->part->reason);
 }
 
 /* The tiles of a shard, or all. */
@@ -67,9 +67,9 @@ static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
 {
     const bool has_goal = goals->file || goals->part || goals->words;
     progress bar = progress_start_of("voxelizing", "tiles", (double)(j->to - j->from), !j->r->result.is_quiet);
+    const tribox_sink sink = {take_brick, goals};
     tile_found found;
-    const tribox_status status =
-        tile_crew_run(j->set, j->from, j->to, j->r->threads, has_goal ? take_brick : NULL, goals, &bar, &found);
+    const tribox_status status = tile_crew_run(j->set, j->from, j->to, j->r->threads, has_goal ? &sink : NULL, &bar, &found);
     progress_end(&bar);
     a->report = found.report;
     a->bricks = found.bricks;
@@ -126,7 +126,7 @@ static const char instead_of_dense[] = "choose fewer cells, or write bricks, -o 
 /* The picture takes all cells at once. */
 static int take_words(const tile_job *j, uint64_t **words)
 {
-    const tribox_grid_f64 *const grid = &j->in->cells.grid;
+    const tribox_grid *const grid = &j->in->cells.grid;
     const result_request *const result = &j->r->result;
     int code = EXIT_CODE_OK;
     *words = NULL;
@@ -191,33 +191,15 @@ static int run_task(const voxelize_request *r, const voxelize_input *in, const v
 }
 
 /* Of a partition the triangles come with the tiles. */
-static int run_floats(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
-{
-    const tribox_soup nothing = {.count = 0};
-    const tribox_grid narrow = voxels_narrow(&in->cells.grid);
-    const voxel_task task = voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, &narrow, &r->test);
-    return run_task(r, in, &task, files, a);
-}
-
-static int run_doubles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
-{
-    uint32_t *indices = NULL;
-    tribox_mesh all = {.count = 0};
-    if (in->mesh) {
-        all = in->mesh->is_double ? in->mesh->doubles : mesh_of_streams(in->mesh, &indices);
-        if (!all.positions)
-            return message_status(MESSAGE_NO_MEMORY);
-    }
-    const voxel_task task = voxel_task_of_mesh(&all, &in->cells.grid, &r->test);
-    const int code = run_task(r, in, &task, files, a);
-    free(indices);
-    return code;
-}
-
 int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     const double start = clock_seconds();
-    const int code = (in->cells.is_float ? run_floats : run_doubles)(r, in, files, a);
+    const tribox_soup nothing = {.count = 0};
+    const tribox_grid *const grid = &in->cells.grid;
+    const voxel_task task = in->mesh && in->mesh->is_double
+                                ? voxel_task_of_mesh(&in->mesh->doubles, grid, &r->test)
+                                : voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, grid, &r->test);
+    const int code = run_task(r, in, &task, files, a);
     a->seconds = clock_seconds() - start;
     return code;
 }

@@ -28,11 +28,11 @@ static void print_time(const voxelize_answer *a)
 
 void voxelize_print_grid(const voxels *v, bool is_shifted)
 {
-    const tribox_grid_f64 *const grid = &v->grid;
+    const tribox_grid *const grid = &v->grid;
     printf("grid         %u x %u x %u cells of ", grid->size[0], grid->size[1], grid->size[2]);
-    output_point(grid->cell, v->is_float, " x ");
+    output_point(grid->cell, false, " x ");
     printf(", from ");
-    output_point(grid->origin, v->is_float, ",");
+    output_point(grid->origin, false, ",");
     putchar('\n');
     if (!is_shifted)
         return;
@@ -43,12 +43,11 @@ void voxelize_print_grid(const voxels *v, bool is_shifted)
 
 void voxelize_json_grid(json *j, const voxels *v, bool is_shifted)
 {
-    const tribox_grid_f64 *const grid = &v->grid;
+    const tribox_grid *const grid = &v->grid;
     json_open_object(j, "grid");
-    json_doubles(j, "origin", grid->origin, 3, v->is_float);
-    json_doubles(j, "cell", grid->cell, 3, v->is_float);
+    json_doubles(j, "origin", grid->origin, 3, false);
+    json_doubles(j, "cell", grid->cell, 3, false);
     json_wholes(j, "size", (const size_t[3]){grid->size[0], grid->size[1], grid->size[2]}, 3);
-    json_string(j, "planes", v->is_float ? "float32" : "float64");
     json_close(j);
     if (is_shifted)
         json_doubles(j, "shift", v->shift, 3, false);

@@ -16,8 +16,6 @@ typedef struct whole {
     voxels cells;
     size_t words;
     uint64_t *surface, *solid; /* solid: NULL without a fill */
-    tribox_mesh wide;          /* the mesh for a grid of doubles */
-    uint32_t *indices;
 } whole;
 
 static const char fewer[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
@@ -25,7 +23,7 @@ static const char not_filled[] = "choose fewer cells; to fill them takes all of 
 
 static int take_memory(whole *w)
 {
-    const tribox_grid_f64 *const grid = &w->cells.grid;
+    const tribox_grid *const grid = &w->cells.grid;
     const bool is_filled = w->r->fill != FILL_NONE;
     const char *const instead = is_filled ? not_filled : fewer;
     int code = voxels_check_words(grid, instead);
@@ -44,24 +42,13 @@ static int take_memory(whole *w)
                                                   : message_failure("out of memory for %zu words of cells", w->words);
 }
 
-/* A grid of doubles takes the mesh as tribox_mesh, whatever its numbers are. */
-static int widen(whole *w)
-{
-    if (w->cells.is_float)
-        return EXIT_CODE_OK;
-    w->wide = w->m->is_double ? w->m->doubles : mesh_of_streams(w->m, &w->indices);
-    return w->wide.positions ? EXIT_CODE_OK : message_status(MESSAGE_NO_MEMORY);
-}
-
 static tribox_status run(const whole *w, progress *bar, tribox_report *report)
 {
     void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
-    const uint32_t layers = w->cells.grid.size[2];
-    const tribox_grid narrow = voxels_narrow(&w->cells.grid);
-    return w->cells.is_float
-               ? voxelize_in_threads(&w->m->soup, &narrow, 0, layers, &w->r->test, w->r->threads, w->surface, report, tell, bar)
-               : voxelize_mesh_in_threads(&w->wide, &w->cells.grid, 0, layers, &w->r->test, w->r->threads, w->surface, report, tell,
-                                          bar);
+    const tribox_grid *const grid = &w->cells.grid;
+    const voxel_task task = w->m->is_double ? voxel_task_of_mesh(&w->m->doubles, grid, &w->r->test)
+                                            : voxel_task_of_soup(&w->m->soup, grid, &w->r->test);
+    return voxelize_in_threads(&task, 0, grid->size[2], w->r->threads, w->surface, report, tell, bar);
 }
 
 static int voxelize(const whole *w, voxelize_answer *a)
@@ -76,13 +63,12 @@ static int voxelize(const whole *w, voxelize_answer *a)
 
 static tribox_status fill(const whole *w, void *scratch, voxelize_answer *a)
 {
-    const tribox_grid narrow = voxels_narrow(&w->cells.grid);
+    const tribox_grid *const grid = &w->cells.grid;
     if (w->r->fill == FILL_OUTSIDE)
-        return tribox_fill_outside(w->cells.grid.size, w->surface, w->solid, scratch, &a->inside);
+        return tribox_fill_outside(grid->size, w->surface, scratch, w->solid, &a->inside);
     a->has_rows = true;
-    return w->cells.is_float
-               ? tribox_fill_parity(&w->m->soup, &narrow, w->surface, w->solid, scratch, &a->inside, &a->odd_rows)
-               : tribox_fill_parity_f64(&w->wide, &w->cells.grid, w->surface, w->solid, scratch, &a->inside, &a->odd_rows);
+    return w->m->is_double ? tribox_mesh_fill_parity(&w->m->doubles, grid, w->surface, scratch, w->solid, &a->inside, &a->odd_rows)
+                           : tribox_fill_parity(&w->m->soup, grid, w->surface, scratch, w->solid, &a->inside, &a->odd_rows);
 }
 
 static int fill_if_wanted(const whole *w, voxelize_answer *a)
@@ -126,14 +112,11 @@ int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize
     whole w = {.r = r, .m = in->mesh, .cells = in->cells};
     int code = take_memory(&w);
     if (!code)
-        code = widen(&w);
-    if (!code)
         code = voxelize(&w, a);
     if (!code)
         code = fill_if_wanted(&w, a);
     if (!code)
         code = write_files(&w, files);
-    free(w.indices);
     free(w.solid);
     free(w.surface);
     return code;

@@ -70,7 +70,7 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
     a->is_double = m.is_double;
     a->is_shifted = shift.is_wanted;
     memcpy(in.cells.shift, shift.by, sizeof shift.by);
-    code = grid_choose(&r->from.choice, name, &m, &in.cells.grid, &in.cells.is_float);
+    code = grid_choose(&r->from.choice, name, &m, &in.cells.grid);
     if (!code)
         code = open_files(r, &in, a);
     mesh_free(&m);

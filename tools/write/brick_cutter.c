@@ -85,7 +85,7 @@ int bricks_cut(const voxels *v, brick_taker *take, void *data, progress *bar)
 }
 
 /* Eight cells along x never lie in two words. */
-void bricks_lay(const tribox_grid_f64 *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8])
+void bricks_lay(const tribox_grid *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8])
 {
     const size_t row_words = voxels_row_words(grid), layer_words = voxels_layer_words(grid);
     const uint32_t rows = least(SIDE, grid->size[1] - SIDE * at[1]), depth = least(SIDE, grid->size[2] - SIDE * at[2]);

@@ -12,6 +12,6 @@ typedef int brick_taker(void *data, const uint32_t at[3], const uint64_t bits[8]
 int bricks_cut(const voxels *v, brick_taker *take, void *data, progress *bar);
 
 /* Sets the cells of a brick that lies in the grid, in the words of all its layers. */
-void bricks_lay(const tribox_grid_f64 *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8]);
+void bricks_lay(const tribox_grid *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8]);
 
 #endif

@@ -19,7 +19,7 @@ typedef struct gathering {
 static int take_words(brick_out *out, gathering *g)
 {
     char needed[16], there[16];
-    const tribox_grid_f64 *const grid = &out->cells.grid;
+    const tribox_grid *const grid = &out->cells.grid;
     const uint64_t words = (uint64_t)voxels_layer_words(grid) * grid->size[2], available = memory_available();
     if (words > available / sizeof *g->words)
         return message_failure("%s: %u x %u x %u cells take %s of memory in this format and %s are available; write .npz or .vdb",

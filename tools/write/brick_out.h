@@ -14,15 +14,15 @@ typedef struct brick_out {
     const volume_format *format;
     volume_options options;
     file_out *file;
-    FILE *to;                  /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
-    voxels cells;              /* the grid and the shift, and in a dense format one slab with the words */
-    uint64_t bricks;           /* put so far */
-    uint64_t occupied;         /* cells in them, where the format counts them */
-    void *state;               /* the format's own */
+    FILE *to;          /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
+    voxels cells;      /* the grid and the shift, and in a dense format one slab with the words */
+    uint64_t bricks;   /* put so far */
+    uint64_t occupied; /* cells in them, where the format counts them */
+    void *state;       /* the format's own */
 } brick_out;
 
 /*
- * Starts the content of an open file. about: grid, is_float and shift of the whole; its slabs are not looked at. Returns an
+ * Starts the content of an open file. about: grid and shift of the whole; its slabs are not looked at. Returns an
  * exit_code, on failure after its line; nothing then needs to be dropped.
  */
 int brick_out_open(brick_out *out, const volume_format *format, const volume_options *options, file_out *file, const voxels *about);

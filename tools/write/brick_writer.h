@@ -15,13 +15,13 @@ typedef struct brick_writer {
 
 /* Arrays of NumPy's: at[n, 3], bits[n, 8], origin, cell, size and shift. The check refuses where zlib is not there. */
 extern const brick_writer bricks_npz;
-int bricks_check_npz(const char *path, const tribox_grid_f64 *grid);
+int bricks_check_npz(const char *path, const tribox_grid *grid);
 
 /* An array of NumPy's: the coordinates of cells, [n, 3]. */
 extern const brick_writer bricks_cells;
 
 /* OpenVDB's BoolGrid or MaskGrid. The check finds out whether OpenVDB is there. */
 extern const brick_writer bricks_vdb;
-int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid);
+int bricks_check_vdb(const char *path, const tribox_grid *grid);
 
 #endif

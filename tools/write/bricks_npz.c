@@ -93,24 +93,17 @@ static int add_places(brick_out *out)
     return !ferror(z->places) ? end_rows(out, "<u4", 3) : file_out_failure(out->file);
 }
 
-/* Three numbers, floats where the planes of the grid are. */
-static void add_point(npz *z, const char *name, const double point[3], bool is_float)
+static void add_point(npz *z, const char *name, const double point[3])
 {
     unsigned char bytes[3 * sizeof(double)];
     for (int a = 0; a < 3; a++) {
-        const float narrow = (float)point[a];
-        uint32_t narrow_bits;
         uint64_t bits;
-        memcpy(&narrow_bits, &narrow, sizeof narrow_bits);
         memcpy(&bits, &point[a], sizeof bits);
-        if (is_float)
-            little_put32(bytes + 4 * a, narrow_bits);
-        else
-            little_put64(bytes + 8 * a, bits);
+        little_put64(bytes + 8 * a, bits);
     }
     zip_begin_member(&z->zip, name);
-    zip_add(&z->zip, bytes, is_float ? 12 : 24);
-    end_array(z, is_float ? "<f4" : "<f8", "(3,)");
+    zip_add(&z->zip, bytes, sizeof bytes);
+    end_array(z, "<f8", "(3,)");
 }
 
 static void add_size(npz *z, const uint32_t size[3])
@@ -135,15 +128,15 @@ static int end_npz(brick_out *out, progress *bar)
     code = add_places(out);
     if (code)
         return code;
-    add_point(z, "origin.npy", v->grid.origin, v->is_float);
-    add_point(z, "cell.npy", v->grid.cell, v->is_float);
+    add_point(z, "origin.npy", v->grid.origin);
+    add_point(z, "cell.npy", v->grid.cell);
     add_size(z, v->grid.size);
-    add_point(z, "shift.npy", v->shift, false);
+    add_point(z, "shift.npy", v->shift);
     zip_end(&z->zip);
     return EXIT_CODE_OK;
 }
 
-int bricks_check_npz(const char *path, const tribox_grid_f64 *grid)
+int bricks_check_npz(const char *path, const tribox_grid *grid)
 {
     (void)path, (void)grid;
     return EXIT_CODE_OK;

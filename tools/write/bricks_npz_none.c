@@ -4,7 +4,7 @@
 
 const brick_writer bricks_npz = {.open = NULL};
 
-int bricks_check_npz(const char *path, const tribox_grid_f64 *grid)
+int bricks_check_npz(const char *path, const tribox_grid *grid)
 {
     (void)grid;
     return message_failure("%s: this tribox was built without zlib, which .npz needs; write .npy or .raw", path);

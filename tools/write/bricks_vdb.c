@@ -11,7 +11,7 @@
  * OpenVDB takes no cells whose volume is below 3e-15: its lengths then are `unit` times those of the mesh, a power of ten. Infinite
  * where none would do.
  */
-static double unit_of(const tribox_grid_f64 *grid)
+static double unit_of(const tribox_grid *grid)
 {
     static const double volume_min = 1e-14, unit_max = 1e15;
     const double *const cell = grid->cell;
@@ -35,7 +35,7 @@ static vdb_grid grid_of(const voxels *v, bool is_mask)
 static int fail(const char *path, const char *reason) { return message_failure("%s: %s; write .npz", path, reason); }
 
 /* Before the work that what cannot be written would waste. */
-int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid)
+int bricks_check_vdb(const char *path, const tribox_grid *grid)
 {
     char reason[VDB_PROCESS_REASON];
     const vdb_grid tried = grid_of(&(voxels){.grid = *grid}, false);

@@ -4,7 +4,7 @@
 
 const brick_writer bricks_vdb = {.open = NULL};
 
-int bricks_check_vdb(const char *path, const tribox_grid_f64 *grid)
+int bricks_check_vdb(const char *path, const tribox_grid *grid)
 {
     (void)grid;
     return message_failure("%s: this tribox was built without OpenVDB, which .vdb needs; write .npz", path);

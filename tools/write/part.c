@@ -22,13 +22,12 @@ void part_set_grid(part_whole *whole, const voxels *v)
     memcpy(whole->cell, v->grid.cell, sizeof whole->cell);
     memcpy(whole->size, v->grid.size, sizeof whole->size);
     memcpy(whole->shift, v->shift, sizeof whole->shift);
-    whole->plane_bytes = v->is_float ? sizeof(float) : sizeof(double);
     whole->brick_bytes = sizeof(part_brick);
 }
 
 voxels part_voxels(const part_whole *whole)
 {
-    voxels v = {.is_float = whole->plane_bytes == sizeof(float)};
+    voxels v = {.slabs = 0};
     memcpy(v.grid.origin, whole->origin, sizeof whole->origin);
     memcpy(v.grid.cell, whole->cell, sizeof whole->cell);
     memcpy(v.grid.size, whole->size, sizeof whole->size);

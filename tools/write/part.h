@@ -15,7 +15,7 @@ typedef struct part_whole {
     uint32_t size[3];
     uint32_t shards;
     uint32_t accuracy, axes; /* as in tribox_options */
-    uint32_t plane_bytes;    /* 4: the grid is a tribox_grid, 8: a tribox_grid_f64 */
+    uint32_t reserved;       /* 0 */
     uint32_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
     uint32_t tile;           /* cells along a side of a tile */
     uint32_t brick_bytes;    /* of a part_brick */
@@ -32,7 +32,7 @@ typedef struct part_header {
     uint64_t from, to; /* the tiles from .. to - 1 are what it holds */
 } part_header;
 
-/* A brick as a tribox_sink is handed it, in the order of tribox_voxelize_bricks. */
+/* A brick as a tribox_sink is handed it, in the order of tribox_bricks. */
 typedef struct part_brick {
     uint32_t at[3];
     uint32_t cells; /* that are set */
@@ -45,7 +45,7 @@ typedef struct part_end {
     uint64_t checksum; /* of all that stands before it */
 } part_end;
 
-#define PART_MAGIC "tribox part 4\n"
+#define PART_MAGIC "tribox part 5\n"
 enum { PART_BYTE_ORDER = 0x01020304 };
 
 bool part_is_name(const char *path);

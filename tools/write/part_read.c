@@ -7,7 +7,6 @@
 
 #include "checksum.h"
 #include "console/message.h"
-#include "console/numbers.h"
 #include "files/named_file.h"
 #include "part.h"
 
@@ -20,12 +19,10 @@ static bool is_sound(const part_header *header)
     const part_whole *const whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
     const voxels v = part_voxels(whole);
-    const bool are_floats = numbers_are_floats(whole->origin, 3) && numbers_are_floats(whole->cell, 3);
-    return header->shard && header->shard <= whole->shards && whole->axes && is_size(whole->plane_bytes) &&
-           is_size(whole->position_bytes) && (are_floats || !v.is_float) && isfinite(v.shift[0] + v.shift[1] + v.shift[2]) &&
-           whole->brick_bytes == sizeof(part_brick) && whole->tile && whole->tile <= TILE_MOST && whole->tile % BRICK == 0 &&
-           voxels_are_served(&v.grid, v.is_float, &options) && header->from <= header->to &&
-           header->to <= tribox_tiles(whole->size, whole->tile);
+    return header->shard && header->shard <= whole->shards && whole->axes && !whole->reserved && is_size(whole->position_bytes) &&
+           isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && whole->brick_bytes == sizeof(part_brick) && whole->tile &&
+           whole->tile <= TILE_MOST && whole->tile % BRICK == 0 && voxels_are_served(&v.grid, &options) &&
+           header->from <= header->to && header->to <= tribox_tile_count(whole->size, whole->tile);
 }
 
 static int check_header(const char *path, const part_header *header)
@@ -231,7 +228,7 @@ static int by_shard(const void *a, const void *b)
 static bool has_other_grid(const part_whole *one, const part_whole *other)
 {
     return memcmp(one->origin, other->origin, sizeof one->origin) || memcmp(one->cell, other->cell, sizeof one->cell) ||
-           memcmp(one->size, other->size, sizeof one->size) || one->plane_bytes != other->plane_bytes;
+           memcmp(one->size, other->size, sizeof one->size);
 }
 
 static int check_alike(const part *a, const part *b)
@@ -297,7 +294,7 @@ static int check_borders(const part *parts, size_t count)
                                    parts[i].header.shard, whole->shards);
         next = parts[i].header.to;
     }
-    return next == tribox_tiles(whole->size, whole->tile)
+    return next == tribox_tile_count(whole->size, whole->tile)
                ? EXIT_CODE_OK
                : message_failure("%s ends before the last tile: it was cut otherwise than the others; run shard %u of %u again",
                                  parts[count - 1].path, whole->shards, whole->shards);

@@ -18,7 +18,7 @@ typedef struct volume_format {
     const char *ending; /* ".npy" */
 
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
-    int (*check_grid)(const char *path, const tribox_grid_f64 *grid);
+    int (*check_grid)(const char *path, const tribox_grid *grid);
 
     /*
      * A dense format: writes layer by layer, in memory for a layer or two. Stops where the stream fails, which ferror then reports.
@@ -56,11 +56,11 @@ void volume_write_vti(FILE *to, const voxels *v, progress *bar);
 void volume_write_nrrd(FILE *to, const voxels *v, progress *bar);
 
 /* binvox 1: runs of equal cells, y fastest, then z, then x. Empty cells fill the grid up to a cube; cells must be cubes. */
-int volume_check_binvox(const char *path, const tribox_grid_f64 *grid);
+int volume_check_binvox(const char *path, const tribox_grid *grid);
 void volume_write_binvox(FILE *to, const voxels *v, progress *bar);
 
 /* MagicaVoxel 150: one model, a list of cells; at most 256 cells on each axis. */
-int volume_check_vox(const char *path, const tribox_grid_f64 *grid);
+int volume_check_vox(const char *path, const tribox_grid *grid);
 void volume_write_vox(FILE *to, const voxels *v, progress *bar);
 
 #endif

@@ -1,13 +1,14 @@
 /* volume_binvox.c - the format of P. Min's binvox: https://www.patrickmin.com/binvox/binvox.html */
 #include <stdlib.h>
 
+#include "console/decimal.h"
 #include "console/message.h"
 #include "volume.h"
 
 /* Of the cube that a grid is filled up to: its cells can be counted. */
 enum { SIDE_MOST = 1 << 21 };
 
-static uint32_t longest(const tribox_grid_f64 *grid)
+static uint32_t longest(const tribox_grid *grid)
 {
     uint32_t side = grid->size[0];
     for (int a = 1; a < 3; a++)
@@ -15,11 +16,12 @@ static uint32_t longest(const tribox_grid_f64 *grid)
     return side;
 }
 
-int volume_check_binvox(const char *path, const tribox_grid_f64 *grid)
+int volume_check_binvox(const char *path, const tribox_grid *grid)
 {
     if (longest(grid) > SIDE_MOST)
-        return message_failure("%s: binvox fills a grid up to a cube, here of %u^3 cells, and %d^3 are the most; choose .npz or .raw",
-                               path, longest(grid), (int)SIDE_MOST);
+        return message_failure(
+            "%s: binvox fills a grid up to a cube, here of %u^3 cells, and %d^3 are the most; choose .npz or .raw", path,
+            longest(grid), (int)SIDE_MOST);
     if (grid->cell[0] == grid->cell[1] && grid->cell[1] == grid->cell[2])
         return EXIT_CODE_OK;
     return message_failure("%s: binvox takes cubic cells only, these are %.9g x %.9g x %.9g; give --cell one length, or "
@@ -53,15 +55,15 @@ static void add_cells(run *r, int value, uint64_t count)
 /* The grid is placed where the mesh was before it was shifted. */
 static void write_header(FILE *to, const voxels *v, uint32_t side)
 {
-    const int digits = v->is_float && !voxels_are_shifted(v) ? 9 : 17;
+    char text[DECIMAL_MAX];
     fprintf(to, "#binvox 1\ndim %u %u %u\ntranslate", side, side, side);
     for (int a = 0; a < 3; a++)
-        fprintf(to, " %.*g", digits, v->grid.origin[a] + v->shift[a]);
-    fprintf(to, "\nscale %.*g\ndata\n", digits, v->grid.cell[0] * side);
+        fprintf(to, " %s", decimal_of_double(v->grid.origin[a] + v->shift[a], text));
+    fprintf(to, "\nscale %s\ndata\n", decimal_of_double(v->grid.cell[0] * side, text));
 }
 
 /* One line along y, filled up with empty cells. */
-static void add_line(run *r, const uint64_t *layer, const tribox_grid_f64 *grid, uint32_t i, uint32_t side)
+static void add_line(run *r, const uint64_t *layer, const tribox_grid *grid, uint32_t i, uint32_t side)
 {
     const size_t row_words = voxels_row_words(grid);
     const uint64_t *word = layer + i / 64;

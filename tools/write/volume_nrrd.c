@@ -14,7 +14,7 @@ static void write_vector(FILE *to, double x, double y, double z)
 
 static void write_header(FILE *to, const voxels *v)
 {
-    const tribox_grid_f64 *const grid = &v->grid;
+    const tribox_grid *const grid = &v->grid;
     fprintf(to,
             "NRRD0004\n"
             "# cells of a grid that a mesh overlaps, by tribox\n"

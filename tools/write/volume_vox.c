@@ -8,7 +8,7 @@
 /* A colour is an index of the palette, where 1 is white by default. A chunk's header is its name and two lengths. */
 enum { VERSION = 150, SIDE_MAX = 256, COLOUR = 1, CHUNK_HEADER = 12 };
 
-int volume_check_vox(const char *path, const tribox_grid_f64 *grid)
+int volume_check_vox(const char *path, const tribox_grid *grid)
 {
     const uint32_t *n = grid->size;
     if (n[0] <= SIDE_MAX && n[1] <= SIDE_MAX && n[2] <= SIDE_MAX)

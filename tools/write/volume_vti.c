@@ -18,7 +18,7 @@ static void write_extent(FILE *to, const char *attribute, const uint32_t size[3]
 
 static void write_image(FILE *to, const voxels *v)
 {
-    const tribox_grid_f64 *const grid = &v->grid;
+    const tribox_grid *const grid = &v->grid;
     fputs("  <ImageData", to);
     write_extent(to, "WholeExtent", grid->size);
     fputs(" Origin=\"", to);

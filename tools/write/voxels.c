@@ -46,42 +46,16 @@ uint64_t voxels_occupied(const voxels *v)
     return cells;
 }
 
-size_t voxels_row_words(const tribox_grid_f64 *grid) { return tribox_mask_words(grid->size[0]); }
+size_t voxels_row_words(const tribox_grid *grid) { return tribox_mask_words(grid->size[0]); }
 
-size_t voxels_layer_words(const tribox_grid_f64 *grid) { return voxels_row_words(grid) * grid->size[1]; }
-
-tribox_grid voxels_narrow(const tribox_grid_f64 *grid)
-{
-    tribox_grid narrow;
-    for (int a = 0; a < 3; a++) {
-        narrow.origin[a] = (float)grid->origin[a];
-        narrow.cell[a] = (float)grid->cell[a];
-        narrow.size[a] = grid->size[a];
-    }
-    return narrow;
-}
+size_t voxels_layer_words(const tribox_grid *grid) { return voxels_row_words(grid) * grid->size[1]; }
 
 bool voxels_are_shifted(const voxels *v) { return v->shift[0] != 0 || v->shift[1] != 0 || v->shift[2] != 0; }
 
-bool voxels_are_served(const tribox_grid_f64 *grid, bool is_float, const tribox_options *options)
+bool voxels_are_served(const tribox_grid *grid, const tribox_options *options)
 {
-    const tribox_soup no_soup = {.count = 0};
-    const tribox_mesh no_mesh = {.count = 0};
-    const tribox_grid narrow = voxels_narrow(grid);
-    const uint32_t first[3] = {0, 0, 0}, one[3] = {1, 1, 1};
+    const tribox_soup nothing = {.count = 0};
+    const tribox_window one = {{0, 0, 0}, {1, 1, 1}};
     uint64_t word = 0;
-    if (is_float)
-        return !tribox_voxelize_window(&no_soup, &narrow, first, one, options, &word, NULL);
-    return !tribox_voxelize_f64(&no_mesh, grid, first, one, options, &word, NULL);
-}
-
-tribox_grid_f64 voxels_widen(const tribox_grid *grid)
-{
-    tribox_grid_f64 wide;
-    for (int a = 0; a < 3; a++) {
-        wide.origin[a] = (double)grid->origin[a];
-        wide.cell[a] = (double)grid->cell[a];
-        wide.size[a] = grid->size[a];
-    }
-    return wide;
+    return !tribox_voxelize(&nothing, grid, &one, options, &word, NULL);
 }

@@ -6,15 +6,14 @@
 
 #include "tribox.h"
 
-/* Layers as tribox_voxelize_layers and tribox_voxelize_f64 write them. */
+/* Whole layers as tribox_voxelize writes them. */
 typedef struct voxels_slab {
     uint32_t first, layers;
     const uint64_t *bits;
 } voxels_slab;
 
 typedef struct voxels {
-    tribox_grid_f64 grid;
-    bool is_float;           /* the grid is a tribox_grid: its numbers are floats, and so are its planes */
+    tribox_grid grid;
     double shift[3];         /* what was subtracted from the mesh */
     const voxels_slab *slab; /* one after the other, without gaps */
     size_t slabs;
@@ -32,16 +31,12 @@ uint64_t voxels_count(const uint64_t *words, size_t count);
 uint64_t voxels_occupied(const voxels *v);
 
 /* The words of a row, and of a layer, of the grid. */
-size_t voxels_row_words(const tribox_grid_f64 *grid);
-size_t voxels_layer_words(const tribox_grid_f64 *grid);
-
-/* A grid of floats, in double and back. */
-tribox_grid_f64 voxels_widen(const tribox_grid *grid);
-tribox_grid voxels_narrow(const tribox_grid_f64 *grid);
+size_t voxels_row_words(const tribox_grid *grid);
+size_t voxels_layer_words(const tribox_grid *grid);
 
 bool voxels_are_shifted(const voxels *v);
 
-/* Whether the library voxelizes into a grid in this way; is_float: as in voxels. */
-bool voxels_are_served(const tribox_grid_f64 *grid, bool is_float, const tribox_options *options);
+/* Whether the library voxelizes into a grid in this way. */
+bool voxels_are_served(const tribox_grid *grid, const tribox_options *options);
 
 #endif

@@ -6,7 +6,7 @@
 #include "console/memory.h"
 #include "console/message.h"
 
-int voxels_check_words(const tribox_grid_f64 *grid, const char *instead)
+int voxels_check_words(const tribox_grid *grid, const char *instead)
 {
     static const double words_max = 0x1p31;
     char bytes[16];
@@ -18,7 +18,7 @@ int voxels_check_words(const tribox_grid_f64 *grid, const char *instead)
                            instead);
 }
 
-int voxels_check_memory(const tribox_grid_f64 *grid, uint64_t bytes, const char *instead)
+int voxels_check_memory(const tribox_grid *grid, uint64_t bytes, const char *instead)
 {
     char needed[16], there[16];
     const uint64_t available = memory_available();

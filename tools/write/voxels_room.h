@@ -5,9 +5,9 @@
 #include "voxels.h"
 
 /* Refuses a grid of more words than one call takes. instead: what to do. Returns an exit_code. */
-int voxels_check_words(const tribox_grid_f64 *grid, const char *instead);
+int voxels_check_words(const tribox_grid *grid, const char *instead);
 
 /* Refuses what does not fit into memory before any of it is taken. instead: as above. Returns an exit_code. */
-int voxels_check_memory(const tribox_grid_f64 *grid, uint64_t bytes, const char *instead);
+int voxels_check_memory(const tribox_grid *grid, uint64_t bytes, const char *instead);
 
 #endif

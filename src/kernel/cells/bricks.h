@@ -83,7 +83,7 @@ TRIBOX_INLINE bool emit_brick(const uint64_t bits[BRICK], const uint32_t at[3], 
 {
     for (int k = 0; k < BRICK; k++)
         outlet->cells += tribox_count_bits(bits[k]);
-    return outlet->sink(outlet->data, at, bits);
+    return outlet->sink.take(outlet->sink.data, at, bits) == 0;
 }
 
 /* at: the place of the beam's first brick. */

@@ -1,20 +1,18 @@
 /*
  * reach.h - which cells of a grid the bounding boxes of a packet of triangles touch, in float.
- * After: axes.h, voxelizing.h. Needs: v_floor, v_plane.
+ * After: axes.h, voxelizing.h. Needs: v_floor.
  *
- * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the planes of the grid
- * decide, which are one cell away at most (PROOFS.md 7.3). Of a mesh the doubles are asked besides.
+ * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the plane there decides
+ * (PROOFS.md 7.3). Where triangles are of doubles, these are asked.
  */
 typedef struct lane_reach {
     vnum u[9];              /* the triangles: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
-    uint32_t number;        /* of the first, in a mesh */
-    vmask blurred;          /* those of a mesh that floats cannot stand for (PROOFS.md 7.11) */
+    const int32_t *number;  /* those of doubles; else NULL */
+    vmask blurred;          /* doubles that floats cannot stand for (PROOFS.md 7.11) */
     vnum base[3], cells[3]; /* the first cell, and how many, within the grid */
     vmask spans[3];         /* those with more than one, even if some lie outside the grid */
     vmask inside;           /* those that touch the grid */
 } lane_reach;
-
-static const int32_t LANES_IN_ORDER[TRIBOX_LANES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /* Lanes `from` to before `end`. */
 TRIBOX_INLINE vmask lanes_between(unsigned from, unsigned end)
@@ -38,24 +36,6 @@ typedef struct lane_cells {
     vnum first, last;
 } lane_cells;
 
-TRIBOX_INLINE vnum plus_where(vnum a, vmask more, vmask less)
-{
-    const vnum zero = v_splat(0), one = v_splat(1);
-    return v_sub(v_add(a, v_select(more, one, zero)), v_select(less, one, zero));
-}
-
-/* The cells that [least, most] touches, from their planes, where the first guess is at most one off. */
-static lane_cells ask_planes(const tribox_window *w, int a, lane_cells guess, vnum least, vnum most)
-{
-    const double cell = w->grid->cell[a], origin = w->grid->origin[a];
-    const vnum low = v_add(guess.first, v_splat((float)w->first[a])), high = v_add(guess.last, v_splat((float)w->first[a]));
-    const vnum one = v_splat(1);
-    const vnum above_first = v_plane(v_add(low, one), cell, origin), first = v_plane(low, cell, origin);
-    const vnum above_last = v_plane(v_add(high, one), cell, origin), last = v_plane(high, cell, origin);
-    return (lane_cells){plus_where(guess.first, v_gt(least, above_first), m_not(v_gt(least, first))),
-                        plus_where(guess.last, m_not(v_gt(above_last, most)), v_gt(last, most))};
-}
-
 /* The whole number that is nearest to a place, which is -1/2 or more. */
 TRIBOX_INLINE int64_t nearest_plane(float place) { return (int64_t)(place + 0.5f); }
 
@@ -65,10 +45,10 @@ typedef struct lane_ends {
 } lane_ends;
 
 /*
- * The same from the doubles of a mesh, lane by lane: a plane that is in doubt is the one next to the place. Blurred are triangles
- * where that plane parts vertices that became one float, their least or greatest.
+ * The cells that these lanes touch, lane by lane: a plane that is in doubt is the one next to the place. Blurred are triangles of
+ * doubles where that plane parts vertices that became one float, their least or greatest.
  */
-static lane_cells ask_doubles(const tribox_window *w, lane_reach *r, int a, uint64_t lanes, lane_cells guess, lane_ends ends)
+static lane_cells ask_planes(const tribox_voxel_window *w, lane_reach *r, int a, uint64_t lanes, lane_cells guess, lane_ends ends)
 {
     float first[V_LANES], last[V_LANES], from[V_LANES], to[V_LANES], least[V_LANES], most[V_LANES], of[3][V_LANES];
     float blurred[V_LANES] = {0};
@@ -85,8 +65,9 @@ static lane_cells ask_doubles(const tribox_window *w, lane_reach *r, int a, uint
         const int64_t low = nearest_plane(from[n]), high = nearest_plane(to[n]);
         const double low_plane = tribox_plane_at(&w->planes, a, low), high_plane = tribox_plane_at(&w->planes, a, high);
         bool is_above = true, is_below = true, is_one_above = false, is_one_below = false;
-        double u[3];
-        tribox_window_read_axis(w, (int32_t)(r->number + n), a, u);
+        double u[3] = {of[0][n], of[1][n], of[2][n]};
+        if (w->doubles)
+            tribox_window_read_axis(w, r->number[n], a, u);
         for (int j = 0; j < 3; j++) {
             const bool above = u[j] > low_plane, below = u[j] < high_plane;
             is_above &= above;
@@ -102,13 +83,29 @@ static lane_cells ask_doubles(const tribox_window *w, lane_reach *r, int a, uint
     return (lane_cells){v_load(first), v_load(last)};
 }
 
+TRIBOX_INLINE vnum plus_where(vnum a, vmask more, vmask less)
+{
+    const vnum zero = v_splat(0), one = v_splat(1);
+    return v_sub(v_add(a, v_select(more, one, zero)), v_select(less, one, zero));
+}
+
+/* The same of all lanes, where planes are floats: the first guess is at most one off. */
+static lane_cells ask_float_planes(const tribox_float_lattice *lattice, int a, lane_cells guess, lane_ends ends)
+{
+    const vnum cell = v_splat(lattice->cell[a]), origin = v_splat(lattice->origin[a]);
+    const vnum first = v_fma(guess.first, cell, origin), last = v_fma(guess.last, cell, origin);
+    const vnum above_first = v_add(first, cell), above_last = v_add(last, cell);
+    return (lane_cells){plus_where(guess.first, v_gt(ends.least, above_first), m_not(v_gt(ends.least, first))),
+                        plus_where(guess.last, m_not(v_gt(above_last, ends.most)), v_gt(last, ends.most))};
+}
+
 TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
 {
     const vnum place = v_fma(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]), v_splat(lattice->off[a]));
     return v_min(v_max(place, v_splat(-0.5f)), v_splat(lattice->size[a] + 0.5f));
 }
 
-TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_window *w, int a, const float *const stream[3], size_t at)
+TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, int a, const float *const stream[3], size_t at)
 {
     for (int j = 0; j < 3; j++)
         r->u[3 * a + j] = v_load(stream[j] + at);
@@ -120,9 +117,10 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_window *w, int a, cons
     lane_cells c = {v_floor(from), v_floor(to)};
     const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
     const uint64_t in_doubt = m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a])));
-    if (in_doubt)
-        c = w->mesh ? ask_doubles(w, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to})
-                    : ask_planes(w, a, c, least, most);
+    if (in_doubt && lattice->cell[a] > 0)
+        c = ask_float_planes(lattice, a, c, (lane_ends){least, most, from, to});
+    else if (in_doubt)
+        c = ask_planes(w, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to});
     r->spans[a] = v_gt(c.last, c.first);
     r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
     r->base[a] = v_max(c.first, zero);

@@ -5,19 +5,19 @@
  * The shadow along x takes or leaves whole rows; the two others limit each row and each layer, and the plane limits the rows.
  */
 
-TRIBOX_NOINLINE tribox_triangle triangle_of_mesh(const tribox_window *w, int32_t number)
+TRIBOX_NOINLINE tribox_triangle triangle_of_doubles(const tribox_voxel_window *w, int32_t number)
 {
     return tribox_window_read_triangle(w, number);
 }
 
-/* A triangle of a soup, its numbers a stride apart; of a mesh its doubles. */
-TRIBOX_INLINE tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *number, size_t stride, int32_t of_mesh)
+/* A triangle of floats, its numbers a stride apart, or the triangle of doubles with this number. */
+TRIBOX_INLINE tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *u, size_t stride, int32_t number)
 {
     tribox_triangle triangle = {.number = 0};
-    if (v->window.mesh)
-        return triangle_of_mesh(&v->window, of_mesh);
+    if (v->window.doubles)
+        return triangle_of_doubles(&v->window, number);
     for (size_t n = 0; n < 9; n++)
-        triangle.u[n] = number[n * stride];
+        triangle.u[n] = u[n * stride];
     return triangle;
 }
 
@@ -29,9 +29,9 @@ TRIBOX_INLINE void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, u
     const unsigned added = tribox_count_bits(m_bits(m));
     if (w->count + added > TRIBOX_WAITING)
         v->sinks.handlers->settle_waiting(v);
-    if (v->window.mesh)
+    if (v->window.doubles)
         i_pack(&w->number[w->count], m, i_load(&queue->triangle[at]));
-    for (int n = 0; n < 9 && !v->window.mesh; n++)
+    for (int n = 0; n < 9 && !v->window.doubles; n++)
         v_pack(&w->u[n][w->count], m, v_load(&queue->number[n][at]));
     for (int a = 0; a < 3; a++)
         i_pack(&w->at[a][w->count], m, cell[a]);

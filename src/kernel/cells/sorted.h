@@ -1,11 +1,13 @@
 /*
- * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch. Of a mesh of
- * doubles it holds the floats that stand for some of its triangles. After: solids.h, flats.h, bricks.h. Needs: KERNEL.
+ * sorted.h - a soup walked for a grid: packets of triangles, sorted by the cells that their bounding boxes touch. Of
+ * doubles it holds the floats that stand for them. After: solids.h, flats.h, bricks.h. Needs: KERNEL.
  *
  * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and solids of
  * few cells wait in queues until they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the
  * layers asked for, or on company (PROOFS.md 7.9).
  */
+
+TRIBOX_INLINE int32_t number_of(const lane_reach *r, unsigned lane) { return r->number ? r->number[lane] : 0; }
 
 static void defer(tribox_voxels *v, lane_reach r, uint64_t lanes)
 {
@@ -20,7 +22,7 @@ static void defer(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
-        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, (int32_t)(r.number + lane));
+        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, number_of(&r, lane));
         tribox_cell_range range;
         for (int a = 0; a < 3; a++) {
             range.base[a] = (int64_t)base[a][lane];
@@ -39,7 +41,7 @@ TRIBOX_NOINLINE void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
         v_write(u[n], r.u[n]);
     for (; lanes; lanes &= lanes - 1) {
         const unsigned lane = tribox_lowest_bit(lanes);
-        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, (int32_t)(r.number + lane));
+        const tribox_triangle triangle = triangle_of_lane(v, &u[0][lane], V_LANES, number_of(&r, lane));
         v->sinks.handlers->add_triangle(v, &triangle);
     }
 }
@@ -68,7 +70,7 @@ static void set_packets(tribox_voxels *v, tribox_class kind)
     queue->count -= at;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         v_write(queue->number[n], v_load(&queue->number[n][at]));
-    if (v->window.mesh)
+    if (v->window.doubles)
         i_write(queue->triangle, i_load(&queue->triangle[at]));
 }
 
@@ -94,8 +96,8 @@ TRIBOX_INLINE vnum queued_cells(tribox_class kind, const lane_reach *r, int a)
 TRIBOX_INLINE void pack_lanes(const tribox_voxels *v, tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     const unsigned to = queue->count;
-    if (v->window.mesh)
-        i_pack(&queue->triangle[to], m, i_add(i_splat((int32_t)r->number), i_load(LANES_IN_ORDER)));
+    if (v->window.doubles)
+        i_pack(&queue->triangle[to], m, i_load(r->number));
     for (int n = 0; n < 9; n++)
         v_pack(&queue->number[n][to], m, r->u[n]);
     for (int a = 0; a < 3; a++) {
@@ -118,8 +120,8 @@ TRIBOX_INLINE void copy_lanes(const tribox_voxels *v, tribox_queue *queue, tribo
     for (uint64_t left = m_bits(m); left; left &= left - 1, to++) {
         for (int n = 0; n < TRIBOX_QUEUED; n++)
             queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
-        if (v->window.mesh)
-            queue->triangle[to] = (int32_t)(r->number + tribox_lowest_bit(left));
+        if (v->window.doubles)
+            queue->triangle[to] = r->number[tribox_lowest_bit(left)];
     }
 }
 
@@ -167,7 +169,7 @@ typedef struct lane_layers {
  * Which cells a packet touches. False if none of its lanes does. z first, then y: whoever asks for some layers alone, or a window,
  * looks at most triangles in vain.
  */
-TRIBOX_INLINE bool reach_packet(lane_reach *r, const tribox_window *w, const tribox_soup *soup, size_t at, lane_layers layers)
+TRIBOX_INLINE bool reach_packet(lane_reach *r, const tribox_voxel_window *w, const tribox_soup *soup, size_t at, lane_layers layers)
 {
     reach_axis(r, w, 2, soup->z, at);
     r->inside = m_and(r->inside, m_and(v_gt(layers.end, r->base[2]), v_gt(v_add(r->base[2], r->cells[2]), layers.first)));
@@ -228,7 +230,7 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
 {
     const lane_layers layers = {v_splat((float)v->window.first_layer), v_splat((float)v->window.end_layer)};
     lane_reach r;
-    r.number = (uint32_t)v->window.first_number + (uint32_t)at;
+    r.number = v->window.doubles ? v->window.number + at : NULL;
     r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
     if (!reach_packet(&r, &v->window, soup, at, layers))

@@ -7,7 +7,7 @@
 
 TRIBOX_INLINE vnum tile_place(vnum x, const tribox_tile_lattice *lattice, int a)
 {
-    const vnum place = v_mul(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_tile[a]));
+    const vnum place = v_fma(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_tile[a]), v_splat(lattice->off[a]));
     return v_min(v_max(place, v_splat(-1)), v_splat(lattice->end[a] + 1));
 }
 
@@ -30,9 +30,8 @@ TRIBOX_INLINE lane_tiles tiles_of(const vnum u[3], const tribox_tile_lattice *la
     return tiles;
 }
 
-/* Those from triangle first + at on. */
-TRIBOX_INLINE void find_packet(const tribox_soup *soup, const tribox_tile_lattice *lattice, size_t first, tribox_tile_range *range,
-                               size_t at)
+/* Those from triangle `at` on. */
+TRIBOX_INLINE void find_packet(const tribox_soup *soup, const tribox_tile_lattice *lattice, tribox_tile_range *range, size_t at)
 {
     vnum u[9];
     vint number = i_splat(0), following = i_splat(0);
@@ -40,7 +39,7 @@ TRIBOX_INLINE void find_packet(const tribox_soup *soup, const tribox_tile_lattic
     for (int a = 2; a >= 0; a--) {
         const float *const *const stream = tribox_soup_axis(soup, a);
         for (int j = 0; j < 3; j++)
-            u[3 * a + j] = v_load(stream[j] + first + at);
+            u[3 * a + j] = v_load(stream[j] + at);
         const lane_tiles tiles = tiles_of(u + 3 * a, lattice, a);
         number = i_add(i_mul(number, i_splat(lattice->along[a])), i_cut(tiles.first));
         following = i_or(i_shl(following, i_splat(TRIBOX_TILES_BITS)), i_cut(tiles.more));
@@ -54,11 +53,11 @@ TRIBOX_INLINE void find_packet(const tribox_soup *soup, const tribox_tile_lattic
 }
 
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */
-static void find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, size_t first, size_t count,
-                       tribox_tile_range *range)
+static void find_tiles(const tribox_soup *soup, const tribox_tile_lattice *lattice, tribox_tile_range *range)
 {
+    const size_t count = soup->count;
     for (size_t at = 0; at + V_LANES <= count; at += V_LANES)
-        find_packet(soup, lattice, first, range, at);
+        find_packet(soup, lattice, range, at);
     if (count % V_LANES)
-        find_packet(soup, lattice, first, range, count < V_LANES ? 0 : count - V_LANES);
+        find_packet(soup, lattice, range, count < V_LANES ? 0 : count - V_LANES);
 }

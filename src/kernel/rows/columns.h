@@ -1,5 +1,5 @@
 /*
- * columns.h - what the projection along x leaves of each layer of a triangle: an interval of j. After: own_planes.h.
+ * columns.h - what the projection along x leaves of each layer of a triangle: an interval of j. After: rows.h.
  *
  * Where the triangle is flat along x these are its cells, a column in each layer. Elsewhere they are rows (packed_rows.h).
  *
@@ -21,10 +21,7 @@ TRIBOX_INLINE void limit_layers(const strip_place *p, int64_t first, layer_packe
 {
     const vnum wide = v_splat(p->strip->cells[1][p->t]), k = layers_from(first);
     lane_run run = whole_run(wide);
-    if (p->is_by_own_planes)
-        run = layers_by_own_planes(p, wide, k);
-    else
-        narrow_by_shadow(&run, p->limits, p->t, 0, k, true);
+    narrow_by_shadow(&run, p->limits, p->t, 0, k, true);
     write_ends(layers->first_maybe, layers->end_maybe, run.first_maybe, run.end_maybe, wide);
     write_ends(layers->first_certain, layers->end_certain, run.first_certain, run.end_certain, wide);
 }

@@ -91,8 +91,8 @@ TRIBOX_INLINE row_cursor first_rows(const strip_place *p, tribox_shape shape)
     }
 }
 
-/* What limits leave of rows (j, k) where planes are taken as evenly spaced. */
-TRIBOX_INLINE lane_run evenly_limited_rows(const strip_place *p, vnum cells, vnum j, vnum k, tribox_shape shape, bool has_certain)
+/* What limits leave of rows (j, k). */
+TRIBOX_INLINE lane_run limits_of_rows(const strip_place *p, vnum cells, vnum j, vnum k, tribox_shape shape, bool has_certain)
 {
     lane_run run = whole_run(cells);
     if (shape != TRIBOX_FLAT_Z)
@@ -110,13 +110,7 @@ TRIBOX_INLINE void limit_rows(const strip_place *p, row_list *rows, unsigned at,
     const unsigned t = p->t;
     const double row_words = (double)p->v->sinks.row_words, layer_words = row_words * p->v->window.size[1];
     const vnum j = v_read(&rows->j[at]), k = v_read(&rows->k[at]), cells = v_splat(p->strip->cells[0][t]);
-    lane_run run;
-    if (has_certain && p->is_by_own_planes) {
-        const row_planes of_j = planes_of_rows(p, 1, j), of_k = planes_of_rows(p, 2, k);
-        run = rows_by_own_planes(p, p->limits, cells, &of_j, &of_k, shape);
-    } else {
-        run = evenly_limited_rows(p, cells, j, k, shape, has_certain);
-    }
+    const lane_run run = limits_of_rows(p, cells, j, k, shape, has_certain);
     write_ends(&rows->maybe.first[at], &rows->maybe.end[at], run.first_maybe, run.end_maybe, cells);
     if (has_certain)
         write_ends(&rows->certain.first[at], &rows->certain.end[at], run.first_certain, run.end_certain, cells);

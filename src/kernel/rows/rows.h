@@ -36,9 +36,6 @@ typedef struct strip_place {
     const strip_limits *limits;
     unsigned t;
     int64_t first, end;
-    bool is_by_own_planes; /* as limits are, then (own_planes.h); else: */
-    strip_limits *own;     /* those by its own planes, once they are needed */
-    bool *has_own;
 } strip_place;
 
 TRIBOX_INLINE void write_limit(strip_limit *limit, unsigned at, const shadow_limit *from)

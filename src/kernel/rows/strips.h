@@ -1,12 +1,11 @@
 /*
- * strips.h - the cells of triangles in strips, and the kernel's table. After: columns.h, own_planes.h, crossings.h. Needs:
- * KERNEL.
+ * strips.h - the cells of triangles in strips, and the kernel's table. After: packed_rows.h, crossings.h. Needs: KERNEL.
  */
 
 TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_certain)
 {
     const int bit = p->strip->bit[p->t];
-    const bool is_rough = p->v->window.roughness != TRIBOX_EVEN, is_narrow = bit + p->strip->cells[0][p->t] < 64;
+    const bool is_narrow = bit + p->strip->cells[0][p->t] < 64;
     row_cursor at = first_rows(p, shape);
     row_list rows;
     while (list_rows(p, &at, &rows, shape, has_certain)) {
@@ -14,18 +13,15 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
         limit_all_rows(p, &rows, shape, has_certain);
         p->v->counts.overlapping += set_listed_rows(p->v->sinks.occupied, &rows, cells, bit, is_narrow);
         if (has_certain && may_be_undecided(&rows))
-            (is_rough && !p->is_by_own_planes ? settle_undecided_rows(p, &rows, shape) : wait_for_rows(p, &rows));
+            wait_for_rows(p, &rows);
     }
 }
 
 TRIBOX_INLINE void set_strip_by(tribox_voxels *v, tribox_shape shape, bool has_certain)
 {
     const tribox_strip *const strip = &v->sinks.strip[shape];
-    strip_limits limits, own;
-    bool has_own = false;
-    const bool is_by_own_planes = has_certain && v->window.roughness == TRIBOX_VERY_ROUGH;
-    const tribox_lattice lattice = is_by_own_planes ? lattice_by_own_planes(v) : v->window.lattice;
-    prepare_limits(strip, &lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
+    strip_limits limits;
+    prepare_limits(strip, &v->window.lattice, v->plan.axes, v->plan.accuracy == TRIBOX_FAST ? 0 : 1, &limits, shape);
     for (unsigned t = 0; t < strip->count; t++) {
         const int64_t base = (int64_t)strip->base[2][t], layers = (int64_t)strip->cells[2][t];
         const strip_place p = {v,
@@ -33,10 +29,7 @@ TRIBOX_INLINE void set_strip_by(tribox_voxels *v, tribox_shape shape, bool has_c
                                &limits,
                                t,
                                tribox_greatest(v->window.first_layer - base, 0),
-                               tribox_least(layers, v->window.end_layer - base),
-                               is_by_own_planes,
-                               &own,
-                               &has_own};
+                               tribox_least(layers, v->window.end_layer - base)};
         if (shape == TRIBOX_FLAT_X)
             set_columns(&p, has_certain);
         else

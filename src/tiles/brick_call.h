@@ -1,0 +1,39 @@
+/* brick_call.h - a call for bricks: the share, its lists, and scratch for one tile after another. */
+#ifndef TRIBOX_BRICK_CALL_H
+#define TRIBOX_BRICK_CALL_H
+
+#include "grid/triangles.h"
+#include "plan.h"
+#include "tiles.h"
+
+/* Triangles are gathered a block at a time, as nine streams and a number each; whole packets are read. */
+enum { TRIBOX_LISTED = 1024, TRIBOX_LISTED_STREAM = TRIBOX_LISTED + TRIBOX_LANES_MAX };
+typedef struct tribox_listed {
+    float u[9][TRIBOX_LISTED_STREAM];
+    int32_t number[TRIBOX_LISTED_STREAM];
+} tribox_listed;
+
+typedef struct tribox_bricks_call {
+    tribox_tiling tiling;
+    tribox_triangles triangles;
+    const tribox_grid *grid;
+    tribox_plan plan;
+    const size_t *starts;
+    const uint32_t *list;
+    uint64_t *bits; /* of a tile: zero before each and after */
+    tribox_listed *block;
+    tribox_outlet outlet;
+    tribox_report counts;
+} tribox_bricks_call;
+
+/* Whether the triangles have these numbers, and their vertices are there. */
+bool tribox_listed_are_there(const tribox_triangles *triangles, const uint32_t *list, size_t count);
+
+/* Triangles list[0] .. list[count - 1] into the block: floats as they are, doubles less `origin`, then rounded. */
+tribox_soup tribox_listed_gather(const tribox_triangles *triangles, const double origin[3], const uint32_t *list, size_t count,
+                                 tribox_listed *block);
+
+/* Voxelizes a tile of the grid, from those triangles, one at least, and emits its bricks. False if the sink ended the call. */
+bool tribox_bricks_of_tile(tribox_bricks_call *s, size_t number, const uint32_t *list, size_t count);
+
+#endif

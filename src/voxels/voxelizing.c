@@ -1,0 +1,80 @@
+/* voxelizing.c - one voxelization: begun, given triangles of a soup or a mesh, and ended. */
+#include "voxelizing.h"
+
+/* FAST would save error bounds alone, which cost little where triangles are of doubles. */
+void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                         uint64_t *occupied)
+{
+    if (triangles->are_doubles && v->plan.accuracy == TRIBOX_FAST)
+        v->plan.accuracy = TRIBOX_CONSERVATIVE;
+    tribox_voxel_window_make(&v->window, grid, window, triangles, v->plan.axes);
+    tribox_voxels_empty_sinks(v, occupied);
+}
+
+void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layers)
+{
+    v->window.first_layer = first;
+    v->window.end_layer = (int64_t)first + layers;
+    tribox_voxels_empty_sinks(v, v->sinks.occupied);
+}
+
+static tribox_triangle triangle_at(const tribox_voxels *v, const tribox_soup *streams, const int32_t *number, size_t i)
+{
+    tribox_triangle triangle = {.number = 0};
+    if (v->window.doubles)
+        return tribox_window_read_triangle(&v->window, number[i]);
+    for (int n = 0; n < 9; n++)
+        triangle.u[n] = tribox_soup_axis(streams, n / 3)[n % 3][i];
+    return triangle;
+}
+
+/* Without the box normals a triangle may overlap cells anywhere: every cell is tested by its own box. */
+static void put_one(tribox_voxels *v, const tribox_triangle *triangle)
+{
+    if (v->plan.axes & TRIBOX_AXES_BOX)
+        tribox_voxels_add_triangle(v, triangle);
+    else
+        tribox_voxels_wait_everywhere(v, triangle);
+}
+
+void tribox_voxels_put(tribox_voxels *v, const tribox_soup *streams, const int32_t *number)
+{
+    if (v->window.is_for_float && streams->count) {
+        v->window.number = number;
+        v->plan.kernel->cells->sort(v, streams);
+        return;
+    }
+    for (size_t i = 0; i < streams->count; i++) {
+        const tribox_triangle triangle = triangle_at(v, streams, number, i);
+        put_one(v, &triangle);
+    }
+}
+
+/* Triangles have numbers of 32 bits in a part of a mesh, which is whole before the next one begins. */
+void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
+{
+    enum { PART = 1 << 30 };
+    tribox_stream_room room = {0};
+    int32_t number[TRIBOX_STREAMED] = {0};
+    const size_t most = tribox_triangles_at_once(triangles);
+    for (size_t at = 0, some; at < triangles->count; at += some) {
+        const size_t left = triangles->count - at;
+        some = left < most ? left : most;
+        if (at - v->window.first_triangle >= PART) {
+            tribox_voxels_end(v);
+            v->window.first_triangle = at;
+        }
+        for (size_t i = 0; v->window.doubles && i < some; i++)
+            number[i] = (int32_t)(at - v->window.first_triangle + i);
+        const tribox_soup streams = tribox_triangles_stream(triangles, v->plan.kernel, tribox_voxels_origin(v), at, some, &room);
+        tribox_voxels_put(v, &streams, number);
+    }
+}
+
+void tribox_voxels_end(tribox_voxels *v)
+{
+    if (v->window.is_for_float)
+        v->plan.kernel->cells->finish(v);
+    tribox_voxels_set_strips(v);
+    tribox_voxels_settle_waiting(v);
+}
