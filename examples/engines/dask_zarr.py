@@ -1,7 +1,7 @@
 """A partition into a Zarr array of packed cells, with Dask: python3 dask_zarr.py PARTITION OUT.zarr [--workers N] [--timeout S]
 
 PARTITION is a folder that `tribox partition MESH --resolution N -o PARTITION` wrote. Word [k, j, i // 64] of the array has cell
-(i, j, k) as its bit i % 64, as tribox.voxelize(packed=True) has it; chunks without cells are not stored.
+(i, j, k) as its bit i % 64, as Voxels.words has it; chunks without cells are not stored.
 
 A tile is a chunk and a task owns its chunks: it reads its triangles from the partition, asks no other task, and writes each chunk
 whole, so that a task which a killed worker had begun is simply run again. OUT.zarr appears when all tasks have ended; a run that is
@@ -26,20 +26,20 @@ def voxelize_share(partition, path, share):
     """The task: writes the chunks of its tiles; returns how many cells they have."""
     partition.check(share)
     array, cells = zarr.open(path, mode="r+", write_empty_chunks=True), 0  # none is empty: it need not look
-    for number in partition.numbers[np.isin(partition.numbers, range(*share))].tolist():
-        words = partition.voxelize(number, packed=True)
-        some = words[words != 0]
-        if len(some):
-            (i, j, k), _ = partition.window(number)
+    first, count = share
+    for number in partition.numbers[np.isin(partition.numbers, range(first, first + count))].tolist():
+        voxels = partition.voxelize(number)
+        some, words, (i, j, k) = voxels.sum(), voxels.words, voxels.window[0]
+        if some:
             array[k:k + words.shape[0], j:j + words.shape[1], i // 64:i // 64 + words.shape[2]] = words
-            cells += int(np.unpackbits(some.view(np.uint8)).sum())
+            cells += some
     return cells
 
 
 def new_array(partition, path):
     nx, ny, nz = partition.grid.size
-    tile = partition.tile
-    array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(tile, tile, tile // 64), dtype="<u8", fill_value=0)
+    side = partition.side
+    array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(side, side, side // 64), dtype="<u8", fill_value=0)
     array.attrs.update(origin=partition.grid.origin, cell=partition.grid.cell, size=partition.grid.size)
 
 
@@ -70,8 +70,8 @@ def main():
     partition, draft = tribox.Partition(options.partition), f"{options.out}.draft-{os.getpid()}"
     if os.path.exists(options.out):
         parser.error(f"{options.out} exists")
-    if partition.tile % 64:
-        parser.error(f"tiles of {partition.tile} cells are no chunks of whole words; make them of a multiple of 64")
+    if partition.side % 64:
+        parser.error(f"tiles of {partition.side} cells are no chunks of whole words; make them of a multiple of 64")
     new_array(partition, draft)
     try:
         whole = 0, partition.tile_count

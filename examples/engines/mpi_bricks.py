@@ -1,7 +1,7 @@
 """A partition into a file of bricks, with MPI: mpirun -n 4 python3 -m mpi4py mpi_bricks.py PARTITION OUT.npy
 
 PARTITION is a folder that `tribox partition MESH --resolution N -o PARTITION` wrote, on a file system that all ranks see. OUT.npy
-has 76 bytes a brick: numpy.load(OUT.npy)["at"] and ["bits"] are as tribox.bricks returns them, in the same order.
+has 76 bytes a brick: numpy.load(OUT.npy)["at"] and ["bits"] are as those of tribox.bricks, in the same order.
 
 Each rank has tiles of about equal work, reads their triangles alone, and writes its bricks after those of the ranks before it: an
 exclusive scan of their counts, and one collective write. OUT.npy appears when all ranks have written. A rank that is killed ends
@@ -49,7 +49,7 @@ def main():
     partition.check(share)
     bricks = partition.bricks(share)
     records = np.empty(len(bricks.at), BRICK)
-    records["at"], records["bits"] = bricks
+    records["at"], records["bits"] = bricks.at, bricks.bits
     draft = world.bcast(f"{out}.draft-{os.getpid()}")
     count = write(world, draft, records)
     world.Barrier()

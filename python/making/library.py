@@ -17,8 +17,8 @@ NO_VECTORS = ["-fno-tree-vectorize", "-fno-tree-slp-vectorize"]
 # Of each processor what dispatch.c has to know, and the folders of its kernels with their flags: as in src/meson.build.
 X86 = (["-DTRIBOX_X86", "-msse2"], {"sse": ["-msse2"], "avx2": ["-mavx2", "-mfma", *BITS], "avx512": ["-mavx512f", "-mfma", *BITS]})
 NEON = (["-DTRIBOX_NEON"], {"neon": []})
-ROOMS = ["", "base", "pairs", "mesh", "index", "grid", "voxels", "tiles", "fill", "exact", os.path.join("exact", "oriented")]
 PROCESSORS = {"x86_64": X86, "aarch64": NEON}
+KERNELS = {"scalar", *(folder for _, kernels in PROCESSORS.values() for folder in kernels)}
 COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
 MANYLINUX = "manylinux_2_17_"  # as old a C library as any that NumPy is made for; tests/python/test_wheel.py proves it
 
@@ -26,9 +26,17 @@ with open(os.path.join(ROOT, "include", "tribox.h"), encoding="ascii") as header
     VERSION = ".".join(re.findall(r"(?m)^#define TRIBOX_VERSION_[A-Z]* *(\d+)$", header.read()))
 
 
+def rooms(root):
+    """The folders of src but those of kernels and of their text, of which "" is src itself."""
+    source = os.path.join(root, "src")
+    folders = [os.path.relpath(folder, source) for folder, _, _ in os.walk(source)]
+    own = {"kernel", "wasm", *KERNELS}
+    return sorted("" if folder == "." else folder for folder in folders if folder.split(os.sep)[0] not in own)
+
+
 def files(root):
     """The files that the package is made of, relative to the root of the repository."""
-    folders = [*ROOMS, "kernel", "kernel/*", "scalar", *(folder for _, kernels in PROCESSORS.values() for folder in kernels)]
+    folders = [*rooms(root), "kernel", "kernel/*", *KERNELS]
     patterns = ["pyproject.toml", "LICENSE", "include/*.h", *(os.path.join("src", folder, "*.[ch]") for folder in folders),
                 "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
     found = [os.path.relpath(file, root) for pattern in patterns for file in glob(os.path.join(root, pattern))]
@@ -64,7 +72,7 @@ class Compiler:
         position = ["-DTRIBOX_SHARED_BUILD"] if self.is_windows else ["-fPIC"]
         is_clang = "clang" in self.output("--version")
         of_kernels = ["-mstackrealign"] if is_clang else ["-Wa,-muse-unaligned-vector-move"] if self.is_windows else []
-        flags = {room: core for room in ROOMS}
+        flags = {room: core for room in rooms(ROOT)}
         flags.update({folder: of_kernels + own for folder, own in {"scalar": NO_VECTORS, **kernels}.items()})
         return {os.path.relpath(source, ROOT): [*COMMON, *position, *own, *self.extra]
                 for folder, own in flags.items() for source in glob(os.path.join(ROOT, "src", folder, "*.c"))}

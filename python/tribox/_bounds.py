@@ -33,13 +33,10 @@ def point(numbers):
     return f"({', '.join(format(number, '.7g') for number in numbers)})"
 
 
-def extent(held_, origin=(0, 0, 0)):
-    """Their bounds, for a repr, which raises nothing. origin: what was subtracted from them."""
+def extent(held_):
+    """Their bounds, for a repr, which raises nothing."""
     try:
         bounds = bounds_of(held_)
     except BadIndexError:
         return "with wrong indices"
-    if bounds is None:
-        return "without bounds"
-    lo, hi = ([x + o for x, o in zip(bound, origin)] for bound in bounds)
-    return f"from {point(lo)} to {point(hi)}"
+    return "without bounds" if bounds is None else f"from {point(bounds[0])} to {point(bounds[1])}"

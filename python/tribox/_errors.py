@@ -1,5 +1,7 @@
 """The exceptions, and how a status of the library becomes one."""
 
+from __future__ import annotations
+
 from typing import Optional
 
 from ._ffi import ffi

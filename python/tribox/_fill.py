@@ -4,30 +4,25 @@ import warnings
 
 import numpy as np
 
+from . import _c
 from ._arguments import check, meaning
 from ._errors import InputError, shown
 from ._ffi import ffi
-from ._grids import is_single
 from ._library import lib
 from ._masks import pointer_to
-from ._triangles import Soup, mesh_held
 
 
 class OpenMeshWarning(UserWarning):
     """A mesh is certainly not closed: its inside is a matter of opinion."""
 
 
-def fill_outside(held_, grid, words, solid, scratch):
-    check(lib.tribox_fill_outside(tuple(grid.size), words, solid, scratch, ffi.NULL))
+def fill_outside(held_, grid, words, scratch, solid):
+    check(lib.tribox_fill_outside(tuple(grid.size), words, scratch, solid, ffi.NULL))
 
 
-def fill_parity(held_, grid, words, solid, scratch):
+def fill_parity(held_, grid, words, scratch, solid):
     odd = ffi.new("size_t *")
-    if is_single(grid):
-        held_, call = Soup.of(held_) if not held_.is_soup else held_, lib.tribox_fill_parity
-    else:
-        held_, call = mesh_held(held_), lib.tribox_fill_parity_f64
-    check(call(held_.struct, grid, words, solid, scratch, ffi.NULL, odd))
+    check(_c.fill_parity(held_, grid, words, scratch, solid, ffi.NULL, odd))
     if odd[0]:
         warnings.warn(f"the mesh is not closed: {odd[0]} of {grid.size[1] * grid.size[2]} rows of cells cross it an odd number of "
                       'times, and are filled to their end; fill="outside" asks nothing of a mesh but that no hole is larger than a '
@@ -48,5 +43,5 @@ def fill_of(word):
 def filled(call, held_, grid, words):
     """The cells of a surface and those inside."""
     solid, scratch = np.empty_like(words), np.empty(lib.tribox_fill_bytes(tuple(grid.size)), np.uint8)
-    call(held_, grid, pointer_to(words), pointer_to(solid), ffi.from_buffer(scratch))
+    call(held_, grid, pointer_to(words), ffi.from_buffer(scratch), pointer_to(solid))
     return solid

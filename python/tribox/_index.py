@@ -1,262 +1,223 @@
-"""One soup, box after box: a question costs what its answer and the border of the box cost, not the soup."""
+"""Triangles, box after box: a question costs what its answer and the border of the box cost, not the triangles."""
 
-import sys
-from typing import Any, Dict, Optional, Tuple
+from __future__ import annotations
+
+from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from ._arguments import check, finite_three, options_of, three, three_times_three
+from . import _c
+from ._arguments import check, options_of
 from ._bounds import extent
-from ._errors import InputError, check_indices, error_of
+from ._boxes import OrientedBox, Rows, Streams, bounds_of_boxes, box_of, oriented_of
+from ._errors import InputError, check_indices, error_of, shown
 from ._ffi import ffi
-from ._library import VERSION, lib
-from ._masks import bools, check_out, new_words, packed_bits, pointer_to
+from ._library import lib
+from ._masks import bools, check_out, new_words, pointer_to, rows_of_words
 from ._numbers import FLOAT
-from ._overlap import ALL, BOX_F64, ORIENTED, bounds, box_of, boxes_of, fill_words, floats_about
-from ._triangles import Soup, gathered, held
-from ._typing import Accuracy, Answer, Frame, TrianglesLike, Vector
+from ._overlap import ALL, BOX, check_oriented
+from ._triangles import Mesh, Soup, by_number, check_sound, held, is_double
+from ._typing import Accuracy, Answer, Boxes, Region, TrianglesLike, Vector
 
 NUMBER, SIZE = np.dtype(np.uint32), np.dtype(np.uintp)
 NUMBERS, SIZES, FOUND = ffi.typeof("uint32_t[]"), ffi.typeof("size_t[]"), ffi.typeof("size_t *")
 SCRATCH_FLOATS = 4  # a triangle, for an order
 FIRST_ROOM = 4096  # numbers; an answer that has more is asked for twice
+ROOM_EACH = 64  # numbers for each of many boxes, at first
 
 
 def order_of(held_):
     """The order in which triangles are near in number where they are near in space."""
-    struct = held_.struct
-    order, scratch = np.empty(struct.count, NUMBER), np.empty(struct.count * SCRATCH_FLOATS, FLOAT)
-    call = lib.tribox_soup_sort if held_.is_soup else lib.tribox_mesh_sort
-    status = call(struct, ffi.from_buffer(NUMBERS, order), ffi.from_buffer(scratch))
+    count = held_.struct.count
+    order, scratch = np.empty(count, NUMBER), np.empty(count * SCRATCH_FLOATS, FLOAT)
+    status = _c.sort(held_, ffi.from_buffer(NUMBERS, order), ffi.from_buffer(scratch))
     if status:
         check_indices(held_)
-        raise error_of(status, triangles=struct.count)
+        raise error_of(status, triangles=count)
     return order
 
 
-def built(soup):
-    """The nodes of an index over a Soup, as an array of bytes."""
-    size = lib.tribox_index_bytes(soup.struct.count)
-    nodes = np.empty(size, np.uint8)
-    status = lib.tribox_index_build(soup.struct, ffi.NULL, ffi.from_buffer(nodes), ffi.NULL)
-    if status:
-        raise error_of(status, triangles=len(soup))
-    return nodes
-
-
-def is_double_box(box):
-    return ffi.typeof(box[0]) is BOX_F64
+def in_order(held_, order):
+    """Triangles in an order, None for their own, as what an index is fastest over: a Soup, or a Mesh of float64."""
+    if order is None:
+        check_indices(held_)
+    if is_double(held_):
+        return Mesh(by_number(held_, np.arange(held_.struct.count) if order is None else order))
+    if order is None:
+        return held_ if held_.is_soup else Soup.of(held_)
+    soup = Soup(np.empty((3, 3, len(order)), FLOAT))
+    check_sound(_c.gather(held_, ffi.from_buffer(NUMBERS, order), soup))
+    return soup
 
 
 class Index:
-    """An index over triangles, for many questions about them: each costs what its answer costs, and no longer what the soup does.
+    """An index over triangles, for many questions about them: each costs what its answer costs, and not what all triangles do.
 
-    triangles: as for overlap, at most 2^32. float64 that float32 cannot hold needs an origin.
+    triangles: as for overlap, at most 2^32, of float32 or float64.
     keep_order: False copies the triangles into an order in which near ones are near in number, which takes some 100 ns and 40 bytes
-        for each, 16 more on the way, and makes questions fastest. True leaves them as they come: a Soup is then read where it lies
-        and must not change; others are copied.
-    origin: three numbers, near the triangles, which are subtracted in float64 before the coordinates are rounded to float32, and
-        from every box that is asked. Answers are then exact about coordinates that are off by 2^-24 of their distance from it.
+        for each, of float64 76, 16 more on the way, and makes questions fastest. True leaves them as they come: a Soup is then read
+        where it lies and must not change; others are copied.
 
-    Answers are those of tribox.overlap, for boxes of any numbers, and have the numbers that the triangles have in the array, Mesh
-    or Soup. Boxes that float32 holds, once moved, are answered fastest. accuracy, axes, order and kernel are as for overlap; axes
-    must include AXES_BOX, and "fast" may report triangles more. Threads may ask one Index at once. It can be pickled, and copied by
-    the module copy; len() is the number of triangles. Errors are those of overlap.
+    Answers are those of tribox.overlap, exact about the numbers that the triangles and boxes have, and have the numbers that the
+    triangles have in the array, Mesh or Soup. A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an
+    OrientedBox. accuracy, axes, axis_order and kernel are as for overlap; axes must include AXES_BOX, and "fast" may report
+    triangles more. Threads may ask one Index at once. It can be pickled, and copied by the module copy; len() is the number of
+    triangles. Errors are those of overlap.
     """
 
-    def __init__(self, triangles: TrianglesLike, *, keep_order: bool = False, origin: Optional[Vector] = None) -> None:
+    _held: Union[Mesh, Soup]
+    _ids: Optional[NDArray[np.uint32]]
+    _nodes: NDArray[np.uint8]
+
+    def __init__(self, triangles: TrianglesLike, *, keep_order: bool = False) -> None:
         held_ = held(triangles)
-        self.origin = None if origin is None else finite_three("origin", origin)
-        if self.origin or held_.is_double:
-            held_ = Soup.of(held_, self.origin)
-        if not keep_order:
-            order = order_of(held_)
-            self._set(gathered(held_.struct, order), order)
-        else:
-            self._set(held_ if held_.is_soup else Soup.of(held_), None)
+        order = None if keep_order else order_of(held_)
+        self._set(in_order(held_, order), order)
 
-    def _set(self, soup, ids, nodes=None):
-        """soup: the triangles in the order of the index. ids: the number that each has for the caller; None: its place in soup."""
-        self._soup, self._ids, self._nodes = soup, ids, built(soup) if nodes is None else nodes
-        self._struct = ffi.new("tribox_index *", (ffi.from_buffer(self._nodes), len(soup)))
-        self._id_pointer = ffi.NULL if ids is None else ffi.from_buffer(NUMBERS, ids)
-
-    @property
-    def soup(self) -> Soup:
-        """The triangles in the order of the index."""
-        return self._soup
-
-    @property
-    def ids(self) -> Optional[NDArray[np.uint32]]:
-        """The number that each triangle of the soup has for the caller; None: its place there."""
-        return self._ids
-
-    @property
-    def nodes(self) -> NDArray[np.uint8]:
-        """The tree, as bytes."""
-        return self._nodes
+    def _set(self, held_, ids):
+        """held_: the triangles in the order of the index. ids: the number that each has for the caller; None: its place there."""
+        self._held, self._ids = held_, ids
+        self._nodes = np.empty(lib.tribox_index_bytes(len(held_)), np.uint8)
+        ids_ = ffi.NULL if ids is None else ffi.from_buffer(NUMBERS, ids)
+        self._index = _c.Indexed(ffi.from_buffer(self._nodes), held_, ids_)
+        check(lib.tribox_index_build(self._index.struct, ffi.NULL, self._index.nodes), triangles=len(self))
 
     def __len__(self) -> int:
-        return int(self._struct.count)
+        return len(self._held)
 
     def __repr__(self) -> str:
-        order = "as given" if self.ids is None else "in order"
-        where = extent(self.soup, self.origin) if self.origin else extent(self.soup)
-        return f"<tribox.Index: {len(self)} triangles {order}, {len(self.nodes)} bytes, {where}>"
+        order = "as given" if self._ids is None else "in order"
+        what = "float64" if is_double(self._held) else "float32"
+        return f"<tribox.Index: {len(self)} triangles of {what} {order}, {len(self._nodes)} bytes, {extent(self._held)}>"
 
     def __getstate__(self) -> Dict[str, Any]:
-        return {"version": VERSION, "byteorder": sys.byteorder, "streams": np.asarray(self.soup.streams, order="C"),
-                "ids": self.ids, "nodes": self.nodes, "origin": self.origin}
+        whole = np.asarray(self._held.streams, order="C") if isinstance(self._held, Soup) else self._held.vertices
+        return {"triangles": whole, "ids": self._ids}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
-        """Nodes that another version of the library, or the other byte order, wrote are built again."""
-        soup, nodes, ids, self.origin = Soup(state["streams"]), state["nodes"], state["ids"], state.get("origin")
-        if ids is not None and (ids.dtype, ids.shape) != (NUMBER, (len(soup),)):
-            raise InputError(f"a pickled Index of {len(soup)} triangles has {ids.shape} numbers of type {ids.dtype}")
-        fits = (state["version"], state["byteorder"], len(nodes)) == (VERSION, sys.byteorder, lib.tribox_index_bytes(len(soup)))
-        self._set(soup, ids, nodes if fits else None)
+        """The nodes, which are those of one version of the library, are built again."""
+        triangles, ids = state["triangles"], state["ids"]
+        held_: Union[Mesh, Soup] = Soup(triangles) if triangles.dtype == FLOAT else Mesh(triangles)
+        if ids is not None and (ids.dtype, ids.shape) != (NUMBER, (len(held_),)):
+            raise InputError(f"a pickled Index of {len(held_)} triangles has {ids.shape} numbers of type {ids.dtype}")
+        self._set(held_, ids)
 
-    def overlap(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
-                kernel: Optional[str] = None, packed: bool = False, out: Optional[Answer] = None) -> Answer:
-        """Tells which triangles overlap the closed box from lo to hi: an array of n bool, as tribox.overlap returns it.
+    def overlap(self, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact", axes: int = ALL,
+                axis_order: int = 0, kernel: Optional[str] = None, packed: bool = False, out: Optional[Answer] = None) -> Answer:
+        """Tells which triangles overlap the box: an array of n bool, as tribox.overlap returns it.
 
-        lo, hi: three numbers each. packed, out: as for tribox.overlap. All n are written; list() is faster where few overlap.
+        packed, out: as for tribox.overlap. All n are written; list() is faster where few overlap.
         """
+        question = self._question(lo, hi, accuracy, axes, axis_order, kernel)
         count = len(self)
         if out is not None:
             packed = check_out(out, (count,), ((count + 63) >> 6,))
-        answer = self._mask("", self._straight(lo, hi), (accuracy, axes, order, kernel), packed)
+        if self._ids is None:
+            words = new_words(count)
+            self._ask(lib.tribox_index_overlap, question, pointer_to(words), ffi.NULL)
+            answer = words if packed else bools(words, count)
+        else:
+            answer = np.zeros(count, bool)
+            answer[self._list(question)] = True
+            answer = rows_of_words(answer) if packed else answer
         if out is None:
             return answer
         out[:] = answer
         return out
 
-    def overlap_oriented(self, center: Vector, half: Vector, frame: Frame, *, accuracy: Accuracy = "exact", axes: int = ALL,
-                         order: int = 0, kernel: Optional[str] = None, packed: bool = False) -> Answer:
-        """overlap() for the oriented box of the points p with abs(frame[k] @ (p - center)) <= half[k], k = 0, 1, 2.
-
-        frame: the three directions of the box, shape (3, 3).
-        """
-        return self._mask("_oriented", self._oriented(center, half, frame), (accuracy, axes, order, kernel), packed)
-
-    def count(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+    def count(self, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
               kernel: Optional[str] = None) -> int:
-        """The number of triangles that overlap the closed box from lo to hi, three numbers each."""
-        box, test, report = self._straight(lo, hi), (accuracy, axes, order, kernel), ffi.new("tribox_report *")
-        if is_double_box(box):
-            return len(self._numbers("", box, test))
-        self._ask(lib.tribox_index_overlap, box, test, ffi.NULL, report)
+        """The number of triangles that overlap the box."""
+        question, report = self._question(lo, hi, accuracy, axes, axis_order, kernel), ffi.new("tribox_report *")
+        self._ask(lib.tribox_index_overlap, question, ffi.NULL, report)
         return int(report.overlapping)
 
-    def any(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+    def any(self, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
             kernel: Optional[str] = None) -> bool:
-        """Whether any triangle overlaps the closed box from lo to hi, three numbers each."""
-        box, test, found = self._straight(lo, hi), (accuracy, axes, order, kernel), ffi.new(FOUND)
-        if is_double_box(box):
-            return len(self._numbers("", box, test)) > 0
-        self._ask(lib.tribox_index_any, box, test, found)
+        """Whether any triangle overlaps the box."""
+        question, found = self._question(lo, hi, accuracy, axes, axis_order, kernel), ffi.new(FOUND)
+        self._ask(lib.tribox_index_any, question, found)
         return found[0] < len(self)
 
-    def list(self, lo: Vector, hi: Vector, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+    def list(self, lo: Region, hi: Optional[Vector] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
              kernel: Optional[str] = None) -> NDArray[np.uint32]:
-        """The numbers of the triangles that overlap the closed box from lo to hi, three numbers each: an array of uint32.
+        """The numbers of the triangles that overlap the box: an array of uint32.
 
         They come in the order of the index, which is ascending with keep_order=True alone.
         """
-        return self._numbers("", self._straight(lo, hi), (accuracy, axes, order, kernel))
+        return self._list(self._question(lo, hi, accuracy, axes, axis_order, kernel))
 
-    def list_oriented(self, center: Vector, half: Vector, frame: Frame, *, accuracy: Accuracy = "exact", axes: int = ALL,
-                      order: int = 0, kernel: Optional[str] = None) -> NDArray[np.uint32]:
-        """list() for an oriented box, as for overlap_oriented()."""
-        return self._numbers("_oriented", self._oriented(center, half, frame), (accuracy, axes, order, kernel))
-
-    def lists(self, lo: ArrayLike, hi: ArrayLike, *, accuracy: Accuracy = "exact", axes: int = ALL, order: int = 0,
+    def lists(self, lo: Boxes, hi: Optional[Boxes] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
               kernel: Optional[str] = None) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
         """list() for many boxes: (list, start), where list[start[i]:start[i + 1]] has the triangles of box i.
 
-        lo, hi: arrays of shape (3, m): axis, box. A box that is empty or not finite has no triangles. list: an array of uint32.
-        start: m + 1 places, an array of intp. Boxes that are near in number should be near in space; those of numbers that float32
-        cannot hold are asked one by one.
+        lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box
+            that is empty or not finite has no triangles.
+
+        list: an array of uint32. start: m + 1 places, an array of intp. Boxes that are near in number should be near in space.
         """
-        options = options_of(accuracy, axes, order, kernel)
-        los, his = bounds(lo, hi)
-        if self.origin:
-            origin = np.array(self.origin)[:, None]
-            los, his = bounds(los - origin, his - origin)
-        if los.dtype != FLOAT:
-            return self._each(los, his, (accuracy, axes, order, kernel))
-        boxes = boxes_of(los, his)
-        start, room = np.empty(boxes.count + 1, SIZE), FIRST_ROOM + 64 * boxes.count
+        options = options_of(accuracy, axes, axis_order, kernel)
+        check_box_axes(axes)
+        los, his = bounds_of_boxes(lo, hi)
+        lists = self._lists if los.dtype == FLOAT else self._lists_each
+        numbers, start = lists(los, his, options, np.zeros(los.shape[1] + 1, SIZE))
+        return numbers[:start[-1]].copy(), start.view(np.intp)
+
+    def _lists(self, los, his, options, start):
+        """By one call; those beyond its room by a second."""
+        count = los.shape[1]
+        numbers, done = np.empty(FIRST_ROOM + ROOM_EACH * count, NUMBER), 0
+        while True:
+            base, boxes = int(start[done]), Streams(los[:, done:], his[:, done:])
+            to, starts = ffi.from_buffer(NUMBERS, numbers) + base, ffi.from_buffer(SIZES, start[done:])
+            check(lib.tribox_index_lists(self._index.struct, boxes.struct, options, len(numbers) - base, to, starts))
+            start[done:] += SIZE.type(base)
+            if start[-1] <= len(numbers):
+                return numbers, start
+            done = int(np.searchsorted(start, len(numbers), "right")) - 1
+            numbers = longer(numbers, int(start[-1]))
+
+    def _lists_each(self, los, his, options, start):
+        """Box by box."""
+        count, rows = los.shape[1], Rows(los, his)
+        numbers, done = np.empty(FIRST_ROOM + ROOM_EACH * count, NUMBER), 0
+        while done < count:
+            status, done, room = _c.list_each(self._index, rows.regions, options, numbers, start, done)
+            check(status)
+            numbers = numbers if done == count else longer(numbers, max(room, 2 * len(numbers)))
+        return numbers, start
+
+    def _question(self, lo, hi, accuracy, axes, axis_order, kernel):
+        """(region, options, what the caller says of the box, for messages)."""
+        options = options_of(accuracy, axes, axis_order, kernel)
+        check_box_axes(axes)
+        if isinstance(lo, OrientedBox):
+            if hi is not None:
+                raise InputError(f"hi = {shown(hi)}; give an OrientedBox alone")
+            check_oriented(accuracy, axes)
+            return _c.Region(oriented=oriented_of(*lo)), options, vars(lo)
+        return _c.Region(box_of(lo, hi)), options, dict(lo=lo, hi=hi)
+
+    def _list(self, question):
+        found, room = ffi.new(FOUND), FIRST_ROOM
         while True:
             numbers = np.empty(room, NUMBER)
-            check(lib.tribox_index_lists(self._struct, self.soup.struct, boxes, options, self._id_pointer, room,
-                                         ffi.from_buffer(NUMBERS, numbers), ffi.from_buffer(SIZES, start)), axes=axes, order=order)
-            total = int(start[-1])
-            if total <= room:
-                return numbers if total == room else numbers[:total].copy(), start.view(np.intp)
-            room = total
-
-    def _straight(self, lo, hi):
-        """A box where the soup is, and what the caller says of it, for messages."""
-        given = dict(lo=lo, hi=hi)
-        if self.origin:
-            lo, hi = self._moved("lo", lo), self._moved("hi", hi)
-        return box_of(lo, hi), given
-
-    def _oriented(self, center, half, frame):
-        """The same for an oriented box."""
-        middle = self._moved("center", center) if self.origin else three("center", center)
-        box = ffi.new(ORIENTED, (middle, three("half", half), three_times_three("frame", frame)))
-        return box, dict(center=center, half=half, frame=frame)
-
-    def _moved(self, name, point):
-        return tuple(x - o for x, o in zip(three(name, point), self.origin))
-
-    def _each(self, los, his, test):
-        """lists() for boxes of doubles."""
-        found, start = [], np.zeros(los.shape[1] + 1, np.intp)
-        for i, (lo, hi) in enumerate(zip(los.T.tolist(), his.T.tolist())):
-            is_finite = np.isfinite([lo, hi]).all()
-            found.append(self._exactly((ffi.new(BOX_F64, (lo, hi)), {}), test) if is_finite else np.empty(0, NUMBER))
-            start[i + 1] = start[i] + len(found[-1])
-        return np.concatenate([np.empty(0, NUMBER), *found]), start
-
-    def _exactly(self, box, test):
-        """The triangles that overlap a box of doubles: those that overlap one of floats around it, asked again."""
-        struct, given = box
-        options = options_of(*test)
-        places = self._listed("", (floats_about(struct, True), given), ("conservative", *test[1:]), ffi.NULL)
-        words = new_words(len(places))
-        check(fill_words(gathered(self.soup.struct, places), struct, options, words), axes=test[1], order=test[2], **given)
-        left = places[bools(words, len(places))]
-        return left if self.ids is None else self.ids[left]
-
-    def _mask(self, kind, box, test, packed):
-        """All bits, in the caller's order. kind: what the names of the calls end with."""
-        if self.ids is None and not is_double_box(box):
-            words = new_words(len(self))
-            self._ask(getattr(lib, "tribox_index_overlap" + kind), box, test, pointer_to(words), ffi.NULL)
-            return words if packed else bools(words, len(self))
-        mask = np.zeros(len(self), bool)
-        mask[self._numbers(kind, box, test)] = True
-        return packed_bits(mask) if packed else mask
-
-    def _numbers(self, kind, box, test):
-        return self._exactly(box, test) if is_double_box(box) else self._listed(kind, box, test, self._id_pointer)
-
-    def _listed(self, kind, box, test, ids):
-        """ids: the numbers to list the triangles by; NULL: their places in the soup."""
-        call, found, room = getattr(lib, "tribox_index_list" + kind), ffi.new(FOUND), FIRST_ROOM
-        while True:
-            numbers = np.empty(room, NUMBER)
-            self._ask(call, box, test, ids, room, ffi.from_buffer(NUMBERS, numbers), found)
+            self._ask(lib.tribox_index_list, question, room, ffi.from_buffer(NUMBERS, numbers), found)
             if found[0] <= room:
                 return numbers if found[0] == room else numbers[:found[0]].copy()
             room = found[0]
 
-    def _ask(self, call, box, test, *receivers):
-        """Calls with a box, as _straight() returns it, and options: accuracy, axes, order, kernel."""
-        struct, given = box
-        status = call(self._struct, self.soup.struct, struct, options_of(*test), *receivers)
-        check(status, axes=test[1], order=test[2], **given)
+    def _ask(self, call, question, *receivers):
+        region, options, given = question
+        check(call(self._index.struct, region.struct, options, *receivers), **given)
+
+
+def longer(numbers, count):
+    """The same numbers at the start of an array of so many."""
+    return np.concatenate([numbers, np.empty(count - len(numbers), NUMBER)])
+
+
+def check_box_axes(axes):
+    if not axes & BOX:
+        raise InputError(f"axes = {axes}; an Index needs AXES_BOX among them: without it far triangles overlap, too", "BAD_OPTION")

@@ -1,5 +1,7 @@
 """Loads libtribox: the file that the environment variable TRIBOX_LIBRARY names, or that in a wheel, or the installed library."""
 
+from __future__ import annotations
+
 import os
 from itertools import count, takewhile
 from typing import List, Optional
@@ -37,7 +39,7 @@ def list_kernels():
 
 
 lib = load()
-VERSION = f"{lib.TRIBOX_VERSION_MAJOR}.{lib.TRIBOX_VERSION_MINOR}.{lib.TRIBOX_VERSION_PATCH}"
+VERSION = ffi.string(lib.tribox_version()).decode()
 KERNELS = list_kernels()
 
 

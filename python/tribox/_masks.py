@@ -1,5 +1,7 @@
 """The library's bits, and NumPy's arrays of bool."""
 
+from __future__ import annotations
+
 import sys
 
 import numpy as np
@@ -11,6 +13,7 @@ from ._library import lib
 
 WORD, BYTE, BOOL = np.dtype(np.uint64), np.dtype(np.uint8), np.dtype(bool)
 WORDS = ffi.typeof("uint64_t[]")
+MASK_WORDS_MAX = 1 << 26  # of a mask that is listed
 
 
 def new_words(count):
@@ -28,12 +31,15 @@ def bools(words, count):
     return np.unpackbits(words.view(BYTE), -1, count, "little").view(BOOL)
 
 
-def packed_bits(mask):
-    """An array of bool as words, bit i % 64 of word i // 64 for its element i."""
-    words = new_words(len(mask))
-    octets = words.view(BYTE)
-    octets[-8:] = 0
-    octets[:(len(mask) + 7) >> 3] = np.packbits(mask, bitorder="little")
+def row_words(width):
+    """Of a row of so many cells."""
+    return (width + 63) >> 6
+
+
+def rows_of_words(cells):
+    """An array of bool as words along the last axis, bit i % 64 of word i // 64 for its element i."""
+    words = np.zeros((*cells.shape[:-1], row_words(cells.shape[-1])), WORD)
+    words.view(BYTE)[..., :(cells.shape[-1] + 7) >> 3] = np.packbits(cells, -1, "little")
     return words.byteswap() if sys.byteorder == "big" else words
 
 
@@ -58,7 +64,7 @@ def mask_indices(mask: NDArray[np.uint64]) -> NDArray[np.uint32]:
     if not isinstance(mask, np.ndarray) or mask.dtype != WORD or not mask.flags.c_contiguous:
         raise InputTypeError("mask must be a contiguous array of uint64, as packed=True returns it")
     words, count = pointer_to(mask), 64 * mask.size
-    if count > 1 << 32:
+    if mask.size > MASK_WORDS_MAX:
         raise InputError(f"mask has {mask.size} words; list more than 2^26 in parts")
     indices = np.empty(lib.tribox_mask_indices(words, count, ffi.NULL), np.uint32)
     lib.tribox_mask_indices(words, count, ffi.from_buffer("uint32_t[]", indices))

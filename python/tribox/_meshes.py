@@ -36,8 +36,8 @@ FORMS = (("vertices", "faces", as_they_are), ("vertices", "triangles", as_they_a
 
 
 def parts_of(mesh):
-    """((name, vertices), (name, faces)) of a mesh; None if it is none."""
+    """(name, vertices, name, faces) of a mesh; None if it is none."""
     for vertices, faces, triangles_of in FORMS:
         if hasattr(mesh, vertices) and hasattr(mesh, faces):
-            return (vertices, getattr(mesh, vertices)), (faces, triangles_of(mesh, getattr(mesh, faces)))
+            return vertices, getattr(mesh, vertices), faces, triangles_of(mesh, getattr(mesh, faces))
     return None

@@ -8,6 +8,11 @@ FLOAT, DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
 WHOLE_MAX = 1 << 53  # up to here float64 holds every whole number
 
 
+def address_of(array):
+    """Where an array begins. from_buffer takes contiguous arrays alone."""
+    return array.__array_interface__["data"][0]
+
+
 def array_of(name, value):
     """Nested lists, and whatever else NumPy makes an array of."""
     if isinstance(value, np.ndarray):
@@ -48,17 +53,14 @@ def numbers(name, value, form="in a NumPy array or in nested lists"):
         return same
     if wrong.any():
         raise InputError(f"{name}[{place_of(wrong)}] is {first_of(array, wrong)}, of {dtype}: float64, the widest that is read, "
-                         "cannot hold it; subtract an origin, or round")
+                         "cannot hold it; round, or subtract an offset")
     return same
 
 
-def floats(name, array, advice):
-    """The same numbers in float32; an error where it cannot hold one of them."""
-    if array.dtype == FLOAT:
-        return array
+def check_floats(name, array):
+    """Raises what float32 cannot hold of an array."""
     with np.errstate(over="ignore", under="ignore"):
-        single = array.astype(FLOAT)
-    wrong = (single != array) & ~np.isnan(array)
+        wrong = (array.astype(FLOAT) != array) & ~np.isnan(array)
     if wrong.any():
-        raise InputError(f"{name}[{place_of(wrong)}] is {float(first_of(array, wrong))!r}, which float32 cannot hold; {advice}")
-    return single
+        raise InputError(f"{name}[{place_of(wrong)}] is {float(first_of(array, wrong))!r}, which float32 cannot hold; a Soup is of "
+                         "float32: give the triangles themselves, as every call takes float64, or round them")

@@ -1,33 +1,34 @@
 """A mesh sorted by tiles on disk: folders as the program tribox writes and reads them, of which a task maps what it needs."""
 
+from __future__ import annotations
+
 import hashlib
 import os
 import secrets
 import shutil
-from operator import index
 from typing import Any, List, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import check, options_of
+from ._around import grid_given
+from ._arguments import options_of, range_of, whole
 from ._bounds import point
 from ._bricks import Bricks, bricks_of
 from ._checksum import checksum, checksums
 from ._errors import InputError, shown
-from ._ffi import ffi
-from ._grids import GRID, GRID_F64, Grid, check_grid, grid_for, has_doubles, is_single
-from ._library import lib
-from ._masks import WORD, bools
+from ._grids import Grid
+from ._masks import WORD, row_words
 from ._overlap import ALL
 from ._threads import threads_of
-from ._tiles import Listed, Room, Tiling, range_of, set_tile, tile_of
-from ._triangles import Array, held
-from ._typing import Accuracy, Answer, Cell, Cells, Range, TrianglesLike, Vector
+from ._tiles import Listed, Tiling, set_tile, side_of
+from ._triangles import Mesh, by_number, held, is_double
+from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
+from ._voxels import Voxels
 
-MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 1\n", 0x01020304, 8
+MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 2\n", 0x01020304, 8
 HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("origin", "f8", 3), ("cell", "f8", 3),
-                   ("shift", "f8", 3), ("size", "u4", 3), ("plane_bytes", "u4"), ("position_bytes", "u4"), ("record_bytes", "u4"),
+                   ("shift", "f8", 3), ("size", "u4", 3), ("reserved", "u4"), ("position_bytes", "u4"), ("record_bytes", "u4"),
                    ("triangles", "u8"), ("mesh_checksum", "u8"), ("not_finite", "u8"), ("records", "u8"), ("places", "u8"),
                    ("checksum", "u8")])
 RECORD = np.dtype([("tile", "u8"), ("first", "u8"), ("work", "u8"), ("checksum", "u8")])
@@ -36,24 +37,10 @@ BLOCK = 1 << 20  # triangles that are written at once
 SHARES_MAX = (1 << 31) - 1
 
 
-def grid_in(header):
-    return Grid(*(tuple(header[name].tolist()) for name in ("origin", "cell", "size")))
-
-
-def shares_of(count):
-    try:
-        shares = index(count)
-    except TypeError:
-        shares = 0
-    if not 1 <= shares <= SHARES_MAX:
-        raise InputError(f"count = {shown(count)}; give how many shares to make, a whole number, 1 to 2^31 - 1")
-    return shares
-
-
 class Partition:
     """The folder of a partition, which tribox.partition or the program's `tribox partition` wrote, mapped into memory.
 
-    grid: its Grid. tile: cells along the side of a tile. tile_count: tiles of the grid. numbers: those that have triangles, in
+    grid: its Grid. side: of a tile, in cells. tile_count: tiles of the grid. numbers: those that have triangles, in
     rising order; all others are empty. work: about how many nanoseconds each of these takes. shift: what was subtracted from the
     mesh.
 
@@ -66,17 +53,15 @@ class Partition:
         with open(os.path.join(self.folder, "index"), "rb") as file:
             octets = file.read()
         header, records = self._index(octets)
-        self.grid = grid_in(header)
-        self.tile, self.shift = int(header["tile"]), tuple(header["shift"].tolist())
+        self.grid = Grid(*(header[name].tolist() for name in ("origin", "cell", "size")))
+        self.side, self.shift = int(header["tile"]), tuple(header["shift"].tolist())
         self.numbers, self.work = records["tile"].astype(np.int64), records["work"].astype(np.int64)
         self._checksums = records["checksum"]
         self._ends = np.append(records["first"], header["places"])[1:].astype(np.int64)
         self._starts = records["first"].astype(np.int64)
         kind = np.dtype(f"f{header['position_bytes']}")
         self._map = self._triangles(kind, int(header["places"]))
-        self._struct = Array(self._map, 0, 0)
-        grid = ffi.new(GRID if header["plane_bytes"] == 4 else GRID_F64, tuple(self.grid))
-        self._tiling = Tiling(grid, self.tile)
+        self._tiling = Tiling(self.grid, self.side)
         self.tile_count = self._tiling.count
 
     def _damaged(self, why):
@@ -114,17 +99,23 @@ class Partition:
                 f"{size} cells from {point(self.grid.origin)} to {point(ends)}, {shown(self.folder)}>")
 
     def shares(self, count: SupportsIndex) -> List[Tuple[int, int]]:
-        """`count` shares of about equal work, (first, end) for tiles first .. end - 1 each; together they are all tiles."""
-        count = shares_of(count)
+        """`count` shares of about equal work, (first, count) of their tiles each; together they are all tiles."""
+        parts = whole(count, 1, SHARES_MAX)
+        if parts is None:
+            raise InputError(f"count = {shown(count)}; give how many shares to make, a whole number, 1 to 2^31 - 1")
         middles = np.cumsum(self.work) - self.work / 2
-        cuts = np.searchsorted(middles, self.work.sum() * np.arange(1, count) / count)
-        numbers = np.append(self.numbers, self.tile_count)
-        borders = [0, *numbers[cuts].tolist(), self.tile_count]
-        return list(zip(borders, borders[1:]))
+        cuts = np.searchsorted(middles, self.work.sum() * np.arange(1, parts) / parts)
+        borders = [0, *np.append(self.numbers, self.tile_count)[cuts].tolist(), self.tile_count]
+        return [(first, end - first) for first, end in zip(borders, borders[1:])]
+
+    def _places(self, tiles):
+        """The places, first to before end, of tiles among those that have triangles."""
+        first, count = range_of("tiles", tiles, self.tile_count, "tiles")
+        return np.searchsorted(self.numbers, (first, first + count)).tolist()
 
     def _place(self, number):
         """Where a tile is among those that have triangles; None if it is not."""
-        if not isinstance(number, (int, np.integer)) or not 0 <= number < self.tile_count:
+        if whole(number, 0, self.tile_count - 1) is None:
             raise InputError(f"number = {shown(number)}; give that of a tile, less than {self.tile_count}")
         place = int(np.searchsorted(self.numbers, number))
         return place if place < len(self.numbers) and self.numbers[place] == number else None
@@ -139,32 +130,25 @@ class Partition:
         self._place(number)
         return self._tiling.window(int(number))
 
-    def voxelize(self, number: SupportsIndex, *, accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None,
-                 packed: bool = False) -> Answer:
+    def voxelize(self, number: SupportsIndex, *, accuracy: Accuracy = "exact", axes: int = ALL,
+                 kernel: Optional[str] = None) -> Voxels:
         """The cells of a tile: tribox.voxelize of the mesh with window=self.window(number)."""
-        options = self._options(accuracy, axes, kernel)
+        options = options_of(accuracy, axes, 0, kernel)
         place, (first, size) = self._place(number), self.window(number)
-        words = np.zeros((size[2], size[1], (size[0] + 63) >> 6), WORD)
+        words = np.zeros((size[2], size[1], row_words(size[0])), WORD)
         if place is not None:
-            lists = Mapped(self, [place])
-            set_tile(lists.of(place, Room(lists.most)), self._tiling.grid, first, size, options, words)
-        return words if packed else bools(words, size[0])
+            set_tile(Mapped(self, [place]).of(place), self._tiling.struct, first, size, options, words)
+        return Voxels(words, self.grid, (first, size))
 
     def bricks(self, tiles: Optional[Range] = None, *, threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact",
                axes: int = ALL, kernel: Optional[str] = None) -> Bricks:
-        """tribox.bricks of the mesh and the grid. tiles: (first, end), such as one of shares()."""
-        options, threads = self._options(accuracy, axes, kernel), threads_of(threads)
-        places = np.arange(*np.searchsorted(self.numbers, range_of(tiles, self.tile_count)))
-        return bricks_of(Mapped(self, places), self._tiling, options, threads)
-
-    def _options(self, accuracy, axes, kernel):
-        options = options_of(accuracy, axes, 0, kernel)
-        check_grid(self._tiling.grid, options, axes)
-        return options
+        """tribox.bricks of the mesh and the grid. tiles: (first, count), such as one of shares()."""
+        options, threads = options_of(accuracy, axes, 0, kernel), threads_of(threads)
+        return bricks_of(Mapped(self, np.arange(*self._places(tiles))), self._tiling, options, threads)
 
     def check(self, tiles: Optional[Range] = None) -> None:
-        """Reads the triangles of tiles (first, end), by default of all, and raises an InputError if they are not those written."""
-        first, end = np.searchsorted(self.numbers, range_of(tiles, self.tile_count))
+        """Reads the triangles of tiles (first, count), by default all, and raises an InputError if they are not those written."""
+        first, end = self._places(tiles)
         halves = self._map.reshape(-1).view(np.uint32)
         each = halves.size // max(1, len(self._map))
         found = checksums(halves, each * self._starts[first:end], each * self._ends[first:end])
@@ -178,29 +162,16 @@ class Mapped:
 
     def __init__(self, partition_, places):
         self.partition, self.places, self.numbers = partition_, places, partition_.numbers[places]
-        self.most = int((partition_._ends - partition_._starts)[places].max(initial=0))
 
-    def of(self, place, room):
+    def of(self, place):
         start, end = int(self.partition._starts[place]), int(self.partition._ends[place])
-        if not is_single(self.partition._tiling.grid):
-            return Array(self.partition._map[start:end], 0, 0)
-        to = room.struct
-        to.count = end - start
-        check(lib.tribox_mesh_to_soup(self.partition._struct.struct, start, to.count, ffi.NULL, to.x, to.y, to.z))
-        return room
-
-
-def by_number(held_, numbers):
-    """Triangles with these numbers, as an array of shape (n, 3, 3)."""
-    if held_.is_soup:
-        return np.stack([np.stack([stream[numbers] for stream in axis], 1) for axis in held_.streams], 2)
-    return np.ascontiguousarray(held_.vertices[numbers if held_.faces is None else held_.faces[numbers]])
+        return Mesh(self.partition._map[start:end])
 
 
 def work_of(triangles, grid):
     """About how many nanoseconds each of the triangles takes, beyond the tiles that it is in."""
     with np.errstate(all="ignore"):
-        corners = (triangles.astype(float) - tuple(grid.origin)) / tuple(grid.cell)
+        corners = (triangles.astype(float) - grid.origin) / grid.cell
         sides = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).sum(1) / 2
         work = CELL_COST * (sides + np.ptp(corners, 1).sum(1))
     return np.where(np.isfinite(work), work, 0)
@@ -222,7 +193,7 @@ def write_triangles(file, lists, held_, tiling):
     records = np.zeros(len(counts), RECORD)
     records["tile"], records["first"] = lists.numbers, np.cumsum(counts) - counts
     tiles_each = np.bincount(lists.list, minlength=held_.struct.count)
-    most = CELL_COST * 3.0 * tiling.tile ** 2
+    most = CELL_COST * 3.0 * tiling.side ** 2
     start = 0
     while start < len(counts):
         end = max(start + 1, int(np.searchsorted(np.cumsum(counts[start:]), BLOCK, "right")) + start)
@@ -242,29 +213,28 @@ def write_triangles(file, lists, held_, tiling):
 def write_index(file, held_, tiling, lists, records):
     header = np.zeros((), HEADER)
     grid, (broken, digest) = tiling.grid, not_finite(held_)
-    given = dict(magic=MAGIC, byte_order=BYTE_ORDER, tile=tiling.tile, origin=tuple(grid.origin), cell=tuple(grid.cell),
-                 size=tuple(grid.size), plane_bytes=4 if is_single(grid) else 8, position_bytes=8 if has_doubles(held_) else 4,
-                 record_bytes=RECORD.itemsize, triangles=held_.struct.count, mesh_checksum=digest, not_finite=broken,
-                 records=len(records), places=len(lists.list))
+    given = dict(magic=MAGIC, byte_order=BYTE_ORDER, tile=tiling.side, origin=grid.origin, cell=grid.cell, size=grid.size,
+                 position_bytes=8 if is_double(held_) else 4, record_bytes=RECORD.itemsize,
+                 triangles=held_.struct.count, mesh_checksum=digest, not_finite=broken, records=len(records),
+                 places=len(lists.list))
     for name, value in given.items():
         header[name] = value
     header["checksum"] = checksum(header.tobytes()[:HEADER.itemsize - HASH_BYTES] + records.tobytes())
     file.write(header.tobytes() + records.tobytes())
 
 
-def partition(triangles: TrianglesLike, origin: Vector, cell: Cell, size: Cells, folder: Union[str, "os.PathLike[str]"], *,
-              tile: SupportsIndex = 128) -> Partition:
+def partition(triangles: TrianglesLike, folder: Union[str, "os.PathLike[str]"], grid: Optional[GridLike] = None, *,
+              cell: Optional[Cell] = None, resolution: Optional[SupportsIndex] = None, side: SupportsIndex = 128) -> Partition:
     """Sorts triangles by the tiles of a grid into a new folder, which tasks and machines map: returns its Partition.
 
-    triangles, origin, cell, size: as for voxelize. tile: the side of the tiles in cells, a multiple of 8.
+    triangles, grid, cell, resolution: as for voxelize. side: of the tiles, in cells, a multiple of 8.
     folder: must not exist (FileExistsError). It appears when all of it is written, or not at all.
 
     A triangle takes 36 bytes, of float64 72, for each tile that it is in. The program tribox takes the folder in place of a mesh.
     """
     held_, options = held(triangles), options_of("exact", ALL, 0, None)
-    grid = grid_for(held_, origin, cell, size)
-    check_grid(grid, options, ALL, origin=origin, cell=cell, size=size)
-    tiling, folder = Tiling(grid, tile_of(tile)), os.path.abspath(os.fspath(folder))
+    tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
+    folder = os.path.abspath(os.fspath(folder))
     if os.path.lexists(folder):
         raise FileExistsError(f"folder = {shown(folder)} exists; remove it, or give another")
     lists = Listed(held_, tiling, 0, tiling.count, options)

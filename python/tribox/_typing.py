@@ -1,15 +1,19 @@
 """What the calls take and return, for type checkers."""
 
+from __future__ import annotations
+
 from typing import TYPE_CHECKING, Any, Literal, Mapping, Protocol, Sequence, SupportsFloat, SupportsIndex, Tuple, Union
 
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    from ._triangles import Soup
+    from ._boxes import OrientedBox
+    from ._grids import Grid
+    from ._triangles import Mesh, Soup
 
 
 class HasFaces(Protocol):
-    """A Mesh, and a mesh of trimesh."""
+    """A mesh of trimesh."""
 
     @property
     def vertices(self) -> Any: ...
@@ -49,13 +53,17 @@ class HasPolygons(Protocol):
 
 
 MeshLike = Union[HasFaces, HasTriangles, HasCells, HasPolygons]
-TrianglesLike = Union[ArrayLike, "Soup", MeshLike]
+TrianglesLike = Union[ArrayLike, Tuple[ArrayLike, ArrayLike], "Mesh", "Soup", MeshLike]
 Vector = Union[Sequence[SupportsFloat], NDArray[Any]]  # three numbers: x, y, z
-Frame = Union[Sequence[Vector], NDArray[Any]]  # three of them
+Corners = Union[Vector, Sequence[Vector]]  # three numbers, or two times three: both corners of a box
+Frame = Union[Sequence[Vector], NDArray[Any]]  # three times three numbers
+Region = Union[Corners, "OrientedBox"]
+Boxes = ArrayLike  # of shape (m, 3) or (3, m), or (m, 2, 3) for both corners
 Cell = Union[SupportsFloat, Vector]
 Cells = Union[Sequence[SupportsIndex], NDArray[Any]]  # three whole numbers
+GridLike = Union["Grid", Tuple[Vector, Cell, Cells]]
 Window = Tuple[Cells, Cells]
-Range = Tuple[SupportsIndex, SupportsIndex]
+Range = Tuple[SupportsIndex, SupportsIndex]  # first, count
 Accuracy = Literal["exact", "conservative", "fast"]
 Fill = Literal["outside", "parity"]
 Answer = NDArray[Any]  # of bool, or of uint64 for packed bits

@@ -7,6 +7,7 @@ import sys
 import unittest
 
 import numpy as np
+import tribox
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
 import meshes  # noqa: E402
@@ -41,10 +42,16 @@ def shared_vertices(triangles, dtype):
     return vertices, faces.reshape(-1, 3).astype(dtype)
 
 
+def joined(bricks):
+    """Of several shares as one."""
+    at, bits = (np.concatenate([getattr(part, name) for part in bricks]) for name in ("at", "bits"))
+    return tribox.Bricks(at, bits, bricks[0].grid)
+
+
 class TestCase(unittest.TestCase):
     def assert_same(self, answer, expected, message=None):
         self.assertEqual((answer.dtype, answer.shape), (expected.dtype, expected.shape), message)
-        np.testing.assert_array_equal(answer, expected, message)
+        np.testing.assert_array_equal(answer, expected, message or "")
 
     def refuse(self, error, status, pattern, call, *arguments, **keywords):
         """The call raises this kind of error, with this status of the library and a message that matches."""

@@ -186,7 +186,7 @@ class Memory(cases.TestCase):
             self.assertLess(self.peak(lambda: tribox.overlap(form, LO, HI)), 1.3e6)
             self.assertLess(self.peak(lambda: tribox.overlap(form, LO, HI, packed=True)), 3e5)
             self.assertLess(self.peak(lambda: tribox.overlap_any(form, HI, LO)), 3e6)
-            self.assertLess(self.peak(lambda: tribox.voxelize(form, LO, 1, (2, 2, 2))), 3e6)
+            self.assertLess(self.peak(lambda: tribox.voxelize(form, (LO, 1, (2, 2, 2)))), 3e6)
 
 
 if __name__ == "__main__":

@@ -149,46 +149,94 @@ class Doubles(cases.TestCase):
         self.assert_same(tribox.overlap(large, [(1 << 52) - 4] * 3, [(1 << 52) + 4] * 3), expected)
 
 
-class Local(cases.TestCase):
-    def test_soup(self):
-        for name in ("moved", "tenths, moved"):
-            triangles = far(100)[name]
-            expected = (triangles - NORTH).astype(np.float32).T
-            for form in forms(triangles):
-                soup = tribox.Soup.of(form, origin=NORTH)
-                self.assert_same(soup.streams, np.ascontiguousarray(expected))
-                self.refuse(tribox.InputError, None, "which float32 cannot hold; .*origin", tribox.Soup.of, form)
-        floats = tribox.Soup.of(cases.lattice(100), origin=(0.1, 0, 1))
-        self.assert_same(floats.streams, (cases.lattice(100) - np.array([0.1, 0, 1])).astype(np.float32).T.copy())
-        self.assert_same(tribox.Soup.of(floats, origin=(1, 2, 3)).streams[2], floats.streams[2] - np.float32(3))
+def oriented_truth(triangles, center, half, axis):
+    """In the frame of the box, in rational numbers: exact for any axes."""
+    corners = [[[Fraction(float(x)) - Fraction(float(c)) for x, c in zip(vertex, center)] for vertex in triangle]
+               for triangle in triangles]
+    moved = [[[sum(Fraction(float(a)) * x for a, x in zip(row, vertex)) for row in axis] for vertex in triangle]
+             for triangle in corners]
+    box = *(-Fraction(float(h)) for h in half), *(Fraction(float(h)) for h in half)
+    return np.array([cases.meshes.overlaps(triangle, box) for triangle in moved], bool)
 
-    def test_numbers_of_floats(self):
-        """float64 that float32 holds needs no origin, and is the same everywhere."""
+
+def turned():
+    """Axes that no float32 holds, of a box that is turned, and one that is sheared."""
+    angle = 0.3
+    c, s = np.cos(angle), np.sin(angle)
+    yield np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    yield np.array([[0.1, 0.2, 0.7], [0, 1 / 3, 0.1], [-0.9, 0, 0.3]])
+
+
+class Oriented(cases.TestCase):
+    def test_truth(self):
+        """About doubles: meshes and boxes alike, and Soups of floats and boxes of doubles."""
+        pick = np.random.default_rng(cases.seed())
+        for name in ("moved", "tenths", "tenths, moved", "next to it"):
+            triangles = far(24)[name]
+            for axis in turned():
+                center, half = triangles[pick.integers(24)].mean(0), np.array([0.7, 1.1, 0.4])
+                expected = oriented_truth(triangles, center, half, axis)
+                for form in forms(triangles):
+                    self.assert_same(tribox.overlap_oriented(form, center, half, axis), expected, name)
+                corner = np.abs(axis @ (triangles[3, 1] - center))  # half lengths that end at a vertex, or an ulp before it
+                for half in (corner, np.nextafter(corner, 0)):
+                    self.assert_same(tribox.overlap_oriented(triangles, center, half, axis),
+                                     oriented_truth(triangles, center, half, axis), name)
+        floats = cases.lattice(24)
+        for axis in turned():
+            expected = oriented_truth(floats, (0.1, 0.2, 0.3), (0.7, 1.1, 0.4), axis)
+            self.assertTrue(expected.any() and not expected.all())
+            for form in (floats, tribox.Soup.of(floats), tribox.Mesh(*cases.shared_vertices(floats, np.uint16))):
+                self.assert_same(tribox.overlap_oriented(form, (0.1, 0.2, 0.3), (0.7, 1.1, 0.4), axis), expected)
+
+
+class Indices(cases.TestCase):
+    """An Index over doubles is exact about them."""
+
+    def check(self, triangles, form, name):
+        los, his = map(np.array, zip(*boxes_about(triangles)))
+        answers = [cases.truth(triangles, *box) for box in zip(los, his)]
+        for keep_order in (False, True):
+            made = tribox.Index(form, keep_order=keep_order)
+            for index in (made, pickle.loads(pickle.dumps(made))):
+                for box, expected in zip(zip(los, his), answers):
+                    self.assert_same(index.overlap(*box), expected, name)
+                    self.assert_same(np.sort(index.list(*box)), np.flatnonzero(expected).astype(np.uint32), name)
+                    self.assertEqual((index.count(*box), index.any(*box)), (expected.sum(), expected.any()), name)
+            for boxes in ((los, his), (np.stack([los, his], 1),)):
+                numbers, start = index.lists(*boxes)
+                for i, expected in enumerate(answers):
+                    self.assert_same(np.sort(numbers[start[i]:start[i + 1]]), np.flatnonzero(expected).astype(np.uint32), name)
+            for axis in turned():
+                box = tribox.OrientedBox(triangles[0, 0], np.ptp(triangles.reshape(-1, 3), 0) / 3, axis)
+                expected = tribox.overlap_oriented(triangles, *box)
+                self.assert_same(index.overlap(box), expected, name)
+                self.assert_same(np.sort(index.list(box)), np.flatnonzero(expected).astype(np.uint32), name)
+                self.assertEqual((index.count(box), index.any(box)), (expected.sum(), expected.any()), name)
+
+    def test_index(self):
+        for name, triangles in far(150).items():
+            self.check(triangles, triangles, name)
+        for form in forms(far(150)["tenths, moved"]):
+            self.check(far(150)["tenths, moved"], form, "form")
+
+    def test_not_finite(self):
+        triangles = far(5000)["tenths, moved"]
+        triangles[7, 1, 2], triangles[4000:4200, 0, 0], triangles[-1, 2, 1] = np.nan, np.inf, -np.inf
+        lo, hi = NORTH / 3 - 0.3, NORTH / 3 + 0.7
+        index, expected = tribox.Index(triangles), tribox.overlap(triangles, lo, hi)
+        self.assertTrue(expected.any())
+        self.assert_same(index.overlap(lo, hi), expected)
+
+    def test_floats(self):
+        """float64 that float32 holds is the same everywhere."""
         triangles = cases.lattice(100)
         wide, box = triangles.astype(float), (cases.LO, cases.HI)
         self.assert_same(tribox.Soup.of(wide).streams, tribox.Soup.of(triangles).streams)
         self.assert_same(tribox.Index(wide).overlap(*box), tribox.overlap(triangles, *box))
         self.assert_same(tribox.overlap_oriented(wide, *box, np.eye(3)), tribox.overlap_oriented(triangles, *box, np.eye(3)))
-        self.refuse(tribox.InputError, None, r"triangles\[.*\] is .*, which float32 cannot hold", tribox.overlap_oriented,
-                    wide + NORTH, *box, np.eye(3))
-
-    def test_index(self):
-        triangles = far(300)["moved"] + 2.0 ** -9  # on multiples that floats about the origin hold: nothing is rounded
-        los, his = [], []
-        for keep_order in (False, True):
-            index = pickle.loads(pickle.dumps(tribox.Index(triangles, origin=NORTH, keep_order=keep_order)))
-            for lo, hi in boxes_about(triangles):
-                expected = cases.truth(triangles, lo, hi)
-                self.assert_same(index.overlap(lo, hi), expected)
-                self.assert_same(np.sort(index.list(lo, hi)), np.flatnonzero(expected).astype(np.uint32))
-                self.assertEqual((index.count(lo, hi), index.any(lo, hi)), (expected.sum(), expected.any()))
-                los.append(lo)
-                his.append(hi)
-            numbers, start = index.lists(np.array(los).T, np.array(his).T)
-            for i, box in enumerate(zip(los, his)):
-                self.assert_same(numbers[start[i]:start[i + 1]], index.list(*box))
-            turned = index.overlap_oriented(NORTH, (1, 1, 1), np.eye(3))
-            self.assert_same(turned, cases.truth(triangles, NORTH - 1, NORTH + 1))
+        self.refuse(tribox.InputError, None, r"triangles\[.*\] is .*, which float32 cannot hold; .* every call takes float64",
+                    tribox.Soup.of, wide + 0.1)
 
 
 def plane(origin, number, cell):
@@ -213,26 +261,27 @@ class Voxels(cases.TestCase):
             origin = triangles.reshape(-1, 3).min(0) + self.ORIGIN
             expected = cell_by_cell(triangles, origin, self.CELL, self.SIZE)
             for form in forms(triangles):
-                self.assert_same(tribox.voxelize(form, origin, self.CELL, self.SIZE), expected, name)
-            parts = [tribox.voxelize(triangles, origin, self.CELL, self.SIZE, layers=layers) for layers in ((0, 1), (1, 0), (1, 3))]
+                self.assert_same(tribox.voxelize(form, (origin, self.CELL, self.SIZE)), expected, name)
+            grid = origin, self.CELL, self.SIZE
+            parts = [tribox.voxelize(triangles, grid, layers=layers) for layers in ((0, 1), (1, 0), (1, 3))]
             self.assert_same(np.concatenate(parts), expected)
 
     def test_floats_in_a_grid_of_doubles(self):
         triangles = cases.lattice(6)
         expected = cell_by_cell(triangles, self.ORIGIN, self.CELL, self.SIZE)
         for form in (triangles, tribox.Soup.of(triangles), tribox.Mesh(*cases.shared_vertices(triangles, np.int64))):
-            self.assert_same(tribox.voxelize(form, self.ORIGIN, self.CELL, self.SIZE), expected)
-        words = np.zeros((4, 5, 1), np.uint64)
+            self.assert_same(tribox.voxelize(form, (self.ORIGIN, self.CELL, self.SIZE)), expected)
+        into = tribox.voxelize(triangles[:0], (self.ORIGIN, self.CELL, self.SIZE))
         for one in triangles:
-            tribox.voxelize(one[None], self.ORIGIN, self.CELL, self.SIZE, out=words)
-        self.assert_same(words, tribox.voxelize(triangles, self.ORIGIN, self.CELL, self.SIZE, packed=True))
+            tribox.voxelize(one[None], into.grid, into=into)
+        self.assert_same(into, expected)
 
     def test_finer_than_floats(self):
         """Planes that float32 does not tell apart, double does: the cells are those of the same mesh about the origin."""
         triangles = cases.lattice(40)
-        near = tribox.voxelize(triangles, (-2, -2, -2), 1 / 16, (64, 64, 64))
+        near = tribox.voxelize(triangles, ((-2, -2, -2), 1 / 16, (64, 64, 64)))
         offset = np.array([1 << 24, 1 << 25, -(1 << 26)])
-        self.assert_same(tribox.voxelize(triangles + offset, offset - 2, 1 / 16, (64, 64, 64)), near)
+        self.assert_same(tribox.voxelize(triangles + offset, (offset - 2, 1 / 16, (64, 64, 64))), near)
         self.assertTrue(near.any())
 
     def test_bunny(self):
@@ -249,9 +298,9 @@ class Voxels(cases.TestCase):
         origin, vertices = NORTH * (1, 1, 0), (scanned - scanned.min(0)) * (20 / sides.max()) + NORTH * (1, 1, 0)
         size = np.ceil((vertices.max(0) - origin) / 0.5).astype(int)
         for form in (tribox.Mesh(vertices, faces), types.SimpleNamespace(vertices=vertices, faces=faces.astype(np.int64))):
-            self.assertEqual(np.count_nonzero(tribox.voxelize(form, origin, 0.5, size)), 5379)
+            self.assertEqual(np.count_nonzero(tribox.voxelize(form, (origin, 0.5, size))), 5379)
         mesh = tribox.Mesh(vertices.astype(np.float32), faces)
-        self.assertNotEqual(np.count_nonzero(tribox.voxelize(mesh, origin, 0.5, size)), 5379)
+        self.assertNotEqual(np.count_nonzero(tribox.voxelize(mesh, (origin, 0.5, size))), 5379)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from cases import HI, LO
 
 NAN, INF = float("nan"), float("inf")
 GRID = (0, 0, 0), 1, (4, 5, 6)
+ORDERS = "give one of 0, 123, 132, 213, 231, 312, 321"
 
 
 class Errors(cases.TestCase):
@@ -38,7 +39,8 @@ class Errors(cases.TestCase):
                     pattern = r"a bound of the box is NaN or infinite: lo = \(0, .*\), hi = \(1, 1, 1\)"
                     self.refuse(InputError, "BAD_BOX", pattern, call, form, (0, value, 0), (1, 1, 1))
                 for odd in ((1, 2), (1, 2, 3, 4), 1, None, "abc", (1, "x", 2), (1, None, 2), np.zeros((3, 2)), ()):
-                    self.refuse(InputError, None, "^hi = .*; give three numbers: x, y, z", call, form, LO, odd)
+                    if odd is not None:
+                        self.refuse(InputError, None, "^hi = .*; give three numbers: x, y, z", call, form, LO, odd)
                     self.refuse(InputError, None, "^lo = .*; give three numbers: x, y, z", call, form, odd, HI)
 
     def test_options(self):
@@ -48,17 +50,24 @@ class Errors(cases.TestCase):
         refuse = self.refuse
         for form in self.forms:
             for call in (*self.calls, oriented):
-                refuse(InputError, "BAD_OPTION", "an option is unknown.*: axes = 7, order = 4", call, form, LO, HI, order=4)
-                refuse(InputError, "BAD_OPTION", "an option is unknown.*: axes = 8, order = 0", call, form, LO, HI, axes=8)
-                refuse(InputError, None, "axes = -1", call, form, LO, HI, axes=-1)
-                refuse(InputError, None, "order = '123'", call, form, LO, HI, order="123")
+                refuse(InputError, "BAD_OPTION", f"^axis_order = 4; {ORDERS}", call, form, LO, HI, axis_order=4)
+                refuse(InputError, "BAD_OPTION", "^axes = 8; give a union of AXES_BOX", call, form, LO, HI, axes=8)
+                refuse(InputError, "BAD_OPTION", "axes = -1", call, form, LO, HI, axes=-1)
+                refuse(InputError, "BAD_OPTION", "axis_order = '123'", call, form, LO, HI, axis_order="123")
                 pattern = "accuracy = 'exakt'; give one of 'exact', 'conservative', 'fast'"
                 refuse(InputError, None, pattern, call, form, LO, HI, accuracy="exakt")
                 pattern = "kernel = 'sse9'; this processor runs .*scalar"
                 refuse(InputError, "NO_KERNEL", pattern, call, form, LO, HI, kernel="sse9")
+        for odd in (LO, 3, None, "abc", (LO,), (LO, HI, LO)):
+            self.refuse(InputError, None, r"^lo = .* no hi; give lo and hi, .* or both .* \(2, 3\)", tribox.overlap, self.triangles,
+                        odd)
+        self.refuse(InputError, None, r"^hi = .*; tribox\.Index\(triangles\)\.lists\(lo, hi\) takes many", tribox.overlap,
+                    self.triangles, LO, [HI, HI])
+        for odd in ("first", None, 1):
+            self.refuse(InputError, None, "^what = .*; give one of 'hit', 'miss'", tribox.find, self.triangles, LO, HI, odd)
         for options in (dict(axes=8), dict(accuracy=1), dict(kernel="")):
             with self.assertRaises(InputError):
-                tribox.voxelize(self.triangles, *GRID, **options)
+                tribox.voxelize(self.triangles, GRID, **options)
 
     def test_indices(self):
         vertices, faces = cases.shared_vertices(self.triangles, np.int32)
@@ -70,7 +79,7 @@ class Errors(cases.TestCase):
             pattern = fr"faces\[17, 2\] is {wrong}, but there are {count} vertices; wrong indices in all: 2"
             for call in self.calls:
                 self.refuse(BadIndexError, "BAD_VERTEX", pattern, call, mesh, LO, HI)
-            self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.voxelize, mesh, *GRID)
+            self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.voxelize, mesh, GRID)
             self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.Soup.of, mesh)
             self.refuse(BadIndexError, "BAD_VERTEX", pattern, tribox.overlap_oriented, mesh, LO, HI, np.eye(3))
 
@@ -91,18 +100,18 @@ class Errors(cases.TestCase):
         for form in (none, tribox.Soup.of(none), tribox.Mesh(none[0:0, 0], np.zeros((0, 3), np.uint32))):
             for call in self.calls:
                 self.refuse(InputError, "BAD_BOX", "infinite", call, form, LO, (INF, 1, 1))
-                self.refuse(InputError, "BAD_OPTION", "order = 5", call, form, LO, HI, order=5)
+                self.refuse(InputError, "BAD_OPTION", "axis_order = 5", call, form, LO, HI, axis_order=5)
             self.refuse(InputError, "BAD_BOX", "infinite", tribox.overlap_oriented, form, LO, (INF, 1, 1), np.eye(3))
-            self.refuse(InputError, "BAD_GRID", "cell = 0", tribox.voxelize, form, LO, 0, (1, 1, 1))
+            self.refuse(InputError, "BAD_GRID", "cell = 0", tribox.voxelize, form, (LO, 0, (1, 1, 1)))
 
     def test_oriented(self):
         refuse = self.refuse
         for form in self.forms:
             refuse(InputError, "BAD_BOX", r"half = \(1, inf, 1\)", tribox.overlap_oriented, form, LO, (1, INF, 1), np.eye(3))
             for frame in (np.eye(3)[:2], np.eye(4), 3, None):
-                pattern = "frame = .*; give three times three numbers"
+                pattern = "axis = .*; give three times three numbers"
                 refuse(InputError, None, pattern, tribox.overlap_oriented, form, LO, HI, frame)
-            refuse(InputError, None, r"frame\[0\] = .*three numbers", tribox.overlap_oriented, form, LO, HI, np.eye(4)[:3])
+            refuse(InputError, None, r"axis\[0\] = .*three numbers", tribox.overlap_oriented, form, LO, HI, np.eye(4)[:3])
 
     def test_boxes(self):
         bounds, refuse = np.zeros((3, 9), np.float32), self.refuse
@@ -110,12 +119,15 @@ class Errors(cases.TestCase):
         refuse(InputTypeError, None, "lo is ndarray of object; give real numbers", tribox.overlap_boxes, one, bounds.astype(object),
                bounds)
         refuse(InputTypeError, None, "hi is str", tribox.overlap_boxes, one, bounds, "hi")
-        refuse(InputError, None, r"hi has shape \(9, 3\).*hi\.T", tribox.overlap_boxes, one, bounds, bounds.T)
-        refuse(InputError, None, r"lo has shape \(3, 9\) and hi \(3, 8\)", tribox.overlap_boxes, one, bounds, bounds[:, :8])
+        for odd in (bounds[:2], bounds[0], bounds[None], 3, np.zeros((5, 4))):
+            refuse(InputError, None, r"^hi has shape .*; give \(m, 3\), a row for each box, or \(3, m\)", tribox.overlap_boxes, one,
+                   bounds, odd)
+            refuse(InputError, None, r"^lo has shape .* no hi; .* both .* \(m, 2, 3\)", tribox.overlap_boxes, one, odd)
+        refuse(InputError, None, "^lo has 9 boxes and hi 8", tribox.overlap_boxes, one, bounds, bounds.T[:8])
         for odd in (self.triangles[:2, 0], 3, None):
             pattern = "triangle = .*; give three times three numbers"
             refuse(InputError, None, pattern, tribox.overlap_boxes, odd, bounds, bounds)
-        refuse(InputError, "BAD_OPTION", "order = 7", tribox.overlap_boxes, one, bounds, bounds, order=7)
+        refuse(InputError, "BAD_OPTION", "axis_order = 7", tribox.overlap_boxes, one, bounds, bounds, axis_order=7)
 
     def test_grid(self):
         for origin, cell, size, cause in (
@@ -128,16 +140,16 @@ class Errors(cases.TestCase):
                 ((0, 0, 0), 1, (1 << 20, 1 << 20, 1 << 20), "the cells take 1.342e.08 GiB, .* 16 at most; give a window"),
                 ((0, 1e17, 0), 1, (4, 5, 6), "float64 cannot tell cells of 1 apart on the y axis, .* cells of 32 are large enough"),
                 ((0, 0, 1.797693134862315e308), 1e290, (1, 1, 100), "float64 cannot .*; choose fewer cells, or move the origin")):
-            self.refuse(InputError, "BAD_GRID", f"^{cause}.*: origin = .*, cell = .*, size = ", tribox.voxelize, self.triangles,
-                        origin, cell, size)
+            self.refuse(InputError, "BAD_GRID", f"^{cause}.*origin ?= ?.*, cell ?= ?.*, size ?= ?", tribox.voxelize,
+                        self.triangles, (origin, cell, size))
         for size in ((1, 2), 3, None, "xyz", (1, -2, 3), (1, 1 << 32, 1), (1, 2, 3, 4), (NAN, 1, 1), (1.5, 1, 1)):
             pattern = "^size = .*; give three numbers of cells"
-            self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, (0, 0, 0), 1, size)
+            self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, ((0, 0, 0), 1, size))
         for origin, cell, word in (((0, 0), 1, "origin"), ((0, 0, 0), (1, 1), "cell"), ((0, 0, 0), "x", "cell")):
-            pattern = f"^{word} = .*; give three numbers"
-            self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, origin, cell, (1, 1, 1))
+            pattern = f"^{word} = .*; give (three numbers|the length of a cell, or three): x, y, z"
+            self.refuse(InputError, None, pattern, tribox.voxelize, self.triangles, (origin, cell, (1, 1, 1)))
         for layers in ((0, 7), (6, 1), (-1, 2), (1 << 32, 1), (0, "x"), (0,), (0, 1.5), 3):
-            self.refuse(InputError, None, r"layers = .*within the 6 layers", tribox.voxelize, self.triangles, *GRID, layers=layers)
+            self.refuse(InputError, None, r"layers = .*within the 6 layers", tribox.voxelize, self.triangles, GRID, layers=layers)
 
     def test_out(self):
         read_only = np.zeros(70, bool)
@@ -151,21 +163,18 @@ class Errors(cases.TestCase):
                 refuse(InputError, None, r"^out has shape .*; give \((70|2),\)", tribox.overlap, form, LO, HI, out=out)
             for out in (read_only, np.zeros(4, np.uint64)[::2]):
                 refuse(InputError, None, "^out is read-only, or not contiguous", tribox.overlap, form, LO, HI, out=out)
-        refuse(InputError, None, r"give \(6, 5, 4\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((4, 5, 6), bool))
-        refuse(InputError, None, r"give \(6, 5, 1\)", tribox.voxelize, self.triangles, *GRID, out=np.zeros((6, 5, 2), np.uint64))
 
     def test_nothing_is_written(self):
         vertices, faces = cases.shared_vertices(np.resize(self.triangles, (70000, 3, 3)), np.uint32)
         faces[-1, 2] = len(vertices)
-        late = tribox.Mesh(vertices, faces)
-        for call, arguments, shape in ((tribox.overlap, (late, LO, HI), (70000,)),
-                                       (tribox.overlap, (self.triangles, LO, (NAN, 0, 0)), (70,)),
-                                       (tribox.voxelize, (late, *GRID), (6, 5, 4))):
-            for dtype in (bool, np.uint64):
-                out = np.zeros(shape if dtype is bool else (*shape[:-1], (shape[-1] + 63) // 64), dtype)
-                with self.assertRaises(tribox.Error):
-                    call(*arguments, out=out)
+        late, into = tribox.Mesh(vertices, faces), tribox.voxelize(self.triangles[:0], GRID)
+        for arguments, count in (((late, LO, HI), 70000), ((self.triangles, LO, (NAN, 0, 0)), 70)):
+            for out in (np.zeros(count, bool), np.zeros((count + 63) // 64, np.uint64)):
+                self.assertRaises(tribox.Error, tribox.overlap, *arguments, out=out)
                 self.assertFalse(out.any())
+        for fill in (None, "outside", "parity"):
+            self.assertRaises(BadIndexError, tribox.voxelize, late, GRID, into=into, fill=fill)
+            self.assertFalse(into.words.any())
 
     def test_mask_indices(self):
         for odd in ([1], np.zeros(2, bool), np.zeros(4, np.uint64)[::2]):
@@ -179,9 +188,9 @@ class Errors(cases.TestCase):
         for start in (1e17, -1e17, 3, -1e300, 2.0 ** 53 - 4, 0.1):
             for size in (1, 5, 1000):
                 cell = tribox._grids.sufficient_cell(start, size)
-                self.assertFalse(tribox.voxelize(self.triangles[:0], (start, 0, 0), (cell, 1, 1), (size, 1, 1)).any())
+                self.assertFalse(tribox.voxelize(self.triangles[:0], ((start, 0, 0), (cell, 1, 1), (size, 1, 1))).any())
                 with self.assertRaises(InputError):
-                    tribox.voxelize(self.triangles[:0], (start, 0, 0), (cell / 4, 1, 1), (max(size, 5), 1, 1))
+                    tribox.voxelize(self.triangles[:0], ((start, 0, 0), (cell / 4, 1, 1), (max(size, 5), 1, 1)))
 
 
 class Oddities(cases.TestCase):
@@ -200,9 +209,9 @@ class Oddities(cases.TestCase):
         yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, corner, far, frame, **options)
         yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, one, corner, frame, **options)
         yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, one, far, (corner, far, far), **options)
-        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, corner, 1, (2, 2, 2), **options)
-        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, one, (odd, 1, 1), (2, 2, 2), **options)
-        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, one, odd, (2, 2, 2), **options)
+        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, (corner, 1, (2, 2, 2)), **options)
+        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, (one, (odd, 1, 1), (2, 2, 2)), **options)
+        yield "BAD_GRID", lambda: tribox.voxelize(self.triangles, (one, odd, (2, 2, 2)), **options)
         yield None, lambda: tribox.overlap_boxes((corner, far, far), bounds, bounds, **options)
 
     def test_huge_numbers(self):
@@ -212,10 +221,10 @@ class Oddities(cases.TestCase):
                     self.assertFalse(call().any())
                 else:
                     self.refuse(InputError, status, "infinite|not finite|not greater than zero", call)
-            self.refuse(InputError, None, "^size = ", tribox.voxelize, self.triangles, (0, 0, 0), 1, (odd, 1, 1))
-            self.refuse(InputError, None, "^layers = ", tribox.voxelize, self.triangles, *GRID, layers=(0, odd))
-            self.refuse(InputError, None, "^axes = ", tribox.overlap, self.triangles, LO, HI, axes=odd)
-        self.refuse(InputError, None, "^cell = ", tribox.voxelize, self.triangles, (0, 0, 0), ((1, 2), 3, [4]), (1, 1, 1))
+            self.refuse(InputError, None, "^size = ", tribox.voxelize, self.triangles, ((0, 0, 0), 1, (odd, 1, 1)))
+            self.refuse(InputError, None, "^layers = ", tribox.voxelize, self.triangles, GRID, layers=(0, odd))
+            self.refuse(InputError, "BAD_OPTION", "^axes = ", tribox.overlap, self.triangles, LO, HI, axes=odd)
+        self.refuse(InputError, None, "^cell = ", tribox.voxelize, self.triangles, ((0, 0, 0), ((1, 2), 3, [4]), (1, 1, 1)))
 
     def test_words(self):
         for name, known, status in (("accuracy", "exact", None), ("kernel", tribox.kernel_name(), "NO_KERNEL")):
@@ -224,7 +233,7 @@ class Oddities(cases.TestCase):
                 for _, call in self.calls(0, **{name: odd}):
                     self.refuse(InputError, status, f"^{name} = ", call)
         for odd in ([7], {}, 7.0, "7", np.array([7, 7])):
-            self.refuse(InputError, None, "^axes = .*order = ", tribox.overlap, self.triangles, LO, HI, axes=odd)
+            self.refuse(InputError, "BAD_OPTION", "^axes = ", tribox.overlap, self.triangles, LO, HI, axes=odd)
         for odd in ("\udcff", f"{tribox.kernel_name()}\0x", [], 5):
             self.assertIsNone(tribox.kernel_name(odd))
 

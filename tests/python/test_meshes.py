@@ -64,8 +64,8 @@ class Meshes(cases.TestCase):
 
     def test_calls(self):
         expected = cases.truth(self.triangles, LO, HI)
-        cells = tribox.voxelize(self.triangles, *GRID)
-        around = [tribox.grid_around(self.triangles.astype(dtype), 9) for dtype in (np.float32, np.float64)]
+        cells = tribox.voxelize(self.triangles, GRID)
+        around = tribox.grid_around(self.triangles, 9)
         for mesh in self.forms():
             self.assert_same(tribox.overlap(mesh, LO, HI), expected)
             self.assert_same(tribox.classify(mesh, LO, HI)[0], expected)
@@ -74,21 +74,39 @@ class Meshes(cases.TestCase):
             self.assertEqual(tribox.overlap_oriented(mesh, (0, 0, 0), (9, 9, 9), np.eye(3)).shape, expected.shape)
             self.assert_same(np.sort(tribox.Index(mesh).list(LO, HI)), np.flatnonzero(expected).astype(np.uint32))
             self.assert_same(tribox.Soup.of(mesh).streams, np.ascontiguousarray(self.triangles.T))
-            self.assert_same(tribox.voxelize(mesh, *GRID, threads=2), cells)
-            self.assertIn(tribox.grid_around(mesh, 9), around)
-            self.assertEqual(tribox.voxelize(mesh, resolution=9)[1], tribox.grid_around(mesh, 9))
-            self.assertEqual(len(tribox.bricks(mesh, *GRID).cells()), cells.sum())
-            self.assert_same(tribox.overlap(tribox.Mesh.of(mesh), LO, HI), expected)
+            self.assert_same(tribox.voxelize(mesh, GRID, threads=2), cells)
+            self.assertEqual(tribox.grid_around(mesh, 9), around)
+            self.assertEqual(tribox.voxelize(mesh, resolution=9).grid, tribox.grid_around(mesh, 9))
+            self.assertEqual(len(tribox.bricks(mesh, GRID).cells()), cells.sum())
+            self.assert_same(tribox.overlap(tribox.Mesh(mesh), LO, HI), expected)
             with tempfile.TemporaryDirectory() as folder:
-                parts = tribox.partition(mesh, *GRID, os.path.join(folder, "tiles"))
+                parts = tribox.partition(mesh, os.path.join(folder, "tiles"), GRID)
                 self.assertEqual(len(parts.bricks().cells()), cells.sum())
 
-    def test_mesh_of(self):
-        mesh = tribox.Mesh.of(self.by_rows())
-        self.assertIs(mesh.vertices, self.vertices)
-        self.assertIs(tribox.Mesh.of(mesh), mesh)
-        for odd in (self.triangles, 3, None, SimpleNamespace(vertices=self.vertices)):
-            self.refuse(InputTypeError, None, "mesh is of type .*; give what has vertices and faces", tribox.Mesh.of, odd)
+    def test_mesh(self):
+        """Mesh(...) takes whatever the calls take, without a copy where they need none."""
+        expected = cases.truth(self.triangles, LO, HI)
+        pair = self.vertices, self.faces
+        wide = self.triangles.astype(float)
+        for form in (*self.forms(), pair, (self.vertices.tolist(), self.faces.tolist()), self.triangles, self.triangles.tolist(),
+                     wide, np.asfortranarray(wide), tribox.Soup.of(self.triangles), tribox.Mesh(*pair),
+                     tribox.Mesh(self.triangles)):
+            mesh = tribox.Mesh(form)
+            self.assertEqual(len(mesh), len(self.triangles))
+            self.assert_same(tribox.overlap(mesh, LO, HI), expected)
+            self.assert_same(tribox.overlap(form, LO, HI), expected)
+            self.assert_same(tribox.overlap(tribox.Mesh(mesh), LO, HI), expected)
+            repr(mesh)
+        by_rows = tribox.Mesh(self.by_rows())
+        self.assertIs(by_rows.vertices, self.vertices)
+        self.assertIs(tribox.Mesh(by_rows).vertices, self.vertices)
+        self.assertIs(tribox.Mesh(wide).vertices, wide)
+        self.assertIsNone(tribox.Mesh(wide).faces)
+        self.assertEqual(tribox.Mesh(self.trimesh()).vertices.dtype, float)
+        for odd in (3, [[1, 2, 3]], self.vertices, SimpleNamespace(vertices=self.vertices), None, (self.vertices,), "mesh"):
+            self.refuse((InputError, InputTypeError), None, r"^triangles .*give .*\(n, 3, 3\)", tribox.Mesh, odd)
+        for odd in ((self.vertices, self.vertices), (self.vertices, "faces")):
+            self.refuse(InputTypeError, None, "^faces is .*; give whole numbers", tribox.Mesh, odd)
 
     def test_nothing(self):
         none = np.empty((0, 3))
@@ -98,7 +116,7 @@ class Meshes(cases.TestCase):
     def refused(self, pattern, mesh, error=InputError):
         for call in (tribox.overlap, tribox.classify):
             self.refuse(error, None, pattern, call, mesh, LO, HI)
-        self.refuse(error, None, pattern, tribox.voxelize, mesh, *GRID)
+        self.refuse(error, None, pattern, tribox.voxelize, mesh, GRID)
 
     def test_other_cells(self):
         """No triangle is left out in silence."""
@@ -140,13 +158,13 @@ class Reprs(cases.TestCase):
         self.assertEqual(repr(tribox.Soup.of(self.triangles[:0])), "<tribox.Soup: 0 triangles, without bounds>")
 
     def test_index(self):
-        index = tribox.Index(self.triangles + [1000, 0, 0], origin=(1000, 0, 0))
-        where = r"from \(1000, 0, 0\) to \(1001, 2, 0\.1\)"
-        self.assertRegex(repr(index), rf"^<tribox.Index: 2 triangles in order, \d+ bytes, {where}>$")
+        where = r"from \(0, 0, 0\) to \(1, 2, 0\.1\)"
+        self.assertRegex(repr(tribox.Index(self.triangles)),
+                         rf"^<tribox.Index: 2 triangles of float32 in order, \d+ bytes, {where}>$")
 
     def test_partition(self):
         with tempfile.TemporaryDirectory() as folder:
-            parts = tribox.partition(self.triangles, (0, 0, 0), (0.5, 1, 1), (16, 9, 9), os.path.join(folder, "tiles"), tile=8)
+            parts = tribox.partition(self.triangles, os.path.join(folder, "tiles"), ((0, 0, 0), (0.5, 1, 1), (16, 9, 9)), side=8)
             self.assertRegex(repr(parts), r"^<tribox.Partition: 1 of 8 tiles have triangles, 1 in all, 16 x 9 x 9 cells "
                                           r"from \(0, 0, 0\) to \(8, 9, 9\), '.*tiles'>$")
 

@@ -40,7 +40,7 @@ class Overlap(cases.TestCase):
         for form in forms(self.triangles):
             for kernel in KERNELS:
                 for order in ORDERS:
-                    self.assert_same(tribox.overlap(form, LO, HI, kernel=kernel, order=order), self.expected, (kernel, order))
+                    self.assert_same(tribox.overlap(form, LO, HI, kernel=kernel, axis_order=order), self.expected, (kernel, order))
 
     def test_accuracies(self):
         lattice = cases.lattice(300)
@@ -54,7 +54,7 @@ class Overlap(cases.TestCase):
     def test_options(self):
         """What no answer on these triangles would tell: the options reach the library."""
         options = tribox._arguments.options_of("fast", 3, 213, "scalar")
-        self.assertEqual((options.accuracy, options.axes, options.order), (2, 3, 213))
+        self.assertEqual((options.accuracy, options.axes, options.axis_order), (2, 3, 213))
         self.assertEqual(tribox._ffi.ffi.string(options.kernel), b"scalar")
         self.assertEqual(tribox._arguments.options_of("conservative", 7, 0, None).accuracy, 1)
 
@@ -95,6 +95,10 @@ class Overlap(cases.TestCase):
 
     def test_numbers(self):
         """Bounds may be any three numbers, and are taken as they are."""
+        both = np.array([LO, HI])
+        for corners in (both, both.tolist(), (LO, HI), [LO, np.array(HI)]):
+            self.assert_same(tribox.overlap(self.triangles, corners), self.expected)
+            self.assert_same(tribox.classify(self.triangles, corners)[0], self.expected)
         for lo, hi in ((list(LO), np.array(HI)), (np.float32(LO), map(np.float32, HI)), (LO, np.array(HI, np.float16))):
             self.assert_same(tribox.overlap(self.triangles, lo, hi), self.expected)
         point, tenth = np.full((1, 3, 3), 0.1, np.float32), np.float32(0.1)
@@ -124,6 +128,8 @@ class Relatives(cases.TestCase):
             for form in forms(self.triangles):
                 self.assertIs(tribox.overlap_any(form, lo, hi), bool(answers.any()))
                 self.assertIs(tribox.overlap_all(form, lo, hi), bool(answers.all()))
+                self.assertEqual(tribox.find(form, lo, hi), answers.argmax() if answers.any() else None)
+                self.assertEqual(tribox.find(form, (lo, hi), what="miss"), None if answers.all() else (~answers).argmax())
         none = np.zeros((0, 3, 3), np.float32)
         self.assertEqual((tribox.overlap_any(none, LO, HI), tribox.overlap_all(none, LO, HI)), (False, True))
 
@@ -134,6 +140,8 @@ class Relatives(cases.TestCase):
             triangles[place] = 0
             for form in (triangles, tribox.Soup.of(triangles)):
                 self.assertTrue(tribox.overlap_any(form, LO, HI), place)
+                self.assertEqual(tribox.find(form, LO, HI), place)
+                self.assertEqual(tribox.find(form, (8, 8, 8), (9, 9, 9), "miss"), place)
                 self.assertFalse(tribox.overlap_all(form, (8, 8, 8), (9, 9, 9)), place)
             self.assertFalse(tribox.overlap_any(triangles, (1, 1, 1), (2, 2, 2)))
             self.assertTrue(tribox.overlap_all(triangles, (0, 0, 0), (9, 9, 9)))
@@ -153,10 +161,15 @@ class Relatives(cases.TestCase):
         for triangle in self.triangles[:5]:
             expected = np.array([cases.truth(triangle[None], lo[:, i], hi[:, i])[0] for i in range(500)])
             self.assert_same(tribox.overlap_boxes(triangle, lo, hi), expected)
+            for form in ((lo.T, hi.T), (lo.T.astype(float), hi), (lo.T.tolist(), hi.T.tolist()), (np.stack([lo.T, hi.T], 1),)):
+                self.assert_same(tribox.overlap_boxes(triangle, *form), expected)
             self.assert_same(tribox.overlap_boxes(triangle.tolist(), lo[:, :70], hi[:, :70], kernel="scalar"), expected[:70])
             words = tribox.overlap_boxes(triangle, lo, hi, packed=True)
             self.assert_same(tribox.mask_indices(words), np.flatnonzero(expected).astype(np.uint32))
-        self.assertEqual(tribox.overlap_boxes(triangle, lo[:, :0], hi[:, :0]).shape, (0,))
+        for none in ((lo[:, :0], hi[:, :0]), (lo.T[:0], hi.T[:0]), ([], []), (np.zeros((0, 2, 3)),)):
+            self.assertEqual(tribox.overlap_boxes(triangle, *none).shape, (0,))
+        for rows in (lo[:, :3].T, np.array(lo[:, :3].T, order="F")):  # three rows are rows
+            self.assert_same(tribox.overlap_boxes(self.triangles[4], rows, hi[:, :3].T), expected[:3])
 
     def test_oriented(self):
         center, half = (0.25, -0.5, 0), (1.5, 0.5, 0.75)

@@ -29,7 +29,7 @@ class PartitionTests(cases.TestCase):
 
     def new(self, form, grid, **options):
         self.count += 1
-        return tribox.partition(form, *grid, os.path.join(self.folder, str(self.count)), **options)
+        return tribox.partition(form, os.path.join(self.folder, str(self.count)), grid, **options)
 
     def variants(self):
         mesh = tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
@@ -45,46 +45,48 @@ class PartitionTests(cases.TestCase):
 
     def test_bricks(self):
         for form, grid in self.variants():
-            for tile in (8, 32):
-                expected = tribox.bricks(form, *grid, tile=tile)
-                partition = self.new(form, grid, tile=tile)
-                self.assertEqual((partition.grid.size, partition.tile, partition.shift), (grid[2], tile, (0, 0, 0)))
-                self.assertEqual(partition.tile_count, tribox.tile_count(grid[2], tile))
+            for side in (8, 32):
+                expected = tribox.bricks(form, grid, side=side)
+                partition = self.new(form, grid, side=side)
+                self.assertEqual((partition.grid, partition.side, partition.shift), (tribox.Grid(*grid), side, (0, 0, 0)))
+                self.assertEqual(partition.tile_count, tribox.tile_count(grid[2], side))
                 partition.check()
                 self.assert_equal(partition.bricks(), expected)
                 self.assert_equal(partition.bricks(threads=3), expected)
                 for count in (1, 2, 7, 1000):
                     shares = partition.shares(count)
                     self.assertEqual(len(shares), count)
-                    self.assertEqual([share[0] for share in shares] + [partition.tile_count],
-                                     [0] + [share[1] for share in shares])
-                    work = [partition.work[(first <= partition.numbers) & (partition.numbers < end)].sum() for first, end in shares]
+                    self.assertEqual([first for first, _ in shares] + [partition.tile_count],
+                                     [0] + [first + number for first, number in shares])
+                    work = [partition.work[(first <= partition.numbers) & (partition.numbers < first + number)].sum()
+                            for first, number in shares]
                     self.assertLessEqual(max(work), partition.work.sum() / count + partition.work.max())
                     if count < 10:
                         parts = [partition.bricks(share) for share in shares]
-                        self.assert_equal(tribox.Bricks(*map(np.concatenate, zip(*parts))), expected)
+                        self.assert_equal(cases.joined(parts), expected)
 
     def test_tiles(self):
         for form, grid in self.variants():
-            whole, partition = tribox.voxelize(form, *grid), self.new(form, grid, tile=32)
+            whole, partition = np.array(tribox.voxelize(form, grid)), self.new(form, grid, side=32)
             for number in range(partition.tile_count):
                 (i, j, k), (ni, nj, nk) = partition.window(number)
                 cells = partition.voxelize(number)
                 self.assert_same(cells, whole[k:k + nk, j:j + nj, i:i + ni])
-                words = tribox.voxelize(form, *grid, window=partition.window(number), packed=True)
-                self.assert_same(partition.voxelize(np.int64(number), packed=True), words)
+                self.assertEqual((cells.grid, cells.window), (partition.grid, partition.window(number)))
+                self.assert_same(partition.voxelize(np.int64(number)).words,
+                                 tribox.voxelize(form, grid, window=partition.window(number)).words)
                 self.assertEqual(number in partition.numbers, len(partition.triangles(number)) > 0)
 
     def test_triangles(self):
         """Those that overlap the tile, in the order of the mesh."""
-        partition = self.new(self.triangles, FLOATS, tile=32)
+        partition = self.new(self.triangles, FLOATS, side=32)
         for number in range(partition.tile_count):
             first, size = map(np.array, partition.window(number))
-            lo, hi = (np.float32(np.array(FLOATS[0]) + at * np.array(FLOATS[1])) for at in (first, first + size))
+            lo, hi = (np.array(FLOATS[0]) + at * np.array(FLOATS[1]) for at in (first, first + size))
             self.assert_same(np.array(partition.triangles(number)), self.triangles[tribox.overlap(self.triangles, lo, hi)])
 
     def test_options(self):
-        partition = self.new(self.triangles, FLOATS, tile=32)
+        partition = self.new(self.triangles, FLOATS, side=32)
         self.assert_equal(partition.bricks(kernel="scalar"), partition.bricks())
         self.assertTrue((partition.voxelize(3, accuracy="conservative") >= partition.voxelize(3)).all())
         self.refuse(tribox.InputError, "BAD_OPTION", "axes = 8", partition.bricks, axes=8)
@@ -94,7 +96,7 @@ class PartitionTests(cases.TestCase):
                 self.refuse(tribox.InputError, None, "^number = .*; give that of a tile", call, wrong)
 
     def test_wrong_shares(self):
-        partition = self.new(self.triangles, FLOATS, tile=32)
+        partition = self.new(self.triangles, FLOATS, side=32)
         self.assertEqual(partition.shares(np.int64(3)), partition.shares(3))
         for wrong in (0, -3, 1 << 31, 10 ** 400, 2.5, "x", None, (1, 2)):
             self.refuse(tribox.InputError, None, "^count = .*; give how many shares to make", partition.shares, wrong)
@@ -105,7 +107,7 @@ class PartitionTests(cases.TestCase):
             partition.check()
             self.assertEqual(len(partition.numbers), 0)
             self.assertEqual(len(partition.bricks().at), 0)
-            self.assertEqual(partition.shares(2)[1][1], partition.tile_count)
+            self.assertEqual(sum(partition.shares(2)[1]), partition.tile_count)
             self.assertFalse(partition.voxelize(0).any())
 
     def program(self, *arguments, mesh=b""):
@@ -127,13 +129,13 @@ class PartitionTests(cases.TestCase):
                 self.assertEqual(partition.shift, shift)
                 if triangles.dtype == float or not any(shift):
                     self.assertEqual(partition.grid, tribox.grid_around(moved, 300))
-                    self.assert_equal(partition.bricks(), tribox.bricks(moved, *partition.grid, tile=partition.tile))
+                    self.assert_equal(partition.bricks(), tribox.bricks(moved, partition.grid, side=partition.side))
 
     @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
     def test_for_program(self):
         """The program voxelizes those of tribox.partition, whole and in shards."""
         for form, grid in self.variants():
-            partition = self.new(form, grid, tile=16)
+            partition = self.new(form, grid, side=16)
             self.program("voxelize", partition.folder, "-o", "whole.npz")
             parts = [f"{shard}.part" for shard in (1, 2, 3)]
             for shard, part in enumerate(parts, 1):
@@ -141,18 +143,18 @@ class PartitionTests(cases.TestCase):
             self.program("merge", *parts, "-o", "merged.npz")
             for name in ("whole.npz", "merged.npz"):
                 with np.load(os.path.join(self.folder, name)) as file:
-                    self.assert_equal(tribox.Bricks(file["at"], file["bits"]), partition.bricks())
+                    self.assert_equal(tribox.Bricks(file["at"], file["bits"], partition.grid), partition.bricks())
                     self.assertEqual(tuple(file["size"]), grid[2])
 
     @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
     def test_hashes(self):
         """Parts of the program's partition merge with those of the mesh; those of tribox.partition, as FORMATS says, do not."""
-        mesh = cases.lattice(40)
-        Path(self.folder, "mesh.f32").write_bytes(mesh.tobytes())
-        self.program("partition", "mesh.f32", "-r", "300", "-o", "by_program")
+        mesh = cases.lattice(40) * 0.1
+        Path(self.folder, "mesh.f64").write_bytes(mesh.tobytes())
+        self.program("partition", "mesh.f64", "-r", "300", "-o", "by_program")
         by_program = tribox.Partition(os.path.join(self.folder, "by_program"))
-        tribox.partition(mesh, *by_program.grid, os.path.join(self.folder, "by_python"), tile=by_program.tile)
-        self.program("voxelize", "mesh.f32", "-r", "300", "--shard", "2/2", "-o", "2.part")
+        tribox.partition(mesh, os.path.join(self.folder, "by_python"), by_program.grid, side=by_program.side)
+        self.program("voxelize", "mesh.f64", "-r", "300", "--shard", "2/2", "-o", "2.part")
         for name in ("by_program", "by_python"):
             self.program("voxelize", name, "--shard", "1/2", "-o", f"{name}.part")
         self.program("merge", "by_program.part", "2.part", "-o", "merged.npz")
@@ -182,21 +184,21 @@ class PartitionTests(cases.TestCase):
 
     def test_blocks(self):
         """Written a few triangles at a time it is the same."""
-        whole = self.new(self.triangles, FLOATS, tile=16)
+        whole = self.new(self.triangles, FLOATS, side=16)
         with mock.patch("tribox._partition.BLOCK", 50):
-            parts = self.new(self.triangles, FLOATS, tile=16)
+            parts = self.new(self.triangles, FLOATS, side=16)
         for name in ("index", "triangles"):
             self.assertEqual(*(Path(one.folder, name).read_bytes() for one in (whole, parts)))
 
     def test_whole_or_not_at_all(self):
         path = os.path.join(self.folder, "there")
         with mock.patch("tribox._partition.write_index", side_effect=OSError("no space left")):
-            self.assertRaisesRegex(OSError, "no space", tribox.partition, self.triangles, *FLOATS, path)
+            self.assertRaisesRegex(OSError, "no space", tribox.partition, self.triangles, path, FLOATS)
         self.assertEqual(os.listdir(self.folder), [])
-        tribox.partition(self.triangles, *FLOATS, path)
+        tribox.partition(self.triangles, path, FLOATS)
         with self.assertRaisesRegex(FileExistsError, "exists; remove it, or give another"):
-            tribox.partition(self.triangles, *FLOATS, path)
-        self.assertRaises(FileNotFoundError, tribox.partition, self.triangles, *FLOATS, os.path.join(self.folder, "no", "folder"))
+            tribox.partition(self.triangles, path, FLOATS)
+        self.assertRaises(FileNotFoundError, tribox.partition, self.triangles, os.path.join(self.folder, "no", "folder"), FLOATS)
         self.assertEqual(os.listdir(self.folder), ["there"])
 
     def damaged(self, partition, name, change):
@@ -212,7 +214,7 @@ class PartitionTests(cases.TestCase):
         return copy
 
     def test_damaged(self):
-        partition = self.new(self.triangles, FLOATS, tile=32)
+        partition = self.new(self.triangles, FLOATS, side=32)
         refuse, pick = self.refuse, np.random.default_rng(cases.seed())
         sizes = {name: os.path.getsize(os.path.join(partition.folder, name)) for name in ("index", "triangles")}
 
@@ -229,9 +231,9 @@ class PartitionTests(cases.TestCase):
             copy = tribox.Partition(self.damaged(partition, "triangles", flip(place)))
             number = partition.numbers[np.searchsorted(partition._ends, place // 36, "right")]
             refuse(tribox.InputError, None, f"the checksum of tile {number} does not match; make", copy.check)
-            refuse(tribox.InputError, None, f"of tile {number} does", copy.check, (int(number), copy.tile_count))
+            refuse(tribox.InputError, None, f"of tile {number} does", copy.check, (int(number), 1))
             copy.check((0, int(number)))
-            copy.check((int(number) + 1, copy.tile_count))
+            copy.check((int(number) + 1, copy.tile_count - int(number) - 1))
         for name, change in (("index", lambda content: content[:100]), ("index", lambda content: content[:-32]),
                              ("index", lambda content: content + bytes(32)), ("triangles", lambda content: content[:-36]),
                              ("triangles", lambda content: content + bytes(1)), ("index", lambda content: b"")):

@@ -11,12 +11,12 @@ from cases import HI, LO
 class Refused(cases.TestCase):
     def refuse_triangles(self, error, pattern, triangles):
         calls = [lambda: tribox.overlap(triangles, LO, HI), lambda: tribox.classify(triangles, LO, HI),
-                 lambda: tribox.voxelize(triangles, LO, 1, (2, 2, 2)), lambda: tribox.Soup.of(triangles)]
+                 lambda: tribox.voxelize(triangles, (LO, 1, (2, 2, 2))), lambda: tribox.Soup.of(triangles)]
         for call in calls:
             self.refuse(error, None, pattern, call)
 
     def test_types(self):
-        ragged = (np.zeros((3, 3), np.float32), np.zeros((1, 3), np.uint32))
+        ragged = [np.zeros((3, 3), np.float32), np.zeros((1, 3), np.uint32)]
         huge = [[[10 ** 400, 0, 0]] * 3]
         for triangles in (None, "triangles", b"t", [[[None] * 3] * 3], [[["1", 2, 3]] * 3], huge, ragged):
             self.refuse_triangles(InputTypeError, "triangles is", triangles)
@@ -43,7 +43,7 @@ class Refused(cases.TestCase):
             refuse(InputTypeError, None, "faces is ndarray of .*; give whole numbers", tribox.Mesh, vertices, faces.astype(dtype))
         for odd in (faces[:, :2], faces.ravel(), faces[None]):
             refuse(InputError, None, r"faces has shape .*give \(n, 3\): triangle, vertex", tribox.Mesh, vertices, odd)
-        for odd in (np.eye(3), None, [[0, 1, 2.0]]):
+        for odd in (np.eye(3), [[0, 1, 2.0]], "faces"):
             refuse(InputTypeError, None, "faces is .*; give whole numbers", tribox.Mesh, vertices, odd)
 
     def test_indices(self):
@@ -62,7 +62,7 @@ class Refused(cases.TestCase):
             self.refuse(InputError, None, "streams must hold three axes of three vertices each", tribox.Soup, odd)
         for odd in (streams[:, :, ::2], streams[..., None], [*streams[:2], [*streams[2][:2], streams[2][2][:7]]]):
             self.refuse(InputError, None, "a stream has shape .*give nine contiguous arrays of one length", tribox.Soup, odd)
-        self.refuse(InputTypeError, None, r"a stream is float64; .*tribox\.Soup\.of\(triangles, origin=", tribox.Soup,
+        self.refuse(InputTypeError, None, r"a stream is float64; .*tribox\.Soup\.of\(triangles\)", tribox.Soup,
                     streams.astype(float))
         self.refuse(InputTypeError, None, "a stream is list", tribox.Soup, streams.tolist())
         for odd in (3, np.zeros(3, np.float32), None):

@@ -63,12 +63,9 @@ class Threads(cases.TestCase):
 
     def test_layers(self):
         grid = (-2, -2, -2), 0.03125, (128, 128, 128)
-        whole = tribox.voxelize(self.triangles[:500], *grid, packed=True)
-        out = np.zeros_like(whole)
-        each = 128 // THREADS
-        at_once(lambda number: tribox.voxelize(self.triangles[:500], *grid, layers=(number * each, each),
-                                               out=out[number * each:(number + 1) * each]))
-        self.assert_same(out, whole)
+        whole, each = tribox.voxelize(self.triangles[:500], grid), 128 // THREADS
+        parts = at_once(lambda number: tribox.voxelize(self.triangles[:500], grid, layers=(number * each, each)))
+        self.assert_same(np.concatenate(parts), np.array(whole))
 
 
 if __name__ == "__main__":

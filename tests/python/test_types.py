@@ -2,6 +2,7 @@
 
 import inspect
 import os
+import pydoc
 import re
 import subprocess
 import sys
@@ -70,6 +71,17 @@ class Types(cases.TestCase):
                     if not inner.startswith("_"):
                         found += missing(f"{name}.{inner}", getattr(thing, inner))
         self.assertEqual(found, [])
+
+    def test_help(self):
+        """Signatures are of names that one can read, and lines of a terminal's width."""
+        for name in tribox.__all__:
+            thing = getattr(tribox, name)
+            if not callable(thing) or issubclass(type(thing), type) and issubclass(thing, BaseException):
+                continue
+            text = pydoc.render_doc(thing, renderer=pydoc.plaintext)
+            self.assertNotRegex(text, r"_SupportsArray|_NestedSequence|typing\.|numpy\.ndarray\[|ForwardRef|Union\[.*Union\[")
+            for line in (inspect.getdoc(thing) or "").splitlines():
+                self.assertLessEqual(len(line), 132, line)
 
 
 if __name__ == "__main__":

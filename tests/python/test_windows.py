@@ -43,41 +43,40 @@ class Windows(cases.TestCase):
     def test_windows(self):
         for name, grid in GRIDS.items():
             for form in self.forms():
-                whole = tribox.voxelize(form, *grid)
+                whole = np.array(tribox.voxelize(form, grid))
                 self.assertTrue(whole.any() and not whole.all())
                 for first, size in self.windows(grid[2]):
                     (i, j, k), (ni, nj, nk) = first, size
                     expected = whole[k:k + nk, j:j + nj, i:i + ni]
-                    answer = tribox.voxelize(form, *grid, window=(first, size))
+                    answer = tribox.voxelize(form, grid, window=(first, size))
                     self.assert_same(answer, expected, f"{name}: {first} {size}")
-                    words = tribox.voxelize(form, *grid, window=(first, size), packed=True)
-                    self.assertEqual((words.dtype, words.shape), (np.uint64, (nk, nj, (ni + 63) // 64)))
-                    out = np.zeros((nk, nj, ni), bool)
-                    self.assertIs(tribox.voxelize(form, *grid, window=(first, size), out=out, threads=2), out)
-                    self.assert_same(out, expected)
+                    self.assertEqual(answer.words.shape, (nk, nj, (ni + 63) // 64))
+                    self.assertEqual(answer.window, (tuple(first), tuple(size)))
+                    into = tribox.voxelize(form[:0] if isinstance(form, np.ndarray) else form, grid, window=(first, size))
+                    self.assertIs(tribox.voxelize(form, grid, window=(first, size), into=into, threads=2), into)
+                    self.assert_same(into, expected)
 
     def test_forms_agree(self):
-        """Points on planes that are rounded to float32: where float32 lies in columns they are those planes, too."""
+        """Points on planes as float32 rounds them: in every form, and as float64, they lie in the cells of the planes stated."""
         cell = np.float32(0.1)
         rows = np.repeat((np.arange(41) * float(cell) - 2).astype(np.float32), 9).reshape(41, 3, 3)
         columns = tribox.Mesh(np.asfortranarray(rows.reshape(-1, 3)), np.arange(123).reshape(-1, 3))
         grid = (-2,) * 3, cell, (40,) * 3
-        expected = tribox.voxelize(rows, *grid)
-        self.assertGreater(np.count_nonzero(tribox.voxelize(rows.astype(float), *grid) != expected), 0)
-        self.assert_same(tribox.voxelize(columns, *grid), expected)
-        self.assert_same(tribox.voxelize(tribox.Soup.of(rows), *grid), expected)
+        expected = tribox.voxelize(rows.astype(float), grid)
+        for form in (rows, columns, tribox.Soup.of(rows), np.asfortranarray(rows)):
+            self.assert_same(tribox.voxelize(form, grid), expected)
 
     def test_beyond_memory(self):
         """A grid of 2^60 cells has windows; the whole of it is refused."""
         grid = (-2, -2, -2), 2.0 ** -18, (1 << 20,) * 3
         near = self.triangles[:40]
         corner = np.floor((near[0, 0] + 2) * 2 ** 18).astype(int) - 20
-        cells = tribox.voxelize(near, *grid, window=(corner, (70, 40, 40)))
+        cells = np.array(tribox.voxelize(near, grid, window=(corner, (70, 40, 40))))
         for k, j, i in np.argwhere(cells)[::97]:
             lo = (corner + (i, j, k)) * 2.0 ** -18 - 2
             self.assertTrue(tribox.overlap_any(near, lo, lo + 2.0 ** -18))
         self.assertTrue(cells.any())
-        self.refuse(tribox.InputError, "BAD_GRID", "16 at most; give a window", tribox.voxelize, near, *grid)
+        self.refuse(tribox.InputError, "BAD_GRID", "16 at most; give a window", tribox.voxelize, near, grid)
 
     def test_refused(self):
         for wrong in (3, (0, 1), ((0, 0, 0),), ((0, 0, 0), (132, 1, 1)), ((0, -1, 0), (1, 1, 1)), ((0, 0, 33), (1, 1, 1)),
@@ -85,25 +84,24 @@ class Windows(cases.TestCase):
                       ((0, 0, 1 << 70), (1, 1, 1))):
             for grid in GRIDS.values():
                 self.refuse(tribox.InputError, None, r"^window = .*; give \(first, size\).* within the 131 x 50 x 33 cells",
-                            tribox.voxelize, self.triangles, *grid, window=wrong)
+                            tribox.voxelize, self.triangles, grid, window=wrong)
         both = dict(window=((0, 0, 0), (1, 1, 1)), layers=(0, 1))
-        self.refuse(tribox.InputError, None, "layers and window exclude", tribox.voxelize, self.triangles, *grid, **both)
+        self.refuse(tribox.InputError, None, "layers and window exclude", tribox.voxelize, self.triangles, grid, **both)
         for wrong in (0, -1, 1.5, "2"):
-            self.refuse(tribox.InputError, None, "^threads = .*; give a whole number", tribox.voxelize, self.triangles, *grid,
+            self.refuse(tribox.InputError, None, "^threads = .*; give a whole number", tribox.voxelize, self.triangles, grid,
                         threads=wrong)
 
     def ask_threads(self, form, grid, **keywords):
-        whole = tribox.voxelize(form, *grid, **keywords)
-        part = tribox.voxelize(form, *grid, layers=(7, 9), **keywords)
+        whole = tribox.voxelize(form, grid, **keywords)
+        part = tribox.voxelize(form, grid, layers=(7, 9), **keywords)
         for threads in (2, 3, 64, None):
-            self.assert_same(tribox.voxelize(form, *grid, threads=threads, **keywords), whole)
-            self.assert_same(tribox.voxelize(form, *grid, threads=threads, layers=(7, 9), **keywords), part)
-            out = np.zeros_like(whole)
-            out[0, 0, :3] = True
-            self.assertIs(tribox.voxelize(form, *grid, out=out, threads=threads, **keywords), out)
-            whole_too = whole.copy()
-            whole_too[0, 0, :3] = True
-            self.assert_same(out, whole_too)
+            self.assert_same(tribox.voxelize(form, grid, threads=threads, **keywords), whole)
+            self.assert_same(tribox.voxelize(form, grid, threads=threads, layers=(7, 9), **keywords), part)
+            before = np.zeros(whole.shape, bool)
+            before[0, 0, :3] = True
+            into = tribox.Voxels(before, whole.grid)
+            self.assertIs(tribox.voxelize(form, grid, into=into, threads=threads, **keywords), into)
+            self.assert_same(into, whole | before)
 
     def test_threads(self):
         """As they are shared out, by layers and by triangles, whatever pays."""
@@ -133,15 +131,20 @@ class Windows(cases.TestCase):
             for threads in (1, 2, 64):
                 looked.clear()
                 with mock.patch.multiple(_voxelize, set_cells=look, processors=lambda: 2):
-                    cells = tribox.voxelize(triangles, *GRIDS["floats"][:2], (size,) * 3, threads=threads, packed=True)
-                self.assertLessEqual(sum(looked), max(count, cells.size // 8), (count, size, threads))
+                    words = tribox.voxelize(triangles, (*GRIDS["floats"][:2], (size,) * 3), threads=threads).words
+                self.assertLessEqual(sum(looked), max(count, words.size // 8), (count, size, threads))
                 self.assertLessEqual(len(looked), 2 * _voxelize.PARTS_EACH)
 
     def test_bad_indices_by_threads(self):
-        wrong = tribox.Mesh(self.triangles[0], np.full((9, 3), 3, np.uint32))
-        for way in {}, dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40):
+        """A wrong index in the last share: no other share has written."""
+        vertices, faces = cases.shared_vertices(self.triangles, np.uint32)
+        faces[-1, 2] = len(vertices)
+        wrong, into = tribox.Mesh(vertices, faces), tribox.voxelize(self.triangles[:0], GRIDS["floats"])
+        for way in {}, dict(SLABS=range(1 << 40), MANY_CELLS=0), dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40):
             with mock.patch.multiple(_voxelize, processors=lambda: 2, **way):
-                self.refuse(tribox.BadIndexError, "BAD_VERTEX", "faces", tribox.voxelize, wrong, *GRIDS["floats"], threads=2)
+                self.refuse(tribox.BadIndexError, "BAD_VERTEX", rf"faces\[{len(faces) - 1}, 2\]", tribox.voxelize, wrong, into.grid,
+                            threads=2, into=into)
+                self.assertFalse(into.words.any())
 
 
 class Insides(cases.TestCase):
@@ -149,7 +152,7 @@ class Insides(cases.TestCase):
         for dtype in (np.float32, float):
             mesh = box_mesh((-1.5, -1, -0.5), (1, 0.75, 1.25)).astype(dtype)
             for grid in GRIDS.values():
-                surface = tribox.voxelize(mesh, *grid)
+                surface = np.array(tribox.voxelize(mesh, grid))
                 k, j, i = np.nonzero(surface)
                 solid = surface.copy()
                 solid[k.min():k.max() + 1, j.min():j.max() + 1, i.min():i.max() + 1] = True
@@ -158,44 +161,35 @@ class Insides(cases.TestCase):
                     for fill in ("outside", "parity"):
                         with warnings.catch_warnings():
                             warnings.simplefilter("error")
-                            self.assert_same(tribox.voxelize(form, *grid, fill=fill), solid)
-                            words = tribox.voxelize(form, *grid, fill=fill, threads=2, packed=True)
-                        self.assert_same(words, packed(solid))
+                            self.assert_same(tribox.voxelize(form, grid, fill=fill), solid)
+                            self.assert_same(tribox.voxelize(form, grid, fill=fill, threads=2), solid)
 
     def test_open(self):
         """Without its lids the box is empty by flood, and by parity along x full, with a warning where it has one side alone."""
         mesh, grid = box_mesh((-1.5, -1, -0.5), (1, 0.75, 1.25)), GRIDS["floats"]
-        surface = tribox.voxelize(mesh[4:], *grid)
-        self.assert_same(tribox.voxelize(mesh[4:], *grid, fill="outside"), surface)
+        surface = tribox.voxelize(mesh[4:], grid)
+        self.assert_same(tribox.voxelize(mesh[4:], grid, fill="outside"), surface)
         with self.assertWarnsRegex(tribox.OpenMeshWarning, "the mesh is not closed: [0-9]+ of 1650 rows") as caught:
-            tribox.voxelize(mesh[:-2], *grid, fill="parity")
+            tribox.voxelize(mesh[:-2], grid, fill="parity")
         self.assertEqual(caught.filename, __file__)
 
-    def test_out(self):
+    def test_into(self):
         """Cells that were set before are no part of the surface."""
         mesh, grid = box_mesh((-1.5, -1, -0.5), (1, 0.75, 1.25)), GRIDS["floats"]
-        solid = tribox.voxelize(mesh, *grid, fill="outside")
-        before = np.zeros_like(solid)
+        solid = tribox.voxelize(mesh, grid, fill="outside")
+        before = np.zeros(solid.shape, bool)
         before[:, :, :2] = before[:, :, -2:] = before[:, :2] = before[:, -2:] = before[:2] = before[-2:] = True
-        for out, expected in ((before.copy(), before | solid), (packed(before), packed(before | solid))):
-            self.assertIs(tribox.voxelize(mesh, *grid, fill="outside", out=out), out)
-            self.assert_same(out, expected)
+        into = tribox.Voxels(before, solid.grid)
+        self.assertIs(tribox.voxelize(mesh, grid, fill="outside", into=into), into)
+        self.assert_same(into, before | solid)
 
     def test_refused(self):
         mesh, grid = box_mesh((0, 0, 0), (1, 1, 1)), GRIDS["floats"]
         for wrong in ("flood", True, 3):
             self.refuse(tribox.InputError, None, "^fill = .*; give None or one of 'outside', 'parity'", tribox.voxelize, mesh,
-                        *grid, fill=wrong)
+                        grid, fill=wrong)
         for part in (dict(layers=(0, 1)), dict(window=((0, 0, 0), (1, 1, 1)))):
-            self.refuse(tribox.InputError, None, "fill needs the whole grid", tribox.voxelize, mesh, *grid, fill="outside", **part)
-
-
-def packed(cells):
-    """An array of bool as rows of words."""
-    rows = np.zeros((*cells.shape[:2], (cells.shape[2] + 63) // 64 * 8), np.uint8)
-    octets = np.packbits(cells, -1, "little")
-    rows[:, :, :octets.shape[2]] = octets
-    return rows.view("<u8").astype(np.uint64)
+            self.refuse(tribox.InputError, None, "fill needs the whole grid", tribox.voxelize, mesh, grid, fill="outside", **part)
 
 
 if __name__ == "__main__":

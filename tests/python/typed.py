@@ -3,7 +3,7 @@
 A line that ends in "# wrong" has to be an error.
 """
 
-from typing import List, Tuple
+from typing import List, Optional, Tuple
 
 import meshes_of_others
 import numpy as np
@@ -14,46 +14,62 @@ Three = Tuple[float, float, float]
 triangles = np.zeros((1, 3, 3), np.float32)
 lo, hi = (0, 0, 0), np.ones(3, np.float32)
 mesh = tribox.Mesh(np.zeros((3, 3)), [[0, 1, 2]])
-soup = tribox.Soup.of(mesh, origin=(0, 0, 0))
-forms: List[tribox.TrianglesLike] = [triangles, triangles.tolist(), mesh, soup, meshes_of_others.trimesh, meshes_of_others.open3d,
-                                     meshes_of_others.pyvista, meshes_of_others.meshio]
+soup = tribox.Soup.of(mesh)
+forms: List[tribox.TrianglesLike] = [triangles, triangles.tolist(), mesh, soup, (np.zeros((3, 3)), [[0, 1, 2]]),
+                                     meshes_of_others.trimesh, meshes_of_others.open3d, meshes_of_others.pyvista,
+                                     meshes_of_others.meshio]
+box = tribox.OrientedBox(lo, hi, np.eye(3))
 
 for form in forms:
-    mask: NDArray[np.bool_] = tribox.overlap(form, lo, hi, accuracy="fast", axes=tribox.AXES_BOX, order=132, kernel="sse2")
+    mask: NDArray[np.bool_] = tribox.overlap(form, lo, hi, accuracy="fast", axes=tribox.AXES_BOX, axis_order=132, kernel="sse2")
     words: NDArray[np.uint64] = tribox.overlap(form, lo, [1, 1, np.float32(1)], packed=True)
+    both: NDArray[np.bool_] = tribox.overlap(form, [[0, 0, 0], [1, 1, 1]]) | tribox.overlap(form, np.zeros((2, 3)))
     numbers: NDArray[np.uint32] = tribox.mask_indices(words)
     is_any: bool = tribox.overlap_any(form, lo, hi) and tribox.overlap_all(form, lo, hi)
+    first: Optional[int] = tribox.find(form, lo, hi, "miss")
     overlaps, inside = tribox.classify(form, lo, hi)
     turned: NDArray[np.bool_] = tribox.overlap_oriented(form, lo, hi, np.eye(3))
-    cells: NDArray[np.bool_] = tribox.voxelize(form, lo, 0.5, (2, 2, 2), threads=None, fill="outside", layers=(0, 1))
-    around, grid = tribox.voxelize(form, resolution=np.int64(64), threads=2)
-    origin: Three = grid.origin
-    at, bits = tribox.bricks(form, *tribox.grid_around(form, 4096), tile=64)
-    places: NDArray[np.int64] = tribox.Bricks(at, bits).cells()
-    parts: tribox.Partition = tribox.partition(form, lo, 1, (8, 8, 8), "tiles")
+    voxels: tribox.Voxels = tribox.voxelize(form, (lo, 0.5, (2, 2, 2)), threads=None, fill="outside", into=None)
+    around: tribox.Voxels = tribox.voxelize(form, resolution=np.int64(64), threads=2, layers=(0, 1))
+    cubes = tribox.voxelize(form, cell=0.1) | tribox.voxelize(form, cell=(1, 2, np.float32(3)), window=((0, 0, 0), (1, 1, 1)))
+    bricks: tribox.Bricks = tribox.bricks(form, resolution=4096, side=64, tiles=(0, 1))
+    parts: tribox.Partition = tribox.partition(form, "tiles", voxels.grid)
+    copied: tribox.Mesh = tribox.Mesh(form)
 
+cells: NDArray[np.bool_] = np.asarray(voxels)
+total: int = int(voxels.sum()) + len(voxels) + voxels.shape[0]
+points: NDArray[np.float64] = voxels.points()
+places: NDArray[np.int64] = bricks.cells()
+origin: Three = tribox.Grid(lo, 0.5, [1, 2, 3]).origin
+grid: tribox.Grid = tribox.grid_around(triangles, cell=0.5)
+voxels.save("voxels.npz")
 index = tribox.Index(triangles, keep_order=True)
-count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8))
+count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + index.count(box)
 listed: NDArray[np.uint32] = index.list(lo, hi)
-lists, starts = index.lists(np.zeros((3, 5)), np.ones((3, 5)))
-many: NDArray[np.bool_] = tribox.overlap_boxes(triangles[0], np.zeros((3, 5)), np.ones((3, 5)))
+lists, starts = index.lists(np.zeros((5, 3)), np.ones((5, 3)))
+lists, starts = index.lists([[[0, 0, 0], [1, 1, 1]]])
+many: NDArray[np.bool_] = tribox.overlap_boxes(triangles[0], np.zeros((5, 3)), np.ones((5, 3)))
 shares: List[Tuple[int, int]] = parts.shares(8)
 names: List[str] = tribox.kernels()
 version: str = tribox.__version__
 try:
-    tribox.Mesh.of(meshes_of_others.pyvista)
+    tribox.Mesh(meshes_of_others.pyvista)
 except tribox.Error as error:
     status: str = error.status or str(error)
 
 tribox.overlap(triangles, lo, hi, accuracy="exakt")  # wrong
-tribox.overlap(triangles, "abc", hi)  # wrong
-tribox.overlap(triangles, lo)  # wrong
+tribox.overlap(triangles, lo, object())  # wrong
+tribox.overlap(triangles)  # wrong
 tribox.overlap(triangles, lo, hi, kernel=3)  # wrong
 tribox.overlap(object(), lo, hi)  # wrong
+tribox.find(triangles, lo, hi, "first")  # wrong
 tribox.voxelize(triangles, lo, 0.5)  # wrong
+tribox.voxelize(triangles, 0.5)  # wrong
 tribox.voxelize(triangles, resolution=0.5)  # wrong
 tribox.voxelize(triangles, resolution=64, fill="all")  # wrong
-tribox.Index(triangles, order=3)  # wrong
-tribox.Mesh(mesh)  # wrong
+tribox.voxelize(triangles, cell=1, into=cells)  # wrong
+tribox.Index(triangles, axis_order=3)  # wrong
+tribox.Mesh(object())  # wrong
+voxels.save(3)  # wrong
 index.list(lo, hi).nothing()  # wrong
 tribox.kernel_names()  # wrong

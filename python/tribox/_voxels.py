@@ -1,0 +1,187 @@
+"""Cells that are set: what every voxelization returns."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Iterator, Optional, Tuple, Union
+
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
+from numpy.typing import NDArray
+
+from ._arguments import wholes
+from ._errors import InputError, InputTypeError, shown
+from ._ffi import ffi
+from ._files import save_voxels
+from ._grids import SIZE_MAX, Grid
+from ._library import lib
+from ._masks import BOOL, MASK_WORDS_MAX, WORD, bools, pointer_to, row_words, rows_of_words
+from ._bounds import point
+from ._typing import Window
+
+
+class Voxels(NDArrayOperatorsMixin):
+    """Cells of a grid, as an array of bool of shape (nz, ny, nx) that knows its grid: voxels[k, j, i] is cell (i, j, k).
+
+    Whatever is done with such an array can be done with Voxels, without a copy: np.asarray(voxels), voxels[3], voxels.sum(),
+    ~voxels, voxels.any(axis=0), np.argwhere(voxels), and so on. It cannot be written to; np.array(voxels) is a copy that can.
+
+    grid: the Grid. window: (first, size) of its cells that are here, which may be some of them.
+    words: the cells in memory, uint64 of shape (nz, ny, words): bit i % 64 of word i // 64 of a row is cell i along x. Bools, eight
+        times as large, are made when they are first asked for.
+
+    Voxels(cells, grid) makes them of an array of bool, or of such words; Voxels(cells, grid, window) of some of the grid's cells.
+
+    As a VoxelGrid of trimesh:
+
+        transform = np.diag([*voxels.grid.cell, 1])
+        transform[:3, 3] = voxels.grid.origin + (np.array(voxels.window[0]) + 0.5) * voxels.grid.cell
+        trimesh.voxel.VoxelGrid(np.asarray(voxels).T, transform)
+
+    As a VoxelGrid of Open3D, where cells are cubes:
+
+        origin, cell, size = map(np.array, voxels.grid)
+        cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(voxels.points()))
+        open3d.geometry.VoxelGrid.create_from_point_cloud_within_bounds(cloud, cell[0], origin, origin + size * cell)
+    """
+
+    ndim, dtype = 3, BOOL
+
+    def __init__(self, cells: Any, grid: Grid, window: Optional[Window] = None) -> None:
+        if not isinstance(grid, Grid):
+            raise InputTypeError(f"grid = {shown(grid)}; give tribox.Grid(origin, cell, size)")
+        self._grid, self._window = grid, window_of(window, grid)
+        cells = np.asarray(cells)
+        wanted = self.shape if cells.dtype == BOOL else (*self.shape[:2], row_words(self.shape[2]))
+        if cells.dtype != BOOL and cells.dtype != WORD:
+            raise InputTypeError(f"cells is an array of {cells.dtype}; give bools, or words of uint64")
+        if cells.shape != wanted:
+            raise InputError(f"cells has shape {cells.shape}; give {wanted}")
+        self._words = np.ascontiguousarray(cells) if cells.dtype == WORD else rows_of_words(cells)
+        self._cells: Optional[NDArray[np.bool_]] = None
+
+    @property
+    def grid(self) -> Grid:
+        """The grid, of which these are all cells or some."""
+        return self._grid
+
+    @property
+    def window(self) -> Tuple[Tuple[int, int, int], Tuple[int, int, int]]:
+        """(first, size), of three numbers of cells each, x, y, z."""
+        return self._window
+
+    @property
+    def words(self) -> NDArray[np.uint64]:
+        """The cells, a bit each, to be read."""
+        words = self._words.view()
+        words.flags.writeable = False
+        return words
+
+    @property
+    def shape(self) -> Tuple[int, int, int]:
+        """(nz, ny, nx)"""
+        return self._window[1][::-1]
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
+        if self._cells is None:
+            self._cells = bools(self._words, self.shape[2])
+            self._cells.flags.writeable = False
+        cells = self._cells if dtype is None else self._cells.astype(dtype, copy=False)
+        return cells.copy() if copy else cells
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **keywords: Any) -> Any:
+        if any(isinstance(array, Voxels) for array in keywords.get("out", ())):
+            return NotImplemented
+        return getattr(ufunc, method)(*(np.asarray(one) if isinstance(one, Voxels) else one for one in inputs), **keywords)
+
+    def __getattr__(self, name: str) -> Any:
+        """All else that an array has."""
+        if name.startswith("_") or not hasattr(np.ndarray, name):
+            raise AttributeError(f"Voxels have no {name}")
+        return getattr(np.asarray(self), name)
+
+    def __getitem__(self, key: Any) -> Any:
+        return np.asarray(self)[key]
+
+    def __iter__(self) -> Iterator[NDArray[np.bool_]]:
+        return iter(np.asarray(self))
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        return bool(np.asarray(self))  # which raises, as arrays do
+
+    def __repr__(self) -> str:
+        lo, hi = (self.grid.box(*at)[side] if all(self.shape) else self.grid.origin for side, at in enumerate(self._corners()))
+        part = "" if self._window[1] == self.grid.size else f" of a grid of {self.grid.sides()}"
+        return (f"<tribox.Voxels: {self.sum()} of {' x '.join(map(str, self._window[1]))} cells{part}, from {point(lo)} to "
+                f"{point(hi)}>")
+
+    def _corners(self):
+        """The first cell and the last."""
+        first, size = self._window
+        return first, [f + s - 1 for f, s in zip(first, size)]
+
+    def _add(self, words):
+        """Adds cells, which may be these very words."""
+        if words is not self._words:
+            np.bitwise_or(self._words, words, out=self._words)
+        self._cells = None
+        return self
+
+    def __reduce__(self) -> Any:
+        return Voxels, (self._words, self._grid, self._window)
+
+    def sum(self, axis: Any = None, **keywords: Any) -> Any:
+        """How many cells are set: in all, or along axes as arrays of bool are summed up."""
+        if axis is not None or any(value is not None for value in keywords.values()):
+            return np.asarray(self).sum(axis, **keywords)
+        return sum(lib.tribox_mask_indices(pointer_to(part), 64 * part.size, ffi.NULL) for _, part in self._parts())
+
+    def _parts(self):
+        """(start, words) of so many words as are listed at once."""
+        flat = self._words.reshape(-1)
+        for start in range(0, flat.size, MASK_WORDS_MAX):
+            yield start, flat[start:start + MASK_WORDS_MAX]
+
+    def cells(self) -> NDArray[np.int64]:
+        """The cells that are set, (i, j, k) of the grid each: an array of int64 of shape (m, 3), in the order of k, j, i."""
+        places = [np.empty(0, np.int64)]
+        for start, part in self._parts():
+            bits = np.empty(lib.tribox_mask_indices(pointer_to(part), 64 * part.size, ffi.NULL), np.uint32)
+            lib.tribox_mask_indices(pointer_to(part), 64 * part.size, ffi.from_buffer("uint32_t[]", bits))
+            places.append(bits + np.int64(64 * start))
+        row, i = np.divmod(np.concatenate(places), max(1, 64 * self._words.shape[2]))
+        k, j = np.divmod(row, max(1, self.shape[1]))
+        return np.stack([i, j, k], 1) + np.array(self._window[0], np.int64)
+
+    def points(self) -> NDArray[np.float64]:
+        """The middles of the cells that are set: an array of float64 of shape (m, 3), in the order of cells()."""
+        return middles(self.grid, self.cells())
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes a file as the program tribox does: by the ending of its name, of kind .npz, .npy, .nrrd or .vti.
+
+        .npz: bricks, the grid, and nothing for empty bricks: numpy.load(path) has at, bits, origin, cell, size and shift. .npy: an
+        array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window have .npy alone.
+
+        Raises InputError for other kinds, and OSError where the file cannot be written.
+        """
+        save_voxels(self, os.fspath(path))
+
+
+def middles(grid, cells):
+    """Of cells, (i, j, k) each."""
+    return grid.origin + (cells + 0.5) * grid.cell
+
+
+def window_of(window, grid):
+    """(first, size) of the cells that are wanted, by default of all."""
+    if window is None:
+        return (0, 0, 0), grid.size
+    pair = tuple(wholes(part, 0, SIZE_MAX) for part in window) if np.iterable(window) else ()
+    if len(pair) != 2 or None in pair or any(f + s > all_ for f, s, all_ in zip(*pair, grid.size)):
+        raise InputError(f"window = {shown(window)}; give (first, size), each of three numbers of cells, x, y, z, within the "
+                         f"{grid.sides()} of the grid")
+    return pair

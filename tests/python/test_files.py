@@ -1,0 +1,133 @@
+"""Voxels.save and Bricks.save: files as the program writes them, whose planes are those that were asked about."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import tribox
+
+import cases
+
+GRIDS = {"tenths": ((-2.1, -1.5, 1e-6), (0.3, 1 / 3, 0.7), (13, 9, 11)), "one": ((-2, -2, -2), 4, (1, 1, 1)),
+         "far": ((557820.1, 5108010, -1e9), (0.1, 1e-5, 2e9), (70, 3, 2))}
+
+
+class Files(cases.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder, self.count = folder.name, 0
+        self.pick = np.random.default_rng(cases.seed())
+
+    def voxels(self):
+        for numbers in GRIDS.values():
+            grid = tribox.Grid(*numbers)
+            for share in (0, 0.3, 1):
+                yield tribox.Voxels(self.pick.random(grid.size[::-1]) < share, grid)
+
+    def saved(self, thing, ending):
+        self.count += 1
+        path = Path(self.folder, f"{self.count}{ending}")
+        self.assertIsNone(thing.save(path))
+        return path
+
+    def test_npy(self):
+        for voxels in self.voxels():
+            self.assert_same(np.load(self.saved(voxels, ".npy")), np.array(voxels))
+        part = tribox.voxelize(cases.lattice(30), GRIDS["tenths"], window=((1, 2, 3), (8, 6, 7)))
+        self.assert_same(np.load(self.saved(part, ".NPY")), np.array(part))
+
+    def test_npz(self):
+        for voxels in self.voxels():
+            for thing in (voxels, tribox.Bricks(*self.bricks(voxels), voxels.grid)):
+                with np.load(self.saved(thing, ".npz")) as file:
+                    grid = tribox.Grid(file["origin"], file["cell"], file["size"])
+                    bricks = tribox.Bricks(file["at"], file["bits"], grid)
+                    self.assertEqual({name: file[name].dtype.str for name in file.files},
+                                     dict(at="<u4", bits="<u8", origin="<f8", cell="<f8", size="<u4", shift="<f8"))
+                self.assertEqual(grid, voxels.grid)
+                self.assertEqual(sorted(bricks.cells().tolist()), sorted(voxels.cells().tolist()))
+                self.assertTrue(bricks.bits.any(1).all())
+
+    def bricks(self, voxels):
+        """at and bits, a brick at a time."""
+        nz, ny, nx = (-(-size // 8) * 8 for size in voxels.shape)
+        cells = np.zeros((nz, ny, nx), bool)
+        cells[tuple(slice(size) for size in voxels.shape)] = voxels
+        found = [((i, j, k), [sum(1 << int(x + 8 * y) for y, x in np.argwhere(cells[8 * k + z, 8 * j:8 * j + 8, 8 * i:8 * i + 8]))
+                              for z in range(8)]) for k, j, i in np.ndindex(nz // 8, ny // 8, nx // 8)]
+        found = [brick for brick in found if any(brick[1])]
+        return (np.array([at for at, _ in found], np.uint32).reshape(-1, 3),
+                np.array([bits for _, bits in found], np.uint64).reshape(-1, 8))
+
+    def test_nrrd(self):
+        for voxels in self.voxels():
+            head, _, body = self.saved(voxels, ".nrrd").read_bytes().partition(b"\n\n")
+            fields = dict(line.split(": ", 1) for line in head.decode("ascii").splitlines() if ": " in line)
+            self.assertEqual(tuple(map(int, fields["sizes"].split())), voxels.grid.size)
+            directions = np.array([eval(row) for row in fields["space directions"].split()], float)
+            self.assert_same(directions, np.diag(voxels.grid.cell))
+            middle = eval(fields["space origin"])
+            for a in range(3):
+                self.assertEqual(middle[a], voxels.grid.origin[a] + voxels.grid.cell[a] / 2)
+            self.assert_same(np.frombuffer(body, np.uint8).reshape(voxels.shape).astype(bool), np.array(voxels))
+
+    def test_vti(self):
+        for voxels in self.voxels():
+            content = self.saved(voxels, ".vti").read_bytes()
+            head, _, rest = content.partition(b'<AppendedData encoding="raw">\n   _')
+            attributes = dict(re.findall(r'(\w+)="([^"]*)"', head.decode("ascii")))
+            self.assertEqual(tribox.Grid(attributes["Origin"].split(), attributes["Spacing"].split(),
+                                         [int(x) for x in attributes["WholeExtent"].split()[1::2]]), voxels.grid)
+            length, = np.frombuffer(rest, "<u8", 1)
+            self.assertEqual(length, voxels.size)
+            self.assert_same(np.frombuffer(rest, np.uint8, length, 8).reshape(voxels.shape).astype(bool), np.array(voxels))
+            self.assertEqual(rest[8 + int(length):], b"\n  </AppendedData>\n</VTKFile>\n")
+
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_like_the_program(self):
+        """Byte by byte, but for .npz, whose arrays are the same, in an order of their own."""
+        triangles = cases.lattice(40).astype(float) * (0.1, 1e-6, 3e9)
+        mesh = triangles + (5e6, 0.1, 0)
+        for options, way in ((("--cell", "0.01,1e-7,1e9"), dict(cell=(0.01, 1e-7, 1e9))),
+                             (("--cell", "0.05,1e-6,3e8", "--fill", "outside"), dict(cell=(0.05, 1e-6, 3e8), fill="outside")),
+                             (("--resolution", "9"), dict(resolution=9))):
+            voxels = tribox.voxelize(mesh, **way)
+            for ending in (".npy", ".nrrd", ".vti", ".npz"):
+                path = os.path.join(self.folder, "program" + ending)
+                subprocess.run([os.environ["TRIBOX_PROGRAM"], "voxelize", "-", "--format", "f64", *options, "-o", path, "--quiet"],
+                               input=mesh.tobytes(), capture_output=True, timeout=120, check=True)
+                ours = self.saved(voxels, ending)
+                if ending != ".npz":
+                    self.assertEqual(ours.read_bytes(), Path(path).read_bytes(), ending)
+                    continue
+                with np.load(path) as one, np.load(ours) as other:
+                    self.assertEqual(set(one.files), set(other.files))
+                    orders = [np.lexsort(file["at"].T) for file in (one, other)]
+                    for name in one.files:
+                        arrays = [file[name][order] if name in ("at", "bits") else file[name]
+                                  for file, order in zip((one, other), orders)]
+                        self.assert_same(*arrays, name)
+
+    def test_refused(self):
+        voxels, refuse = next(self.voxels()), self.refuse
+        bricks = tribox.bricks(cases.lattice(9), GRIDS["tenths"])
+        for path in ("x.vdb", "x", "x.npz.gz", ".npz", "x.xyz", Path("x.binvox")):
+            refuse(tribox.InputError, None, r"^path = .*end in \.npz, \.npy, \.nrrd, \.vti; .* tribox voxelize MESH -o FILE",
+                   voxels.save, path)
+            refuse(tribox.InputError, None, r"^path = .*end in \.npz;", bricks.save, path)
+        part = tribox.voxelize(cases.lattice(9), GRIDS["tenths"], layers=(0, 2))
+        for ending in (".npz", ".nrrd", ".vti"):
+            path = os.path.join(self.folder, "x" + ending)
+            refuse(tribox.InputError, None, "hold whole grids; voxelize without a window", part.save, path)
+        self.assertEqual(os.listdir(self.folder), [])
+        self.assertRaises(FileNotFoundError, voxels.save, os.path.join(self.folder, "no", "x.npy"))
+        self.assertRaises(TypeError, voxels.save, 3)
+
+
+if __name__ == "__main__":
+    cases.main()
