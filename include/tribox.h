@@ -330,17 +330,17 @@ TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[9], const tri
  * since: one that refers to a vertex that does not exist then overlaps nothing. Any number of threads may ask at once.
  */
 typedef struct tribox_index {
-    const void *nodes;       /* tribox_index_bytes(count) bytes, at any alignment; 64 is the fastest; building does not look here */
+    const void *nodes;       /* tribox_index_bytes(count) bytes, at any alignment; 64 is the fastest; building does not look */
     const tribox_soup *soup; /* what it is over; or NULL, and */
     const tribox_mesh *mesh; /* this is, of floats or doubles */
-    const uint32_t *ids;     /* triangle i is ids[i] in lists, such as the order wrote in which it was gathered; NULL for i itself */
+    const uint32_t *ids;     /* lists have ids[i] for triangle i, such as the order by which it was gathered; NULL for i itself */
     uint32_t reserved[4];    /* zero, or TRIBOX_BAD_ARGUMENT */
 } tribox_index;
 
 /** What an index is asked about: a box, or an oriented one. The other pointer is NULL, or TRIBOX_BAD_ARGUMENT. */
 typedef struct tribox_region {
-    const tribox_box *box;
-    const tribox_oriented_box *oriented;
+    const tribox_box *box;               /* finite, or TRIBOX_BAD_BOX */
+    const tribox_oriented_box *oriented; /* finite, or TRIBOX_BAD_BOX */
 } tribox_region;
 
 /** The bytes of an index over so many triangles: some 1.1 % of their soup, and 1600 at the least. No count makes it overflow. */
@@ -385,8 +385,8 @@ TRIBOX_API tribox_status tribox_index_update(const tribox_index *index, size_t f
  * mask and triangles of groups of 64 that lie wholly inside the box, which are never tested. About an oriented box CONSERVATIVE and
  * FAST may differ within rounding of contact, as groups that certainly miss it, or certainly lie inside, are not tested.
  *
- * index: with the nodes, and the triangles that they were built over. About others, or damaged nodes, answers are wrong, but nothing
- *   else is.
+ * index: with the nodes, and the triangles that they were built over. About others, or damaged nodes, answers are wrong, but
+ *   nothing else is.
  * region: finite, or TRIBOX_BAD_BOX.
  * options: as for tribox_overlap, but the axes have to include TRIBOX_AXES_BOX: without it far triangles overlap, too.
  * mask: all of its words are written, however few triangles overlap; NULL to count them, which writes nothing and reads least.
@@ -626,8 +626,8 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
  * caller's floating-point environment, may call the library, and must return.
  */
 typedef struct tribox_sink {
-    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8]);
-    void *data; /* what take is handed */
+    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8]); /* 0 to go on */
+    void *data;                                                            /* what take is handed */
 } tribox_sink;
 
 /** The bytes of scratch that tribox_bricks needs for tiles of this side, whatever the grid; SIZE_MAX if it overflows. */

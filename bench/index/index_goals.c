@@ -54,6 +54,22 @@ static void tell_lists(const scene_result *results, size_t count, tell_goal *tel
     }
 }
 
+/* How many times as long as by the soup, the worst of the meshes that goals are about. */
+static void tell_meshes(const scene_result *results, size_t count, tell_goal *tell, void *to)
+{
+    double doubles = 0, boxes = 0;
+    for (size_t r = 0; r < count; r++)
+        for (int p = 0; index_scene_has_goals(results[r].name) && p < BOX_SIZES; p++) {
+            const double *const us = results[r].mesh[p];
+            doubles = fmax(doubles, us[LIST_OF_MESH_IN_DOUBLE] / us[LIST_OF_SOUP]);
+            boxes = fmax(boxes, us[LIST_OF_WIDE_BOXES] / us[LIST_OF_SOUP]);
+        }
+    if (boxes > 0) {
+        tell(to, &(goal){"list, mesh of doubles: the ordered soup's time, the worst", true, 2.5, doubles});
+        tell(to, &(goal){"list, boxes of doubles: that of boxes of floats, the worst", true, 1.1, boxes});
+    }
+}
+
 /* The worst of all soups; and of those that are larger than a cache. */
 static void tell_worst(const scene_result *results, size_t count, tell_goal *tell, void *to)
 {
@@ -81,6 +97,7 @@ static void tell_all(const scene_result *results, size_t count, tell_goal *tell,
     const scene_result *const dragon = find(results, count, "dragon_vrip.ply");
     tell_lists(results, count, tell, to);
     tell_worst(results, count, tell, to);
+    tell_meshes(results, count, tell, to);
     if (dragon)
         tell(to, &(goal){"order by cuts: ns a triangle, dragon", true, 80, dragon->order[ORDER_CUTS].cost.order});
 }

@@ -16,6 +16,10 @@ static inline float tribox_float_above(float number)
 }
 
 /* The float below a number that is not infinite, but for infinity. */
-static inline float tribox_float_below(float number) { return -tribox_float_above(-number); }
+static inline float tribox_float_below(float number)
+{
+    const float above = tribox_float_above(-number);
+    return -above;
+}
 
 #endif

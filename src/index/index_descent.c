@@ -131,4 +131,8 @@ static bool any_in_node(tribox_descent *q, unsigned level, size_t j, size_t *tri
     return false;
 }
 
-bool tribox_descent_any(tribox_descent *q, size_t *triangle) { return any_in_node(q, q->levels.count - 1, 0, triangle); }
+bool tribox_descent_any(tribox_descent *q, size_t *triangle)
+{
+    const unsigned top = q->levels.count - 1;
+    return any_in_node(q, top, 0, triangle);
+}

@@ -87,7 +87,7 @@ bool tribox_question_start(tribox_question *q)
 }
 
 /* Bounds of doubles are points seen from the origin of their node once they are wide enough. */
-static tribox_touch touch_oriented(const tribox_question *q, const tribox_node *node, unsigned children)
+static tribox_touch touch_turned(const tribox_question *q, const tribox_node *node, unsigned children)
 {
     tribox_node wide;
     tribox_rounded_frame frame;
@@ -101,7 +101,7 @@ static tribox_touch touch_oriented(const tribox_question *q, const tribox_node *
 tribox_touch tribox_question_touch(tribox_question *q, const tribox_node *node, unsigned children)
 {
     if (q->oriented)
-        return touch_oriented(q, node, children);
+        return touch_turned(q, node, children);
     if (q->over.are_doubles)
         tribox_node_box_seen(&q->box, node->origin, &q->nodes);
     return q->plan.kernel->nodes->touch(node, children, &q->nodes);

@@ -11,8 +11,8 @@
 enum { SIGNS = 8 };
 
 /*
- * Boxes of floats, those that triangles of doubles are rounded to, and of doubles. Of these one form needs the most of all axes: what
- * rounds in C and in u_0 less the origin meets n_a alone, and is the most where the origin is m_a below lo (PROOFS.md 3.9).
+ * Boxes of floats, those that triangles of doubles are rounded to, and of doubles. Of these one form needs the most on all axes:
+ * what rounds in C and in u_0 less the origin meets n_a alone, and is the most where the origin is m_a below lo (PROOFS.md 3.9).
  */
 enum { FORMS = 3, DRAWN = 5000 };
 static const axis_form form[FORMS] = {OF_FLOATS, NEAR, FAR_ORIGIN(-1)};
@@ -53,13 +53,15 @@ static void look_at_underflow(int k, const counted *slack)
 /* The axes are set. */
 static void count_point(int k)
 {
-    const count_mark axes = count_now();
     const lane_bounds bounds = bounds_of(&t, &truth);
     const counted bound = *count_of(bounds.plane);
     const double S = exact_S();
+    shape_normal(&s);
+    const count_mark has_normal = count_now();
     for (unsigned script = 0; script < SIGNS; script++) {
-        count_back_to(axes, script);
-        shape_normal(&s);
+        count_back_to(has_normal, script);
+        for (int i = 0; i < 3; i++)
+            count_of(s.n[i])->turned = 0; /* asked anew */
         const counted *const slack = count_of(plane_slack(&s, plane_reach(&s)));
         check_slack(slack);
         tally_both(&plane[k], slack, S, &bound, 16);

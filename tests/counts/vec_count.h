@@ -31,7 +31,7 @@
 #define V_UNIT (1.0 / (double)(UINT64_C(1) << COUNT_BITS))
 #define V_ETA 0x1p-1000 /* nothing against any number, but adding it rounds */
 
-enum { COUNT_NUMBERS = 2000, COUNT_ROUNDINGS = 400, COUNT_COMPARISONS = 400, COUNT_NONE = -1 };
+enum { COUNT_NUMBERS = 2000, COUNT_ROUNDINGS = 256, COUNT_COMPARISONS = 400, COUNT_NONE = -1 };
 typedef struct vnum {
     int at;
 } vnum;
@@ -194,11 +194,11 @@ static inline vnum count_product(vnum a, vnum b)
     r->rest =
         (fabs(p->x) * q->rest + fabs(q->x) * p->rest + d * e + V_UNIT * (d * q->rest + e * p->rest + V_UNIT * p->rest * q->rest)) *
         COUNT_ROOM;
+    const double most_p = fabs(p->x) + V_UNIT * (d + V_UNIT * p->rest) * COUNT_ROOM;
+    const double most_q = fabs(q->x) + V_UNIT * (e + V_UNIT * q->rest) * COUNT_ROOM;
     for (unsigned m = 0; m < 8; m++) {
-        if (p->under[m] > 0)
-            r->under[m | q->axes] += p->under[m] * (fabs(q->x) + count_error(q));
-        if (q->under[m] > 0)
-            r->under[m | p->axes] += q->under[m] * (fabs(p->x) + count_error(p));
+        r->under[m | q->axes] += p->under[m] * most_q;
+        r->under[m | p->axes] += q->under[m] * most_p;
     }
     r->keeps_sign = p->keeps_sign && q->keeps_sign && (p->axes == 0 || q->axes == 0);
     return to;

@@ -1,6 +1,6 @@
 /*
- * fuzz_index.c - an index over a soup: as it was built its answers are those of tribox_overlap; after damage all forms still agree,
- * and nothing is read outside.
+ * fuzz_index.c - an index over a soup or a mesh: as it was built its answers are those of the calls without one; after damage all
+ * forms still agree, and nothing is read outside.
  */
 #include <string.h>
 
@@ -13,6 +13,7 @@ enum { TRIANGLES_DRAWN = 16, MANY = 9 /* times as many triangles: more than one 
 
 typedef struct fuzz_case {
     tribox_soup soup;
+    tribox_mesh mesh;      /* of the same triangles, where the index is over it */
     tribox_box box[BOXES]; /* all asked at once; the first alone too */
     unsigned char *nodes;
     tribox_index index, with_ids;
@@ -36,6 +37,39 @@ static tribox_soup draw_soup(input *in, size_t shift)
         (k < 3 ? soup.x : k < 6 ? soup.y : soup.z)[k % 3] = stream;
     }
     return soup;
+}
+
+/* The triangles of a soup as a mesh: without vertex numbers, with them, or in double beside what floats are. */
+static tribox_mesh draw_mesh(const tribox_soup *soup, unsigned kind)
+{
+    const unsigned bytes = kind > 1 ? sizeof(double) : sizeof(float);
+    char *const positions = tight_memory(9 * soup->count * bytes, 0);
+    uint16_t *const numbers = tight_memory(3 * soup->count * sizeof *numbers, 0);
+    for (size_t k = 0; k < 9 * soup->count; k++) {
+        const float single = (k % 3 == 0 ? soup->x : k % 3 == 1 ? soup->y : soup->z)[k / 3 % 3][k / 9];
+        const double number = (double)single * (kind > 2 ? 1 + 0x1p-40 : 1);
+        memcpy(positions + k * bytes, bytes == sizeof single ? (const void *)&single : (const void *)&number, bytes);
+        if (k % 3 == 0)
+            numbers[k / 3] = (uint16_t)(k / 3);
+    }
+    return (tribox_mesh){.positions = positions,
+                         .vertices = 3 * soup->count,
+                         .indices = kind > 1 ? numbers : NULL,
+                         .index_bytes = sizeof *numbers,
+                         .count = soup->count,
+                         .position_bytes = bytes};
+}
+
+static tribox_status overlap_without(const fuzz_case *q, const tribox_options *o, uint64_t *mask)
+{
+    return q->index.soup ? tribox_overlap(&q->soup, &q->box[0], o, mask, NULL)
+                         : tribox_mesh_overlap(&q->mesh, &q->box[0], o, mask, NULL);
+}
+
+static tribox_status classify_without(const fuzz_case *q, const tribox_options *o, uint64_t *inside)
+{
+    return q->index.soup ? tribox_classify(&q->soup, &q->box[0], o, NULL, inside, NULL)
+                         : tribox_mesh_classify(&q->mesh, &q->box[0], o, NULL, inside, NULL);
 }
 
 /* Every kernel builds the same bytes, and so does an update of any range. */
@@ -77,8 +111,8 @@ static uint64_t *check_mask(const fuzz_case *q, const tribox_options *o)
     const size_t count = q->soup.count;
     uint64_t *const mask = tight_mask(count), *const without = tight_mask(count), *const inside = tight_mask(count);
     tribox_report report, alone;
-    status_fits("tribox_overlap", 0, tribox_overlap(&q->soup, &q->box[0], o, without, NULL));
-    status_fits("tribox_classify", 0, tribox_classify(&q->soup, &q->box[0], o, NULL, inside, NULL));
+    status_fits("tribox_overlap", 0, overlap_without(q, o, without));
+    status_fits("tribox_classify", 0, classify_without(q, o, inside));
     status_fits("tribox_index_overlap", 0, tribox_index_overlap(&q->index, &(tribox_region){.box = &q->box[0]}, o, mask, &report));
     status_fits("tribox_index_overlap", 0, tribox_index_overlap(&q->index, &(tribox_region){.box = &q->box[0]}, o, NULL, &alone));
     ensure(report.overlapping == mask_population("tribox_index_overlap", mask, count) && alone.overlapping == report.overlapping,
@@ -115,7 +149,7 @@ static void check_inside(const fuzz_case *q, const tribox_options *o)
     uint32_t *const number = tight_memory(words * sizeof *number, 0);
     uint64_t *const bits = tight_mask(64 * words), *const inside = tight_mask(64 * words), *const truth = tight_mask(q->soup.count);
     size_t found = SIZE_MAX;
-    status_fits("tribox_classify", 0, tribox_classify(&q->soup, &q->box[0], o, NULL, truth, NULL));
+    status_fits("tribox_classify", 0, classify_without(q, o, truth));
     status_fits("tribox_index_words", 0,
                 tribox_index_words(&q->index, &(tribox_region){.box = &q->box[0]}, o, words, number, bits, inside, &found, NULL));
     ensure(found <= words, "%zu words of %zu", found, words);
@@ -125,15 +159,11 @@ static void check_inside(const fuzz_case *q, const tribox_options *o)
 }
 
 /* Such a triangle may be found although FAST has lost it. */
-static bool is_inside(const fuzz_case *q, size_t i)
+static bool is_inside(const fuzz_case *q, const tribox_options *o, size_t i)
 {
-    for (int a = 0; a < 3; a++)
-        for (int v = 0; v < 3; v++) {
-            const float u = (a == 0 ? q->soup.x : a == 1 ? q->soup.y : q->soup.z)[v][i];
-            if (!(u >= q->box[0].lo[a] && u <= q->box[0].hi[a]))
-                return false;
-        }
-    return true;
+    uint64_t *const inside = tight_mask(q->soup.count);
+    status_fits("tribox_classify", 0, classify_without(q, o, inside));
+    return mask_bit(inside, i);
 }
 
 static void check_list(const fuzz_case *q, const tribox_options *o, const uint64_t *mask)
@@ -149,8 +179,8 @@ static void check_list(const fuzz_case *q, const tribox_options *o, const uint64
             ensure(list[k++] == q->ids[i], "accuracy %d, kernel %s: triangle %zu is not listed", (int)o->accuracy, o->kernel, i);
     status_fits("tribox_index_any", 0, tribox_index_any(&q->index, &(tribox_region){.box = &q->box[0]}, o, &triangle));
     const bool is_none = triangle == q->soup.count && !expected;
-    ensure(is_none ||
-               (triangle < q->soup.count && (mask_bit(mask, triangle) || (o->accuracy == TRIBOX_FAST && is_inside(q, triangle)))),
+    ensure(is_none || (triangle < q->soup.count &&
+                       (mask_bit(mask, triangle) || (o->accuracy == TRIBOX_FAST && is_inside(q, o, triangle)))),
            "accuracy %d, kernel %s: any finds %zu", (int)o->accuracy, o->kernel, triangle);
 }
 
@@ -234,10 +264,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         q.ids[i] = (uint32_t)(3 * i + 1);
     q.index = q.with_ids = (tribox_index){.nodes = q.nodes, .soup = &q.soup};
     q.with_ids.ids = q.ids;
+    const size_t first = q.soup.count * input_byte(&in) / 255, changed = (q.soup.count - first) * input_byte(&in) / 255;
+    const unsigned quarter = input_byte(&in), kind = quarter & 3;
+    if (kind) {
+        q.mesh = draw_mesh(&q.soup, kind);
+        q.index.soup = q.with_ids.soup = NULL;
+        q.index.mesh = q.with_ids.mesh = &q.mesh;
+    }
     status_fits("tribox_index_build", 0, tribox_index_build(&q.index, NULL, q.nodes));
-    const size_t first = q.soup.count * input_byte(&in) / 255;
-    check_build(&q, first, (q.soup.count - first) * input_byte(&in) / 255);
-    const unsigned quarter = input_byte(&in);
+    check_build(&q, first, changed);
     damage(&in, &q);
     unsigned wrong = how.wrong | (box_is_finite(&q.box[0]) ? 0 : 1u << TRIBOX_BAD_BOX);
     if (how.options.axes && !(how.options.axes & TRIBOX_AXES_BOX))

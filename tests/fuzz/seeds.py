@@ -215,7 +215,7 @@ def soup():
 
 
 def index():
-    """Boxes, a soup of runs, the range of an update, a quarter, and what is damaged: two bytes of a place, a length, a value."""
+    """Boxes, a soup of runs, the range of an update, a quarter that also says what mesh it is, and what is damaged: two bytes of a place, a length, a value."""
     source = random.Random(6)
     files = {}
 

@@ -420,7 +420,7 @@ static void test_bounds(void **state)
 {
     (void)state;
     random_source r = random_named(args.seed, "bounds");
-    tribox_node below[2], above;
+    tribox_node below[2], above, wide;
     for (int round = 0; round < 200000; round++) {
         const double unit = ldexp(1, random_int_between(&r, -60, 160)), origin = unit * random_double(&r, -1, 1);
         const double number = random_int(&r, 3) ? origin + unit * random_double(&r, -1e-3, 1e-3) : unit * random_double(&r, -9, 9);
@@ -431,7 +431,9 @@ static void test_bounds(void **state)
         for (int c = 0; c < 2; c++)
             above.bound[0][c] = above.bound[3][c] = tribox_number_seen(number, below[c].origin[0]);
         tribox_bounds_join(below, 2, &above);
+        tribox_node_widen(&above, &wide);
         const float seen = tribox_number_seen(number, above.origin[0]);
+        assert_true((double)wide.bound[0][1] + above.origin[0] <= number && number <= (double)wide.bound[3][1] + above.origin[0]);
         if (!(above.bound[0][1] <= seen && seen <= above.bound[3][1]))
             fail_msg("%a seen from %a, then from %a: %a is not between %a and %a", number, origin, above.origin[0], (double)seen,
                      (double)above.bound[0][1], (double)above.bound[3][1]);

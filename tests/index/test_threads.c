@@ -10,11 +10,13 @@
 #include "common/arguments.h"
 #include "common/kernels_here.h"
 #include "hostile.h"
+#include "stored_mesh.h"
 
 enum { COUNT = 40 * TRIBOX_INDEX_BLOCK + 77, WORDS = COUNT / 64 + 1, THREADS = 6, BOXES = 20 };
 
 static arguments args;
 static stored_soup stored;
+static stored_mesh mesh;      /* of the same triangles, in double, in every other round */
 static unsigned char *shared; /* an index that threads write */
 static guarded fence;
 
@@ -22,6 +24,7 @@ static int make_all(void **state)
 {
     (void)state;
     stored = stored_soup_make(COUNT);
+    mesh = stored_mesh_make(COUNT);
     fence = guarded_make(tribox_index_bytes(COUNT));
     return 0;
 }
@@ -30,6 +33,7 @@ static int free_all(void **state)
 {
     (void)state;
     stored_soup_free(&stored);
+    stored_mesh_free(&mesh);
     guarded_free(fence);
     return 0;
 }
@@ -74,11 +78,14 @@ static void share_out(void)
     }
 }
 
-static void draw(random_source *r)
+static void draw(random_source *r, bool is_mesh)
 {
     stored_soup_lay(&stored, COUNT, STORED_AT_END);
     draw_cells(r, &stored);
     spoil_soup(r, &stored, DIRT_ONE_IN_A_WORD);
+    const mesh_layout layout = {.position_bytes = 8, .index_bytes = 4, .place = {1, {1e6 / 3, -7, 1e9}}};
+    if (is_mesh)
+        stored_mesh_lay(r, &mesh, &layout, &stored);
     shared = guarded_tail(fence, stored_index_bytes(&stored));
 }
 
@@ -89,7 +96,7 @@ static void test_build(void **state)
     const int kernels = kernels_here(names);
     random_source r = random_named(args.seed, "build");
     for (int k = -1; k < kernels; k++) { /* -1: chosen by all threads at once */
-        draw(&r);
+        draw(&r, k % 2);
         share_out();
         for (int t = 0; t < THREADS; t++)
             workers[t].options = (tribox_options){.kernel = k < 0 ? NULL : names[(k + t) % kernels]};
@@ -125,17 +132,22 @@ static void test_ask(void **state)
     (void)state;
     static worker alone;
     random_source r = random_named(args.seed, "ask");
-    draw(&r);
-    stored_soup_build(&stored, NULL);
-    for (int b = 0; b < BOXES; b++)
-        alone.box[b] = draw_box(&r, &stored);
-    assert_int_equal(ask_all(&alone), TRIBOX_OK);
-    for (int t = 0; t < THREADS; t++)
-        memcpy(workers[t].box, alone.box, sizeof alone.box);
-    run_all(ask);
-    for (int t = 0; t < THREADS; t++) {
-        assert_memory_equal(workers[t].mask, alone.mask, sizeof alone.mask);
-        assert_memory_equal(workers[t].any, alone.any, sizeof alone.any);
+    for (int is_mesh = 0; is_mesh < 2; is_mesh++) {
+        draw(&r, is_mesh);
+        stored_soup_build(&stored, NULL);
+        for (int b = 0; b < BOXES; b++) {
+            alone.box[b] = draw_box(&r, &stored);
+            if (is_mesh)
+                alone.box[b] = box_in_place(&r, &mesh.layout, &alone.box[b]);
+        }
+        assert_int_equal(ask_all(&alone), TRIBOX_OK);
+        for (int t = 0; t < THREADS; t++)
+            memcpy(workers[t].box, alone.box, sizeof alone.box);
+        run_all(ask);
+        for (int t = 0; t < THREADS; t++) {
+            assert_memory_equal(workers[t].mask, alone.mask, sizeof alone.mask);
+            assert_memory_equal(workers[t].any, alone.any, sizeof alone.any);
+        }
     }
 }
 

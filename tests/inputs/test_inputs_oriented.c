@@ -316,7 +316,7 @@ static void check_scene(const oriented_scene *scene, oriented_form form)
     static const char *const numbers[] = {"floats", "a box of doubles", "doubles"};
     size_t asked = 0, hits = 0, too_many = 0, wrong = 0;
     random_source r = random_named(args.seed, scene_name);
-    const size_t rounds = arguments_rounds(&args, ORIENTED_TRIANGLES * 50);
+    const size_t rounds = arguments_rounds(&args, ORIENTED_TRIANGLES * 20);
     for (size_t round = 0; round < rounds * scene->share; round++) {
         oriented_draw(scene, form, &r, &batch);
         check_batch(&r, &too_many, &wrong);

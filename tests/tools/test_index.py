@@ -1,5 +1,6 @@
 """--boxes with very many boxes: an index is built and the mesh is put in order on the way, and no answer shows it."""
 
+import array
 import json
 import os
 import random
@@ -64,6 +65,21 @@ class Index(support.TestCase):
             self.check_stages(answers, STAGES)
             counts = [len(expected(which, count)) for which in range(len(BOXES))]
             self.assertEqual([a["overlapping"] for a in answers], counts * rounds)
+
+    def test_doubles(self):
+        """Far from zero, where floats would see all triangles in one place."""
+        far = 2.0**30
+        count, rounds = 500, 80
+        numbers = array.array("d", (x + far for triangle in repeated(count) for vertex in triangle for x in vertex))
+        path = self.write("mesh.f64", numbers.tobytes())
+        lines = "".join(",".join(repr(bound + far) for bound in box) + "\n" for box in BOXES) * rounds
+        result = support.run("overlap", path, "--boxes", "-", "--json", "--list", stdin=lines.encode())
+        self.assertEqual(result.code, 0, result.stderr)
+        answers = [json.loads(line) for line in result.stdout.splitlines()]
+        self.check_stages(answers, STAGES)
+        for at, answer in enumerate(answers):
+            self.assertEqual(answer["indices"], expected(at % len(BOXES), count), (at, answer["index"]))
+            self.assertEqual(answer["positions"], "float64")
 
     def test_every_way_of_testing(self):
         """Whatever is asked, the answer is the same before and after, and that about one box."""

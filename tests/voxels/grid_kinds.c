@@ -65,6 +65,17 @@ static void draw_dyadic(random_source *r, tribox_grid *grid)
     }
 }
 
+/* Planes that are nearly floats: from a float of many bits, or in steps that float rounds. */
+static void draw_nearly_dyadic(random_source *r, tribox_grid *grid)
+{
+    draw_dyadic(r, grid);
+    for (int a = 0; a < 3; a++)
+        if (random_int(r, 2))
+            grid->origin[a] = nearest_float(random_double(r, -50, 20));
+        else
+            grid->cell[a] *= 1 + ldexp(random_int(r, 2) ? 1 : -1, -random_int_between(r, 26, 50));
+}
+
 static void draw_tenths(random_source *r, tribox_grid *grid)
 {
     static const double length[] = {0.1, 0.3, 1.0 / 3, 0.7, 1.1, 0.05};
@@ -210,6 +221,7 @@ static void draw_one_cell(random_source *r, tribox_grid *grid)
 static const grid_kind kinds[] = {
     {"units", draw_units, true},
     {"dyadic", draw_dyadic, true},
+    {"nearly dyadic", draw_nearly_dyadic, true},
     {"tenths", draw_tenths, true},
     {"any", draw_any, true},
     {"about zero", draw_about_zero, true},
