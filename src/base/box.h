@@ -9,7 +9,7 @@
 static inline bool tribox_box_is_finite(const tribox_box *box)
 {
     for (int a = 0; a < 3; a++)
-        if (!tribox_is_finite_f64(box->lo[a]) || !tribox_is_finite_f64(box->hi[a]))
+        if (!tribox_is_finite_double(box->lo[a]) || !tribox_is_finite_double(box->hi[a]))
             return false;
     return true;
 }

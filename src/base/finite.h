@@ -13,7 +13,7 @@ static inline bool tribox_is_finite(float number)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-static inline bool tribox_is_finite_f64(double number)
+static inline bool tribox_is_finite_double(double number)
 {
     uint64_t bits;
     memcpy(&bits, &number, sizeof bits);
@@ -28,11 +28,11 @@ static inline bool tribox_are_finite(const float *number, int count)
     return are;
 }
 
-static inline bool tribox_are_finite_f64(const double *number, int count)
+static inline bool tribox_are_finite_doubles(const double *number, int count)
 {
     bool are = true;
     for (int n = 0; n < count; n++)
-        are &= tribox_is_finite_f64(number[n]);
+        are &= tribox_is_finite_double(number[n]);
     return are;
 }
 

@@ -14,7 +14,7 @@ static bool may_have_area(double u[3][3])
 
 void tribox_crossings_doubtful(tribox_crossings *c, double u[3][3])
 {
-    if (tribox_are_finite_f64(&u[0][0], 9) && may_have_area(u))
+    if (tribox_are_finite_doubles(&u[0][0], 9) && may_have_area(u))
         tribox_crossings_exactly(c, u);
 }
 

@@ -39,7 +39,7 @@ static inline tribox_middles tribox_middles_of(const tribox_grid *grid)
 static inline double tribox_mean(double lo, double hi)
 {
     const double sum = lo + hi;
-    return tribox_is_finite_f64(sum) ? sum / 2 : lo / 2 + hi / 2;
+    return tribox_is_finite_double(sum) ? sum / 2 : lo / 2 + hi / 2;
 }
 
 static inline double tribox_middle(const tribox_middles *m, int a, int64_t cell)

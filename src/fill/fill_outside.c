@@ -48,7 +48,7 @@ static bool is_noted(const flood *f, const uint64_t *from, size_t row)
 }
 
 /* The rows around row j of layer k that were started. */
-static void note_beside(flood *f, size_t j, size_t k)
+static void note_neighbours(flood *f, size_t j, size_t k)
 {
     const size_t row = k * f->lines + j;
     const uint64_t *const solid = solid_row(f, row);
@@ -105,7 +105,7 @@ static void take_row(flood *f, size_t j, size_t k)
     f->inside -= tribox_row_left(words, occupied, solid);
     tribox_row_take(words, occupied, at, solid);
     settle_row(f, row, true);
-    note_beside(f, j, k);
+    note_neighbours(f, j, k);
 }
 
 /* The first noted row from `row` on, or `end`. */

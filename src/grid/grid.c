@@ -110,11 +110,11 @@ static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
 
 bool tribox_grid_is_sound(const tribox_grid *grid)
 {
-    if (!tribox_are_finite_f64(grid->origin, 3) || !tribox_are_finite_f64(grid->cell, 3))
+    if (!tribox_are_finite_doubles(grid->origin, 3) || !tribox_are_finite_doubles(grid->cell, 3))
         return false;
     const tribox_planes planes = tribox_planes_of(grid, NULL);
     for (int a = 0; a < 3; a++)
-        if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_f64(tribox_plane_at(&planes, a, grid->size[a])) ||
+        if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_double(tribox_plane_at(&planes, a, grid->size[a])) ||
             !has_rising_planes(&planes, a, grid->size[a]))
             return false;
     return true;

@@ -21,7 +21,7 @@ typedef struct tribox_question {
     tribox_local_box local;   /* and doubles */
     tribox_query pairs;       /* of a soup */
     tribox_mesh_query blocks; /* of a mesh */
-    tribox_oriented_question turned;
+    tribox_oriented_query turned;
     tribox_partial_packet partial;
     size_t undecided;
 } tribox_question;

@@ -37,7 +37,7 @@ static bool has_vertices(const tribox_question *q, size_t i)
 /* One triangle of a mesh that has changed since it was indexed, as a mesh of its own. */
 static uint64_t overlaps_alone(tribox_question *q, size_t i)
 {
-    tribox_oriented_question turned;
+    tribox_oriented_query turned;
     tribox_mesh one = q->over.mesh;
     uint64_t hit;
     if (one.indices) {

@@ -33,7 +33,7 @@ bool tribox_indexed_take(const tribox_index *index, tribox_indexed *over)
 static bool read_finite(const tribox_mesh *mesh, size_t triangle, double u[3][3])
 {
     tribox_mesh_read_corners(mesh, 3 * triangle, 3, u);
-    return tribox_are_finite_f64(u[0], 9);
+    return tribox_are_finite_doubles(u[0], 9);
 }
 
 /* The first vertex of the first finite triangle; zero if there is none. */

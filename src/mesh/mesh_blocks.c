@@ -10,7 +10,7 @@
 /* Triangles of a block at first, words of answers that are kept, of 131072 triangles, and vertices that are copied. */
 enum { BLOCK_LEAST = 256, KEPT_WORDS = 2048, COPIED = 1024 };
 
-/* Answers block by block. False if an index names no vertex. */
+/* Answers block by block. False if a triangle names no vertex. */
 static bool answer_blocks(const tribox_mesh_query *q, const tribox_mesh *mesh, uint64_t *mask, tribox_report *counts)
 {
     size_t block = BLOCK_LEAST;

@@ -1,5 +1,6 @@
 /*
- * mesh_blocks.h - a mesh against a box, block by block: words apart from the box are left out, bad indices leave nothing written.
+ * mesh_blocks.h - a mesh against a box, block by block: words apart from the box are left out, and nothing is written where a
+ * vertex is missing.
  */
 #ifndef TRIBOX_MESH_BLOCKS_H
 #define TRIBOX_MESH_BLOCKS_H
@@ -13,7 +14,7 @@ typedef struct tribox_mesh_query tribox_mesh_query;
 
 /*
  * Answers some of the triangles first .. first + count - 1, at most TRIBOX_MESH_BLOCK: the first of them, in whole words unless
- * all. Adds to the counts; mask may be NULL. Returns how many, 0 if an index names no vertex.
+ * all. Adds to the counts; mask may be NULL. Returns how many, 0 if a triangle names no vertex.
  */
 typedef size_t tribox_answer_block(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count,
                                    uint64_t *mask, tribox_report *counts);

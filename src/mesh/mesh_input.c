@@ -99,7 +99,7 @@ size_t tribox_mesh_not_finite(const tribox_mesh *mesh, size_t *first)
             if (!is_there)
                 break;
             tribox_position_read(&strided, vertex, u);
-            is_finite &= tribox_are_finite_f64(u, 3);
+            is_finite &= tribox_are_finite_doubles(u, 3);
         }
         const bool is_bad = is_there && !is_finite;
         found += is_bad;

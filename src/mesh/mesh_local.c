@@ -132,7 +132,7 @@ static void walk(const tribox_corners *corners, size_t count, const tribox_local
 }
 
 /* Without the box normals nothing can be left out: every triangle is undecided. */
-static void leave_open(size_t count, uint64_t *hit, uint64_t *undecided)
+static void leave_undecided(size_t count, uint64_t *hit, uint64_t *undecided)
 {
     for (size_t w = 0; w < tribox_words_of(count); w++) {
         hit[w] = 0;
@@ -149,7 +149,7 @@ static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, co
     if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
         return 0;
     if (!(plan->axes & TRIBOX_AXES_BOX)) {
-        leave_open(count, hit, undecided);
+        leave_undecided(count, hit, undecided);
         return count;
     }
     if (tribox_mesh_has_doubles(mesh) && corners.base && corners.has_all && count >= plan->kernel->lanes) {

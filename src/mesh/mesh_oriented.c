@@ -17,7 +17,7 @@ static void pad_streams(tribox_streams *room, size_t count, size_t lanes)
             room->number[k][i] = room->number[k][0];
 }
 
-static tribox_soup mesh_block(const tribox_oriented_question *q, size_t first, size_t count, tribox_streams *room)
+static tribox_soup mesh_block(const tribox_oriented_query *q, size_t first, size_t count, tribox_streams *room)
 {
     const tribox_mesh *const mesh = q->triangles;
     float *to[9];
@@ -28,19 +28,18 @@ static tribox_soup mesh_block(const tribox_oriented_question *q, size_t first, s
     return tribox_soup_of(room->number[0], TRIBOX_ORIENTED_BLOCK, count);
 }
 
-static void mesh_triangle(const tribox_oriented_question *q, size_t i, double u[3][3])
+static void mesh_triangle(const tribox_oriented_query *q, size_t i, double u[3][3])
 {
     tribox_mesh_read_corners(q->triangles, 3 * i, 3, u);
 }
 
-void tribox_oriented_ask_mesh(tribox_oriented_question *q, const tribox_mesh *mesh, const tribox_oriented_box *box,
-                              tribox_plan *plan)
+void tribox_oriented_ask_mesh(tribox_oriented_query *q, const tribox_mesh *mesh, const tribox_oriented_box *box, tribox_plan *plan)
 {
-    *q = (tribox_oriented_question){.box = box,
-                                    .plan = plan,
-                                    .triangles = mesh,
-                                    .count = mesh->count,
-                                    .read_block = mesh_block,
-                                    .read_triangle = mesh_triangle};
+    *q = (tribox_oriented_query){.box = box,
+                                 .plan = plan,
+                                 .triangles = mesh,
+                                 .count = mesh->count,
+                                 .read_block = mesh_block,
+                                 .read_triangle = mesh_triangle};
     tribox_frame_round(box, has_doubles(mesh) ? box->center : NULL, has_doubles(mesh), &q->frame);
 }

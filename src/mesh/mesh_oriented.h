@@ -8,7 +8,6 @@
  * A question (pairs/oriented_words.h) about a mesh whose strides are set and which has all vertices that its triangles name, and a
  * finite box that is not empty. Both are kept by address. In the environment of environment.h.
  */
-void tribox_oriented_ask_mesh(tribox_oriented_question *q, const tribox_mesh *mesh, const tribox_oriented_box *box,
-                              tribox_plan *plan);
+void tribox_oriented_ask_mesh(tribox_oriented_query *q, const tribox_mesh *mesh, const tribox_oriented_box *box, tribox_plan *plan);
 
 #endif

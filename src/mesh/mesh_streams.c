@@ -64,7 +64,7 @@ bool tribox_mesh_origin_of(const double *origin, double of[3])
 {
     for (int a = 0; a < 3; a++)
         of[a] = origin ? origin[a] : 0;
-    return tribox_are_finite_f64(of, 3);
+    return tribox_are_finite_doubles(of, 3);
 }
 
 tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,

@@ -60,7 +60,7 @@ static bool is_far_from_zero(const tribox_mesh *mesh, double origin[3])
     if (tribox_position_bytes(mesh) != sizeof(double) || !mesh->count)
         return false;
     tribox_position_read(mesh, 0, origin);
-    return tribox_are_finite_f64(origin, 3);
+    return tribox_are_finite_doubles(origin, 3);
 }
 
 /* By way of streams, block by block. */
@@ -68,14 +68,14 @@ static void find_middles_of_mesh(const tribox_mesh *mesh, const tribox_kernel *k
 {
     double origin[3];
     float streams[9][BLOCK], *to[9];
-    const bool is_near = is_far_from_zero(mesh, origin);
+    const bool is_local = is_far_from_zero(mesh, origin);
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
     for (; first < end; first += BLOCK) {
         const size_t count = end - first < BLOCK ? end - first : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_sort_keys keys = tribox_sort_keys_in(scratch, mesh->count, first);
-        tribox_mesh_write_soup(mesh, kernel, is_near ? origin : NULL, first, count, to);
+        tribox_mesh_write_soup(mesh, kernel, is_local ? origin : NULL, first, count, to);
         kernel->nodes->find_middles(&soup, NULL, 0, count, first, &keys);
     }
 }

@@ -24,7 +24,7 @@ static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, co
         return TRIBOX_BAD_VERTEX;
 
     tribox_partial_packet partial;
-    tribox_oriented_question q;
+    tribox_oriented_query q;
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     if (tribox_oriented_is_empty(box)) {

@@ -83,7 +83,7 @@ void tribox_choice_costs(const tribox_seen *seen, tribox_accuracy accuracy, unsi
 }
 
 /* Whether the box normals rejected every packet: then nothing else is known, nor needs to be. */
-static bool is_all_beside(const tribox_seen *seen)
+static bool is_all_apart(const tribox_seen *seen)
 {
     return (seen->apart[0] | seen->apart[1] | seen->apart[2]) == ~UINT64_C(0) >> (64 - seen->packets);
 }
@@ -102,7 +102,7 @@ static unsigned cheapest(const unsigned cost[TRIBOX_CHOICE_ORDERS])
 void tribox_choice_learn(tribox_choice *choice, const tribox_seen *seen, tribox_accuracy accuracy)
 {
     unsigned cost[TRIBOX_CHOICE_ORDERS];
-    if (is_all_beside(seen))
+    if (is_all_apart(seen))
         for (unsigned o = 0; o < TRIBOX_CHOICE_ORDERS; o++)
             cost[o] = (orders[o].first == BOX ? COST_X : orders[o].fast[0]) * seen->packets;
     else

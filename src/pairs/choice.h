@@ -1,7 +1,7 @@
 /*
  * choice.h - which order of the groups is the cheapest for the pairs of a call, learnt while they are answered.
  *
- * Now and then a word is surveyed (kernel/survey.h): its answers count like any other, and it shows what each group of axes
+ * Now and then a word is surveyed (kernel/pairs/survey.h): its answers count like any other, and it shows what each group of axes
  * rejects. The order that costs the least on what was seen is taken until the next survey. No order changes an answer.
  */
 #ifndef TRIBOX_CHOICE_H

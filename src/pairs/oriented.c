@@ -19,7 +19,7 @@
  * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Only
  * wild triangles have coordinates beyond the greatest float. False if nothing is left of it.
  */
-static bool set_box_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, int sign, tribox_rounded_box *rounded)
+static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, int sign, tribox_rounded_box *rounded)
 {
     tribox_box box;
     bool is_left = true;
@@ -37,18 +37,18 @@ static bool set_box_in_frame(const tribox_oriented_question *q, const tribox_mov
 }
 
 /* Whether triangle i overlaps, in integers. Counts it where it is finite. */
-static bool overlaps_in_integers(const tribox_oriented_question *q, size_t i, size_t *undecided)
+static bool overlaps_in_integers(const tribox_oriented_query *q, size_t i, size_t *undecided)
 {
     tribox_oriented_pair pair = {.box = *q->box};
     q->read_triangle(q, i, pair.u);
-    if (!tribox_are_finite_f64(&pair.u[0][0], 9))
+    if (!tribox_are_finite_doubles(&pair.u[0][0], 9))
         return false;
     ++*undecided;
     return tribox_oriented_overlap(&pair, q->plan->axes);
 }
 
 /* Words of the frame: the lanes that certainly overlap, and in *undecided those for the integers. */
-static void answer_exactly(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
+static void answer_exactly(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
                            uint64_t *hit, uint64_t *undecided)
 {
     tribox_plan *const plan = q->plan;
@@ -70,7 +70,7 @@ static void answer_exactly(const tribox_oriented_question *q, const tribox_moved
  * The same where the frame's own answer will do: CONSERVATIVE about the larger box, FAST about the box, to err on both sides.
  * Returns how many were left to double.
  */
-static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
+static size_t answer_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
                               uint64_t *hit, uint64_t *undecided)
 {
     tribox_rounded_box box;
@@ -88,7 +88,7 @@ static size_t answer_in_frame(const tribox_oriented_question *q, const tribox_mo
  * Triangles first .. first + count - 1, at most TRIBOX_MOVED_WORDS words, and a whole packet at least. Nothing is asked about the
  * first `unasked` words.
  */
-static size_t answer_oriented_block(const tribox_oriented_question *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
+static size_t answer_oriented_block(const tribox_oriented_query *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
 {
     const size_t words = tribox_words_of(count);
     size_t settled = 0;
@@ -117,7 +117,7 @@ static size_t answer_oriented_block(const tribox_oriented_question *q, size_t fi
 }
 
 /* The last triangles, where they fill no packet: with the word before them. */
-static size_t answer_last(const tribox_oriented_question *q, size_t first, uint64_t *hit)
+static size_t answer_last(const tribox_oriented_query *q, size_t first, uint64_t *hit)
 {
     uint64_t both[2];
     const size_t undecided = answer_oriented_block(q, first - 64, q->count - (first - 64), 1, both);
@@ -125,7 +125,7 @@ static size_t answer_last(const tribox_oriented_question *q, size_t first, uint6
     return undecided;
 }
 
-size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, size_t words, uint64_t *hit)
+size_t tribox_oriented_answer(const tribox_oriented_query *q, size_t word, size_t words, uint64_t *hit)
 {
     size_t undecided = 0;
     for (size_t done = 0; done < words; done += TRIBOX_MOVED_WORDS) {
@@ -139,7 +139,7 @@ size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, si
     return undecided;
 }
 
-tribox_report tribox_oriented_answer_all(const tribox_oriented_question *q, uint64_t *mask)
+tribox_report tribox_oriented_answer_all(const tribox_oriented_query *q, uint64_t *mask)
 {
     const size_t words = tribox_words_of(q->count);
     tribox_report counts = {0, 0};
@@ -153,7 +153,7 @@ tribox_report tribox_oriented_answer_all(const tribox_oriented_question *q, uint
     return counts;
 }
 
-static tribox_soup soup_block(const tribox_oriented_question *q, size_t first, size_t count, tribox_streams *room)
+static tribox_soup soup_block(const tribox_oriented_query *q, size_t first, size_t count, tribox_streams *room)
 {
     const tribox_soup *const soup = q->triangles;
     tribox_soup block = {.count = count};
@@ -166,21 +166,20 @@ static tribox_soup soup_block(const tribox_oriented_question *q, size_t first, s
     return block;
 }
 
-static void soup_triangle(const tribox_oriented_question *q, size_t i, double u[3][3])
+static void soup_triangle(const tribox_oriented_query *q, size_t i, double u[3][3])
 {
     for (int v = 0; v < 3; v++)
         for (int a = 0; a < 3; a++)
             u[v][a] = (double)tribox_soup_axis(q->triangles, a)[v][i];
 }
 
-void tribox_oriented_ask_soup(tribox_oriented_question *q, const tribox_soup *soup, const tribox_oriented_box *box,
-                              tribox_plan *plan)
+void tribox_oriented_ask_soup(tribox_oriented_query *q, const tribox_soup *soup, const tribox_oriented_box *box, tribox_plan *plan)
 {
-    *q = (tribox_oriented_question){.box = box,
-                                    .plan = plan,
-                                    .triangles = soup,
-                                    .count = soup->count,
-                                    .read_block = soup_block,
-                                    .read_triangle = soup_triangle};
+    *q = (tribox_oriented_query){.box = box,
+                                 .plan = plan,
+                                 .triangles = soup,
+                                 .count = soup->count,
+                                 .read_block = soup_block,
+                                 .read_triangle = soup_triangle};
     tribox_frame_round(box, NULL, false, &q->frame);
 }

@@ -12,8 +12,8 @@ typedef struct tribox_streams {
 } tribox_streams;
 
 /* A question: set by tribox_oriented_ask_soup, or tribox_oriented_ask_mesh of mesh/mesh_oriented.h. */
-typedef struct tribox_oriented_question tribox_oriented_question;
-struct tribox_oriented_question {
+typedef struct tribox_oriented_query tribox_oriented_query;
+struct tribox_oriented_query {
     const tribox_oriented_box *box;
     tribox_rounded_frame frame; /* of points as `read_block` gives them */
     tribox_plan *plan;
@@ -21,16 +21,16 @@ struct tribox_oriented_question {
     size_t count;
 
     /* Triangles first .. first + count - 1, a block at most, where they lie or in the room. Whole packets can be read. */
-    tribox_soup (*read_block)(const tribox_oriented_question *q, size_t first, size_t count, tribox_streams *room);
+    tribox_soup (*read_block)(const tribox_oriented_query *q, size_t first, size_t count, tribox_streams *room);
 
     /* Triangle i as it is. */
-    void (*read_triangle)(const tribox_oriented_question *q, size_t i, double u[3][3]);
+    void (*read_triangle)(const tribox_oriented_query *q, size_t i, double u[3][3]);
 };
 
 static inline bool tribox_oriented_is_finite(const tribox_oriented_box *box)
 {
-    return tribox_are_finite_f64(box->center, 3) && tribox_are_finite_f64(box->half, 3) &&
-           tribox_are_finite_f64(&box->axis[0][0], 9);
+    return tribox_are_finite_doubles(box->center, 3) && tribox_are_finite_doubles(box->half, 3) &&
+           tribox_are_finite_doubles(&box->axis[0][0], 9);
 }
 
 /* Of a finite box, in our environment. */
@@ -49,13 +49,12 @@ static inline bool tribox_oriented_has_axes(const tribox_plan *plan)
  * A question about a soup of as many triangles as the kernel has lanes, or with numbers after them (tribox_partial_packet), and a
  * finite box that is not empty. What it is asked of is kept by address. In the environment of environment.h, as is what follows.
  */
-void tribox_oriented_ask_soup(tribox_oriented_question *q, const tribox_soup *soup, const tribox_oriented_box *box,
-                              tribox_plan *plan);
+void tribox_oriented_ask_soup(tribox_oriented_query *q, const tribox_soup *soup, const tribox_oriented_box *box, tribox_plan *plan);
 
 /* Answers words word .. word + words - 1 of the triangles. Returns how many were left to a slower stage. */
-size_t tribox_oriented_answer(const tribox_oriented_question *q, size_t word, size_t words, uint64_t *hit);
+size_t tribox_oriented_answer(const tribox_oriented_query *q, size_t word, size_t words, uint64_t *hit);
 
 /* Answers all, and counts. mask may be NULL. */
-tribox_report tribox_oriented_answer_all(const tribox_oriented_question *q, uint64_t *mask);
+tribox_report tribox_oriented_answer_all(const tribox_oriented_query *q, uint64_t *mask);
 
 #endif

@@ -118,7 +118,7 @@ void tribox_tiles_put_by_planes(tribox_tiles_call *l)
     double u[9];
     tile_range range = whole_range(&l->tiling);
     tribox_triangles_read(l->triangles, l->triangle, 1, u, 1);
-    if (!tribox_are_finite_f64(u, 9))
+    if (!tribox_are_finite_doubles(u, 9))
         return;
     for (int a = 0; a < 3; a++)
         if (l->plan.axes & TRIBOX_AXES_BOX && !cut_range(l, u, a, &range))

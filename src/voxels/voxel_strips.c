@@ -107,7 +107,7 @@ void tribox_voxels_add_triangle(tribox_voxels *v, const tribox_triangle *triangl
 {
     const double *const u = triangle->u;
     tribox_cell_range range;
-    if (!tribox_are_finite_f64(u, 9))
+    if (!tribox_are_finite_doubles(u, 9))
         return;
     for (int a = 0; a < 3; a++) {
         double least = u[3 * a], most = least;

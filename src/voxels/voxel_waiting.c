@@ -11,7 +11,7 @@ typedef struct cell_bit {
 
 void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle)
 {
-    if (!tribox_are_finite_f64(triangle->u, 9))
+    if (!tribox_are_finite_doubles(triangle->u, 9))
         return;
     for (int64_t k = v->window.first_layer; k < v->window.end_layer; k++)
         for (int64_t j = 0; j < v->window.size[1]; j++)

@@ -1,5 +1,5 @@
 /*
- * test_margins.c - what the margins of src/kernel/margin.h rest on, term by term: pairs for which a term left out is a wrong
+ * test_margins.c - what the margins of src/kernel/pairs/margin.h rest on, term by term: pairs for which a term left out is a wrong
  * answer.
  *
  * Far away, for sets of axes without the box normals: a triangle of which an edge axis or the plane all but touches the box, far

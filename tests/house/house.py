@@ -82,7 +82,7 @@ WORDS = re.compile(r"src/(scalar|sse|avx2|avx512|neon|wasm)/|num_\w+\.h|exact_(s
 defined = collections.defaultdict(set)
 for name in FILES:
     if re.match(r"src/.*\.[ch]$", name) and not WORDS.search(name):
-        for function in re.findall(r"(?m)^(?:static (?:inline )?|TRIBOX_INLINE )[\w *]*?\b(\w+)\(", read(name)):
+        for function in re.findall(r"(?m)^(?:static (?:inline )?|TRIBOX_(?:INLINE|NOINLINE) )[\w *]*?\b(\w+)\(", read(name)):
             defined[function].add(name)
 for function, names in sorted(defined.items()):
     if len(names) > 1:

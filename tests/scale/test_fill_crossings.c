@@ -56,7 +56,7 @@ static void cross_exactly(const fill_case *c, turned *t)
     for (int i = 0; i < c->at.count; i++) {
         double u[3][3];
         memcpy(u, c->at.u[i], sizeof u);
-        if (tribox_are_finite_f64(&u[0][0], 9))
+        if (tribox_are_finite_doubles(&u[0][0], 9))
             tribox_crossings_exactly(&to, u);
     }
     tribox_crossings_finish(&to);

@@ -99,7 +99,7 @@ static int keep_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
     return 0;
 }
 
-static tribox_status hand_on(const crew *c, const kept *k)
+static tribox_status emit_kept(const crew *c, const kept *k)
 {
     size_t i = 0;
     while (i < k->count && !c->sink->take(c->sink->data, k->bricks[i].at, k->bricks[i].bits))
@@ -153,7 +153,7 @@ static tribox_status run_in_turn(crew *c, const share *s, tile_room *room, kept 
     const bool is_full = status == TRIBOX_STOPPED;
     *bricks = k->count;
     if ((!status || is_full) && wait_turn(c, s))
-        status = is_full ? run_directly(c, s, room, report, bricks) : hand_on(c, k);
+        status = is_full ? run_directly(c, s, room, report, bricks) : emit_kept(c, k);
     return status;
 }
 

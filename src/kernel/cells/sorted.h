@@ -3,7 +3,7 @@
  * doubles it holds the floats that stand for them. After: solids.h, flats.h, bricks.h. Needs: KERNEL.
  *
  * One cell, or a line of few, is listed at once, as a connected triangle overlaps all of it (PROOFS.md 7.4). Flats and solids of
- * few cells wait in queues until they fill a packet. Larger ones are handed on, one by one. Nothing that decides depends on the
+ * few cells wait in queues until they fill a packet. Larger ones are deferred, one by one. Nothing that decides depends on the
  * layers asked for, or on company (PROOFS.md 7.9).
  */
 

@@ -22,8 +22,8 @@ TRIBOX_INLINE bool has_whole_axis(uint64_t bits)
            (bits & BESIDE_AXIS(2)) == BESIDE_AXIS(2);
 }
 
-TRIBOX_INLINE bool are_beside(const char *positions, const tribox_box_pattern *box, size_t vertices, bool is_far,
-                              lane_numbers numbers)
+TRIBOX_INLINE bool are_apart(const char *positions, const tribox_box_pattern *box, size_t vertices, bool is_far,
+                             lane_numbers numbers)
 {
     vnum lo[3], hi[3];
     for (int t = 0; t < 3; t++) {
@@ -50,13 +50,13 @@ TRIBOX_INLINE bool are_beside(const char *positions, const tribox_box_pattern *b
     return true;
 }
 
-static bool is_beside(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named)
+static bool is_mesh_apart(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named)
 {
     const size_t bytes = tribox_position_bytes(mesh), vertices = named.greatest + 1 - named.least;
     if (mesh->stride != 3 * bytes || (uintptr_t)mesh->positions % bytes || vertices < V_LANES || vertices > BESIDE_MAX)
         return false;
     const bool is_far = has_far_positions(mesh);
     const char *const positions = (const char *)mesh->positions + mesh->stride * named.least;
-    return box->origin ? are_beside(positions, box, vertices, is_far, (lane_numbers){true, box->origin})
-                       : are_beside(positions, box, vertices, is_far, (lane_numbers){false, NULL});
+    return box->origin ? are_apart(positions, box, vertices, is_far, (lane_numbers){true, box->origin})
+                       : are_apart(positions, box, vertices, is_far, (lane_numbers){false, NULL});
 }

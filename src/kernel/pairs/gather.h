@@ -89,20 +89,20 @@ static void gather_vertices(const tribox_mesh *mesh, const double *origin, size_
 }
 
 /* The packet at triangle `at` to the same place of the streams, after their start. */
-TRIBOX_INLINE void gather_packet(const tribox_corners *corners, size_t at, gather_to to, bool is_near)
+TRIBOX_INLINE void gather_packet(const tribox_corners *corners, size_t at, gather_to to, bool is_local)
 {
     lane_triangle t;
-    load_corners(&t, corners, at, is_near);
+    load_corners(&t, corners, at, is_local);
     for (int k = 0; k < 9; k++)
         v_write(to.streams[k] + to.start + at, t.u[k % 3][k / 3]);
 }
 
-TRIBOX_INLINE void gather_packets(const tribox_corners *corners, size_t count, gather_to to, bool is_near)
+TRIBOX_INLINE void gather_packets(const tribox_corners *corners, size_t count, gather_to to, bool is_local)
 {
     for (size_t at = 0; at + V_LANES <= count; at += V_LANES)
-        gather_packet(corners, at, to, is_near);
+        gather_packet(corners, at, to, is_local);
     if (count % V_LANES) /* the last packet repeats triangles of the one before it */
-        gather_packet(corners, count - V_LANES, to, is_near);
+        gather_packet(corners, count - V_LANES, to, is_local);
 }
 
 static void gather_word(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, gather_to to)

@@ -9,7 +9,7 @@
  */
 
 /* Known to begin at zero, which saves a difference and a constant. */
-TRIBOX_INLINE void near_box(lane_box *box)
+TRIBOX_INLINE void local_box_at_zero(lane_box *box)
 {
     for (int a = 0; a < 3; a++) {
         box->lo[a] = v_splat(0);

@@ -53,7 +53,7 @@ TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kin
     if (kind.is_soup) {
         splat_box(&p->box, from->box);
         if (kind.is_local)
-            near_box(&p->box);
+            local_box_at_zero(&p->box);
         p->margin = kind.is_local && sequence_has(kind.sequence, 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
     } else {
         splat_triangle(&p->t, from->triangle);

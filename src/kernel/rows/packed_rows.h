@@ -49,7 +49,7 @@ TRIBOX_INLINE bool next_layer(const strip_place *p, row_cursor *at)
 }
 
 /* Which of the next rows of the layer the projection along x leaves undecided, as bits. */
-TRIBOX_INLINE uint64_t open_rows(const strip_place *p, const row_cursor *at, unsigned more)
+TRIBOX_INLINE uint64_t undecided_rows(const strip_place *p, const row_cursor *at, unsigned more)
 {
     const int64_t n = (at->k - p->first) % V_LANES;
     const int64_t certain = at->layers.first_certain[n], end = at->layers.end_certain[n];
@@ -69,7 +69,7 @@ TRIBOX_INLINE bool list_rows(const strip_place *p, row_cursor *at, row_list *row
         if (at->left > 0) {
             const unsigned added = (unsigned)tribox_least(at->left, ROWS - rows->count);
             if (shape == TRIBOX_SOLID && has_certain)
-                rows->undecided |= open_rows(p, at, added) << rows->count;
+                rows->undecided |= undecided_rows(p, at, added) << rows->count;
             list_run(rows, at, added, shape == TRIBOX_FLAT_Y);
         } else if (shape != TRIBOX_SOLID || !next_layer(p, at)) {
             break;
