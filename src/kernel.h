@@ -23,7 +23,7 @@
 
 /*
  * A small build (packaging/npm) has no scalar kernel, and walks of soups alone: it reads meshes by way of streams, and is without
- * tribox_overlap_boxes and tribox_fill_parity.
+ * tribox_overlap_boxes.
  */
 #if defined(TRIBOX_SMALL)
 enum { TRIBOX_WALKS_SOUPS_ALONE = 1 };

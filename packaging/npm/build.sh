@@ -17,11 +17,14 @@ trap 'rm -rf "$work"' EXIT
 
 # The calls that the module makes.
 cat >"$work/functions" <<'END'
-malloc free tribox_status_text tribox_kernel_name tribox_overlap tribox_overlap_oriented tribox_find
-tribox_classify tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap tribox_index_overlap_oriented
-tribox_index_words tribox_index_list tribox_index_list_oriented tribox_index_any tribox_soup_sort tribox_soup_gather
-tribox_voxelize tribox_voxelize_layers tribox_mesh_overlap tribox_mesh_find
-tribox_mesh_classify
+malloc free tribox_status_text tribox_kernel_name
+tribox_overlap tribox_overlap_oriented tribox_find tribox_classify
+tribox_mesh_overlap tribox_mesh_overlap_oriented tribox_mesh_find tribox_mesh_classify
+tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap tribox_index_words tribox_index_list tribox_index_any
+tribox_soup_sort tribox_soup_gather tribox_mesh_sort
+tribox_grid_cell tribox_voxelize tribox_tile_lists tribox_bricks_bytes tribox_bricks sink_taker
+tribox_mesh_voxelize tribox_mesh_tile_lists tribox_mesh_bricks
+tribox_fill_bytes tribox_fill_outside tribox_fill_parity tribox_mesh_fill_parity
 END
 
 # The kernel, and what hands pairs from one of its stages to the next, are compiled for speed. The rest, which is four times as
@@ -29,7 +32,8 @@ END
 {
     cd "$root/src"
     find wasm pairs/pairs.c -name '*.c' -exec echo -O3 {} \;
-    find ./*.c base pairs mesh overlap index order grid voxels tiles fill exact -name '*.c' ! -name pairs.c ! -name fill_parity.c -exec echo -Os {} \;
+    echo -Os "$root/packaging/npm/sink.c"
+    find ./*.c base pairs mesh overlap index order grid voxels tiles fill exact -name '*.c' ! -name pairs.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

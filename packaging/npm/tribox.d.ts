@@ -15,14 +15,14 @@ export function load(source?: Source): Promise<Tribox>;
 export type Vector = ArrayLike<number> | { readonly x: number; readonly y: number; readonly z: number };
 
 /**
- * A closed axis-aligned box, with lo and hi or, as three.js's Box3 has it, min and max. Its numbers are rounded to the nearest
- * float, and have to be finite; lo > hi on any axis makes it the empty box, which nothing overlaps.
+ * A closed axis-aligned box, with lo and hi or, as three.js's Box3 has it, min and max. Its numbers are the doubles that they are,
+ * and have to be finite; lo > hi on any axis makes it the empty box, which nothing overlaps.
  */
 export type Box = { readonly lo: Vector; readonly hi: Vector } | { readonly min: Vector; readonly max: Vector };
 
 /**
  * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. The formula holds for whatever
- * floats are given; axes need not be orthonormal.
+ * doubles are given; axes need not be orthonormal.
  */
 export interface OrientedBox {
     readonly center: Vector;
@@ -31,7 +31,7 @@ export interface OrientedBox {
 }
 
 /**
- * exact: the true answer for every finite float. conservative: never misses an overlap, may report a triangle that misses the box
+ * exact: the true answer for every finite number. conservative: never misses an overlap, may report a triangle that misses the box
  * within rounding of contact. fast: single precision, errs either way within rounding of contact.
  */
 export type Accuracy = 'exact' | 'conservative' | 'fast';
@@ -45,11 +45,11 @@ export interface Options {
     /** All three groups by default. */
     readonly axes?: readonly Axes[];
     /** In which order the groups are tried (1 box, 2 plane, 3 edges). By default the call finds the best; it changes no answer. */
-    readonly order?: 123 | 132 | 213 | 231 | 312 | 321;
+    readonly axisOrder?: 123 | 132 | 213 | 231 | 312 | 321;
 }
 
 export interface OverlapOptions extends Options {
-    /** A mask of tribox.mask(soup.length) to write, in place of a new one: it is neither copied nor allocated. */
+    /** A mask of tribox.mask(length) to write, in place of a new one: it is neither copied nor allocated. */
     readonly into?: Mask;
 }
 
@@ -58,8 +58,15 @@ export interface ClassifyOptions extends OverlapOptions {
     readonly insideInto?: Mask;
 }
 
+export interface FindOptions extends Options {
+    /** The first triangle that overlaps ('hit', the default), or the first that does not ('miss'). */
+    readonly what?: 'hit' | 'miss';
+}
+
 export interface VoxelizeOptions extends Options {
-    /** Voxels of tribox.voxels(grid) to add to, in place of new ones: bits are only set, so soups accumulate. */
+    /** The cells that are asked for; by default the whole grid. */
+    readonly window?: Window;
+    /** Voxels of tribox.voxels(grid, window) to add to, in place of new ones: bits are only set, so soups accumulate. */
     readonly into?: Voxels;
 }
 
@@ -99,15 +106,17 @@ export interface Tribox {
     readonly exports: Readonly<Record<string, (...args: number[]) => number>>;
 
     /** Copies the triangles of a mesh into the memory, as nine streams. */
-    soup(mesh: MeshOfFloats, options?: SoupOptions): Soup;
+    soup(mesh: MeshOfFloats, options?: SortOptions): Soup;
     /** Room for so many triangles, to be written through x, y and z. Until then they are NaN, and overlap nothing. */
     allocSoup(length: number): Soup;
     /** Copies a mesh of doubles, or of floats, into the memory as it is. Answers are exact about the doubles. */
-    mesh(mesh: MeshOfNumbers): Mesh;
+    mesh(mesh: MeshOfNumbers, options?: SortOptions): Mesh;
     /** A mask of so many bits in the memory, all clear, for `into`. */
     mask(length: number): Mask;
-    /** The cells of a grid in the memory, all clear, for `into`. */
-    voxels(grid: Grid): Voxels;
+    /** The cells of a grid, or of a window of it, in the memory, all clear, for `into`. */
+    voxels(grid: Grid, window?: Window): Voxels;
+    /** The grid that voxelize lays around triangles with these bounds. */
+    gridAround(box: Box, cells: Around): Grid;
 }
 
 /**
@@ -125,7 +134,7 @@ export interface MeshOfNumbers {
     readonly indices?: Uint32Array | Uint16Array | null;
 }
 
-export interface SoupOptions {
+export interface SortOptions {
     /**
      * Puts triangles that are near in space near in number, as an index wants them. All numbers of triangles are then about that
      * order; `ids` translates them.
@@ -133,21 +142,13 @@ export interface SoupOptions {
     readonly sort?: boolean;
 }
 
-/** Triangles in the memory: nine streams of floats. A triangle with a NaN or infinite coordinate overlaps nothing. */
-export interface Soup extends Freeable {
+/** What soups and meshes have in common. A triangle with a NaN or infinite coordinate overlaps nothing. */
+export interface Triangles extends Freeable {
     /** How many triangles there are. */
     readonly length: number;
-    /**
-     * x[v][i] is the x of vertex v (0, 1, 2) of triangle i: views of the memory, without a copy. They die when the memory grows,
-     * which may be caused by whatever makes something (soup, allocSoup, mesh, mask, voxels, index), by Index.list, and by calls
-     * that return masks or voxels without `into`. So do not keep them: each look at the property makes new ones.
-     */
-    readonly x: readonly [Float32Array, Float32Array, Float32Array];
-    readonly y: readonly [Float32Array, Float32Array, Float32Array];
-    readonly z: readonly [Float32Array, Float32Array, Float32Array];
-    /** ids[i]: which triangle of the mesh triangle i was, if the soup was sorted. */
+    /** ids[i]: which triangle of the mesh triangle i was, if they were sorted. */
     readonly ids: Uint32Array | null;
-    /** Where the tribox_soup of C lies in the memory, for functions of `exports`. */
+    /** Where the tribox_soup or tribox_mesh of C lies in the memory, for functions of `exports`. */
     readonly address: number;
 
     /** Which triangles overlap the box? An oriented box is exact with all axes, or with 'box' alone. */
@@ -156,47 +157,63 @@ export interface Soup extends Freeable {
     count(box: Box | OrientedBox, options?: Options): number;
     /** Which of them straddle the border of the box, and which lie wholly inside? */
     classify(box: Box, options?: ClassifyOptions): Classes;
-    /** The first triangle that overlaps the box; -1 if none does. */
-    first(box: Box, options?: Options): number;
-    /** The first triangle that does not overlap the box; -1 if all do. */
-    firstMiss(box: Box, options?: Options): number;
-    /** The cells that triangles overlap: of a grid, or of one around the triangles. Insides of closed meshes are not filled. */
-    voxelize(grid: Grid | Resolution, options?: VoxelizeOptions): Voxels;
-    /** Bounds of groups of triangles, which make questions cost what their answer does. Freed by itself, before the soup. */
+    /** The first triangle that overlaps the box, or that does not; -1 if there is none. */
+    find(box: Box, options?: FindOptions): number;
+    /** Bounds of groups of triangles, which make questions cost what their answer does. Freed by itself, before the triangles. */
     index(): Index;
     /** The bounds of all triangles whose coordinates are finite; null if there are none. */
     bounds(): { lo: [number, number, number]; hi: [number, number, number] } | null;
+
+    /** The cells that triangles overlap: of a grid, or of one around them. Voxels stand for their own grid and window. */
+    voxelize(grid: Grid | Around | Voxels, options?: VoxelizeOptions): Voxels;
+    /**
+     * The cells that a closed surface encloses, and its own: along x it crosses the line to their middles an odd number of times.
+     * voxels: what voxelize made of these triangles, of a whole grid. See also Voxels.fillOutside.
+     */
+    fillParity(voxels: Voxels): FilledByParity;
+    /** Which triangles overlap which tile of a grid: with a side of 1, which cell. */
+    tileLists(grid: Grid | Around, tiles: Tiles, options?: Options): TileLists;
+    /**
+     * voxelize for grids whose cells need not fit into the memory: hands each brick of 8 x 8 x 8 cells that is not empty to take,
+     * by the number of its tile, then by z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 suits.
+     */
+    bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrick, options?: Options): Bricks;
+}
+
+/** Triangles in the memory: nine streams of floats. */
+export interface Soup extends Triangles {
+    /**
+     * x[v][i] is the x of vertex v (0, 1, 2) of triangle i: views of the memory, without a copy. They die when the memory grows,
+     * which may be caused by whatever makes something (soup, allocSoup, mesh, mask, voxels, index), by lists, bricks and fills, and
+     * by calls that return masks or voxels without `into`. So do not keep them: each look at the property makes new ones.
+     */
+    readonly x: readonly [Float32Array, Float32Array, Float32Array];
+    readonly y: readonly [Float32Array, Float32Array, Float32Array];
+    readonly z: readonly [Float32Array, Float32Array, Float32Array];
+}
+
+/** A mesh in the memory as it was given. */
+export interface Mesh extends Triangles {
+    /** Views of the memory: see Soup. If the mesh was sorted, so are the indices, or without them the positions. */
+    readonly positions: Float64Array | Float32Array;
+    readonly indices: Uint32Array | Uint16Array | null;
 }
 
 /**
- * An index over a soup: the same answers, sooner. It pays where triangles near in number are near in space: see SoupOptions. The
- * soup alone has first and firstMiss; any says sooner whether some triangle overlaps.
+ * An index over a soup or a mesh: the same answers, sooner, and of doubles about the doubles. It pays where triangles near in
+ * number are near in space: see SortOptions. For find, ask the triangles; any says sooner whether some triangle overlaps.
  */
 export interface Index extends Freeable {
-    readonly soup: Soup;
+    readonly triangles: Soup | Mesh;
     overlap(box: Box | OrientedBox, options?: OverlapOptions): Overlap;
     count(box: Box | OrientedBox, options?: Options): number;
     classify(box: Box, options?: ClassifyOptions): Classes;
-    /** The triangles that overlap, in ascending order. With ids: their numbers in the mesh, if the soup was sorted. */
+    /** The triangles that overlap, in ascending order. With ids: their numbers in the mesh, if it was sorted. */
     list(box: Box | OrientedBox, options?: Options & { readonly ids?: boolean }): Uint32Array;
     /** Some triangle that overlaps; -1 if none does. */
-    any(box: Box, options?: Options): number;
-    /** To be called after triangles first .. first + count - 1 of the soup have changed; all of them by default. */
+    any(box: Box | OrientedBox, options?: Options): number;
+    /** To be called after triangles first .. first + count - 1 have changed; all of them by default. */
     update(first?: number, count?: number): void;
-}
-
-/** A mesh in the memory as it was given. The numbers of boxes are doubles here, and not rounded. */
-export interface Mesh extends Freeable {
-    readonly length: number;
-    /** A view of the memory: see Soup. */
-    readonly positions: Float64Array | Float32Array;
-    /** Where the tribox_mesh of C lies in the memory, for functions of `exports`. */
-    readonly address: number;
-    overlap(box: Box, options?: OverlapOptions): Overlap;
-    count(box: Box, options?: Options): number;
-    classify(box: Box, options?: ClassifyOptions): Classes;
-    first(box: Box, options?: Options): number;
-    firstMiss(box: Box, options?: Options): number;
 }
 
 /**
@@ -214,7 +231,7 @@ export interface Mask extends Freeable {
     list(): Uint32Array;
 }
 
-/** size[0] x size[1] x size[2] cells. Plane p of axis a lies at the float nearest to origin[a] + p * cell[a]. */
+/** size[0] x size[1] x size[2] cells. Plane p of axis a lies at the double nearest to origin[a] + p * cell[a]. */
 export interface Grid {
     readonly origin: Vector;
     /** The lengths of a cell, or one for all three. */
@@ -222,16 +239,64 @@ export interface Grid {
     readonly size: Vector;
 }
 
-/** A grid of cubes that just holds the triangles, so many along their longest side. */
-export interface Resolution {
-    readonly resolution: number;
+/** A grid that just holds the triangles: of cubes, so many along their longest side, or of cells of a length, or of three. */
+export type Around = { readonly resolution: number } | { readonly cell: Vector | number };
+
+/** Cells first[a] .. first[a] + size[a] - 1 of a grid, on each axis. */
+export interface Window {
+    readonly first: Vector;
+    readonly size: Vector;
+}
+
+/**
+ * Tiles are cubes of `side` cells a side, but for those that the upper borders of the grid cut. Tile (i, j, k) has the number
+ * (k * nj + j) * ni + i, where ni and nj are the numbers of tiles along x and y. first, count: a share of them; by default all.
+ */
+export interface Tiles {
+    readonly side: number;
+    readonly first?: number;
+    readonly count?: number;
+}
+
+export interface TileLists {
+    readonly grid: Grid;
+    /** The triangles of tile first + t are list[starts[t]] to before list[starts[t + 1]], in ascending order. */
+    readonly starts: Uint32Array;
+    readonly list: Uint32Array;
+}
+
+/**
+ * Brick at[0], at[1], at[2] has the cells 8 * at[a] + 0 .. 7. Cell (i, j, k) of it is bit i + 8 * (j & 3) of the 32-bit word
+ * bits[2 * k + (j >> 2)]. Both are the caller's own. To return false ends the call; what is thrown, too, and is thrown on.
+ */
+export type TakeBrick = (at: [number, number, number], bits: Uint32Array) => unknown;
+
+export interface Bricks {
+    readonly grid: Grid;
+    /** How many cells the bricks that were handed on have set. */
+    readonly overlapping: number;
+    /** Whether take ended the call. */
+    readonly stopped: boolean;
+}
+
+export interface Filled {
+    /** The cells of the surface and those that it encloses. */
+    readonly solid: Voxels;
+    /** How many were filled, without those of the surface. */
+    readonly inside: number;
+}
+
+export interface FilledByParity extends Filled {
+    /** How many rows of cells along x the surface crosses an odd number of times: one or more, and it is certainly not closed. */
+    readonly oddRows: number;
 }
 
 /** A bit for each cell; otherwise as Mask. */
 export interface Voxels extends Freeable {
-    /** As rounded to floats. */
-    readonly origin: readonly [number, number, number];
-    readonly cell: readonly [number, number, number];
+    readonly grid: Grid;
+    /** Which cells of the grid these are: cell (i, j, k) here is cell (first[0] + i, first[1] + j, first[2] + k) there. */
+    readonly window: Window;
+    /** Of the window. */
     readonly size: readonly [number, number, number];
     /** The 32-bit words of a row of cells along x: an even number. */
     readonly rowWords: number;
@@ -242,6 +307,8 @@ export interface Voxels extends Freeable {
     count(): number;
     /** The cells that are set: i, j, k of one after another, by k, then j, then i. */
     list(): Uint32Array;
+    /** What the surface encloses: all cells that cannot be reached from outside through faces of cells that are not set. */
+    fillOutside(): Filled;
     /** The box of a cell: the very one that was tested. */
     box(i: number, j: number, k: number): { lo: [number, number, number]; hi: [number, number, number] };
 }

@@ -1,6 +1,7 @@
 // tribox.mjs - loads tribox.wasm, and makes soups, meshes, masks and voxels in its memory. Types and manual: tribox.d.ts.
 import { whole } from './parts/arguments.mjs';
 import { shown, TriboxError } from './parts/errors.mjs';
+import { gridAroundBox } from './parts/grid.mjs';
 import { Mask, maskWords } from './parts/mask.mjs';
 import { Memory } from './parts/memory.mjs';
 import { Mesh } from './parts/mesh.mjs';
@@ -14,9 +15,8 @@ const COUNT_MAX = 2 ** 32 - 1;
 class Tribox {
     #memory;
 
-    constructor(module, instance) {
-        const { exports } = instance;
-        this.#memory = new Memory(exports);
+    constructor(module, { exports }, takers) {
+        this.#memory = new Memory(exports, takers);
         this.version = '@VERSION@';
         this.kernel = this.#memory.text(exports.tribox_kernel_name(0));
         this.module = module;
@@ -33,8 +33,8 @@ class Tribox {
         return soupOfNaN(this.#memory, whole(length, 'length', 0, COUNT_MAX));
     }
 
-    mesh(mesh) {
-        return new Mesh(this.#memory, mesh);
+    mesh(mesh, options) {
+        return new Mesh(this.#memory, mesh, options);
     }
 
     mask(length) {
@@ -44,8 +44,12 @@ class Tribox {
         return new Mask(memory, address, length);
     }
 
-    voxels(grid) {
-        return voxelsIn(this.#memory, grid);
+    voxels(grid, window) {
+        return voxelsIn(this.#memory, grid, window);
+    }
+
+    gridAround(box, cells) {
+        return gridAroundBox(this.#memory, box, cells);
     }
 }
 
@@ -98,7 +102,8 @@ export async function load(source = new URL('./tribox.wasm', import.meta.url)) {
     try {
         const module = await moduleOf(typeof given === 'string' || given instanceof URL ? await fetched(addressOf(given)) : given);
         checkModule(module);
-        return new Tribox(module, await WebAssembly.instantiate(module, {}));
+        const takers = [], take = (number, at, bits) => takers[number](at >>> 0, bits >>> 0);
+        return new Tribox(module, await WebAssembly.instantiate(module, { tribox: { take } }), takers);
     } catch (error) {
         if (error instanceof WebAssembly.CompileError)
             throw new TriboxError(`tribox.wasm does not compile: ${error.message}. It needs 128-bit SIMD (Chrome 91, Firefox 89, ` +

@@ -6,7 +6,5 @@
 #include "kernel/rows/rows.h"
 #include "kernel/rows/columns.h"
 #include "kernel/rows/packed_rows.h"
-#if !defined(TRIBOX_SMALL)
 #include "kernel/rows/crossings.h"
-#endif
 #include "kernel/rows/strips.h"

@@ -14,11 +14,11 @@
 
 enum { BATCHES = 2, MANY = 30, COUNT_MAX = MANY * SCENE_TRIANGLES, WORDS_MAX = (COUNT_MAX + 63) / 64 };
 enum { GRID_X = 70, GRID_Y = 9, GRID_Z = 5, GRID_WORDS = (GRID_X + 63) / 64 * GRID_Y * GRID_Z };
+enum { TILE = 8, TILES = 9 * 2 * 1, LIST_MAX = TILES * COUNT_MAX };
 
 /* A batch in every form that the package takes. */
 typedef struct question {
     tribox_box box;
-    tribox_box box_f64;
     tribox_oriented_box oriented;
     tribox_grid grid;
     tribox_soup soup;
@@ -48,15 +48,15 @@ static void need(tribox_status status)
     exit(1);
 }
 
-/* Turned about z by the angle of 3, 4, 5 and then about x by that of 5, 12, 13: directions that floats have to round. */
+/* Turned about z by the angle of 3, 4, 5 and then about x by that of 5, 12, 13: directions that doubles have to round. */
 static tribox_oriented_box oriented_box(const tribox_box *box)
 {
-    static const float axis[3][3] = {
-        {0.6f, 0.8f, 0}, {-0.8f * 5 / 13, 0.6f * 5 / 13, 12.0f / 13}, {0.8f * 12 / 13, -0.6f * 12 / 13, 5.0f / 13}};
+    static const double axis[3][3] = {
+        {0.6, 0.8, 0}, {-0.8 * 5 / 13, 0.6 * 5 / 13, 12.0 / 13}, {0.8 * 12 / 13, -0.6 * 12 / 13, 5.0 / 13}};
     tribox_oriented_box oriented;
     for (int a = 0; a < 3; a++) {
-        oriented.center[a] = (float)box->lo[a] / 2 + (float)box->hi[a] / 2;
-        oriented.half[a] = (float)box->hi[a] / 2 - (float)box->lo[a] / 2;
+        oriented.center[a] = box->lo[a] / 2 + box->hi[a] / 2;
+        oriented.half[a] = box->hi[a] / 2 - box->lo[a] / 2;
     }
     memcpy(oriented.axis, axis, sizeof axis);
     return oriented;
@@ -67,8 +67,8 @@ static tribox_grid grid_at(const tribox_box *box)
 {
     tribox_grid grid = {.size = {GRID_X, GRID_Y, GRID_Z}};
     for (int a = 0; a < 3; a++) {
-        grid.origin[a] = (float)box->lo[a];
-        grid.cell[a] = ((float)box->hi[a] - (float)box->lo[a]) / (float)(grid.size[a] - 2);
+        grid.origin[a] = box->lo[a];
+        grid.cell[a] = (box->hi[a] - box->lo[a]) / (grid.size[a] - 2);
     }
     return grid;
 }
@@ -112,10 +112,6 @@ static void draw(const scene *s, random_source *r, int batches, bool is_finite, 
     q->mesh = (tribox_mesh){.positions = q->positions, .vertices = 3 * q->soup.count, .count = q->soup.count, .position_bytes = 8};
     q->oriented = oriented_box(&q->box);
     q->grid = grid_at(&q->box);
-    for (int a = 0; a < 3; a++) {
-        q->box_f64.lo[a] = (double)q->box.lo[a];
-        q->box_f64.hi[a] = (double)q->box.hi[a];
-    }
 }
 
 static void write_question(const question *q)
@@ -126,7 +122,6 @@ static void write_question(const question *q)
         write_words(name, q->streams[k], q->soup.count * sizeof(float));
     }
     write_words("positions", q->positions, q->soup.count * sizeof *q->positions);
-    write_words("boxF64", &q->box_f64, sizeof q->box_f64);
     write_words("oriented", &q->oriented, sizeof q->oriented);
     write_words("grid", &q->grid, sizeof q->grid);
 }
@@ -154,18 +149,81 @@ static void answer_boxes(const question *q)
     write_number("firstMiss", first);
 }
 
-static void answer_others(const question *q)
+static void answer_oriented(const question *q)
 {
-    uint64_t mask[WORDS_MAX], inside[WORDS_MAX], cells[GRID_WORDS] = {0};
+    uint64_t mask[WORDS_MAX];
     need(tribox_overlap_oriented(&q->soup, &q->oriented, NULL, mask, NULL));
     write_mask("orientedMask", mask, q);
     need(tribox_overlap_oriented(&q->soup, &q->oriented, &(tribox_options){.axes = TRIBOX_AXES_BOX}, mask, NULL));
     write_mask("orientedBounds", mask, q);
-    need(tribox_mesh_classify(&q->mesh, &q->box_f64, NULL, mask, inside, NULL));
-    write_mask("maskF64", mask, q);
-    write_mask("insideF64", inside, q);
-    if (!tribox_voxelize(&q->soup, &q->grid, NULL, NULL, cells, NULL))
-        write_words("cells", cells, sizeof cells);
+}
+
+static void answer_doubles(const question *q)
+{
+    uint64_t mask[WORDS_MAX], inside[WORDS_MAX];
+    size_t first;
+    need(tribox_mesh_classify(&q->mesh, &q->box, NULL, mask, inside, NULL));
+    write_mask("meshMask", mask, q);
+    write_mask("meshInside", inside, q);
+    need(tribox_mesh_overlap_oriented(&q->mesh, &q->oriented, NULL, mask, NULL));
+    write_mask("meshOriented", mask, q);
+    need(tribox_mesh_find(&q->mesh, &q->box, NULL, TRIBOX_FIRST_HIT, &first));
+    write_number("meshFirst", first);
+    need(tribox_mesh_find(&q->mesh, &q->box, NULL, TRIBOX_FIRST_MISS, &first));
+    write_number("meshFirstMiss", first);
+}
+
+static void answer_fills(const question *q, const uint64_t *cells)
+{
+    static unsigned char scratch[4096];
+    uint64_t solid[GRID_WORDS];
+    size_t inside, odd;
+    if (tribox_fill_bytes(q->grid.size) > sizeof scratch) {
+        fprintf(stderr, "more scratch is needed than is here\n");
+        exit(1);
+    }
+    need(tribox_fill_outside(q->grid.size, cells, scratch, solid, &inside));
+    write_words("outside", solid, sizeof solid);
+    write_number("outsideInside", inside);
+    need(tribox_fill_parity(&q->soup, &q->grid, cells, scratch, solid, &inside, &odd));
+    write_words("parity", solid, sizeof solid);
+    write_number("parityOdd", odd);
+    need(tribox_mesh_fill_parity(&q->mesh, &q->grid, cells, scratch, solid, &inside, &odd));
+    write_words("meshParity", solid, sizeof solid);
+    write_number("meshParityInside", inside);
+}
+
+static void answer_tiles(const question *q)
+{
+    static uint32_t list[LIST_MAX];
+    size_t starts[TILES + 1];
+    const tribox_tiles tiles = {.side = TILE, .count = TILES};
+    need(tribox_mesh_tile_lists(&q->mesh, &q->grid, &tiles, NULL, starts, NULL));
+    need(tribox_mesh_tile_lists(&q->mesh, &q->grid, &tiles, NULL, starts, list));
+    write_words("meshTiles", list, starts[TILES] * sizeof *list);
+    need(tribox_tile_lists(&q->soup, &q->grid, &tiles, NULL, starts, NULL));
+    need(tribox_tile_lists(&q->soup, &q->grid, &tiles, NULL, starts, list));
+    write_words("tiles", list, starts[TILES] * sizeof *list);
+    for (int t = 0; t <= TILES; t++)
+        list[t] = (uint32_t)starts[t];
+    write_words("tileStarts", list, (TILES + 1) * sizeof *list);
+}
+
+/* Where the library serves the grid. */
+static void answer_cells(const question *q)
+{
+    uint64_t cells[GRID_WORDS] = {0}, some[GRID_WORDS] = {0};
+    const tribox_window window = {.first = {5, 1, 2}, .size = {60, 7, 2}};
+    if (tribox_voxelize(&q->soup, &q->grid, NULL, NULL, cells, NULL))
+        return;
+    write_words("cells", cells, sizeof cells);
+    answer_fills(q, cells);
+    need(tribox_mesh_voxelize(&q->mesh, &q->grid, &window, NULL, some, NULL));
+    write_words("meshWindow", some, tribox_window_words(window.size) * sizeof *some);
+    memset(cells, 0, sizeof cells);
+    need(tribox_mesh_voxelize(&q->mesh, &q->grid, NULL, NULL, cells, NULL));
+    write_words("meshCells", cells, sizeof cells);
+    answer_tiles(q);
 }
 
 static void answer_order(const question *q)
@@ -174,6 +232,8 @@ static void answer_order(const question *q)
     static float scratch[4 * COUNT_MAX];
     need(tribox_soup_sort(&q->soup, order, scratch));
     write_words("order", order, q->soup.count * sizeof *order);
+    need(tribox_mesh_sort(&q->mesh, order, scratch));
+    write_words("meshOrder", order, q->soup.count * sizeof *order);
 }
 
 static void answer(const scene *s, random_source *r, int batches, bool is_finite)
@@ -183,8 +243,10 @@ static void answer(const scene *s, random_source *r, int batches, bool is_finite
     printf("{\"scene\": \"%s\"", s->name);
     write_question(&q);
     answer_boxes(&q);
-    answer_others(&q);
+    answer_oriented(&q);
+    answer_doubles(&q);
     answer_order(&q);
+    answer_cells(&q);
     printf("}\n");
 }
 

@@ -38,9 +38,10 @@ function prepare(question) {
     for (let i = 0; i < count; i++)
         for (let k = 0; k < 9; k++)
             positions[9 * i + 3 * (k % 3) + Math.floor(k / 3)] = streams[k][i];
-    const oriented = floats(question.oriented);
+    const oriented = doubles(question.oriented), grid = doubles(question.grid);
     return {
-        count, positions, what: question.scene, soup: tribox.soup({ positions }), box: boxOf(floats(question.box)),
+        count, positions, what: question.scene, soup: tribox.soup({ positions }), box: boxOf(doubles(question.box)),
+        grid: { origin: grid.slice(0, 3), cell: grid.slice(3, 6), size: question.grid.slice(12, 15) },
         oriented: {
             center: oriented.slice(0, 3), half: oriented.slice(3, 6),
             axis: [oriented.slice(6, 9), oriented.slice(9, 12), oriented.slice(12, 15)],
@@ -63,7 +64,7 @@ test('overlap: every set of axes, every order', () => eachQuestion((question, { 
     for (let bits = 1; bits <= 7; bits++)
         expectWords(soup.overlap(box, { axes: axesOf(bits) }).mask.words, question[`axes${bits}`], `${what}, axes ${bits}`);
     for (const order of orders)
-        expectWords(soup.overlap(box, { order }).mask.words, question.axes7, `${what}, order ${order}`);
+        expectWords(soup.overlap(box, { axisOrder: order }).mask.words, question.axes7, `${what}, order ${order}`);
 }));
 
 test('count, report and list agree with the mask', () => eachQuestion((question, { soup, box, what }) => {
@@ -94,10 +95,12 @@ test('classify', () => eachQuestion((question, { soup, box, what }) => {
     assert.equal(classes.overlapping, classes.mask.count(), what);
 }));
 
-test('first and firstMiss', () => eachQuestion((question, { soup, box, count, what }) => {
-    const place = (number) => number === count ? -1 : number;
-    assert.equal(soup.first(box), place(question.first), what);
-    assert.equal(soup.firstMiss(box), place(question.firstMiss), what);
+const placeOf = (number, count) => (number === count ? -1 : number);
+
+test('find', () => eachQuestion((question, { soup, box, count, what }) => {
+    assert.equal(soup.find(box), placeOf(question.first, count), what);
+    assert.equal(soup.find(box, { what: 'hit' }), placeOf(question.first, count), what);
+    assert.equal(soup.find(box, { what: 'miss' }), placeOf(question.firstMiss, count), what);
 }));
 
 test('oriented boxes', () => eachQuestion((question, { soup, oriented, what }) => {
@@ -106,18 +109,51 @@ test('oriented boxes', () => eachQuestion((question, { soup, oriented, what }) =
     assert.equal(soup.count(oriented), soup.overlap(oriented).overlapping, what);
 }));
 
-test('doubles, as they are and by indices', () => eachQuestion((question, { what, count }) => {
-    const box = boxOf(doubles(question.boxF64)), positions = doubles(question.positions);
-    const reversed = inReverse(positions), indices = Uint32Array.from({ length: 3 * count }, (_, k) => 3 * count - 1 - k);
+/** The doubles of a question as they are, and by indices of either kind. */
+function eachMesh({ positions: words }, count, options, check) {
+    const positions = doubles(words), reversed = inReverse(positions);
+    const indices = Uint32Array.from({ length: 3 * count }, (_, k) => 3 * count - 1 - k);
     for (const given of [{ positions }, { positions: reversed, indices }, { positions: reversed, indices: Uint16Array.from(indices) }]) {
-        const mesh = tribox.mesh(given), classes = mesh.classify(box), place = classes.mask.list()[0] ?? -1;
-        expectWords(classes.mask.words, question.maskF64, what);
-        expectWords(classes.insideMask.words, question.insideF64, what);
-        expectWords(mesh.overlap(box).mask.words, question.maskF64, what);
-        assert.equal(mesh.count(box), classes.overlapping, what);
-        assert.equal(mesh.first(box), place, what);
+        const mesh = tribox.mesh(given, options);
+        check(mesh);
         mesh.free();
     }
+}
+
+test('doubles', () => eachQuestion((question, { box, oriented, what, count }) => eachMesh(question, count, {}, (mesh) => {
+    const classes = mesh.classify(box);
+    expectWords(classes.mask.words, question.meshMask, what);
+    expectWords(classes.insideMask.words, question.meshInside, what);
+    expectWords(mesh.overlap(box).mask.words, question.meshMask, what);
+    expectWords(mesh.overlap(oriented).mask.words, question.meshOriented, what);
+    assert.equal(mesh.count(box), classes.overlapping, what);
+    assert.equal(mesh.find(box), placeOf(question.meshFirst, count), what);
+    assert.equal(mesh.find(box, { what: 'miss' }), placeOf(question.meshFirstMiss, count), what);
+})));
+
+test('an index over doubles', () => eachQuestion((question, { box, oriented, what, count }) => {
+    eachMesh(question, count, {}, (mesh) => {
+        const index = mesh.index(), set = bitsIn(mesh.overlap(box).mask), any = index.any(box), classes = index.classify(box);
+        expectWords(index.overlap(box).mask.words, question.meshMask, what);
+        expectWords(index.overlap(oriented).mask.words, question.meshOriented, what);
+        expectWords(classes.mask.words, question.meshMask, what);
+        expectWords(classes.insideMask.words, question.meshInside, what);
+        assert.deepEqual(Array.from(index.list(box)), set, what);
+        assert.deepEqual(Array.from(index.list(oriented)), bitsIn(mesh.overlap(oriented).mask), what);
+        assert.ok(set.length ? set.includes(any) : any === -1, what);
+        index.free();
+    });
+    eachMesh(question, count, { sort: true }, (mesh) => {
+        const index = mesh.index();
+        if (!mesh.indices) // else another vertex is the first, from which the order of doubles is seen
+            expectWords(mesh.ids, question.meshOrder, what);
+        const found = Array.from(index.list(box, { ids: true })).sort((i, j) => i - j);
+        expectWords(index.list(box), bitsIn(mesh.overlap(box).mask), what);
+        const { words } = tribox.mask(count), expected = Uint32Array.from(question.meshMask);
+        found.forEach((i) => (words[i >>> 5] |= 1 << (i & 31)));
+        expectWords(words, Array.from(expected), what);
+        index.free();
+    });
 }));
 
 test('an index', () => eachQuestion((question, { soup, box, oriented, what }) => {
@@ -128,6 +164,7 @@ test('an index', () => eachQuestion((question, { soup, box, oriented, what }) =>
     assert.deepEqual(Array.from(index.list(oriented)), bitsIn(index.overlap(oriented).mask), what);
     assert.equal(index.count(box), set.length, what);
     assert.ok(set.length ? set.includes(any) : any === -1, what);
+    assert.equal(index.any(oriented) === -1, index.count(oriented) === 0, what);
     const classes = index.classify(box);
     expectWords(classes.mask.words, question.axes7, what);
     expectWords(classes.insideMask.words, question.inside, what);
@@ -144,7 +181,7 @@ test('a sorted soup', () => eachQuestion((question, { soup, positions, box, coun
         for (let v = 0; v < 3; v++)
             for (let i = 0; i < count; i++)
                 assert.ok(Object.is(sorted[axis][v][i], soup[axis][v][sorted.ids[i]]), what);
-    const listed = index.list(box, { ids: true }).sort();
+    const listed = index.list(box, { ids: true }).sort((i, j) => i - j);
     assert.deepEqual(Array.from(listed), bitsIn(soup.overlap(box).mask), what);
     assert.deepEqual(Array.from(index.list(box)), bitsIn(sorted.overlap(box).mask), what);
     index.free();
@@ -160,14 +197,18 @@ test('triangles by indices', () => eachQuestion((question, { positions, box, cou
     }
 }));
 
-test('voxels', () => eachQuestion((question, { soup, what }) => {
-    const numbers = floats(question.grid), size = Array.from(Uint32Array.from(question.grid).slice(6));
-    const grid = { origin: numbers.slice(0, 3), cell: numbers.slice(3, 6), size };
-    if (!question.cells) {
-        assert.throws(() => soup.voxelize(grid), RangeError, what);
-        return;
-    }
-    const voxels = soup.voxelize(grid);
+/** Of questions whose grid is served. */
+function eachGrid(check) {
+    eachQuestion((question, about) => {
+        if (question.cells)
+            check(question, about);
+        else
+            assert.throws(() => about.soup.voxelize(about.grid), RangeError, about.what);
+    });
+}
+
+test('voxels', () => eachGrid((question, { soup, grid, what }) => {
+    const voxels = soup.voxelize(grid), { size } = voxels;
     expectWords(voxels.bits, question.cells, what);
     const set = [];
     for (let k = 0; k < size[2]; k++)
@@ -179,4 +220,62 @@ test('voxels', () => eachQuestion((question, { soup, what }) => {
     assert.equal(voxels.count(), set.length / 3, what);
     for (let at = 0; at < set.length; at += 3 * 97)
         assert.ok(soup.count(voxels.box(...set.slice(at, at + 3))) > 0, what);
+}));
+
+test('voxels of doubles, and of windows', () => eachGrid((question, { grid, count, what }) => eachMesh(question, count, {}, (mesh) => {
+    const window = { first: [5, 1, 2], size: [60, 7, 2] }, voxels = mesh.voxelize(grid), some = mesh.voxelize(grid, { window });
+    expectWords(voxels.bits, question.meshCells, what);
+    expectWords(some.bits, question.meshWindow, what);
+    assert.deepEqual(some.box(3, 2, 1), voxels.box(8, 3, 3), what);
+    const into = tribox.voxels(grid, window);
+    expectWords(mesh.voxelize(into, { into }).bits, question.meshWindow, what);
+    into.free();
+})));
+
+test('fills', () => eachGrid((question, { soup, grid, count, what }) => {
+    const voxels = soup.voxelize(grid), outside = voxels.fillOutside(), parity = soup.fillParity(voxels);
+    expectWords(outside.solid.bits, question.outside, what);
+    assert.equal(outside.inside, question.outsideInside, what);
+    expectWords(parity.solid.bits, question.parity, what);
+    assert.equal(parity.oddRows, question.parityOdd, what);
+    eachMesh(question, count, {}, (mesh) => {
+        const filled = mesh.fillParity(voxels);
+        expectWords(filled.solid.bits, question.meshParity, what);
+        assert.equal(filled.inside, question.meshParityInside, what);
+    });
+}));
+
+test('tile lists', () => eachGrid((question, { soup, grid, count, what }) => {
+    const { starts, list } = soup.tileLists(grid, { side: 8 }), share = soup.tileLists(grid, { side: 8, first: 3, count: 4 });
+    expectWords(starts, question.tileStarts, what);
+    expectWords(list, question.tiles, what);
+    expectWords(share.list, Array.from(list.slice(starts[3], starts[7])), what);
+    expectWords(share.starts, Array.from(starts.slice(3, 8), (start) => start - starts[3]), what);
+    eachMesh(question, count, {}, (mesh) => expectWords(mesh.tileLists(grid, { side: 8 }).list, question.meshTiles, what));
+}));
+
+/** The words of a grid that bricks set. */
+function wordsOfBricks(triangles, grid, tiles) {
+    const { size } = grid, row = 2 * Math.ceil(size[0] / 64), words = new Uint32Array(row * size[1] * size[2]);
+    let handed = 0;
+    const take = (at, bits) => {
+        assert.ok(bits.some((word) => word));
+        for (let b = 0; b < 512; b++)
+            if (bits[b >> 5] >>> (b & 31) & 1) {
+                const [i, j, k] = [b & 7, b >> 3 & 7, b >> 6].map((cell, a) => 8 * at[a] + cell);
+                words[(k * size[1] + j) * row + (i >> 5)] |= 1 << (i & 31);
+                handed++;
+            }
+    };
+    const { overlapping, stopped } = triangles.bricks(grid, tiles, take);
+    assert.deepEqual([overlapping, stopped], [handed, false]);
+    return words;
+}
+
+test('bricks', () => eachGrid((question, { soup, grid, count, what }) => {
+    for (const side of [8, 128])
+        expectWords(wordsOfBricks(soup, grid, { side }), question.cells, what);
+    const [low, high] = [{ count: 7 }, { first: 7 }].map((share) => wordsOfBricks(soup, grid, { side: 8, ...share }));
+    expectWords(low.map((word, k) => word | high[k]), question.cells, what);
+    eachMesh(question, count, {}, (mesh) => expectWords(wordsOfBricks(mesh, grid, { side: 64 }), question.meshCells, what));
 }));

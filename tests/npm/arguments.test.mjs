@@ -18,13 +18,12 @@ const wrong = {
         [() => soup.overlap({}), TypeError, /^box = an empty object: give/],
         [() => soup.count({ lo: [0, 0, 0] }), TypeError, /^box = an object with lo: give/],
         [() => soup.classify({ lo: [0, 0, 0], max: [1, 1, 1] }), TypeError, /^box = an object with lo, max: give/],
-        [() => soup.first({ lo: [0, 0], hi: [1, 1, 1] }), TypeError, /^box\.lo = \[0, 0\]: give three numbers/],
-        [() => soup.firstMiss({ lo: [0, 0, 0], hi: ['1', 1, 1] }), TypeError, /^box\.hi = \["1", 1, 1\]: give three numbers/],
+        [() => soup.find({ lo: [0, 0], hi: [1, 1, 1] }), TypeError, /^box\.lo = \[0, 0\]: give three numbers/],
+        [() => soup.find({ lo: [0, 0, 0], hi: ['1', 1, 1] }), TypeError, /^box\.hi = \["1", 1, 1\]: give three numbers/],
         [() => soup.overlap({ min: { x: 0, y: 0 }, max: [1, 1, 1] }), TypeError, /^box\.min = an object with x, y: give three/],
         [() => soup.overlap({ lo: [0, 0, 0], hi: null }), TypeError, /^box\.hi = null: give three numbers/],
         [() => soup.overlap({ lo: [0, NaN, 0], hi: [1, 1, 1] }), RangeError, /^box\.lo: y is NaN; give finite/],
         [() => index.any({ lo: [0, 0, 0], hi: [1, 1, Infinity] }), RangeError, /^box\.hi: z is Infinity; give finite/],
-        [() => soup.overlap({ lo: [-4e38, 0, 0], hi: [1, 1, 1] }), RangeError, /^box\.lo: x is -4e\+38, beyond the largest float/],
         [() => mesh.overlap({ lo: [-Infinity, 0, 0], hi: [1, 1, 1] }), RangeError, /^box\.lo: x is -Infinity; give finite/],
     ],
     'oriented boxes': [
@@ -34,25 +33,25 @@ const wrong = {
         [() => index.list({ ...oriented, half: [1, 1, -Infinity] }), RangeError, /^box\.half: z is -Infinity/],
         [() => index.count({ ...oriented, center: 1 }), TypeError, /^box\.center = 1: give/],
         [() => soup.classify(oriented), TypeError, /^box is oriented, which this call does not take/],
-        [() => soup.first(oriented), TypeError, /^box is oriented/],
-        [() => index.any(oriented), TypeError, /^box is oriented/],
-        [() => mesh.overlap(oriented), TypeError, /^box is oriented, which a mesh does not take: soup\(\) does/],
+        [() => mesh.find(oriented), TypeError, /^box is oriented/],
+        [() => index.classify(oriented), TypeError, /^box is oriented/],
         [() => soup.overlap(oriented, { axes: ['box', 'plane'] }), RangeError, /^options\.axes: .*oriented.*'box'/],
     ],
     'options': [
         [() => soup.overlap(box, 7), TypeError, /^options = 7: give an object/],
         [() => soup.overlap(box, null), TypeError, /^options = null: give an object/],
-        [() => soup.overlap(box, { acuracy: 'fast' }), TypeError, /^options\.acuracy is unknown; there are accuracy, axes, order, into$/],
-        [() => soup.count(box, { into: mask }), TypeError, /^options\.into is unknown; there are accuracy, axes, order$/],
-        [() => index.list(box, { id: true }), TypeError, /^options\.id is unknown; there are accuracy, axes, order, ids$/],
+        [() => soup.overlap(box, { acuracy: 'fast' }), TypeError, /^options\.acuracy is unknown; there are accuracy, axes, axisOrder, into$/],
+        [() => soup.count(box, { into: mask }), TypeError, /^options\.into is unknown; there are accuracy, axes, axisOrder$/],
+        [() => index.list(box, { id: true }), TypeError, /^options\.id is unknown; there are accuracy, axes, axisOrder, ids$/],
         [() => soup.overlap(box, { accuracy: 'Exact' }), RangeError, /^options\.accuracy = "Exact": give one of "exact", "cons/],
         [() => soup.overlap(box, { accuracy: 0 }), RangeError, /^options\.accuracy = 0: give one of/],
         [() => soup.overlap(box, { axes: 'box' }), TypeError, /^options\.axes = "box": give a list of groups/],
         [() => soup.overlap(box, { axes: [] }), TypeError, /^options\.axes = \[\]: give a list of groups/],
         [() => soup.overlap(box, { axes: ['box', 'edge'] }), RangeError, /^options\.axes = "edge": give one of "box", "plane", "edges"/],
         [() => soup.overlap(box, { axes: ['toString'] }), RangeError, /^options\.axes = "toString": give one of/],
-        [() => soup.overlap(box, { order: 111 }), RangeError, /^options\.order = 111: give one of 123, 132/],
-        [() => soup.overlap(box, { order: '123' }), RangeError, /^options\.order = "123": give one of/],
+        [() => soup.overlap(box, { axisOrder: 111 }), RangeError, /^options\.axisOrder = 111: give one of 123, 132/],
+        [() => soup.overlap(box, { axisOrder: '123' }), RangeError, /^options\.axisOrder = "123": give one of/],
+        [() => soup.find(box, { what: 'all' }), RangeError, /^options\.what = "all": give one of "hit", "miss"/],
         [() => index.overlap(box, { axes: ['plane'] }), RangeError, /^options\.axes: .*index.*'box'/],
         [() => soup.overlap(box, { into: new Uint32Array(4) }), TypeError, /^options\.into: give a mask that tribox\.mask\(100\) made/],
         [() => soup.overlap(box, { into: tribox.mask(99) }), RangeError, /^options\.into has 99 bits: give one of 100/],
@@ -88,9 +87,11 @@ const wrong = {
         [() => voxels.box(4, 0, 0), RangeError, /^i = 4: give/],
         [() => index.update(101), RangeError, /^first = 101: give a whole number from 0 to 100/],
         [() => index.update(50, 51), RangeError, /^count = 51: give a whole number from 0 to 50, so that first \+ count is within/],
+        [() => soup.tileLists(grid, { side: 1, first: 60, count: 5 }), RangeError, /^tiles\.count = 5: give a whole number from 0 to 4/],
+        [() => soup.tileLists(grid, { side: 1, first: 65 }), RangeError, /^tiles\.first = 65: give/],
     ],
     'grids': [
-        [() => soup.voxelize(), TypeError, /^grid = undefined: give \{resolution\}, or \{origin, cell, size\}/],
+        [() => soup.voxelize(), TypeError, /^grid = undefined: give \{resolution\}, \{cell\}, or \{origin, cell, size\}/],
         [() => soup.voxelize(64), TypeError, /^grid = 64: give/],
         [() => soup.voxelize({ resolution: 0 }), RangeError, /^grid\.resolution = 0: give a whole number from 1 to/],
         [() => soup.voxelize({ resolution: '64' }), TypeError, /^grid\.resolution = "64": give a whole number/],
@@ -99,18 +100,36 @@ const wrong = {
         [() => soup.voxelize({ ...grid, cell: 0 }), RangeError, /^grid\.cell = 0: give lengths greater than 0/],
         [() => soup.voxelize({ ...grid, cell: [1, 1, -1] }), RangeError, /^grid\.cell = \[1, 1, -1\]: give lengths greater/],
         [() => soup.voxelize({ ...grid, cell: undefined }), TypeError, /^grid\.cell = undefined: give three numbers/],
-        [() => soup.voxelize({ ...grid, cell: 1e-46 }), RangeError, /^grid\.cell = 1e-46: give lengths greater than 0/],
+        [() => soup.voxelize({ ...grid, cell: -0 }), RangeError, /^grid\.cell = -0: give lengths greater than 0/],
         [() => tribox.voxels({ ...grid, size: [4, 0, 4] }), RangeError, /^grid\.size\[1\] = 0: give a whole number from 1 to/],
         [() => tribox.voxels({ ...grid, size: [4, 4, 2.5] }), RangeError, /^grid\.size\[2\] = 2\.5: give a whole number/],
-        [() => soup.voxelize({ ...grid, origin: [1e9, 0, 0] }), RangeError, /^grid: floats cannot tell its planes apart.*larger cells/],
-        [() => tribox.voxels({ ...grid, cell: 3e38 }), RangeError, /^grid: .*beyond the largest float/],
+        [() => soup.voxelize({ ...grid, origin: [1e17, 0, 0] }), RangeError, /^grid: doubles cannot tell its planes apart.*larger cells/],
+        [() => tribox.voxels({ ...grid, cell: 1e308 }), RangeError, /^grid: .*beyond the largest/],
         [() => soup.voxelize(grid, { into: mask }), TypeError, /^options\.into: give voxels that tribox\.voxels\(grid\) made/],
-        [() => soup.voxelize({ ...grid, cell: 2 }, { into: voxels }), RangeError, /^options\.into has another grid/],
+        [() => soup.voxelize({ ...grid, cell: 2 }, { into: voxels }), RangeError, /^options\.into has another grid or window/],
+        [() => soup.voxelize(grid, { into: voxels, window: { first: [1, 0, 0], size: [3, 4, 4] } }), RangeError, /^options\.into has another/],
+        [() => soup.voxelize(grid, { into: tribox.voxels(grid, { first: [1, 0, 0], size: [3, 4, 4] }), window: { first: [0, 0, 0],
+            size: [3, 4, 4] } }), RangeError, /^options\.into has another/],
+        [() => soup.voxelize(grid, { window: 3 }), TypeError, /^window = 3: give \{first: /],
+        [() => soup.voxelize(grid, { window: { first: [0, 5, 0], size: [1, 1, 1] } }), RangeError, /^window\.first\[1\] = 5: give/],
+        [() => tribox.voxels(grid, { first: [0, 0, 1], size: [4, 4, 4] }), RangeError, /^window\.size\[2\] = 4: give .* to 3, so that/],
+        [() => soup.voxelize({ cell: 1e-30 }), RangeError, /^grid: it would have more than 2\^32 cells/],
+        [() => tribox.gridAround(box, grid), TypeError, /^grid = an object with origin, cell, size: give \{resolution\} or/],
         [() => soup.voxelize(grid, { into: soup.voxelize(grid) }), TypeError, /^options\.into is not in the memory/],
         [() => tribox.soup({ positions: new Float32Array(9).fill(3) }).voxelize({ resolution: 2 }), RangeError,
             /^all triangles lie in the point \[3, 3, 3\], which has no longest side: give \{origin, cell, size\}/],
         [() => tribox.soup({ positions: new Float32Array(9).fill(NaN) }).voxelize({ resolution: 2 }), RangeError,
             /no triangle with finite coordinates/],
+    ],
+    'tiles and fills': [
+        [() => soup.tileLists(grid), TypeError, /^tiles = undefined: give \{side\}/],
+        [() => soup.tileLists(grid, { side: 0 }), RangeError, /^tiles\.side = 0: give a whole number from 1/],
+        [() => soup.bricks(grid, { side: 12 }, () => {}), RangeError, /^tiles\.side = 12: give a multiple of 8/],
+        [() => soup.bricks(grid, { side: 1032 }, () => {}), RangeError, /^tiles\.side = 1032: give a whole number from 1 to 1024/],
+        [() => soup.bricks(grid, { side: 8 }), TypeError, /^take = undefined: give a function/],
+        [() => mesh.bricks({ ...grid, cell: 1e308 }, { side: 8 }, () => {}), RangeError, /^grid: doubles/],
+        [() => soup.fillParity(grid), TypeError, /^voxels = an object with origin, cell, size: give those that voxelize made/],
+        [() => mesh.fillParity(tribox.voxels(grid, { first: [1, 0, 0], size: [3, 4, 4] })), RangeError, /^voxels are of a window/],
     ],
 };
 
@@ -137,12 +156,13 @@ test('boxes in other words are the same box', () => {
     ])
         assert.deepEqual(soup.overlap(same).mask.words, words);
     assert.equal(soup.count({ lo: [1, 0, 0], hi: [-1, 1, 1] }), 0, 'the empty box');
-    assert.equal(soup.overlap(box, { accuracy: undefined, axes: undefined, order: undefined, into: undefined }).mask.length, 100);
+    assert.equal(soup.overlap(box, { accuracy: undefined, axes: undefined, axisOrder: undefined, into: undefined }).mask.length, 100);
 });
 
-test('boxes are rounded to floats, but not those of meshes', () => {
-    const third = tribox.soup({ positions: new Float32Array(9).fill(1 / 3) }), point = { lo: [1 / 3, 1 / 3, 1 / 3], hi: [1 / 3, 1 / 3, 1 / 3] };
-    assert.equal(third.count(point), 1);
-    assert.equal(tribox.mesh({ positions: new Float32Array(9).fill(1 / 3) }).count(point), 0);
-    assert.equal(tribox.mesh({ positions: new Float64Array(9).fill(1 / 3) }).count(point), 1);
+test('boxes are not rounded', () => {
+    const float = Math.fround(1 / 3), single = { positions: new Float32Array(9).fill(1 / 3) };
+    const point = (x) => ({ lo: [x, x, x], hi: [x, x, x] });
+    for (const made of [tribox.soup(single), tribox.mesh(single), tribox.soup(single).index(), tribox.mesh(single).index()])
+        assert.deepEqual([made.count(point(1 / 3)), made.count(point(float))], [0, 1]);
+    assert.equal(tribox.mesh({ positions: new Float64Array(9).fill(1 / 3) }).count(point(1 / 3)), 1);
 });

@@ -135,28 +135,59 @@ test('voxels in the memory accumulate', async () => {
     assert.equal(into.bits.buffer, tribox.memory.buffer);
 });
 
+test('voxels in the memory are filled, though it grows for that', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), fine = { origin: [-2, -2, -2], cell: 1 / 64, size: [256, 256, 256] };
+    const into = soup.voxelize(fine, { into: tribox.voxels(fine) }), own = soup.voxelize(fine), bytes = bytesOf(tribox);
+    const { solid, inside } = into.fillOutside();
+    assert.ok(bytesOf(tribox) > bytes);
+    assert.deepEqual(solid.bits, own.fillOutside().solid.bits);
+    assert.equal(solid.count(), own.count() + inside);
+});
+
 test('a grid of a resolution just holds the triangles', async () => {
     const tribox = await load(), scales = [1, 1e-30, 3e37, 7];
     for (const [k, scale] of scales.entries())
         for (const resolution of [1, 2, 37]) {
-            const soup = tribox.soup({ positions: randomPositions(10, k + 1).map((number) => number * scale + (k === 3 ? 1000 : 0)) });
-            const { lo, hi } = soup.bounds(), voxels = soup.voxelize({ resolution }), { origin, cell, size } = voxels;
-            const plane = (a, p, length) => Math.fround(origin[a] + p * length), shorter = Math.fround(cell[0] * (1 - 2 ** -24));
+            const positions = Float64Array.from(randomPositions(10, k + 1), (number) => number * scale + (k === 3 ? 1000 : 0));
+            const triangles = k % 2 ? tribox.mesh({ positions }) : tribox.soup({ positions: Float32Array.from(positions) });
+            const bounds = triangles.bounds(), { lo, hi } = bounds, voxels = triangles.voxelize({ resolution });
+            const { size, grid: { origin, cell } } = voxels, last = size.map((cells) => cells - 1), box = voxels.box(...last);
             const longest = [0, 1, 2].reduce((most, a) => (hi[a] - lo[a] > hi[most] - lo[most] ? a : most), 0);
             assert.deepEqual(origin, lo);
             assert.equal(size[longest], resolution);
-            const nearest = Math.fround((hi[longest] - lo[longest]) / resolution);
-            assert.ok(cell[0] === nearest || plane(longest, resolution, shorter) < hi[longest]);
-            assert.ok(cell[0] >= nearest);
+            const nearest = (hi[longest] - lo[longest]) / resolution;
+            assert.ok(cell[0] >= nearest && cell[0] <= nearest * (1 + 2 ** -50));
             for (let a = 0; a < 3; a++) {
                 assert.equal(cell[a], cell[0]);
-                assert.ok(plane(a, size[a], cell[a]) >= hi[a]);
-                assert.ok(size[a] === 1 || plane(a, size[a] - 1, cell[a]) < hi[a]);
-                const last = size.map((cells) => cells - 1), box = voxels.box(...last);
-                assert.deepEqual([box.lo[a], box.hi[a]], [plane(a, last[a], cell[a]), plane(a, size[a], cell[a])]);
+                assert.ok(box.hi[a] >= hi[a] && (size[a] === 1 || box.lo[a] < hi[a]));
             }
             assert.ok(voxels.count() > 0);
+            assert.deepEqual(tribox.gridAround(bounds, { resolution }), voxels.grid);
+            assert.deepEqual(triangles.voxelize({ cell }).grid, voxels.grid);
         }
+});
+
+test('a brick after another', async () => {
+    const tribox = await load(), soup = tribox.soup({ positions }), places = [], tiles = { side: 8 };
+    const all = soup.bricks({ resolution: 40 }, tiles, (at, bits) => places.push([...at, ...bits]));
+    assert.ok(places.length > 100 && !all.stopped);
+    let calls = 0;
+    const some = soup.bricks(all.grid, tiles, () => ++calls < 5);
+    assert.equal(calls, 5);
+    assert.ok(some.stopped && some.overlapping > 0 && some.overlapping < all.overlapping);
+    assert.throws(() => soup.bricks(all.grid, tiles, () => {
+        throw new RangeError('mine');
+    }), /^RangeError: mine$/);
+    const nested = [];
+    soup.bricks(all.grid, tiles, (at, bits) => {
+        soup.voxelize({ resolution: 3 }, { accuracy: 'fast', axes: ['box'] });
+        soup.bricks({ resolution: 9 }, { side: 16 }, () => false);
+        if (nested.length === 3)
+            grow(tribox);
+        nested.push([...at, ...bits]);
+        return nested.length < 20;
+    });
+    assert.deepEqual(nested, places.slice(0, 20));
 });
 
 test('bounds leave out triangles that are not finite', async () => {
@@ -175,7 +206,12 @@ test('nothing at all is a soup, a mesh, a mask', async () => {
         assert.deepEqual(counts, empty);
         assert.deepEqual([mask.length, mask.words.length, insideMask.count(), asked.count(middleBox)], [0, 0, 0, 0]);
     }
-    assert.deepEqual([soup.first(middleBox), soup.firstMiss(middleBox), index.any(middleBox)], [-1, -1, -1]);
+    assert.deepEqual([soup.find(middleBox), soup.find(middleBox, { what: 'miss' }), index.any(middleBox)], [-1, -1, -1]);
+    const mesh = tribox.mesh({ positions: new Float64Array(), indices: new Uint16Array() }, { sort: true }), { starts, list } =
+        mesh.tileLists(grid, { side: 4 });
+    assert.deepEqual([mesh.ids.length, starts.length, list.length, mesh.index().any(oriented)], [0, 9, 0, -1]);
+    assert.deepEqual(mesh.bricks(grid, { side: 8 }, assert.fail).overlapping, 0);
+    assert.equal(mesh.voxelize(grid, { window: { first: [8, 0, 0], size: [0, 4, 4] } }).fillOutside().inside, 0);
     assert.equal(index.list(middleBox).length, 0);
     assert.equal(soup.voxelize(grid).count(), 0);
     assert.equal(tribox.mask(0).list().length, 0);
@@ -224,14 +260,15 @@ test('what is freed says so', async () => {
     soup.free();
     soup.free();
     for (const call of [() => soup.x, () => soup.ids, () => soup.address, () => soup.overlap(middleBox), () => soup.count(oriented),
-        () => soup.classify(middleBox), () => soup.first(middleBox), () => soup.voxelize(grid), () => soup.voxelize({ resolution: 2 }),
-        () => soup.index(), () => soup.bounds(), () => index.overlap(middleBox), () => index.list(middleBox), () => index.update()])
+        () => soup.classify(middleBox), () => soup.find(middleBox), () => soup.voxelize(grid), () => soup.voxelize({ resolution: 2 }),
+        () => soup.index(), () => soup.bounds(), () => soup.fillParity(voxels), () => soup.tileLists(grid, { side: 4 }),
+        () => soup.bricks(grid, { side: 8 }, assert.fail), () => index.overlap(middleBox), () => index.list(middleBox), () => index.update()])
         assert.throws(call, { name: 'TriboxError', message: 'this soup was freed' }, String(call));
     index.free();
     assert.throws(() => index.any(middleBox), { message: 'this index was freed' });
     mesh[Symbol.dispose]();
     assert.throws(() => mesh.positions, { message: 'this mesh was freed' });
-    assert.throws(() => mesh.first(middleBox), { message: 'this mesh was freed' });
+    assert.throws(() => mesh.find(middleBox), { message: 'this mesh was freed' });
     mask.free();
     const other = tribox.soup({ positions });
     assert.throws(() => mask.words, { message: 'this mask was freed' });
@@ -259,7 +296,13 @@ test('calls leave nothing behind in the memory', async () => {
         soup.voxelize({ resolution: 5 });
         soup.voxelize(voxels, { into: voxels });
         assert.throws(() => soup.overlap(middleBox, { into: tribox }));
-        assert.throws(() => soup.voxelize({ ...grid, cell: 1e-12 }));
+        assert.throws(() => soup.voxelize({ ...grid, cell: 1e-18, origin: [1, 1, 1] }));
+        mesh.fillParity(voxels);
+        soup.voxelize({ resolution: 5 }).fillOutside();
+        mesh.tileLists(grid, { side: 2 });
+        assert.ok(soup.bricks(grid, { side: 8 }, () => false).stopped);
+        assert.throws(() => soup.bricks(grid, { side: 8 }, () => assert.fail()));
+        tribox.mesh({ positions }, { sort: true }).free();
         [soup, index, mesh, mask, voxels].forEach((object) => object.free());
     };
     round();
@@ -271,10 +314,13 @@ test('calls leave nothing behind in the memory', async () => {
 
 test('out of memory is an error, after which there is as much as before', async () => {
     const tribox = await load(), soup = tribox.soup({ positions }), index = soup.index(), { exports } = tribox;
+    const cells = tribox.voxels(grid);
     const calls = [() => tribox.soup({ positions }), () => tribox.soup({ positions }, { sort: true }), () => tribox.allocSoup(COUNT),
         () => tribox.mesh({ positions }), () => tribox.mask(COUNT), () => tribox.voxels(grid), () => soup.overlap(middleBox),
         () => soup.overlap(oriented), () => soup.classify(middleBox), () => soup.voxelize(grid), () => soup.index(),
-        () => index.list(middleBox), () => index.classify(middleBox)];
+        () => index.list(middleBox), () => index.classify(middleBox), () => tribox.mesh({ positions }, { sort: true }),
+        () => soup.tileLists(grid, { side: 4 }), () => soup.bricks(grid, { side: 8 }, () => {}), () => soup.fillParity(cells),
+        () => cells.fillOutside()];
     const taken = exhaust(tribox);
     for (const call of calls)
         assert.throws(call, (error) => error instanceof TriboxError && /^out of memory: .* would take .* free\(\)/.test(error.message));
@@ -300,10 +346,11 @@ test('calls with into take no memory, nor do counts and places', async () => {
         asked.overlap(middleBox, { into });
         assert.deepEqual(into.words, own.mask.words);
     }
-    for (const asked of [soup, index])
+    for (const asked of [soup, index, mesh])
         assert.ok(asked.overlap(oriented, { into }).overlapping > 0);
     for (const asked of [soup, mesh])
-        assert.deepEqual([asked.first(middleBox), asked.firstMiss(middleBox)], [soup.first(middleBox), soup.firstMiss(middleBox)]);
+        assert.deepEqual(['hit', 'miss'].map((what) => asked.find(middleBox, { what })), [soup.find(middleBox), soup.find(middleBox,
+            { what: 'miss' })]);
     assert.ok(index.any(middleBox) >= 0);
     assert.ok(soup.voxelize(cells, { into: cells }).count() > 0);
     index.update();
@@ -314,8 +361,13 @@ test('addresses beyond 2 GiB serve', async () => {
     const tribox = await load(), low = tribox.soup({ positions }), { exports } = tribox;
     while (exports.malloc(2 ** 20) >= 0);
     const high = tribox.soup({ positions }, { sort: true }), index = high.index(), into = tribox.mask(COUNT);
-    const mesh = tribox.mesh({ positions });
+    const mesh = tribox.mesh({ positions }), voxels = low.voxelize(grid), counted = [];
     assert.ok(high.address > 2 ** 31);
+    assert.deepEqual(mesh.fillParity(voxels).solid.bits, low.fillParity(voxels).solid.bits);
+    assert.deepEqual(high.voxelize(grid).fillOutside().solid.bits, voxels.fillOutside().solid.bits);
+    assert.equal(high.bricks(grid, { side: 8 }, (at) => counted.push(at)).overlapping, voxels.count());
+    assert.deepEqual(counted, [[0, 0, 0]]);
+    assert.deepEqual(mesh.index().list(oriented), mesh.overlap(oriented).mask.list());
     assert.deepEqual(Array.from(index.list(middleBox, { ids: true })).sort((i, j) => i - j), Array.from(low.overlap(middleBox).mask.list()));
     assert.deepEqual(mesh.overlap(middleBox, { into }).mask.words, low.overlap(middleBox).mask.words);
     assert.deepEqual(high.voxelize(grid, { into: tribox.voxels(grid) }).bits, low.voxelize(grid).bits);

@@ -1,6 +1,8 @@
-// box.js - the box in the units of the mesh, in floats: from the pose on the stage, and from numbers that were typed.
+// box.js - the box in the units of the mesh: from the pose on the stage, and from numbers that were typed.
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { shortest } from './numbers.js';
+
+/** What a pose is good for, in digits to be read. Those that were typed are taken as they are. */
+const rounded = (number) => Number(number.toPrecision(9));
 
 const UPRIGHT = new Quaternion();
 
@@ -11,10 +13,10 @@ export function boxOfPose(pose, { middle, scale }) {
     const center = pose.position.toArray().map((c, a) => middle[a] + scale * c);
     const half = pose.scale.toArray().map((h) => scale * h);
     if (isUpright(pose))
-        return { lo: center.map((c, a) => Math.fround(c - half[a])), hi: center.map((c, a) => Math.fround(c + half[a])) };
+        return { lo: center.map((c, a) => rounded(c - half[a])), hi: center.map((c, a) => rounded(c + half[a])) };
     const matrix = new Matrix4().makeRotationFromQuaternion(pose.quaternion).elements;
-    const axes = [0, 1, 2, 4, 5, 6, 8, 9, 10].map((e) => Math.fround(matrix[e]));
-    return { turned: true, center: center.map(Math.fround), half: half.map(Math.fround), axes };
+    const axes = [0, 1, 2, 4, 5, 6, 8, 9, 10].map((e) => rounded(matrix[e]));
+    return { turned: true, center: center.map(rounded), half: half.map(rounded), axes };
 }
 
 export function poseBox(pose, { middle, scale }, box) {
@@ -31,15 +33,14 @@ export function poseBox(pose, { middle, scale }, box) {
 
 const numbersOf = (box) => (box.turned ? [...box.center, ...box.half, ...box.axes] : [...box.lo, ...box.hi]);
 
-export const textOfBox = (box) => numbersOf(box).map(shortest).join(',');
+export const textOfBox = (box) => numbersOf(box).map(String).join(',');
 
 /** Six numbers are an upright box, fifteen a turned one; anything else is null. */
 export function boxOfText(text) {
     const numbers = text
         .trim()
         .split(/[\s,]+/)
-        .map(Number)
-        .map(Math.fround);
+        .map(Number);
     if (!numbers.every(Number.isFinite)) return null;
     if (numbers.length === 6) {
         const box = { lo: numbers.slice(0, 3), hi: numbers.slice(3) };

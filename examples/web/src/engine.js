@@ -98,11 +98,11 @@ export class Engine {
         return answers.every((answer) => answer.milliseconds !== null) ? longest(answers) : null;
     }
 
-    async voxelize(grid, test) {
-        const answers = await this.all('voxelize', { grid, test });
-        const bits = answers[0].bits;
+    async voxelize(bounds, resolution, test) {
+        const answers = await this.all('voxelize', { bounds, resolution, test });
+        const { grid, bits } = answers[0];
         for (const answer of answers.slice(1)) setBits(bits, answer.bits);
-        return { bits, milliseconds: longest(answers) };
+        return { grid, bits, milliseconds: longest(answers) };
     }
 
     /** On one Worker, so on its part of the mesh. */

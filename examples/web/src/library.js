@@ -10,7 +10,7 @@ const GROUPS = [
 const optionsOf = ({ accuracy, axes, order }) => ({
     accuracy,
     axes: GROUPS.filter(([bit]) => axes & bit).map(([, word]) => word),
-    ...(order && { order }),
+    ...(order && { axisOrder: order }),
 });
 
 const orientedOf = ({ center, half, axes }) => ({ center, half, axis: [axes.slice(0, 3), axes.slice(3, 6), axes.slice(6)] });
@@ -79,37 +79,30 @@ export class Library {
 
     /**
      * The library tells insides of upright boxes alone. A triangle is inside a turned one where its three vertices are: points, or
-     * triangles of three equal vertices, whose streams are those of one vertex.
+     * triangles of three equal vertices. By the axes of the box, which do for points.
      */
     findInsideTurned(box) {
         const box15 = orientedOf(box),
-            inside = this.insideMask.words;
-        for (let vertex = 0; vertex < 3; vertex++) {
-            const found = this.pointsInside(vertex, box15);
-            if (vertex) for (let i = 0; i < inside.length; i++) inside[i] &= found[i];
-            else inside.set(found);
+            points = this.tribox.allocSoup(this.count),
+            inside = this.insideMask.words; // looked at last: room for the points may have moved it
+        try {
+            for (let vertex = 0; vertex < 3; vertex++) {
+                for (const axis of ['x', 'y', 'z']) for (const stream of points[axis]) stream.set(this.soup[axis][vertex]);
+                const found = points.overlap(box15, { axes: ['box'], into: this.other }).mask.words;
+                if (vertex) for (let i = 0; i < inside.length; i++) inside[i] &= found[i];
+                else inside.set(found);
+            }
+        } finally {
+            points.free();
         }
     }
 
-    pointsInside(vertex, oriented) {
-        const { exports, memory } = this.tribox,
-            room = exports.malloc(132);
-        const soup = new Uint32Array(memory.buffer, room, 10),
-            from = new Uint32Array(memory.buffer, this.soup.address, 10);
-        for (let axis = 0; axis < 3; axis++) soup.fill(from[3 * axis + vertex], 3 * axis, 3 * axis + 3);
-        soup[9] = this.count;
-        new Float32Array(memory.buffer, room + 40, 15).set([...oriented.center, ...oriented.half, ...oriented.axis.flat()]);
-        new Uint32Array(memory.buffer, room + 100, 8).set([0, 1, 0, 0, 0, 0, 0, 0]); // exact, by the axes of the box, which do for points
-        exports.tribox_overlap_oriented(room, room + 40, room + 100, this.other.words.byteOffset, 0);
-        exports.free(room);
-        return this.other.words;
-    }
-
-    /** The cells of a grid that these triangles mark: words of 32 cells, and how long it took. */
-    voxelize(grid, test) {
-        const start = performance.now(),
+    /** The cells that these triangles mark, of a grid around a box: its words of 32 cells, and how long they took. */
+    voxelize(bounds, resolution, test) {
+        const grid = this.tribox.gridAround(bounds, { resolution }),
+            start = performance.now(),
             voxels = this.soup.voxelize(grid, optionsOf(test));
-        return { bits: voxels.bits, milliseconds: performance.now() - start };
+        return { grid, bits: voxels.bits, milliseconds: performance.now() - start };
     }
 
     /** The paper's test reads nine floats a triangle, one after another: a copy for it alone. */

@@ -1,14 +1,5 @@
 // numbers.js - numbers as people and programs read them.
 
-/** The shortest decimal that is read back as this float. */
-export function shortest(float) {
-    for (let digits = 1; digits <= 9; digits++) {
-        const text = float.toPrecision(digits);
-        if (Math.fround(Number(text)) === float) return String(Number(text));
-    }
-    return String(float);
-}
-
 export const whole = (number) => number.toLocaleString('en-US');
 
 /** Three digits. */

@@ -3,7 +3,7 @@ import { allowedTest } from './allowed.js';
 import { boxOfPose, boxOfText, poseBox } from './box.js';
 import { drawChart } from './chart.js';
 import { latest } from './latest.js';
-import { boundsOf, frameOf, gridAround } from './mesh.js';
+import { boundsOf, frameOf } from './mesh.js';
 
 const REST_MS = 150;
 
@@ -61,8 +61,8 @@ export class Page {
             return panel.hideCells();
         }
         const resolution = panel.resolution(),
-            grid = gridAround(mesh.bounds, resolution);
-        const { bits, milliseconds } = await this.engine.voxelize(grid, { accuracy: panel.test().accuracy, axes: 7, order: 0 });
+            test = { accuracy: panel.test().accuracy, axes: 7, order: 0 };
+        const { grid, bits, milliseconds } = await this.engine.voxelize(mesh.bounds, resolution, test);
         if (mesh !== this.mesh) return;
         panel.showCells({ ...view.cells.show(grid, bits, mesh), grid, resolution, milliseconds });
     }

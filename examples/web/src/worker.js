@@ -61,7 +61,7 @@ const answers = {
         return { milliseconds };
     },
 
-    voxelize: ({ grid, test }) => library.voxelize(grid, test),
+    voxelize: ({ bounds, resolution, test }) => library.voxelize(bounds, resolution, test),
 
     measure: ({ box, axes }, say) => measure(library, box, axes, say),
 };

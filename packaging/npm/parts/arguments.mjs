@@ -3,7 +3,7 @@ import { shown } from './errors.mjs';
 
 const letters = 'xyz';
 
-const isObject = (value) => typeof value === 'object' && value !== null;
+export const isObject = (value) => typeof value === 'object' && value !== null;
 
 export const isTypedArray = (value, kinds) => kinds.some((kind) => value instanceof kind);
 
@@ -26,24 +26,22 @@ export function vector(value, name) {
     return three;
 }
 
-/** Three finite numbers, rounded to floats unless they are to be doubles. */
-export function finite(value, name, isDouble = false) {
+/** Three finite numbers. */
+export function finite(value, name) {
     const three = vector(value, name);
     three.forEach((number, a) => {
         if (!Number.isFinite(number))
             throw new RangeError(`${name}: ${letters[a]} is ${number}; give finite numbers`);
-        if (!isDouble && !Number.isFinite(Math.fround(number)))
-            throw new RangeError(`${name}: ${letters[a]} is ${number}, beyond the largest float, 3.4e38; give smaller numbers`);
     });
-    return isDouble ? three : three.map(Math.fround);
+    return three;
 }
 
 /** The six numbers of a box, lower ones first. */
-export function boxNumbers(box, isDouble = false) {
+export function boxNumbers(box) {
     const names = isObject(box) && (['lo', 'hi'].every((key) => key in box) ? ['lo', 'hi'] : ['min', 'max']);
     if (!names || !names.every((key) => key in box))
         throw new TypeError(`box = ${shown(box)}: give {lo: [x, y, z], hi: [x, y, z]}, or {min, max}`);
-    return names.flatMap((key) => finite(box[key], `box.${key}`, isDouble));
+    return names.flatMap((key) => finite(box[key], `box.${key}`));
 }
 
 export const isOriented = (box) => isObject(box) && 'center' in box;
@@ -71,7 +69,7 @@ const accuracies = ['exact', 'conservative', 'fast'];
 const groups = { box: 1, plane: 2, edges: 4 };
 const orders = [123, 132, 213, 231, 312, 321];
 
-function oneOf(value, name, known) {
+export function oneOf(value, name, known) {
     if (!known.includes(value))
         throw new RangeError(`${name} = ${shown(value)}: give one of ${known.map(shown).join(', ')}`);
     return value;
@@ -86,17 +84,17 @@ export function axesBits(axes) {
     return axes.reduce((bits, group) => bits | groups[oneOf(group, 'options.axes', Object.keys(groups))], 0);
 }
 
-/** Accuracy, axes and order, as tribox_options has them. */
+/** Accuracy, axes and their order, as tribox_options has them. */
 export function optionNumbers(options = {}) {
     return [
         accuracies.indexOf(oneOf(options.accuracy ?? 'exact', 'options.accuracy', accuracies)),
         axesBits(options.axes),
-        options.order === undefined ? 0 : oneOf(options.order, 'options.order', orders),
+        options.axisOrder === undefined ? 0 : oneOf(options.axisOrder, 'options.axisOrder', orders),
     ];
 }
 
 /** What all calls know. */
-export const optionKeys = ['accuracy', 'axes', 'order'];
+export const optionKeys = ['accuracy', 'axes', 'axisOrder'];
 
 /** The numbers, copied if they lie in the memory itself: such a view dies when the memory grows for what is made of them. */
 const lasting = (numbers, memory) => (numbers?.buffer === memory.buffer ? numbers.slice() : numbers);

@@ -2,8 +2,10 @@
 import { optionNumbers } from './arguments.mjs';
 import { TriboxError } from './errors.mjs';
 
-// Where each structure lies in a room that is taken once.
-const OPTIONS = 0, REPORT = 32, NUMBER = 40, BOX = 48, GRID = 168, SOUP = 232, SMALL_BYTES = 272;
+// Where each structure lies in a room that is taken once, and its bytes.
+const BOX = 0, GRID = 120, CELL = 184, OPTIONS = 232, REPORT = 264, NUMBERS = 272, REGION = 280, WINDOW = 288, SOUP = 312,
+    SMALL_BYTES = 352;
+export const OPTIONS_BYTES = 32, GRID_BYTES = 64;
 
 // sbrk of wasi-libc takes a signed number.
 const BYTES_MAX = 2 ** 31 - 2 ** 20;
@@ -11,8 +13,10 @@ const BYTES_MAX = 2 ** 31 - 2 ** 20;
 export class Memory {
     #small;
 
-    constructor(exports) {
+    /** takers: what bricks are handed to, by the data of their sinks. */
+    constructor(exports, takers) {
         this.exports = exports;
+        this.takers = takers;
         this.#small = this.take(SMALL_BYTES, 'options');
         this.words(this.#small, SMALL_BYTES / 4).fill(0);
     }
@@ -28,6 +32,10 @@ export class Memory {
 
     floats(address, length) {
         return new Float32Array(this.buffer, address, length);
+    }
+
+    doubles(address, length) {
+        return new Float64Array(this.buffer, address, length);
     }
 
     words(address, length) {
@@ -63,25 +71,39 @@ export class Memory {
     }
 
     /** Each of these writes a structure and returns its address. */
-    options(options) {
-        this.words(this.#small + OPTIONS, 4).set([...optionNumbers(options), 0]);
-        return this.#small + OPTIONS;
+    options(options, address = this.#small + OPTIONS) {
+        this.words(address, OPTIONS_BYTES / 4).fill(0).set(optionNumbers(options));
+        return address;
     }
 
     box(numbers) {
-        this.floats(this.#small + BOX, numbers.length).set(numbers);
+        this.doubles(this.#small + BOX, numbers.length).set(numbers);
         return this.#small + BOX;
     }
 
-    boxOfDoubles(numbers) {
-        new Float64Array(this.buffer, this.#small + BOX, 6).set(numbers);
-        return this.#small + BOX;
+    /** Of the box, or the oriented one, at an address. */
+    region(box, isOriented) {
+        this.words(this.#small + REGION, 2).set(isOriented ? [0, box] : [box, 0]);
+        return this.#small + REGION;
     }
 
-    grid({ origin, cell, size }) {
-        this.floats(this.#small + GRID, 6).set([...origin, ...cell]);
-        this.words(this.#small + GRID + 24, 3).set(size);
-        return this.#small + GRID;
+    grid({ origin, cell, size }, address = this.#small + GRID) {
+        this.doubles(address, 6).set([...origin, ...cell]);
+        this.words(address + 48, 3).set(size);
+        return address;
+    }
+
+    window({ first, size }) {
+        this.words(this.#small + WINDOW, 6).set([...first, ...size]);
+        return this.#small + WINDOW;
+    }
+
+    /** The box of a cell: the very one that is tested. */
+    cellBox(grid, at) {
+        const box = this.#small + CELL;
+        this.exports.tribox_grid_cell(box, this.grid(grid), ...at);
+        const numbers = Array.from(this.doubles(box, 6));
+        return { lo: numbers.slice(0, 3), hi: numbers.slice(3) };
     }
 
     /** Where calls write their report, and what was written. */
@@ -94,13 +116,13 @@ export class Memory {
         return { overlapping, undecided };
     }
 
-    /** Where calls write a number, and that number. */
+    /** Where calls write a number, and the second one after it; and these numbers. */
     get number() {
-        return this.#small + NUMBER;
+        return this.#small + NUMBERS;
     }
 
-    readNumber() {
-        return this.words(this.number, 1)[0];
+    readNumber(place = 0) {
+        return this.words(this.number, 2)[place];
     }
 
     /** Calls a function of C that returns a tribox_status. */

@@ -1,9 +1,6 @@
 // soup.mjs - triangles as nine streams of floats in the memory of an instance.
 import { checkKeys, meshArrays } from './arguments.mjs';
-import { boundsOf } from './grid.mjs';
-import { Index } from './soup_index.mjs';
-import { Triangles } from './questions.mjs';
-import { voxelize } from './voxels.mjs';
+import { Triangles } from './triangles.mjs';
 
 // Streams start on lines of the cache, an odd number of lines apart, so that they do not contend for the same places in it.
 const LINE = 64, SOUP_BYTES = 40;
@@ -20,11 +17,10 @@ export class Soup extends Triangles {
     #streams;
     #ids;
 
-
     /** Its streams are not written yet. */
     constructor(memory, length) {
         const room = memory.take(9 * streamBytes(length) + SOUP_BYTES + LINE, `a soup of ${length} triangles`);
-        super(memory, [room], 'soup', 'tribox_overlap', '');
+        super(memory, room, 'soup', 'tribox_');
         Object.defineProperty(this, 'length', { value: length, writable: false, enumerable: true });
         this.#address = room;
         this.#streams = streamsIn(room, length);
@@ -37,8 +33,8 @@ export class Soup extends Triangles {
         return this.#address;
     }
 
-    get asked() {
-        return [this.#address];
+    get isMesh() {
+        return false;
     }
 
     get ids() {
@@ -81,16 +77,13 @@ export class Soup extends Triangles {
         return soup;
     }
 
-    voxelize(grid, options) {
-        return voxelize(this.held, this, grid, options);
-    }
-
-    index() {
-        return new Index(this.held, this);
-    }
-
-    bounds() {
-        return boundsOf([this.x, this.y, this.z], this.length);
+    /** A function that writes the nine numbers of triangle i, vertex after vertex. */
+    reader() {
+        const streams = [0, 1, 2].flatMap((v) => [this.x[v], this.y[v], this.z[v]]);
+        return (i, nine) => {
+            for (let k = 0; k < 9; k++)
+                nine[k] = streams[k][i];
+        };
     }
 }
 

@@ -1,31 +1,35 @@
-// voxels.mjs - the cells of a grid that triangles overlap, a bit each.
+// voxels.mjs - the cells of a grid that triangles overlap, a bit each, and what they enclose.
 import { checkKeys, optionKeys, whole } from './arguments.mjs';
-import { cellBox, gridFor, readGrid } from './grid.mjs';
+import { checkGrid, gridFor, readGrid, windowFor } from './grid.mjs';
 import { forEachBit, Words } from './mask.mjs';
 import { shown } from './errors.mjs';
 
 const rowWordsOf = (size) => 2 * Math.ceil(size[0] / 64);
-const wordsOf = ({ size }) => rowWordsOf(size) * size[1] * size[2];
+const wordsOf = (size) => rowWordsOf(size) * size[1] * size[2];
+const cellsIn = ({ size }) => `${size.join(' x ')} cells`;
+const isSame = (one, other, keys) => keys.every((key) => one[key].every((number, a) => number === other[key][a]));
 
 export class Voxels extends Words {
     #grid;
+    #window;
 
     /** own: the words, unless they lie at the address. */
-    constructor(memory, address, grid, own) {
-        super(memory, address, wordsOf(grid), own, 'set of voxels');
+    constructor(memory, address, grid, window, own) {
+        super(memory, address, wordsOf(window.size), own, 'set of voxels');
         this.#grid = grid;
+        this.#window = window;
     }
 
-    get origin() {
-        return this.#grid.origin;
+    get grid() {
+        return this.#grid;
     }
 
-    get cell() {
-        return this.#grid.cell;
+    get window() {
+        return this.#window;
     }
 
     get size() {
-        return this.#grid.size;
+        return this.#window.size;
     }
 
     get rowWords() {
@@ -47,7 +51,7 @@ export class Voxels extends Words {
     }
 
     box(i, j, k) {
-        return cellBox(this.#grid, this.#check(i, j, k));
+        return this.held.cellBox(this.#grid, this.#check(i, j, k).map((number, a) => number + this.#window.first[a]));
     }
 
     list() {
@@ -61,48 +65,79 @@ export class Voxels extends Words {
             });
         return list;
     }
-}
 
-/** Has the library refuse grids that it does not serve, before there is room for their cells. */
-function checkGrid(memory, grid) {
-    const isServed = !memory.exports.tribox_voxelize_layers(memory.emptySoup, memory.grid(grid), 0, 0, 0, memory.number, 0);
-    if (!isServed)
-        throw new RangeError(`grid: floats cannot tell its planes apart, or it ends beyond the largest float (origin ${
-            shown(grid.origin)}, cell ${shown(grid.cell)}, size ${shown(grid.size)}); choose larger cells, or move the mesh towards 0`);
+    fillOutside() {
+        const memory = this.held;
+        return fill(memory, this, ({ occupied, scratch, solid }) => memory.call('tribox_fill_outside',
+            memory.window({ first: this.size, size: this.size }), occupied, scratch, solid, memory.number));
+    }
 }
 
 /** Cells in the memory, all clear. */
-export function voxelsIn(memory, numbers) {
-    const grid = readGrid(numbers);
+export function voxelsIn(memory, numbers, asked) {
+    const grid = readGrid(numbers), window = windowFor(grid, asked), words = wordsOf(window.size);
     checkGrid(memory, grid);
-    const address = memory.take(4 * wordsOf(grid), `a grid of ${grid.size.join(' x ')} cells`);
-    memory.words(address, wordsOf(grid)).fill(0);
-    return new Voxels(memory, address, grid);
+    const address = memory.take(4 * words, `a grid of ${cellsIn(window)}`);
+    memory.words(address, words).fill(0);
+    return new Voxels(memory, address, grid, window);
 }
 
-const isSame = (one, other) => ['origin', 'cell', 'size'].every((key) => one[key].every((number, a) => number === other[key][a]));
-
-function checkInto(into, grid) {
+function checkInto(into, grid, window) {
     if (!(into instanceof Voxels))
         throw new TypeError('options.into: give voxels that tribox.voxels(grid) made');
-    if (!isSame(into, grid))
-        throw new RangeError('options.into has another grid: give this call the grid that it was made with, or itself');
+    if (!isSame(into.grid, grid, ['origin', 'cell', 'size']) || !isSame(into.window, window, ['first', 'size']))
+        throw new RangeError('options.into has another grid or window: give this call those that it was made with, or itself');
 }
 
-export function voxelize(memory, soup, numbers, options) {
-    checkKeys(options, [...optionKeys, 'into']);
-    const grid = gridFor(soup, numbers), { into } = options ?? {};
-    const work = (address) => memory.call('tribox_voxelize', soup.address, memory.grid(grid), memory.options(options), address, 0);
+/** The grid and window that a call is about: a caller's, or those of voxels. */
+export function placeFor(memory, triangles, numbers, asked) {
+    if (numbers instanceof Voxels && asked === undefined)
+        return { grid: numbers.grid, window: numbers.window };
+    const grid = gridFor(memory, triangles, numbers instanceof Voxels ? numbers.grid : numbers);
+    return { grid, window: windowFor(grid, asked) };
+}
+
+export function voxelize(memory, triangles, numbers, options) {
+    checkKeys(options, [...optionKeys, 'into', 'window']);
+    void triangles.address;
+    const { into } = options ?? {}, { grid, window } = placeFor(memory, triangles, numbers, options?.window);
+    const work = (address) => triangles.call(memory, 'voxelize', memory.grid(grid), memory.window(window), memory.options(options),
+        address, 0);
     if (into !== undefined) {
-        checkInto(into, grid);
+        checkInto(into, grid, window);
         work(into.addressFor(memory, 'options.into'));
         return into;
     }
     checkGrid(memory, grid);
-    const words = wordsOf(grid);
-    return memory.borrow(4 * words, `a grid of ${grid.size.join(' x ')} cells`, (address) => {
+    const words = wordsOf(window.size);
+    return memory.borrow(4 * words, `a grid of ${cellsIn(window)}`, (address) => {
         memory.words(address, words).fill(0);
         work(address);
-        return new Voxels(memory, 0, grid, memory.words(address, words).slice());
+        return new Voxels(memory, 0, grid, window, memory.words(address, words).slice());
     });
+}
+
+/** The cells that work fills, which is told where the words lie. */
+function fill(memory, { bits, grid, window }, work) {
+    const { length } = bits, bytes = 4 * length, own = bits.buffer === memory.buffer ? bits.slice() : bits;
+    if (!length)
+        return { solid: new Voxels(memory, 0, grid, window, own.slice()), inside: 0 };
+    const more = memory.exports.tribox_fill_bytes(memory.window({ first: window.size, size: window.size })) >>> 0;
+    return memory.borrow(2 * bytes + more, `filling ${cellsIn(window)}`, (occupied) => {
+        const solid = occupied + bytes;
+        memory.words(occupied, length).set(own);
+        work({ occupied, solid, scratch: solid + bytes });
+        return { solid: new Voxels(memory, 0, grid, window, memory.words(solid, length).slice()), inside: memory.readNumber() };
+    });
+}
+
+export function fillParity(memory, triangles, voxels) {
+    if (!(voxels instanceof Voxels))
+        throw new TypeError(`voxels = ${shown(voxels)}: give those that voxelize made`);
+    const { grid, window } = voxels;
+    if (!isSame(grid, window, ['size']))
+        throw new RangeError('voxels are of a window: give those of a whole grid');
+    const filled = fill(memory, voxels, ({ occupied, scratch, solid }) => triangles.call(memory, 'fill_parity', memory.grid(grid),
+        occupied, scratch, solid, memory.number, memory.number + 4));
+    return { ...filled, oddRows: memory.readNumber(1) };
 }

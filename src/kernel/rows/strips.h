@@ -53,7 +53,5 @@ static void set_flat_z(tribox_voxels *v) { set_strip(v, TRIBOX_FLAT_Z); }
 extern const tribox_rows_kernel TRIBOX_SYMBOL(rows);
 const tribox_rows_kernel TRIBOX_SYMBOL(rows) = {
     .set_strip = {set_solid, set_flat_x, set_flat_y, set_flat_z},
-#if !defined(TRIBOX_SMALL)
     .cross = cross_triangles,
-#endif
 };

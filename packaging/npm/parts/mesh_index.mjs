@@ -1,9 +1,9 @@
-// soup_index.mjs - an index over a soup, and what it is asked.
+// mesh_index.mjs - an index over a soup or a mesh, and what it is asked.
 import { axesBits, checkKeys, optionKeys, whole } from './arguments.mjs';
 import { maskWords } from './mask.mjs';
 import { placeIn, Questions } from './questions.mjs';
 
-const INDEX_BYTES = 8, LINE = 64;
+const INDEX_BYTES = 32, LINE = 64;
 
 // What classify finds of 64 triangles: which overlap, which lie inside, and the number of the 64. There is room for it from the
 // beginning, so that classify takes none.
@@ -16,48 +16,53 @@ export class Index extends Questions {
     #address;
     #nodes;
     #found;
-    #soup;
+    #triangles;
 
-    constructor(memory, soup) {
-        const bytes = 8 * Math.ceil((memory.exports.tribox_index_bytes(soup.length) >>> 0) / 8), words = maskWords(soup.length) / 2;
-        const room = memory.take(INDEX_BYTES + LINE + bytes + FOUND_BYTES * words, `an index of ${soup.length} triangles`);
-        super(memory, [room], 'index', 'tribox_index_overlap');
+    /** triangles: a Soup or a Mesh. */
+    constructor(memory, triangles) {
+        const { length, address, isMesh } = triangles;
+        const bytes = 8 * Math.ceil((memory.exports.tribox_index_bytes(length) >>> 0) / 8), words = maskWords(length) / 2;
+        const room = memory.take(INDEX_BYTES + LINE + bytes + FOUND_BYTES * words, `an index of ${length} triangles`);
+        super(memory, [room], 'index');
         this.#address = room;
         this.#nodes = LINE * Math.ceil((room + INDEX_BYTES) / LINE);
         this.#found = this.#nodes + bytes;
-        this.#soup = soup;
-        memory.call('tribox_index_build', soup.address, 0, this.#nodes, this.#address);
+        this.#triangles = triangles;
+        memory.words(room, INDEX_BYTES / 4).fill(0).set([this.#nodes, ...(isMesh ? [0, address] : [address, 0])]);
+        memory.call('tribox_index_build', room, 0, this.#nodes);
     }
 
-    get soup() {
-        return this.#soup;
+    get triangles() {
+        return this.#triangles;
     }
 
     get length() {
-        return this.#soup.length;
+        return this.#triangles.length;
     }
 
-    /** Throws where the soup was freed. */
-    get asked() {
-        return [this.#address, this.#soup.address];
+    /** Throws where the triangles were freed. */
+    get address() {
+        void this.held;
+        void this.#triangles.address;
+        return this.#address;
     }
 
-    prepare(box, options, more) {
+    question(box, options, more) {
         this.#checkAxes(options);
-        return super.prepare(box, options, more);
+        const question = super.question(box, options, more), { memory } = question;
+        return { ...question, first: [question.address, memory.region(question.box, question.isTurned), question.options] };
     }
 
-    prepareAny(box, options, more) {
-        this.#checkAxes(options);
-        return super.prepareAny(box, options, more);
+    overlapInto({ memory, first }, mask) {
+        memory.call('tribox_index_overlap', ...first, mask, memory.report);
     }
 
     #checkAxes(options) {
         if (options?.axes !== undefined && !(axesBits(options.axes) & 1))
-            throw new RangeError("options.axes: an index needs 'box' among them; without it ask the soup");
+            throw new RangeError("options.axes: an index needs 'box' among them; without it ask the soup or the mesh");
     }
 
-    classifyInto(memory, first, hit, inside) {
+    classifyInto({ memory, first }, hit, inside) {
         const words = maskWords(this.length), most = words / 2;
         memory.words(hit, words).fill(0);
         memory.words(inside, words).fill(0);
@@ -75,11 +80,10 @@ export class Index extends Questions {
 
     list(box, options) {
         const { ids = false, ...others } = options ?? {};
-        const memory = this.held, original = ids ? this.#soup.ids : null;
         checkKeys(options, [...optionKeys, 'ids']);
-        const { first, suffix } = this.prepareAny(box, others, []);
+        const { memory, first } = this.question(box, others), original = ids ? this.#triangles.ids : null;
         const listUpTo = (room) => memory.borrow(4 * room, `a list of ${room} triangles`, (address) => {
-            memory.call(`tribox_index_list${suffix}`, ...first, 0, room, address, memory.number);
+            memory.call('tribox_index_list', ...first, room, address, memory.number);
             const found = memory.readNumber();
             return found > room ? found : memory.words(address, found).slice();
         });
@@ -89,14 +93,15 @@ export class Index extends Questions {
     }
 
     any(box, options) {
-        const memory = this.held;
-        memory.call('tribox_index_any', ...this.prepare(box, options), memory.number);
+        const { memory, first } = this.question(box, options);
+        memory.call('tribox_index_any', ...first, memory.number);
         return placeIn(memory, this.length);
     }
 
     update(first = 0, count = this.length - first) {
+        const memory = this.held, { address } = this;
         whole(first, 'first', 0, this.length);
-        whole(count, 'count', 0, this.length - first, 'so that first + count is within the soup');
-        this.held.call('tribox_index_update', this.#soup.address, first, count, 0, this.#nodes);
+        whole(count, 'count', 0, this.length - first, 'so that first + count is within the triangles');
+        memory.call('tribox_index_update', address, first, count, 0, this.#nodes);
     }
 }
