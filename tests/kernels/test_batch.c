@@ -77,7 +77,7 @@ static pair_list between_guards(const pair_list *from, size_t count, int place)
     }
     guarded_read_only(fence.one, false);
     if (from->box)
-        q.box = memcpy(placed(fence.one, sizeof *q.box, sizeof(float) * (size_t)place, place), from->box, sizeof *q.box);
+        q.box = memcpy(placed(fence.one, sizeof *q.box, sizeof(double) * (size_t)place, place), from->box, sizeof *q.box);
     else
         q.triangle = memcpy(placed(fence.one, sizeof numbers.triangle, sizeof(float) * (size_t)place, place), from->triangle,
                             sizeof numbers.triangle);
