@@ -14,9 +14,12 @@ typedef struct tribox_planes {
 
 #if (defined(__GNUC__) || defined(__clang__)) && (defined(__FMA__) || defined(__aarch64__))
 
+enum { TRIBOX_HAS_FUSED_PLANES = 1 };
 static inline double tribox_plane_rounded(double origin, double cell, double p) { return __builtin_fma(p, cell, origin); }
 
 #else
+
+enum { TRIBOX_HAS_FUSED_PLANES = 0 };
 
 /* The sum of two numbers, and what its rounding leaves out. */
 typedef struct tribox_sum {

@@ -65,9 +65,8 @@ static lane_cells ask_planes(const tribox_voxel_window *w, lane_reach *r, int a,
         const int64_t low = nearest_plane(from[n]), high = nearest_plane(to[n]);
         const double low_plane = tribox_plane_at(&w->planes, a, low), high_plane = tribox_plane_at(&w->planes, a, high);
         bool is_above = true, is_below = true, is_one_above = false, is_one_below = false;
-        double u[3] = {of[0][n], of[1][n], of[2][n]};
-        if (w->doubles)
-            tribox_window_read_axis(w, r->number[n], a, u);
+        double u[3];
+        tribox_window_read_axis(w, r->number[n], a, u);
         for (int j = 0; j < 3; j++) {
             const bool above = u[j] > low_plane, below = u[j] < high_plane;
             is_above &= above;
@@ -81,6 +80,31 @@ static lane_cells ask_planes(const tribox_voxel_window *w, lane_reach *r, int a,
     }
     r->blurred = m_or(r->blurred, v_gt(v_load(blurred), v_splat(0)));
     return (lane_cells){v_load(first), v_load(last)};
+}
+
+/*
+ * The same of floats, which are compared as they are: where planes take one operation all lanes, as loops over all of them become
+ * vectors, and the answer is as right of those that are not in doubt.
+ */
+static lane_cells ask_planes_of_floats(const tribox_voxel_window *w, int a, vmask in_doubt, lane_cells guess, lane_ends ends)
+{
+    const uint64_t lanes = m_bits(in_doubt);
+    const vnum half = v_splat(0.5f), low = v_floor(v_add(ends.from, half)), high = v_floor(v_add(ends.to, half));
+    const double origin = w->planes.origin[a], cell = w->planes.cell[a], before = w->planes.first[a];
+    float first[V_LANES], last[V_LANES], least[V_LANES], most[V_LANES];
+    v_write(first, low);
+    v_write(last, high);
+    v_write(least, ends.least);
+    v_write(most, ends.most);
+    for (int n = 0; n < V_LANES; n++) {
+        if (!TRIBOX_HAS_FUSED_PLANES && !(lanes >> n & 1))
+            continue;
+        const double low_plane = tribox_plane_rounded(origin, cell, before + (double)first[n]);
+        const double high_plane = tribox_plane_rounded(origin, cell, before + (double)last[n]);
+        first[n] -= (double)least[n] > low_plane ? 0.0f : 1.0f;
+        last[n] -= (double)most[n] < high_plane ? 1.0f : 0.0f;
+    }
+    return (lane_cells){v_select(in_doubt, v_load(first), guess.first), v_select(in_doubt, v_load(last), guess.last)};
 }
 
 TRIBOX_INLINE vnum plus_where(vnum a, vmask more, vmask less)
@@ -116,11 +140,13 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, int a
     const vnum from = place_of(least, lattice, a), to = place_of(most, lattice, a);
     lane_cells c = {v_floor(from), v_floor(to)};
     const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
-    const uint64_t in_doubt = m_bits(v_gt(off, v_splat(0.5f - lattice->doubt[a])));
-    if (in_doubt && lattice->cell[a] > 0)
+    const vmask in_doubt = v_gt(off, v_splat(0.5f - lattice->doubt[a]));
+    if (m_bits(in_doubt) && lattice->cell[a] > 0)
         c = ask_float_planes(lattice, a, c, (lane_ends){least, most, from, to});
-    else if (in_doubt)
-        c = ask_planes(w, r, a, in_doubt & m_bits(r->inside), c, (lane_ends){least, most, from, to});
+    else if (m_bits(in_doubt) && !w->doubles)
+        c = ask_planes_of_floats(w, a, in_doubt, c, (lane_ends){least, most, from, to});
+    else if (m_bits(in_doubt))
+        c = ask_planes(w, r, a, m_bits(m_and(in_doubt, r->inside)), c, (lane_ends){least, most, from, to});
     r->spans[a] = v_gt(c.last, c.first);
     r->inside = m_andnot(m_and(r->inside, v_gt(size, c.first)), v_gt(zero, c.last));
     r->base[a] = v_max(c.first, zero);
