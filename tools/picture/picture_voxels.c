@@ -5,7 +5,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-#include "console/processors.h"
+#include "console/crew.h"
 #include "picture_light.h"
 #include "picture_normal.h"
 
@@ -150,27 +150,21 @@ static int take(drawing *d)
     return n;
 }
 
-static void *take_work(void *data)
+static void take_work(void *data, unsigned thread)
 {
     drawing *d = data;
+    (void)thread;
     for (int n; (n = take(d)) < d->works;)
         d->work(d, n);
-    return NULL;
 }
 
 static void work_with(drawing *d, unsigned threads, int works, void (*work)(drawing *, int))
 {
-    pthread_t helpers[THREADS_MAX];
-    unsigned started = 0;
     d->next = 0;
     d->works = works;
     d->work = work;
     pthread_mutex_init(&d->lock, NULL);
-    while (started + 1 < threads && started < THREADS_MAX && !pthread_create(&helpers[started], NULL, take_work, d))
-        started++;
-    take_work(d);
-    while (started)
-        pthread_join(helpers[--started], NULL);
+    crew_run(threads, take_work, d);
     pthread_mutex_destroy(&d->lock);
 }
 

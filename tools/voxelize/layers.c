@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <stddef.h>
 
+#include "console/crew.h"
 #include "layers_work.h"
 
 /*
@@ -83,24 +84,18 @@ static void run_slab(crew *c, int slab)
     }
 }
 
-static void *work_on(void *data)
+static void work_on(void *data, unsigned thread)
 {
     crew *c = data;
+    (void)thread;
     for (int slab; (slab = take_slab(c)) < c->slabs;)
         run_slab(c, slab);
-    return NULL;
 }
 
 static void run_crew(crew *c, unsigned threads)
 {
-    pthread_t helpers[THREADS_MAX];
-    unsigned started = 0;
     pthread_mutex_init(&c->lock, NULL);
-    while (started + 1 < threads && !pthread_create(&helpers[started], NULL, work_on, c))
-        started++;
-    work_on(c);
-    while (started)
-        pthread_join(helpers[--started], NULL);
+    crew_run(threads, work_on, c);
     pthread_mutex_destroy(&c->lock);
 }
 
