@@ -9,6 +9,7 @@
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
+#include "console/processors.h"
 #include "overlap/overlap.h"
 
 static const char help[] =
@@ -30,7 +31,8 @@ static const char help[] =
     "      --inside            also count the triangles inside the box, on its border and outside\n"
     "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
     "                          else; with --boxes it needs --json\n"
-    "  -j, --json              print a JSON object, one per line with --boxes\n" OPTIONS_TEST_HELP
+    "  -j, --json              print a JSON object, one per line with --boxes\n"
+    "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n" OPTIONS_TEST_HELP
     "      --order NUMBER      order of the groups, 1 box, 2 plane, 3 edges; changes the time alone\n" OPTIONS_HELP_HELP "\n"
     "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
     "\n"
@@ -54,22 +56,17 @@ enum {
     OPTION_AXES,
     OPTION_INSIDE,
     OPTION_LIST,
-    OPTION_JSON
+    OPTION_JSON,
+    OPTION_THREADS
 };
 
-static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},
-                                       [OPTION_BOXES] = {"boxes", 0, true},
-                                       [OPTION_ORIENTED] = {"oriented", 0, true},
-                                       [OPTION_SHIFT] = {"shift", 0, true},
-                                       [OPTION_FORMAT] = {"format", 0, true},
-                                       [OPTION_ACCURACY] = {"accuracy", 0, true},
-                                       [OPTION_KERNEL] = {"kernel", 0, true},
-                                       [OPTION_ORDER] = {"order", 0, true},
-                                       [OPTION_AXES] = {"axes", 0, true},
-                                       [OPTION_INSIDE] = {"inside", 0, false},
-                                       [OPTION_LIST] = {"list", 'l', false},
-                                       [OPTION_JSON] = {"json", 'j', false},
-                                       {NULL, 0, false}};
+static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},         [OPTION_BOXES] = {"boxes", 0, true},
+                                       [OPTION_ORIENTED] = {"oriented", 0, true}, [OPTION_SHIFT] = {"shift", 0, true},
+                                       [OPTION_FORMAT] = {"format", 0, true},     [OPTION_ACCURACY] = {"accuracy", 0, true},
+                                       [OPTION_KERNEL] = {"kernel", 0, true},     [OPTION_ORDER] = {"order", 0, true},
+                                       [OPTION_AXES] = {"axes", 0, true},         [OPTION_INSIDE] = {"inside", 0, false},
+                                       [OPTION_LIST] = {"list", 'l', false},      [OPTION_JSON] = {"json", 'j', false},
+                                       [OPTION_THREADS] = {"threads", 't', true}, {NULL, 0, false}};
 
 static int read_oriented(const char *text, tribox_oriented_box *box)
 {
@@ -115,6 +112,8 @@ static int take(void *context, int which, const char *value)
     case OPTION_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
+    case OPTION_THREADS:
+        return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     default:
         return options_read_test(options[which].name, value, &r->test);
     }
@@ -153,7 +152,7 @@ static int check_request(const request *r)
 
 int cmd_overlap(int count, char **words)
 {
-    request r = {.mesh_path = NULL};
+    request r = {.threads = processors_here()};
     options_found found;
     int code = options_read(count, words, options, take, &r, &found);
     if (!code && found.wants_help)

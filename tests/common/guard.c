@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "pages.h"
+#include "guarded_pages.h"
 
 char doing[DOING_TEXT];
 
@@ -20,7 +20,7 @@ guarded guarded_make(size_t bytes)
     return g;
 }
 
-void guarded_free(guarded g) { pages_free(g.first - page_size(), g.size + 2 * page_size()); }
+void guarded_free(guarded g) { pages_release(g.first - page_size(), g.size + 2 * page_size()); }
 
 void *guarded_tail(guarded g, size_t bytes) { return g.first + g.size - bytes; }
 

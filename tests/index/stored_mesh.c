@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "common/pages.h"
+#include "common/guarded_pages.h"
 
 enum { PADDING = 1 /* numbers between two vertices */, MORE = 3 /* vertices that no triangle has */ };
 

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "common/pages.h"
+#include "common/guarded_pages.h"
 
 enum { POISONED = 0xa5 };
 

@@ -13,7 +13,7 @@
 #include "drawn_pairs.h"
 #include "fences.h"
 #include "common/kernels_here.h"
-#include "common/pages.h"
+#include "common/guarded_pages.h"
 
 static arguments args;
 static drawn_numbers numbers;
@@ -242,7 +242,7 @@ static void test_stops(void **state)
             expect(TRIBOX_FIRST_HIT, &q, &options, at);
             expect(TRIBOX_FIRST_MISS, &q, &options, at == 0);
             for (int s = 0; s < SOUP_STREAMS; s++)
-                pages_free((void *)(uintptr_t)q.stream[s], bytes);
+                pages_release((void *)(uintptr_t)q.stream[s], bytes);
         }
 }
 

@@ -10,7 +10,7 @@
 #include "fences.h"
 #include "mesh_layout.h"
 #include "common/kernels_here.h"
-#include "common/pages.h"
+#include "common/guarded_pages.h"
 
 static arguments args;
 static const char *names[KERNELS_MAX];
@@ -326,7 +326,7 @@ static void test_greatest_numbers(void **state)
         for (int k = 0; k < kernels; k++)
             check_answers_refused(&less, names[k]);
     }
-    pages_free(all, bytes);
+    pages_release(all, bytes);
 }
 #else
 static void test_greatest_numbers(void **state)

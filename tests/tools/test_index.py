@@ -66,6 +66,24 @@ class Index(support.TestCase):
             counts = [len(expected(which, count)) for which in range(len(BOXES))]
             self.assertEqual([a["overlapping"] for a in answers], counts * rounds)
 
+    def small_lists(self, path, threads):
+        lines = "".join(as_line((x, y, -2, x + 0.01, y + 0.01, 2)) + "\n" for x in (-1, 0, 1) for y in (-1, 0, 1)) * 50
+        result = support.run("overlap", path, "--boxes", "-", "--json", "--list", "--threads", str(threads), stdin=lines.encode())
+        answers = [json.loads(line) for line in result.stdout.splitlines()]
+        self.check_stages(answers, STAGES)
+        return [a["indices"] for a in answers]
+
+    def test_threads(self):
+        """Of so many triangles that threads share the order and the index; those without a place come last in it."""
+        pick = random.Random(7)
+        numbers = array.array("f", (pick.uniform(-2, 2) for _ in range(9 * 40001)))
+        numbers[9 * 33000] = float("nan")
+        doubles = array.array("d", numbers)
+        doubles[1] += 1e-12
+        for path in (self.write("mesh.f32", numbers.tobytes()), self.write("mesh.f64", doubles.tobytes())):
+            lists = [self.small_lists(path, threads) for threads in (1, 2, 3, 200)]
+            self.assertEqual(lists[1:], 3 * lists[:1])
+
     def test_doubles(self):
         """Far from zero, where floats would see all triangles in one place."""
         far = 2.0**30

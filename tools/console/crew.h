@@ -11,4 +11,7 @@
  */
 unsigned crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void *data);
 
+/* Calls work(data, n) for each n from 0 to count - 1, in rising order as threads become free, and returns when all are done. */
+void crew_each(unsigned threads, size_t count, void (*work)(void *data, size_t n), void *data);
+
 #endif

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "by_threads.h"
 #include "console/clock.h"
 #include "console/message.h"
 #include "ordered_mesh.h"
@@ -30,7 +31,7 @@ static bool prepare(box_after_box *b, index_stage stage)
 {
     const size_t count = b->m->triangles;
     if (stage == INDEX_ORDERED)
-        return (b->order = mesh_order(b->m)) != NULL;
+        return (b->order = mesh_order(b->m, b->r->threads)) != NULL;
     b->nodes = malloc(tribox_index_bytes(count));
     return b->nodes && (!b->r->wants_list || found_words_make(&b->words, count));
 }
@@ -50,7 +51,7 @@ static int step_where_it_pays(box_after_box *b)
         b->index.mesh = &b->m->doubles;
     else
         b->index.soup = &b->m->soup;
-    return message_status(tribox_index_build(&b->index, &b->r->test, b->nodes));
+    return message_status(index_by_threads(&b->index, b->m->triangles, &b->r->test, b->r->threads, b->nodes));
 }
 
 static tribox_status ask_index(box_after_box *b, const tribox_box *box, tribox_report *report)

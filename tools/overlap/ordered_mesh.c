@@ -3,18 +3,19 @@
 
 #include <stdlib.h>
 
+#include "by_threads.h"
 #include "console/memory.h"
 #include "console/message.h"
+#include "console/pages.h"
 
 enum { SCRATCH_BYTES = 16 /* a triangle, for an order */ };
 
-static bool find_order(const mesh *m, uint32_t *order)
+static bool find_order(const mesh *m, unsigned threads, uint32_t *order)
 {
-    void *const scratch = malloc(m->triangles * SCRATCH_BYTES);
-    const tribox_status status = !scratch       ? MESSAGE_NO_MEMORY
-                                 : m->is_double ? tribox_mesh_sort(&m->doubles, order, scratch)
-                                                : tribox_soup_sort(&m->soup, order, scratch);
-    free(scratch);
+    const size_t bytes = m->triangles * SCRATCH_BYTES;
+    void *const scratch = pages_take(bytes);
+    const tribox_status status = scratch ? sort_by_threads(m, threads, order, scratch) : MESSAGE_NO_MEMORY;
+    pages_free(scratch, bytes);
     return !status;
 }
 
@@ -31,7 +32,7 @@ static void point_streams(float *coordinates, size_t count, float *streams[9], t
     soup->count = count;
 }
 
-static bool gather(mesh *m, const uint32_t *order)
+static bool gather_streams(mesh *m, unsigned threads, const uint32_t *order)
 {
     const size_t count = m->soup.count;
     float *const coordinates = malloc(9 * count * sizeof *coordinates);
@@ -40,7 +41,7 @@ static bool gather(mesh *m, const uint32_t *order)
     if (!coordinates)
         return false;
     point_streams(coordinates, count, streams, &ordered);
-    if (tribox_soup_gather(&m->soup, order, 0, count, streams, streams + 3, streams + 6)) {
+    if (gather_by_threads(&m->soup, order, threads, streams)) {
         free(coordinates);
         return false;
     }
@@ -69,13 +70,14 @@ static bool reorder_corners(mesh *m, const uint32_t *order)
     return true;
 }
 
-uint32_t *mesh_order(mesh *m)
+uint32_t *mesh_order(mesh *m, unsigned threads)
 {
     const size_t triangle_bytes = 9 * sizeof(float) + sizeof(uint32_t);
     if (m->triangles > memory_available() / triangle_bytes || (m->is_double && m->doubles.vertices > UINT32_MAX))
         return NULL;
     uint32_t *order = malloc(m->triangles * sizeof *order);
-    if (order && (!find_order(m, order) || !(m->is_double ? reorder_corners(m, order) : gather(m, order)))) {
+    if (order &&
+        (!find_order(m, threads, order) || !(m->is_double ? reorder_corners(m, order) : gather_streams(m, threads, order)))) {
         free(order);
         order = NULL;
     }

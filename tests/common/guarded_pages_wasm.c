@@ -1,5 +1,5 @@
-/* pages_wasm.c - where no page can be protected: memory at the end of all that there is; the engine says itself what went wrong. */
-#include "pages.h"
+/* guarded_pages_wasm.c - where no page can be protected: memory at the end of all that there is; the engine says itself what went wrong. */
+#include "guarded_pages.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@ void *pages_reserve(size_t bytes)
     return page != SIZE_MAX ? (void *)(page * PAGE) : NULL;
 }
 
-void pages_free(void *pages, size_t bytes) { (void)pages, (void)bytes; }
+void pages_release(void *pages, size_t bytes) { (void)pages, (void)bytes; }
 
 bool pages_allow(void *from, size_t bytes, page_access access)
 {

@@ -1,5 +1,5 @@
-/* pages_windows.c - pages by VirtualAlloc and VirtualProtect, faults by structured exceptions. */
-#include "pages.h"
+/* guarded_pages_windows.c - pages by VirtualAlloc and VirtualProtect, faults by structured exceptions. */
+#include "guarded_pages.h"
 
 #include <string.h>
 #include <windows.h>
@@ -15,7 +15,7 @@ size_t page_size(void)
 
 void *pages_reserve(size_t bytes) { return VirtualAlloc(NULL, bytes, MEM_RESERVE, PAGE_NOACCESS); }
 
-void pages_free(void *pages, size_t bytes)
+void pages_release(void *pages, size_t bytes)
 {
     (void)bytes;
     VirtualFree(pages, 0, MEM_RELEASE);

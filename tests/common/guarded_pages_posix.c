@@ -1,6 +1,6 @@
-/* pages_posix.c - pages by mmap and mprotect, faults by signals. */
+/* guarded_pages_posix.c - pages by mmap and mprotect, faults by signals. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
-#include "pages.h"
+#include "guarded_pages.h"
 
 #include <signal.h>
 #include <string.h>
@@ -17,7 +17,7 @@ void *pages_reserve(size_t bytes)
     return pages != MAP_FAILED ? pages : NULL;
 }
 
-void pages_free(void *pages, size_t bytes) { munmap(pages, bytes); }
+void pages_release(void *pages, size_t bytes) { munmap(pages, bytes); }
 
 bool pages_allow(void *from, size_t bytes, page_access access)
 {

@@ -1,6 +1,6 @@
-/* pages.h - addresses whose pages may be touched, only read, or neither. */
-#ifndef TRIBOX_TESTS_PAGES_H
-#define TRIBOX_TESTS_PAGES_H
+/* guarded_pages.h - addresses whose pages may be touched, only read, or neither. */
+#ifndef TRIBOX_TESTS_GUARDED_PAGES_H
+#define TRIBOX_TESTS_GUARDED_PAGES_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@ size_t page_size(void);
 
 /* Addresses of hidden pages, which take no memory before they are opened. NULL where there are not so many. */
 void *pages_reserve(size_t bytes);
-void pages_free(void *pages, size_t bytes);
+void pages_release(void *pages, size_t bytes);
 
 /* Whole pages of them. What was never opened is not to be hidden again. False if the system refuses. */
 bool pages_allow(void *from, size_t bytes, page_access access);
