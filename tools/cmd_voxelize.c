@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
@@ -19,11 +20,12 @@ static const char help[] =
     "tribox voxelize - which cells of a grid does a mesh overlap?\n"
     "\n"
     "Usage: tribox voxelize MESH --resolution N|--cell S[,S,S] -o FILE|--count [OPTION...]\n"
-    "       tribox voxelize FOLDER -o FILE|--count [OPTION...]\n"
+    "       tribox voxelize FOLDER... -o FILE|--count [OPTION...]\n"
     "\n"
     "Marks the cells of the surface, those inside with --fill. Cells are closed: a face on a plane of the\n"
     "grid is in the cells of both sides. MESH is as for 'tribox overlap'; FOLDER is what 'tribox\n"
-    "partition' wrote, which has its grid. Grids of sparse files may be larger than memory.\n"
+    "partition' wrote, which has its grid; several of one grid are taken as one mesh. Grids of sparse\n"
+    "files may be larger than memory.\n"
     "\n" GRID_HELP RESULT_HELP "      --count             write no file, only count cells and bricks\n"
     "      --fill WORD         outside: also what is not reached from outside through free cells;\n"
     "                          parity: also what rays along x enter. Needs memory for the whole grid\n"
@@ -83,7 +85,9 @@ static int take(void *request, int which, const char *value)
     voxelize_request *const r = request;
     switch (which) {
     case OPTION_OPERAND:
-        return options_take_mesh(value, &r->from.mesh_path);
+        r->from.mesh_path = r->count ? r->from.mesh_path : value;
+        r->paths[r->count++] = value;
+        return EXIT_CODE_OK;
     case OPTION_COUNT:
         r->is_count = true;
         return EXIT_CODE_OK;
@@ -117,8 +121,14 @@ static int check_partition(const voxelize_request *r, const options_found *found
 
 static int check_input(const voxelize_request *r, const options_found *found)
 {
-    return r->from.mesh_path && partition_is_folder(r->from.mesh_path) ? check_partition(r, found)
-                                                                       : grid_check(&r->from, found, OPTION_GRID);
+    size_t folders = 0;
+    while (folders < r->count && partition_is_folder(r->paths[folders]))
+        folders++;
+    if (r->count > 1 && folders < r->count)
+        return message_usage(folders ? "'%s' is no partition: several are taken as one mesh, or one mesh at a time"
+                                     : "one mesh at a time: '%s' is one file too many",
+                             r->paths[folders ? folders : 1]);
+    return folders ? check_partition(r, found) : grid_check(&r->from, found, OPTION_GRID);
 }
 
 /* To count nothing is written. */
@@ -159,12 +169,19 @@ static int check_request(voxelize_request *r, const options_found *found)
 
 int cmd_voxelize(int count, char **words)
 {
-    voxelize_request r = {.threads = processors_here(), .shard = 1, .shards = 1, .result.look = PREVIEW_LOOK_DEFAULT};
+    voxelize_request r = {.paths = malloc((size_t)(count + 1) * sizeof *r.paths),
+                          .threads = processors_here(),
+                          .shard = 1,
+                          .shards = 1,
+                          .result.look = PREVIEW_LOOK_DEFAULT};
+    if (!r.paths)
+        return message_failure("out of memory for %d arguments", count);
     options_found found;
     int code = options_read(count, words, options, take, &r, &found);
     if (!code && !found.wants_help)
         code = check_request(&r, &found);
-    if (code)
-        return code;
-    return found.wants_help ? output_text(help) : voxelize_work(&r);
+    if (!code)
+        code = found.wants_help ? output_text(help) : voxelize_work(&r);
+    free(r.paths);
+    return code;
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 typedef struct file_map {
     void *bytes; /* NULL for an empty file */
@@ -14,6 +15,10 @@ typedef enum file_map_result { FILE_MAP_OK, FILE_MAP_NOT_OPENED, FILE_MAP_REFUSE
 
 /* NOT_OPENED with errno. REFUSED: no regular file, or no addresses. */
 file_map_result file_map_open(file_map *map, const char *path);
+
+/* Of a file that is open, whatever its name. False where that is refused. */
+bool file_map_of_stream(file_map *map, FILE *stream);
+
 void file_map_close(file_map *map);
 
 #endif

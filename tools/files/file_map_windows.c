@@ -33,6 +33,12 @@ file_map_result file_map_open(file_map *map, const char *path)
     return is_mapped ? FILE_MAP_OK : FILE_MAP_REFUSED;
 }
 
+bool file_map_of_stream(file_map *map, FILE *stream)
+{
+    *map = (file_map){NULL, 0};
+    return map_open(map, stream);
+}
+
 void file_map_close(file_map *map)
 {
     if (map->bytes)

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "console/message.h"
@@ -144,6 +145,13 @@ int partition_open(partition *p, const char *path)
 
 void partition_close(partition *p)
 {
+    for (size_t i = 0; i < p->piece_count; i++)
+        partition_close(&p->pieces[i]);
+    free(p->pieces);
+    free(p->own_tiles);
+    p->pieces = NULL;
+    p->own_tiles = NULL;
+    p->piece_count = 0;
     file_map_close(&p->index);
     file_map_close(&p->triangles);
 }

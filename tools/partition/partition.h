@@ -49,12 +49,15 @@ typedef struct partition_tile {
 #define PARTITION_MAGIC "tribox tiles 2\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
-/* One that is open, its two files mapped. */
+/* One that is open, its two files mapped; or several of one grid, taken as that of all their meshes. */
 typedef struct partition {
-    const char *path; /* of the folder */
+    const char *path; /* of the folder, or of the first */
     partition_header header;
     const partition_tile *tiles; /* header.records of them */
     file_map index, triangles;
+    struct partition *pieces; /* NULL for one, whose files these are */
+    size_t piece_count;
+    partition_tile *own_tiles; /* of several, without checksums */
 } partition;
 
 /* Whether a path is that of a folder, as those of partitions are. */
@@ -64,14 +67,29 @@ bool partition_is_folder(const char *path);
 int partition_open(partition *p, const char *path);
 void partition_close(partition *p);
 
+/* Opens several as one: their grids, shifts and tiles have to be the same. Returns an exit_code; on success close it. */
+int partition_open_all(partition *p, const char *const *paths, size_t count);
+
+/* Refuses partitions that do not fit together. Returns an exit_code. */
+int partition_check_alike(const partition *pieces, size_t count);
+
+/* What the headers of pieces say of all their meshes together; records, places and checksum are left open. */
+partition_header partition_header_of_all(const partition *pieces, size_t count);
+
 /* Its grid and shift. */
 voxels partition_voxels(const partition_header *header);
 
-/* How many triangles record `record` has, and where they are. */
+/* How many triangles record `record` has, and, of one partition, where they are. */
 size_t partition_count(const partition *p, size_t record);
 const void *partition_triangles(const partition *p, size_t record);
 
 /* Whether they are those that were written. */
 bool partition_is_sound(const partition *p, size_t record);
+
+/* Copies the triangles of a record of several partitions. False where some are not those that were written. */
+bool partition_gather(const partition *p, size_t record, void *to);
+
+/* The path of a partition, or of one of several, with triangles that are not those that were written. */
+const char *partition_damaged(const partition *p);
 
 #endif

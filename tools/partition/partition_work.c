@@ -1,126 +1,183 @@
-/* partition_work.c - reads a mesh, lays a grid around it, sorts it into tiles, and writes them. */
+/* partition_work.c - lays a grid around meshes, sorts them into its tiles and writes these; or joins partitions of one grid. */
 #define _POSIX_C_SOURCE 200809L
 #include "partition_work.h"
 
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/clock.h"
+#include "console/memory.h"
 #include "console/message.h"
-#include "console/output.h"
+#include "partition_report.h"
 #include "partition_write.h"
-#include "voxelize/voxelize_report.h"
-#include "write/part.h"
+#include "tally.h"
+#include "voxelize/tile_set.h"
 
-typedef struct partition_answer {
-    const partition_request *r;
-    const mesh *m;
-    voxels cells;
-    bool is_shifted;
-    partition_header header;
-} partition_answer;
+/* How many meshes there are does not matter to a message about all of them. */
+static const char *name_of(const partition_request *r) { return r->count == 1 ? triangle_file_name(r->paths[0]) : "the meshes"; }
 
-static void print_summary(const partition_answer *a)
-{
-    const partition_header *const h = &a->header;
-    printf("mesh         %s\ntriangles    %zu\npositions    %s\n", a->r->from.mesh_path, a->m->triangles,
-           a->m->is_double ? "float64" : "float32");
-    voxelize_print_grid(&a->cells, a->is_shifted);
-    printf("tiles        %" PRIu64 " of %u cells along a side, of %zu in the grid\n", h->records, h->tile,
-           tribox_tile_count(h->size, h->tile));
-    printf("sorted       %" PRIu64 " triangles, %.3f for each of the mesh\nwritten      %s\n", h->places,
-           (double)h->places / (double)h->triangles, a->r->out_path);
-}
+static uint64_t memory_of(const partition_request *r) { return r->memory ? r->memory : memory_available() / 2; }
 
-static void print_json(const partition_answer *a)
-{
-    json j = json_to(stdout);
-    json_open_object(&j, NULL);
-    json_string(&j, "mesh", a->r->from.mesh_path);
-    json_whole(&j, "triangles", a->m->triangles);
-    json_string(&j, "positions", a->m->is_double ? "float64" : "float32");
-    json_whole(&j, "not_finite", a->m->not_finite);
-    voxelize_json_grid(&j, &a->cells, a->is_shifted);
-    json_whole(&j, "tile", a->header.tile);
-    json_whole(&j, "tiles", tribox_tile_count(a->header.size, a->header.tile));
-    json_whole(&j, "filled_tiles", a->header.records);
-    json_whole(&j, "sorted", a->header.places);
-    json_string(&j, "output", a->r->out_path);
-    json_close(&j);
-}
-
-static void fill_header(partition_answer *a, uint32_t tile)
+static void fill_header(partition_answer *a, uint32_t tile, unsigned position_bytes, const tally *found)
 {
     partition_header *const h = &a->header;
     *h = (partition_header){.magic = PARTITION_MAGIC,
                             .byte_order = PARTITION_BYTE_ORDER,
                             .tile = tile,
-                            .position_bytes = a->m->is_double ? sizeof(double) : sizeof(float),
+                            .position_bytes = position_bytes,
                             .record_bytes = sizeof(partition_tile),
-                            .triangles = a->m->triangles,
-                            .mesh_checksum = part_mesh_checksum(a->m),
-                            .not_finite = a->m->not_finite};
+                            .triangles = found->triangles,
+                            .mesh_checksum = found->checksum,
+                            .not_finite = found->not_finite};
     memcpy(h->origin, a->cells.grid.origin, sizeof h->origin);
     memcpy(h->cell, a->cells.grid.cell, sizeof h->cell);
     memcpy(h->shift, a->cells.shift, sizeof h->shift);
     memcpy(h->size, a->cells.grid.size, sizeof h->size);
 }
 
-static int write_set(partition_answer *a, tile_set *set, folder_out *out)
+static int write_runs(partition_answer *a, tile_runs *runs, folder_out *out)
 {
-    progress bar = progress_start_of("writing", "triangles", (double)set->places, !a->r->is_quiet);
-    fill_header(a, set->tile);
-    const bool has_memory = partition_write(out, a->m, set, &a->header, &bar);
-    progress_end(&bar);
-    return has_memory ? folder_out_keep(out) : message_failure("out of memory to sort the triangles");
-}
-
-static int sort_mesh(partition_answer *a, folder_out *out)
-{
-    const tribox_options test = {.accuracy = TRIBOX_EXACT};
-    const voxel_task task = a->m->is_double ? voxel_task_of_mesh(&a->m->doubles, &a->cells.grid, &test)
-                                            : voxel_task_of_soup(&a->m->soup, &a->cells.grid, &test);
-    tile_set set;
-    int code = tile_set_of_task(&task, true, &set);
-    if (code)
-        return code;
-    code = write_set(a, &set, out);
-    tile_set_free(&set);
+    const int code = partition_write(out, runs, a->r->threads, a->r->is_quiet, &a->header);
+    a->spilled = runs->spilled;
     return code;
 }
 
-static int report(const partition_answer *a)
+static int refuse_none(const partition_request *r)
 {
-    if (a->r->is_quiet)
-        return EXIT_CODE_OK;
-    (a->r->wants_json ? print_json : print_summary)(a);
-    return output_flush();
+    return message_failure("%s: none of %s triangles has finite coordinates", name_of(r), r->count == 1 ? "its" : "their");
 }
 
-static int answer(partition_answer *a)
+static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, folder_out *out)
+{
+    tally found;
+    int code = tile_runs_sort(runs, all, a->r->threads, a->r->is_quiet, out, &found);
+    if (code)
+        return code;
+    mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
+    if (found.not_finite == found.triangles)
+        return refuse_none(a->r);
+    fill_header(a, runs->tile, all->write_bytes, &found);
+    return write_runs(a, runs, out);
+}
+
+static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
+{
+    tile_runs runs;
+    const uint32_t side = tile_set_side(a->cells.grid.size);
+    if (!side)
+        return tile_set_refuse_size(a->cells.grid.size);
+    int code = tile_runs_start(&runs, &a->cells.grid, side, all->blocks, memory_of(a->r));
+    if (!code)
+        code = sort_blocks(a, all, &runs, out);
+    tile_runs_free(&runs);
+    return code;
+}
+
+/* Reads all once, where that is needed to know the shift, whether floats hold what it leaves, or the grid. */
+static int survey(partition_answer *a, pieces *all)
+{
+    const grid_choice *const choice = &a->r->from.choice;
+    tally found = tally_of_none();
+    int code = EXIT_CODE_OK;
+    if (all->shift.is_auto) {
+        const double nothing[3] = {0, 0, 0};
+        memcpy(all->shift.by, nothing, sizeof nothing);
+        code = tally_read(all, a->r->threads, "reading", a->r->is_quiet, &found);
+        if (!code)
+            mesh_shift_choose(&found.bounds, all->shift.by);
+    }
+    if (!code && (all->shift.is_wanted || !grid_is_fixed(choice)))
+        code = tally_read(all, a->r->threads, "reading", a->r->is_quiet, &found);
+    if (code)
+        return code;
+    if (all->shift.is_wanted && found.fits_float)
+        all->write_bytes = sizeof(float);
+    memcpy(a->cells.shift, all->shift.by, sizeof a->cells.shift);
+    if (!grid_is_fixed(choice) && found.bounds.lo[0] > found.bounds.hi[0]) {
+        mesh_warn_not_finite(name_of(a->r), found.not_finite, found.triangles, found.first_not_finite);
+        return refuse_none(a->r);
+    }
+    return grid_choose_around(choice, name_of(a->r), &found.bounds, &a->cells.grid);
+}
+
+static int work_on_pieces(partition_answer *a, pieces *all)
 {
     folder_out out;
-    int code = grid_choose(&a->r->from.choice, triangle_file_name(a->r->from.mesh_path), a->m, &a->cells.grid);
+    pieces_divide(all, tile_runs_block(all, memory_of(a->r), a->r->threads));
+    int code = survey(a, all);
     if (!code)
         code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES);
     if (code)
         return code;
-    code = sort_mesh(a, &out);
+    code = sort_pieces(a, all, &out);
+    if (!code)
+        code = folder_out_keep(&out);
     folder_out_drop(&out);
-    return code ? code : report(a);
+    return code;
+}
+
+static int work_on_meshes(partition_answer *a)
+{
+    pieces all;
+    int code = pieces_open(&all, a->r->paths, a->r->count, a->r->from.format, &a->r->from.shift);
+    a->is_shifted = a->r->from.shift.is_wanted;
+    if (!code)
+        code = work_on_pieces(a, &all);
+    pieces_close(&all);
+    return code;
+}
+
+static int join(partition_answer *a, const partition *those, folder_out *out)
+{
+    tile_runs runs;
+    int code = tile_runs_start(&runs, &a->cells.grid, a->header.tile, a->r->count, memory_of(a->r));
+    for (size_t i = 0; i < a->r->count && !code; i++)
+        tile_runs_take(&runs, i, &those[i]);
+    if (!code)
+        code = write_runs(a, &runs, out);
+    tile_runs_free(&runs);
+    return code ? code : folder_out_keep(out);
+}
+
+static int join_pieces(partition_answer *a, const partition *those)
+{
+    folder_out out;
+    int code = partition_check_alike(those, a->r->count);
+    if (code)
+        return code;
+    a->header = partition_header_of_all(those, a->r->count);
+    a->cells = partition_voxels(&a->header);
+    a->is_shifted = voxels_are_shifted(&a->cells);
+    code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES);
+    if (code)
+        return code;
+    code = join(a, those, &out);
+    folder_out_drop(&out);
+    return code;
+}
+
+static int work_on_partitions(partition_answer *a)
+{
+    partition *const those = calloc(a->r->count, sizeof *those);
+    size_t opened = 0;
+    int code = those ? EXIT_CODE_OK : message_failure("out of memory for %zu partitions", a->r->count);
+    while (!code && opened < a->r->count) {
+        code = partition_open(&those[opened], a->r->paths[opened]);
+        opened += !code;
+    }
+    if (!code)
+        code = join_pieces(a, those);
+    while (opened)
+        partition_close(&those[--opened]);
+    free(those);
+    return code;
 }
 
 int partition_work(const partition_request *r)
 {
-    mesh m;
-    mesh_shift shift = r->from.shift;
-    int code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, &m);
-    if (code)
-        return code;
-    mesh_warn(triangle_file_name(r->from.mesh_path), &m);
-    partition_answer a = {.r = r, .m = &m, .is_shifted = shift.is_wanted};
-    memcpy(a.cells.shift, shift.by, sizeof shift.by);
-    code = answer(&a);
-    mesh_free(&m);
-    return code;
+    partition_answer a = {.r = r};
+    const double start = clock_seconds();
+    const int code = (partition_is_folder(r->paths[0]) ? work_on_partitions : work_on_meshes)(&a);
+    a.seconds = clock_seconds() - start;
+    return code ? code : partition_report(&a);
 }

@@ -6,11 +6,15 @@
 
 typedef struct partition_request {
     grid_request from;
+    const char **paths; /* meshes, or partitions of one grid; the first is that of `from` */
+    size_t count;
+    uint32_t threads;
+    uint64_t memory; /* bytes; 0: a share of what there is */
     const char *out_path;
     bool wants_json, is_quiet;
 } partition_request;
 
-/* From the mesh to the folder and the summary. Returns an exit_code. */
+/* From the meshes to the folder and the summary. Returns an exit_code. */
 int partition_work(const partition_request *request);
 
 #endif

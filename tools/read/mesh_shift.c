@@ -26,17 +26,16 @@ static double round_to(double number, double exponent)
     return rounded != 0 && isfinite(rounded) ? rounded : 0;
 }
 
-static void choose(const mesh *m, double by[3])
+void mesh_shift_choose(const tribox_box *bounds, double by[3])
 {
-    tribox_box bounds;
     double longest = 0;
-    if (!mesh_bounds(m, &bounds))
+    if (bounds->lo[0] > bounds->hi[0])
         return;
     for (int a = 0; a < 3; a++)
-        longest = fmax(longest, bounds.hi[a] - bounds.lo[a]);
+        longest = fmax(longest, bounds->hi[a] - bounds->lo[a]);
     const double exponent = longest > 0 && isfinite(longest) ? ceil(log10(longest)) : 0;
     for (int a = 0; a < 3; a++)
-        by[a] = round_to(bounds.lo[a], exponent);
+        by[a] = round_to(bounds->lo[a], exponent);
 }
 
 static bool fits_float(const double *numbers, size_t count)
@@ -79,8 +78,11 @@ int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shif
     int code = mesh_read_wide(path, format, m);
     if (code)
         return code;
-    if (shift->is_auto)
-        choose(m, shift->by);
+    if (shift->is_auto) {
+        tribox_box bounds;
+        mesh_bounds(m, &bounds);
+        mesh_shift_choose(&bounds, shift->by);
+    }
     code = subtract(path, shift->by, m);
     if (code)
         mesh_free(m);

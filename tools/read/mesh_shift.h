@@ -19,4 +19,7 @@ int mesh_shift_read(const char *text, mesh_shift *shift);
  */
 int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, mesh *m);
 
+/* What auto chooses for a mesh of these bounds. */
+void mesh_shift_choose(const tribox_box *bounds, double by[3]);
+
 #endif

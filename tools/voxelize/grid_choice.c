@@ -149,11 +149,17 @@ static int choose(const grid_choice *choice, const char *path, const tribox_box 
     return code;
 }
 
+bool grid_is_fixed(const grid_choice *choice) { return choice->has_origin && choice->has_size && !choice->resolution; }
+
+int grid_choose_around(const grid_choice *choice, const char *path, const tribox_box *bounds, tribox_grid *grid)
+{
+    const int code = choose(choice, path, bounds, grid);
+    return code || is_served(grid) ? code : refuse_grid(grid);
+}
+
 int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid *grid)
 {
     tribox_box bounds;
-    int code = bounds_of(path, m, &bounds);
-    if (!code)
-        code = choose(choice, path, &bounds, grid);
-    return code || is_served(grid) ? code : refuse_grid(grid);
+    const int code = bounds_of(path, m, &bounds);
+    return code ? code : grid_choose_around(choice, path, &bounds, grid);
 }

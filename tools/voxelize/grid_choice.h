@@ -14,6 +14,12 @@ typedef struct grid_choice {
     uint32_t size[3];
 } grid_choice;
 
+/* Makes the grid around these bounds, which are not looked at where the grid is fixed. Returns an exit_code. */
+int grid_choose_around(const grid_choice *choice, const char *path, const tribox_box *bounds, tribox_grid *grid);
+
+/* Whether nothing of the grid is left to the mesh. */
+bool grid_is_fixed(const grid_choice *choice);
+
 /* Makes the grid; it holds the mesh where size and origin are left open. path: that of the mesh. Returns an exit_code. */
 int grid_choose(const grid_choice *choice, const char *path, const mesh *m, tribox_grid *grid);
 

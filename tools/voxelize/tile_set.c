@@ -19,6 +19,12 @@ uint32_t tile_set_side(const uint32_t size[3])
     return side <= SIDE_MOST ? side : 0;
 }
 
+int tile_set_refuse_size(const uint32_t size[3])
+{
+    return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", size[0], size[1],
+                           size[2]);
+}
+
 /* Counts without a list, and fills one. */
 static tribox_status list_tiles(const tile_set *set, uint32_t *list)
 {
@@ -82,8 +88,7 @@ int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set)
     const bool is_exact = has_work || task->options->accuracy != TRIBOX_EXACT;
     set->listing.accuracy = is_exact ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE;
     if (!set->tile)
-        return message_failure("a grid of %u x %u x %u cells is too large even for tiles; choose fewer cells", task->grid.size[0],
-                               task->grid.size[1], task->grid.size[2]);
+        return tile_set_refuse_size(task->grid.size);
     set->tiles = tribox_tile_count(task->grid.size, set->tile);
     int code = list_triangles(set);
     if (!code)
@@ -154,8 +159,15 @@ struct tile_room {
     void *scratch;
     size_t most;                    /* triangles of a partition at once */
     uint32_t *list;                 /* 0, 1, 2, ... */
+    unsigned char *gathered;        /* of several partitions: so many */
     size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
 };
+
+static size_t triangle_bytes(const tile_set *set)
+{
+    enum { NUMBERS = 9 };
+    return NUMBERS * (size_t)set->from->header.position_bytes;
+}
 
 static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *room)
 {
@@ -166,7 +178,9 @@ static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *ro
     room->list = malloc(room->most * sizeof *room->list);
     for (size_t i = 0; room->list && i < room->most; i++)
         room->list[i] = (uint32_t)i;
-    return room->list;
+    if (set->from->pieces)
+        room->gathered = malloc(room->most * triangle_bytes(set));
+    return room->list && (room->gathered || !set->from->pieces);
 }
 
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
@@ -187,6 +201,7 @@ void tile_room_free(tile_room *room)
         return;
     free(room->scratch);
     free(room->list);
+    free(room->gathered);
     free(room);
 }
 
@@ -214,7 +229,7 @@ static batch take_batch(const tile_set *set, size_t from, size_t to, const tile_
            b.mesh.count + tile_set_triangles(set, b.to) <= room->most)
         b.mesh.count += tile_set_triangles(set, b.to++);
     b.end = (size_t)set->records[b.to - 1].tile + 1;
-    b.mesh.positions = partition_triangles(set->from, from);
+    b.mesh.positions = set->from->pieces ? room->gathered : partition_triangles(set->from, from);
     b.mesh.vertices = 3 * b.mesh.count;
     b.mesh.position_bytes = set->from->header.position_bytes;
     return b;
@@ -232,13 +247,25 @@ static void set_starts(const tile_set *set, const batch *b, size_t *starts)
     starts[b->end - b->first] = before;
 }
 
+/* Whether all triangles are what they were; those of several partitions are gathered. */
+static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
+{
+    unsigned char *at = room->gathered;
+    const bool is_gathered = set->from->pieces != NULL;
+    bool is_sound = true;
+    for (size_t r = b->from; r < b->to && is_sound; r++) {
+        is_sound = is_gathered ? partition_gather(set->from, r, at) : partition_is_sound(set->from, r);
+        at += is_gathered ? tile_set_triangles(set, r) * triangle_bytes(set) : 0;
+    }
+    return is_sound;
+}
+
 static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tribox_sink *sink, tribox_report *report)
 {
     const tribox_tiles tiles = {set->tile, b->first, b->end - b->first};
-    for (size_t r = b->from; r < b->to; r++)
-        if (!partition_is_sound(set->from, r))
-            return TRIBOX_BAD_VERTEX;
     set_starts(set, b, room->starts);
+    if (!check_batch(set, b, room))
+        return TRIBOX_BAD_VERTEX;
     return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch, sink,
                               report);
 }

@@ -24,6 +24,9 @@ typedef struct tile_set {
 /* Cells along a side of a tile: few enough for the caches, and so many that the tiles can be numbered. 0: there are too many. */
 uint32_t tile_set_side(const uint32_t size[3]);
 
+/* The line for a grid of more. Returns EXIT_CODE_FAILURE. */
+int tile_set_refuse_size(const uint32_t size[3]);
+
 /* Sorts the triangles of a task. has_work: whether the records need their work. Returns an exit_code; on success free it. */
 int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set);
 

@@ -5,43 +5,41 @@
 #include <stdlib.h>
 
 /* Nanoseconds, roughly: only their ratios matter. */
-static const double tile_cost = 62000, row_cost = 10, reach_cost = 23;
+static const double row_cost = 10, reach_cost = 23;
 
-/* In cells. */
-static double place(const voxel_task *task, int a, double x) { return (x - task->grid.origin[a]) / task->grid.cell[a]; }
+static double reach(double a, double b) { return fmax(fmax(a, b), 0) - fmin(fmin(a, b), 0); }
 
-static double reach(const double x[3]) { return fmax(fmax(x[0], x[1]), x[2]) - fmin(fmin(x[0], x[1]), x[2]); }
-
-/* Of the triangle seen along x: how many rows it crosses. */
-static double area(const double y[3], const double z[3])
+uint64_t tile_work_of(const tribox_grid *grid, uint32_t side, const double u[9], uint32_t tiles)
 {
-    return 0.5 * fabs((y[1] - y[0]) * (z[2] - z[0]) - (y[2] - y[0]) * (z[1] - z[0]));
-}
-
-/* What a triangle costs beyond the tiles that it is in, all of them together. */
-static double triangle_work(const voxel_task *task, size_t t)
-{
-    double u[3][3];
-    voxel_task_triangle(task, t, u);
-    for (int a = 0; a < 3; a++)
-        for (int v = 0; v < 3; v++)
-            u[a][v] = place(task, a, u[a][v]);
-    const double work = row_cost * area(u[1], u[2]) + reach_cost * (reach(u[0]) + reach(u[1]) + reach(u[2]));
-    return isfinite(work) ? work : 0;
+    const double most = 3 * row_cost * side * side;
+    double e[3], f[3]; /* two edges, in cells */
+    for (int a = 0; a < 3; a++) {
+        e[a] = (u[3 + a] - u[a]) / grid->cell[a];
+        f[a] = (u[6 + a] - u[a]) / grid->cell[a];
+    }
+    /* Seen along x: how many rows it crosses. */
+    const double area = 0.5 * fabs(e[1] * f[2] - f[1] * e[2]);
+    const double work = row_cost * area + reach_cost * (reach(e[0], f[0]) + reach(e[1], f[1]) + reach(e[2], f[2]));
+    const double share = ceil(work / tiles);
+    return share < most ? (uint64_t)share : isfinite(share) ? (uint64_t)most : 0;
 }
 
 /* Replaces how many tiles a triangle is in by its work in each. */
-static void share_work(const tile_set *set, double *share)
+static void share_work(const tile_set *set, uint32_t *share)
 {
-    const double most = 3 * row_cost * set->tile * set->tile;
     for (size_t t = 0; t < set->task.count; t++)
-        if (share[t] > 0)
-            share[t] = fmin(triangle_work(&set->task, t) / share[t], most);
+        if (share[t]) {
+            double u[3][3], by_vertex[9];
+            voxel_task_triangle(&set->task, t, u);
+            for (int k = 0; k < 9; k++)
+                by_vertex[k] = u[k % 3][k / 3];
+            share[t] = (uint32_t)tile_work_of(&set->task.grid, set->tile, by_vertex, share[t]);
+        }
 }
 
 bool tile_work_estimate(const tile_set *set, partition_tile *records)
 {
-    double *const share = calloc(set->task.count, sizeof *share);
+    uint32_t *const share = calloc(set->task.count, sizeof *share);
     if (!share)
         return false;
     for (uint64_t p = 0; p < set->places; p++)
@@ -50,10 +48,9 @@ bool tile_work_estimate(const tile_set *set, partition_tile *records)
     for (size_t r = 0; r < set->count; r++) {
         const size_t triangles = tile_set_triangles(set, r);
         const uint32_t *const list = set->list + records[r].first;
-        double work = tile_cost;
+        records[r].work = TILE_WORK;
         for (size_t i = 0; i < triangles; i++)
-            work += share[list[i]];
-        records[r].work = (uint64_t)work;
+            records[r].work += share[list[i]];
     }
     free(share);
     return true;

@@ -79,7 +79,7 @@ static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
         return EXIT_CODE_OK; /* run_to_part says so */
     if (status == TRIBOX_BAD_VERTEX && j->in->partition)
         return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
-                               j->in->partition->path);
+                               partition_damaged(j->in->partition));
     return message_status(status);
 }
 

@@ -8,7 +8,9 @@
 typedef enum voxelize_fill { FILL_NONE, FILL_OUTSIDE, FILL_PARITY } voxelize_fill;
 
 typedef struct voxelize_request {
-    grid_request from; /* the mesh may be a partition, which has its grid */
+    grid_request from;  /* the mesh may be a partition, which has its grid */
+    const char **paths; /* of it, or of several partitions: `count` */
+    size_t count;
     uint32_t threads;
     bool is_part;           /* a shard, into a part */
     bool is_count;          /* nothing is written */

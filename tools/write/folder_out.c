@@ -35,7 +35,7 @@ static char *within(const char *folder, const char *name)
     return path;
 }
 
-static int fail(const folder_out *out, int reason)
+int folder_out_failure(const folder_out *out, int reason)
 {
     return message_failure("%s: cannot write all of it: %s; nothing was kept", out->path, strerror(reason ? reason : EIO));
 }
@@ -52,9 +52,25 @@ static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
         const int reason = errno;
         interrupt_release();
         if (!out->file[i])
-            return fail(out, reason);
+            return folder_out_failure(out, reason);
     }
     return EXIT_CODE_OK;
+}
+
+FILE *folder_out_spill(const folder_out *out)
+{
+    char *const name = within(out->beside, "runs-XXXXXX");
+    if (!name) {
+        errno = ENOMEM;
+        return NULL;
+    }
+    interrupt_hold(); /* until it has no name */
+    FILE *const spill = new_file_open_nameless(name);
+    const int reason = errno;
+    interrupt_release();
+    free(name);
+    errno = reason;
+    return spill;
 }
 
 int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES])
@@ -107,7 +123,7 @@ int folder_out_keep(folder_out *out)
     }
     if (!reason && !new_file_rename_folder(out->beside, out->path))
         reason = errno;
-    const int code = reason ? fail(out, reason) : EXIT_CODE_OK;
+    const int code = reason ? folder_out_failure(out, reason) : EXIT_CODE_OK;
     if (code)
         folder_out_drop(out);
     else

@@ -20,6 +20,12 @@ int folder_out_open(folder_out *out, const char *path, const char *const names[F
 /* Writes out all that is pending and gives the folder its name. Returns an exit_code; on failure nothing is left. */
 int folder_out_keep(folder_out *out);
 
+/* A nameless file in the folder, for what waits until it can be written; gone when it is closed. NULL with errno. */
+FILE *folder_out_spill(const folder_out *out);
+
+/* The line of a write that failed for this errno. Returns EXIT_CODE_FAILURE. */
+int folder_out_failure(const folder_out *out, int reason);
+
 /* Removes what has been written, if it has not been kept. */
 void folder_out_drop(folder_out *out);
 

@@ -35,26 +35,29 @@ voxels part_voxels(const part_whole *whole)
     return v;
 }
 
-static uint64_t doubles_checksum(const mesh *m)
+uint64_t part_triangle_checksum(const double u[9], bool is_double)
 {
-    uint64_t sum = CHECKSUM_EMPTY;
-    double u[9];
-    for (size_t t = 0; t < m->triangles; t++) {
-        mesh_triangle(m, t, u);
-        sum = checksum_bytes(sum, u, sizeof u);
+    enum { NUMBERS = 9 };
+    float narrow[NUMBERS];
+    double zero = 0; /* or NaN */
+    for (int k = 0; k < NUMBERS; k++) {
+        zero += 0 * u[k];
+        narrow[k] = (float)u[k];
     }
-    return sum;
+    if (!(zero == 0))
+        return 0;
+    return is_double ? checksum_bytes(CHECKSUM_EMPTY, u, sizeof(double[NUMBERS]))
+                     : checksum_bytes(CHECKSUM_EMPTY, narrow, sizeof narrow);
 }
 
 uint64_t part_mesh_checksum(const mesh *m)
 {
-    const tribox_soup *const soup = &m->soup;
-    const float *const *const streams[3] = {soup->x, soup->y, soup->z};
-    uint64_t sum = CHECKSUM_EMPTY;
-    if (m->is_double)
-        return doubles_checksum(m);
-    for (int c = 0; c < 9; c++)
-        sum = checksum_bytes(sum, streams[c / 3][c % 3], soup->count * sizeof(float));
+    uint64_t sum = 0;
+    double u[9];
+    for (size_t t = 0; t < m->triangles; t++) {
+        mesh_triangle(m, t, u);
+        sum += part_triangle_checksum(u, m->is_double);
+    }
     return sum;
 }
 

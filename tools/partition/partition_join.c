@@ -1,0 +1,173 @@
+/* partition_join.c - several partitions of one grid, made apart, as the partition of all their meshes. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/message.h"
+#include "partition.h"
+#include "voxelize/tile_work.h"
+
+enum { NUMBERS = 9 };
+
+static int check_pair(const partition *a, const partition *b)
+{
+    const partition_header *const one = &a->header, *const other = &b->header;
+    const bool has_other_grid = memcmp(one->origin, other->origin, sizeof one->origin) ||
+                                memcmp(one->cell, other->cell, sizeof one->cell) ||
+                                memcmp(one->size, other->size, sizeof one->size);
+    const char *const differing = has_other_grid                                        ? "grid"
+                                  : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
+                                  : one->tile != other->tile                            ? "size of tiles"
+                                                                                        : NULL;
+    return !differing ? EXIT_CODE_OK
+                      : message_failure("%s and %s do not fit together: they differ in the %s; make them with the same --origin, "
+                                        "--cell, --size and --shift",
+                                        a->path, b->path, differing);
+}
+
+int partition_check_alike(const partition *pieces, size_t count)
+{
+    int code = EXIT_CODE_OK;
+    for (size_t i = 1; i < count && !code; i++)
+        code = check_pair(&pieces[0], &pieces[i]);
+    return code;
+}
+
+partition_header partition_header_of_all(const partition *pieces, size_t count)
+{
+    partition_header all = pieces[0].header;
+    for (size_t i = 1; i < count; i++) {
+        const partition_header *const one = &pieces[i].header;
+        all.triangles += one->triangles;
+        all.not_finite += one->not_finite;
+        all.mesh_checksum += one->mesh_checksum;
+        all.position_bytes = one->position_bytes > all.position_bytes ? one->position_bytes : all.position_bytes;
+    }
+    return all;
+}
+
+/* The record of a tile; the number of records where there is none. */
+static size_t find_record(const partition *p, uint64_t tile)
+{
+    size_t lo = 0, hi = (size_t)p->header.records;
+    while (lo < hi) {
+        const size_t middle = lo + (hi - lo) / 2;
+        if (p->tiles[middle].tile < tile)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo < p->header.records && p->tiles[lo].tile == tile ? lo : (size_t)p->header.records;
+}
+
+static int by_tile(const void *a, const void *b)
+{
+    const uint64_t one = ((const partition_tile *)a)->tile, other = ((const partition_tile *)b)->tile;
+    return (one > other) - (one < other);
+}
+
+/* Records of all pieces, of which those of one tile become one; `first` is a number of triangles until then. */
+static void merge_records(partition *p, size_t count)
+{
+    partition_tile *const tiles = p->own_tiles;
+    size_t records = 0;
+    qsort(tiles, count, sizeof *tiles, by_tile);
+    for (size_t i = 0; i < count; i++)
+        if (records && tiles[records - 1].tile == tiles[i].tile) {
+            tiles[records - 1].first += tiles[i].first;
+            tiles[records - 1].work += tiles[i].work > TILE_WORK ? tiles[i].work - TILE_WORK : 0;
+        } else {
+            tiles[records++] = tiles[i];
+        }
+    p->header.records = records;
+    p->header.places = 0;
+    for (size_t r = 0; r < records; r++) {
+        const uint64_t triangles = tiles[r].first;
+        tiles[r].first = p->header.places;
+        p->header.places += triangles;
+    }
+    p->tiles = tiles;
+}
+
+static int join(partition *p)
+{
+    size_t count = 0, at = 0;
+    int code = partition_check_alike(p->pieces, p->piece_count);
+    if (code)
+        return code;
+    for (size_t i = 0; i < p->piece_count; i++)
+        count += (size_t)p->pieces[i].header.records;
+    p->own_tiles = malloc((count ? count : 1) * sizeof *p->own_tiles);
+    if (!p->own_tiles)
+        return message_failure("out of memory for the table of tiles");
+    for (size_t i = 0; i < p->piece_count; i++)
+        for (size_t r = 0; r < p->pieces[i].header.records; r++) {
+            p->own_tiles[at] = p->pieces[i].tiles[r];
+            p->own_tiles[at++].first = partition_count(&p->pieces[i], r);
+        }
+    p->header = partition_header_of_all(p->pieces, p->piece_count);
+    merge_records(p, count);
+    for (size_t r = 0; r < p->header.records; r++)
+        if ((r + 1 < p->header.records ? p->tiles[r + 1].first : p->header.places) - p->tiles[r].first > UINT32_MAX)
+            return message_failure("a tile has more than 4294967295 triangles; choose smaller cells");
+    return EXIT_CODE_OK;
+}
+
+int partition_open_all(partition *p, const char *const *paths, size_t count)
+{
+    if (count == 1)
+        return partition_open(p, paths[0]);
+    int code = EXIT_CODE_OK;
+    *p = (partition){.path = paths[0], .pieces = calloc(count, sizeof *p->pieces)};
+    if (!p->pieces)
+        return message_failure("out of memory for %zu partitions", count);
+    while (!code && p->piece_count < count) {
+        code = partition_open(&p->pieces[p->piece_count], paths[p->piece_count]);
+        p->piece_count += !code;
+    }
+    if (!code)
+        code = join(p);
+    if (code)
+        partition_close(p);
+    return code;
+}
+
+static unsigned char *put(const partition *piece, size_t record, unsigned position_bytes, unsigned char *to)
+{
+    const size_t numbers = NUMBERS * partition_count(piece, record);
+    const unsigned char *const from = partition_triangles(piece, record);
+    if (piece->header.position_bytes == position_bytes) {
+        memcpy(to, from, numbers * position_bytes);
+        return to + numbers * position_bytes;
+    }
+    for (size_t k = 0; k < numbers; k++) {
+        float narrow;
+        memcpy(&narrow, from + k * sizeof narrow, sizeof narrow);
+        const double wide = (double)narrow;
+        memcpy(to + k * sizeof wide, &wide, sizeof wide);
+    }
+    return to + numbers * sizeof(double);
+}
+
+bool partition_gather(const partition *p, size_t record, void *to)
+{
+    unsigned char *at = to;
+    for (size_t i = 0; i < p->piece_count; i++) {
+        const partition *const piece = &p->pieces[i];
+        const size_t r = find_record(piece, p->tiles[record].tile);
+        if (r == piece->header.records)
+            continue;
+        if (!partition_is_sound(piece, r))
+            return false;
+        at = put(piece, r, p->header.position_bytes, at);
+    }
+    return true;
+}
+
+const char *partition_damaged(const partition *p)
+{
+    for (size_t i = 0; i < p->piece_count; i++)
+        for (size_t r = 0; r < p->pieces[i].header.records; r++)
+            if (!partition_is_sound(&p->pieces[i], r))
+                return p->pieces[i].path;
+    return p->path;
+}

@@ -1,0 +1,28 @@
+/* tally.h - what a mesh that is read in pieces is like: its bounds, and what its header counts. */
+#ifndef TALLY_H
+#define TALLY_H
+
+#include "piece.h"
+
+typedef struct tally {
+    tribox_box bounds;              /* of the triangles that are finite; lo > hi where there are none */
+    uint64_t triangles, not_finite; /* as far as they were looked at */
+    uint64_t first_not_finite;      /* the number of the first of them */
+    uint64_t checksum;              /* as of part_mesh_checksum */
+    bool fits_float;                /* no number is lost as a float */
+} tally;
+
+/* Of no triangles, and of two runs of them together. */
+tally tally_of_none(void);
+void tally_add(tally *to, const tally *from);
+
+/* Of the triangles of a block, as they were read. */
+tally tally_of_block(const pieces *all, const piece_block *block, const void *positions);
+
+/*
+ * Reads all blocks by so many threads. Returns an exit_code.
+ * what: for the bar.
+ */
+int tally_read(const pieces *all, unsigned threads, const char *what, bool is_quiet, tally *found);
+
+#endif

@@ -1,0 +1,225 @@
+/* tile_runs.c - makes runs by threads that take blocks, and keeps them or puts them into files. */
+#define _POSIX_C_SOURCE 200809L
+#include "tile_runs.h"
+
+#include <errno.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "block_sort.h"
+#include "console/crew.h"
+#include "console/message.h"
+#include "console/progress.h"
+#include "voxelize/tile_work.h"
+
+int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, size_t count, uint64_t memory)
+{
+    *r = (tile_runs){.grid = grid, .tile = tile, .tiles = tribox_tile_count(grid->size, tile), .memory = memory};
+    r->runs = calloc(count ? count : 1, sizeof *r->runs);
+    r->counts = calloc(r->tiles, sizeof *r->counts);
+    r->work = calloc(r->tiles, sizeof *r->work);
+    if (!r->runs || !r->counts || !r->work)
+        return message_failure("out of memory for the table of tiles");
+    r->count = count;
+    return EXIT_CODE_OK;
+}
+
+void tile_runs_free(tile_runs *r)
+{
+    for (size_t i = 0; i < r->count; i++)
+        free(r->runs[i].room);
+    for (int f = 0; f < THREADS_MAX; f++) {
+        file_map_close(&r->map[f]);
+        if (r->file[f])
+            fclose(r->file[f]);
+    }
+    free(r->runs);
+    free(r->counts);
+    free(r->work);
+    *r = (tile_runs){.count = 0};
+}
+
+uint64_t tile_run_count(const tile_run *run, size_t i)
+{
+    return (i + 1 < run->count ? run->tiles[i + 1].first : run->places) - run->tiles[i].first;
+}
+
+size_t tile_runs_block(const pieces *all, uint64_t memory, unsigned threads)
+{
+    enum { LEAST = 64, MOST = 1 << 18, BESIDE = 24 }; /* bytes of lists and entries a triangle */
+    const uint64_t each = pieces_room(all) + 9 * all->read_bytes + BESIDE, block = memory / 4 / threads / each;
+    return block < LEAST ? LEAST : block > MOST ? MOST : (size_t)block;
+}
+
+typedef enum trouble { TROUBLE_NONE, TROUBLE_MEMORY, TROUBLE_READ, TROUBLE_WRITE, TROUBLE_STATUS } trouble;
+
+/* What the threads share. */
+typedef struct sorting {
+    tile_runs *runs;
+    const pieces *all;
+    folder_out *out;
+    progress bar;
+    pthread_mutex_t lock; /* of what follows */
+    size_t next;          /* block */
+    uint64_t kept;        /* bytes of runs in memory */
+    tally found;
+    trouble trouble; /* the first ends the work */
+    int reason;      /* errno, or a status */
+    const piece *unread;
+} sorting;
+
+static bool take_block(sorting *s, piece_block *block, size_t *number)
+{
+    pthread_mutex_lock(&s->lock);
+    const bool is_left = s->next < s->all->blocks && !s->trouble;
+    if (is_left)
+        *block = pieces_block(s->all, *number = s->next++);
+    pthread_mutex_unlock(&s->lock);
+    return is_left;
+}
+
+static void fail(sorting *s, trouble what, int reason, const piece *unread)
+{
+    pthread_mutex_lock(&s->lock);
+    if (!s->trouble) {
+        s->trouble = what;
+        s->reason = reason;
+        s->unread = unread;
+    }
+    pthread_mutex_unlock(&s->lock);
+}
+
+static void add_run(tile_runs *r, const tile_run *run)
+{
+    const uint64_t beside = run->from ? TILE_WORK : 0;
+    for (size_t i = 0; i < run->count; i++) {
+        const partition_tile *const tile = &run->tiles[i];
+        r->counts[tile->tile] += tile_run_count(run, i);
+        r->work[tile->tile] += tile->work > beside ? tile->work - beside : 0;
+    }
+}
+
+/* Takes the room over, or says that it has to go into a file. */
+static bool keep(sorting *s, const block_sort *b, size_t number, const tally *found)
+{
+    tile_runs *const r = s->runs;
+    const size_t bytes = b->run_bytes;
+    pthread_mutex_lock(&s->lock);
+    const bool is_kept = s->kept + bytes <= r->memory / 2;
+    s->kept += is_kept ? bytes : 0;
+    r->spilled += is_kept ? 0 : bytes;
+    add_run(r, &b->run);
+    r->runs[number] = b->run;
+    tally_add(&s->found, found);
+    progress_tell(&s->bar, (double)s->found.triangles / (double)s->all->triangles);
+    pthread_mutex_unlock(&s->lock);
+    return is_kept;
+}
+
+static bool spill(sorting *s, const block_sort *b, size_t number, unsigned thread, uint64_t *written)
+{
+    FILE **const file = &s->runs->file[thread];
+    tile_run *const run = &s->runs->runs[number];
+    run->room = NULL;
+    if (!*file) {
+        *file = folder_out_spill(s->out);
+        if (!*file)
+            return false;
+        setvbuf(*file, NULL, _IONBF, 0);
+    }
+    run->file = thread;
+    run->at = *written;
+    *written += b->run_bytes;
+    return fwrite(b->run.room, 1, b->run_bytes, *file) == b->run_bytes;
+}
+
+static void do_block(sorting *s, block_sort *b, const piece_block *block, size_t number, unsigned thread, uint64_t *written)
+{
+    if (!pieces_read(s->all, block, b->positions)) {
+        fail(s, TROUBLE_READ, errno, block->from);
+        return;
+    }
+    const tally found = tally_of_block(s->all, block, b->positions);
+    const tribox_status status = block_sort_run(b, s->runs->grid, block->count, &found.bounds);
+    if (status) {
+        fail(s, status == MESSAGE_NO_MEMORY ? TROUBLE_MEMORY : TROUBLE_STATUS, (int)status, NULL);
+    } else if (!keep(s, b, number, &found)) {
+        errno = 0;
+        if (!spill(s, b, number, thread, written))
+            fail(s, TROUBLE_WRITE, errno, NULL);
+        free(b->run.room);
+    }
+}
+
+static void work(void *data, unsigned thread)
+{
+    sorting *const s = data;
+    block_sort b;
+    piece_block block;
+    size_t number;
+    uint64_t written = 0;
+    if (!block_sort_open(&b, s->all, s->runs->grid, s->runs->tile))
+        fail(s, TROUBLE_MEMORY, 0, NULL);
+    while (take_block(s, &block, &number))
+        do_block(s, &b, &block, number, thread, &written);
+    block_sort_close(&b);
+}
+
+/* Tiles and triangles of what was put into files. */
+static int map_files(tile_runs *r, const folder_out *out)
+{
+    for (int f = 0; f < THREADS_MAX; f++)
+        if (r->file[f] && !file_map_of_stream(&r->map[f], r->file[f]))
+            return message_failure("%s: cannot map what was written beside it", out->path);
+    for (size_t i = 0; i < r->count; i++) {
+        tile_run *const run = &r->runs[i];
+        if (run->room || !run->count)
+            continue;
+        const unsigned char *const bytes = (const unsigned char *)r->map[run->file].bytes + run->at;
+        run->tiles = (const void *)bytes;
+        run->triangles = bytes + run->count * sizeof *run->tiles;
+    }
+    return EXIT_CODE_OK;
+}
+
+static int tell(const sorting *s)
+{
+    switch (s->trouble) {
+    case TROUBLE_NONE:
+        return EXIT_CODE_OK;
+    case TROUBLE_READ:
+        return pieces_refuse(s->unread, s->reason);
+    case TROUBLE_WRITE:
+        return folder_out_failure(s->out, s->reason);
+    case TROUBLE_STATUS:
+        return message_status((tribox_status)s->reason);
+    case TROUBLE_MEMORY:
+        break;
+    }
+    return message_failure("out of memory to sort the triangles; give less with --memory, or fewer --threads");
+}
+
+int tile_runs_sort(tile_runs *r, const pieces *all, unsigned threads, bool is_quiet, folder_out *out, tally *found)
+{
+    sorting s = {.runs = r, .all = all, .out = out, .found = tally_of_none()};
+    s.bar = progress_start_of("sorting", "triangles", (double)all->triangles, !is_quiet);
+    pthread_mutex_init(&s.lock, NULL);
+    crew_run(threads, work, &s);
+    pthread_mutex_destroy(&s.lock);
+    progress_end(&s.bar);
+    *found = s.found;
+    const int code = tell(&s);
+    return code ? code : map_files(r, out);
+}
+
+void tile_runs_take(tile_runs *r, size_t number, const partition *p)
+{
+    r->runs[number] = (tile_run){.tiles = p->tiles,
+                                 .count = (size_t)p->header.records,
+                                 .places = p->header.places,
+                                 .triangles = p->triangles.bytes,
+                                 .position_bytes = p->header.position_bytes,
+                                 .from = p};
+    add_run(r, &r->runs[number]);
+}

@@ -1,0 +1,26 @@
+/* tile_window.h - the triangles of some tiles from all runs, one tile after the other. */
+#ifndef TILE_WINDOW_H
+#define TILE_WINDOW_H
+
+#include "tile_runs.h"
+
+typedef struct tile_window {
+    const tile_runs *runs;
+    partition_tile *records; /* of the partition that comes to be: their checksums are set */
+    size_t triangle_bytes;   /* there */
+    size_t room;             /* triangles that `bytes` holds, an even number */
+    unsigned char *bytes;
+    uint64_t *at; /* where the next triangle of each record goes */
+} tile_window;
+
+/* Writes bytes to their place in the file. False where that fails. */
+typedef bool tile_window_sink(void *data, uint64_t at, const void *bytes, size_t size);
+
+/*
+ * Writes the triangles of records from .. to - 1, which end at place `end` of the file, and sets their checksums. They fit into the
+ * room unless it is one record. Returns false where the sink does or, with *damaged, where those of a run are not what they were.
+ */
+bool tile_window_write(tile_window *w, size_t from, size_t to, uint64_t end, tile_window_sink *sink, void *data,
+                       const tile_run **damaged);
+
+#endif
