@@ -13,7 +13,8 @@ OPTIONS = {
                  "--picture-size", "--json", "--quiet", "--threads",
                  "--shard", "--count", "--fill", "--accuracy", "--axes", "--kernel", "--help"],
     "merge": ["--out", "--out-format", "--preview", "--up", "--view", "--picture-size", "--json", "--quiet", "--help"],
-    "partition": ["--format", "--shift", "--resolution", "--cell", "--origin", "--size", "--out", "--json", "--quiet", "--help"],
+    "partition": ["--format", "--shift", "--resolution", "--cell", "--origin", "--size", "--out", "--memory", "--threads",
+                  "--json", "--quiet", "--help"],
     "info": ["--json", "--help"],
     "demo": ["--quick", "--json", "--picture", "--help"],
 }

@@ -82,12 +82,12 @@ static int survey(partition_answer *a, pieces *all)
     if (all->shift.is_auto) {
         const double nothing[3] = {0, 0, 0};
         memcpy(all->shift.by, nothing, sizeof nothing);
-        code = tally_read(all, a->r->threads, "reading", a->r->is_quiet, &found);
+        code = tally_read(all, a->r->threads, a->r->is_quiet, &found);
         if (!code)
             mesh_shift_choose(&found.bounds, all->shift.by);
     }
     if (!code && (all->shift.is_wanted || !grid_is_fixed(choice)))
-        code = tally_read(all, a->r->threads, "reading", a->r->is_quiet, &found);
+        code = tally_read(all, a->r->threads, a->r->is_quiet, &found);
     if (code)
         return code;
     if (all->shift.is_wanted && found.fits_float)

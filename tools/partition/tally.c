@@ -34,7 +34,8 @@ void tally_add(tally *to, const tally *from)
 static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
 
-static void add_triangle(tally *t, uint64_t number, const double u[9])
+/* Returns whether it is finite. */
+static bool add_triangle(tally *t, uint64_t number, const double u[9])
 {
     double zero = 0; /* or NaN */
     for (int k = 0; k < 9; k++)
@@ -42,12 +43,13 @@ static void add_triangle(tally *t, uint64_t number, const double u[9])
     if (!(zero == 0)) {
         t->not_finite++;
         t->first_not_finite = number < t->first_not_finite ? number : t->first_not_finite;
-        return;
+        return false;
     }
     for (int a = 0; a < 3; a++) {
         t->bounds.lo[a] = least(t->bounds.lo[a], least(least(u[a], u[3 + a]), u[6 + a]));
         t->bounds.hi[a] = most(t->bounds.hi[a], most(most(u[a], u[3 + a]), u[6 + a]));
     }
+    return true;
 }
 
 static bool fits(const double u[9])
@@ -58,15 +60,15 @@ static bool fits(const double u[9])
     return is_float;
 }
 
-tally tally_of_block(const pieces *all, const piece_block *block, const void *positions)
+tally tally_of_block(const pieces *all, const piece_block *block, const void *positions, bool has_checksum)
 {
     const bool is_double = all->write_bytes == sizeof(double);
     tally t = tally_of_none();
     for (size_t i = 0; i < block->count; i++) {
         double u[9];
         pieces_triangle(all, positions, i, u);
-        add_triangle(&t, block->number + i, u);
-        t.checksum += part_triangle_checksum(u, is_double);
+        if (add_triangle(&t, block->number + i, u) && has_checksum)
+            t.checksum += part_triangle_checksum(u);
         t.fits_float &= !is_double || fits(u);
     }
     t.triangles = block->count;
@@ -123,16 +125,16 @@ static void work(void *data, unsigned thread)
         const bool is_read = pieces_read(s->all, &block, room);
         const int reason = errno;
         if (is_read)
-            found = tally_of_block(s->all, &block, room);
+            found = tally_of_block(s->all, &block, room, false);
         account(s, &block, is_read ? &found : NULL, reason);
     }
     free(room);
 }
 
-int tally_read(const pieces *all, unsigned threads, const char *what, bool is_quiet, tally *found)
+int tally_read(const pieces *all, unsigned threads, bool is_quiet, tally *found)
 {
     survey s = {.all = all, .found = tally_of_none()};
-    s.bar = progress_start_of(what, "triangles", (double)all->triangles, !is_quiet);
+    s.bar = progress_start_of("reading", "triangles", (double)all->triangles, !is_quiet);
     pthread_mutex_init(&s.lock, NULL);
     crew_run(threads, work, &s);
     pthread_mutex_destroy(&s.lock);

@@ -17,12 +17,9 @@ tally tally_of_none(void);
 void tally_add(tally *to, const tally *from);
 
 /* Of the triangles of a block, as they were read. */
-tally tally_of_block(const pieces *all, const piece_block *block, const void *positions);
+tally tally_of_block(const pieces *all, const piece_block *block, const void *positions, bool has_checksum);
 
-/*
- * Reads all blocks by so many threads. Returns an exit_code.
- * what: for the bar.
- */
-int tally_read(const pieces *all, unsigned threads, const char *what, bool is_quiet, tally *found);
+/* Reads all blocks by so many threads, for all but the checksum. Returns an exit_code. */
+int tally_read(const pieces *all, unsigned threads, bool is_quiet, tally *found);
 
 #endif

@@ -140,7 +140,7 @@ static void do_block(sorting *s, block_sort *b, const piece_block *block, size_t
         fail(s, TROUBLE_READ, errno, block->from);
         return;
     }
-    const tally found = tally_of_block(s->all, block, b->positions);
+    const tally found = tally_of_block(s->all, block, b->positions, true);
     const tribox_status status = block_sort_run(b, s->runs->grid, block->count, &found.bounds);
     if (status) {
         fail(s, status == MESSAGE_NO_MEMORY ? TROUBLE_MEMORY : TROUBLE_STATUS, (int)status, NULL);

@@ -7,7 +7,11 @@
 /* Nanoseconds, roughly: only their ratios matter. */
 static const double row_cost = 10, reach_cost = 23;
 
-static double reach(double a, double b) { return fmax(fmax(a, b), 0) - fmin(fmin(a, b), 0); }
+static double least(double a, double b) { return a < b ? a : b; }
+static double most_of(double a, double b) { return a > b ? a : b; }
+
+/* Of a vertex and the two that lie so far from it. */
+static double reach(double a, double b) { return most_of(most_of(a, b), 0) - least(least(a, b), 0); }
 
 uint64_t tile_work_of(const tribox_grid *grid, uint32_t side, const double u[9], uint32_t tiles)
 {

@@ -35,19 +35,12 @@ voxels part_voxels(const part_whole *whole)
     return v;
 }
 
-uint64_t part_triangle_checksum(const double u[9], bool is_double)
+uint64_t part_triangle_checksum(const double u[9])
 {
-    enum { NUMBERS = 9 };
-    float narrow[NUMBERS];
     double zero = 0; /* or NaN */
-    for (int k = 0; k < NUMBERS; k++) {
+    for (int k = 0; k < 9; k++)
         zero += 0 * u[k];
-        narrow[k] = (float)u[k];
-    }
-    if (!(zero == 0))
-        return 0;
-    return is_double ? checksum_bytes(CHECKSUM_EMPTY, u, sizeof(double[NUMBERS]))
-                     : checksum_bytes(CHECKSUM_EMPTY, narrow, sizeof narrow);
+    return zero == 0 ? checksum_bytes(CHECKSUM_EMPTY, u, sizeof(double[9])) : 0;
 }
 
 uint64_t part_mesh_checksum(const mesh *m)
@@ -56,7 +49,7 @@ uint64_t part_mesh_checksum(const mesh *m)
     double u[9];
     for (size_t t = 0; t < m->triangles; t++) {
         mesh_triangle(m, t, u);
-        sum += part_triangle_checksum(u, m->is_double);
+        sum += part_triangle_checksum(u);
     }
     return sum;
 }

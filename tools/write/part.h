@@ -54,8 +54,8 @@ bool part_is_name(const char *path);
 void part_set_grid(part_whole *whole, const voxels *v);
 voxels part_voxels(const part_whole *whole);
 
-/* A checksum of a triangle as floats or as doubles; 0 of one that is not finite. */
-uint64_t part_triangle_checksum(const double u[9], bool is_double);
+/* A checksum of the nine numbers of a triangle, as doubles; 0 of one that is not finite. */
+uint64_t part_triangle_checksum(const double u[9]);
 
 /* A hash of the coordinates: the sum of the checksums of the triangles, so that those of the pieces of a mesh add up to its own. */
 uint64_t part_mesh_checksum(const mesh *m);
