@@ -1,15 +1,16 @@
-/* pages_posix.c - rooms of at least one large page are mapped on their border, and the system is asked for large pages. */
+/* pages_posix.c - rooms are mapped on the border of a large page, and the system is asked for such, but for small rooms. */
 #define _DEFAULT_SOURCE
 #include "pages.h"
 
 #include <stdint.h>
 #include <sys/mman.h>
 
-enum { LARGE_PAGE = 1 << 21, SMALL_PAGE = 1 << 12 };
+/* To take a large page costs as much as 32 small ones do, and many threads that take small ones wait for each other. */
+enum { LARGE_PAGE = 1 << 21, SMALL_PAGE = 1 << 12, SMALL_ROOM = 32 * SMALL_PAGE };
 
 static size_t whole_pages(size_t bytes)
 {
-    const size_t page = bytes < LARGE_PAGE ? SMALL_PAGE : LARGE_PAGE;
+    const size_t page = bytes < SMALL_ROOM ? SMALL_PAGE : LARGE_PAGE;
     return bytes ? (bytes + page - 1) / page * page : page;
 }
 
@@ -40,7 +41,7 @@ void *pages_take(size_t bytes)
     if (bytes > SIZE_MAX / 2)
         return NULL;
     const size_t whole = whole_pages(bytes);
-    return bytes < LARGE_PAGE ? map(whole) : map_on_border(whole);
+    return bytes < SMALL_ROOM ? map(whole) : map_on_border(whole);
 }
 
 void pages_free(void *room, size_t bytes)

@@ -1,22 +1,27 @@
-/* layers_work.h - an estimate of how the work of a voxelization is spread over the layers. */
+/* layers_work.h - an estimate of the work of a voxelization, and of how it is spread over the layers. */
 #ifndef LAYERS_WORK_H
 #define LAYERS_WORK_H
 
 #include "voxel_task.h"
 
-enum { LAYERS_BINS_MAX = 4096 };
+/* Some triangles one after the other. */
+enum { LAYERS_BLOCK = 128 };
+typedef struct layers_block {
+    double lo, hi;      /* no triangle reaches beyond these along z; one with a NaN, which overlaps nothing, may */
+    double nanoseconds; /* roughly */
+} layers_block;
 
-typedef struct layers_work {
-    int bins;                      /* equal parts of the layers: one layer each, or several */
-    double up_to[LAYERS_BINS_MAX]; /* the work of all bins up to this one, in nanoseconds, roughly */
-} layers_work;
+/* Looks at triangles start .. start + count - 1, at most LAYERS_BLOCK of them. */
+layers_block layers_work_block(const voxel_task *task, size_t start, size_t count);
 
-/* Looks at a sample of the triangles. The task is sound, and layers > 0. */
-void layers_work_estimate(const voxel_task *task, uint32_t first, uint32_t layers, layers_work *work);
+/* The nanoseconds of all triangles, from a sample. */
+double layers_work_sample(const voxel_task *task);
 
-double layers_work_total(const layers_work *work);
-
-/* How many of the layers take this share (0 to 1) of the work. */
-uint32_t layers_work_share(const layers_work *work, uint32_t layers, double share);
+/*
+ * Cuts layers first .. first + layers - 1 into slabs of about equal work, by the blocks of all triangles: slab s has border[s] ..
+ * border[s + 1] - 1 of the range.
+ */
+void layers_work_cut(const tribox_grid *grid, uint32_t first, uint32_t layers, const layers_block *blocks, size_t count, int slabs,
+                     uint32_t *border);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "console/clock.h"
 #include "console/message.h"
+#include "console/pages.h"
 #include "layers.h"
 #include "voxelize_ways.h"
 #include "write/brick_out.h"
@@ -36,8 +37,8 @@ static int take_memory(whole *w)
     code = voxels_check_memory(grid, bytes, instead);
     if (code)
         return code;
-    w->surface = calloc(w->words, sizeof *w->surface);
-    w->solid = is_filled ? malloc(w->words * sizeof *w->solid) : NULL;
+    w->surface = pages_take(w->words * sizeof *w->surface);
+    w->solid = is_filled ? pages_take(w->words * sizeof *w->solid) : NULL;
     return w->surface && (w->solid || !is_filled) ? EXIT_CODE_OK
                                                   : message_failure("out of memory for %zu words of cells", w->words);
 }
@@ -117,7 +118,7 @@ int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize
         code = fill_if_wanted(&w, a);
     if (!code)
         code = write_files(&w, files);
-    free(w.solid);
-    free(w.surface);
+    pages_free(w.solid, w.words * sizeof *w.solid);
+    pages_free(w.surface, w.words * sizeof *w.surface);
     return code;
 }
