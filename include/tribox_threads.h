@@ -1,8 +1,11 @@
 /*
- * tribox_threads.h - the steps of a spatial order, for threads that share the work
+ * tribox_threads.h - the steps of longer works, for threads that share them, and for grids that no memory holds
  *
- * tribox_soup_sort, tribox_mesh_sort and tribox_boxes_sort are these steps, one after another: start all of it, cut it as often as
+ * Spatial order: tribox_soup_sort, tribox_mesh_sort and tribox_boxes_sort are these steps, one after another: start all of it, cut it as often as
  * there are threads, finish every part. Any number of threads may take part in a step; the order is the same as in one call.
+ *
+ * Insides: parity is filled window by window, the outside part by part, where labels of free cells are joined across the faces of
+ * parts. In sum the bits are those of tribox_fill_parity and tribox_fill_outside.
  */
 #ifndef TRIBOX_THREADS_H
 #define TRIBOX_THREADS_H
@@ -55,6 +58,91 @@ TRIBOX_API tribox_status tribox_sort_cut(void *scratch, size_t total, size_t fir
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (scratch or order is NULL where count > 0, or first + count exceeds total).
  */
 TRIBOX_API tribox_status tribox_sort_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order);
+
+/* ============================================================================================================================== */
+/*                                                Insides, part by part (threads)                                                 */
+/* ============================================================================================================================== */
+
+/**
+ * tribox_fill_parity for a window of the grid: the bits of the whole. Windows do not depend on each other: threads may take layers
+ * each, and what no memory holds is filled by rows of tiles. Triangles whose extents on y and z miss the window make no difference
+ * to it, so they may be left out; those that lie before or after it on x are asked for.
+ *
+ * window: the cells that are asked for; NULL for the whole grid.
+ * occupied, solid: tribox_window_words(size) words each, size being that of the window, which may have 2^31 words.
+ * scratch: tribox_fill_bytes(size) bytes for the size of the window, at any alignment.
+ * inside: how many cells of the window were filled; NULL if not wanted.
+ * odd_rows: how many rows of the window have an odd number of crossings in all, wherever on the row these are. Windows of whole
+ *   rows add up to the number of the grid. NULL if not wanted.
+ *
+ * Returns what tribox_fill_parity does; TRIBOX_BAD_ARGUMENT also if the window leaves the grid.
+ */
+TRIBOX_API tribox_status tribox_fill_parity_window(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
+                                                   const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside,
+                                                   size_t *odd_rows);
+
+/** The same for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+TRIBOX_API tribox_status tribox_mesh_fill_parity_window(const tribox_mesh *mesh, const tribox_grid *grid,
+                                                        const tribox_window *window, const uint64_t *occupied, void *scratch,
+                                                        uint64_t *solid, size_t *inside, size_t *odd_rows);
+
+/** In the faces of tribox_fill_labels: an occupied cell. */
+#define TRIBOX_NO_LABEL UINT32_MAX
+
+/** The bytes of scratch that tribox_fill_labels needs for a part of this size; SIZE_MAX if it does not serve it, or overflows. */
+TRIBOX_API size_t tribox_fill_labels_bytes(const uint32_t size[3]);
+
+/**
+ * The first step of tribox_fill_outside for a grid in parts, boxes of cells that share faces, such as tiles: labels the free cells
+ * on the six faces of a part. Two have one label if and only if they are connected through faces of free cells of the part. All
+ * parts take this step, in any order and by any threads, and are joined by tribox_fill_join; tribox_fill_labelled follows. What is
+ * to be kept of a part until then is its count of labels, and its faces until they are joined.
+ *
+ * size: of the part: (size[0] + 1) / 2 * size[1] * size[2] is less than 2^31.
+ * occupied: the words of the part: those of a tribox_window.
+ * scratch: tribox_fill_labels_bytes(size) bytes, at any alignment. What it is left with is what tribox_fill_labelled asks for.
+ * faces: labels 0 .. count - 1, and TRIBOX_NO_LABEL for occupied cells: faces[2 * a] of the cells that are first on axis a,
+ *   faces[2 * a + 1] of those that are last. Cell (i, j, k) is number k * size[1] + j of the first two, k * size[0] + i of the next
+ *   two, and j * size[0] + i of the last two. A face that is not wanted is NULL.
+ * count: receives how many labels there are. Free cells that are not connected to a face have none.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or a part that is too large).
+ */
+TRIBOX_API tribox_status tribox_fill_labels(const uint32_t size[3], const uint64_t *occupied, void *scratch,
+                                            uint32_t *const faces[6], uint32_t *count);
+
+/**
+ * The second step: joins the labels of two parts across the face that they share. One thread at a time.
+ *
+ * parents: a forest of all labels of all parts, and one more label for the outside, say 0, with which faces at the border of the
+ *   grid are joined: parents[n] is n to begin with. Labels of a part stand from a number on that the caller chooses.
+ * a: a face of one part, and in the same order of cells
+ * b: that of the other; NULL where all its cells are free and have label 0: the outside, or a part without occupied cells, for
+ *   which one label does and tribox_fill_labels need not be called.
+ * from_a, from_b: the numbers of the labels 0 of the two parts.
+ * count: cells of the face.
+ *
+ * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (parents or a is NULL where count > 0).
+ */
+TRIBOX_API tribox_status tribox_fill_join(uint32_t *parents, const uint32_t *a, uint32_t from_a, const uint32_t *b, uint32_t from_b,
+                                          size_t count);
+
+/** The one number that stands for all labels that are joined with `label`, itself included. It shortens the ways of parents. */
+TRIBOX_API uint32_t tribox_fill_root(uint32_t *parents, uint32_t label);
+
+/**
+ * The last step: fills the cells of a part that the outside does not reach.
+ *
+ * size, occupied: of the part, as for tribox_fill_labels.
+ * scratch: as tribox_fill_labels has left it for the same words; it stays as it is.
+ * outside: a mask with a bit for each label: set where it is joined with the outside.
+ * solid: as many words as occupied, apart from it; written: the surface and its inside, with zeros past each row's last cell.
+ * inside: how many cells were filled, without those occupied; NULL if not wanted.
+ *
+ * Returns what tribox_fill_labels does.
+ */
+TRIBOX_API tribox_status tribox_fill_labelled(const uint32_t size[3], const uint64_t *occupied, void *scratch,
+                                              const uint64_t *outside, uint64_t *solid, size_t *inside);
 
 #ifdef __cplusplus
 }

@@ -114,8 +114,9 @@ static int check_partition(const voxelize_request *r, const options_found *found
                                  options[which].name);
     if (r->test.axes && r->test.axes != TRIBOX_AXES_ALL)
         return message_usage("%s is a partition, which is for all axes: leave out --axes", r->from.mesh_path);
-    if (r->fill != FILL_NONE)
-        return message_usage("%s is a partition: --fill needs the mesh itself", r->from.mesh_path);
+    if (r->fill == FILL_PARITY)
+        return message_usage("%s is a partition, which lacks what lies before its grid: --fill parity needs the mesh itself",
+                             r->from.mesh_path);
     return EXIT_CODE_OK;
 }
 

@@ -7,7 +7,7 @@
 #include "base/finite.h"
 #include "grid/grid_cells.h"
 
-/* A grid, and places of numbers in it: (number - origin) per_cell, off from where planes and middles lie by `error` at most. */
+/* A window of a grid, and places of numbers in it: (number - origin) per_cell, off from where planes and middles lie by `error` at most. */
 typedef struct tribox_middles {
     tribox_planes planes;
     uint32_t size[3];
@@ -16,15 +16,15 @@ typedef struct tribox_middles {
     bool has_places; /* errors are less than a quarter of a cell */
 } tribox_middles;
 
-/* Of a sound grid. Planes are off by half a spacing of doubles, as are their means. */
-static inline tribox_middles tribox_middles_of(const tribox_grid *grid)
+/* Of a window of a sound grid. Planes are off by half a spacing of doubles, as are their means. */
+static inline tribox_middles tribox_middles_of(const tribox_grid *grid, const tribox_window *window)
 {
-    tribox_middles m = {.planes = tribox_planes_of(grid, NULL), .has_places = true};
+    tribox_middles m = {.planes = tribox_planes_of(grid, window->first), .has_places = true};
     for (int a = 0; a < 3; a++) {
         const double cell = grid->cell[a];
-        const double lowest = tribox_plane_at(&m.planes, a, 0), highest = tribox_plane_at(&m.planes, a, grid->size[a]);
+        const double lowest = tribox_plane_at(&m.planes, a, 0), highest = tribox_plane_at(&m.planes, a, window->size[a]);
         const double farthest = -lowest > highest ? -lowest : highest;
-        m.size[a] = grid->size[a];
+        m.size[a] = window->size[a];
         m.origin[a] = lowest;
         m.cell[a] = cell;
         m.per_cell[a] = 1 / cell;

@@ -3,6 +3,7 @@
 #include "fill_crossings.h"
 #include "grid/triangles.h"
 #include "plan.h"
+#include "tribox_threads.h"
 
 /* Every bit that has an odd number of bits at and below it. */
 static uint64_t parity_below(uint64_t word)
@@ -42,13 +43,13 @@ static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_
         *odd_rows = odd;
 }
 
-static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, const tribox_grid *grid, uint64_t *solid,
-                            void *scratch)
+static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, const tribox_grid *grid, const tribox_window *window,
+                            uint64_t *solid, void *scratch)
 {
     c->handlers = &tribox_exact_crossings;
     c->kernel = kernel;
-    c->middles = tribox_middles_of(grid);
-    c->rows = tribox_rows_of(grid->size);
+    c->middles = tribox_middles_of(grid, window);
+    c->rows = tribox_rows_of(window->size);
     c->solid = solid;
     c->beyond = tribox_fill_row_bits(scratch, &c->rows);
     c->turns.count = 0;
@@ -66,15 +67,31 @@ static void cross_all(tribox_crossings *c, const tribox_triangles *triangles)
     tribox_crossings_finish(c);
 }
 
-static tribox_status check_fill(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_kernel *kernel)
+static tribox_status check_fill(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                                const tribox_kernel *kernel)
 {
-    if (!tribox_fill_is_served(grid->size) || !tribox_grid_is_sound(grid))
+    if (!tribox_grid_is_sound(grid))
+        return TRIBOX_BAD_GRID;
+    if (!tribox_grid_has_window(grid, window))
+        return TRIBOX_BAD_ARGUMENT;
+    if (!tribox_fits_one_call(window->size))
         return TRIBOX_BAD_GRID;
     return tribox_triangles_have_vertices(triangles, kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
 }
 
-static tribox_status fill_parity(const tribox_triangles *triangles, const tribox_grid *grid, const uint64_t *occupied,
-                                 void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows)
+static void fill_window(const tribox_triangles *triangles, const tribox_kernel *kernel, const tribox_grid *grid,
+                        const tribox_window *window, const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside,
+                        size_t *odd_rows)
+{
+    tribox_crossings c;
+    start_crossings(&c, kernel, grid, window, solid, scratch);
+    if (window->size[0] && c.rows.count)
+        cross_all(&c, triangles);
+    fill_rows(&c, occupied, inside, odd_rows);
+}
+
+static tribox_status fill_parity(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                                 const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows)
 {
     tribox_plan plan;
     if (!grid || !occupied || !scratch || !solid)
@@ -82,30 +99,42 @@ static tribox_status fill_parity(const tribox_triangles *triangles, const tribox
     tribox_status status = tribox_plan_make(NULL, &plan);
     if (status)
         return status;
+    const tribox_window asked = window ? *window : tribox_whole_window(grid);
     const tribox_environment callers = tribox_environment_enter();
-    status = check_fill(triangles, grid, plan.kernel);
-    if (!status) {
-        tribox_crossings c;
-        start_crossings(&c, plan.kernel, grid, solid, scratch);
-        cross_all(&c, triangles);
-        fill_rows(&c, occupied, inside, odd_rows);
-    }
+    status = check_fill(triangles, grid, &asked, plan.kernel);
+    if (!status)
+        fill_window(triangles, plan.kernel, grid, &asked, occupied, scratch, solid, inside, odd_rows);
     tribox_environment_leave(callers);
     return status;
+}
+
+tribox_status tribox_fill_parity_window(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
+                                        const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows)
+{
+    tribox_triangles triangles;
+    return tribox_triangles_of_soup(soup, &triangles)
+               ? fill_parity(&triangles, grid, window, occupied, scratch, solid, inside, odd_rows)
+               : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_mesh_fill_parity_window(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
+                                             const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside,
+                                             size_t *odd_rows)
+{
+    tribox_triangles triangles;
+    return tribox_triangles_of_mesh(mesh, &triangles)
+               ? fill_parity(&triangles, grid, window, occupied, scratch, solid, inside, odd_rows)
+               : TRIBOX_BAD_ARGUMENT;
 }
 
 tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied, void *scratch,
                                  uint64_t *solid, size_t *inside, size_t *odd_rows)
 {
-    tribox_triangles triangles;
-    return tribox_triangles_of_soup(soup, &triangles) ? fill_parity(&triangles, grid, occupied, scratch, solid, inside, odd_rows)
-                                                      : TRIBOX_BAD_ARGUMENT;
+    return tribox_fill_parity_window(soup, grid, NULL, occupied, scratch, solid, inside, odd_rows);
 }
 
 tribox_status tribox_mesh_fill_parity(const tribox_mesh *mesh, const tribox_grid *grid, const uint64_t *occupied, void *scratch,
                                       uint64_t *solid, size_t *inside, size_t *odd_rows)
 {
-    tribox_triangles triangles;
-    return tribox_triangles_of_mesh(mesh, &triangles) ? fill_parity(&triangles, grid, occupied, scratch, solid, inside, odd_rows)
-                                                      : TRIBOX_BAD_ARGUMENT;
+    return tribox_mesh_fill_parity_window(mesh, grid, NULL, occupied, scratch, solid, inside, odd_rows);
 }

@@ -26,6 +26,19 @@ bool tribox_fits_one_call(const uint32_t size[3])
     return !layer || !size[2] || layer <= WORDS_MAX / size[2];
 }
 
+bool tribox_grid_has_window(const tribox_grid *grid, const tribox_window *window)
+{
+    bool is_inside = true;
+    for (int a = 0; a < 3; a++)
+        is_inside &= window->first[a] <= grid->size[a] && window->size[a] <= grid->size[a] - window->first[a];
+    return is_inside;
+}
+
+tribox_window tribox_whole_window(const tribox_grid *grid)
+{
+    return (tribox_window){.size = {grid->size[0], grid->size[1], grid->size[2]}};
+}
+
 tribox_planes tribox_planes_of(const tribox_grid *grid, const uint32_t first[3])
 {
     tribox_planes planes;

@@ -13,6 +13,12 @@ bool tribox_grid_is_sound(const tribox_grid *grid);
 /* Whether a call may write so many cells: 2^31 words. */
 bool tribox_fits_one_call(const uint32_t size[3]);
 
+/* Whether the window lies in the grid. */
+bool tribox_grid_has_window(const tribox_grid *grid, const tribox_window *window);
+
+/* All of the grid. */
+tribox_window tribox_whole_window(const tribox_grid *grid);
+
 /* The planes of a window of a sound grid; without a first cell those of the grid. */
 tribox_planes tribox_planes_of(const tribox_grid *grid, const uint32_t first[3]);
 

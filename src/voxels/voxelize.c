@@ -2,25 +2,11 @@
 #include "base/environment.h"
 #include "voxelizing.h"
 
-/* Whether the window lies in the grid. */
-static bool is_window_of(const tribox_grid *grid, const tribox_window *window)
-{
-    bool is_inside = true;
-    for (int a = 0; a < 3; a++)
-        is_inside &= window->first[a] <= grid->size[a] && window->size[a] <= grid->size[a] - window->first[a];
-    return is_inside;
-}
-
-static tribox_window whole_window(const tribox_grid *grid)
-{
-    return (tribox_window){.size = {grid->size[0], grid->size[1], grid->size[2]}};
-}
-
 static tribox_status check_window(const tribox_grid *grid, const tribox_window *window)
 {
     if (!tribox_grid_is_sound(grid))
         return TRIBOX_BAD_GRID;
-    if (!is_window_of(grid, window))
+    if (!tribox_grid_has_window(grid, window))
         return TRIBOX_BAD_ARGUMENT;
     return tribox_fits_one_call(window->size) ? TRIBOX_OK : TRIBOX_BAD_GRID;
 }
@@ -35,7 +21,7 @@ static void set_window(tribox_voxels *v, const tribox_triangles *triangles, cons
                        uint64_t *occupied)
 {
     if (has_whole_layers(grid, window)) {
-        const tribox_window whole = whole_window(grid);
+        const tribox_window whole = tribox_whole_window(grid);
         tribox_voxels_begin(v, triangles, grid, &whole, occupied);
         tribox_voxels_limit_layers(v, window->first[2], window->size[2]);
     } else {
@@ -55,7 +41,7 @@ static tribox_status voxelize(const tribox_triangles *triangles, const tribox_gr
     tribox_status status = tribox_plan_make(options, &v->plan);
     if (status)
         return status;
-    const tribox_window asked = window ? *window : whole_window(grid);
+    const tribox_window asked = window ? *window : tribox_whole_window(grid);
     const tribox_environment callers = tribox_environment_enter();
     status = check_window(grid, &asked);
     if (!status && !tribox_triangles_have_vertices(triangles, v->plan.kernel))

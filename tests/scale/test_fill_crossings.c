@@ -23,7 +23,8 @@ static void start(const fill_case *c, tribox_crossings *to, turned *t)
 {
     memset(t, 0, sizeof *t);
     to->rows = tribox_rows_of(fill_case_size(c));
-    to->middles = tribox_middles_of(&c->grid);
+    const tribox_window all = tribox_whole_window(&c->grid);
+    to->middles = tribox_middles_of(&c->grid, &all);
     to->handlers = &tribox_exact_crossings;
     to->solid = t->solid;
     to->beyond = t->beyond;
@@ -70,7 +71,8 @@ static void test_kernels(void **state)
     random_source r = random_named(args->seed, "fill crossings");
     for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
         fill_case_draw(&r, round % fill_case_scenes(), &drawn);
-        if (!tribox_middles_of(&drawn.grid).has_places)
+        const tribox_window all = tribox_whole_window(&drawn.grid);
+        if (!tribox_middles_of(&drawn.grid, &all).has_places)
             continue;
         places++;
         cross_exactly(&drawn, &exact);

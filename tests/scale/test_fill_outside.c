@@ -8,6 +8,7 @@
 
 #include "common/arguments.h"
 #include "common/guard.h"
+#include "fill_search.h"
 #include "fill_walls.h"
 #include "tribox.h"
 
@@ -15,37 +16,6 @@ enum { PAIRS = 100000, ROUNDS = 1500 };
 
 static walls drawn;
 static unsigned char is_reached[WALLS_CELLS];
-
-/* Cell by cell, from all that lies on the border of the grid: the number of cells reached. */
-static size_t search(const walls *w)
-{
-    static uint32_t queue[WALLS_CELLS][3];
-    size_t head = 0, tail = 0;
-    memset(is_reached, 0, sizeof is_reached);
-    for (uint32_t k = 0; k < w->size[2]; k++)
-        for (uint32_t j = 0; j < w->size[1]; j++)
-            for (uint32_t i = 0; i < w->size[0]; i++) {
-                const bool is_border = !i || !j || !k || i + 1 == w->size[0] || j + 1 == w->size[1] || k + 1 == w->size[2];
-                if (is_border && !w->is_wall[walls_at(w, i, j, k)]) {
-                    is_reached[walls_at(w, i, j, k)] = 1;
-                    memcpy(queue[tail++], (uint32_t[3]){i, j, k}, sizeof queue[0]);
-                }
-            }
-    for (; head < tail; head++)
-        for (int side = 0; side < 6; side++) {
-            uint32_t to[3];
-            memcpy(to, queue[head], sizeof to);
-            to[side / 2] += side % 2 ? 1 : UINT32_MAX;
-            if (to[side / 2] >= w->size[side / 2])
-                continue;
-            const size_t at = walls_at(w, to[0], to[1], to[2]);
-            if (!w->is_wall[at] && !is_reached[at]) {
-                is_reached[at] = 1;
-                memcpy(queue[tail++], to, sizeof to);
-            }
-        }
-    return tail;
-}
 
 /* Words of a grid between pages that cannot be touched. */
 typedef struct grid_words {
@@ -86,7 +56,7 @@ static void check_words(const walls *w, grid_words solid)
 
 static void check_drawn(random_source *r)
 {
-    const size_t reached = search(&drawn), scratch_bytes = tribox_fill_bytes(drawn.size);
+    const size_t reached = fill_search(&drawn, is_reached), scratch_bytes = tribox_fill_bytes(drawn.size);
     size_t free_cells = 0, inside = SIZE_MAX;
     for (size_t n = 0; n < (size_t)drawn.size[0] * drawn.size[1] * drawn.size[2]; n++)
         free_cells += !drawn.is_wall[n];

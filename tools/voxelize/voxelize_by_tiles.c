@@ -5,6 +5,7 @@
 
 #include "console/clock.h"
 #include "console/message.h"
+#include "fill/fill_tiles.h"
 #include "tile_crew.h"
 #include "voxelize_ways.h"
 #include "write/brick_out.h"
@@ -63,16 +64,41 @@ static part_header header_of(const tile_job *j)
     return header;
 }
 
-static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
+/* The surface alone. */
+static tribox_status run_surface(const tile_job *j, const tribox_sink *sink, voxelize_answer *a)
 {
-    const bool has_goal = goals->file || goals->part || goals->words;
     progress bar = progress_start_of("voxelizing", "tiles", (double)(j->to - j->from), !j->r->result.is_quiet);
-    const tribox_sink sink = {take_brick, goals};
     tile_found found;
-    const tribox_status status = tile_crew_run(j->set, j->from, j->to, j->r->threads, has_goal ? &sink : NULL, &bar, &found);
+    const tribox_status status = tile_crew_run(j->set, j->from, j->to, j->r->threads, sink, &bar, &found);
     progress_end(&bar);
     a->report = found.report;
     a->bricks = found.bricks;
+    return status;
+}
+
+/* With its inside. Parity asks for the mesh, of which a partition has what is in the grid. */
+static tribox_status run_filled(const tile_job *j, const tribox_sink *sink, voxelize_answer *a)
+{
+    progress bar = progress_start("filling", !j->r->result.is_quiet);
+    tribox_box bounds = {{0, 0, 0}, {0, 0, 0}};
+    const bool is_parity = j->r->fill == FILL_PARITY && mesh_bounds(j->in->mesh, &bounds);
+    beam_found found;
+    const tribox_status status =
+        fill_tiles(j->set, is_parity ? (const double[2]){bounds.lo[0], bounds.hi[0]} : NULL, j->r->threads, sink, &bar, &found);
+    progress_end(&bar);
+    a->report = found.report;
+    a->bricks = found.bricks;
+    a->inside = found.inside;
+    if (!status)
+        voxelize_note_fill(j->r, found.odd_rows, a);
+    return status;
+}
+
+static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
+{
+    const bool has_goal = goals->file || goals->part || goals->words;
+    const tribox_sink sink = {take_brick, goals};
+    const tribox_status status = (j->r->fill == FILL_NONE ? run_surface : run_filled)(j, has_goal ? &sink : NULL, a);
     if (goals->code)
         return goals->code;
     if (goals->part && goals->part->reason)

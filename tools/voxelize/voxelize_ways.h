@@ -22,6 +22,9 @@ typedef struct voxelize_files {
 /* A mesh into the words of its whole grid, filled if that is wanted, and into files. Returns an exit_code. */
 int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a);
 
+/* Says in the answer how it was filled, and warns of a mesh that is not closed. */
+void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a);
+
 /* Tile by tile, for what needs no words of the whole grid. Returns an exit_code. */
 int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a);
 

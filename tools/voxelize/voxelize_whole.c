@@ -67,7 +67,6 @@ static tribox_status fill(const whole *w, void *scratch, voxelize_answer *a)
     const tribox_grid *const grid = &w->cells.grid;
     if (w->r->fill == FILL_OUTSIDE)
         return tribox_fill_outside(grid->size, w->surface, scratch, w->solid, &a->inside);
-    a->has_rows = true;
     return w->m->is_double ? tribox_mesh_fill_parity(&w->m->doubles, grid, w->surface, scratch, w->solid, &a->inside, &a->odd_rows)
                            : tribox_fill_parity(&w->m->soup, grid, w->surface, scratch, w->solid, &a->inside, &a->odd_rows);
 }
@@ -76,7 +75,6 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
 {
     if (w->r->fill == FILL_NONE)
         return EXIT_CODE_OK;
-    a->fill = w->r->fill == FILL_OUTSIDE ? "outside" : "parity";
     void *const scratch = malloc(tribox_fill_bytes(w->cells.grid.size));
     if (!scratch)
         return message_failure("out of memory to fill the cells");
@@ -84,10 +82,7 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     free(scratch);
     if (status)
         return message_status(status);
-    if (a->odd_rows)
-        message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
-                    "wrong; --fill outside asks only the cells",
-                    triangle_file_name(w->r->from.mesh_path), a->odd_rows);
+    voxelize_note_fill(w->r, a->odd_rows, a);
     return EXIT_CODE_OK;
 }
 

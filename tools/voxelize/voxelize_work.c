@@ -9,11 +9,22 @@
 #include "console/message.h"
 #include "voxelize_ways.h"
 
-/* Filling, and formats of all cells, take the whole grid; all else goes tile by tile. */
+/* Formats of all cells take the whole grid; all else goes tile by tile. */
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks;
-    return r->fill != FILL_NONE || (is_dense && in->mesh);
+    return is_dense && in->mesh;
+}
+
+void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a)
+{
+    a->fill = r->fill == FILL_OUTSIDE ? "outside" : "parity";
+    a->has_rows = r->fill == FILL_PARITY;
+    a->odd_rows = odd_rows;
+    if (odd_rows)
+        message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
+                    "wrong; --fill outside asks only the cells",
+                    triangle_file_name(r->from.mesh_path), odd_rows);
 }
 
 static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)

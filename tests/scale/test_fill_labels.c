@@ -1,0 +1,331 @@
+/* test_fill_labels.c - grids that are filled part by part have the bits of a plain search, however they are cut. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/guard.h"
+#include "fill_search.h"
+#include "fill_walls.h"
+#include "tribox_threads.h"
+
+enum { PAIRS = 100000, ROUNDS = 800, PARTS_MAX = 4096 };
+
+static walls drawn;
+static unsigned char is_reached[WALLS_CELLS];
+
+/* A part: where it begins, its cells, and what is kept of it. */
+typedef struct part {
+    uint32_t first[3], size[3];
+    uint32_t from, labels; /* its labels among all */
+    uint32_t *faces[6];
+    guarded face_pages[6], words, solid, scratch;
+    bool is_empty; /* taken as one label, without a call */
+} part;
+
+/* A grid cut into parts by planes on each axis: parts are numbered along x, then y, then z. */
+typedef struct cut_grid {
+    uint32_t border[3][WALLS_CELLS + 1];
+    uint32_t along[3];
+    part parts[PARTS_MAX];
+    uint32_t *parents;
+    uint32_t labels;
+} cut_grid;
+
+static cut_grid cut;
+
+/* Tiles of one side, or any borders. */
+static void cut_axis(random_source *r, uint32_t size, uint32_t side, uint32_t *border, uint32_t *along)
+{
+    *along = 0;
+    for (uint32_t at = 0; at < size; at += side ? side : (uint32_t)random_int_between(r, 1, (int)size))
+        border[(*along)++] = at;
+    border[*along] = size;
+}
+
+static bool cut_walls(random_source *r)
+{
+    static const uint32_t sides[] = {0, 0, 3, 8, 16, 64, 128};
+    const uint32_t side = sides[random_int(r, sizeof sides / sizeof sides[0])];
+    for (int a = 0; a < 3; a++)
+        cut_axis(r, drawn.size[a], side, cut.border[a], &cut.along[a]);
+    return (size_t)cut.along[0] * cut.along[1] * cut.along[2] <= PARTS_MAX;
+}
+
+static size_t parts_of(void) { return (size_t)cut.along[0] * cut.along[1] * cut.along[2]; }
+
+static size_t row_words(const part *p) { return (p->size[0] + 63) / 64; }
+
+/* With bits of any kind past the end of each row. */
+static void set_words(random_source *r, part *p)
+{
+    const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
+    p->words = guarded_make(bytes);
+    p->is_empty = true;
+    uint64_t *const words = guarded_tail(p->words, bytes);
+    for (uint32_t k = 0; k < p->size[2]; k++)
+        for (uint32_t j = 0; j < p->size[1]; j++)
+            for (uint32_t i = 0; i < 64 * row_words(p); i++) {
+                const bool is_cell = i < p->size[0];
+                const bool is =
+                    is_cell ? drawn.is_wall[walls_at(&drawn, p->first[0] + i, p->first[1] + j, p->first[2] + k)] : random_int(r, 2);
+                uint64_t *const word = &words[(k * p->size[1] + j) * row_words(p) + i / 64];
+                *word = (*word & ~(UINT64_C(1) << i % 64)) | (uint64_t)is << i % 64;
+                p->is_empty = p->is_empty && !(is_cell && is);
+            }
+    guarded_read_only(p->words, true);
+}
+
+static const uint64_t *words_of(const part *p)
+{
+    return guarded_tail(p->words, row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t));
+}
+
+static size_t face_cells(const part *p, int face) { return (size_t)p->size[face < 2 ? 1 : 0] * p->size[face < 4 ? 2 : 1]; }
+
+static void label(random_source *r, part *p)
+{
+    const size_t bytes = tribox_fill_labels_bytes(p->size);
+    p->scratch = guarded_make(bytes);
+    memset(p->scratch.first, random_int(r, 256), p->scratch.size);
+    for (int face = 0; face < 6; face++) {
+        p->face_pages[face] = guarded_make(face_cells(p, face) * sizeof(uint32_t));
+        p->faces[face] = guarded_tail(p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
+    }
+    assert_int_equal(tribox_fill_labels(p->size, words_of(p), guarded_tail(p->scratch, bytes), p->faces, &p->labels), TRIBOX_OK);
+    p->from = cut.labels;
+    cut.labels += p->labels;
+}
+
+/* One label does for a part without walls: every other one of these is taken so. */
+static void label_all(random_source *r)
+{
+    cut.labels = 1;
+    for (size_t n = 0; n < parts_of(); n++) {
+        part *const p = &cut.parts[n];
+        const uint32_t at[3] = {(uint32_t)(n % cut.along[0]), (uint32_t)(n / cut.along[0] % cut.along[1]),
+                                (uint32_t)(n / cut.along[0] / cut.along[1])};
+        for (int a = 0; a < 3; a++) {
+            p->first[a] = cut.border[a][at[a]];
+            p->size[a] = cut.border[a][at[a] + 1] - p->first[a];
+        }
+        set_words(r, p);
+        label(r, p);
+        if (p->is_empty)
+            assert_int_equal(p->labels, 1);
+        p->is_empty = p->is_empty && random_int(r, 2);
+    }
+}
+
+static void join(uint32_t number_a, int face, const part *b)
+{
+    const part *const a = &cut.parts[number_a];
+    const uint32_t *const of_a = a->is_empty ? NULL : a->faces[face];
+    const uint32_t *const of_b = !b || b->is_empty ? NULL : b->faces[face ^ 1];
+    const uint32_t from_b = b ? b->from : 0;
+    if (of_a)
+        assert_int_equal(tribox_fill_join(cut.parents, of_a, a->from, of_b, from_b, face_cells(a, face)), TRIBOX_OK);
+    else
+        assert_int_equal(tribox_fill_join(cut.parents, of_b ? of_b : (const uint32_t[1]){0}, from_b, NULL, a->from,
+                                          of_b ? face_cells(a, face) : 1),
+                         TRIBOX_OK);
+}
+
+/* In any order: from a part on, then from the first. */
+static void join_all(random_source *r)
+{
+    const uint32_t parts = (uint32_t)parts_of(), first = (uint32_t)random_int(r, (int)parts);
+    const uint32_t step[3] = {1, cut.along[0], cut.along[0] * cut.along[1]};
+    cut.parents = malloc(cut.labels * sizeof *cut.parents);
+    for (uint32_t n = 0; n < cut.labels; n++)
+        cut.parents[n] = n;
+    for (uint32_t m = 0; m < parts; m++) {
+        const uint32_t n = (first + m) % parts;
+        for (int a = 0; a < 3; a++) {
+            const uint32_t at = n / step[a] % cut.along[a];
+            if (!at)
+                join(n, 2 * a, NULL);
+            join(n, 2 * a + 1, at + 1 < cut.along[a] ? &cut.parts[n + step[a]] : NULL);
+        }
+    }
+}
+
+static size_t fill_part(part *p)
+{
+    uint64_t outside[WALLS_CELLS / 64 + 1] = {0};
+    size_t inside = SIZE_MAX;
+    const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
+    for (uint32_t n = 0; n < p->labels; n++)
+        outside[n / 64] |= (uint64_t)(tribox_fill_root(cut.parents, p->from + n) == tribox_fill_root(cut.parents, 0)) << n % 64;
+    p->solid = guarded_make(bytes);
+    memset(p->solid.first, 0x5a, p->solid.size);
+    guarded_read_only(p->scratch, true);
+    assert_int_equal(tribox_fill_labelled(p->size, words_of(p), guarded_tail(p->scratch, tribox_fill_labels_bytes(p->size)),
+                                          outside, guarded_tail(p->solid, bytes), &inside),
+                     TRIBOX_OK);
+    return inside;
+}
+
+static void check_part(const part *p)
+{
+    const uint64_t *const solid = guarded_tail(p->solid, row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t));
+    for (uint32_t k = 0; k < p->size[2]; k++)
+        for (uint32_t j = 0; j < p->size[1]; j++)
+            for (uint32_t i = 0; i < 64 * row_words(p); i++) {
+                const bool is = solid[(k * p->size[1] + j) * row_words(p) + i / 64] >> i % 64 & 1;
+                const bool is_right =
+                    i < p->size[0] && !is_reached[walls_at(&drawn, p->first[0] + i, p->first[1] + j, p->first[2] + k)];
+                if (is != is_right)
+                    fail_msg("%s: cell %u, %u, %u of the part at %u, %u, %u is %s", doing, i, j, k, p->first[0], p->first[1],
+                             p->first[2], is ? "filled" : "not filled");
+            }
+}
+
+static void free_part(part *p)
+{
+    guarded_free(p->words);
+    guarded_free(p->solid);
+    guarded_free(p->scratch);
+    for (int face = 0; face < 6; face++)
+        guarded_free(p->face_pages[face]);
+}
+
+static void check_drawn(random_source *r)
+{
+    const size_t reached = fill_search(&drawn, is_reached);
+    size_t free_cells = 0, inside = 0;
+    for (size_t n = 0; n < (size_t)drawn.size[0] * drawn.size[1] * drawn.size[2]; n++)
+        free_cells += !drawn.is_wall[n];
+    label_all(r);
+    join_all(r);
+    for (size_t n = 0; n < parts_of(); n++) {
+        inside += fill_part(&cut.parts[n]);
+        check_part(&cut.parts[n]);
+        free_part(&cut.parts[n]);
+    }
+    free(cut.parents);
+    if (inside != free_cells - reached)
+        fail_msg("%s: %zu are inside, not %zu", doing, free_cells - reached, inside);
+}
+
+static void test_parts(void **state)
+{
+    const arguments *const args = *state;
+    catch_faults();
+    random_source r = random_named(args->seed, "fill labels");
+    for (size_t round = 0; round < ROUNDS * arguments_rounds(args, PAIRS) / (arguments_are_short(args) ? 10 : 1); round++) {
+        walls_draw(&r, round % walls_kinds(), &drawn);
+        if (!cut_walls(&r))
+            continue;
+        snprintf(doing, sizeof doing, "round %zu, %s in %u x %u x %u, %u x %u x %u parts", round, drawn.kind, drawn.size[0],
+                 drawn.size[1], drawn.size[2], cut.along[0], cut.along[1], cut.along[2]);
+        check_drawn(&r);
+    }
+}
+
+/* Scratch is at any address, and no byte past what was asked for is written. */
+static void test_scratch(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[][3] = {{1, 1, 1}, {70, 4, 2}, {3, 20, 1}, {3, 1, 20}, {64, 2, 2}};
+    for (size_t n = 0; n < sizeof sizes / sizeof sizes[0]; n++)
+        for (size_t off = 0; off < 9; off++) {
+            const uint64_t occupied[64] = {UINT64_C(0xaaaaaaaaaaaaaaaa), 0, UINT64_C(0x5555555555555555)};
+            unsigned char scratch[8192];
+            uint32_t *const faces[6] = {NULL}, count;
+            const size_t bytes = tribox_fill_labels_bytes(sizes[n]);
+            assert_true(bytes + off + 8 < sizeof scratch);
+            memset(scratch, 0x5a, sizeof scratch);
+            assert_int_equal(tribox_fill_labels(sizes[n], occupied, scratch + off, faces, &count), TRIBOX_OK);
+            for (size_t at = 0; at < sizeof scratch; at++)
+                assert_true((at >= off && at < off + bytes) || scratch[at] == 0x5a);
+        }
+}
+
+/* Walls at every other cell: the most labels, and not one more run than there is scratch for. */
+static void test_checkerboard(void **state)
+{
+    (void)state;
+    memset(&drawn, 0, sizeof drawn);
+    memcpy(drawn.size, (uint32_t[3]){129, 17, 17}, sizeof drawn.size);
+    drawn.kind = "checkerboard";
+    for (uint32_t k = 0; k < drawn.size[2]; k++)
+        for (uint32_t j = 0; j < drawn.size[1]; j++)
+            for (uint32_t i = 0; i < drawn.size[0]; i++)
+                drawn.is_wall[walls_at(&drawn, i, j, k)] = (i + j + k) % 2;
+    static const uint32_t sides[] = {8, 16, 64, 128};
+    random_source r = random_named(1, "fill checkerboard");
+    for (size_t n = 0; n < 4; n++) {
+        for (int a = 0; a < 3; a++)
+            cut_axis(&r, drawn.size[a], sides[n], cut.border[a], &cut.along[a]);
+        snprintf(doing, sizeof doing, "checkerboard, parts of %u", sides[n]);
+        check_drawn(&r);
+    }
+}
+
+static void check_refused(tribox_status expected, const uint32_t *size, const void *occupied, bool has_scratch, bool has_faces,
+                          bool has_count)
+{
+    unsigned char scratch[1024], poison[1024];
+    uint32_t count = 123, *const faces[6] = {NULL};
+    uint64_t solid[8], kept[8];
+    size_t inside = 123;
+    memset(scratch, 0xa5, sizeof scratch);
+    memset(poison, 0xa5, sizeof poison);
+    memset(solid, 0xa5, sizeof solid);
+    memset(kept, 0xa5, sizeof kept);
+    assert_int_equal(
+        tribox_fill_labels(size, occupied, has_scratch ? scratch : NULL, has_faces ? faces : NULL, has_count ? &count : NULL),
+        expected);
+    assert_int_equal(tribox_fill_labelled(size, occupied, has_scratch ? scratch : NULL, has_faces ? kept : NULL,
+                                          has_count ? solid : NULL, &inside),
+                     expected);
+    assert_true(count == 123 && inside == 123);
+    assert_memory_equal(scratch, poison, sizeof scratch);
+    assert_memory_equal(solid, kept, sizeof solid);
+}
+
+static void test_bad_arguments(void **state)
+{
+    (void)state;
+    const uint32_t size[3] = {9, 3, 2};
+    const uint64_t some[8] = {0};
+    check_refused(TRIBOX_BAD_ARGUMENT, NULL, some, true, true, true);
+    check_refused(TRIBOX_BAD_ARGUMENT, size, NULL, true, true, true);
+    check_refused(TRIBOX_BAD_ARGUMENT, size, some, false, true, true);
+    check_refused(TRIBOX_BAD_ARGUMENT, size, some, true, false, true);
+    check_refused(TRIBOX_BAD_ARGUMENT, size, some, true, true, false);
+    for (int a = 0; a < 3; a++) {
+        uint32_t wrong[3] = {9, 3, 2};
+        wrong[a] = 0;
+        check_refused(TRIBOX_BAD_GRID, wrong, some, true, true, true);
+        assert_true(tribox_fill_labels_bytes(wrong) == SIZE_MAX);
+    }
+    static const uint32_t large[][3] = {{1, 1, UINT32_C(1) << 31},
+                                        {2, UINT32_C(1) << 16, UINT32_C(1) << 15},
+                                        {3, UINT32_C(1) << 15, UINT32_C(1) << 15},
+                                        {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
+    for (size_t n = 0; n < sizeof large / sizeof large[0]; n++) {
+        check_refused(TRIBOX_BAD_GRID, large[n], some, true, true, true);
+        assert_true(tribox_fill_labels_bytes(large[n]) == SIZE_MAX);
+    }
+    assert_int_equal(tribox_fill_join(NULL, size, 0, size, 0, 1), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_fill_join((uint32_t[1]){0}, NULL, 0, size, 0, 1), TRIBOX_BAD_ARGUMENT);
+    assert_int_equal(tribox_fill_join(NULL, NULL, 0, NULL, 0, 0), TRIBOX_OK);
+}
+
+int main(int argc, char **argv)
+{
+    arguments args = arguments_parse(argc, argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_parts, &args),
+        cmocka_unit_test_prestate(test_checkerboard, &args),
+        cmocka_unit_test_prestate(test_scratch, &args),
+        cmocka_unit_test_prestate(test_bad_arguments, &args),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,182 @@
+/* parity.c - which triangles the rays of each beam may cross, and the beams filled from these. */
+#include "parity.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "console/message.h"
+#include "console/pages.h"
+#include "tribox_threads.h"
+
+/* ------------------------------------------------------------------------------------------------------------------------ lists */
+
+/* The grid with two cells along x that reach over the mesh, in one tile: so tiles are the beams, on the same planes. */
+static tribox_grid beam_grid(const tribox_grid *grid, double lo, double hi)
+{
+    const double half = hi / 2 - lo / 2, spacing = fmax(fabs(lo), fabs(hi)) * 0x1p-40;
+    tribox_grid g = *grid;
+    g.origin[0] = lo;
+    g.cell[0] = fmin(1.001 * fmax(fmax(half, spacing), 0x1p-1000), DBL_MAX / 2 - lo / 2);
+    g.size[0] = 2;
+    return g;
+}
+
+static tribox_status list_beams(parity *p, const tribox_grid *grid)
+{
+    const voxel_task *const t = &p->beams->set->task;
+    const tribox_tiles all = {p->beams->set->tile, 0, p->beams->count};
+    const tribox_options listing = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = t->options->kernel};
+    return t->soup ? tribox_tile_lists(t->soup, grid, &all, &listing, p->starts, p->list)
+                   : tribox_mesh_tile_lists(t->mesh, grid, &all, &listing, p->starts, p->list);
+}
+
+tribox_status parity_start(const beams *b, double lo, double hi, parity *p)
+{
+    const tribox_grid grid = beam_grid(&b->set->task.grid, lo, hi);
+    *p = (parity){.beams = b, .starts = malloc((b->count + 1) * sizeof *p->starts)};
+    if (!p->starts)
+        return MESSAGE_NO_MEMORY;
+    const tribox_status status = list_beams(p, &grid);
+    if (status)
+        return status;
+    p->list = malloc(p->starts[b->count] * sizeof *p->list + 1);
+    return p->list ? list_beams(p, &grid) : MESSAGE_NO_MEMORY;
+}
+
+void parity_end(parity *p)
+{
+    free(p->starts);
+    free(p->list);
+}
+
+/* ------------------------------------------------------------------------------------------------------------------------ beams */
+
+typedef struct parity_room {
+    tile_room *tile;
+    size_t words;              /* of a beam */
+    uint64_t *surface, *solid; /* two of them, in one room */
+    void *scratch;
+    uint32_t *numbers; /* the nine streams, or the corners, of the triangles of a beam */
+} parity_room;
+
+static size_t most_triangles(const parity *p)
+{
+    size_t most = 1;
+    for (size_t b = 0; b < p->beams->count; b++)
+        if (p->starts[b + 1] - p->starts[b] > most)
+            most = p->starts[b + 1] - p->starts[b];
+    return most;
+}
+
+static void end_room(void *data)
+{
+    parity_room *const r = data;
+    if (r->tile)
+        tile_room_free(r->tile);
+    pages_free(r->surface, 2 * r->words * sizeof *r->surface);
+    free(r->scratch);
+    free(r->numbers);
+    free(r);
+}
+
+static uint32_t beam_side(uint32_t cells, uint32_t side) { return cells < side ? cells : side; }
+
+static void *start_room(const void *about)
+{
+    const parity *const p = about;
+    const tile_set *const set = p->beams->set;
+    const uint32_t *const grid = set->task.grid.size;
+    const uint32_t size[3] = {grid[0], beam_side(grid[1], set->tile), beam_side(grid[2], set->tile)};
+    parity_room *const r = calloc(1, sizeof *r);
+    if (!r)
+        return NULL;
+    r->words = tribox_window_words(size);
+    r->surface = pages_take(2 * r->words * sizeof *r->surface);
+    r->solid = r->surface ? r->surface + r->words : NULL;
+    r->scratch = malloc(tribox_fill_bytes(size));
+    r->numbers = malloc(9 * most_triangles(p) * sizeof *r->numbers);
+    r->tile = tile_room_new(set, 0, set->count);
+    if (r->surface && r->scratch && r->numbers && r->tile)
+        return r;
+    end_room(r);
+    return NULL;
+}
+
+/* The triangles of a list as nine streams. */
+static tribox_soup gather_soup(const tribox_soup *from, const uint32_t *list, size_t count, float *to)
+{
+    tribox_soup soup = {.count = count};
+    const float *const *const axis[3] = {from->x, from->y, from->z};
+    const float **const own[3] = {soup.x, soup.y, soup.z};
+    for (int a = 0; a < 3; a++)
+        for (int v = 0; v < 3; v++, to += count) {
+            for (size_t i = 0; i < count; i++)
+                to[i] = axis[a][v][list[i]];
+            own[a][v] = to;
+        }
+    return soup;
+}
+
+/* As a mesh with the same vertices. */
+static tribox_mesh gather_mesh(const tribox_mesh *from, const uint32_t *list, size_t count, uint32_t *to)
+{
+    tribox_mesh mesh = *from;
+    const uint32_t *const corners = from->indices;
+    for (size_t i = 0; i < count; i++)
+        for (size_t v = 0; v < 3; v++) {
+            const size_t corner = 3 * (size_t)list[i] + v;
+            to[3 * i + v] = corners ? corners[corner] : (uint32_t)corner;
+        }
+    mesh.indices = to;
+    mesh.index_bytes = sizeof *to;
+    mesh.count = count;
+    return mesh;
+}
+
+static tribox_status fill_window(const parity *p, parity_room *r, size_t beam, const tribox_window *w, beam_found *found)
+{
+    const voxel_task *const t = &p->beams->set->task;
+    const uint32_t *const list = p->list + p->starts[beam];
+    const size_t count = p->starts[beam + 1] - p->starts[beam];
+    if (t->soup) {
+        const tribox_soup soup = gather_soup(t->soup, list, count, (float *)(void *)r->numbers);
+        return tribox_fill_parity_window(&soup, &t->grid, w, r->surface, r->scratch, r->solid, &found->inside, &found->odd_rows);
+    }
+    const tribox_mesh mesh = gather_mesh(t->mesh, list, count, r->numbers);
+    return tribox_mesh_fill_parity_window(&mesh, &t->grid, w, r->surface, r->scratch, r->solid, &found->inside, &found->odd_rows);
+}
+
+/* Tiles share the rows of the beam. */
+static void hand_on(const parity *p, const parity_room *r, size_t beam, const tribox_window *w, beam_solid *solid)
+{
+    const size_t row_words = tribox_mask_words(w->size[0]);
+    for (size_t n = 0; n < p->beams->tiles; n++) {
+        const tribox_window tile = tile_cells_of(p->beams->set, beam * p->beams->tiles + n);
+        tile_cells *const to = &solid->tiles[solid->count++];
+        *to = (tile_cells){.words = r->solid + tile.first[0] / 64, .row_words = row_words, .shift = tile.first[0] % 64};
+        for (int a = 0; a < 3; a++) {
+            to->first[a] = tile.first[a];
+            to->size[a] = tile.size[a];
+        }
+    }
+}
+
+static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_solid *solid, beam_found *found)
+{
+    const parity *const p = about;
+    parity_room *const r = room;
+    const size_t from = p->beams->first[beam], to = p->beams->first[beam + 1];
+    tribox_window w = tile_cells_of(p->beams->set, beam * p->beams->tiles);
+    w.size[0] = p->beams->set->task.grid.size[0];
+    if (from == to && p->starts[beam] == p->starts[beam + 1])
+        return TRIBOX_OK;
+    tribox_status status = tile_words_take(p->beams->set, from, to, r->tile, &(tile_words){w, r->surface}, &found->report);
+    if (!status)
+        status = fill_window(p, r, beam, &w, found);
+    if (!status)
+        hand_on(p, r, beam, &w, solid);
+    return status;
+}
+
+beam_filling parity_filling(const parity *p) { return (beam_filling){p, start_room, fill_beam, end_room}; }
