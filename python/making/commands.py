@@ -21,8 +21,9 @@ class BuildPy(build_py):
     def run(self):
         super().run()
         folder = os.path.join(self.build_lib, "tribox")
-        declarations = os.path.join(ROOT, "python", "declarations.py"), os.path.join(ROOT, "include", "tribox.h")
-        subprocess.run([sys.executable, *declarations, os.path.join(folder, "_ffi.py")], check=True)
+        headers = [os.path.join(ROOT, "include", header) for header in ("tribox.h", "tribox_threads.h")]
+        declarations = os.path.join(ROOT, "python", "declarations.py")
+        subprocess.run([sys.executable, declarations, *headers, os.path.join(folder, "_ffi.py")], check=True)
         with tempfile.TemporaryDirectory() as scratch:
             Compiler().build(folder, scratch)
 

@@ -26,9 +26,14 @@ def sort(held_, order, scratch):
     return call(held_.struct, order, scratch)
 
 
-def gather(held_, order, soup):
-    """Writes as many triangles as the soup has, of float32 or rounded to it."""
-    to, whole = soup.struct, (order, 0, soup.struct.count)
+def sort_start(held_, first, end, scratch):
+    call = lib.tribox_soup_sort_start if held_.is_soup else lib.tribox_mesh_sort_start
+    return call(held_.struct, first, end - first, scratch)
+
+
+def gather(held_, order, first, soup):
+    """Writes as many triangles as the soup has, of float32 or rounded to it: those from a place in an order on."""
+    to, whole = soup.struct, (order, first, soup.struct.count)
     if held_.is_soup:
         return lib.tribox_soup_gather(held_.struct, *whole, to.x, to.y, to.z)
     return lib.tribox_mesh_gather(held_.struct, NULL, *whole, to.x, to.y, to.z)

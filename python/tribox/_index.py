@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional, Tuple, Union
+from typing import Any, Dict, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,44 +11,22 @@ from . import _c
 from ._arguments import check, options_of
 from ._bounds import extent
 from ._boxes import OrientedBox, Rows, Streams, bounds_of_boxes, box_of, oriented_of
-from ._errors import InputError, check_indices, error_of, shown
+from ._errors import InputError, shown
 from ._ffi import ffi
 from ._library import lib
 from ._masks import bools, check_out, new_words, pointer_to, rows_of_words
 from ._numbers import FLOAT
+from ._order import NUMBER, NUMBERS, in_order, order_of, threads_for
 from ._overlap import ALL, BOX, check_oriented
-from ._triangles import Mesh, Soup, by_number, check_sound, held, is_double
+from ._threads import cut, in_threads, processors, threads_of
+from ._triangles import Mesh, Soup, held, is_double
 from ._typing import Accuracy, Answer, Boxes, Region, TrianglesLike, Vector
 
-NUMBER, SIZE = np.dtype(np.uint32), np.dtype(np.uintp)
-NUMBERS, SIZES, FOUND = ffi.typeof("uint32_t[]"), ffi.typeof("size_t[]"), ffi.typeof("size_t *")
-SCRATCH_FLOATS = 4  # a triangle, for an order
+SIZE = np.dtype(np.uintp)
+SIZES, FOUND = ffi.typeof("size_t[]"), ffi.typeof("size_t *")
 FIRST_ROOM = 4096  # numbers; an answer that has more is asked for twice
 ROOM_EACH = 64  # numbers for each of many boxes, at first
-
-
-def order_of(held_):
-    """The order in which triangles are near in number where they are near in space."""
-    count = held_.struct.count
-    order, scratch = np.empty(count, NUMBER), np.empty(count * SCRATCH_FLOATS, FLOAT)
-    status = _c.sort(held_, ffi.from_buffer(NUMBERS, order), ffi.from_buffer(scratch))
-    if status:
-        check_indices(held_)
-        raise error_of(status, triangles=count)
-    return order
-
-
-def in_order(held_, order):
-    """Triangles in an order, None for their own, as what an index is fastest over: a Soup, or a Mesh of float64."""
-    if order is None:
-        check_indices(held_)
-    if is_double(held_):
-        return Mesh(by_number(held_, np.arange(held_.struct.count) if order is None else order))
-    if order is None:
-        return held_ if held_.is_soup else Soup.of(held_)
-    soup = Soup(np.empty((3, 3, len(order)), FLOAT))
-    check_sound(_c.gather(held_, ffi.from_buffer(NUMBERS, order), soup))
-    return soup
+BOXES_LEAST, PARTS_EACH = 128, 4  # boxes of float32 that threads share out, at the least; parts for each thread
 
 
 class Index:
@@ -58,6 +36,8 @@ class Index:
     keep_order: False copies the triangles into an order in which near ones are near in number, which takes some 100 ns and 40 bytes
         for each, of float64 76, 16 more on the way, and makes questions fastest. True leaves them as they come: a Soup is then read
         where it lies and must not change; others are copied.
+
+    threads: how many may share the work of making it. None for one on each processor. The Index does not depend on it.
 
     Answers are those of tribox.overlap, exact about the numbers that the triangles and boxes have, and have the numbers that the
     triangles have in the array, Mesh or Soup. A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an
@@ -70,18 +50,31 @@ class Index:
     _ids: Optional[NDArray[np.uint32]]
     _nodes: NDArray[np.uint8]
 
-    def __init__(self, triangles: TrianglesLike, *, keep_order: bool = False) -> None:
-        held_ = held(triangles)
-        order = None if keep_order else order_of(held_)
-        self._set(in_order(held_, order), order)
+    def __init__(self, triangles: TrianglesLike, *, keep_order: bool = False, threads: Optional[SupportsIndex] = 1) -> None:
+        held_, threads = held(triangles), min(threads_of(threads), processors())
+        order = None if keep_order else order_of(held_, threads)
+        self._set(in_order(held_, order, threads), order, threads)
 
-    def _set(self, held_, ids):
+    def _set(self, held_, ids, threads=1):
         """held_: the triangles in the order of the index. ids: the number that each has for the caller; None: its place there."""
         self._held, self._ids = held_, ids
         self._nodes = np.empty(lib.tribox_index_bytes(len(held_)), np.uint8)
         ids_ = ffi.NULL if ids is None else ffi.from_buffer(NUMBERS, ids)
         self._index = _c.Indexed(ffi.from_buffer(self._nodes), held_, ids_)
-        check(lib.tribox_index_build(self._index.struct, ffi.NULL, self._index.nodes), triangles=len(self))
+        check(self._build(threads_for(threads, len(held_))), triangles=len(self))
+
+    def _build(self, threads):
+        """Writes the nodes; returns the status."""
+        index, nodes, count, block = self._index.struct, self._index.nodes, len(self), lib.TRIBOX_INDEX_BLOCK
+        if threads <= 1:
+            return lib.tribox_index_build(index, ffi.NULL, nodes)
+
+        def update(part):
+            first, end = block * part[0], min(count, block * part[1])
+            return lib.tribox_index_update(index, first, end - first, ffi.NULL, nodes)
+
+        parts = cut(-(-count // block), threads)
+        return max(in_threads(threads, update, parts)) or lib.tribox_index_update(index, 0, 0, ffi.NULL, nodes)
 
     def __len__(self) -> int:
         return len(self._held)
@@ -149,20 +142,32 @@ class Index:
         return self._list(self._question(lo, hi, accuracy, axes, axis_order, kernel))
 
     def lists(self, lo: Boxes, hi: Optional[Boxes] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
-              kernel: Optional[str] = None) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
+              kernel: Optional[str] = None,
+              threads: Optional[SupportsIndex] = 1) -> Tuple[NDArray[np.uint32], NDArray[np.intp]]:
         """list() for many boxes: (list, start), where list[start[i]:start[i + 1]] has the triangles of box i.
 
         lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box
             that is empty or not finite has no triangles.
 
+        threads: how many may share the boxes. None for one on each processor. The lists do not depend on it.
+
         list: an array of uint32. start: m + 1 places, an array of intp. Boxes that are near in number should be near in space.
         """
-        options = options_of(accuracy, axes, axis_order, kernel)
+        options, threads = options_of(accuracy, axes, axis_order, kernel), min(threads_of(threads), processors())
         check_box_axes(axes)
         los, his = bounds_of_boxes(lo, hi)
-        lists = self._lists if los.dtype == FLOAT else self._lists_each
-        numbers, start = lists(los, his, options, np.zeros(los.shape[1] + 1, SIZE))
-        return numbers[:start[-1]].copy(), start.view(np.intp)
+        count, lists = los.shape[1], self._lists if los.dtype == FLOAT else self._lists_each
+
+        def work(part):
+            first, end = part
+            numbers, start = lists(los[:, first:end], his[:, first:end], options, np.zeros(end - first + 1, SIZE))
+            return numbers[:start[-1]], start
+
+        parts = min(PARTS_EACH * threads, count // BOXES_LEAST) if threads > 1 and los.dtype == FLOAT else 1
+        each = in_threads(threads, work, cut(count, parts) if parts > 1 else [(0, count)])
+        ends = np.cumsum([start[-1] for _, start in each], dtype=SIZE)
+        starts = [each[0][1], *(start[1:] + end for (_, start), end in zip(each[1:], ends))]
+        return np.concatenate([numbers for numbers, _ in each]), np.concatenate(starts).view(np.intp)
 
     def _lists(self, los, his, options, start):
         """By one call; those beyond its room by a second."""

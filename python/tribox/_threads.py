@@ -1,8 +1,9 @@
 """Threads for one call: the library's calls release the interpreter's lock, so they run at once."""
 
 import os
-from concurrent.futures import ThreadPoolExecutor
+from collections import deque
 from operator import index
+from threading import Thread
 
 from ._errors import InputError, shown
 
@@ -23,10 +24,54 @@ def threads_of(threads):
     return count
 
 
+def started(count, run):
+    """So many threads that run something, or as many as the system starts."""
+    threads = []
+    for _ in range(count):
+        thread = Thread(target=run)
+        try:
+            thread.start()
+        except RuntimeError:
+            break
+        threads.append(thread)
+    return threads
+
+
+def cut(count, parts):
+    """(first, end) of so many parts of about one size, or of fewer where there is not so much."""
+    parts = min(count, parts)
+    return [(count * part // parts, count * (part + 1) // parts) for part in range(parts)]
+
+
+def taken_from(left):
+    """The parts in a deque, till none is left. Threads may take from one at once."""
+    while True:
+        try:
+            part = left.popleft()
+        except IndexError:
+            return
+        yield part
+
+
 def in_threads(threads, work, parts):
     """[work(part) for part in parts], `threads` of them at once. After an error no further part is started, and it is raised."""
     threads = min(threads, len(parts))
     if threads <= 1:
         return [work(part) for part in parts]
-    with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(work, parts))
+    answers, failures, left = [None] * len(parts), [], deque(enumerate(parts))
+
+    def run():
+        for number, part in taken_from(left):
+            try:
+                answers[number] = work(part)
+            except BaseException as failure:
+                failures.append(failure)
+                left.clear()
+
+    others = started(threads - 1, run)
+    run()
+    for other in others:
+        other.join()
+    if failures:
+        raise failures[0]
+    return answers

@@ -4,29 +4,21 @@ from __future__ import annotations
 
 from typing import Optional, SupportsIndex
 
-import numpy as np
-
-from . import _c
 from ._around import grid_given
 from ._arguments import options_of, range_of
-from ._errors import InputError, InputTypeError, check_indices, shown
-from ._ffi import ffi
+from ._errors import InputError, InputTypeError, shown
 from ._fill import fill_of, filled
 from ._grids import struct_of
-from ._masks import WORD, pointer_to, row_words
+from ._masks import row_words
 from ._overlap import ALL, check_answer
-from ._threads import in_threads, processors, threads_of
-from ._triangles import Part, held
+from ._pages import new_words
+from ._sharing import Task
+from ._threads import threads_of
+from ._triangles import held
 from ._typing import Accuracy, Cell, Fill, GridLike, Range, TrianglesLike, Window
 from ._voxels import Voxels, window_of
 
 WORDS_MAX = 1 << 31  # of one call
-PARTS_EACH = 4  # slabs of each thread: some have far more triangles than others
-# Where threads gain something, as measured with two of them:
-SHARED_LEAST = 1 << 19  # triangles: fewer are done before their cells are joined,
-CELLS_OF_ONE = 1  # as are those of fewer than one for so many words of cells
-SLABS = range(1 << 21, 1 << 22)  # words of cells: more are fresh pages, which threads take from the system in turn
-MANY_CELLS = 64  # words of cells a triangle: from there on it is cells that take the time, and not looking at triangles again
 
 
 def window_wanted(window, layers, grid):
@@ -40,59 +32,13 @@ def window_wanted(window, layers, grid):
 
 
 def new_cells(shape, grid):
-    """Words for the cells of a window, all clear."""
+    """Words for the cells of a window, and whether they are clear."""
     nz, ny, nx = shape
     words = nz * ny * row_words(nx)
     if words > WORDS_MAX:
         raise InputError(f"the cells take {words / 2 ** 27:.4g} GiB, a bit per cell, and can take {WORDS_MAX >> 27} at most; give "
                          f"a window, or fewer cells, or ask tribox.bricks: {grid}", "BAD_GRID")
-    return np.zeros((nz, ny, row_words(nx)), WORD)
-
-
-def set_cells(held_, grid, first, size, options, words):
-    """Sets the bits of a window of a grid; returns the status."""
-    return _c.voxelize(held_, grid, ffi.new("tribox_window *", (first, size)), options, pointer_to(words), ffi.NULL)
-
-
-def cut(count, parts):
-    """(first, end) of so many parts of about one size."""
-    return [(count * part // parts, count * (part + 1) // parts) for part in range(parts)]
-
-
-def set_slabs(held_, grid, first, size, options, words, threads):
-    """The same by threads, each of which owns some layers. Every part looks at all triangles."""
-    def work(slab):
-        low, high = slab
-        corner, part = (*first[:2], first[2] + low), (*size[:2], high - low)
-        return set_cells(held_, grid, corner, part, options, words[low:high])
-
-    return max(in_threads(threads, work, cut(size[2], min(size[2], threads * PARTS_EACH))))
-
-
-def set_shares(held_, grid, first, size, options, words, threads):
-    """The same by threads, each of which has some of the triangles, and all cells but the first's for itself."""
-    own = [words] + [np.zeros_like(words) for _ in range(1, threads)]
-
-    def work(number):
-        share = Part(held_, *cut(held_.struct.count, threads)[number])
-        return set_cells(share, grid, first, size, options, own[number])
-
-    status = max(in_threads(threads, work, range(threads)))
-    for cells in own[1:]:
-        np.bitwise_or(words, cells, out=words)
-    return status
-
-
-def set_cells_at_once(held_, grid, first, size, options, words, threads):
-    """The same by as many threads as gain something: never more than there are processors, and one where neither way pays."""
-    threads, count = min(threads, processors()), held_.struct.count
-    if threads > 1:
-        check_indices(held_)  # of all triangles: one part should write nothing where another has a wrong one
-    if threads > 1 and words.size in SLABS and words.size >= MANY_CELLS * count:
-        return set_slabs(held_, grid, first, size, options, words, threads)
-    if threads > 1 and count >= SHARED_LEAST and words.size <= CELLS_OF_ONE * count:
-        return set_shares(held_, grid, first, size, options, words, threads)
-    return set_cells(held_, grid, first, size, options, words)
+    return new_words((nz, ny, row_words(nx)))
 
 
 def check_into(into, grid, window):
@@ -133,9 +79,10 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     wanted = window_wanted(window, layers, chosen)
     if into is not None:
         check_into(into, chosen, wanted)
-    words = new_cells(wanted[1][::-1], chosen) if into is None or fill_call else into._words
+    words, are_clear = new_cells(wanted[1][::-1], chosen) if into is None or fill_call else (into._words, True)
     struct = struct_of(chosen)
-    check_answer(held_, set_cells_at_once(held_, struct, wanted[0], wanted[1], options, words, threads))
+    task = Task(held_, struct, *wanted, options, words, are_clear)
+    check_answer(held_, task.run(threads))
     if fill_call:
         words = filled(fill_call, held_, struct, words)
     return Voxels(words, chosen, wanted) if into is None else into._add(words)

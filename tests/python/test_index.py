@@ -3,15 +3,17 @@
 import copy
 import pickle
 import threading
+from unittest import mock
 
 import numpy as np
 import tribox
-from tribox import BadIndexError, InputError, InputTypeError
+from tribox import BadIndexError, InputError, InputTypeError, _index, _order
+from tribox._library import lib
 
 import cases
 from cases import HI, LO
 
-NAN = float("nan")
+NAN, TRIBOX_INDEX_BLOCK = float("nan"), lib.TRIBOX_INDEX_BLOCK
 BOXES = [(LO, HI), ((0, 0, 0), (2, 2, 2)), ((-2, -2, -2), (2, 2, 2)), ((0.5, -2, -2), (0.5, 2, 2)), ((3, 3, 3), (4, 4, 4)),
          ((1, 0, 0), (-1, 1, 1))]
 
@@ -185,6 +187,47 @@ class Arrays(cases.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(wrong, [])
+
+
+    def test_made_by_threads(self):
+        """The same bytes, whatever the number of threads, on both sides of where they share."""
+        for count in (0, 100, _order.SHARED_LEAST - 1, _order.SHARED_LEAST, 5 * TRIBOX_INDEX_BLOCK + 1):
+            triangles = np.resize(cases.lattice(500), (count, 3, 3)) + np.arange(count, dtype=np.float32)[:, None, None] % 97
+            faces = np.arange(3 * count).reshape(-1, 3)
+            for form in triangles, tribox.Soup.of(triangles), tribox.Mesh(triangles.reshape(-1, 3), faces), triangles.astype(float):
+                for keep_order in (False, True):
+                    one = tribox.Index(form, keep_order=keep_order)
+                    for threads in (2, 3, 8):
+                        with mock.patch.object(_index, "processors", lambda: 8):
+                            index = tribox.Index(form, keep_order=keep_order, threads=threads)
+                        np.testing.assert_array_equal(index._nodes, one._nodes)
+                        np.testing.assert_array_equal(index.list(*BOXES[2]), one.list(*BOXES[2]))
+                        if not keep_order:
+                            np.testing.assert_array_equal(index._ids, one._ids)
+
+    def test_wrong_by_threads(self):
+        count = 2 * _order.SHARED_LEAST
+        faces = np.zeros((count, 3), np.uint32)
+        faces[-1, 1] = 9
+        for keep_order in (False, True):
+            self.refuse(BadIndexError, "BAD_VERTEX", rf"^faces\[{count - 1}, 1\] is 9, but there are 3", tribox.Index,
+                        tribox.Mesh(np.zeros((3, 3), np.float32), faces), keep_order=keep_order, threads=2)
+        self.refuse(InputError, None, "^threads = 0", tribox.Index, cases.lattice(9), threads=0)
+
+    def test_lists_by_threads(self):
+        """Boxes are shared out; some have more triangles than there is room for at first."""
+        index, pick = tribox.Index(np.resize(cases.lattice(500), (3000, 3, 3))), np.random.default_rng(cases.seed())
+        for count in (0, 1, 255, 256, 257, 1000):
+            lo = pick.uniform(-2, 1, (count, 3)).astype(np.float32)
+            hi = (lo + pick.uniform(-0.1, 2, (count, 3))).astype(np.float32)
+            for los, his in (lo, hi), (lo + 1e-9, hi.astype(float)):
+                expected = index.lists(los, his)
+                for threads in (2, 3, 8):
+                    with mock.patch.object(_index, "processors", lambda: 8):
+                        numbers, start = index.lists(los, his, threads=threads)
+                    np.testing.assert_array_equal(numbers, expected[0])
+                    np.testing.assert_array_equal(start, expected[1])
+                    self.assertEqual((numbers.dtype, start.dtype), (expected[0].dtype, expected[1].dtype))
 
 
 class Pickles(cases.TestCase):

@@ -5,7 +5,7 @@ from unittest import mock
 
 import numpy as np
 import tribox
-from tribox import _voxelize
+from tribox import _layers, _pages, _sharing
 
 import cases
 
@@ -103,48 +103,101 @@ class Windows(cases.TestCase):
             self.assertIs(tribox.voxelize(form, grid, into=into, threads=threads, **keywords), into)
             self.assert_same(into, whole | before)
 
+    def ways(self):
+        """Each way in which threads share work out, whatever pays; and cells in fresh pages and in others."""
+        slabs, shares = dict(START=0, CELLS=1e9, JOIN=1e12), dict(START=0, CELLS=1e9, JOIN=0)
+        copies = dict(COPIED_COUNTS=range(1 << 22), COPIED_AT_ONCE=7, FEW=0)
+        for way in ({}, slabs, shares, {**slabs, **copies}, {**slabs, "FEW": 0}):
+            for pages in dict(MAPPED=1 << 25), dict(MAPPED=0):
+                with mock.patch.multiple(_sharing, processors=lambda: 64, **way), mock.patch.multiple(_pages, **pages):
+                    yield way
+
     def test_threads(self):
         """As they are shared out, by layers and by triangles, whatever pays."""
-        ways = {}, dict(SLABS=range(1 << 40), MANY_CELLS=0), dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40)
-        for way in ways:
-            with mock.patch.multiple(_voxelize, processors=lambda: 64, **way):
-                for grid in GRIDS.values():
-                    for form in self.forms():
-                        self.ask_threads(form, grid)
-                for accuracy in "conservative", "fast":
-                    for form in self.forms():
-                        self.ask_threads(form, GRIDS["floats"], accuracy=accuracy)
-                        self.ask_threads(tribox.Soup.of(self.triangles[:1]), GRIDS["floats"], accuracy=accuracy)
-                self.ask_threads(np.zeros((0, 3, 3), np.float32), GRIDS["floats"])
+        for _ in self.ways():
+            for grid in GRIDS.values():
+                for form in self.forms():
+                    self.ask_threads(form, grid)
+            for accuracy in "conservative", "fast":
+                for form in self.forms():
+                    self.ask_threads(form, GRIDS["floats"], accuracy=accuracy)
+                    self.ask_threads(tribox.Soup.of(self.triangles[:1]), GRIDS["floats"], accuracy=accuracy)
+            self.ask_threads(np.zeros((0, 3, 3), np.float32), GRIDS["floats"])
+            self.ask_threads(tribox.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int)), GRIDS["floats"])
+            self.ask_threads(self.triangles, GRIDS["floats"], axes=tribox.AXES_PLANE)
+
+    def test_sizes(self):
+        """Threads on both sides of what decides how they share, and of large pages."""
+        for count, size in (40, 16), (40, 600), (3000, 300), (1 << 15, 64), (1 << 16, 200), (1 << 19, 64), (1 << 19, 300):
+            triangles = tribox.Soup.of(np.resize(cases.lattice(40) / 64, (count, 3, 3)))
+            grid = (*GRIDS["floats"][:2], (size,) * 3)
+            expected = tribox.voxelize(triangles, grid).words
+            for threads in (2, 3, 8):
+                with mock.patch.object(_sharing, "processors", lambda: 8):
+                    self.assert_same(tribox.voxelize(triangles, grid, threads=threads).words, expected)
 
     def test_work(self):
-        """Where threads look at triangles again, these are few beside the cells; and no more work at once than processors."""
-        looked = []
+        """No more work at once than processors, and no cells and triangles again where that is most of the work."""
+        calls = []
 
-        def look(held_, grid, first, size, *rest):
-            looked.append(held_.struct.count)
-            return call(held_, grid, first, size, *rest)
+        def look(task, held_, first, size, words):
+            calls.append((held_.struct.count, size[2]))
+            return call(task, held_, first, size, words)
 
-        call = _voxelize.set_cells
+        call = _sharing.Task.set
         for count, size in (40, 16), (40, 600), (1 << 16, 16), (1 << 16, 200), (1 << 19, 64), (1 << 19, 300):
             triangles = np.resize(cases.lattice(40) / 64, (count, 3, 3))
             for threads in (1, 2, 64):
-                looked.clear()
-                with mock.patch.multiple(_voxelize, set_cells=look, processors=lambda: 2):
-                    words = tribox.voxelize(triangles, (*GRIDS["floats"][:2], (size,) * 3), threads=threads).words
-                self.assertLessEqual(sum(looked), max(count, words.size // 8), (count, size, threads))
-                self.assertLessEqual(len(looked), 2 * _voxelize.PARTS_EACH)
+                calls.clear()
+                with mock.patch.object(_sharing.Task, "set", look), mock.patch.object(_sharing, "processors", lambda: 2):
+                    tribox.voxelize(triangles, (*GRIDS["floats"][:2], (size,) * 3), threads=threads)
+                looked, layers = (sum(each) for each in zip(*calls))
+                self.assertTrue(looked == count or layers == size and looked <= max(2 * count, 1 << 11), (count, size, calls))
+                self.assertLessEqual(len(calls), 2 * _sharing.SHARES_EACH)
+
+    def test_cut(self):
+        """Layers are cut where their work is, and none is lost, of whatever triangles."""
+        high = np.array([[0, 0, 30], [64, 0, 30.5], [0, 64, 31]], np.float32)
+        mixed = np.concatenate([np.full((9, 3, 3), np.nan), np.full((9, 3, 3), np.inf), np.full((9, 3, 3), 1e300), self.triangles])
+        for triangles in np.resize(high, (5000, 3, 3)), mixed, self.triangles[:0]:
+            grid = tribox.Grid((0, 0, 0), 1, (64, 64, 40))
+            for size in grid.size, (64, 64, 1), (3, 5, 40):
+                for parts in (1, 2, 3, 50):
+                    work = _layers.LayersWork(tribox._triangles.held(triangles), grid, (0, 0, 0), size, tribox.AXES_ALL, 100)
+                    cuts = work.cut(parts)
+                    self.assertEqual([k for low, high in cuts for k in range(low, high)], list(range(size[2])))
+                    self.assertLessEqual(len(cuts), parts)
+        many = tribox.Mesh(np.resize(high, (5000, 3, 3)))
+        halves = _layers.LayersWork(many, grid, (0, 0, 0), grid.size, tribox.AXES_ALL, 100).cut(2)
+        self.assertIn(halves[0][1], (30, 31))
 
     def test_bad_indices_by_threads(self):
         """A wrong index in the last share: no other share has written."""
         vertices, faces = cases.shared_vertices(self.triangles, np.uint32)
         faces[-1, 2] = len(vertices)
         wrong, into = tribox.Mesh(vertices, faces), tribox.voxelize(self.triangles[:0], GRIDS["floats"])
-        for way in {}, dict(SLABS=range(1 << 40), MANY_CELLS=0), dict(SHARED_LEAST=0, CELLS_OF_ONE=1 << 40):
-            with mock.patch.multiple(_voxelize, processors=lambda: 2, **way):
-                self.refuse(tribox.BadIndexError, "BAD_VERTEX", rf"faces\[{len(faces) - 1}, 2\]", tribox.voxelize, wrong, into.grid,
-                            threads=2, into=into)
-                self.assertFalse(into.words.any())
+        for _ in self.ways():
+            self.refuse(tribox.BadIndexError, "BAD_VERTEX", rf"faces\[{len(faces) - 1}, 2\]", tribox.voxelize, wrong, into.grid,
+                        threads=2, into=into)
+            self.assertFalse(into.words.any())
+
+    def test_pages(self):
+        """Fresh pages are clear, and given back with the last array that looks at them."""
+        def mapped():
+            with open("/proc/self/status") as status:
+                return int(next(line for line in status if line.startswith("VmSize")).split()[1]) >> 10
+
+        before = mapped()
+        for _ in range(3):
+            words, are_clear = _pages.new_words((1, 1 << 12, 1 << 14))
+            self.assertTrue(are_clear)
+            self.assertTrue(not words.any() and words.flags.writeable and not words.ctypes.data % _pages.LARGE_PAGE)
+            part = words[0, -1, :]
+            del words
+            part[-1] = 1
+            self.assertGreater(mapped(), before + 400)
+            del part
+            self.assertLess(mapped(), before + 100)
 
 
 class Insides(cases.TestCase):
