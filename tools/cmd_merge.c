@@ -9,6 +9,7 @@
 
 #include "console/interrupt.h"
 #include "console/message.h"
+#include "console/numbers.h"
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
@@ -18,32 +19,40 @@
 #include "write/brick_cutter.h"
 #include "write/file_out.h"
 #include "write/part.h"
+#include "write/parts_npz.h"
 #include "write/voxels_room.h"
 
-static const char help[] = "tribox merge - the parts of a voxelization become one file\n"
-                           "\n"
-                           "Usage: tribox merge PART... -o FILE [OPTION...]\n"
-                           "\n"
-                           "PART... are the files of all shards that 'tribox voxelize --shard I/N' wrote, in any order. The\n"
-                           "result is that of a voxelization in one piece, bit for bit. Parts are read one after the other, in\n"
-                           "little memory where FILE is sparse.\n"
-                           "\n" RESULT_HELP OPTIONS_HELP_HELP "\n"
-                           "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"
-                           "\n"
-                           "Example:\n"
-                           "  tribox merge big.*.part -o big.npz\n";
+static const char help[] =
+    "tribox merge - the parts of a voxelization become one file\n"
+    "\n"
+    "Usage: tribox merge PART... -o FILE [OPTION...]\n"
+    "\n"
+    "PART... are the files of all shards that 'tribox voxelize --shard I/N' wrote, in any order. The\n"
+    "result is that of a voxelization in one piece, bit for bit. It takes little memory where FILE is\n"
+    "sparse. For .npz without --deflate threads read parts at once.\n"
+    "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP
+    "\n"
+    "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"
+    "\n"
+    "Example:\n"
+    "  tribox merge big.*.part -o big.npz\n";
 
-static const option_entry options[] = {RESULT_ENTRIES, {NULL, 0, false}};
+enum { OPTION_THREADS = RESULT_END };
+
+static const option_entry options[] = {RESULT_ENTRIES, [OPTION_THREADS] = {"threads", 't', true}, {NULL, 0, false}};
 
 typedef struct request {
     const char **parts; /* paths, with room for all words */
     size_t count;
+    uint32_t threads;
     result_request result;
 } request;
 
 static int take(void *context, int which, const char *value)
 {
     request *const r = context;
+    if (which == OPTION_THREADS)
+        return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     if (which != OPTION_OPERAND)
         return result_take(&r->result, which, value);
     r->parts[r->count++] = value;
@@ -116,9 +125,27 @@ static int read_parts(merging *m, const part *parts, size_t count)
     return code;
 }
 
+/* Whether where each brick goes is known beforehand, so that threads can read and write parts at once. */
+static bool has_places(const merging *m)
+{
+    const result_request *const result = &m->r->result;
+    return !strcmp(result->format->word, "npz") && !result->options.is_deflated && !m->words &&
+           !file_out_is_stdout(result->out_path);
+}
+
+static int write_places(merging *m, const part *parts, size_t count, file_out *out)
+{
+    m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
+    const int code = parts_npz_write(out, parts, count, &m->cells, m->r->threads, &m->bar);
+    progress_end(&m->bar);
+    return code ? code : file_out_keep(out);
+}
+
 static int write_bricks(merging *m, const part *parts, size_t count, file_out *out)
 {
     const result_request *const result = &m->r->result;
+    if (has_places(m))
+        return write_places(m, parts, count, out);
     int code = brick_out_open(&m->out, result->format, &result->options, out, &m->cells);
     if (code)
         return code;
@@ -219,7 +246,8 @@ static int merge_files(const request *r)
 
 int cmd_merge(int count, char **words)
 {
-    request r = {.parts = malloc((size_t)(count + 1) * sizeof *r.parts), .result.look = PREVIEW_LOOK_DEFAULT};
+    request r = {
+        .parts = malloc((size_t)(count + 1) * sizeof *r.parts), .threads = processors_here(), .result.look = PREVIEW_LOOK_DEFAULT};
     if (!r.parts)
         return message_failure("out of memory for %d arguments", count);
     options_found found;

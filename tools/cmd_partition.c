@@ -20,7 +20,7 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "\n"
                            "'tribox voxelize FOLDER --shard I/N' then reads the triangles of its own tiles and no others. FOLDER\n"
                            "must not be there yet. MESH is as for 'tribox overlap'; several are taken as one mesh, and so are\n"
-                           "partitions of one grid. Binary .stl, .f32 and .f64 may be larger than memory.\n"
+                           "partitions of one grid. Binary .stl, .ply, .f32 and .f64 may be larger than memory.\n"
                            "\n" GRID_HELP "  -o, --out FOLDER        where the sorted triangles go\n"
                            "  -m, --memory SIZE       bytes, or 512M, 1G, to use for sorting; default: half of what is free\n"
                            "  -t, --threads T         1 to 256; default: one for each processor. The folder is the same\n"

@@ -146,6 +146,48 @@ class Folders(Pieces):
             self.assertEqual((found["occupied"], found["bricks"], found["grid"]), (tiles["occupied"], tiles["bricks"], tiles["grid"]))
 
 
+class Ply(Pieces):
+    """Faces that refer to vertices anywhere; one element more, of nothing, has the file read as a whole."""
+
+    def ply(self, order, number, index, count, faces, more=""):
+        name = {"f": "float", "d": "double", "B": "uchar", "H": "ushort", "i": "int", "I": "uint"}
+        vertices = [[round(64 * self.pick.uniform(-2, 2)) / 64 + (1 / 3 if number == "d" else 0) for _ in range(3)] for _ in range(250)]
+        header = ["ply", "format binary_%s_endian 1.0" % {"<": "little", ">": "big"}[order], "element vertex 250"]
+        header += ["property %s %s" % (name[number], axis) for axis in "zxy"] + ["property uchar red", "element face %d" % len(faces)]
+        header += ["property ushort flags", "property list %s %s vertex_indices" % (name[count], name[index]), "property float area"]
+        body = b"".join(struct.pack(order + "3" + number + "B", *vertex, 77) for vertex in vertices)
+        body += b"".join(struct.pack("%sH%s%d%sf" % (order, count, len(f), index), 5, len(f), *f, 0.5) for f in faces)
+        return ("\n".join(header) + "\n" + more + "end_header\n").encode() + body
+
+    def check(self, *how):
+        state = self.pick.getstate()
+        mapped = self.write("mapped.ply", self.ply(*how))
+        self.pick.setstate(state)
+        whole = self.write("whole.ply", self.ply(*how, "element nothing 0\nproperty int nothing\n"))
+        for options in (GRID, ("-r", "300"), ("-r", "300", "--shift", "0.5,0.25,1"))[:3 if how[2] == "i" else 1]:
+            expected = self.partition(whole, *options)[0]
+            for memory, threads in (("1", "3"), ("30K", "2"), ("1G", "1")):
+                self.assertEqual(self.partition(mapped, *options, "-m", memory, "-t", threads)[0], expected, how[:4])
+
+    def test_every_layout(self):
+        faces = [[self.pick.randrange(250) for _ in range(self.pick.choice((0, 1, 2, 3, 3, 3, 3, 3, 4, 5, 9)))] for _ in range(9000)]
+        for order, number, index, count in itertools.product("<>", "fd", "BHiI", "Bi"):
+            self.check(order, number, index, count, faces if (number, count) == ("f", "B") else faces[:700])
+
+    def test_polygons(self):
+        """Many corners, of which blocks cut some in the middle."""
+        self.check("<", "f", "i", "i", [[self.pick.randrange(250) for _ in range(n)] for n in (3, 300, 3, 1000, 4, 90)] * 3)
+
+    def test_refused(self):
+        """What is wrong is said as of any PLY file."""
+        good = self.ply("<", "f", "i", "B", [[0, 1, 2]] * 50)
+        for content, why in ((good[:-1], "truncated: the header promises 50"), (good[:300], "truncated"), (good[:80], "truncated"),
+                             (self.ply("<", "f", "i", "B", [[0, 1, 2]] * 9 + [[0, 250, 1]]), "face 9 refers to vertex 250"),
+                             (self.ply("<", "f", "i", "B", [[0, 1, 2], [0, -1, 1]]), "face 1 refers to vertex -1"),
+                             (self.ply("<", "f", "i", "B", [[0, 1]]), "contains no triangles")):
+            self.refuse(1, "bad.ply: .*" + why, "partition", self.write("bad.ply", content), *GRID, "-o", self.path("x"))
+
+
 class Joined(Pieces):
     def setUp(self):
         super().setUp()

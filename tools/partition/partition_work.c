@@ -10,7 +10,7 @@
 #include "console/message.h"
 #include "partition_report.h"
 #include "partition_write.h"
-#include "tally.h"
+#include "mesh_tally.h"
 #include "voxelize/tile_set.h"
 
 /* How many meshes there are does not matter to a message about all of them. */

@@ -65,11 +65,12 @@ static bool put(void *data, uint64_t at, const void *bytes, size_t size)
     return is_written;
 }
 
-static void fail(writing *w, bool lacks_memory, const tile_run *damaged)
+static void fail(writing *w, bool lacks_memory, const tile_run *damaged, int reason)
 {
     pthread_mutex_lock(&w->lock);
     w->lacks_memory |= lacks_memory;
     w->damaged = w->damaged ? w->damaged : damaged;
+    w->reason = w->reason ? w->reason : reason;
     pthread_mutex_unlock(&w->lock);
 }
 
@@ -80,15 +81,17 @@ static void work(void *data, unsigned thread)
     (void)thread;
     window.bytes = malloc(w->room * window.triangle_bytes);
     window.at = malloc(w->room * sizeof *window.at);
-    if (!window.bytes || !window.at)
-        fail(w, true, NULL);
+    window.read = malloc(w->room * window.triangle_bytes);
+    if (!window.bytes || !window.at || !window.read)
+        fail(w, true, NULL, 0);
     for (size_t from, to; take(w, &from, &to);) {
         const tile_run *damaged;
-        if (!tile_window_write(&window, from, to, end_of(w, to), put, w, &damaged) && damaged)
-            fail(w, false, damaged);
+        if (!tile_window_write(&window, from, to, end_of(w, to), put, w, &damaged))
+            fail(w, false, damaged, damaged ? 0 : errno ? errno : EIO);
     }
     free(window.bytes);
     free(window.at);
+    free(window.read);
 }
 
 /* NULL where there is no memory. */
@@ -141,7 +144,7 @@ static int write_triangles(writing *w, unsigned threads, bool is_quiet)
 int partition_write(folder_out *out, tile_runs *runs, unsigned threads, bool is_quiet, partition_header *header)
 {
     enum { LEAST = 64 };
-    const uint64_t each = NUMBERS * header->position_bytes + sizeof(uint64_t), room = runs->memory / 4 / threads / each;
+    const uint64_t each = 2 * NUMBERS * header->position_bytes + sizeof(uint64_t), room = runs->memory / 4 / threads / each;
     writing w = {.out = out, .runs = runs, .header = header, .room = room < LEAST ? LEAST : (size_t)room / 2 * 2};
     int code = check_counts(runs);
     if (code)

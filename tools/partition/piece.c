@@ -32,6 +32,13 @@ static int open_piece(piece *p, triangle_format format, bool is_wide)
         p->is_double = layouts[p->format].bytes == sizeof(double);
         return EXIT_CODE_OK;
     }
+    p->ply = ply_piece_open(p->path, is_wide);
+    if (p->ply.faces) {
+        p->triangles = p->ply.triangles;
+        p->is_double = p->ply.is_double;
+        mesh_warn(p->path, &(mesh){.miscut = (size_t)p->ply.miscut});
+        return EXIT_CODE_OK;
+    }
     code = (is_wide ? mesh_read_wide : mesh_read_as)(p->path, format, &p->whole);
     if (code)
         return code;
@@ -63,8 +70,10 @@ int pieces_open(pieces *all, const char *const *paths, size_t count, triangle_fo
 
 void pieces_close(pieces *all)
 {
-    for (size_t i = 0; i < all->count; i++)
+    for (size_t i = 0; i < all->count; i++) {
+        ply_piece_close(&all->piece[i].ply);
         mesh_free(&all->piece[i].whole);
+    }
     free(all->piece);
     *all = (pieces){.count = 0};
 }
@@ -174,13 +183,12 @@ bool pieces_read(const pieces *all, const piece_block *block, void *positions)
     unsigned char *const bytes = positions;
     const size_t numbers = NUMBERS * block->count;
     const piece *const p = block->from;
-    if (p->format == TRIANGLES_OTHER) {
+    if (p->format == TRIANGLES_OTHER && !p->ply.faces) {
         put(&p->whole, block->first, block->count, all->read_bytes, bytes);
     } else {
-        const bool is_widened = all->read_bytes > layouts[p->format].bytes;
-        if (!read_records(block, bytes))
+        if (!(p->ply.faces ? ply_piece_read(&p->ply, block->first, block->count, bytes) : read_records(block, bytes)))
             return false;
-        if (is_widened) {
+        if (all->read_bytes == sizeof(double) && !p->is_double) {
             memmove(bytes + numbers * sizeof(float), bytes, numbers * sizeof(float));
             widen(bytes, numbers);
         }

@@ -1,12 +1,14 @@
-/* piece.h - meshes that are read in pieces, one after the other as one mesh: files of triangles from the disk, others from memory. */
+/* piece.h - meshes that are read in pieces, one after the other as one mesh: files of triangles and PLY from the disk, others from memory. */
 #ifndef PIECE_H
 #define PIECE_H
 
+#include "ply_piece.h"
 #include "read/mesh_shift.h"
 
 typedef struct piece {
     const char *path;
     triangle_format format; /* of a file that is read in pieces; OTHER: it is in memory */
+    ply_piece ply;          /* or mapped, if it has faces */
     mesh whole;             /* then */
     uint64_t triangles;
     bool is_double;

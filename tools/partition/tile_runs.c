@@ -19,7 +19,8 @@ int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, size_t
     r->runs = calloc(count ? count : 1, sizeof *r->runs);
     r->counts = calloc(r->tiles, sizeof *r->counts);
     r->work = calloc(r->tiles, sizeof *r->work);
-    if (!r->runs || !r->counts || !r->work)
+    r->files = calloc(THREADS_MAX, sizeof *r->files);
+    if (!r->runs || !r->counts || !r->work || !r->files)
         return message_failure("out of memory for the table of tiles");
     r->count = count;
     return EXIT_CODE_OK;
@@ -29,20 +30,13 @@ void tile_runs_free(tile_runs *r)
 {
     for (size_t i = 0; i < r->count; i++)
         free(r->runs[i].room);
-    for (int f = 0; f < THREADS_MAX; f++) {
-        file_map_close(&r->map[f]);
-        if (r->file[f])
-            fclose(r->file[f]);
-    }
+    for (int f = 0; r->files && f < THREADS_MAX; f++)
+        run_file_close(&r->files[f]);
+    free(r->files);
     free(r->runs);
     free(r->counts);
     free(r->work);
     *r = (tile_runs){.count = 0};
-}
-
-uint64_t tile_run_count(const tile_run *run, size_t i)
-{
-    return (i + 1 < run->count ? run->tiles[i + 1].first : run->places) - run->tiles[i].first;
 }
 
 size_t tile_runs_block(const pieces *all, uint64_t memory, unsigned threads)
@@ -117,24 +111,7 @@ static bool keep(sorting *s, const block_sort *b, size_t number, const tally *fo
     return is_kept;
 }
 
-static bool spill(sorting *s, const block_sort *b, size_t number, unsigned thread, uint64_t *written)
-{
-    FILE **const file = &s->runs->file[thread];
-    tile_run *const run = &s->runs->runs[number];
-    run->room = NULL;
-    if (!*file) {
-        *file = folder_out_spill(s->out);
-        if (!*file)
-            return false;
-        setvbuf(*file, NULL, _IONBF, 0);
-    }
-    run->file = thread;
-    run->at = *written;
-    *written += b->run_bytes;
-    return fwrite(b->run.room, 1, b->run_bytes, *file) == b->run_bytes;
-}
-
-static void do_block(sorting *s, block_sort *b, const piece_block *block, size_t number, unsigned thread, uint64_t *written)
+static void do_block(sorting *s, block_sort *b, const piece_block *block, size_t number, unsigned thread)
 {
     if (!pieces_read(s->all, block, b->positions)) {
         fail(s, TROUBLE_READ, errno, block->from);
@@ -145,8 +122,10 @@ static void do_block(sorting *s, block_sort *b, const piece_block *block, size_t
     if (status) {
         fail(s, status == MESSAGE_NO_MEMORY ? TROUBLE_MEMORY : TROUBLE_STATUS, (int)status, NULL);
     } else if (!keep(s, b, number, &found)) {
+        tile_run *const run = &s->runs->runs[number];
+        run->room = NULL;
         errno = 0;
-        if (!spill(s, b, number, thread, written))
+        if (!run_file_put(&s->runs->files[thread], s->out, run))
             fail(s, TROUBLE_WRITE, errno, NULL);
         free(b->run.room);
     }
@@ -158,28 +137,21 @@ static void work(void *data, unsigned thread)
     block_sort b;
     piece_block block;
     size_t number;
-    uint64_t written = 0;
     if (!block_sort_open(&b, s->all, s->runs->grid, s->runs->tile))
         fail(s, TROUBLE_MEMORY, 0, NULL);
     while (take_block(s, &block, &number))
-        do_block(s, &b, &block, number, thread, &written);
+        do_block(s, &b, &block, number, thread);
     block_sort_close(&b);
 }
 
-/* Tiles and triangles of what was put into files. */
 static int map_files(tile_runs *r, const folder_out *out)
 {
     for (int f = 0; f < THREADS_MAX; f++)
-        if (r->file[f] && !file_map_of_stream(&r->map[f], r->file[f]))
+        if (run_file_is_open(&r->files[f]) && !run_file_map(&r->files[f]))
             return message_failure("%s: cannot map what was written beside it", out->path);
-    for (size_t i = 0; i < r->count; i++) {
-        tile_run *const run = &r->runs[i];
-        if (run->room || !run->count)
-            continue;
-        const unsigned char *const bytes = (const unsigned char *)r->map[run->file].bytes + run->at;
-        run->tiles = (const void *)bytes;
-        run->triangles = bytes + run->count * sizeof *run->tiles;
-    }
+    for (size_t i = 0; i < r->count; i++)
+        if (r->runs[i].file)
+            run_file_find(&r->runs[i]);
     return EXIT_CODE_OK;
 }
 

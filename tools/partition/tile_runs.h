@@ -3,23 +3,8 @@
 #define TILE_RUNS_H
 
 #include "console/processors.h"
-#include "files/file_map.h"
-#include "partition.h"
-#include "tally.h"
-#include "write/folder_out.h"
-
-/* Triangles as they are in a partition: by rising tile, those of a tile in the order of the mesh. */
-typedef struct tile_run {
-    const partition_tile *tiles; /* whose work is without what a tile costs by itself, and whose checksum is not set */
-    size_t count;
-    uint64_t places; /* triangles */
-    const unsigned char *triangles;
-    unsigned position_bytes;
-    const partition *from; /* NULL, or a partition whose run this is, with work and checksums as there */
-    void *room;            /* NULL, or what tiles and triangles lie in */
-    unsigned file;         /* else the nameless file, and where in it */
-    uint64_t at;
-} tile_run;
+#include "mesh_tally.h"
+#include "tile_run.h"
 
 typedef struct tile_runs {
     const tribox_grid *grid;
@@ -30,17 +15,13 @@ typedef struct tile_runs {
     size_t count;
     uint64_t *counts; /* triangles of each tile */
     uint64_t *work;   /* of each tile, without what it costs by itself */
-    FILE *file[THREADS_MAX];
-    file_map map[THREADS_MAX];
+    run_file *files;  /* one for each thread */
     uint64_t spilled; /* bytes */
 } tile_runs;
 
 /* Room for so many runs. Returns an exit_code; tile_runs_free may follow in any case. */
 int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, size_t count, uint64_t memory);
 void tile_runs_free(tile_runs *r);
-
-/* How many triangles of a run are in its tile i. */
-uint64_t tile_run_count(const tile_run *run, size_t i);
 
 /* The triangles of a block so that as many threads may each have one, and their runs: at least a few. */
 size_t tile_runs_block(const pieces *all, uint64_t memory, unsigned threads);

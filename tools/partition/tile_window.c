@@ -21,9 +21,12 @@ static size_t find_tile(const tile_run *run, uint64_t tile)
     return lo;
 }
 
-static const unsigned char *triangles_of(const tile_run *run, size_t i)
+/* Triangles of a run, read if they are in a file. NULL with errno. */
+static const unsigned char *bring(const tile_window *w, const tile_run *run, uint64_t first, size_t count)
 {
-    return run->triangles + run->tiles[i].first * NUMBERS * run->position_bytes;
+    if (run->triangles)
+        return run->triangles + first * NUMBERS * run->position_bytes;
+    return run_file_read(run, first, count, w->read) ? w->read : NULL;
 }
 
 /* What a partition wrote is looked at before it is copied. */
@@ -44,21 +47,36 @@ static void copy(const tile_window *w, const tile_run *run, const unsigned char 
     }
 }
 
-/* False where they are damaged. */
-static bool copy_run(const tile_window *w, const tile_run *run, size_t from, size_t to)
+static bool are_sound(const tile_run *run, size_t from, size_t to)
 {
-    const uint64_t last = w->records[to - 1].tile, start = w->records[from].first;
+    while (from < to && is_sound(run, from))
+        from++;
+    return from == to;
+}
+
+/* False where they are damaged, or with errno cannot be read. */
+static bool copy_run(const tile_window *w, const tile_run *run, size_t from, size_t to, const tile_run **damaged)
+{
+    const size_t first = find_tile(run, w->records[from].tile), end = find_tile(run, w->records[to - 1].tile + 1);
+    const uint64_t start = first < end ? run->tiles[first].first : 0;
+    if (first == end)
+        return true;
+    if (!are_sound(run, first, end)) {
+        *damaged = run;
+        return false;
+    }
+    const uint64_t after = end < run->count ? run->tiles[end].first : run->places;
+    const unsigned char *const triangles = bring(w, run, start, (size_t)(after - start));
     size_t r = from;
-    for (size_t i = find_tile(run, w->records[from].tile); i < run->count && run->tiles[i].tile <= last; i++) {
+    for (size_t i = first; triangles && i < end; i++) {
         const size_t count = (size_t)tile_run_count(run, i);
         while (w->records[r].tile < run->tiles[i].tile)
             r++;
-        if (!is_sound(run, i))
-            return false;
-        copy(w, run, triangles_of(run, i), count, w->bytes + (w->at[r - from] - start) * w->triangle_bytes);
+        copy(w, run, triangles + (run->tiles[i].first - start) * NUMBERS * run->position_bytes, count,
+             w->bytes + (w->at[r - from] - w->records[from].first) * w->triangle_bytes);
         w->at[r - from] += count;
     }
-    return true;
+    return triangles;
 }
 
 static bool write_window(tile_window *w, size_t from, size_t to, uint64_t end, tile_window_sink *sink, void *data,
@@ -68,10 +86,8 @@ static bool write_window(tile_window *w, size_t from, size_t to, uint64_t end, t
     for (size_t r = from; r < to; r++)
         w->at[r - from] = w->records[r].first;
     for (size_t i = 0; i < w->runs->count; i++)
-        if (!copy_run(w, &w->runs->runs[i], from, to)) {
-            *damaged = &w->runs->runs[i];
+        if (!copy_run(w, &w->runs->runs[i], from, to, damaged))
             return false;
-        }
     for (size_t r = from; r < to; r++) {
         const uint64_t first = w->records[r].first, after = r + 1 < to ? w->records[r + 1].first : end;
         w->records[r].checksum = checksum_bytes(CHECKSUM_EMPTY, w->bytes + (first - start) * w->triangle_bytes,
@@ -109,7 +125,10 @@ static bool write_large(tile_window *w, size_t r, tile_window_sink *sink, void *
         const size_t all = (size_t)tile_run_count(run, i);
         for (size_t done = 0, some; done < all; done += some) {
             some = all - done < w->room - held ? all - done : w->room - held;
-            copy(w, run, triangles_of(run, i) + done * NUMBERS * run->position_bytes, some, w->bytes + held * w->triangle_bytes);
+            const unsigned char *const triangles = bring(w, run, run->tiles[i].first + done, some);
+            if (!triangles)
+                return false;
+            copy(w, run, triangles, some, w->bytes + held * w->triangle_bytes);
             held += some;
             if (held == w->room && !flush(w, record, held, &at, sink, data))
                 return false;

@@ -10,7 +10,8 @@ typedef struct tile_window {
     size_t triangle_bytes;   /* there */
     size_t room;             /* triangles that `bytes` holds, an even number */
     unsigned char *bytes;
-    uint64_t *at; /* where the next triangle of each record goes */
+    unsigned char *read; /* as large, for those of a run in a file */
+    uint64_t *at;        /* where the next triangle of each record goes */
 } tile_window;
 
 /* Writes bytes to their place in the file. False where that fails. */
@@ -18,7 +19,8 @@ typedef bool tile_window_sink(void *data, uint64_t at, const void *bytes, size_t
 
 /*
  * Writes the triangles of records from .. to - 1, which end at place `end` of the file, and sets their checksums. They fit into the
- * room unless it is one record. Returns false where the sink does or, with *damaged, where those of a run are not what they were.
+ * room unless it is one record. Returns false where the sink does; with *damaged where those of a run are not what they were, else with
+ * errno where they cannot be read.
  */
 bool tile_window_write(tile_window *w, size_t from, size_t to, uint64_t end, tile_window_sink *sink, void *data,
                        const tile_run **damaged);

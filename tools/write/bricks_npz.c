@@ -1,15 +1,14 @@
 /* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, and the grid. */
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "brick_writer.h"
 #include "console/message.h"
+#include "npz_members.h"
 #include "read/little.h"
 #include "spool.h"
-#include "zip_out.h"
 
-enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512, CHUNK = 1 << 16, SHAPE = 32 };
+enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512, CHUNK = 1 << 16 };
 
 /* The file gets the bits as they come; the places wait beside it. */
 typedef struct npz {
@@ -65,19 +64,12 @@ static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     return ++z->waiting < BLOCK ? EXIT_CODE_OK : write_waiting(out);
 }
 
-static void end_array(npz *z, const char *type, const char *shape)
+static void end_rows(brick_out *out, const char *type, int columns)
 {
+    npz *const z = out->state;
     unsigned char header[NPY_HEADER];
-    npy_header(header, type, shape);
+    npz_rows(header, type, out->bricks, columns);
     zip_end_member(&z->zip, header);
-}
-
-static int end_rows(brick_out *out, const char *type, int columns)
-{
-    char shape[SHAPE];
-    snprintf(shape, sizeof shape, "(%" PRIu64 ", %d)", out->bricks, columns);
-    end_array(out->state, type, shape);
-    return EXIT_CODE_OK;
 }
 
 static int add_places(brick_out *out)
@@ -90,36 +82,13 @@ static int add_places(brick_out *out)
     zip_begin_member(&z->zip, "at.npy");
     while ((length = fread(chunk, 1, sizeof chunk, z->places)) > 0)
         zip_add(&z->zip, chunk, length);
-    return !ferror(z->places) ? end_rows(out, "<u4", 3) : file_out_failure(out->file);
-}
-
-static void add_point(npz *z, const char *name, const double point[3])
-{
-    unsigned char bytes[3 * sizeof(double)];
-    for (int a = 0; a < 3; a++) {
-        uint64_t bits;
-        memcpy(&bits, &point[a], sizeof bits);
-        little_put64(bytes + 8 * a, bits);
-    }
-    zip_begin_member(&z->zip, name);
-    zip_add(&z->zip, bytes, sizeof bytes);
-    end_array(z, "<f8", "(3,)");
-}
-
-static void add_size(npz *z, const uint32_t size[3])
-{
-    unsigned char bytes[12];
-    for (int a = 0; a < 3; a++)
-        little_put32(bytes + 4 * a, size[a]);
-    zip_begin_member(&z->zip, "size.npy");
-    zip_add(&z->zip, bytes, sizeof bytes);
-    end_array(z, "<u4", "(3,)");
+    end_rows(out, "<u4", 3);
+    return !ferror(z->places) ? EXIT_CODE_OK : file_out_failure(out->file);
 }
 
 static int end_npz(brick_out *out, progress *bar)
 {
     npz *const z = out->state;
-    const voxels *const v = &out->cells;
     (void)bar;
     int code = write_waiting(out);
     if (code)
@@ -128,10 +97,7 @@ static int end_npz(brick_out *out, progress *bar)
     code = add_places(out);
     if (code)
         return code;
-    add_point(z, "origin.npy", v->grid.origin);
-    add_point(z, "cell.npy", v->grid.cell);
-    add_size(z, v->grid.size);
-    add_point(z, "shift.npy", v->shift);
+    npz_add_grid(&z->zip, &out->cells);
     zip_end(&z->zip);
     return EXIT_CODE_OK;
 }

@@ -1,5 +1,5 @@
-/* tally.c - looks at every triangle once, by threads that take blocks. */
-#include "tally.h"
+/* mesh_tally.c - looks at every triangle once, by threads that take blocks. */
+#include "mesh_tally.h"
 
 #include <errno.h>
 #include <math.h>

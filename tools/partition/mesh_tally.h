@@ -1,6 +1,6 @@
-/* tally.h - what a mesh that is read in pieces is like: its bounds, and what its header counts. */
-#ifndef TALLY_H
-#define TALLY_H
+/* mesh_tally.h - what a mesh that is read in pieces is like: its bounds, and what its header counts. */
+#ifndef MESH_TALLY_H
+#define MESH_TALLY_H
 
 #include "piece.h"
 

@@ -1,0 +1,14 @@
+/* npz_members.h - the arrays of a .npz file of bricks that stand beside the bricks. */
+#ifndef NPZ_MEMBERS_H
+#define NPZ_MEMBERS_H
+
+#include "voxels.h"
+#include "zip_out.h"
+
+/* The header of an array of so many rows. */
+void npz_rows(unsigned char header[NPY_HEADER], const char *type, uint64_t rows, int columns);
+
+/* origin, cell, size and shift. */
+void npz_add_grid(zip_out *zip, const voxels *v);
+
+#endif
