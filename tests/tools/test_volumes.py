@@ -206,6 +206,29 @@ class Places(Volumes):
                                "--out-format", word, "-o", self.path("x.npy"), limit=(resource.RLIMIT_FSIZE, limit))
                 self.assertEqual(os.listdir(self.folder), ["mesh.ply"])
 
+    def has_holes(self):
+        with open(self.path("hole"), "wb") as file:
+            file.seek(1 << 20)
+            file.write(b"1")
+        blocks = os.stat(self.path("hole")).st_blocks
+        os.remove(self.path("hole"))
+        return blocks <= 64
+
+    def test_holes(self):
+        """A file of few cells takes less place than it has bytes, which are those that go to standard output."""
+        is_sparse = self.has_holes()
+        for size in ("200,300,400", "4096,3,50", "8192,2,9", "8191,3,7", "64,64,2", "1,1,1"):
+            for origin in ("-2,-2,-2", "-9,-9,-9", "50,50,50"):
+                for word in ("npy", "nrrd", "vti", "raw"):
+                    grid = ("--cell", "0.05", "--origin=" + origin, "--size", size, "--out-format", word)
+                    self.succeed("voxelize", self.mesh, *grid, "-q", "-o", self.path("x"))
+                    done = subprocess.run([support.program(), "voxelize", self.mesh, *grid, "-o", "-"], capture_output=True, timeout=60)
+                    self.assertEqual(volumes.read(self.path("x")), done.stdout, (size, origin, word))
+                    about = os.stat(self.path("x"))
+                    if is_sparse and size == "200,300,400":
+                        self.assertLess(512 * about.st_blocks, about.st_size / 2, (origin, word))
+                    os.remove(self.path("x"))
+
     def test_folder_that_is_not_there(self):
         for word in self.SPARSE + self.DENSE:
             self.fail_with(1, "cannot write there: No such file", "voxelize", self.mesh, *GRIDS["odd"], "--out-format", word, "-o",

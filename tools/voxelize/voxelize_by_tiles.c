@@ -72,6 +72,7 @@ static tribox_status run_surface(const tile_job *j, const tribox_sink *sink, vox
     const tribox_status status = tile_crew_run(j->set, j->from, j->to, j->r->threads, sink, &bar, &found);
     progress_end(&bar);
     a->report = found.report;
+    a->has_bricks = true;
     a->bricks = found.bricks;
     return status;
 }

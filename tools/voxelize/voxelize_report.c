@@ -73,8 +73,12 @@ static void print_summary(const voxelize_answer *a)
         printf("inside       %zu cells (%s)\n", a->inside, a->fill);
     if (a->has_rows)
         printf("odd rows     %zu\n", a->odd_rows);
+    if (a->has_bricks)
+        printf("bricks       %" PRIu64 " of 8 x 8 x 8 cells", a->bricks);
     if (a->tile)
-        printf("bricks       %" PRIu64 " of 8 x 8 x 8 cells, tiles of %u\n", a->bricks, a->tile);
+        printf(", tiles of %u", a->tile);
+    if (a->has_bricks)
+        putchar('\n');
     printf("undecided    %zu\n", a->report.undecided);
     printf("test         %s, axes ", accuracy_word(a->test.accuracy));
     output_axes(a->test.axes);
@@ -109,10 +113,10 @@ static void print_json(const voxelize_answer *a)
     }
     if (a->has_rows)
         json_whole(&j, "odd_rows", a->odd_rows);
-    if (a->tile) {
+    if (a->tile)
         json_whole(&j, "tile", a->tile);
+    if (a->has_bricks)
         json_whole(&j, "bricks", a->bricks);
-    }
     json_whole(&j, "undecided", a->report.undecided);
     json_string(&j, "accuracy", accuracy_word(a->test.accuracy));
     output_json_axes(&j, a->test.axes);

@@ -13,10 +13,11 @@ typedef struct voxelize_answer {
     size_t triangles, not_finite;
     bool is_double; /* the mesh has coordinates that float does not hold */
     bool is_shifted;
-    bool lacks_place;        /* the format of the file has none for origin and cell */
-    voxels cells;            /* the grid and the shift alone */
-    uint32_t tile;           /* cells along a side of the tiles; 0: in one piece */
-    uint64_t bricks;         /* with tiles */
+    bool lacks_place; /* the format of the file has none for origin and cell */
+    voxels cells;     /* the grid and the shift alone */
+    uint32_t tile;    /* cells along a side of the tiles; 0: in one piece */
+    bool has_bricks;  /* they were counted */
+    uint64_t bricks;
     uint32_t shard, shards;  /* shard 0: the whole */
     size_t from_tile, tiles; /* of a shard */
     const char *fill;        /* the word of --fill; NULL for none */

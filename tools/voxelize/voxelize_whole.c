@@ -1,4 +1,4 @@
-/* voxelize_whole.c - a mesh into the words of its whole grid: formats of all cells, and filling. */
+/* voxelize_whole.c - a mesh into the words of its whole grid: formats of all cells, filling, and whatever fits the caches. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>
 
@@ -6,7 +6,9 @@
 #include "console/message.h"
 #include "console/pages.h"
 #include "layers.h"
+#include "tile_set.h"
 #include "voxelize_ways.h"
+#include "write/brick_cutter.h"
 #include "write/brick_out.h"
 #include "write/voxels_room.h"
 
@@ -86,18 +88,38 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     return EXIT_CODE_OK;
 }
 
-static int write_files(const whole *w, voxelize_files *files)
+static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+{
+    (void)at, (void)bits;
+    ++*(uint64_t *)data;
+    return EXIT_CODE_OK;
+}
+
+/* Cells that are not filled are what tiles would have found: bricks come in their order, and are counted. */
+static int put_cells(const whole *w, const voxels *v, voxelize_files *files, voxelize_answer *a)
+{
+    const voxelize_request *const r = w->r;
+    const uint32_t tile = r->fill == FILL_NONE ? tile_set_side(v->grid.size) : 0;
+    uint64_t bricks = 0;
+    int code = EXIT_CODE_OK;
+    progress bar = progress_start("writing", !r->result.is_quiet);
+    if (!r->is_count)
+        code = brick_out_voxels(r->result.format, &r->result.options, &files->out, v, tile, &bricks, &bar);
+    else if (r->fill == FILL_NONE)
+        code = bricks_cut(v, tile, count_brick, &bricks, &bar);
+    progress_end(&bar);
+    a->has_bricks = r->fill == FILL_NONE && (r->is_count || r->result.format->bricks);
+    a->bricks = bricks;
+    return code;
+}
+
+static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a)
 {
     const voxels_slab slab = {.layers = w->cells.grid.size[2], .bits = w->solid ? w->solid : w->surface};
     voxels v = w->cells;
     v.slab = &slab;
     v.slabs = 1;
-    int code = EXIT_CODE_OK;
-    if (!w->r->is_count) {
-        progress bar = progress_start("writing", !w->r->result.is_quiet);
-        code = brick_out_voxels(w->r->result.format, &w->r->result.options, &files->out, &v, &bar);
-        progress_end(&bar);
-    }
+    int code = put_cells(w, &v, files, a);
     if (!code)
         code = file_out_keep(&files->out);
     return code ? code : preview_draw(&files->picture, &v, &w->r->result.look, w->r->threads, !w->r->result.is_quiet);
@@ -112,7 +134,7 @@ int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize
     if (!code)
         code = fill_if_wanted(&w, a);
     if (!code)
-        code = write_files(&w, files);
+        code = write_files(&w, files, a);
     pages_free(w.solid, w.words * sizeof *w.solid);
     pages_free(w.surface, w.words * sizeof *w.surface);
     return code;

@@ -2,18 +2,35 @@
 #define _POSIX_C_SOURCE 200809L
 #include "voxelize_work.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "console/interrupt.h"
+#include "console/memory.h"
 #include "console/message.h"
 #include "voxelize_ways.h"
 
-/* Formats of all cells take the whole grid; all else goes tile by tile. */
+/*
+ * Whether all cells at once take less time than tile by tile, whose triangles are sorted first: up to 2 MB of bits, which a core has
+ * at hand, and further the more triangles there are, up to what the last cache holds (bench/files.md). Only the true answer is the
+ * same cell by cell either way.
+ */
+static bool is_small(const voxelize_request *r, const voxelize_input *in)
+{
+    static const double at_hand = 0x1p21, cached = 0x1p25, per_triangle = 16;
+    if (!in->mesh || r->has_shard || r->test.accuracy != TRIBOX_EXACT)
+        return false;
+    const double bytes = ceil(in->cells.grid.size[0] / 64.0) * in->cells.grid.size[1] * in->cells.grid.size[2] * sizeof(uint64_t);
+    const bool is_faster = bytes <= at_hand || bytes <= per_triangle * (double)in->mesh->triangles;
+    return is_faster && bytes <= cached && bytes < (double)memory_available() / 2;
+}
+
+/* Formats of all cells take the whole grid, and so do small ones; all else goes tile by tile. */
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks;
-    return is_dense && in->mesh;
+    return (is_dense && in->mesh) || is_small(r, in);
 }
 
 void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a)
@@ -114,6 +131,8 @@ int voxelize_work(const voxelize_request *r)
                          .threads = r->threads,
                          .shard = r->has_shard ? r->shard : 0,
                          .shards = r->shards};
+    if (r->result.format && r->result.format->begin)
+        r->result.format->begin();
     const int code = partition_is_folder(r->from.mesh_path) ? work_on_partition(r, &a) : work_on_mesh(r, &a);
     return code || !r->result.has_summary ? code : voxelize_report(&a, r->result.wants_json);
 }

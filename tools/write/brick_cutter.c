@@ -1,8 +1,6 @@
 /* brick_cutter.c - cuts bricks eight at a time, as many as there are in a row of words. */
 #include "brick_cutter.h"
 
-#include <stdbool.h>
-
 #include "console/message.h"
 
 enum { SIDE = 8 };
@@ -14,72 +12,96 @@ typedef struct beam {
 
 static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
-/* layers: the words of up to eight layers from their first row on. Returns whether a cell is set. */
-static bool read_beam(const uint64_t *const layers[SIDE], uint32_t depth, uint32_t rows, size_t row_words, beam *b)
+/* layers: the words of up to eight layers from their first row on. Returns the cells of all these words together. */
+static uint64_t read_beam(const uint64_t *const layers[SIDE], uint32_t depth, uint32_t rows, size_t row_words, beam *b)
 {
     uint64_t any = 0;
     *b = (beam){.word = {{0}}};
     for (uint32_t k = 0; k < depth; k++)
         for (uint32_t j = 0; j < rows; j++)
             any |= b->word[k][j] = layers[k][j * row_words];
-    return any != 0;
+    return any;
 }
 
-/* Brick i of the beam. Returns whether a cell is set. */
-static bool cut(const beam *b, int i, uint64_t bits[SIDE])
+/* Exchanges the bytes of eight words: byte i of word j becomes byte j of word i. */
+static void exchange(uint64_t word[SIDE])
 {
-    uint64_t any = 0;
-    for (int k = 0; k < SIDE; k++) {
-        bits[k] = 0;
-        for (int j = 0; j < SIDE; j++)
-            bits[k] |= (b->word[k][j] >> SIDE * i & 0xff) << SIDE * j;
-        any |= bits[k];
-    }
-    return any != 0;
+    static const uint64_t low[] = {UINT64_C(0x00ff00ff00ff00ff), UINT64_C(0x0000ffff0000ffff), UINT64_C(0x00000000ffffffff)};
+    for (int step = 0; step < 3; step++)
+        for (int j = 0; j < SIDE; j++) {
+            const int other = j | 1 << step, shift = SIDE << step;
+            if (other == j)
+                continue;
+            const uint64_t a = word[j], b = word[other];
+            word[j] = (a & low[step]) | (b & low[step]) << shift;
+            word[other] = (a >> shift & low[step]) | (b & ~low[step]);
+        }
 }
 
-static int take_beam(const beam *b, const uint32_t first[3], brick_taker *take, void *data)
+/* The bricks of a beam whose cells are set in `any`, a byte for each. */
+static int take_beam(beam *b, uint64_t any, const uint32_t first[3], brick_taker *take, void *data)
 {
-    uint64_t bits[SIDE];
     int code = EXIT_CODE_OK;
-    for (int i = 0; i < SIDE && !code; i++) {
-        const uint32_t at[3] = {first[0] + (uint32_t)i, first[1], first[2]};
-        if (cut(b, i, bits))
-            code = take(data, at, bits);
+    for (int k = 0; k < SIDE; k++)
+        exchange(b->word[k]);
+    for (uint32_t i = 0; i < SIDE && !code; i++) {
+        uint64_t bits[SIDE];
+        for (int k = 0; k < SIDE; k++)
+            bits[k] = b->word[k][i];
+        if (any >> SIDE * i & 0xff)
+            code = take(data, (const uint32_t[3]){first[0] + i, first[1], first[2]}, bits);
     }
     return code;
 }
+
+/* A box of words: 64 cells of x, and bricks of y and z. */
+typedef struct words_box {
+    uint32_t first[3], end[3];
+} words_box;
 
 /* The bricks of eight rows in eight layers. */
-static int cut_rows(const voxels *v, const uint64_t *const layers[SIDE], uint32_t depth, uint32_t y, uint32_t z, brick_taker *take,
-                    void *data)
+static int cut_rows(const voxels *v, const words_box *box, uint32_t y, uint32_t z, brick_taker *take, void *data)
 {
     const size_t row_words = voxels_row_words(&v->grid);
-    const uint32_t rows = least(SIDE, v->grid.size[1] - SIDE * y);
+    const uint32_t rows = least(SIDE, v->grid.size[1] - SIDE * y), depth = least(SIDE, v->grid.size[2] - SIDE * z);
     const uint64_t *from[SIDE] = {NULL};
+    for (uint32_t k = 0; k < depth; k++)
+        from[k] = voxels_layer(v, SIDE * z + k) + SIDE * y * row_words + box->first[0];
     int code = EXIT_CODE_OK;
-    for (size_t w = 0; w < row_words && !code; w++) {
+    for (uint32_t w = box->first[0]; w < box->end[0] && !code; w++) {
         beam b;
+        const uint64_t any = read_beam(from, depth, rows, row_words, &b);
+        if (any)
+            code = take_beam(&b, any, (const uint32_t[3]){SIDE * w, y, z}, take, data);
         for (uint32_t k = 0; k < depth; k++)
-            from[k] = layers[k] + SIDE * y * row_words + w;
-        if (read_beam(from, depth, rows, row_words, &b))
-            code = take_beam(&b, (const uint32_t[3]){SIDE * (uint32_t)w, y, z}, take, data);
+            from[k]++;
     }
     return code;
 }
 
-int bricks_cut(const voxels *v, brick_taker *take, void *data, progress *bar)
+static int cut_box(const voxels *v, const words_box *box, brick_taker *take, void *data)
+{
+    int code = EXIT_CODE_OK;
+    for (uint32_t z = box->first[2]; z < box->end[2] && !code; z++)
+        for (uint32_t y = box->first[1]; y < box->end[1] && !code; y++)
+            code = cut_rows(v, box, y, z, take, data);
+    return code;
+}
+
+int bricks_cut(const voxels *v, uint32_t tile, brick_taker *take, void *data, progress *bar)
 {
     const uint32_t *const size = v->grid.size;
-    const uint64_t *layers[SIDE] = {NULL};
+    const uint32_t all[3] = {(size[0] + 63) / 64, (size[1] + SIDE - 1) / SIDE, (size[2] + SIDE - 1) / SIDE};
+    const uint32_t step[3] = {tile ? tile / 64 : all[0], tile ? tile / SIDE : all[1], tile ? tile / SIDE : 1};
     int code = EXIT_CODE_OK;
-    for (uint32_t z = 0; z < (size[2] + SIDE - 1) / SIDE && !code; z++) {
-        const uint32_t depth = least(SIDE, size[2] - SIDE * z);
-        for (uint32_t k = 0; k < depth; k++)
-            layers[k] = voxels_layer(v, SIDE * z + k);
-        for (uint32_t y = 0; y < (size[1] + SIDE - 1) / SIDE && !code; y++)
-            code = cut_rows(v, layers, depth, y, z, take, data);
-        progress_tell(bar, (SIDE * z + depth) / (double)size[2]);
+    for (uint32_t k = 0; k < all[2] && !code; k += step[2]) {
+        for (uint32_t j = 0; j < all[1] && !code; j += step[1])
+            for (uint32_t i = 0; i < all[0] && !code; i += step[0]) {
+                const words_box box = {{i, j, k},
+                                       {least(i + step[0], all[0]), least(j + step[1], all[1]), least(k + step[2], all[2])}};
+                code = cut_box(v, &box, take, data);
+            }
+        progress_tell(bar, least(k + step[2], all[2]) / (double)all[2]);
     }
     return code;
 }

@@ -120,23 +120,26 @@ void brick_out_drop(brick_out *out)
 
 static int put(void *out, const uint32_t at[3], const uint64_t bits[8]) { return brick_out_put(out, at, bits); }
 
-static int cut_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, progress *bar)
+static int cut_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
+                      uint64_t *bricks, progress *bar)
 {
     brick_out out;
     int code = brick_out_open(&out, format, options, file, v);
     if (code)
         return code;
-    code = bricks_cut(v, put, &out, bar);
+    code = bricks_cut(v, tile, put, &out, bar);
+    *bricks = out.bricks;
     if (!code)
         code = brick_out_end(&out, bar);
     brick_out_drop(&out);
     return code;
 }
 
-int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, progress *bar)
+int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
+                     uint64_t *bricks, progress *bar)
 {
     if (format->bricks)
-        return cut_voxels(format, options, file, v, bar);
+        return cut_voxels(format, options, file, v, tile, bricks, bar);
     format->write(file->stream, v, bar);
     return EXIT_CODE_OK;
 }

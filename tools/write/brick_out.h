@@ -39,7 +39,11 @@ int brick_out_end(brick_out *out, progress *bar);
 /* Frees the memory of what did not come to its end; nothing after brick_out_end has succeeded. The file is the caller's to drop. */
 void brick_out_drop(brick_out *out);
 
-/* Writes voxels in memory in any format, dense or sparse. Returns an exit_code. */
-int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, progress *bar);
+/*
+ * Writes voxels in memory in any format, dense or sparse, whose bricks come in the order of these tiles, 0: of the whole. bricks: how
+ * many a sparse format got. Returns an exit_code.
+ */
+int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
+                     uint64_t *bricks, progress *bar);
 
 #endif

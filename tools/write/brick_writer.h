@@ -20,8 +20,12 @@ int bricks_check_npz(const char *path, const tribox_grid *grid);
 /* An array of NumPy's: the coordinates of cells, [n, 3]. */
 extern const brick_writer bricks_cells;
 
-/* OpenVDB's BoolGrid or MaskGrid. The check finds out whether OpenVDB is there. */
+/*
+ * OpenVDB's BoolGrid or MaskGrid. The check finds out whether OpenVDB is there, which takes a while: it may begin before there is a
+ * grid, while no thread runs but the calling one.
+ */
 extern const brick_writer bricks_vdb;
+void bricks_begin_vdb(void);
 int bricks_check_vdb(const char *path, const tribox_grid *grid);
 
 #endif

@@ -34,6 +34,30 @@ static vdb_grid grid_of(const voxels *v, bool is_mask)
 
 static int fail(const char *path, const char *reason) { return message_failure("%s: %s; write .npz", path, reason); }
 
+/* Begun while the mesh is read, tried when there is a grid, and then at work for one file. */
+static vdb_process *begun;
+
+void bricks_begin_vdb(void)
+{
+    char reason[VDB_PROCESS_REASON];
+    if (!begun)
+        begun = vdb_process_begin(reason); /* the check says why not */
+}
+
+static void end_begun(void)
+{
+    if (begun)
+        vdb_process_free(begun);
+    begun = NULL;
+}
+
+static bool try_grid(const vdb_grid *grid, char *reason)
+{
+    if (!begun)
+        begun = vdb_process_begin(reason);
+    return begun && vdb_process_try(begun, grid, reason);
+}
+
 /* Before the work that what cannot be written would waste. */
 int bricks_check_vdb(const char *path, const tribox_grid *grid)
 {
@@ -42,10 +66,10 @@ int bricks_check_vdb(const char *path, const tribox_grid *grid)
     if (isinf(tried.unit))
         return message_failure("%s: cells of %.9g x %.9g x %.9g are too small for .vdb; write .npz", path, grid->cell[0],
                                grid->cell[1], grid->cell[2]);
-    vdb_process *const process = vdb_process_start(&tried, NULL, false, reason);
-    if (!process)
+    if (!try_grid(&tried, reason)) {
+        end_begun();
         return fail(path, reason);
-    vdb_process_free(process);
+    }
     if (tried.unit > 1)
         message_say("note: %s has lengths of the mesh times %.0f, as OpenVDB takes no cells as small as these", path, tried.unit);
     return EXIT_CODE_OK;
@@ -55,8 +79,15 @@ static int open_vdb(brick_out *out)
 {
     char reason[VDB_PROCESS_REASON];
     const vdb_grid grid = grid_of(&out->cells, out->options.is_mask);
-    out->state = vdb_process_start(&grid, out->to, !file_out_is_stdout(out->file->path), reason);
-    return out->state ? EXIT_CODE_OK : fail(out->file->path, reason);
+    if (!begun)
+        begun = vdb_process_begin(reason);
+    if (!begun || !vdb_process_open(begun, &grid, out->to, !file_out_is_stdout(out->file->path), reason)) {
+        end_begun();
+        return fail(out->file->path, reason);
+    }
+    out->state = begun;
+    begun = NULL;
+    return EXIT_CODE_OK;
 }
 
 static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])

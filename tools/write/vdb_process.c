@@ -17,6 +17,7 @@
 #endif
 
 #include "console/interrupt.h"
+#include "files/new_file.h"
 
 #ifndef MSG_NOSIGNAL /* macOS has it as an option of the socket */
 #define MSG_NOSIGNAL 0
@@ -32,7 +33,13 @@ typedef struct block {
     } brick[BLOCK];
 } block;
 
-/* After the start, after the last block, and wherever it fails. */
+/* A grid to make a tree for; where it is only tried, no file comes with it. */
+typedef struct order {
+    vdb_grid grid;
+    bool has_file, can_seek;
+} order;
+
+/* After each order, after the last block, and wherever it fails. */
 typedef struct answer {
     bool is_done;
     int error; /* of the stream */
@@ -68,6 +75,39 @@ static bool receive_all(int from, void *to, size_t size)
     return true;
 }
 
+/* A file goes along with a byte of its own. */
+static bool send_file(int to, int file)
+{
+    char byte = 0, room[CMSG_SPACE(sizeof file)] = {0};
+    struct iovec one = {&byte, 1};
+    struct msghdr message = {.msg_iov = &one, .msg_iovlen = 1, .msg_control = room, .msg_controllen = sizeof room};
+    struct cmsghdr *const head = CMSG_FIRSTHDR(&message);
+    head->cmsg_level = SOL_SOCKET;
+    head->cmsg_type = SCM_RIGHTS;
+    head->cmsg_len = CMSG_LEN(sizeof file);
+    memcpy(CMSG_DATA(head), &file, sizeof file);
+    ssize_t sent;
+    while ((sent = sendmsg(to, &message, MSG_NOSIGNAL)) < 0 && errno == EINTR)
+        continue;
+    return sent == 1;
+}
+
+/* As a stream to write to; NULL if none comes. */
+static FILE *receive_file(int from)
+{
+    int file = -1;
+    char byte, room[CMSG_SPACE(sizeof file)];
+    struct iovec one = {&byte, 1};
+    struct msghdr message = {.msg_iov = &one, .msg_iovlen = 1, .msg_control = room, .msg_controllen = sizeof room};
+    ssize_t got;
+    while ((got = recvmsg(from, &message, 0)) < 0 && errno == EINTR)
+        continue;
+    const struct cmsghdr *const head = got == 1 ? CMSG_FIRSTHDR(&message) : NULL;
+    if (head && head->cmsg_type == SCM_RIGHTS)
+        memcpy(&file, CMSG_DATA(head), sizeof file);
+    return file < 0 ? NULL : fdopen(file, "wb");
+}
+
 static bool send_block(int to, const block *b)
 {
     return send_all(to, &b->count, sizeof b->count) && send_all(to, b->brick, b->count * sizeof b->brick[0]);
@@ -101,18 +141,13 @@ static bool put_block(const vdb_part *part, void *tree, const block *b, char *wh
     return is_put;
 }
 
-/* The child's work. Its memory is freed when it ends: to take a large tree apart would be slow, and may throw. */
-static void serve(int parent, const vdb_grid *grid, FILE *to, bool can_seek)
+/* The bricks of a tree, and its file. */
+static void take_bricks(int parent, const vdb_part *part, void *tree, FILE *to, bool can_seek)
 {
     block b;
     char why[VDB_REASON];
-    answer a = {.is_done = false};
-    const vdb_part *const part = load(&a);
-    void *const tree = part ? part->make(grid, why) : NULL;
-    if (part && !tree)
-        say_failed(&a, why);
-    a.is_done = tree != NULL;
-    bool goes_on = send_all(parent, &a, sizeof a) && a.is_done;
+    answer a = {.is_done = true};
+    bool goes_on = true;
     while (goes_on && receive_block(parent, &b)) {
         a.is_done = b.count ? put_block(part, tree, &b, why) : part->write(tree, to, can_seek, why);
         goes_on = b.count && a.is_done;
@@ -125,6 +160,28 @@ static void serve(int parent, const vdb_grid *grid, FILE *to, bool can_seek)
     }
 }
 
+/* The child's work. Its memory is freed when it ends: to take a large tree apart would be slow, and may throw. */
+static void serve(int parent)
+{
+    order o;
+    char why[VDB_REASON];
+    answer a = {.is_done = false};
+    const vdb_part *const part = load(&a);
+    while (receive_all(parent, &o, sizeof o)) {
+        FILE *const to = o.has_file ? receive_file(parent) : NULL;
+        void *const tree = part ? part->make(&o.grid, why) : NULL;
+        if (part && !tree)
+            say_failed(&a, why);
+        a.is_done = tree && (to || !o.has_file);
+        if (tree && !a.is_done)
+            say_failed(&a, "its file did not arrive");
+        if (!send_all(parent, &a, sizeof a) || !a.is_done)
+            return;
+        if (to)
+            take_bricks(parent, part, tree, to, o.can_seek);
+    }
+}
+
 /* What libraries print when they break off is said by the parent, in one line. */
 static void be_quiet(void)
 {
@@ -133,14 +190,15 @@ static void be_quiet(void)
         dup2(nothing, STDERR_FILENO);
 }
 
-static void run_child(int parent, const vdb_grid *grid, FILE *to, bool can_seek)
+static void run_child(int parent)
 {
     interrupt_leave();
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* elsewhere it ends when it next hears or says something */
 #endif
     be_quiet();
-    serve(parent, grid, to, can_seek);
+    new_file_fail_quietly(true); /* it began before the output was opened */
+    serve(parent);
     _exit(0);
 }
 
@@ -155,7 +213,7 @@ static bool hear(const vdb_process *p, answer *a, char *reason)
     return a->is_done;
 }
 
-static bool fork_child(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek)
+static bool fork_child(vdb_process *p)
 {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends))
@@ -167,7 +225,7 @@ static bool fork_child(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_
     p->child = fork();
     if (!p->child) {
         close(ends[0]);
-        run_child(ends[1], grid, to, can_seek);
+        run_child(ends[1]);
     }
     const int reason = errno;
     interrupt_release();
@@ -179,19 +237,30 @@ static bool fork_child(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_
     return p->child > 0;
 }
 
-vdb_process *vdb_process_start(const vdb_grid *grid, FILE *to, bool can_seek, char *reason)
+vdb_process *vdb_process_begin(char *reason)
 {
-    answer a;
     vdb_process *const p = calloc(1, sizeof *p);
-    if (p && fork_child(p, grid, to, can_seek)) {
-        if (hear(p, &a, reason))
-            return p;
-        vdb_process_free(p);
-        return NULL;
-    }
+    if (p && fork_child(p))
+        return p;
     snprintf(reason, VDB_PROCESS_REASON, "cannot start what writes .vdb: %s", strerror(p ? errno : ENOMEM));
     free(p);
     return NULL;
+}
+
+/* Whether an order arrives, the answer says. */
+bool vdb_process_try(vdb_process *p, const vdb_grid *grid, char *reason)
+{
+    answer a;
+    send_all(p->socket, &(order){.grid = *grid}, sizeof(order));
+    return hear(p, &a, reason);
+}
+
+bool vdb_process_open(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek, char *reason)
+{
+    answer a;
+    send_all(p->socket, &(order){.grid = *grid, .has_file = true, .can_seek = can_seek}, sizeof(order));
+    send_file(p->socket, fileno(to));
+    return hear(p, &a, reason);
 }
 
 bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], char *reason)

@@ -17,10 +17,15 @@ typedef struct vdb_process vdb_process;
 enum { VDB_PROCESS_REASON = VDB_REASON + 40 };
 
 /*
- * Starts it, with an empty tree. No thread may run besides the calling one. to: where the tree goes, a stream at its start with
- * nothing in its buffer, or NULL to see whether there is an OpenVDB that works. NULL if it fails.
+ * Starts it: it loads OpenVDB, while the program does something else. No thread may run besides the calling one. NULL if it fails.
  */
-vdb_process *vdb_process_start(const vdb_grid *grid, FILE *to, bool can_seek, char *reason);
+vdb_process *vdb_process_begin(char *reason);
+
+/* Waits until it has an OpenVDB that takes this grid. False if it fails. */
+bool vdb_process_try(vdb_process *p, const vdb_grid *grid, char *reason);
+
+/* Makes an empty tree. to: where it goes, a stream at its start with nothing in its buffer. False if it fails. */
+bool vdb_process_open(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek, char *reason);
 
 /* A brick as a tribox_sink gets it. False if it fails. */
 bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], char *reason);

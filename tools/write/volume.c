@@ -10,7 +10,7 @@
 /* Of two with one ending the first is the one that the ending stands for. */
 static const volume_format formats[] = {
     {.word = "npz", .ending = ".npz", .check_grid = bricks_check_npz, .bricks = &bricks_npz, .has_place = true},
-    {.word = "vdb", .ending = ".vdb", .check_grid = bricks_check_vdb, .bricks = &bricks_vdb, .has_place = true},
+    {.word = "vdb", .ending = ".vdb", .begin = bricks_begin_vdb, .check_grid = bricks_check_vdb, .bricks = &bricks_vdb, .has_place = true},
     {.word = "npy", .ending = ".npy", .write = volume_write_npy},
     {.word = "cells", .ending = ".npy", .bricks = &bricks_cells},
     {.word = "vti", .ending = ".vti", .write = volume_write_vti, .has_place = true},

@@ -17,6 +17,9 @@ typedef struct volume_format {
     const char *word;   /* "npy" */
     const char *ending; /* ".npy" */
 
+    /* Begins what takes long and needs no grid; to be called before the mesh is read. NULL: nothing does. */
+    void (*begin)(void);
+
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
     int (*check_grid)(const char *path, const tribox_grid *grid);
 
