@@ -1,8 +1,9 @@
 /*
  * tribox_threads.h - the steps of longer works, for threads that share them, and for grids that no memory holds
  *
- * Spatial order: tribox_soup_sort, tribox_mesh_sort and tribox_boxes_sort are these steps, one after another: start all of it, cut it as often as
- * there are threads, finish every part. Any number of threads may take part in a step; the order is the same as in one call.
+ * Spatial order: tribox_soup_sort, tribox_mesh_sort and tribox_boxes_sort are these steps, one after another: start all of it, cut
+ * it as often as there are threads, finish every part. Any number of threads may take part in a step; the order is the same as in
+ * one call.
  *
  * Insides: parity is filled window by window, the outside part by part, where labels of free cells are joined across the faces of
  * parts. In sum the bits are those of tribox_fill_parity and tribox_fill_outside.

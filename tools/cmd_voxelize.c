@@ -28,7 +28,7 @@ static const char help[] =
     "files may be larger than memory.\n"
     "\n" GRID_HELP RESULT_HELP "      --count             write no file, only count cells and bricks\n"
     "      --fill WORD         outside: also what is not reached from outside through free cells;\n"
-    "                          parity: also what rays along x enter. Needs memory for the whole grid\n"
+    "                          parity: also what rays along x enter, for which MESH is needed\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         only part I, 1 to N, of N, of equal work, as a .part for 'tribox merge'\n" OPTIONS_TEST_HELP
         OPTIONS_HELP_HELP "\n"

@@ -9,8 +9,8 @@
 static const uint32_t is_at_face = UINT32_C(1) << 31;
 
 /* Two rows of runs that are next to each other: those that have cells side by side are one. */
-static void join_rows(uint32_t *parents, const tribox_run *a, uint32_t first_a, size_t count_a, const tribox_run *b,
-                      uint32_t first_b, size_t count_b)
+static void join_run_rows(uint32_t *parents, const tribox_run *a, uint32_t first_a, size_t count_a, const tribox_run *b,
+                          uint32_t first_b, size_t count_b)
 {
     for (size_t m = 0, n = 0; m < count_a && n < count_b;) {
         if (a[m].from < b[n].end && b[n].from < a[m].end)
@@ -36,19 +36,44 @@ static size_t find_runs(tribox_runs *r, size_t row, tribox_run *to)
     return count;
 }
 
-/* Row j of layer k, to the rows before it on both axes. */
+/* Whether a row has the words of the row before it in its layer. */
+static bool is_as_before(const tribox_runs *r, size_t row)
+{
+    const uint64_t *const words = r->occupied + row * r->rows.words, *const before = words - r->rows.words;
+    uint64_t differ = 0;
+    for (size_t w = 0; w < r->rows.words && !differ; w++)
+        differ = words[w] ^ before[w];
+    return !differ;
+}
+
+/* Then its runs are those of that row, each joined with its own. */
+static void repeat_row(tribox_runs *r, size_t row, tribox_run *spans)
+{
+    const uint32_t first = r->first[row], count = first - r->first[row - 1];
+    memcpy(spans, spans - count, count * sizeof *spans);
+    memcpy(r->parents + first, r->parents + first - count, count * sizeof *r->parents);
+    r->first[row + 1] = first + count;
+}
+
+/* Row j of layer k, to the rows before it on both axes: where all four are the same in pairs, the rows before are joined. */
 static void join_row(tribox_runs *r, size_t j, size_t k)
 {
     const size_t lines = r->size[1], row = k * lines + j;
     const uint32_t *const first = r->first;
     const tribox_run *const before = r->spans[(k + 1) % 2] + (k ? first[row - lines] - first[(k - 1) * lines] : 0);
     tribox_run *const spans = r->spans[k % 2] + (first[row] - first[k * lines]);
-    const size_t count = find_runs(r, row, spans);
-    if (j)
-        join_rows(r->parents, spans, first[row], count, spans - (first[row] - first[row - 1]), first[row - 1],
-                  first[row] - first[row - 1]);
+    const bool is_repeated = j && is_as_before(r, row);
+    if (is_repeated)
+        repeat_row(r, row, spans);
+    if (is_repeated && (!k || is_as_before(r, row - lines)))
+        return;
+    const size_t count = is_repeated ? first[row + 1] - first[row] : find_runs(r, row, spans);
+    if (j && !is_repeated)
+        join_run_rows(r->parents, spans, first[row], count, spans - (first[row] - first[row - 1]), first[row - 1],
+                      first[row] - first[row - 1]);
     if (k)
-        join_rows(r->parents, spans, first[row], count, before, first[row - lines], first[row - lines + 1] - first[row - lines]);
+        join_run_rows(r->parents, spans, first[row], count, before, first[row - lines],
+                      first[row - lines + 1] - first[row - lines]);
 }
 
 static void mark(uint32_t *parents, uint32_t run) { parents[parents[run] & ~is_at_face] |= is_at_face; }
@@ -98,7 +123,7 @@ static uint32_t label_runs(tribox_runs *r)
 /* ------------------------------------------------------------------------------------------------------------------------ faces */
 
 /* A row in a face, at every `step`-th place. */
-static void write_row(const tribox_runs *r, size_t row, uint32_t *face)
+static void write_row_labels(const tribox_runs *r, size_t row, uint32_t *face)
 {
     const tribox_run_row cells = tribox_run_row_of(r, row);
     tribox_run run = {0, 0};
@@ -110,7 +135,7 @@ static void write_row(const tribox_runs *r, size_t row, uint32_t *face)
             face[i] = r->parents[number];
 }
 
-static void write_ends(const tribox_runs *r, size_t row, uint32_t *const faces[6])
+static void write_end_labels(const tribox_runs *r, size_t row, uint32_t *const faces[6])
 {
     if (faces[0])
         faces[0][row] = is_free_at(r, row, 0) ? r->parents[r->first[row]] : TRIBOX_NO_LABEL;
@@ -122,18 +147,18 @@ static void write_faces(const tribox_runs *r, uint32_t *const faces[6])
 {
     const size_t x = r->size[0], lines = r->size[1], layers = r->size[2];
     for (size_t row = 0; row < r->rows.count; row++)
-        write_ends(r, row, faces);
+        write_end_labels(r, row, faces);
     for (size_t k = 0; k < layers; k++) {
         if (faces[2])
-            write_row(r, k * lines, faces[2] + k * x);
+            write_row_labels(r, k * lines, faces[2] + k * x);
         if (faces[3])
-            write_row(r, (k + 1) * lines - 1, faces[3] + k * x);
+            write_row_labels(r, (k + 1) * lines - 1, faces[3] + k * x);
     }
     for (size_t j = 0; j < lines; j++) {
         if (faces[4])
-            write_row(r, j, faces[4] + j * x);
+            write_row_labels(r, j, faces[4] + j * x);
         if (faces[5])
-            write_row(r, (layers - 1) * lines + j, faces[5] + j * x);
+            write_row_labels(r, (layers - 1) * lines + j, faces[5] + j * x);
     }
 }
 

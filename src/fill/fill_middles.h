@@ -7,7 +7,10 @@
 #include "base/finite.h"
 #include "grid/grid_cells.h"
 
-/* A window of a grid, and places of numbers in it: (number - origin) per_cell, off from where planes and middles lie by `error` at most. */
+/*
+ * A window of a grid, and places of numbers in it: (number - origin) per_cell, off from where planes and middles lie by `error` at
+ * most. origin is the window's first plane.
+ */
 typedef struct tribox_middles {
     tribox_planes planes;
     uint32_t size[3];

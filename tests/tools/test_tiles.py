@@ -180,6 +180,69 @@ class Fills(Tiles):
         self.assertGreater(json.loads(text)["odd_rows"], 0)
         self.assertEqual(self.voxelize(mesh, *grid, "--fill", "outside", "--count")["inside"], 0)
 
+    def cells(self, *arguments):
+        """The file of coordinates, and its cells as the words of the grid."""
+        found = self.voxelize(*arguments, "--out-format", "cells", "-o", self.path("solid.npy"))
+        data = volumes.read(self.path("solid.npy"))
+        size = found["grid"]["size"]
+        row = (size[0] + 63) // 64 * 8
+        bits = bytearray(row * size[1] * size[2])
+        count = found["occupied"] + found["inside"]
+        numbers = struct.unpack("<%di" % (3 * count), data[len(data) - 12 * count:])
+        for i, j, k in zip(numbers[::3], numbers[1::3], numbers[2::3]):
+            bits[(k * size[1] + j) * row + i // 8] |= 1 << i % 8
+        return found, data, bits
+
+    def check_whole(self, mesh, grid, fill):
+        """Tile by tile there are the cells of the whole, in one order for any number of threads."""
+        whole, dense = self.dense(mesh, grid, "--fill", fill, "--threads", "3")
+        self.assertEqual(self.dense(mesh, grid, "--fill", fill, "--threads", "1")[1], dense)
+        files = []
+        for threads in "13":
+            found, data, bits = self.cells(mesh, *grid, "--fill", fill, "--threads", threads)
+            self.assertEqual(bits, dense, (grid, fill))
+            for member in ("occupied", "inside", "odd_rows", "undecided"):
+                self.assertEqual(found.get(member), whole.get(member), (grid, fill))
+            counted = self.voxelize(mesh, *grid, "--fill", fill, "--threads", threads, "--count")
+            self.assertEqual([counted[m] for m in ("inside", "bricks")], [found[m] for m in ("inside", "bricks")])
+            files.append(data)
+        self.assertEqual(files[0], files[1])
+        return whole, dense
+
+    def test_tiles(self):
+        """A shell with a box in it: 3 x 2 x 2 tiles, grids that hold it and that cut it, floats and doubles."""
+        shell = (cube((-1.7, -0.3, -1.65), (1.7, 1.31, 1.6)) + cube((-1.5, -0.2, -1.5), (1.45, 1.2, 1.5)) +
+                 cube((-1.2, 0.1, -1.3), (-0.9, 0.8, 1.3)))
+        floats = self.write("shell.f32", meshes.pack_floats(shell))
+        doubles = self.write("shell.f64", struct.pack("<%dd" % (9 * len(shell)), *(x + 1 / 3e9 for t in shell for v in t for x in v)))
+        holding = ("--cell", "0.016,0.0156,0.027", "--origin", "-2,-0.5,-2", "--size", "259,131,143")
+        cutting = ("--cell", "0.016,0.0156,0.027", "--origin", "-1.6,-0.5,-1.55", "--size", "150,131,41")
+        for mesh in (floats, doubles):
+            for grid in (holding, cutting):
+                found = [self.check_whole(mesh, grid, fill)[0] for fill in ("outside", "parity")]
+                if grid == holding: # all that is in the shell; of parity not what lies between it and the box
+                    self.assertGreater(found[0]["inside"], 1.5 * found[1]["inside"])
+                self.assertGreater(found[1]["inside"], 10000)
+
+    def test_partition(self):
+        self.succeed("partition", self.mesh, *GRID, "--quiet", "-o", self.path("tiles"))
+        whole, dense = self.dense(self.mesh, GRID, "--fill", "outside")
+        found = self.voxelize(self.path("tiles"), "--fill", "outside", "-o", self.path("tiles.raw"))
+        self.assertEqual(volumes.read(self.path("tiles.raw")), dense)
+        self.assertEqual((found["inside"], found["occupied"]), (whole["inside"], whole["occupied"]))
+
+    def test_beyond_memory(self):
+        """A box in a grid of 512 GiB, and a grid that lies in a box."""
+        mesh = self.write("box.f32", meshes.pack_floats(cube((1.5, 1.5, 1.5), (9.5, 8.5, 7.5))))
+        grid = ("--cell", "1", "--origin", "0,0,0", "--size", "16384,16384,16384")
+        for fill in ("outside", "parity"):
+            found = self.voxelize(mesh, *grid, "--fill", fill, "-o", self.path("x.npy"), "--out-format", "cells")
+            self.assertEqual((found["occupied"], found["inside"], found["bricks"]), (294, 210, 4))
+        inner = ("--cell", "0.0001", "--origin", "2,2,2", "--size", "65536,256,140")
+        found = self.voxelize(mesh, *inner, "--fill", "parity", "--count")
+        self.assertEqual((found["occupied"], found["inside"]), (0, 65536 * 256 * 140))
+        self.assertEqual(self.voxelize(mesh, *inner, "--fill", "outside", "--count")["inside"], 0)
+
 
 class Refusals(Tiles):
     def setUp(self):
@@ -204,7 +267,7 @@ class Refusals(Tiles):
                 ("a folder, so a partition, which has its grid: leave out --resolution", (tiles, "-r", "9", "-o", "x.npz")),
                 ("a folder, so a partition, which has its grid: leave out --shift", (tiles, "--shift", "auto", "-o", "x.npz")),
                 ("a partition, which is for all axes: leave out --axes", (tiles, "--axes", "box", "-o", "x.npz")),
-                ("a partition: --fill needs the mesh itself", (tiles, "--fill", "outside", "-o", "x.npz"))):
+                ("lacks what lies before its grid: --fill parity needs the mesh itself", (tiles, "--fill", "parity", "-o", "x.npz"))):
             self.refuse(2, pattern + ".*see 'tribox voxelize --help'", "voxelize", *arguments)
         for pattern, arguments in (("no mesh file given", ("-r", "9", "-o", "x")), ("no grid given", (self.mesh, "-o", "x")),
                                    ("no output given; give -o FOLDER", (self.mesh, "-r", "9")),
@@ -227,8 +290,8 @@ class Refusals(Tiles):
         grid = ("--cell", "0.0001", "--origin", "-2,-2,-2", "--size", "16384,16384,16384")
         self.refuse(1, r"16384 x 16384 x 16384 cells takes 512 GiB, a bit per cell; the most is 16.0 GiB: choose fewer cells, or write "
                     r"bricks, -o FILE.npz or .vdb", "voxelize", self.mesh, *grid, "-o", self.path("x.raw"))
-        self.refuse(1, "the most is 16.0 GiB: choose fewer cells; to fill them takes all of them at once", "voxelize", self.mesh, *grid,
-                    "--fill", "outside", "-o", self.path("x.npz"))
+        self.refuse(1, "the most is 16.0 GiB: choose fewer cells, or write bricks, -o FILE.npz or .vdb", "voxelize", self.mesh, *grid,
+                    "--fill", "outside", "-o", self.path("x.raw"))
         self.refuse(1, "the most is 16.0 GiB: choose fewer cells, or leave out the picture", "voxelize", self.mesh, *grid, "-o",
                     self.path("x.npz"), "-p", self.path("x.png"))
 

@@ -4,7 +4,7 @@
 #include "beam_crew.h"
 #include "console/message.h"
 #include "outside.h"
-#include "parity.h"
+#include "parity_beams.h"
 
 static tribox_status fill_parity(const beams *b, const double x[2], unsigned threads, const tribox_sink *sink, progress *bar,
                                  beam_found *found)

@@ -45,17 +45,19 @@ tribox_status tile_words_take(const tile_set *set, size_t from, size_t to, tile_
 /* The words of 64 x 8 x 8 cells: eight bricks side by side. Rows and layers beyond the cells are 0. */
 typedef struct brick_row {
     uint64_t word[SIDE][SIDE]; /* of layer k and row j */
-    uint64_t any;
+    uint64_t any, all;         /* bits of any word, and of all of them */
 } brick_row;
 
 static void read_words(const tile_cells *c, size_t w, uint32_t j, uint32_t k, brick_row *b)
 {
     const uint32_t rows = least(SIDE, c->size[1] - j), layers = least(SIDE, c->size[2] - k);
     memset(b, 0, sizeof *b);
+    b->all = rows == SIDE && layers == SIDE ? ~UINT64_C(0) : 0;
     for (uint32_t z = 0; z < layers; z++)
         for (uint32_t y = 0; y < rows; y++) {
             b->word[z][y] = c->words ? c->words[((size_t)(k + z) * c->size[1] + j + y) * c->row_words + w] : ~UINT64_C(0);
             b->any |= b->word[z][y];
+            b->all &= b->word[z][y];
         }
 }
 
@@ -64,6 +66,10 @@ static bool cut_brick(const brick_row *b, uint32_t from, uint32_t cells, uint64_
 {
     const uint64_t mask = cells < SIDE ? (UINT64_C(1) << cells) - 1 : 0xff;
     uint64_t any = 0;
+    if ((b->all >> from & mask) == 0xff) {
+        memset(bits, 0xff, SIDE * sizeof *bits);
+        return true;
+    }
     for (int z = 0; z < SIDE; z++) {
         bits[z] = 0;
         for (int y = 0; y < SIDE; y++)

@@ -5,6 +5,7 @@
 #include "console/clock.h"
 #include "console/message.h"
 #include "console/pages.h"
+#include "fill/fill_whole.h"
 #include "layers.h"
 #include "tile_set.h"
 #include "voxelize_ways.h"
@@ -22,21 +23,19 @@ typedef struct whole {
 } whole;
 
 static const char fewer[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
-static const char not_filled[] = "choose fewer cells; to fill them takes all of them at once";
 
 static int take_memory(whole *w)
 {
     const tribox_grid *const grid = &w->cells.grid;
     const bool is_filled = w->r->fill != FILL_NONE;
-    const char *const instead = is_filled ? not_filled : fewer;
-    int code = voxels_check_words(grid, instead);
+    int code = voxels_check_words(grid, fewer);
     if (code)
         return code;
     w->words = voxels_layer_words(grid) * grid->size[2];
     uint64_t bytes = (uint64_t)w->words * sizeof(uint64_t) * (is_filled ? 2 : 1);
-    bytes += is_filled ? tribox_fill_bytes(grid->size) : 0;
+    bytes += is_filled ? fill_whole_bytes(grid, w->r->threads) : 0;
     bytes += w->r->result.preview_path ? preview_memory(grid, &w->r->result.look) : 0;
-    code = voxels_check_memory(grid, bytes, instead);
+    code = voxels_check_memory(grid, bytes, fewer);
     if (code)
         return code;
     w->surface = pages_take(w->words * sizeof *w->surface);
@@ -64,27 +63,20 @@ static int voxelize(const whole *w, voxelize_answer *a)
     return message_status(status);
 }
 
-static tribox_status fill(const whole *w, void *scratch, voxelize_answer *a)
-{
-    const tribox_grid *const grid = &w->cells.grid;
-    if (w->r->fill == FILL_OUTSIDE)
-        return tribox_fill_outside(grid->size, w->surface, scratch, w->solid, &a->inside);
-    return w->m->is_double ? tribox_mesh_fill_parity(&w->m->doubles, grid, w->surface, scratch, w->solid, &a->inside, &a->odd_rows)
-                           : tribox_fill_parity(&w->m->soup, grid, w->surface, scratch, w->solid, &a->inside, &a->odd_rows);
-}
-
 static int fill_if_wanted(const whole *w, voxelize_answer *a)
 {
     if (w->r->fill == FILL_NONE)
         return EXIT_CODE_OK;
-    void *const scratch = malloc(tribox_fill_bytes(w->cells.grid.size));
-    if (!scratch)
+    whole_fill f = {.grid = &w->cells.grid, .surface = w->surface, .solid = w->solid};
+    f.scratch = malloc(fill_whole_bytes(f.grid, w->r->threads));
+    if (!f.scratch)
         return message_failure("out of memory to fill the cells");
-    const tribox_status status = fill(w, scratch, a);
-    free(scratch);
+    const tribox_status status = fill_whole(w->r->fill == FILL_PARITY ? w->m : NULL, w->r->threads, &f);
+    free(f.scratch);
     if (status)
         return message_status(status);
-    voxelize_note_fill(w->r, a->odd_rows, a);
+    a->inside = f.inside;
+    voxelize_note_fill(w->r, f.odd_rows, a);
     return EXIT_CODE_OK;
 }
 

@@ -1,5 +1,5 @@
-/* parity.c - which triangles the rays of each beam may cross, and the beams filled from these. */
-#include "parity.h"
+/* parity_beams.c - which triangles the rays of each beam may cross, and the beams filled from these. */
+#include "parity_beams.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,6 +1,6 @@
-/* parity.h - parity of the crossings of rays along x, beam by beam: a window of whole rows at a time. */
-#ifndef PARITY_H
-#define PARITY_H
+/* parity_beams.h - parity of the crossings of rays along x, beam by beam: a window of whole rows at a time. */
+#ifndef PARITY_BEAMS_H
+#define PARITY_BEAMS_H
 
 #include "beam.h"
 
