@@ -89,7 +89,7 @@ static int report(const request *r, const voxels *v, size_t parts, uint64_t bric
         printf("occupied     %" PRIu64 " cells\nbricks       %" PRIu64 "\n", occupied, bricks);
         voxelize_print_written(r->result.out_path, !r->result.format->has_place);
         if (r->result.preview_path)
-            printf("preview      %s\n", r->result.preview_path);
+            voxelize_print_preview(r->result.preview_path, result_up(&r->result));
     }
     return output_flush();
 }

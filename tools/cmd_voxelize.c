@@ -153,6 +153,7 @@ static int check_output(voxelize_request *r, const options_found *found)
                              out);
     if (r->has_shard && r->result.preview_path)
         return message_usage("--preview needs all cells: give it to 'tribox merge'");
+    result_guess_up(&r->result, r->from.mesh_path);
     r->is_part = r->has_shard;
     return result_check(&r->result, found, r->is_part);
 }

@@ -51,6 +51,27 @@ def with_vtk(path):
             "size": [nx, ny, nz], "cell": image.GetSpacing(), "origin": image.GetOrigin()}
 
 
+def with_vtk_mesh(path):
+    """How many edges are not of two triangles, and the volume."""
+    from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
+    from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+    from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+    from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
+    reader = {"ply": vtkPLYReader, "obj": vtkOBJReader, "glb": vtkGLTFReader}[path[-3:]]()
+    reader.SetFileName(path)
+    surface = vtkCompositeDataGeometryFilter() if path.endswith("glb") else vtkGeometryFilter()
+    edges, mass = vtkFeatureEdges(), vtkMassProperties()
+    surface.SetInputConnection(reader.GetOutputPort())
+    edges.FeatureEdgesOff()
+    for after in (edges, mass):
+        after.SetInputConnection(surface.GetOutputPort())
+        after.Update()
+    found = surface.GetOutput()
+    return {"triangles": found.GetNumberOfCells(), "vertices": found.GetNumberOfPoints(),
+            "edges": edges.GetOutput().GetNumberOfCells(), "volume": mass.GetVolume()}
+
+
 def with_teem(path):
     about = {}
     for line in subprocess.run(["teem-unu", "head", path], capture_output=True, check=True, text=True).stdout.splitlines():

@@ -84,7 +84,7 @@ class Answers(support.TestCase):
         self.assertEqual(fields["overlapping"], "%d (%.2f %%)" % (expected, 100 * expected / 700))
         self.assertRegex(fields["undecided"], r"^\d+$")
         self.assertEqual(fields["test"], "exact, axes box,plane,edges, kernel %s" % self.kernels[0])
-        self.assertRegex(fields["time"], r"^[\d.]+ ms, [\d.]+ ns per triangle \(the test alone, best of [1-5] runs?\)$")
+        self.assertRegex(fields["time"], r"^[\d.]+ m?s, [\d.]+ ns per triangle \(the test alone, best of [1-5] runs?\)$")
 
     def test_counts_around_words(self):
         for count in (1, 2, 63, 64, 65, 128, 129):

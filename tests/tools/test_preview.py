@@ -103,6 +103,21 @@ class Preview(support.TestCase):
             self.assertLess(min(picture.shares()), 0.1, (view, up))
             self.assertGreater(sorted(picture.shares())[1], 0.4, (view, up))
 
+    def test_what_a_format_says_is_up(self):
+        """Of glTF y is up, and the summary says so; --up has the last word."""
+        upright = [tuple((x, z, -y) for x, y, z in t) for t in LETTER_L]
+        mesh, picture = self.write("upright.glb", meshes.glb(upright)), os.path.join(self.folder, "up.png")
+        other = self.write("upright.stl", meshes.stl_binary(upright))
+        size = ["-r", "40", "--view", "0,0", "--picture-size", "%dx%d" % (WIDTH, HEIGHT), "-o", os.path.join(self.folder, "x.npy"),
+                "--preview", picture]
+        for path, up, said, quarter in ((mesh, [], "y, as glTF has it; --up tells otherwise", "upper right"),
+                                        (mesh, ["--up", "y"], "y", "upper right"), (mesh, ["--up", "-y"], "-y", "lower right"),
+                                        (other, [], "z; where the mesh has another, --up tells, as in --up y", None)):
+            text = self.succeed("voxelize", path, *size, *up)
+            self.assertIn("\npreview      %s\nup           %s\n" % (picture, said), text)
+            if quarter:
+                self.assertEqual(Picture(picture).empty_quarter(), quarter, up)
+
     def test_default_view(self):
         """From the front, the right and above: three sides, of which the top is the brightest, and the right in shadow."""
         self.assertEqual(self.draw("--resolution", "9"), self.draw("--resolution", "9", "--up", "z", "--view", "32,25"))

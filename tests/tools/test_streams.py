@@ -83,7 +83,7 @@ class Streams(support.TestCase):
     def test_summary(self):
         text = self.succeed("overlap", "-", "--format", "stl", "--box", support.UNIT_BOX, stdin=meshes.stl_binary(TRIANGLES))
         self.assertRegex(text, r"\Amesh         -\nbox          %s\ntriangles    %d\n" % (support.UNIT_BOX, len(TRIANGLES)))
-        self.assertRegex(text, r"(?m)^time +[\d.]+ ms, [\d.]+ ns per triangle \(the test alone, in blocks; with reading the mesh [\d.]+ ms\)$")
+        self.assertRegex(text, r"(?m)^time +[\d.]+ m?s, [\d.]+ ns per triangle \(the test alone, in blocks; with reading the mesh [\d.]+ m?s\)$")
         answer = json.loads(self.succeed("overlap", "-", "--format", "stl", "--box", support.UNIT_BOX, "--json",
                                          stdin=meshes.stl_binary(TRIANGLES)))
         self.assertNotIn("indices", answer)

@@ -171,7 +171,7 @@ class Places(Volumes):
     """Where files go: names, standard output, disks that are full."""
 
     SPARSE = ("npz", "cells")
-    DENSE = ("vti", "nrrd")
+    DENSE = ("vti", "nrrd", "ply", "obj", "glb")
 
     def test_standard_output(self):
         """The file itself, where it is written by going back in it too; for that a nameless one is made and leaves nothing."""

@@ -220,13 +220,14 @@ class Files(Voxelize):
         cells = len(volumes.read_npy(self.path("s.npy"))[1])
         self.assertEqual(fields["mesh"], self.mesh)
         self.assertEqual(fields["triangles"], "24")
-        self.assertEqual(fields["grid"], "8 x 8 x 8 cells of 0.5 x 0.5 x 0.5, from -2,-2,-2")
+        self.assertEqual(fields["grid"], "8 x 8 x 8 cells of 0.5, from -2,-2,-2")
         self.assertEqual(fields["occupied"], "%d cells (%.4g %%)" % (cells, 100 * cells / 512))
         self.assertRegex(fields["test"], r"^exact, axes box,plane,edges, kernel \w+, 1 thread$")
         self.assertRegex(fields["time"], r"^[\d.]+ ms \(the voxelization alone\)$")
-        many = self.write("many.f32", bytes(36 * 1000))
-        self.assertRegex(self.succeed("voxelize", many, "--cell", "1", "-o", self.path("m.npy")),
-                         r"\ntime         [\d.]+ ms, [\d.]+ ns per triangle \(the voxelization alone\)\n")
+        self.assertNotIn("preview", fields)
+        many = self.succeed("voxelize", self.mesh, "--cell", "0.05,0.05,0.1", "--origin", "0,0,0", "-o", self.path("m.npy"))
+        self.assertRegex(many, r"\ngrid +\d+ x \d+ x \d+ cells of 0.05 x 0.05 x 0.1, from 0,0,0\n")
+        self.assertRegex(many, r"\ntime         [\d.]+ m?s, [\d.]+ (thousand|million|billion) cells a second \(the voxelization alone\)\n")
         self.assertEqual(fields["written"], self.path("s.npy"))
 
     def test_json(self):

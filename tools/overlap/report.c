@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "console/accuracy.h"
+#include "console/duration.h"
 #include "console/message.h"
 #include "console/numbers.h"
 #include "console/output.h"
@@ -52,6 +53,7 @@ static void print_share(const char *name, const answer *a, uint64_t count)
 
 static void print_summary(const request *r, const answer *a)
 {
+    char text[DURATION_MAX];
     printf("mesh         %s\n", r->mesh_path);
     printf("box          ");
     print_box(r, a);
@@ -73,9 +75,9 @@ static void print_summary(const request *r, const answer *a)
     printf("test         %s, axes ", accuracy_word(r->test.accuracy));
     output_axes(r->test.axes);
     printf(", kernel %s\n", tribox_kernel_name(&r->test));
-    printf("time         %.3f ms, %.2f ns per triangle (the test alone, ", 1e3 * a->seconds, ns_per_triangle(a));
+    printf("time         %s, %.2f ns per triangle (the test alone, ", duration_text(a->seconds, text), ns_per_triangle(a));
     if (a->total_seconds > 0)
-        printf("in blocks; with reading the mesh %.3f ms)\n", 1e3 * a->total_seconds);
+        printf("in blocks; with reading the mesh %s)\n", duration_text(a->total_seconds, text));
     else
         printf("best of %d run%s)\n", a->runs, a->runs == 1 ? "" : "s");
 }

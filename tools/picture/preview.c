@@ -23,11 +23,14 @@ int preview_check(const char *path, const char *option)
                                  option);
 }
 
+static const char *const up_words[] = {"x", "y", "z", "-x", "-y", "-z"};
+
+const char *preview_up_word(picture_up up) { return up_words[up]; }
+
 int preview_read_up(const char *text, picture_up *up)
 {
-    static const char *const words[] = {"x", "y", "z", "-x", "-y", "-z"};
     for (int i = 0; i < 6; i++)
-        if (!strcmp(text, words[i])) {
+        if (!strcmp(text, up_words[i])) {
             *up = (picture_up)i;
             return EXIT_CODE_OK;
         }

@@ -16,8 +16,9 @@ int preview_check(const char *path, const char *option);
 
 enum { PREVIEW_SIDE_MAX = 4096 }; /* pixels */
 
-/* Read the values of --up, --view and --picture-size. Return an exit_code. */
+/* Read the values of --up, --view and --picture-size. Return an exit_code, but the word its text. */
 int preview_read_up(const char *text, picture_up *up);
+const char *preview_up_word(picture_up up);
 int preview_read_view(const char *text, picture_look *look);
 int preview_read_size(const char *text, picture_look *look);
 

@@ -31,6 +31,7 @@ int result_take(result_request *r, int which, const char *value)
         r->preview_path = value;
         return EXIT_CODE_OK;
     case RESULT_UP:
+        r->up_source = RESULT_UP_GIVEN;
         return preview_read_up(value, &r->look.up);
     case RESULT_VIEW:
         return preview_read_view(value, &r->look);
@@ -42,6 +43,35 @@ int result_take(result_request *r, int which, const char *value)
     default:
         r->is_quiet = true;
         return EXIT_CODE_OK;
+    }
+}
+
+static bool ends_in(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), size = strlen(ending);
+    for (size_t n = 0; length > size && n < size; n++)
+        if ((path[length - size + n] | 0x20) != (ending[n] | 0x20)) /* letters of either case; the dot stays itself */
+            return false;
+    return length > size;
+}
+
+void result_guess_up(result_request *r, const char *mesh_path)
+{
+    if (r->up_source == RESULT_UP_GIVEN || !(ends_in(mesh_path, ".gltf") || ends_in(mesh_path, ".glb")))
+        return;
+    r->up_source = RESULT_UP_OF_GLTF;
+    r->look.up = PICTURE_UP_Y;
+}
+
+const char *result_up(const result_request *r)
+{
+    switch (r->up_source) {
+    case RESULT_UP_GIVEN:
+        return preview_up_word(r->look.up);
+    case RESULT_UP_OF_GLTF:
+        return "y, as glTF has it; --up tells otherwise";
+    default:
+        return "z; where the mesh has another, --up tells, as in --up y";
     }
 }
 

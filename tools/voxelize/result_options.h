@@ -31,30 +31,41 @@ enum {
 
 #define RESULT_HELP \
     "  -o, --out FILE          sparse: .npz (bricks, NumPy), .vdb (OpenVDB); dense: .npy (NumPy), .vti\n" \
-    "                          (ParaView), .nrrd (3D Slicer), .binvox, .vox (MagicaVoxel), .raw (bits).\n" \
+    "                          (ParaView), .nrrd (3D Slicer), .binvox, .vox (MagicaVoxel), .raw (bits);\n" \
+    "                          the surface of the cells as a mesh: .ply, .obj, .glb (glTF).\n" \
     "                          - is standard output, which then holds nothing else\n" \
     "      --out-format WORD   " VOLUME_WORDS ":\n" \
     "                          whatever the name of FILE; -o - needs it. cells: their coordinates as .npy\n" \
     "      --deflate           .npz: compressed, which takes longer\n" \
     "      --vdb-grid WORD     .vdb: bool (default), or mask: smaller, but not every program reads it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
-    "      --up AXIS           the axis that is up in it: x, y, z (default), -x, -y or -z\n" \
+    "      --up AXIS           what is up in it: x, y, z, -x, -y or -z; default: y of glTF, else z\n" \
     "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \
     "      --picture-size WxH  pixels of the picture; default: 1280x960\n" \
     "  -j, --json              print the summary as a JSON object\n" \
     "  -q, --quiet             print no summary and no progress\n"
+
+/* Why an axis is up in the picture: nothing says so, the command line does, or the format of the mesh. */
+typedef enum result_up_source { RESULT_UP_DEFAULT, RESULT_UP_GIVEN, RESULT_UP_OF_GLTF } result_up_source;
 
 typedef struct result_request {
     const char *out_path, *preview_path; /* preview_path: NULL for none */
     const volume_format *format;         /* NULL for a part */
     volume_options options;
     picture_look look;
+    result_up_source up_source;
     bool wants_json, is_quiet;
     bool has_summary; /* not with --quiet, nor where the file itself goes to standard output */
 } result_request;
 
 /* Takes an option before RESULT_END. Returns an exit_code. */
 int result_take(result_request *r, int which, const char *value);
+
+/* Takes y for up where the mesh is glTF by its name, whose specification has it so, and --up is not given. */
+void result_guess_up(result_request *r, const char *mesh_path);
+
+/* Which axis is up, and why, for the summary. */
+const char *result_up(const result_request *r);
 
 /* Checks that the options fit together and finds the format; takes_part: whether the file is a part. Returns an exit_code. */
 int result_check(result_request *r, const options_found *found, bool takes_part);

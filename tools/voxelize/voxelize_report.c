@@ -5,6 +5,8 @@
 #include <stdio.h>
 
 #include "console/accuracy.h"
+#include "console/decimal.h"
+#include "console/duration.h"
 #include "console/output.h"
 
 static double cells_of(const voxelize_answer *a)
@@ -16,21 +18,26 @@ static double share_percent(const voxelize_answer *a) { return 100 * (double)a->
 
 static double ns_per_triangle(const voxelize_answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
 
-/* The time per triangle is left out for so few that starting the threads takes most of it. */
+/* The rate is left out for so few that starting the threads takes most of the time. */
 static void print_time(const voxelize_answer *a)
 {
     enum { FEW = 1000 };
-    printf("time         %.3f ms", 1e3 * a->seconds);
-    if (a->triangles >= FEW)
-        printf(", %.2f ns per triangle", ns_per_triangle(a));
+    char text[DURATION_MAX];
+    printf("time         %s", duration_text(a->seconds, text));
+    if (a->report.overlapping >= FEW)
+        printf(", %s cells a second", duration_count((double)a->report.overlapping / a->seconds, text));
     printf(!a->tile ? " (the voxelization alone)\n" : a->out_path ? " (with writing)\n" : "\n");
 }
 
 void voxelize_print_grid(const voxels *v, bool is_shifted)
 {
     const tribox_grid *const grid = &v->grid;
+    char side[DECIMAL_MAX];
     printf("grid         %u x %u x %u cells of ", grid->size[0], grid->size[1], grid->size[2]);
-    output_point(grid->cell, false, " x ");
+    if (grid->cell[0] == grid->cell[1] && grid->cell[1] == grid->cell[2])
+        printf("%s", decimal_of_double(grid->cell[0], side));
+    else
+        output_point(grid->cell, false, " x ");
     printf(", from ");
     output_point(grid->origin, false, ",");
     putchar('\n');
@@ -60,6 +67,8 @@ void voxelize_print_written(const char *path, bool lacks_place)
         printf("place        not in the file: keep origin and cell\n");
 }
 
+void voxelize_print_preview(const char *path, const char *up) { printf("preview      %s\nup           %s\n", path, up); }
+
 static void print_summary(const voxelize_answer *a)
 {
     printf("mesh         %s\n", a->mesh_path);
@@ -87,7 +96,7 @@ static void print_summary(const voxelize_answer *a)
     if (a->out_path)
         voxelize_print_written(a->out_path, a->lacks_place);
     if (a->preview_path)
-        printf("preview      %s\n", a->preview_path);
+        voxelize_print_preview(a->preview_path, a->up);
 }
 
 static void print_json(const voxelize_answer *a)

@@ -10,6 +10,7 @@
 
 typedef struct voxelize_answer {
     const char *mesh_path, *out_path, *preview_path; /* the last two: NULL for none */
+    const char *up;                                  /* of the preview: which axis, and why */
     size_t triangles, not_finite;
     bool is_double; /* the mesh has coordinates that float does not hold */
     bool is_shifted;
@@ -32,9 +33,10 @@ typedef struct voxelize_answer {
 /* Prints the answer and flushes the output. Returns an exit_code. */
 int voxelize_report(const voxelize_answer *a, bool wants_json);
 
-/* Grid and, where there is one, shift: as lines of a summary, and as members of a JSON object. The file: as lines. */
+/* Grid and, where there is one, shift: as lines of a summary, and as members of a JSON object. The files: as lines. */
 void voxelize_print_grid(const voxels *v, bool is_shifted);
 void voxelize_print_written(const char *path, bool lacks_place);
+void voxelize_print_preview(const char *path, const char *up);
 void voxelize_json_grid(json *j, const voxels *v, bool is_shifted);
 
 #endif

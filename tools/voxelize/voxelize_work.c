@@ -126,6 +126,7 @@ int voxelize_work(const voxelize_request *r)
     voxelize_answer a = {.mesh_path = r->from.mesh_path,
                          .out_path = r->result.out_path,
                          .preview_path = r->result.preview_path,
+                         .up = result_up(&r->result),
                          .lacks_place = r->result.format && !r->result.format->has_place,
                          .test = r->test,
                          .threads = r->threads,

@@ -127,7 +127,10 @@ static int cut_voxels(const volume_format *format, const volume_options *options
     int code = brick_out_open(&out, format, options, file, v);
     if (code)
         return code;
-    code = bricks_cut(v, tile, put, &out, bar);
+    if (writer(&out)->whole)
+        writer(&out)->whole(&out, v);
+    else
+        code = bricks_cut(v, tile, put, &out, bar);
     *bricks = out.bricks;
     if (!code)
         code = brick_out_end(&out, bar);

@@ -9,6 +9,8 @@ typedef struct brick_writer {
     bool goes_back;              /* it writes to places before the end, which standard output may not allow */
     int (*open)(brick_out *out); /* frees what it took if it fails */
     int (*put)(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+    void (*whole)(brick_out *out,
+                  const voxels *v); /* in place of all puts, of cells that stay there; NULL: they are cut to bricks */
     int (*end)(brick_out *out, progress *bar);
     void (*drop)(brick_out *out); /* frees the state */
 } brick_writer;
@@ -27,5 +29,10 @@ extern const brick_writer bricks_cells;
 extern const brick_writer bricks_vdb;
 void bricks_begin_vdb(void);
 int bricks_check_vdb(const char *path, const tribox_grid *grid);
+
+/* The surface of the cells as a mesh: Stanford's polygons, Wavefront's text, glTF's binary. The checks refuse what memory does not hold. */
+extern const brick_writer bricks_ply, bricks_obj, bricks_glb;
+int bricks_check_shell(const char *path, const tribox_grid *grid);
+int bricks_check_glb(const char *path, const tribox_grid *grid);
 
 #endif

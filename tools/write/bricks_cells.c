@@ -5,6 +5,7 @@
 
 #include "brick_writer.h"
 #include "console/message.h"
+#include "lowest_bit.h"
 #include "npy_header.h"
 #include "read/little.h"
 
@@ -25,24 +26,12 @@ static int open_cells(brick_out *out)
     return EXIT_CODE_OK;
 }
 
-/* The number of the lowest bit that is set. */
-static uint32_t lowest(uint64_t word)
-{
-    uint32_t n = 0;
-    for (uint32_t step = 32; step; step /= 2)
-        if (!(word << (64 - step) >> (64 - step))) {
-            word >>= step;
-            n += step;
-        }
-    return n;
-}
-
 static int put_cells(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     unsigned char cells[CELLS * CELL_BYTES], *to = cells;
     for (uint32_t k = 0; k < 8; k++)
         for (uint64_t word = bits[k]; word; word &= word - 1, to += CELL_BYTES) {
-            const uint32_t bit = lowest(word);
+            const uint32_t bit = lowest_bit(word);
             little_put32(to, 8 * at[0] + bit % 8);
             little_put32(to + 4, 8 * at[1] + bit / 8);
             little_put32(to + 8, 8 * at[2] + k);

@@ -17,6 +17,9 @@ static const volume_format formats[] = {
     {.word = "nrrd", .ending = ".nrrd", .write = volume_write_nrrd, .has_place = true},
     {.word = "binvox", .ending = ".binvox", .check_grid = volume_check_binvox, .write = volume_write_binvox, .has_place = true},
     {.word = "vox", .ending = ".vox", .check_grid = volume_check_vox, .write = volume_write_vox},
+    {.word = "ply", .ending = ".ply", .check_grid = bricks_check_shell, .bricks = &bricks_ply, .has_place = true},
+    {.word = "obj", .ending = ".obj", .check_grid = bricks_check_shell, .bricks = &bricks_obj, .has_place = true},
+    {.word = "glb", .ending = ".glb", .check_grid = bricks_check_glb, .bricks = &bricks_glb, .has_place = true},
     {.word = "raw", .ending = ".raw", .write = volume_write_raw}};
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };

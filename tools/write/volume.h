@@ -36,8 +36,8 @@ typedef struct volume_format {
 } volume_format;
 
 /* For the help text and for messages. */
-#define VOLUME_WORDS "npz, vdb, cells, npy, vti, nrrd, binvox, vox, raw"
-#define VOLUME_ENDINGS ".npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox or .raw"
+#define VOLUME_WORDS "npz, vdb, cells, npy, vti, nrrd, binvox, vox, raw, ply, obj, glb"
+#define VOLUME_ENDINGS ".npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox, .raw, .ply, .obj or .glb"
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
