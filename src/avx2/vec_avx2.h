@@ -10,6 +10,7 @@
 #include <immintrin.h>
 #include <stdint.h>
 
+#include "base/bits.h"
 #include "kernel.h"
 
 #define V_LANES 8
@@ -100,7 +101,21 @@ TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm256_or_si256(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm256_andnot_si256(b, a); }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm256_sllv_epi32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm256_srlv_epi32(a, n); }
-TRIBOX_INLINE vint i_ones_from(vnum a) { return _mm256_sllv_epi32(_mm256_set1_epi32(-1), _mm256_cvttps_epi32(a)); }
+TRIBOX_INLINE vint i_shl_over(vint a, vint n) { return _mm256_srlv_epi32(a, _mm256_sub_epi32(_mm256_set1_epi32(32), n)); }
+TRIBOX_INLINE vint i_run(vint first, vint end)
+{
+    const vint ones = _mm256_set1_epi32(-1);
+    return i_andnot(_mm256_sllv_epi32(ones, first), _mm256_sllv_epi32(ones, end));
+}
+/* Of nibbles by a table, and sums of four bytes. */
+TRIBOX_INLINE vint i_count(vint a)
+{
+    const __m256i nibble = _mm256_set1_epi8(15);
+    const __m256i count = _mm256_broadcastsi128_si256(_mm_setr_epi8(0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4));
+    const __m256i low = _mm256_shuffle_epi8(count, _mm256_and_si256(a, nibble));
+    const __m256i high = _mm256_shuffle_epi8(count, _mm256_and_si256(_mm256_srli_epi32(a, 4), nibble));
+    return _mm256_madd_epi16(_mm256_maddubs_epi16(_mm256_add_epi8(low, high), _mm256_set1_epi8(1)), _mm256_set1_epi16(1));
+}
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm256_and_si256(_mm256_castps_si256(m), a); }
 
 TRIBOX_INLINE vmask m_signs(vnum a) { return a; }
@@ -111,6 +126,7 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm256_or_ps(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm256_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm256_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm256_movemask_ps(a); }
+TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(m_bits(a)); }
 TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))); }
 
 /* For each set of the lanes up to k, its lanes as bytes, the first lowest; before the bytes of the lanes above. */

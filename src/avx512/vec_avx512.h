@@ -10,6 +10,7 @@
 #include <immintrin.h>
 #include <stdint.h>
 
+#include "base/bits.h"
 #include "kernel.h"
 
 #define V_LANES 16
@@ -114,7 +115,22 @@ TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm512_or_si512(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm512_andnot_si512(b, a); }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return _mm512_sllv_epi32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return _mm512_srlv_epi32(a, n); }
-TRIBOX_INLINE vint i_ones_from(vnum a) { return _mm512_sllv_epi32(_mm512_set1_epi32(-1), _mm512_cvttps_epi32(a)); }
+TRIBOX_INLINE vint i_shl_over(vint a, vint n) { return _mm512_srlv_epi32(a, _mm512_sub_epi32(_mm512_set1_epi32(32), n)); }
+TRIBOX_INLINE vint i_run(vint first, vint end)
+{
+    const vint ones = _mm512_set1_epi32(-1);
+    return i_andnot(_mm512_sllv_epi32(ones, first), _mm512_sllv_epi32(ones, end));
+}
+/* In parallel within the lane: pairs of bits, nibbles, bytes, and pairs of bytes. */
+TRIBOX_INLINE vint i_count(vint a)
+{
+    const vint in_pairs = _mm512_set1_epi32(0x33333333), in_nibbles = _mm512_set1_epi32(0x0f0f0f0f);
+    a = _mm512_sub_epi32(a, _mm512_and_si512(_mm512_srli_epi32(a, 1), _mm512_set1_epi32(0x55555555)));
+    a = _mm512_add_epi32(_mm512_and_si512(a, in_pairs), _mm512_and_si512(_mm512_srli_epi32(a, 2), in_pairs));
+    a = _mm512_and_si512(_mm512_add_epi32(a, _mm512_srli_epi32(a, 4)), in_nibbles);
+    a = _mm512_add_epi32(a, _mm512_srli_epi32(a, 8));
+    return _mm512_and_si512(_mm512_add_epi32(a, _mm512_srli_epi32(a, 16)), _mm512_set1_epi32(0x3f));
+}
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm512_maskz_mov_epi32(m, a); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return _mm512_test_epi32_mask(a, a); }
@@ -126,6 +142,7 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return (vmask)(a | b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return (vmask)(a & b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return (vmask)(a & ~b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(m_bits(a)); }
 
 /* Not compressed to memory, which Zen 4 does in microcode. */
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { v_write(p, _mm512_maskz_compress_ps(m, a)); }

@@ -68,7 +68,7 @@ TRIBOX_INLINE shadow_axis shadow_axis_of(const lane_places *q, const lane_places
 {
     const vnum m_q = v_flip(p->f[j], n), m_p = v_flip(q->f[j], v_flip(n, v_splat(-0.0f)));
     return (shadow_axis){m_q, m_p, v_add(from_corner(q->g[j], m_q), from_corner(p->g[j], m_p)),
-                         m_and(is_not_zero(m_q), is_not_zero(m_p))};
+                         m_and(is_not_zero(p->f[j]), is_not_zero(q->f[j]))};
 }
 
 /*
@@ -166,6 +166,17 @@ TRIBOX_INLINE void narrow(lane_run *run, const shadow_limits *limits, vnum p, bo
             run->end_certain = v_min(run->end_certain, v_fma(upper->slope, p, upper->certain));
             run->first_certain = v_max(run->first_certain, v_fma(lower->slope, p, lower->certain));
         }
+    }
+}
+
+/* The cells of both. */
+TRIBOX_INLINE void narrow_to(lane_run *run, const lane_run *other, bool is_exact)
+{
+    run->end_maybe = v_min(run->end_maybe, other->end_maybe);
+    run->first_maybe = v_max(run->first_maybe, other->first_maybe);
+    if (is_exact) {
+        run->end_certain = v_min(run->end_certain, other->end_certain);
+        run->first_certain = v_max(run->first_certain, other->first_certain);
     }
 }
 

@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/bits.h"
 #include "kernel.h"
 
 #define V_LANES 4
@@ -107,8 +108,13 @@ TRIBOX_INLINE vint i_or(vint a, vint b) { return vorrq_s32(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return vbicq_s32(a, b); }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return vshlq_s32(a, n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return vreinterpretq_s32_u32(vshlq_u32(vreinterpretq_u32_s32(a), vnegq_s32(n))); }
-/* Longer shifts are cut to a byte with a sign. */
-TRIBOX_INLINE vint i_ones_from(vnum a) { return vshlq_s32(vdupq_n_s32(-1), vcvtq_s32_f32(vminq_f32(a, vdupq_n_f32(32)))); }
+TRIBOX_INLINE vint i_shl_over(vint a, vint n) { return i_shr(a, vsubq_s32(vdupq_n_s32(32), n)); }
+TRIBOX_INLINE vint i_run(vint first, vint end)
+{
+    const vint ones = vdupq_n_s32(-1);
+    return vbicq_s32(vshlq_s32(ones, first), vshlq_s32(ones, end));
+}
+TRIBOX_INLINE vint i_count(vint a) { return vreinterpretq_s32_u32(vpaddlq_u16(vpaddlq_u8(vcntq_u8(vreinterpretq_u8_s32(a))))); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return vandq_s32(vreinterpretq_s32_u32(m), a); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return vtstq_s32(a, a); }
@@ -121,6 +127,7 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return vandq_u32(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return vbicq_u32(a, b); }
 /* NEON has no movemask: each lane keeps its own bit, and the lanes are added up. */
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return vaddvq_u32(vandq_u32(a, (vmask){1, 2, 4, 8})); }
+TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(m_bits(a)); }
 
 /* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */
 TRIBOX_INLINE void neon_pack(void *p, vmask m, uint32x4_t a)

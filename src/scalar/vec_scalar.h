@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/bits.h"
 #include "kernel.h"
 
 #define V_LANES 1
@@ -100,7 +101,12 @@ TRIBOX_INLINE vint i_or(vint a, vint b) { return a | b; }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return a & ~b; }
 TRIBOX_INLINE vint i_shl(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a << n); }
 TRIBOX_INLINE vint i_shr(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a >> n); }
-TRIBOX_INLINE vint i_ones_from(vnum a) { return a < 32 ? (int32_t)(~UINT32_C(0) << (uint32_t)a) : 0; }
+TRIBOX_INLINE vint i_shl_over(vint a, vint n) { return (int32_t)(uint32_t)((uint64_t)(uint32_t)a << n >> 32); }
+TRIBOX_INLINE vint i_run(vint first, vint end)
+{
+    return first < end ? (int32_t)(uint32_t)((UINT64_C(1) << end) - (UINT64_C(1) << first)) : 0;
+}
+TRIBOX_INLINE vint i_count(vint a) { return (int32_t)tribox_count_bits((uint32_t)a); }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return a & (int32_t)scalar_ones(m); }
 
 TRIBOX_INLINE vmask m_has_bits(vint a) { return a != 0; }
@@ -112,6 +118,7 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a + b > 0; } /* of a | b gcc
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a & b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a & !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+TRIBOX_INLINE unsigned m_count(vmask a) { return a; }
 
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a)
 {

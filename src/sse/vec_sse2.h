@@ -49,7 +49,8 @@ TRIBOX_INLINE vnum v_floor(vnum a)
 }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm_cmpeq_ps(a, _mm_setzero_ps()); }
-TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
+/* Two copies of the mask fewer than by and, andnot and or, as its operations write over their first operand. */
+TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_xor_ps(_mm_and_ps(_mm_xor_ps(a, b), m), b); }
 TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm_or_ps(a, m); }
 TRIBOX_INLINE vnum v_permute(vnum a, vnum b, const int32_t from[V_LANES])
 {
@@ -97,14 +98,25 @@ TRIBOX_INLINE void i_write(int32_t *p, vint a) { _mm_storeu_si128((__m128i *)p, 
 TRIBOX_INLINE vint i_cut(vnum a) { return _mm_cvttps_epi32(a); }
 TRIBOX_INLINE vint i_add(vint a, vint b) { return _mm_add_epi32(a, b); }
 TRIBOX_INLINE vint i_sub(vint a, vint b) { return _mm_sub_epi32(a, b); }
-/* SSE2 multiplies the even lanes alone, and shifts all lanes by one number. */
-TRIBOX_INLINE __m128i sse2_odd(vint a) { return _mm_srli_epi64(a, 32); }
-TRIBOX_INLINE vint i_mul(vint a, vint b)
+/* Products of 64 bits: SSE2 multiplies the even lanes alone, and shifts all lanes by one number. */
+typedef struct sse2_products {
+    __m128i even, odd;
+} sse2_products;
+TRIBOX_INLINE sse2_products sse2_multiply(vint a, vint b)
 {
-    const __m128i even = _mm_mul_epu32(a, b), odd = _mm_mul_epu32(sse2_odd(a), sse2_odd(b));
-    const vnum low = _mm_shuffle_ps(_mm_castsi128_ps(even), _mm_castsi128_ps(odd), 0x88);
+    return (sse2_products){_mm_mul_epu32(a, b), _mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32))};
+}
+TRIBOX_INLINE vint sse2_low(sse2_products p)
+{
+    const vnum low = _mm_shuffle_ps(_mm_castsi128_ps(p.even), _mm_castsi128_ps(p.odd), 0x88);
     return _mm_shuffle_epi32(_mm_castps_si128(low), 0xd8);
 }
+TRIBOX_INLINE vint sse2_high(sse2_products p)
+{
+    const vnum high = _mm_shuffle_ps(_mm_castsi128_ps(p.even), _mm_castsi128_ps(p.odd), 0xdd);
+    return _mm_shuffle_epi32(_mm_castps_si128(high), 0xd8);
+}
+TRIBOX_INLINE vint i_mul(vint a, vint b) { return sse2_low(sse2_multiply(a, b)); }
 TRIBOX_INLINE vint i_and(vint a, vint b) { return _mm_and_si128(a, b); }
 TRIBOX_INLINE vint i_or(vint a, vint b) { return _mm_or_si128(a, b); }
 TRIBOX_INLINE vint i_andnot(vint a, vint b) { return _mm_andnot_si128(b, a); }
@@ -113,19 +125,34 @@ TRIBOX_INLINE vint sse2_power(vint n)
 {
     return _mm_cvttps_epi32(_mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(n, _mm_set1_epi32(127)), 23)));
 }
-TRIBOX_INLINE vint i_shl(vint a, vint n) { return i_mul(a, _mm_and_si128(sse2_power(n), _mm_cmplt_epi32(n, _mm_set1_epi32(32)))); }
+/* The product by 2^n, which has both what stays and what moves out; by 0 of 32. */
+TRIBOX_INLINE sse2_products sse2_shift(vint a, vint n)
+{
+    return sse2_multiply(a, _mm_and_si128(sse2_power(n), _mm_cmplt_epi32(n, _mm_set1_epi32(32))));
+}
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return sse2_low(sse2_shift(a, n)); }
+TRIBOX_INLINE vint i_shl_over(vint a, vint n) { return sse2_high(sse2_shift(a, n)); }
 /* a * 2^(31 - n) without its last 31 bits. */
 TRIBOX_INLINE vint i_shr(vint a, vint n)
 {
-    const vint power = sse2_power(_mm_sub_epi32(_mm_set1_epi32(31), n));
-    const __m128i even = _mm_mul_epu32(a, power), odd = _mm_mul_epu32(sse2_odd(a), sse2_odd(power));
-    return _mm_or_si128(_mm_srli_epi64(even, 31), _mm_slli_epi64(_mm_srli_epi64(odd, 31), 32));
+    const sse2_products p = sse2_multiply(a, sse2_power(_mm_sub_epi32(_mm_set1_epi32(31), n)));
+    return _mm_or_si128(_mm_srli_epi64(p.even, 31), _mm_slli_epi64(_mm_srli_epi64(p.odd, 31), 32));
 }
-/* 0 - 2^a, but nothing from 32 on. */
-TRIBOX_INLINE vint i_ones_from(vnum a)
+/* 2^end - 2^first, the former as twice the power before it, which fits. */
+TRIBOX_INLINE vint i_run(vint first, vint end)
 {
-    const vint n = _mm_cvttps_epi32(_mm_min_ps(a, _mm_set1_ps(32)));
-    return _mm_and_si128(_mm_sub_epi32(_mm_setzero_si128(), sse2_power(n)), _mm_cmplt_epi32(n, _mm_set1_epi32(32)));
+    const vint half = sse2_power(_mm_sub_epi32(end, _mm_set1_epi32(1)));
+    return _mm_and_si128(_mm_sub_epi32(_mm_add_epi32(half, half), sse2_power(first)), _mm_cmpgt_epi32(end, first));
+}
+/* In parallel within the lane: pairs of bits, nibbles, bytes, and pairs of bytes. */
+TRIBOX_INLINE vint i_count(vint a)
+{
+    const vint in_pairs = _mm_set1_epi32(0x33333333), in_nibbles = _mm_set1_epi32(0x0f0f0f0f);
+    a = _mm_sub_epi32(a, _mm_and_si128(_mm_srli_epi32(a, 1), _mm_set1_epi32(0x55555555)));
+    a = _mm_add_epi32(_mm_and_si128(a, in_pairs), _mm_and_si128(_mm_srli_epi32(a, 2), in_pairs));
+    a = _mm_and_si128(_mm_add_epi32(a, _mm_srli_epi32(a, 4)), in_nibbles);
+    a = _mm_add_epi32(a, _mm_srli_epi32(a, 8));
+    return _mm_and_si128(_mm_add_epi32(a, _mm_srli_epi32(a, 16)), _mm_set1_epi32(0x3f));
 }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm_and_si128(_mm_castps_si128(m), a); }
 
@@ -137,6 +164,8 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return _mm_or_ps(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_ps(a); }
+/* A table of nibbles. */
+TRIBOX_INLINE unsigned m_count(vmask a) { return (unsigned)(UINT64_C(0x4332322132212110) >> 4 * m_bits(a)) & 15; }
 TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))); }
 
 /* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */

@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <wasm_simd128.h>
 
+#include "base/bits.h"
 #include "kernel.h"
 
 #define V_LANES 4
@@ -113,10 +114,15 @@ TRIBOX_INLINE vint i_shr(vint a, vint n)
     const v128_t high = wasm_u64x2_shr(wasm_u64x2_extmul_high_u32x4(a, power), 31);
     return wasm_i32x4_shuffle(low, high, 0, 2, 4, 6);
 }
-/* 0 - 2^a. */
-TRIBOX_INLINE vint i_ones_from(vnum a)
+TRIBOX_INLINE vint i_shl_over(vint a, vint n) { return i_shr(a, wasm_i32x4_sub(wasm_i32x4_const_splat(32), n)); }
+/* 0 - 2^n has the bits from n on. */
+TRIBOX_INLINE vint i_run(vint first, vint end)
 {
-    return wasm_i32x4_neg(wasm_power(wasm_i32x4_trunc_sat_f32x4(v_min(a, wasm_f32x4_const_splat(32)))));
+    return wasm_v128_andnot(wasm_i32x4_neg(wasm_power(first)), wasm_i32x4_neg(wasm_power(end)));
+}
+TRIBOX_INLINE vint i_count(vint a)
+{
+    return wasm_u32x4_extadd_pairwise_u16x8(wasm_u16x8_extadd_pairwise_u8x16(wasm_i8x16_popcnt(a)));
 }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return wasm_v128_and(m, a); }
 
@@ -128,6 +134,7 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return wasm_v128_or(a, b); }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return wasm_v128_and(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return wasm_v128_andnot(a, b); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return wasm_i32x4_bitmask(a); }
+TRIBOX_INLINE unsigned m_count(vmask a) { return tribox_count_bits(m_bits(a)); }
 TRIBOX_INLINE vmask m_has_bits(vint a) { return wasm_i32x4_ne(a, wasm_i32x4_const_splat(0)); }
 
 /* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */

@@ -458,6 +458,23 @@ static void test_floors(void **state)
     }
 }
 
+/* Bit by bit. */
+static uint32_t bits_between(uint32_t first, uint32_t end)
+{
+    uint32_t bits = 0;
+    for (uint32_t n = first; n < end; n++)
+        bits |= UINT32_C(1) << n;
+    return bits;
+}
+
+static uint32_t count_bits(uint32_t a)
+{
+    uint32_t count = 0;
+    for (; a; a >>= 1)
+        count += a & 1;
+    return count;
+}
+
 /* Bits alone; those shifted out on either side are gone. */
 static uint32_t int_of(int_word word, uint32_t first, uint32_t a, uint32_t b)
 {
@@ -482,6 +499,12 @@ static uint32_t int_of(int_word word, uint32_t first, uint32_t a, uint32_t b)
         return b < 32 ? a << b : 0;
     case I_SHR:
         return b < 32 ? a >> b : 0;
+    case I_SHL_OVER:
+        return (uint32_t)((uint64_t)a << b >> 32);
+    case I_RUN:
+        return bits_between(a, b);
+    case I_COUNT:
+        return count_bits(a);
     case I_KEEP:
         return b ? a : 0;
     case INT_WORDS:
@@ -491,9 +514,14 @@ static uint32_t int_of(int_word word, uint32_t first, uint32_t a, uint32_t b)
 }
 
 static const char *const int_names[INT_WORDS] = {
-    [I_SPLAT] = "i_splat", [I_WRITE] = "i_write",   [I_ADD] = "i_add", [I_SUB] = "i_sub", [I_MUL] = "i_mul",   [I_AND] = "i_and",
-    [I_OR] = "i_or",       [I_ANDNOT] = "i_andnot", [I_SHL] = "i_shl", [I_SHR] = "i_shr", [I_KEEP] = "i_keep",
+    [I_SPLAT] = "i_splat", [I_WRITE] = "i_write", [I_ADD] = "i_add", [I_SUB] = "i_sub",
+    [I_MUL] = "i_mul",     [I_AND] = "i_and",     [I_OR] = "i_or",   [I_ANDNOT] = "i_andnot",
+    [I_SHL] = "i_shl",     [I_SHR] = "i_shr",     [I_RUN] = "i_run", [I_SHL_OVER] = "i_shl_over",
+    [I_COUNT] = "i_count", [I_KEEP] = "i_keep",
 };
+
+/* Those of which the second number, and of a run the first too, is a number of bits: 0 to 32. */
+static bool is_of_places(int_word word) { return word == I_SHL || word == I_SHR || word == I_SHL_OVER || word == I_RUN; }
 
 static void check_ints(int_word word, const int32_t *a, const int32_t *b)
 {
@@ -519,15 +547,18 @@ static void test_ints(void **state)
     for (int round = 0; round < 100000; round++) {
         int32_t a[LANES_MAX], b[LANES_MAX];
         uint64_t with_bits = 0;
+        unsigned lanes_chosen = 0;
         for (unsigned lane = 0; lane < lanes_count; lane++) {
             a[lane] = any_int(&r);
             b[lane] = any_int(&r);
             with_bits |= (uint64_t)(a[lane] != 0) << lane;
+            lanes_chosen += a[lane] != 0;
         }
         for (int_word word = 0; word < INT_WORDS; word++)
-            if (word != I_SHL && word != I_SHR)
+            if (!is_of_places(word))
                 check_ints(word, a, b);
         assert_true(lanes_with_bits(a) == with_bits);
+        assert_true(lanes_count_with_bits(a) == lanes_chosen);
     }
 }
 
@@ -548,27 +579,26 @@ static void test_shifts(void **state)
             n[lanes_count - 1] = first;
             check_ints(I_SHL, a, n);
             check_ints(I_SHR, a, n);
+            int32_t fewer[LANES_MAX];
+            for (unsigned lane = 0; lane < lanes_count; lane++)
+                fewer[lane] = n[lane] % 32;
+            check_ints(I_SHL_OVER, a, fewer);
         }
     }
 }
 
-/* From every bit on, at whole numbers and beside them, and far away. */
-static void test_ones(void **state)
+/* Every run, in every lane. */
+static void test_runs(void **state)
 {
     (void)state;
-    random_source r = random_named(args.seed, "ones");
-    for (int round = 0; round < 100000; round++) {
-        float a[LANES_MAX];
-        int32_t out[LANES_MAX];
-        for (unsigned lane = 0; lane < lanes_count; lane++)
-            a[lane] = random_int(&r, 8)   ? (float)random_double(&r, 0, 40)
-                      : random_int(&r, 4) ? fmaxf(nextafterf((float)random_int(&r, 34), random_int(&r, 2) ? 100 : -100), 0)
-                      : random_int(&r, 2) ? INFINITY
-                                          : ldexpf(1, random_int_between(&r, 5, 127));
-        lanes_ones_from(a, out);
-        for (unsigned lane = 0; lane < lanes_count; lane++)
-            if ((uint32_t)out[lane] != (a[lane] < 32 ? UINT32_MAX << (unsigned)a[lane] : 0))
-                fail_msg("i_ones_from(%a) in lane %u gives %#x", (double)a[lane], lane, (unsigned)out[lane]);
+    for (int32_t number = 0; number < 33 * 33; number++) {
+        int32_t first[LANES_MAX], end[LANES_MAX];
+        for (unsigned lane = 0; lane < lanes_count; lane++) {
+            const int32_t other = (number + 7 * (int32_t)lane) % (33 * 33);
+            first[lane] = other / 33;
+            end[lane] = other % 33;
+        }
+        check_ints(I_RUN, first, end);
     }
 }
 
@@ -672,7 +702,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_floors),
         cmocka_unit_test(test_ints),
         cmocka_unit_test(test_shifts),
-        cmocka_unit_test(test_ones),
+        cmocka_unit_test(test_runs),
         cmocka_unit_test(test_packs),
 #endif
         cmocka_unit_test(test_bits_of_single_lanes),

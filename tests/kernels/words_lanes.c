@@ -146,6 +146,12 @@ static vint int_of(int_word word, int32_t first, vint a, vint b)
         return i_shl(a, b);
     case I_SHR:
         return i_shr(a, b);
+    case I_SHL_OVER:
+        return i_shl_over(a, b);
+    case I_RUN:
+        return i_run(a, b);
+    case I_COUNT:
+        return i_count(a);
     case I_KEEP:
         return i_keep(m_has_bits(b), a);
     case INT_WORDS:
@@ -162,7 +168,7 @@ void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out)
 
 uint64_t lanes_with_bits(const int32_t *a) { return m_bits(m_has_bits(ints_of(a))); }
 
-void lanes_ones_from(const float *a, int32_t *out) { i_write(out, i_ones_from(lanes_of(a))); }
+unsigned lanes_count_with_bits(const int32_t *a) { return m_count(m_has_bits(ints_of(a))); }
 
 void lanes_pack(const float *a, const int32_t *chosen, float *out) { v_pack(out, m_has_bits(ints_of(chosen)), lanes_of(a)); }
 

@@ -67,9 +67,12 @@ typedef enum int_word {
     I_AND,
     I_OR,
     I_ANDNOT,
-    I_SHL,  /* by b */
-    I_SHR,  /* by b */
-    I_KEEP, /* a where b has bits */
+    I_SHL, /* by b */
+    I_SHR, /* by b */
+    I_SHL_OVER,
+    I_RUN,
+    I_COUNT, /* of a */
+    I_KEEP,  /* a where b has bits */
     INT_WORDS
 } int_word;
 #endif
@@ -90,7 +93,7 @@ void lanes_floor(const float *a, float *out);
 void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out);
 uint64_t lanes_with_bits(const int32_t *a);
 void lanes_pack(const float *a, const int32_t *chosen, float *out); /* those where `chosen` has bits */
-void lanes_ones_from(const float *a, int32_t *out);
+unsigned lanes_count_with_bits(const int32_t *a);
 void lanes_pack_int(const int32_t *a, const int32_t *chosen, int32_t *out);
 #endif
 uint64_t lanes_mask(mask_word word, const lane_number *a, const lane_number *b, const lane_number *c);

@@ -69,11 +69,12 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
                                          m_not(v_gt(v_splat((float)v->window.end_layer), z)));
         if (!m_bits(has_row))
             break;
-        const row_cells of_row = cells_within(&limits, along, r, is_exact);
-        const vint set = i_keep(in_window, of_row.certain);
+        const lane_run run = run_within(&limits, along, r, is_exact);
+        const vint set = i_keep(in_window, set_bits(&run, is_exact));
         if (is_exact) {
-            const vint undecided = i_andnot(i_keep(in_window, of_row.maybe), set);
-            if (m_bits(m_has_bits(undecided))) {
+            const vmask open = m_and(in_window, has_open_ends(&run));
+            if (m_bits(open)) {
+                const vint undecided = i_andnot(i_keep(open, set_bits(&run, false)), set);
                 const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], v_select(is_z, r, v_splat(0)))), i_cut(z)};
                 wait_for_lanes(v, queue, at, i_keep(m_not(is_x), undecided), cell);
                 wait_for_columns(v, queue, at, i_keep(is_x, undecided), cell);

@@ -15,29 +15,28 @@ TRIBOX_INLINE vmask is_wild(const vnum u[3], const lane_places *a)
     return wild;
 }
 
-/* Cells of a row, a bit each. */
-typedef struct row_cells {
-    vint maybe, certain;
-} row_cells;
+/* The cells from `first` to before `end`, a bit each, of a run of at most 32 cells (whole_run). */
+TRIBOX_INLINE vint run_bits(vnum first, vnum end) { return i_run(i_cut(v_min(first, v_splat(32))), i_cut(v_max(end, v_splat(0)))); }
 
-TRIBOX_INLINE vint run_bits(vnum first, vnum end)
+/* Those that certainly overlap; or, unless is_exact, those that may. */
+TRIBOX_INLINE vint set_bits(const lane_run *run, bool is_exact)
 {
-    const vnum half = v_splat(0.5f);
-    return i_andnot(i_ones_from(v_max(first, half)), i_ones_from(v_max(end, half)));
+    return is_exact ? run_bits(run->first_certain, run->end_certain) : run_bits(run->first_maybe, run->end_maybe);
 }
 
-TRIBOX_INLINE row_cells cells_of(const lane_run *run, bool is_exact)
+/* Where more may overlap than certainly do: no lane without them is left out, but for few the ends differ outside of all cells. */
+TRIBOX_INLINE vmask has_open_ends(const lane_run *run)
 {
-    row_cells cells;
-    cells.maybe = run_bits(run->first_maybe, run->end_maybe);
-    cells.certain = is_exact ? run_bits(run->first_certain, run->end_certain) : cells.maybe;
-    return cells;
+    const vnum none = v_splat(0), most = v_splat(32);
+    const vint first = i_sub(i_cut(v_min(run->first_certain, most)), i_cut(v_min(run->first_maybe, most)));
+    const vint end = i_sub(i_cut(v_max(run->end_certain, none)), i_cut(v_max(run->end_maybe, none)));
+    return m_has_bits(i_or(first, end));
 }
 
-/* The cells that the limits leave of the first `cells` of row p. */
-TRIBOX_INLINE row_cells cells_within(const shadow_limits *limits, vnum cells, vnum p, bool is_exact)
+/* What the limits leave of the first `cells` of row p. */
+TRIBOX_INLINE lane_run run_within(const shadow_limits *limits, vnum cells, vnum p, bool is_exact)
 {
     lane_run run = whole_run(cells);
     narrow(&run, limits, p, is_exact);
-    return cells_of(&run, is_exact);
+    return run;
 }

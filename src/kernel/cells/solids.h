@@ -26,7 +26,7 @@ TRIBOX_INLINE void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, u
 {
     tribox_waiting *const w = &v->sinks.waiting;
     const vmask m = m_has_bits(undecided);
-    const unsigned added = tribox_count_bits(m_bits(m));
+    const unsigned added = m_count(m);
     if (w->count + added > TRIBOX_WAITING)
         v->sinks.handlers->settle_waiting(v);
     if (v->window.doubles)
@@ -86,10 +86,10 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
 
     const lane_bits bits = bits_at(v, base);
     const vmask present = m_andnot(lanes_between(0, count), wild);
-    row_cells in_row[TRIBOX_SOLID_MOST];
+    lane_run in_row[TRIBOX_SOLID_MOST];
     int rows = 0;
     for (; rows < TRIBOX_SOLID_MOST && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++)
-        in_row[rows] = cells_within(&xy, cells[0], v_splat((float)rows), is_exact);
+        in_row[rows] = run_within(&xy, cells[0], v_splat((float)rows), is_exact);
     for (int layer = 0; layer < TRIBOX_SOLID_MOST; layer++) {
         const vnum k = v_splat((float)layer), z = v_add(base[2], k);
         const vmask has_layer = m_and(present, v_gt(cells[2], k));
@@ -97,7 +97,7 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
                                     m_not(v_gt(v_splat((float)v->window.end_layer), z)));
         if (!m_bits(has_layer))
             break;
-        const row_cells in_layer = cells_within(&zx, cells[0], k, is_exact);
+        const lane_run in_layer = run_within(&zx, cells[0], k, is_exact);
         vnum side_k[3];
         for (int e = 0; e < 3; e++)
             side_k[e] = side_in_row(&side[e], k);
@@ -110,18 +110,21 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
             const vnum slack = lane_min3(side_in_cell(&side[0], j, side_k[0]), side_in_cell(&side[1], j, side_k[1]),
                                          side_in_cell(&side[2], j, side_k[2]));
             const lane_run of_plane = run_by_plane(&plane, v_fma(plane.j_slope, j, plane_k));
-            const row_cells in_plane = cells_of(&of_plane, is_exact);
-            const vint maybe = i_and(i_and(in_row[row].maybe, in_layer.maybe), in_plane.maybe);
-            vint set = i_keep(m_andnot(in_window, v_gt(none, slack)), maybe);
+            const vmask may_side = m_andnot(in_window, v_gt(none, slack));
+            lane_run run = in_row[row];
+            narrow_to(&run, &in_layer, is_exact);
+            narrow_to(&run, &of_plane, is_exact);
+            vint set = set_bits(&run, is_exact);
             if (is_exact) {
-                const vint certain = i_and(i_and(in_row[row].certain, in_layer.certain), in_plane.certain);
-                const vint open_or_set = set;
-                set = i_keep(m_andnot(in_window, v_gt(side_error, slack)), certain);
-                const vint undecided = i_andnot(open_or_set, set);
-                if (m_bits(m_has_bits(undecided))) {
+                const vmask by_side = v_gt(side_error, slack), open = m_and(may_side, m_or(by_side, has_open_ends(&run)));
+                set = i_keep(m_andnot(in_window, by_side), set);
+                if (m_bits(open)) {
+                    const vint undecided = i_andnot(i_keep(open, set_bits(&run, false)), set);
                     const vint cell[3] = {i_cut(base[0]), i_cut(v_add(base[1], j)), i_cut(z)};
                     wait_for_lanes(v, queue, at, undecided, cell);
                 }
+            } else {
+                set = i_keep(may_side, set);
             }
             list_bits(v, half, bits.from, set);
             half = i_add(half, i_splat(v->sinks.row_halves));

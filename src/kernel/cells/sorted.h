@@ -134,7 +134,7 @@ TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const l
         copy_lanes(v, queue, kind, m, r);
     else
         pack_lanes(v, queue, kind, m, r);
-    queue->count += tribox_count_bits(m_bits(m));
+    queue->count += m_count(m);
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
         set_packets(v, kind);
 }

@@ -15,11 +15,14 @@ TRIBOX_INLINE unsigned char *half_at(uint64_t *occupied, uint32_t half)
     return (unsigned char *)occupied + 4 * (size_t)(first ? half : half ^ 1);
 }
 
-/* Fetching ahead pays where the grid is larger than a cache, and costs where it is not. */
-TRIBOX_INLINE size_t write_each(const tribox_writes *w, uint64_t *occupied, bool is_far)
+/*
+ * Leaves of the bits of each entry those that were not set before. Fetching ahead pays where the grid is larger than a cache, and
+ * costs where it is not.
+ */
+TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far)
 {
-    size_t set = 0;
-    for (unsigned n = 0; n < w->count; n++) {
+    const unsigned count = w->count;
+    for (unsigned n = 0; n < count; n++) {
         unsigned char *const at = half_at(occupied, (uint32_t)w->half[n]);
         uint32_t before;
         if (is_far)
@@ -27,9 +30,23 @@ TRIBOX_INLINE size_t write_each(const tribox_writes *w, uint64_t *occupied, bool
         memcpy(&before, at, sizeof before);
         const uint32_t after = before | (uint32_t)w->bits[n];
         memcpy(at, &after, sizeof after);
-        set += tribox_count_bits(after ^ before);
+        w->bits[n] = (int32_t)(after ^ before);
     }
-    return set;
+}
+
+/* How many bits all entries have. */
+TRIBOX_INLINE size_t count_listed(tribox_writes *w)
+{
+    int32_t in_lane[V_LANES];
+    vint sum = i_splat(0);
+    size_t bits = 0;
+    i_write(&w->bits[w->count], sum);
+    for (unsigned n = 0; n < w->count; n += V_LANES)
+        sum = i_add(sum, i_count(i_load(&w->bits[n])));
+    i_write(in_lane, sum);
+    for (int n = 0; n < V_LANES; n++)
+        bits += (size_t)in_lane[n];
+    return bits;
 }
 
 TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
@@ -39,7 +56,11 @@ TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
         return;
     for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
         w->half[w->count + n] = w->half[w->count - 1];
-    v->counts.overlapping += v->sinks.is_far ? write_each(w, v->sinks.occupied, true) : write_each(w, v->sinks.occupied, false);
+    if (v->sinks.is_far)
+        write_each(w, v->sinks.occupied, true);
+    else
+        write_each(w, v->sinks.occupied, false);
+    v->counts.overlapping += count_listed(w);
     w->count = 0;
 }
 
@@ -55,14 +76,13 @@ TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits)
     tribox_writes *const w = &v->sinks.writes;
     i_pack(&w->half[w->count], m, half);
     i_pack(&w->bits[w->count], m, bits);
-    w->count += tribox_count_bits(m_bits(m));
+    w->count += m_count(m);
 }
 
 /* Bits that begin at bit `from`, 0 to 31, of a half, and may go on in the next. */
 TRIBOX_INLINE void list_bits(tribox_voxels *v, vint half, vint from, vint bits)
 {
-    const vint high = i_shr(bits, i_sub(i_splat(32), from));
-    const vint low = i_shl(bits, from);
+    const vint high = i_shl_over(bits, from), low = i_shl(bits, from);
     const vmask has_high = m_has_bits(high);
     list(v, m_has_bits(low), half, low);
     if (m_bits(has_high))
