@@ -32,7 +32,8 @@ static const char help[] =
     "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
     "                          else; with --boxes it needs --json\n"
     "  -j, --json              print a JSON object, one per line with --boxes\n"
-    "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n" OPTIONS_TEST_HELP
+    "  -t, --threads T         1 to 256, that read the mesh and share the work; default: one\n"
+    "                          for each processor. The answer is the same\n" OPTIONS_TEST_HELP
     "      --order NUMBER      order of the groups, 1 box, 2 plane, 3 edges; changes the time alone\n" OPTIONS_HELP_HELP "\n"
     "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
     "\n"

@@ -11,6 +11,7 @@
 #include "console/numbers.h"
 #include "console/option_reader.h"
 #include "console/options.h"
+#include "console/processors.h"
 #include "sweep/cells.h"
 #include "sweep/octree.h"
 #include "sweep/order_report.h"
@@ -255,7 +256,7 @@ static int answer_request(request *r)
     mesh m;
     timing_work work;
     sweep_wish wish = r->wish;
-    int code = mesh_read_shifted(r->mesh_path, TRIANGLES_OTHER, &r->shift, &m);
+    int code = mesh_read_shifted(r->mesh_path, TRIANGLES_OTHER, &r->shift, processors_here(), &m);
     if (code)
         return code;
     code = mesh_to_floats(r->mesh_path, (const double[3]){0, 0, 0}, &m);

@@ -4,6 +4,7 @@
 
 #include "answers.h"
 #include "ensure.h"
+#include "read/mesh_look.h"
 #include "voxelize/grid_choice.h"
 #include "lines.h"
 #include "tight_memory.h"
@@ -73,7 +74,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         input_triangle(&in, a.pair[a.drawn++].u);
     while (!input_is_over(&in) && a.drawn < PAIRS_DRAWN);
     a.count = a.drawn;
-    const mesh m = {.soup = asked_soup(&a, 0), .triangles = a.count};
+    mesh m = {.soup = asked_soup(&a, 0), .triangles = a.count};
+    mesh_look_all(1, &m);
     tribox_grid grid;
     lines_forget();
     const int code = grid_choose(&choice, "a.ply", &m, &grid);

@@ -3,20 +3,22 @@
 
 #include "console/message.h"
 
-int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, m); }
+int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, 1, m); }
 
-int mesh_read_as(const char *path, triangle_format format, mesh *m)
+int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m)
 {
+    (void)threads;
     *m = (mesh){.coordinates = NULL};
     return message_failure("%s: no mesh of format %d", path, (int)format);
 }
 
-int mesh_read_wide(const char *path, triangle_format format, mesh *m) { return mesh_read_as(path, format, m); }
+int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m)
+{
+    return mesh_read_as(path, format, threads, m);
+}
 
 int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 {
     (void)m;
     return message_failure("%s: no mesh to be rounded about %g", path, origin[0]);
 }
-
-void mesh_free(mesh *m) { *m = (mesh){.coordinates = NULL}; }

@@ -26,8 +26,9 @@ import time
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
-SUITES = ("counts", "exact", "kernels", "voxels", "inputs", "index", "doubles", "scale")
+SUITES = ("counts", "exact", "kernels", "voxels", "inputs", "index", "doubles", "scale", "read")
 SHORTENED = {"exact", "voxels", "index", "scale", "doubles", "shortened"}  # whose programs take --short: a tenth of the pairs
+ROOMS = ("src", os.path.join("tools", "read"), os.path.join("tools", "console"))
 SKIPPED = 77
 NINJA = os.environ.get("NINJA", "ninja")
 WALL_LIMIT = 1800  # seconds for one build or test; the machine may be busy otherwise
@@ -65,24 +66,26 @@ def expanded(text):
 
 
 class Sources:
-    """The files of src/, found by what they define: a file that moves takes its faults along."""
+    """The files of src/ and of the readers, found by what they define: a file that moves takes its faults along."""
 
     def __init__(self):
         self.text = {}
-        for folder, _, names in os.walk(os.path.join(ROOT, "src")):
-            for name in names:
-                if name.endswith((".c", ".h")):
-                    with open(os.path.join(folder, name), encoding="utf-8") as file:
-                        self.text[os.path.relpath(os.path.join(folder, name), ROOT)] = file.read()
+        for room in ROOMS:
+            for folder, _, names in os.walk(os.path.join(ROOT, room)):
+                for name in names:
+                    if name.endswith((".c", ".h")):
+                        with open(os.path.join(folder, name), encoding="utf-8") as file:
+                            self.text[os.path.relpath(os.path.join(folder, name), ROOT)] = file.read()
 
     def path_of(self, base, function):
-        """The one file of that name, or the one that defines the function; several are as good as none."""
+        """The one file of that name, or the one that defines the function, in src/ before others; several are as good as none."""
         paths = [path for path, text in self.text.items()
                  if (not base or os.path.basename(path) == base) and (not function or starts_of(function, text))]
+        paths = [path for path in paths if path.startswith("src")] or paths
         if len(paths) == 1:
             return paths[0]
         what = ": ".join(filter(None, (base, function)))
-        raise SuiteError(f"src has {what} in {len(paths)} files{': ' + ', '.join(sorted(paths)) if paths else ''}; "
+        raise SuiteError(f"there is {what} in {len(paths)} files{': ' + ', '.join(sorted(paths)) if paths else ''}; "
                          "name the place as it is called today, as FUNCTION, FILE or FILE: FUNCTION")
 
 

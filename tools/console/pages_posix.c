@@ -20,12 +20,12 @@ static void *map(size_t bytes)
     return room == MAP_FAILED ? NULL : room;
 }
 
-/* The system maps where it likes: what stands before the border and after the end is given back. */
+/* The system maps where it likes: what stands before the border and after the end is given back, or not asked for where it is scarce. */
 static void *map_on_border(size_t bytes)
 {
     unsigned char *const start = map(bytes + LARGE_PAGE);
     if (!start)
-        return NULL;
+        return map(bytes);
     const size_t before = (LARGE_PAGE - (uintptr_t)start % LARGE_PAGE) % LARGE_PAGE;
     if (before)
         munmap(start, before);

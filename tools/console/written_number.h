@@ -24,4 +24,11 @@ static inline float_fit float_fit_of(double number)
  */
 bool written_number_read(const char *text, size_t length, double *number, float_fit *fit);
 
+/*
+ * The same, bit for bit, for the number that text begins with: returns where it ends. NULL where it is none, or not one of up to 19
+ * digits with the point near them, which written_number_read may know. DIGITS_AHEAD bytes from its end on must be there to be
+ * read. fit: raised where it was less.
+ */
+const char *written_number_scan(const char *text, double *number, float_fit *fit);
+
 #endif

@@ -9,6 +9,7 @@
 #include "console/message.h"
 #include "console/processors.h"
 #include "picture/preview.h"
+#include "read/mesh_look.h"
 #include "timing/measure.h"
 #include "timing/verify.h"
 #include "voxelize/grid_choice.h"
@@ -99,8 +100,9 @@ static void print_json(json *to, const result *r, const char *path)
 
 int demo_voxels(const tribox_soup *soup, file_out *picture, json *to)
 {
-    const mesh m = {.soup = *soup, .triangles = soup->count};
+    mesh m = {.soup = *soup, .triangles = soup->count};
     result r = {.soup = soup, .threads = processors_here()};
+    mesh_look_all(r.threads, &m);
     int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", &m, &r.grid);
     if (code)
         return code;

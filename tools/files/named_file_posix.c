@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "named_file.h"
 
+#include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,6 +30,19 @@ bool named_file_about_open(FILE *stream, file_about *about)
     if (fstat(fileno(stream), &found))
         return false;
     tell(&found, about);
+    return true;
+}
+
+bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, size_t *got)
+{
+    for (*got = 0; *got < bytes;) {
+        const ssize_t now = pread(fileno(stream), (char *)to + *got, bytes - *got, (off_t)(offset + *got));
+        if (now < 0 && errno == EINTR)
+            continue;
+        if (now <= 0)
+            return !now;
+        *got += (size_t)now;
+    }
     return true;
 }
 

@@ -44,6 +44,20 @@ bool named_file_about(const char *path, file_about *about)
 
 bool named_file_about_open(FILE *stream, file_about *about) { return describe((HANDLE)_get_osfhandle(_fileno(stream)), about); }
 
+bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, size_t *got)
+{
+    const HANDLE file = (HANDLE)_get_osfhandle(_fileno(stream));
+    DWORD now = 1;
+    for (*got = 0; *got < bytes && now; *got += now) {
+        const uint64_t at = offset + *got;
+        const size_t left = bytes - *got;
+        OVERLAPPED place = {.Offset = (DWORD)at, .OffsetHigh = (DWORD)(at >> 32)};
+        if (!ReadFile(file, (char *)to + *got, left < INT32_MAX ? (DWORD)left : INT32_MAX, &now, &place))
+            return GetLastError() == ERROR_HANDLE_EOF || windows_file_failed();
+    }
+    return true;
+}
+
 bool named_file_is_there(const char *path)
 {
     wchar_t *const wide = wide_of_utf8(path);

@@ -35,17 +35,17 @@ static void point_streams(float *coordinates, size_t count, float *streams[9], t
 static bool gather_streams(mesh *m, unsigned threads, const uint32_t *order)
 {
     const size_t count = m->soup.count;
-    float *const coordinates = malloc(9 * count * sizeof *coordinates);
+    float *const coordinates = pages_take(9 * count * sizeof *coordinates);
     float *streams[9];
     tribox_soup ordered;
     if (!coordinates)
         return false;
     point_streams(coordinates, count, streams, &ordered);
     if (gather_by_threads(&m->soup, order, threads, streams)) {
-        free(coordinates);
+        pages_free(coordinates, 9 * count * sizeof *coordinates);
         return false;
     }
-    free(m->coordinates);
+    mesh_drop_floats(m);
     m->coordinates = coordinates;
     m->capacity = count;
     m->soup = ordered;

@@ -20,7 +20,7 @@ typedef struct request {
     bool has_oriented;
     tribox_options test;
     bool wants_inside, wants_list, wants_json;
-    unsigned threads;
+    uint32_t threads;
 } request;
 
 /* A bit per triangle: which overlap and, with --inside, which of these lie inside; else `inside` is NULL. */

@@ -99,7 +99,7 @@ static int answer_mesh(const request *r)
 {
     mesh m;
     request own = *r; /* its shift is found from the mesh */
-    int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, &m);
+    int code = mesh_read_shifted(r->mesh_path, r->format, &own.shift, r->threads, &m);
     if (code)
         return code;
     mesh_warn(r->mesh_path, &m);

@@ -2,14 +2,16 @@
 #define _POSIX_C_SOURCE 200809L
 #include "mesh.h"
 
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "console/message.h"
-#include "double_triangles.h"
 #include "mesh_doubles.h"
+#include "mesh_look.h"
+#include "mesh_triangles.h"
+#include "mesh_ways.h"
+#include "plain.h"
 #include "readers.h"
 #include "words.h"
 
@@ -18,7 +20,11 @@ typedef int reader(const char *path, const whole_file *file, indexed_mesh *m);
 static const struct {
     const char *word, *ending;
     reader *read;
-} formats[] = {{"ply", ".ply", read_ply}, {"off", ".off", read_off}, {"solid", ".stl", read_stl_text}, {"", ".obj", read_obj}};
+    plain_reader *read_plain;
+} formats[] = {{"ply", ".ply", read_ply, plain_ply},
+               {"off", ".off", read_off, NULL},
+               {"solid", ".stl", read_stl_text, plain_stl},
+               {"", ".obj", read_obj, plain_obj}};
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
 static bool has_ending(const char *path, const char *ending)
@@ -27,51 +33,33 @@ static bool has_ending(const char *path, const char *ending)
     return length >= size && !strcasecmp(path + length - size, ending);
 }
 
-/* What a file says of itself counts for more than its name. NULL: libassimp may know it. */
+/* What a file says of itself counts for more than its name. FORMATS: libassimp may know it. */
+static int find_format(const char *path, const words *first)
+{
+    int i = 0;
+    while (i < FORMATS && !(first->length && words_is(first, formats[i].word)))
+        i++;
+    for (int k = 0; i == FORMATS && k < FORMATS; k++)
+        if (has_ending(path, formats[k].ending))
+            return k;
+    return i;
+}
+
 static reader *find_reader(const char *path, const whole_file *file)
 {
     words first = words_of(path, file, '#');
     words_next(&first);
-    for (int i = 0; i < FORMATS; i++)
-        if (first.length && words_is(&first, formats[i].word))
-            return formats[i].read;
-    for (int i = 0; i < FORMATS; i++)
-        if (has_ending(path, formats[i].ending))
-            return formats[i].read;
-    return NULL;
+    const int format = find_format(path, &first);
+    return format < FORMATS ? formats[format].read : NULL;
 }
 
-static void point_streams(mesh *m)
+static plain_reader *find_plain_reader(const char *path, const plain_file *file)
 {
-    for (size_t v = 0; v < 3; v++) {
-        m->soup.x[v] = m->coordinates + v * m->capacity;
-        m->soup.y[v] = m->coordinates + (3 + v) * m->capacity;
-        m->soup.z[v] = m->coordinates + (6 + v) * m->capacity;
-    }
-}
-
-static int refuse_none(const char *path)
-{
-    return message_failure("%s: contains no triangles (points or lines at most); give a mesh with faces", path);
-}
-
-int mesh_make_room(const char *path, uint64_t count, mesh *m)
-{
-    if (!count)
-        return refuse_none(path);
-    m->coordinates = count <= SIZE_MAX / (9 * sizeof(float)) ? malloc(9 * (size_t)count * sizeof(float)) : NULL;
-    if (!m->coordinates)
-        return message_failure("%s: out of memory for %" PRIu64 " triangles", path, count);
-    m->capacity = (size_t)count;
-    point_streams(m);
-    return EXIT_CODE_OK;
-}
-
-/* Where the next triangles go: x of the three vertices, then y, then z. */
-static void find_streams(const mesh *m, float *to[9])
-{
-    for (size_t k = 0; k < 9; k++)
-        to[k] = m->coordinates + k * m->capacity + m->soup.count;
+    words first = words_of(path, &file->head, '#');
+    if (!words_next(&first) || words_is_cut(&first))
+        return NULL;
+    const int format = find_format(path, &first);
+    return format < FORMATS ? formats[format].read_plain : NULL;
 }
 
 static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
@@ -80,7 +68,7 @@ static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
     const int code = mesh_make_room(path, all->count, m);
     if (code)
         return code;
-    find_streams(m, to);
+    mesh_streams(m, 0, to);
     const tribox_status status = tribox_mesh_to_soup(all, NULL, 0, all->count, NULL, to, to + 3, to + 6);
     m->soup.count = all->count;
     return status ? message_failure("%s: %s", path, tribox_status_text(status)) : EXIT_CODE_OK;
@@ -89,7 +77,7 @@ static int take_floats(const char *path, const tribox_mesh *all, mesh *m)
 static int take_doubles(const char *path, indexed_mesh *from, mesh *m)
 {
     if (!from->triangles)
-        return refuse_none(path);
+        return mesh_make_room(path, 0, m);
     mesh_set_doubles(from->positions, from->vertices, from->corners, from->triangles, m);
     from->positions = NULL;
     from->corners = NULL;
@@ -125,11 +113,12 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
     free(m->corners);
     m->positions = m->corners = NULL;
     m->is_double = false;
-    m->not_finite = tribox_soup_not_finite(&m->soup, &m->first_not_finite);
+    if (!code)
+        mesh_look_all(1, m);
     return code;
 }
 
-static int read_whole(const char *path, bool is_wide, mesh *m)
+int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
 {
     whole_file file;
     indexed_mesh indexed = {.positions = NULL};
@@ -141,93 +130,59 @@ static int read_whole(const char *path, bool is_wide, mesh *m)
     if (!code)
         code = read ? take_indexed(path, is_wide, &indexed, m) : read_by_assimp(path, m);
     indexed_mesh_free(&indexed);
-    return code;
-}
-
-/* Doubles the room for a stream of unknown length. What its header promises is not believed. */
-static int make_more_room(const char *name, mesh *m)
-{
-    enum { TRIANGLE_BYTES = 9 * sizeof(float) };
-    uint64_t capacity;
-    const int code = triangles_more_room(name, m->soup.count, m->capacity, TRIANGLE_BYTES, &capacity);
-    if (code)
-        return code;
-    float *const grown = realloc(m->coordinates, (size_t)capacity * TRIANGLE_BYTES);
-    if (!grown)
-        return message_failure("%s: out of memory after %zu triangles", name, m->soup.count);
-    for (size_t k = 8; k > 0; k--)
-        memmove(grown + k * capacity, grown + k * m->capacity, m->soup.count * sizeof *grown);
-    m->coordinates = grown;
-    m->capacity = (size_t)capacity;
-    point_streams(m);
-    return EXIT_CODE_OK;
-}
-
-static int read_float_triangles(triangle_file *file, mesh *m)
-{
-    int code = file->is_sized ? mesh_make_room(file->name, file->promised, m) : EXIT_CODE_OK;
-    size_t count = 1;
-    while (!code && count) {
-        float *to[9];
-        if (!file->is_sized && m->capacity - m->soup.count < TRIANGLE_BLOCK)
-            code = make_more_room(file->name, m);
-        if (code)
-            break;
-        find_streams(m, to);
-        code = triangle_file_next(file, to, &count);
-        m->soup.count += count;
-    }
-    return code || m->soup.count ? code : message_failure("%s: contains no triangles", file->name);
-}
-
-static int read_triangles(triangle_file *file, mesh *m)
-{
-    double_triangles found;
-    if (file->format != TRIANGLES_F64)
-        return read_float_triangles(file, m);
-    const int code = double_triangles_read(file, &found);
+    m->triangles = m->is_double ? m->doubles.count : m->soup.count;
     if (!code)
-        mesh_set_doubles(found.positions, 3 * found.count, NULL, found.count, m);
+        mesh_look_all(threads, m);
     return code;
 }
 
-static int read_mesh(const char *path, triangle_format format, bool is_wide, mesh *m)
+bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t part_bytes, mesh *m)
+{
+    plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .part_bytes = part_bytes};
+    plain_reader *const read = plain_file_open(path, &file) ? find_plain_reader(path, &file) : NULL;
+    const bool is_read = read && read(&file, m);
+    plain_file_close(&file);
+    if (!is_read)
+        mesh_free(m);
+    return is_read;
+}
+
+static int read_whole(const char *path, bool is_wide, unsigned threads, mesh *m)
+{
+    return mesh_read_plain(path, is_wide, threads, PLAIN_PART_BYTES, m) ? EXIT_CODE_OK
+                                                                        : mesh_read_slowly(path, is_wide, threads, m);
+}
+
+static int read_mesh(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh *m)
 {
     triangle_file file;
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
     if (!code)
-        code = file.stream ? read_triangles(&file, m) : read_whole(path, is_wide, m);
+        code = file.stream ? mesh_read_triangles(&file, threads, m) : read_whole(path, is_wide, threads, m);
     triangle_file_close(&file);
-    if (code) {
+    if (code)
         mesh_free(m);
-        return code;
-    }
-    m->triangles = m->is_double ? m->doubles.count : m->soup.count;
-    m->not_finite =
-        m->is_double ? mesh_doubles_not_finite(m, &m->first_not_finite) : tribox_soup_not_finite(&m->soup, &m->first_not_finite);
-    return EXIT_CODE_OK;
+    return code;
 }
 
-int mesh_read_as(const char *path, triangle_format format, mesh *m) { return read_mesh(path, format, false, m); }
+int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m)
+{
+    return read_mesh(path, format, false, threads, m);
+}
 
-int mesh_read_wide(const char *path, triangle_format format, mesh *m) { return read_mesh(path, format, true, m); }
+int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m)
+{
+    return read_mesh(path, format, true, threads, m);
+}
 
 int mesh_read(const char *path, mesh *m)
 {
-    int code = mesh_read_as(path, TRIANGLES_OTHER, m);
+    int code = mesh_read_as(path, TRIANGLES_OTHER, 1, m);
     if (code)
         return code;
     code = mesh_to_floats(path, (const double[3]){0, 0, 0}, m);
     if (code)
         mesh_free(m);
     return code;
-}
-
-void mesh_free(mesh *m)
-{
-    free(m->coordinates);
-    free(m->positions);
-    free(m->corners);
-    *m = (mesh){.coordinates = NULL};
 }

@@ -20,8 +20,9 @@ typedef struct mesh {
     double moved;        /* the most that it has moved one */
     size_t not_finite;   /* triangles with a NaN or infinite coordinate */
     size_t first_not_finite; /* the first of them */
+    tribox_box bounds;       /* of its finite triangles; lo > hi where there are none */
     size_t capacity;         /* triangles that the streams have room for */
-    float *coordinates;      /* what the streams point into */
+    float *coordinates;      /* what the streams point into, from pages_take */
     void *positions;         /* and what `doubles` does */
     uint32_t *corners;
 } mesh;
@@ -30,14 +31,15 @@ typedef struct mesh {
  * Reads a mesh file: PLY, OFF, OBJ, STL and raw triangles here, others by libassimp. Coordinates are those of the file, bit for bit
  * where it holds floats or doubles, otherwise the nearest. libassimp may be an ulp of float off, and applies the transforms of
  * scenes. format: in place of the name, also of a stream, for which the memory grows; "-" is stdin.
- * Returns an exit_code; a file without a triangle is a failure. On success mesh_free gives the memory back.
+ * threads: that work on it, 1 to THREADS_MAX; the mesh is the same for any number. Returns an exit_code; a file without a triangle is
+ * a failure. On success mesh_free gives the memory back.
  */
-int mesh_read_as(const char *path, triangle_format format, mesh *m);
+int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m);
 
 /* The same, but numbers of a text stay doubles even where floats would do. */
-int mesh_read_wide(const char *path, triangle_format format, mesh *m);
+int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m);
 
-/* The same, by its name, as floats in any case. */
+/* The same, by its name and one thread, as floats in any case. */
 int mesh_read(const char *path, mesh *m);
 
 /* Makes a mesh of doubles one of floats, rounded once after the origin is subtracted. Returns an exit_code. */
@@ -46,11 +48,27 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m);
 /* Makes room for triangles as floats, for which the readers ask. No triangles at all are a failure. Returns an exit_code. */
 int mesh_make_room(const char *path, uint64_t count, mesh *m);
 
+/* The same in silence: for at least one triangle. Returns false where there is no memory. */
+bool mesh_take_room(uint64_t count, mesh *m);
+
+/* Makes room for at least a block more. What the header of a stream promises is not believed. Returns an exit_code. */
+int mesh_more_room(const char *name, mesh *m);
+
+/* Where triangle `first` goes: x of the three vertices, then y, then z. */
+void mesh_streams(const mesh *m, size_t first, float *to[9]);
+
+/* Gives the room back. */
+void mesh_drop_floats(mesh *m);
+
 /* Makes it a mesh of doubles. Memory for free() goes over to it; corners: NULL for 0, 1, 2, ... */
 void mesh_set_doubles(double *positions, size_t vertices, uint32_t *corners, size_t triangles, mesh *m);
 
 /* The bounds of its finite triangles; false where there are none. */
-bool mesh_bounds(const mesh *m, tribox_box *bounds);
+static inline bool mesh_bounds(const mesh *m, tribox_box *bounds)
+{
+    *bounds = m->bounds;
+    return bounds->lo[0] <= bounds->hi[0];
+}
 
 /* Says on standard error which triangles are not finite, missing or cut badly, and which vertices are rounded. */
 void mesh_warn(const char *path, const mesh *m);

@@ -7,7 +7,4 @@
 /* Rounds the positions to floats, in place, after the origin is subtracted, and counts those that this has moved. */
 void mesh_round(const double origin[3], mesh *m);
 
-/* The number of triangles with a NaN or infinite coordinate, and the first of them. */
-size_t mesh_doubles_not_finite(const mesh *m, size_t *first);
-
 #endif

@@ -8,6 +8,7 @@
 #include "console/message.h"
 #include "console/numbers.h"
 #include "mesh_doubles.h"
+#include "mesh_look.h"
 
 int mesh_shift_read(const char *text, mesh_shift *shift)
 {
@@ -71,11 +72,11 @@ static int subtract(const char *path, const double by[3], mesh *m)
     return fits_float(positions, 3 * m->doubles.vertices) ? mesh_to_floats(path, (const double[3]){0, 0, 0}, m) : EXIT_CODE_OK;
 }
 
-int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, mesh *m)
+int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh *m)
 {
     if (!shift->is_wanted)
-        return mesh_read_as(path, format, m);
-    int code = mesh_read_wide(path, format, m);
+        return mesh_read_as(path, format, threads, m);
+    int code = mesh_read_wide(path, format, threads, m);
     if (code)
         return code;
     if (shift->is_auto) {
@@ -86,7 +87,7 @@ int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shif
     code = subtract(path, shift->by, m);
     if (code)
         mesh_free(m);
-    else if (m->is_double)
-        m->not_finite = mesh_doubles_not_finite(m, &m->first_not_finite);
+    else
+        mesh_look_all(threads, m);
     return code;
 }

@@ -17,7 +17,7 @@ int mesh_shift_read(const char *text, mesh_shift *shift);
  * mesh_read_as, and subtracts the shift from all positions, in double; the mesh is one of floats where float holds the differences.
  * auto: round numbers near the lower corner of the mesh, in units of a power of ten that its longest side does not exceed.
  */
-int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, mesh *m);
+int mesh_read_shifted(const char *path, triangle_format format, mesh_shift *shift, unsigned threads, mesh *m);
 
 /* What auto chooses for a mesh of these bounds. */
 void mesh_shift_choose(const tribox_box *bounds, double by[3]);

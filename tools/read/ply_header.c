@@ -8,6 +8,9 @@
 #include "console/message.h"
 #include "words.h"
 
+/* Silent without a path. */
+#define REFUSE(...) (path ? message_failure(__VA_ARGS__) : EXIT_CODE_FAILURE)
+
 enum { LINE_SHOWN = 60 };
 
 static const struct {
@@ -133,10 +136,10 @@ static int check_elements(const char *path, const ply_header *h)
     for (int i = 0; i < h->element_count; i++) {
         const ply_element *e = &h->elements[i];
         if (e->kind != PLY_OTHER && seen[e->kind]++)
-            return message_failure("%s: not a sound PLY file: its header has '%.*s' twice", path, e->name_length, e->name);
+            return REFUSE("%s: not a sound PLY file: its header has '%.*s' twice", path, e->name_length, e->name);
         if (e->count && lacking(e))
-            return message_failure("%s: not a sound PLY file: the header promises %" PRIu64 " of '%.*s' %s", path, e->count,
-                                   e->name_length, e->name, lacking(e));
+            return REFUSE("%s: not a sound PLY file: the header promises %" PRIu64 " of '%.*s' %s", path, e->count, e->name_length,
+                          e->name, lacking(e));
     }
     return EXIT_CODE_OK;
 }
@@ -144,8 +147,8 @@ static int check_elements(const char *path, const ply_header *h)
 static int refuse_line(const char *path, const char *line)
 {
     const size_t length = strcspn(line, "\r\n");
-    return message_failure("%s: not a sound PLY file: '%.*s' in its header is not understood", path,
-                           length < LINE_SHOWN ? (int)length : LINE_SHOWN, line);
+    return REFUSE("%s: not a sound PLY file: '%.*s' in its header is not understood", path,
+                  length < LINE_SHOWN ? (int)length : LINE_SHOWN, line);
 }
 
 int ply_header_read(const char *path, const whole_file *file, ply_header *h)
@@ -154,7 +157,7 @@ int ply_header_read(const char *path, const whole_file *file, ply_header *h)
     bool has_format = false;
     h->element_count = h->property_count = 0;
     if (!words_next(&w) || w.word != file->bytes || !words_is(&w, "ply"))
-        return message_failure("%s: not a PLY file: it does not begin with 'ply'", path);
+        return REFUSE("%s: not a PLY file: it does not begin with 'ply'", path);
     while (words_next(&w) && !words_is(&w, "end_header")) {
         const char *const line = w.word;
         has_format |= words_is(&w, "format");
@@ -166,9 +169,9 @@ int ply_header_read(const char *path, const whole_file *file, ply_header *h)
             return refuse_line(path, line);
     }
     if (!words_is(&w, "end_header"))
-        return message_failure("%s: truncated: the PLY header does not end", path);
+        return REFUSE("%s: truncated: the PLY header does not end", path);
     if (!has_format)
-        return message_failure("%s: not a sound PLY file: its header does not say which format it has", path);
+        return REFUSE("%s: not a sound PLY file: its header does not say which format it has", path);
     /* One line end follows. Where lines end in CR alone, the first value may begin with the byte of LF. */
     const size_t line_end = file->bytes[3] == '\r' && file->bytes[4] == '\n' ? 2 : 1;
     const size_t left = (size_t)(w.end - w.at);

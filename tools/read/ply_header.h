@@ -52,7 +52,7 @@ typedef struct ply_header {
     size_t size; /* bytes up to the first value */
 } ply_header;
 
-/* Reads and checks the header. The file has to outlive it. Returns an exit_code. */
+/* Reads and checks the header. path: NULL to say nothing of what is wrong. The file has to outlive it. Returns an exit_code. */
 int ply_header_read(const char *path, const whole_file *file, ply_header *header);
 
 size_t ply_type_size(ply_type type);

@@ -14,7 +14,7 @@
 #include "files/named_file.h"
 #include "tribox.h"
 
-enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50, RECORD_MAX = 8 * NUMBERS };
+enum { NUMBERS = 9, STL_HEADER = 84, STL_COUNT_AT = 80, STL_RECORD = 50 };
 
 /* The bytes of a triangle, and where in them its numbers begin. */
 static const struct {
@@ -106,6 +106,7 @@ static int open_stl(triangle_file *file, bool is_given)
         return message_failure("%s: cannot read the mesh: %s", file->name, strerror(errno));
     if (!got)
         return message_failure("%s: the file is empty", file->name);
+    file->start = sizeof header;
     file->promised = got < sizeof header ? 0 : little_get32(header + STL_COUNT_AT);
     const uint64_t due = STL_HEADER + STL_RECORD * file->promised; /* 38 bits at most */
     if (is_text(header, got) && file->size != due)
@@ -140,15 +141,15 @@ int triangle_file_open(const char *path, triangle_format format, triangle_file *
         code = file->format == TRIANGLES_STL ? open_stl(file, is_given) : open_raw(file);
     if (code || !file->stream)
         return code;
-    file->bytes = malloc(TRIANGLE_BLOCK * RECORD_MAX);
+    file->bytes = malloc(TRIANGLE_BLOCK_BYTES);
     return file->bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", file->name);
 }
 
 /* Says after how many triangles the file ends too soon. */
-static int refuse_end(const triangle_file *file, size_t got, int error)
+static int refuse_end(const triangle_file *file, uint64_t taken, size_t got, int error)
 {
     const size_t record = formats[file->format].record;
-    const uint64_t whole = file->taken + got / record;
+    const uint64_t whole = taken + got / record;
     if (error)
         return message_failure("%s: cannot read the mesh after %" PRIu64 " triangles: %s", file->name, whole, strerror(error));
     char promise[48] = "";
@@ -160,65 +161,90 @@ static int refuse_end(const triangle_file *file, size_t got, int error)
 }
 
 /* Turns records into the floats or doubles of this machine, in place. */
-static void unpack(triangle_file *file, size_t count)
+static void turn_records(triangle_format format, size_t count, unsigned char *bytes)
 {
-    const size_t record = formats[file->format].record, at = formats[file->format].numbers_at;
-    for (size_t i = 0; file->format != TRIANGLES_F64 && i < count; i++)
+    const size_t record = formats[format].record, at = formats[format].numbers_at;
+    for (size_t i = 0; format != TRIANGLES_F64 && i < count; i++)
         for (size_t k = 0; k < NUMBERS; k++) {
-            const uint32_t bits = little_get32(file->bytes + i * record + at + 4 * k);
-            memcpy(file->bytes + 4 * (i * NUMBERS + k), &bits, sizeof bits);
+            const uint32_t bits = little_get32(bytes + i * record + at + 4 * k);
+            memcpy(bytes + 4 * (i * NUMBERS + k), &bits, sizeof bits);
         }
-    for (size_t k = 0; file->format == TRIANGLES_F64 && k < NUMBERS * count; k++) {
-        const uint64_t bits = little_get64(file->bytes + 8 * k);
-        memcpy(file->bytes + 8 * k, &bits, sizeof bits);
+    for (size_t k = 0; format == TRIANGLES_F64 && k < NUMBERS * count; k++) {
+        const uint64_t bits = little_get64(bytes + 8 * k);
+        memcpy(bytes + 8 * k, &bits, sizeof bits);
     }
 }
 
 static int check_end(const triangle_file *file)
 {
-    if (getc(file->stream) == EOF)
+    size_t got = 0;
+    unsigned char more;
+    if (file->is_sized)
+        named_file_read_at(file->stream, file->size, &more, 1, &got);
+    if (file->is_sized ? !got : getc(file->stream) == EOF)
         return EXIT_CODE_OK;
     return message_failure("%s: has bytes after the %" PRIu64 " triangles that its header promises; write it again", file->name,
                            file->promised);
 }
 
-/* Reads the next block into file->bytes. */
-static int read_block(triangle_file *file, size_t *count)
+/* What a stream has next. */
+static int read_stream(const triangle_file *file, triangle_block *block)
 {
-    const size_t record = formats[file->format].record;
-    const uint64_t left = file->promised - file->taken;
-    const size_t wanted = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
-    *count = 0;
-    if (!wanted)
-        return check_end(file);
+    const size_t record = formats[file->format].record, wanted = block->count * record;
     errno = 0;
-    const size_t got = fread(file->bytes, 1, wanted * record, file->stream);
+    const size_t got = fread(block->bytes, 1, wanted, file->stream);
     const int error = ferror(file->stream) ? errno : 0;
-    if (error || got % record || (got < wanted * record && file->promised != UINT64_MAX))
-        return refuse_end(file, got, error);
-    *count = got / record;
-    file->taken += *count;
-    unpack(file, *count);
+    if (error || got % record || (got < wanted && file->promised != UINT64_MAX))
+        return refuse_end(file, file->taken, got, error);
+    block->count = got / record;
     return EXIT_CODE_OK;
 }
 
-int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count)
+int triangle_file_find(triangle_file *file, triangle_block *block)
 {
-    const int code = read_block(file, count);
+    const uint64_t left = file->promised - file->taken;
+    block->first = file->taken;
+    block->count = left < TRIANGLE_BLOCK ? (size_t)left : TRIANGLE_BLOCK;
+    const int code = !block->count ? check_end(file) : file->is_sized ? EXIT_CODE_OK : read_stream(file, block);
+    file->taken += code ? 0 : block->count;
+    return code;
+}
+
+static int read_at(const triangle_file *file, triangle_block *block)
+{
+    const size_t record = formats[file->format].record;
+    size_t got;
+    const bool is_read =
+        named_file_read_at(file->stream, file->start + block->first * record, block->bytes, block->count * record, &got);
+    return is_read && got == block->count * record ? EXIT_CODE_OK : refuse_end(file, block->first, got, is_read ? 0 : errno);
+}
+
+int triangle_file_unpack(const triangle_file *file, triangle_block *block, float *const streams[9], double *positions)
+{
+    const int code = file->is_sized ? read_at(file, block) : EXIT_CODE_OK;
     if (code)
         return code;
-    const tribox_mesh block = {.positions = file->bytes, .vertices = 3 * *count, .count = *count};
-    const tribox_status status = tribox_mesh_to_soup(&block, NULL, 0, *count, NULL, streams, streams + 3, streams + 6);
+    turn_records(file->format, block->count, block->bytes);
+    if (positions) {
+        memcpy(positions, block->bytes, block->count * NUMBERS * sizeof *positions);
+        return EXIT_CODE_OK;
+    }
+    const tribox_mesh all = {.positions = block->bytes, .vertices = 3 * block->count, .count = block->count};
+    const tribox_status status = tribox_mesh_to_soup(&all, NULL, 0, block->count, NULL, streams, streams + 3, streams + 6);
     return message_status(status);
 }
 
-int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count)
+static int next(triangle_file *file, float *const streams[9], double *positions, size_t *count)
 {
-    const int code = read_block(file, count);
-    if (!code)
-        memcpy(positions, file->bytes, *count * NUMBERS * sizeof *positions);
-    return code;
+    triangle_block block = {.bytes = file->bytes};
+    const int code = triangle_file_find(file, &block);
+    *count = code ? 0 : block.count;
+    return *count ? triangle_file_unpack(file, &block, streams, positions) : code;
 }
+
+int triangle_file_next(triangle_file *file, float *const streams[9], size_t *count) { return next(file, streams, NULL, count); }
+
+int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count) { return next(file, NULL, positions, count); }
 
 void triangle_file_close(triangle_file *file)
 {

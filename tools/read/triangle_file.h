@@ -25,8 +25,18 @@ typedef struct triangle_file {
     uint64_t size;        /* bytes; UINT64_MAX where it is unknown */
     uint64_t promised;    /* triangles that should follow; UINT64_MAX where it is unknown */
     uint64_t taken;       /* triangles read so far */
+    uint64_t start;       /* where in a regular file the first of them stands */
     unsigned char *bytes; /* of a block, as they are in the file */
 } triangle_file;
+
+/* Triangles that follow each other in a file. */
+typedef struct triangle_block {
+    uint64_t first;
+    size_t count;
+    unsigned char *bytes; /* TRIANGLE_BLOCK_BYTES of them */
+} triangle_block;
+
+enum { TRIANGLE_BLOCK_BYTES = TRIANGLE_BLOCK * 72 };
 
 /* Reads a format by its name, "stl", "f32" or "f64". Returns an exit_code. */
 int triangle_format_read(const char *text, triangle_format *format);
@@ -52,6 +62,13 @@ int triangle_file_next(triangle_file *file, float *const streams[9], size_t *cou
 
 /* The same for a file of doubles: x, y, z of the three vertices of each triangle. */
 int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count);
+
+/*
+ * The same in two steps, for threads that have a block each: what is next is found by one thread at a time, block->count is 0 after
+ * the last; and is read from a regular file, and unpacked into streams, or positions where they are not NULL, by all at once.
+ */
+int triangle_file_find(triangle_file *file, triangle_block *block);
+int triangle_file_unpack(const triangle_file *file, triangle_block *block, float *const streams[9], double *positions);
 
 void triangle_file_close(triangle_file *file);
 

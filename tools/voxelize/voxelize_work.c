@@ -88,7 +88,7 @@ static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
     mesh m;
     mesh_shift shift = r->from.shift;
     const char *const name = triangle_file_name(r->from.mesh_path);
-    int code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, &m);
+    int code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, &m);
     if (code)
         return code;
     voxelize_input in = {.mesh = &m};

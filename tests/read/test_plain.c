@@ -1,0 +1,360 @@
+/*
+ * test_plain.c - whatever the fast way reads, the way that knows every spelling reads as well, and both make the same mesh, bit for bit:
+ * for any number of threads, and parts of a text that begin at any byte.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "console/message.h"
+#include "read/mesh_ways.h"
+
+static char folder[] = "/tmp/tribox-plain-XXXXXX";
+static char path[64];
+
+static void write_file(const char *name, const void *bytes, size_t size)
+{
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *const file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+static bool is_same(const mesh *a, const mesh *b)
+{
+    bool same = a->triangles == b->triangles && a->is_double == b->is_double && a->left_out == b->left_out &&
+                a->miscut == b->miscut && a->not_finite == b->not_finite && a->first_not_finite == b->first_not_finite &&
+                a->doubles.vertices == b->doubles.vertices && !memcmp(&a->bounds, &b->bounds, sizeof a->bounds);
+    for (size_t t = 0; same && t < a->triangles; t++) {
+        double u[9], v[9];
+        mesh_triangle(a, t, u);
+        mesh_triangle(b, t, v);
+        same = !memcmp(u, v, sizeof u);
+    }
+    return same;
+}
+
+/* The bounds and the triangles that are not finite, one after another. */
+static bool is_looked_at_well(const mesh *m)
+{
+    tribox_box bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    size_t not_finite = 0, first = m->triangles;
+    for (size_t t = 0; t < m->triangles; t++) {
+        double u[9];
+        bool is_finite = true;
+        mesh_triangle(m, t, u);
+        for (int c = 0; c < 9; c++)
+            is_finite &= isfinite(u[c]) != 0;
+        first = is_finite || not_finite ? first : t;
+        not_finite += !is_finite;
+        for (int c = 0; is_finite && c < 9; c++) {
+            bounds.lo[c % 3] = u[c] < bounds.lo[c % 3] ? u[c] : bounds.lo[c % 3];
+            bounds.hi[c % 3] = u[c] > bounds.hi[c % 3] ? u[c] : bounds.hi[c % 3];
+        }
+    }
+    return not_finite == m->not_finite && first == m->first_not_finite && !memcmp(&bounds, &m->bounds, sizeof bounds);
+}
+
+/* Reads the last file each way. Returns whether the fast way did. */
+static bool compare(const mesh *slow, int code, bool is_wide, unsigned threads, size_t part)
+{
+    mesh plain = {.coordinates = NULL};
+    const bool is_plain = mesh_read_plain(path, is_wide, threads, part, &plain);
+    if (is_plain && (code || !is_same(&plain, slow) || !is_looked_at_well(&plain)))
+        fail_msg("%s: %u threads and parts of %zu bytes make another mesh", path, threads, part);
+    mesh_free(&plain);
+    return is_plain;
+}
+
+typedef enum due { SLOWLY, FAST, EITHER /* as the parts fall */ } due;
+
+/* With parts of every size up to that of the text, and threads. */
+static void check(const char *name, const char *text, size_t size, due how)
+{
+    static const unsigned threads[] = {1, 2, 7};
+    write_file(name, text, size);
+    for (int is_wide = 0; is_wide < 2; is_wide++) {
+        mesh slow = {.coordinates = NULL};
+        const int code = mesh_read_slowly(path, is_wide, 1, &slow);
+        for (size_t part = 1; part <= size + 1; part += 1 + part / 97)
+            for (int t = 0; t < 3; t++)
+                if (compare(&slow, code, is_wide, threads[t], part) != (how == FAST) && how != EITHER)
+                    fail_msg("%s: %u threads and parts of %zu bytes: read %s\n%.300s", path, threads[t], part,
+                             how == FAST ? "slowly" : "fast", text);
+        mesh_free(&slow);
+    }
+}
+
+static void check_text(const char *name, const char *text, due how) { check(name, text, strlen(text), how); }
+
+/* Every line end as it is written on another system, and the last one left away. */
+static void check_ends(const char *name, const char *text)
+{
+    char other[8192];
+    size_t size = 0;
+    for (const char *c = text; *c; c++) {
+        if (*c == '\n')
+            other[size++] = '\r';
+        other[size++] = *c;
+    }
+    check_text(name, text, FAST);
+    check(name, text, strlen(text) - 1, FAST);
+    check(name, other, size, FAST);
+    check(name, other, size - 2, FAST);
+}
+
+static void test_obj(void **state)
+{
+    (void)state;
+    check_ends("a.obj",
+               "# a comment\nmtllib x.mtl\nv 0 0 0\nv 1 0 0\nv\t0.1 1e-3\t-2\nvn 0 0 1\nvt 1 1\nf 1 2 3\n\nf 1/1 2/2 3/3 \n"
+               "f 1//1 2//1 3//1\n  f -1 -2 -3\ng part\nf 1/1/1 3/3/1 2/2/1\n");
+    check_ends(
+        "a.obj",
+        "f 1 2 3\nf 2 4 3\nv 0 0 0\nv 557820.15 5 1\nv -0 1.0000000000000002 1\nv 9007199254740993 1 1 0.5 0.5\np 1\nl 1 2\n");
+    check_ends("a.obj",
+               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.3 0.2 1\nf 1 2 3 4\nf 1 2\nf 5\nf -5 -4 -3 -2 -1\nv 9 9 9\nf 6 -1 1\n");
+}
+
+static void test_other_obj(void **state)
+{
+    static const char *const texts[] = {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nF 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3#c\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n",
+                                        "v 557820.15 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+                                        "v 557820.15 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n# x \\\nf 1 2 3\n",
+                                        "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n#x\rf 1 2 3\nf 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 1e-400\nf 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
+                                        "v 0 0 0\nv 1 0 0x1p4\nv 0 1 0\nf 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4294967299\n"};
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        check_text("a.obj", texts[i], SLOWLY);
+}
+
+#define PLY "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty uchar red\nproperty float y\n"
+#define PLY_FACES "property float z\nelement face 3\nproperty list uchar int vertex_indices\n"
+#define PLY_DOUBLES "property double z\nelement face 3\nproperty list uchar int vertex_indices\nproperty int flag\n"
+
+static void test_ply_text(void **state)
+{
+    (void)state;
+    check_ends("a.ply",
+               PLY PLY_FACES "end_header\n0 255 0 0\n1\t0 0.1 0 \n1 0 1e-3 -0.0\n 0 0 1 12345678901234567\n3 0 1 2\n3  3 2 1\n"
+                             "3 0 1 3 \nmore\n");
+    check_ends("a.ply", PLY PLY_DOUBLES "end_header\n0 255 0 0\n1 0 0 0.1\n1 x 1 0\n0 0 1 0.25\n4 0 1 2 3 7\n2 1 2 8\n3 0 1 3 9\n");
+    check_ends("a.ply", PLY PLY_FACES "end_header\n0 255 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 557820.15\n3 0 1 2\n0\n3 0 1 3\n");
+}
+
+static void test_other_ply_text(void **state)
+{
+    static const char *const texts[] = {
+        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n",
+        PLY PLY_FACES "end_header\n0 0 0 0 1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
+        PLY PLY_FACES "end_header\n\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
+        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 4\n3 0 1 2\n",
+        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2.0\n3 0 1 2\n",
+        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 inf\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
+        PLY PLY_FACES "element edge 1\nproperty int a\nend_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n",
+        PLY PLY_FACES "end_header\n0 0 0 0\n1 0 0 0\n1 0 1 0\n0 0 1 0\n3 0 1 2 3 0 1 2\n3 0 1 2\n"};
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        check_text("a.ply", texts[i], SLOWLY);
+}
+
+#define FACET(a) \
+    "  facet normal 0 0 1\n    outer loop\n      vertex " a " 0 0\n      vertex 1 0 -0\n\tvertex 0 1 0.1\n    endloop\n  " \
+    "endfacet\n"
+
+static void test_stl_text(void **state)
+{
+    (void)state;
+    check_ends("a.stl", "solid a b\n" FACET("0") FACET("1e2") FACET("-1234567890123456789e-18") "endsolid a b\n");
+    check_ends("a.stl", "solid\n" FACET("0") "endsolid\nsolid facet\n" FACET("1") FACET("557820.15") "endsolid facet\n\n");
+    check_ends("a.stl",
+               "solid a\nfacet normal nan nan nan outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n" FACET(
+                   "2") "endsolid\n");
+}
+
+static void test_other_stl_text(void **state)
+{
+    static const char *const texts[] = {"solid a\n" FACET("0") FACET("x") "endsolid\n",
+                                        "solid a\n" FACET("0") "FACET normal 0 0 0\n",
+                                        "solid a\n" FACET("0") FACET("1"),
+                                        "solid a\n" FACET("0") "endsolid\n" FACET("1"),
+                                        "solid a\nendsolid\n",
+                                        "solid a\n" FACET("0 0") "endsolid\n",
+                                        "Solid a\n" FACET("0") "EndSolid\n"};
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        check_text("a.stl", texts[i], SLOWLY);
+    check_text(
+        "a.stl",
+        "solid a\n" FACET("0") "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet " FACET("1")
+            FACET("2") "endsolid",
+        EITHER);
+    check_text(
+        "a.stl",
+        "solid a\n" FACET(
+            "0") "facet normal 0 0 1 outer loop vertex 0 0 0\nvertex 1 0 0 vertex 0 1 0\nendloop\n"
+                 "endfacet facet normal 0 0 1\nouter loop\nvertex 3 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" FACET("1")
+                     FACET("2") "endsolid",
+        EITHER);
+    check_text("a.stl", "solid a\nendsolid solid\nfacet normal 0 0 0\n" FACET("1") FACET("2") "endsolid", EITHER);
+}
+
+/* Numbers at which fast readers err, each as a coordinate of each format. */
+static void test_numbers(void **state)
+{
+    static const char *const numbers[] = {"9007199254740993",
+                                          "9007199254740992.5",
+                                          "0.30000001192092896",
+                                          "1.00000005960464477539",
+                                          "1.000000059604644775390625",
+                                          "2.2250738585072011e-308",
+                                          "4.9e-324",
+                                          "1e-46",
+                                          "3.4028236e38",
+                                          "1e39",
+                                          "1e400",
+                                          "-0",
+                                          "00000000000000000000000001",
+                                          "0.000000000000000000000000000001",
+                                          "1.17549435e-38",
+                                          "16777217",
+                                          "0.1",
+                                          "8388608.5",
+                                          "1e22",
+                                          "1e23",
+                                          "123456789012345678",
+                                          "+5",
+                                          ".5",
+                                          "5.",
+                                          "1E5",
+                                          "1e+05",
+                                          "1e00000005"};
+    char text[1024];
+    (void)state;
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        const char *const n = numbers[i];
+        snprintf(text, sizeof text, "v %s 0 1\nv 1 %s 0\nv 0 0 %s\nf 1 2 3\n", n, n, n);
+        write_file("n.obj", text, strlen(text));
+        for (int is_wide = 0; is_wide < 2; is_wide++) {
+            mesh slow = {.coordinates = NULL};
+            const int code = mesh_read_slowly(path, is_wide, 1, &slow);
+            compare(&slow, code, is_wide, 2, 16);
+            mesh_free(&slow);
+        }
+    }
+}
+
+static void put(unsigned char **to, const void *bytes, size_t size, bool is_turned)
+{
+    for (size_t i = 0; i < size; i++)
+        (*to)[i] = ((const unsigned char *)bytes)[is_turned ? size - 1 - i : i];
+    *to += size;
+}
+
+/* A binary PLY file of 9000 faces, more than a block; fault: at which of them something is unusual. */
+static size_t make_binary(const char *format, size_t count_bytes, uint32_t fault_count, uint32_t fault_corner, unsigned char *bytes)
+{
+    enum { VERTICES = 5000, FACES = 9000, FAULT = 5000 };
+    static const char *const types[] = {"", "uchar", "ushort", "", "int"};
+    const bool is_turned = !strcmp(format, "binary_big_endian");
+    unsigned char *to = bytes;
+    to += sprintf((char *)bytes,
+                  "ply\nformat %s 1.0\nelement vertex %d\nproperty uchar q\nproperty float z\nproperty float x\nproperty float y\n"
+                  "element face %d\nproperty short s\nproperty list %s uint vertex_index\nproperty uchar f\nend_header\n",
+                  format, VERTICES, FACES, types[count_bytes]);
+    for (int v = 0; v < VERTICES; v++) {
+        const float z[3] = {v == 77 ? -0.0f : (float)(v % 17), v == 4000 ? (float)1e30 * (float)1e30 : (float)v * 0.37f, -(float)v};
+        *to++ = 9;
+        for (int a = 0; a < 3; a++)
+            put(&to, &z[a], 4, is_turned);
+    }
+    for (uint32_t f = 0; f < FACES; f++) {
+        const uint32_t count = f == FAULT ? fault_count : 3;
+        const uint32_t corners[3] = {f % VERTICES, f * 7 % VERTICES, f == FAULT ? fault_corner : f * 13 % VERTICES};
+        put(&to, &(uint16_t){3}, 2, is_turned);
+        for (size_t b = 0; b < count_bytes; b++)
+            *to++ = (unsigned char)(count >> 8 * (is_turned ? count_bytes - 1 - b : b));
+        for (uint32_t k = 0; k < 3; k++)
+            put(&to, &corners[k], 4, is_turned);
+        *to++ = (unsigned char)f;
+    }
+    return (size_t)(to - bytes);
+}
+
+static void check_binary(const char *format, size_t count_bytes, uint32_t count, uint32_t corner, size_t cut, bool is_due)
+{
+    static unsigned char bytes[1 << 19];
+    const size_t size = make_binary(format, count_bytes, count, corner, bytes);
+    mesh slow = {.coordinates = NULL};
+    write_file("b.ply", bytes, size - cut);
+    const int code = mesh_read_slowly(path, false, 1, &slow);
+    for (unsigned threads = 1; threads < 8; threads += threads)
+        assert_int_equal(compare(&slow, code, false, threads, 1 << 18), is_due);
+    mesh_free(&slow);
+}
+
+static void test_ply_binary(void **state)
+{
+    (void)state;
+    for (size_t count_bytes = 1; count_bytes <= 4; count_bytes *= 2) {
+        check_binary("binary_little_endian", count_bytes, 3, 0, 0, true);
+        check_binary("binary_big_endian", count_bytes, 3, 0, 0, true);
+        check_binary("binary_little_endian", count_bytes, 4, 0, 0, false);
+        check_binary("binary_little_endian", count_bytes, 2, 0, 0, false);
+        check_binary("binary_big_endian", count_bytes, 3, 5000, 0, false);
+        check_binary("binary_little_endian", count_bytes, 3, UINT32_MAX, 0, false);
+        check_binary("binary_little_endian", count_bytes, 3, 0, 1, false);
+    }
+    check_binary("binary_little_endian", 2, 3 + 256, 0, 0, false);
+    check_binary("binary_big_endian", 4, 3 + 65536, 0, 0, false);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    message_set_program("test"); /* the slow way says why it refuses, which is as it should be */
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    static const char *const names[] = {"a.obj", "a.ply", "a.stl", "n.obj", "b.ply"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+        unlink(path);
+    }
+    return rmdir(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_obj),      cmocka_unit_test(test_other_obj),
+                                       cmocka_unit_test(test_ply_text), cmocka_unit_test(test_other_ply_text),
+                                       cmocka_unit_test(test_stl_text), cmocka_unit_test(test_other_stl_text),
+                                       cmocka_unit_test(test_numbers),  cmocka_unit_test(test_ply_binary)};
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

@@ -1,0 +1,156 @@
+/* mesh_look.c - looks at floats in lanes, eight triangles at once, and one by one only where some are not finite. */
+#include "mesh_look.h"
+
+#include <math.h>
+#include <pthread.h>
+
+#include "turns.h"
+
+enum { LANES = 8, BLOCK = 4096 };
+
+typedef struct lanes {
+    float lo[LANES], hi[LANES], sound[LANES]; /* sound: 0, or NaN where something is not finite */
+} lanes;
+
+mesh_look mesh_look_none(void)
+{
+    return (mesh_look){.first = SIZE_MAX, .bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
+}
+
+static void add_number(double number, int axis, tribox_box *bounds)
+{
+    bounds->lo[axis] = number < bounds->lo[axis] ? number : bounds->lo[axis];
+    bounds->hi[axis] = number > bounds->hi[axis] ? number : bounds->hi[axis];
+}
+
+static bool is_finite_nine(const double u[9])
+{
+    bool is_finite = true;
+    for (int c = 0; c < 9; c++)
+        is_finite &= isfinite(u[c]) != 0;
+    return is_finite;
+}
+
+static void look_at_each(const mesh *m, size_t first, size_t count, mesh_look *look)
+{
+    for (size_t t = first; t < first + count; t++) {
+        double u[9];
+        mesh_triangle(m, t, u);
+        if (!is_finite_nine(u)) {
+            look->not_finite++;
+            look->first = t < look->first ? t : look->first;
+            continue;
+        }
+        for (int c = 0; c < 9; c++)
+            add_number(u[c], c % 3, &look->bounds);
+    }
+}
+
+static void look_at_stream(const float *numbers, size_t count, lanes *found)
+{
+    lanes l = *found;
+    for (size_t i = 0; i + LANES <= count; i += LANES)
+        for (int k = 0; k < LANES; k++) {
+            const float number = numbers[i + (size_t)k];
+            l.lo[k] = number < l.lo[k] ? number : l.lo[k];
+            l.hi[k] = number > l.hi[k] ? number : l.hi[k];
+            l.sound[k] += number * 0;
+        }
+    *found = l;
+}
+
+/* Returns false, with nothing added, where something is not finite. count: a multiple of LANES. */
+static bool look_in_lanes(const mesh *m, size_t first, size_t count, mesh_look *look)
+{
+    const float *const *const streams[3] = {m->soup.x, m->soup.y, m->soup.z};
+    lanes axes[3];
+    float sound = 0;
+    for (int a = 0; a < 3; a++) {
+        for (int k = 0; k < LANES; k++) {
+            axes[a].lo[k] = INFINITY;
+            axes[a].hi[k] = -INFINITY;
+            axes[a].sound[k] = 0;
+        }
+        for (int v = 0; v < 3; v++)
+            look_at_stream(streams[a][v] + first, count, &axes[a]);
+        for (int k = 0; k < LANES; k++)
+            sound += axes[a].sound[k];
+    }
+    for (int a = 0; sound == 0 && a < 3; a++)
+        for (int k = 0; k < LANES; k++) {
+            add_number((double)axes[a].lo[k], a, &look->bounds);
+            add_number((double)axes[a].hi[k], a, &look->bounds);
+        }
+    return sound == 0;
+}
+
+void mesh_look_at(const mesh *m, size_t first, size_t count, mesh_look *look)
+{
+    const size_t whole = m->is_double ? 0 : count / LANES * LANES;
+    const size_t done = whole && look_in_lanes(m, first, whole, look) ? whole : 0;
+    look_at_each(m, first + done, count - done, look);
+}
+
+void mesh_look_join(const mesh_look *part, mesh_look *all)
+{
+    all->not_finite += part->not_finite;
+    all->first = part->first < all->first ? part->first : all->first;
+    for (int a = 0; a < 3 && part->bounds.lo[0] <= part->bounds.hi[0]; a++) {
+        add_number(part->bounds.lo[a], a, &all->bounds);
+        add_number(part->bounds.hi[a], a, &all->bounds);
+    }
+}
+
+/* 0 and -0 are equal, and which of them comes first in the mesh is what counts, whichever thread met it. */
+static double first_zero(const mesh *m, int axis)
+{
+    for (size_t t = 0; t < m->triangles; t++) {
+        double u[9];
+        mesh_triangle(m, t, u);
+        for (int c = axis; c < 9; c += 3)
+            if (u[c] == 0 && is_finite_nine(u))
+                return u[c];
+    }
+    return 0;
+}
+
+void mesh_look_keep(const mesh_look *all, mesh *m)
+{
+    m->not_finite = all->not_finite;
+    m->first_not_finite = all->not_finite ? all->first : m->triangles;
+    m->bounds = all->bounds;
+    for (int a = 0; a < 3; a++) {
+        if (m->bounds.lo[a] == 0)
+            m->bounds.lo[a] = first_zero(m, a);
+        if (m->bounds.hi[a] == 0)
+            m->bounds.hi[a] = first_zero(m, a);
+    }
+}
+
+typedef struct looking {
+    const mesh *m;
+    pthread_mutex_t lock; /* of what follows */
+    mesh_look all;
+} looking;
+
+static bool look_in_turn(void *data, unsigned thread, size_t turn)
+{
+    looking *const l = data;
+    (void)thread;
+    const size_t first = turn * BLOCK, left = l->m->triangles - first;
+    mesh_look own = mesh_look_none();
+    mesh_look_at(l->m, first, left < BLOCK ? left : BLOCK, &own);
+    pthread_mutex_lock(&l->lock);
+    mesh_look_join(&own, &l->all);
+    pthread_mutex_unlock(&l->lock);
+    return true;
+}
+
+void mesh_look_all(unsigned threads, mesh *m)
+{
+    looking l = {.m = m, .all = mesh_look_none()};
+    pthread_mutex_init(&l.lock, NULL);
+    turns_run(threads, (m->triangles + BLOCK - 1) / BLOCK, look_in_turn, &l);
+    pthread_mutex_destroy(&l.lock);
+    mesh_look_keep(&l.all, m);
+}
