@@ -1,4 +1,7 @@
-"""Makes tribox/_ffi.py from the public headers, so that the interface is declared in one place: declarations.py HEADER ... OUTPUT"""
+"""Makes tribox/_ffi.py from the public headers, so that the interface is declared in one place.
+
+    declarations.py HEADER ... OUTPUT
+"""
 
 import os
 import re

@@ -1,11 +1,13 @@
-"""A partition into a Zarr array of packed cells, with Dask: python3 dask_zarr.py PARTITION OUT.zarr [--workers N] [--timeout S]
+"""A mesh into a Zarr array of packed cells, with Dask: python3 dask_zarr.py MESH RESOLUTION OUT.zarr [--workers N] [--pieces N]
 
-PARTITION is a folder that `tribox partition MESH --resolution N -o PARTITION` wrote. Word [k, j, i // 64] of the array has cell
-(i, j, k) as its bit i % 64, as Voxels.words has it; chunks without cells are not stored.
+Word [k, j, i // 64] of the array has cell (i, j, k) as its bit i % 64, as Voxels.words has it; chunks without cells are not stored.
 
-A tile is a chunk and a task owns its chunks: it reads its triangles from the partition, asks no other task, and writes each chunk
-whole, so that a task which a killed worker had begun is simply run again. OUT.zarr appears when all tasks have ended; a run that is
-killed, or takes longer than the timeout, leaves OUT.zarr.draft-* at most.
+The shuffle goes through files, on a disk that all workers see: each task sorts its piece of the mesh by tiles into a folder; then
+each reads its tiles from the folders of all pieces. None asks another for what it holds, so that nobody waits for one that is gone.
+A tile is a chunk and a task owns its chunks and writes each whole: a task that a killed worker had begun is run again. OUT.zarr
+appears when all have ended. What a run that ends before leaves in OUT.zarr.jobs, the same command goes on with.
+
+Workers import pieces.py: on other machines it has to be on their PYTHONPATH.
 """
 
 import argparse
@@ -15,44 +17,73 @@ import os
 import shutil
 
 import numpy as np
+import pieces
 import tribox
 import zarr
 from dask.distributed import Client, LocalCluster
 
-SHARES_EACH = 8  # of each worker: what is lost with a worker, and how long others wait for the last
+
+def bounds_of(mesh, number, count):
+    return pieces.bounds(pieces.read(mesh, number, count))
 
 
-def voxelize_share(partition, path, share):
-    """The task: writes the chunks of its tiles; returns how many cells they have."""
-    partition.check(share)
-    array, cells = zarr.open(path, mode="r+", write_empty_chunks=True), 0  # none is empty: it need not look
-    first, count = share
-    for number in partition.numbers[np.isin(partition.numbers, range(first, first + count))].tolist():
-        voxels = partition.voxelize(number)
-        some, words, (i, j, k) = voxels.sum(), voxels.words, voxels.window[0]
-        if some:
-            array[k:k + words.shape[0], j:j + words.shape[1], i // 64:i // 64 + words.shape[2]] = words
-            cells += some
-    return cells
+def sort_piece(mesh, number, count, folder, grid):
+    pieces.sort(pieces.read(mesh, number, count), folder, grid)
+    return folder
 
 
-def new_array(partition, path):
-    nx, ny, nz = partition.grid.size
-    side = partition.side
-    array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(side, side, side // 64), dtype="<u8", fill_value=0)
-    array.attrs.update(origin=partition.grid.origin, cell=partition.grid.cell, size=partition.grid.size)
+def tiles_of(folders, number, count):
+    """The tiles of a share: (window, triangles) of each. Every count-th of all, as neighbours take equally long."""
+    parts = [tribox.Partition(folder) for folder in folders]
+    for tile in np.unique(np.concatenate([part.numbers for part in parts])).tolist()[number - 1::count]:
+        for part in parts:
+            part.check((tile, 1))
+        yield parts[0].window(tile), np.concatenate([part.triangles(tile) for part in parts])
 
 
-def with_dask(partition, path, workers):
-    """Runs the tasks; returns how many cells all have."""
+def voxelize_share(folders, number, count, path, grid):
+    """Writes the chunks of its tiles; returns how many cells they have, which a file says when they are there."""
+    done = f"{path}.done/{number}"
+    if not os.path.exists(done):
+        array, cells = zarr.open(path, mode="r+", write_empty_chunks=True), 0  # none is empty: it need not look
+        for ((i, j, k), size), triangles in tiles_of(folders, number, count):
+            voxels = tribox.voxelize(triangles, grid, window=((i, j, k), size))
+            words = voxels.words
+            if some := voxels.sum():
+                array[k:k + words.shape[0], j:j + words.shape[1], i // 64:i // 64 + words.shape[2]] = words
+                cells += some
+        pieces.put(done, str(cells).encode())
+    with open(done) as file:
+        return int(file.read())
+
+
+def make_array(path, grid, side=128):
+    """Makes it unless it is there."""
+    os.makedirs(f"{path}.done", exist_ok=True)
+    if not os.path.exists(f"{path}/.zattrs"):
+        shutil.rmtree(f"{path}.done"), os.mkdir(f"{path}.done")
+        nx, ny, nz = grid.size
+        array = zarr.open(path, mode="w", shape=(nz, ny, (nx + 63) // 64), chunks=(side, side, side // 64), dtype="<u8",
+                          fill_value=0)
+        array.attrs.update(origin=grid.origin, cell=grid.cell, size=grid.size)
+
+
+def run(each, mesh, resolution, count, jobs):
+    """All tasks, step by step. each: runs one for every number. Returns how many cells there are."""
+    grid = pieces.grid(each(bounds_of, [(mesh, n, count) for n in range(1, count + 1)]), resolution)
+    folders = each(sort_piece, [(mesh, n, count, f"{jobs}/{n}.tiles", grid) for n in range(1, count + 1)])
+    make_array(f"{jobs}/cells", grid)
+    return sum(each(voxelize_share, [(folders, n, count, f"{jobs}/cells", grid) for n in range(1, count + 1)]))
+
+
+@contextlib.contextmanager
+def dask(workers):
     # Workers come when they can: a cluster that is made with some waits for each, for ever where one dies on its way.
     cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=":0")
     client = Client(cluster)
     try:
         cluster.scale(workers)
-        tasks = [client.submit(voxelize_share, partition, path, share, retries=3, pure=False)
-                 for share in partition.shares(SHARES_EACH * workers)]
-        return sum(client.gather(tasks))
+        yield lambda task, calls: client.gather([client.submit(task, *call, retries=3, pure=False) for call in calls])
     finally:
         for part in client, cluster:  # which do not end either where a worker died on its way
             with contextlib.suppress(Exception):
@@ -60,25 +91,25 @@ def with_dask(partition, path, workers):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="A partition into a Zarr array of packed cells, with Dask.")
-    parser.add_argument("partition")
+    parser = argparse.ArgumentParser(description="A mesh into a Zarr array of packed cells, with Dask.")
+    parser.add_argument("mesh", help="binary .stl or .ply, .f32, .f64")
+    parser.add_argument("resolution", type=int)
     parser.add_argument("out")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes; 0: this one, without Dask")
+    parser.add_argument("--pieces", type=int, default=16, help="of the mesh, and shares of tiles: what is lost with a worker")
     parser.add_argument("--timeout", type=int, default=3600, help="seconds after which the run ends with an error")
     options = parser.parse_args()
     faulthandler.dump_traceback_later(options.timeout, exit=True)
-    partition, draft = tribox.Partition(options.partition), f"{options.out}.draft-{os.getpid()}"
     if os.path.exists(options.out):
         parser.error(f"{options.out} exists")
-    if partition.side % 64:
-        parser.error(f"tiles of {partition.side} cells are no chunks of whole words; make them of a multiple of 64")
-    new_array(partition, draft)
-    try:
-        whole = 0, partition.tile_count
-        cells = with_dask(partition, draft, options.workers) if options.workers else voxelize_share(partition, draft, whole)
-        os.rename(draft, options.out)
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
+    mesh, jobs = os.path.abspath(options.mesh), os.path.abspath(options.out) + ".jobs"
+    pieces.take_up(jobs, mesh, options.resolution, options.pieces)
+    here = contextlib.nullcontext(lambda task, calls: [task(*call) for call in calls])
+    with dask(options.workers) if options.workers else here as each:
+        cells = run(each, mesh, options.resolution, options.pieces, jobs)
+    shutil.rmtree(f"{jobs}/cells.done")  # first, as they say that the chunks are there
+    os.rename(f"{jobs}/cells", options.out)
+    shutil.rmtree(jobs)
     print(f"{cells} cells")
 
 

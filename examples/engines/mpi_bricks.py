@@ -1,23 +1,49 @@
-"""A partition into a file of bricks, with MPI: mpirun -n 4 python3 -m mpi4py mpi_bricks.py PARTITION OUT.npy
+"""A mesh into a file of bricks, with MPI: mpirun -n 4 python3 -m mpi4py mpi_bricks.py MESH RESOLUTION OUT.npy
 
-PARTITION is a folder that `tribox partition MESH --resolution N -o PARTITION` wrote, on a file system that all ranks see. OUT.npy
-has 76 bytes a brick: numpy.load(OUT.npy)["at"] and ["bits"] are as those of tribox.bricks, in the same order.
+OUT.npy has 76 bytes a brick: numpy.load(OUT.npy)["at"] and ["bits"] are as those of tribox.bricks, in the same order.
 
-Each rank has tiles of about equal work, reads their triangles alone, and writes its bricks after those of the ranks before it: an
-exclusive scan of their counts, and one collective write. OUT.npy appears when all ranks have written. A rank that is killed ends
-the run with an error, and so does one that fails, which is what `-m mpi4py` is for; then run it again. `mpirun --timeout S` limits
-its time.
+Each rank reads its piece of the mesh and sorts it by tiles; then all exchange triangles, so that each has those of its own tiles,
+of about equal work; it writes their bricks after those of the ranks before it, in one collective write. OUT.npy appears when all
+have written. A rank that is killed ends the run with an error, and so does one that fails, which is what `-m mpi4py` is for. The
+pieces that were sorted by then lie in OUT.npy.jobs, on a disk that all see: the same command goes on with them. `mpirun --timeout
+S` limits its time.
 """
 
 import io
 import os
+import shutil
 import sys
 
 import numpy as np
+import pieces
 import tribox
 from mpi4py import MPI
 
 BRICK = np.dtype([("at", "<u4", 3), ("bits", "<u8", 8)])
+
+
+def record(size):
+    """What is sent and written in counts of such records, as counts of bytes may be too large for MPI."""
+    return MPI.BYTE.Create_contiguous(size).Commit()
+
+
+def owners(world, part):
+    """All tiles that have triangles, and the rank that each is for: runs of about equal work."""
+    numbers, work = (np.concatenate(each) for each in zip(*world.allgather((part.numbers, part.work))))
+    numbers, place = np.unique(numbers, return_inverse=True)
+    work = np.bincount(place, work, len(numbers))
+    return numbers, ((np.cumsum(work) - work / 2) * world.size // max(1, work.sum())).astype(int)
+
+
+def exchange(world, part, numbers, owner):
+    """The triangles of this rank's tiles, of all ranks."""
+    tiles = [part.triangles(number) for number in part.numbers.tolist()]
+    send = np.concatenate([part.triangles(0)[:0], *tiles])  # by tile, so by rank
+    counts = np.bincount(owner[np.searchsorted(numbers, part.numbers)], list(map(len, tiles)), world.size).astype(int)
+    received = np.array(world.alltoall(counts.tolist()))
+    triangles, kind = np.empty((received.sum(), 3, 3), send.dtype), record(9 * send.itemsize)
+    world.Alltoallv([send, counts, np.cumsum(counts) - counts, kind], [triangles, received, np.cumsum(received) - received, kind])
+    return triangles
 
 
 def npy_header(count):
@@ -28,33 +54,41 @@ def npy_header(count):
 
 
 def write(world, path, records):
-    """Writes the records of all ranks, one rank after the other."""
+    """Writes the records of all ranks, one rank after the other; returns how many they are."""
     before, count = world.exscan(len(records)) or 0, world.allreduce(len(records))
-    header, record = npy_header(count), MPI.BYTE.Create_contiguous(BRICK.itemsize).Commit()
-    file = MPI.File.Open(world, path, MPI.MODE_CREATE | MPI.MODE_EXCL | MPI.MODE_WRONLY)
+    header = npy_header(count)
+    file = MPI.File.Open(world, path, MPI.MODE_CREATE | MPI.MODE_WRONLY)
+    file.Set_size(len(header) + count * BRICK.itemsize)
     if world.rank == 0:
         file.Write_at(0, header)
-    file.Write_at_all(len(header) + before * BRICK.itemsize, [records, len(records), record])
+    file.Write_at_all(len(header) + before * BRICK.itemsize, [records, len(records), record(BRICK.itemsize)])
     file.Close()
     return count
 
 
 def main():
-    folder, out = sys.argv[1:]
-    world = MPI.COMM_WORLD
+    mesh, resolution, out = sys.argv[1:]
+    world, jobs = MPI.COMM_WORLD, out + ".jobs"
     if os.path.exists(out):
         sys.exit(f"{out} exists")
-    partition = tribox.Partition(folder)
-    share = partition.shares(world.size)[world.rank]
-    partition.check(share)
-    bricks = partition.bricks(share)
+    if world.rank == 0:
+        pieces.take_up(jobs, mesh, resolution, world.size, "ranks")
+    world.Barrier()
+    piece = pieces.read(mesh, world.rank + 1, world.size)
+    grid = pieces.grid(world.allgather(pieces.bounds(piece)), int(resolution))
+    part = pieces.sort(piece, f"{jobs}/{world.rank + 1}.tiles", grid)
+    part.check()
+    numbers, owner = owners(world, part)
+    mine = numbers[owner == world.rank]
+    tiles = (int(mine[0]), int(mine[-1] - mine[0] + 1)) if len(mine) else (0, 0)
+    bricks = tribox.bricks(exchange(world, part, numbers, owner), grid, tiles=tiles)
     records = np.empty(len(bricks.at), BRICK)
     records["at"], records["bits"] = bricks.at, bricks.bits
-    draft = world.bcast(f"{out}.draft-{os.getpid()}")
-    count = write(world, draft, records)
+    count = write(world, f"{jobs}/bricks", records)
     world.Barrier()
     if world.rank == 0:
-        os.rename(draft, out)
+        os.rename(f"{jobs}/bricks", out)
+        shutil.rmtree(jobs)
         print(f"{count} bricks of {world.size} ranks")
 
 

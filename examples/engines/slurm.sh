@@ -1,52 +1,53 @@
 #!/bin/sh
-# A mesh into bricks on a Slurm cluster: one job that sorts it by tiles, an array of shards, and a merge when all of them are there.
+# A mesh into bricks on a Slurm cluster. Three arrays of N jobs: each cuts its piece out of the mesh; sorts it by tiles; voxelizes
+# its share of the tiles, from all pieces. Then one job merges. Each starts when all of those before have succeeded.
 #
-#     sh slurm.sh MESH RESOLUTION SHARDS OUT.npz
+#     sh slurm.sh MESH RESOLUTION N OUT.npz
 #
-# OUT.npz.jobs, on a file system that all nodes see, holds what they read and write, and their logs. Where a job fails, those that
-# wait for it are cancelled, and the run ends with an error. The same command again goes on: it leaves out the jobs whose files are
-# there, as a file has its name only when it is whole. Another command is refused, for those files are none of its own.
+# MESH is a binary .stl or .ply, .f32 or .f64. OUT.npz.jobs, on a file system that all nodes see, holds what the jobs read and
+# write, and their logs. A job whose program a signal ends is queued again, three times; where one fails, those that wait for it are
+# cancelled, and the run ends with an error. The same command again goes on: it leaves out the jobs whose files are there, as a file
+# has its name only when it is whole. Another command is refused, for those files are none of its own.
 #
 # OUT_SECONDS: how long OUT.npz may take to be seen here when the jobs have ended, 60 by default.
 set -eu
-mesh=$1 resolution=$2 shards=$3 out=$4 jobs=$4.jobs
-export mesh resolution shards out jobs
+mesh=$(realpath "$1") resolution=$2 n=$3 out=$4 jobs=$4.jobs here=$(realpath "$(dirname "$0")")
+export mesh resolution n out jobs here
 test ! -e "$out" || { echo "$out exists" >&2; exit 2; }
 mkdir -p "$jobs"
 
-command="$(realpath "$mesh") $resolution $shards"
+command="$mesh $(stat -Lc '%s %y' "$mesh") $resolution $n"
 test -e "$jobs/command" || printf '%s\n' "$command" >"$jobs/command"
 test "$(cat "$jobs/command")" = "$command" || {
     echo "$jobs is of another command, $(cat "$jobs/command"): repeat that one, remove $jobs, or give another OUT" >&2
     exit 2
 }
 
-# submit OPTION...: a job, its script on standard input, that starts when the job submitted before it has succeeded
-last=
+# submit STEP OPTION...: a job, or an array, that starts when the one submitted before it has succeeded
+last='' all=
 submit() {
-    last=$(sbatch --parsable --kill-on-invalid-dep=yes ${last:+"--dependency=afterok:$last"} "$@")
+    step=$1
+    shift
+    last=$(sbatch --parsable --kill-on-invalid-dep=yes --requeue --open-mode=append ${last:+"--dependency=afterok:$last"} \
+        --job-name="$step" "$@" "$here/slurm_job.sh" "$step")
+    all=$all${all:+,}$last
 }
 
-test -e "$jobs/tiles" || submit --job-name=partition --output="$jobs/partition.log" <<'END'
-#!/bin/sh
-exec tribox partition "$mesh" --resolution "$resolution" --quiet -o "$jobs/tiles"
-END
+# submit_missing STEP END: an array of the jobs whose files I.END are not there
+submit_missing() {
+    missing=$(for i in $(seq "$n"); do test -e "$jobs/$i.$2" || echo "$i"; done | paste -sd ,)
+    test -z "$missing" || submit "$1" --array="$missing" --output="$jobs/$1.%a.log"
+}
 
-missing=$(for shard in $(seq "$shards"); do test -e "$jobs/$shard.part" || echo "$shard"; done | paste -sd ,)
-test -z "$missing" || submit --job-name=shards --array="$missing" --output="$jobs/%a.log" <<'END'
-#!/bin/sh
-exec tribox voxelize "$jobs/tiles" --shard "$SLURM_ARRAY_TASK_ID/$shards" --threads "${SLURM_CPUS_PER_TASK:-1}" --quiet \
-    -o "$jobs/$SLURM_ARRAY_TASK_ID.part"
-END
+submit_missing cut bounds
+submit_missing sort tiles
+submit_missing voxelize part
+submit merge --output="$jobs/merge.log"
 
-submit --job-name=merge --output="$jobs/merge.log" <<'END'
-#!/bin/sh
-exec tribox merge "$jobs"/*.part --quiet -o "$out"
-END
-
-# Whether the last job is over. Where squeue fails for another reason, as when Slurm does not answer, the jobs may still run.
+# Whether all jobs are over, so that none still writes when this is run again. Where squeue fails for another reason, as when Slurm
+# does not answer, the jobs may still run.
 has_ended() {
-    if found=$(squeue --noheader --jobs="$last" 2>"$jobs/squeue.log"); then
+    if found=$(squeue --noheader --jobs="$all" 2>"$jobs/squeue.log"); then
         test -z "$found"
     else
         grep -q "Invalid job id" "$jobs/squeue.log"

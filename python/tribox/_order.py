@@ -34,12 +34,16 @@ def sort_by_steps(held_, order, scratch, threads):
         middle = first + before[0]
         return [(first, middle), (middle, end)]
 
+    def finish(part):
+        first, end = part
+        check_sound(lib.tribox_sort_finish(room, count, first, end - first, numbers))
+
     status = max(in_threads(threads, lambda part: _c.sort_start(held_, *part, room), cut(count, threads * PARTS_EACH)))
     if not status:
         parts = [(0, count)]
         while len(parts) < threads * PARTS_EACH:  # of SHARED_LEAST triangles, which can all be cut as often
             parts = sum(in_threads(threads, halves, parts), [])
-        in_threads(threads, lambda part: check_sound(lib.tribox_sort_finish(room, count, part[0], part[1] - part[0], numbers)), parts)
+        in_threads(threads, finish, parts)
     return status
 
 

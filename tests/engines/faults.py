@@ -2,12 +2,14 @@
 
     faults.py ENGINE [--kills N] [--seed N] [--limit SECONDS] [--workers N] [--rings N] [--resolution N]
 
-ENGINE is dask, mpi or slurm. A run may end with the right cells, or with an error and no cells, after which the same command again
+ENGINE is dask, mpi or slurm. Every fourth kill is of all processes of a run at once, with slurm of a job, as where the
+power fails. A run may end with the right cells, or with an error and no cells, after which the same command again
 has to give the right ones. Wrong cells, and a run that goes on for longer than the limit, are failures.
 """
 
 import argparse
 import collections
+import contextlib
 import os
 import random
 import signal
@@ -41,11 +43,12 @@ def below(found, root):
         family |= more
 
 
-def workers_of(engine, process):
-    """The processes that do the engine's work."""
+def workers_of(engine, process, are_jobs):
+    """The processes that do the engine's work, and which part of it each does. are_jobs: of slurm's, the scripts."""
     found = processes()
-    return sorted(number for number in (below(found, process.pid) if engine.owns_workers else found)
-                  if engine.is_worker(found[number][1]))
+    kinds = {number: engine.kind(found[number][1]) for number in (below(found, process.pid) if engine.owns_workers else found)}
+    return sorted((number, kind) for number, kind in kinds.items()
+                  if kind and (engine.owns_workers or (kind == runs.SCRIPT) == are_jobs))
 
 
 def end(process):
@@ -57,18 +60,27 @@ def end(process):
     process.wait()
 
 
-def kill_one(engine, process, moment, pick):
-    """Kills a worker when that moment has come and there is one; returns how old the run then was, or None if it ended before."""
+def kill(numbers):
+    """Whether one of them was still there."""
+    found = False
+    for number in numbers:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(number, signal.SIGKILL)
+            found = True
+    return found
+
+
+def kill_some(engine, process, moment, pick, kills_all):
+    """Kills a worker, or all, when that moment has come and there is one; returns the run's age then and which it was, or None."""
     begin = time.monotonic()
     while process.poll() is None:
         age = time.monotonic() - begin
-        workers = workers_of(engine, process) if age >= moment else ()
+        workers = workers_of(engine, process, kills_all) if age >= moment else ()
         if workers:
-            try:
-                os.kill(pick.choice(workers), signal.SIGKILL)
-                return age
-            except ProcessLookupError:
-                pass
+            one, kind = pick.choice(workers)
+            is_whole = kills_all and engine.owns_workers
+            if kill([process.pid, *below(processes(), process.pid)] if is_whole else [one]):
+                return age, "all" if is_whole else kind
         time.sleep(0.01)
     return None
 
@@ -85,12 +97,12 @@ def outcome(engine, process, limit):
     return "right" if engine.is_right() else "wrong"
 
 
-def run(engine, limit, log, moment=None, pick=None):
-    """One run: (how it ended, the age at which a worker was killed or None, how long it took)."""
+def run(engine, limit, log, moment=None, pick=None, kills_all=False):
+    """One run: (how it ended, when and which worker was killed or None, how long it took)."""
     begin = time.monotonic()
     process = runs.start(engine, limit, log)
-    age = None if moment is None else kill_one(engine, process, moment, pick)
-    return outcome(engine, process, limit + runs.GRACE), age, time.monotonic() - begin
+    killed = None if moment is None else kill_some(engine, process, moment, pick, kills_all)
+    return outcome(engine, process, limit + runs.GRACE), killed, time.monotonic() - begin
 
 
 def faults(engine, count, pick, limit, log):
@@ -102,15 +114,17 @@ def faults(engine, count, pick, limit, log):
     number = 0
     while number < count:
         engine.clear()
-        how, age, seconds = run(engine, limit, log, pick.uniform(0, takes), pick)
+        kills_all = number % 4 == 3
+        how, killed, seconds = run(engine, limit, log, pick.uniform(0, takes), pick, kills_all)
+        lies = len(engine.lies())
         again = run(engine, limit, log)[0] if how == "error" else None
-        kind = "not killed" if age is None else "killed"
-        number += age is not None
-        ended[kind, how] += 1
+        number += killed is not None
+        ended["killed" if killed else "not killed", how] += 1
         if again:
             ended["again", again] += 1
-        when = "it ended before a worker was killed" if age is None else f"a worker killed at {age:.2f} s"
-        print(f"{engine.name} {number}: {when}: {how}, {seconds:.1f} s{f'; again: {again}' if again else ''}", flush=True)
+        when = f"{killed[1]} killed at {killed[0]:.2f} s" if killed else "it ended before a worker was killed"
+        then = f"; again, from {lies} files: {again}" if again else ""
+        print(f"{engine.name} {number}: {when}: {how}, {seconds:.1f} s{then}", flush=True)
     print(f"{engine.name}: {time.monotonic() - begin:.0f} s: "
           + ", ".join(f"{kind} {how} {n}" for (kind, how), n in sorted(ended.items())), flush=True)
     return ended

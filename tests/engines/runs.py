@@ -16,7 +16,11 @@ import slurm_cluster
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXAMPLES = os.path.join(HERE, "..", "..", "examples", "engines")
-SIDE = 64
+sys.path.insert(0, EXAMPLES)
+
+import pieces  # noqa: E402
+
+SCRIPT = "slurm_script"  # of a job of Slurm
 LEFT_OUT = 77  # the exit code of a test that cannot run here
 GRACE = 30  # seconds beyond its own limit after which a run hangs
 
@@ -48,13 +52,13 @@ def bumpy_sphere(rings):
 
 
 class Case:
-    """A mesh in a partition, and the cells that it should have."""
+    """A mesh in a file, and the cells that it should have."""
 
     def __init__(self, folder, rings, resolution):
         self.mesh = bumpy_sphere(rings)
         self.grid = tribox.grid_around(self.mesh, resolution)
-        self.folder, self.path = folder, os.path.join(folder, "partition")
-        self.partition = tribox.partition(self.mesh, self.path, self.grid, side=SIDE)
+        self.folder, self.path, self.resolution = folder, os.path.join(folder, "mesh.f32"), resolution
+        self.mesh.tofile(self.path)
 
     @functools.cached_property
     def words(self):
@@ -62,7 +66,7 @@ class Case:
 
     @functools.cached_property
     def bricks(self):
-        return tribox.bricks(self.mesh, self.grid, side=SIDE)
+        return tribox.bricks(self.mesh, self.grid)
 
 
 def same_bricks(bricks, expected):
@@ -84,10 +88,12 @@ class Engine:
     """An example as a command: where its answer appears, and which processes do its work."""
 
     needs, environment, numbers = {}, {}, (2,)  # numbers: of workers, to try
+    path_first = os.path.dirname(sys.executable)  # where python3 is this one
     owns_workers = True  # they are processes that the command starts
 
     def __init__(self, case, workers=2):
         self.case, self.path, self.workers = case, os.path.join(case.folder, self.out), workers
+        self.jobs = self.path + ".jobs"
 
     def __enter__(self):
         return self
@@ -102,17 +108,21 @@ class Engine:
             if name.startswith(self.out):
                 shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
 
-    def is_worker(self, command):
-        """Whether a process with this command line does the engine's work."""
-        return self.word in command
+    def kind(self, command):
+        """Which part of the engine's work a process with this command line does; None if none."""
+        return "a worker" if self.word in command else None
 
-    @contextlib.contextmanager
-    def damaged(self):
-        """A bit of the triangles is another."""
-        path = os.path.join(self.case.path, "triangles")
+    def damage(self):
+        """What a run may have left: a sorted piece, of which a bit is another."""
+        pieces.take_up(self.jobs, self.case.path, *self.told())
+        folder = os.path.join(self.jobs, "1.tiles")
+        pieces.sort(pieces.read(self.case.path, 1, self.told()[1]), folder, self.case.grid)
+        path = os.path.join(folder, "triangles")
         flip(path, os.path.getsize(path) // 2)
-        yield
-        flip(path, os.path.getsize(path) // 2)
+
+    def lies(self):
+        """What whole files a run has left for the next."""
+        return [path for end in ("*.tiles", "*.part", "cells.done/*[0-9]") for path in glob.glob(os.path.join(self.jobs, end))]
 
     def said(self, printed):
         """All that a run has said."""
@@ -123,15 +133,18 @@ class Dask(Engine):
     """dask_zarr.py; its workers are processes that it starts."""
 
     needs = dict(modules=("dask.distributed", "zarr"))
-    name, out, word, suits, numbers = "dask", "out.zarr", "spawn_main", (40, 300), (0, 2)
+    name, out, word, suits, numbers, pieces = "dask", "out.zarr", "spawn_main", (40, 300), (0, 2), 8
 
     def __init__(self, case, workers=2):
         super().__init__(case, workers)
         self.environment = {"DASK_TEMPORARY_DIRECTORY": case.folder}
 
     def command(self, limit):
-        return [sys.executable, os.path.join(EXAMPLES, "dask_zarr.py"), self.case.path, self.path, "--workers", str(self.workers),
-                "--timeout", str(limit)]
+        return [sys.executable, os.path.join(EXAMPLES, "dask_zarr.py"), self.case.path, str(self.case.resolution), self.path,
+                "--workers", str(self.workers), "--pieces", str(self.pieces), "--timeout", str(limit)]
+
+    def told(self):
+        return self.case.resolution, self.pieces
 
     def is_right(self):
         import zarr
@@ -147,7 +160,10 @@ class Mpi(Engine):
 
     def command(self, limit):
         return ["mpirun", "--timeout", str(limit), "-n", str(self.workers), sys.executable, "-m", "mpi4py",
-                os.path.join(EXAMPLES, "mpi_bricks.py"), self.case.path, self.path]
+                os.path.join(EXAMPLES, "mpi_bricks.py"), self.case.path, str(self.case.resolution), self.path]
+
+    def told(self):
+        return self.case.resolution, self.workers, "ranks"
 
     def is_right(self):
         bricks = np.load(self.path)
@@ -155,15 +171,13 @@ class Mpi(Engine):
 
 
 class Slurm(Engine):
-    """slurm.sh on a cluster of one node; its workers are the program tribox in jobs."""
+    """slurm.sh on a cluster of one node; its workers are the jobs' scripts and the programs in them."""
 
     needs = dict(programs=slurm_cluster.PROGRAMS)
     name, out, owns_workers, suits, numbers = "slurm", "out.npz", False, (200, 2000), (4,)
 
     def __init__(self, case, workers=4):
         super().__init__(case, workers)
-        self.mesh = os.path.join(case.folder, "mesh.f32")
-        case.mesh.tofile(self.mesh)
 
     def __enter__(self):
         self.cluster = slurm_cluster.Cluster()
@@ -172,32 +186,29 @@ class Slurm(Engine):
         except slurm_cluster.CannotStart as error:
             leave_out(error)
         program = os.path.dirname(os.environ["TRIBOX_PROGRAM"])
-        path = f"{program}:{self.cluster.environment['PATH']}"
+        path = f"{program}:{self.path_first}:{self.cluster.environment['PATH']}"
         self.environment = {**self.cluster.environment, "PATH": path, "OUT_SECONDS": "1"}
         return self
 
-    def is_worker(self, command):
-        return command.startswith("tribox ") and self.case.folder in command
+    def kind(self, command):
+        is_ours = self.case.folder in command or self.cluster.folder in command
+        kinds = "tribox partition", "tribox voxelize", "tribox merge", "pieces.py cut", "pieces.py grid", SCRIPT
+        return next((kind for kind in kinds if kind in command), None) if is_ours else None
 
     def __exit__(self, *_):
         self.cluster.__exit__()
 
-    @contextlib.contextmanager
-    def damaged(self):
+    def damage(self):
         """A part that is none."""
-        part = os.path.join(self.path + ".jobs", "1.part")
-        os.mkdir(os.path.dirname(part))
-        with open(part, "wb") as file:
-            file.write(b"tribox part 3\n, damaged")
-        yield
-        os.remove(part)
+        os.mkdir(self.jobs)
+        Path(self.jobs, "1.part").write_bytes(b"tribox part 3\n, damaged")
 
     def said(self, printed):
-        logs = sorted(glob.glob(os.path.join(self.path + ".jobs", "*.log")))
+        logs = sorted(glob.glob(os.path.join(self.jobs, "*.log")))
         return printed + "".join(Path(log).read_text() for log in logs)
 
     def command(self, limit):
-        return ["timeout", str(limit), "sh", os.path.join(EXAMPLES, "slurm.sh"), self.mesh, str(max(self.case.grid.size)),
+        return ["timeout", str(limit), "sh", os.path.join(EXAMPLES, "slurm.sh"), self.case.path, str(self.case.resolution),
                 str(self.workers), self.path]
 
     def is_right(self):

@@ -32,9 +32,9 @@ class Engines(unittest.TestCase):
     def run_once(self, **options):
         """How a run ended, and what it printed."""
         self.log.truncate(0)
-        how, age, _ = faults.run(self.engine, LIMIT, self.log, **options)
+        how, killed, _ = faults.run(self.engine, LIMIT, self.log, **options)
         self.log.seek(0)
-        return how, age, self.log.read()
+        return how, killed, self.log.read()
 
     def left(self):
         """What a run left beside its answer."""
@@ -57,8 +57,8 @@ class Engines(unittest.TestCase):
 
     def test_damaged(self):
         """What a task refuses ends the run, and says why."""
-        with self.engine.damaged():
-            how, _, said = self.run_once()
+        self.engine.damage()
+        how, _, said = self.run_once()
         self.assertEqual(how, "error", said)
         self.assertRegex(self.engine.said(said), "damaged: the checksum|not a part file")
 
@@ -69,13 +69,19 @@ class Engines(unittest.TestCase):
             self.assertIn(faults.outcome(self.engine, process, runs.GRACE), ("error", "right"))
 
     def test_killed(self):
+        self.kill(random.Random(self.seed), False)
+
+    def test_all_killed(self):
+        self.kill(random.Random(self.seed + 1), True)
+
+    def kill(self, pick, kills_all):
         """The same command again is right after an error."""
-        pick = random.Random(self.seed)
-        how, age, said = self.run_once(moment=pick.uniform(0, 3), pick=pick)
-        print(f"{self.name}: {'not killed' if age is None else f'killed at {age:.2f} s'}: {how}", file=sys.stderr)
+        how, killed, said = self.run_once(moment=pick.uniform(0, 3), pick=pick, kills_all=kills_all)
+        when = f"{killed[1]} killed at {killed[0]:.2f} s" if killed else "not killed"
+        print(f"{self.name}: {when}: {how}, {len(self.engine.lies())} files", file=sys.stderr)
         self.assertIn(how, ("right", "error"), said)
         if how == "error":
-            self.assertIsNotNone(age, said)
+            self.assertIsNotNone(killed, said)
             self.assertEqual(self.run_once()[0], "right")
 
 

@@ -1,9 +1,12 @@
 """Threads call at once, on shared input and into shared cells."""
 
 import threading
+import time
+from unittest import mock
 
 import numpy as np
 import tribox
+from tribox._threads import in_threads
 
 import cases
 from cases import HI, LO
@@ -66,6 +69,36 @@ class Threads(cases.TestCase):
         whole, each = tribox.voxelize(self.triangles[:500], grid), 128 // THREADS
         parts = at_once(lambda number: tribox.voxelize(self.triangles[:500], grid, layers=(number * each, each)))
         self.assert_same(np.concatenate(parts), np.array(whole))
+
+
+class InThreads(cases.TestCase):
+    """How the module shares work out."""
+
+    def test_order(self):
+        for threads in (1, 2, 3, 8):
+            for count in (0, 1, 2, 50):
+                self.assertEqual(in_threads(threads, lambda part: part * part, range(count)), [n * n for n in range(count)])
+
+    def test_failure(self):
+        """Whatever a part raises is raised, in whichever thread it was, and few parts more are started."""
+        for error in (IndexError, RuntimeError, KeyboardInterrupt):
+            for wrong in (0, 1, 5):
+                begun = []
+
+                def work(part):
+                    begun.append(part)
+                    if part == wrong:
+                        raise error(part)
+                    time.sleep(0.001)
+
+                with self.assertRaisesRegex(error, str(wrong)):
+                    in_threads(2, work, range(1000))
+                self.assertLess(len(begun), 500)
+
+    def test_no_threads(self):
+        """Where the system starts none, one does all."""
+        with mock.patch.object(threading.Thread, "start", side_effect=RuntimeError("can't start new thread")):
+            self.assertEqual(in_threads(4, str, range(9)), list(map(str, range(9))))
 
 
 if __name__ == "__main__":

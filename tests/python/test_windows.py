@@ -107,10 +107,9 @@ class Windows(cases.TestCase):
         """Each way in which threads share work out, whatever pays; and cells in fresh pages and in others."""
         slabs, shares = dict(START=0, CELLS=1e9, JOIN=1e12), dict(START=0, CELLS=1e9, JOIN=0)
         copies = dict(COPIED_COUNTS=range(1 << 22), COPIED_AT_ONCE=7, FEW=0)
-        for way in ({}, slabs, shares, {**slabs, **copies}, {**slabs, "FEW": 0}):
-            for pages in dict(MAPPED=1 << 25), dict(MAPPED=0):
-                with mock.patch.multiple(_sharing, processors=lambda: 64, **way), mock.patch.multiple(_pages, **pages):
-                    yield way
+        for way, mapped in ({}, 1 << 25), (slabs, 1 << 25), (slabs, 0), (shares, 0), ({**slabs, **copies}, 1 << 25):
+            with mock.patch.multiple(_sharing, processors=lambda: 64, **way), mock.patch.object(_pages, "MAPPED", mapped):
+                yield way
 
     def test_threads(self):
         """As they are shared out, by layers and by triangles, whatever pays."""
