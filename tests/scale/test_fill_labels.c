@@ -267,6 +267,26 @@ static void test_checkerboard(void **state)
     }
 }
 
+/* A corridor of rows that repeat each other, all bits of them, which one cell of another layer opens. */
+static void test_repeated_rows(void **state)
+{
+    (void)state;
+    random_source r = random_named(1, "fill repeated rows");
+    memset(&drawn, 0, sizeof drawn);
+    memcpy(drawn.size, (uint32_t[3]){64, 9, 3}, sizeof drawn.size);
+    drawn.kind = "corridor";
+    for (uint32_t hole = 1; hole < 8; hole++) {
+        memset(drawn.is_wall, 1, sizeof drawn.is_wall);
+        for (uint32_t j = 1; j < 8; j++)
+            drawn.is_wall[walls_at(&drawn, 2, j, 1)] = 0;
+        drawn.is_wall[walls_at(&drawn, 2, hole, 0)] = 0;
+        for (int a = 0; a < 3; a++)
+            cut_axis(&r, drawn.size[a], 64, cut.border[a], &cut.along[a]);
+        snprintf(doing, sizeof doing, "corridor open at %u", hole);
+        check_drawn(&r);
+    }
+}
+
 static void check_refused(tribox_status expected, const uint32_t *size, const void *occupied, bool has_scratch, bool has_faces,
                           bool has_count)
 {
@@ -322,9 +342,8 @@ int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(test_parts, &args),
-        cmocka_unit_test_prestate(test_checkerboard, &args),
-        cmocka_unit_test_prestate(test_scratch, &args),
+        cmocka_unit_test_prestate(test_parts, &args),         cmocka_unit_test_prestate(test_checkerboard, &args),
+        cmocka_unit_test_prestate(test_repeated_rows, &args), cmocka_unit_test_prestate(test_scratch, &args),
         cmocka_unit_test_prestate(test_bad_arguments, &args),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -105,6 +105,21 @@ class Answers(Tiles):
                 self.assertEqual("tile" in found, has_tiles, size)
                 self.assertEqual(volumes.read(self.path("a.npz")), volumes.read(self.path("t.npz")), (size, threads))
 
+    def test_threads_share_triangles_or_layers(self):
+        """Enough work for many threads, below 2 MB of bits and above, of floats and of doubles: the bits of one thread."""
+        triangles = meshes.lattice_triangles(1000, seed=5)
+        several = (self.write("many.f32", meshes.pack_floats(triangles)), self.write("many.obj", meshes.obj(
+            [[[x + 1e-9 for x in vertex] for vertex in t] for t in triangles])))
+        for mesh in several:
+            for size, *options in (("60,70,80",), ("60,70,80", "--accuracy", "fast"), ("320,256,240",), ("64,40,9000",),
+                                   ("320,256,240", "--accuracy", "conservative")):
+                grid = ("--cell", "0.0179", "--origin=-2,-2,-2", "--size", size, *options)
+                found = [(self.voxelize(mesh, *grid, "--threads", threads, "-o", self.path("a.raw"))["occupied"],
+                          volumes.read(self.path("a.raw"))) for threads in ("1", "2", "3", "7", "64")]
+                for other in found[1:]:
+                    self.assertEqual(other[0], found[0][0], (mesh, grid))
+                    self.assertEqual(other[1], found[0][1], (mesh, grid))
+
     def test_picture(self):
         small = ("--picture-size", "80x60")
         if support.run("voxelize", self.mesh, *GRID, "--quiet", "-o", self.path("a.raw"), *small, "--preview", self.path("a.png")).code:

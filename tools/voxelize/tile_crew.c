@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/crew.h"
 #include "console/message.h"
 
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
@@ -25,6 +26,7 @@ typedef struct kept {
 typedef struct crew {
     const tile_set *set;
     size_t from, to;
+    tile_room *room; /* of the calling thread */
     bool is_alone;
     const tribox_sink *sink; /* NULL to count */
     progress *bar;
@@ -40,13 +42,6 @@ typedef struct crew {
 typedef struct share {
     size_t number, from, to;
 } share;
-
-/* A thread outside the calling one, and its memory. */
-typedef struct helper {
-    crew *crew;
-    tile_room *room;
-    pthread_t thread;
-} helper;
 
 /* False where nothing is left. */
 static bool take_share(crew *c, share *s)
@@ -167,51 +162,32 @@ static void run_share(crew *c, const share *s, tile_room *room, kept *k)
     account(c, s, status, &report, bricks);
 }
 
-static void work(crew *c, tile_room *room)
+/* Whoever has no memory takes no share; of the calling thread it is there. */
+static void work(void *data, unsigned thread)
 {
+    crew *const c = data;
+    tile_room *const room = thread ? tile_room_new(c->set, c->from, c->to) : c->room;
     kept k = {.bricks = NULL};
-    for (share s; take_share(c, &s);)
+    for (share s; room && take_share(c, &s);)
         run_share(c, &s, room, &k);
     free(k.bricks);
-}
-
-static void *help(void *data)
-{
-    const helper *const h = data;
-    work(h->crew, h->room);
-    return NULL;
-}
-
-/* The memory comes first: a thread that has started would only take more of it from the others. */
-static bool start(helper *h, crew *c)
-{
-    *h = (helper){.crew = c, .room = tile_room_new(c->set, c->from, c->to)};
-    if (h->room && !pthread_create(&h->thread, NULL, help, h))
-        return true;
-    tile_room_free(h->room);
-    return false;
+    if (thread)
+        tile_room_free(room);
 }
 
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
                             tile_found *found)
 {
-    helper helpers[THREADS_MAX];
-    unsigned started = 0;
+    const size_t most = to - from ? to - from : 1;
     crew c = {.set = set, .from = from, .to = to, .is_alone = threads == 1, .sink = sink, .bar = bar, .next = from};
-    tile_room *const room = tile_room_new(set, from, to);
+    c.room = tile_room_new(set, from, to);
     *found = c.found;
-    if (!room)
+    if (!c.room)
         return MESSAGE_NO_MEMORY;
     pthread_mutex_init(&c.lock, NULL);
     pthread_cond_init(&c.turned, NULL);
-    while (started + 1 < threads && started < to - from && start(&helpers[started], &c))
-        started++;
-    work(&c, room);
-    while (started) {
-        pthread_join(helpers[--started].thread, NULL);
-        tile_room_free(helpers[started].room);
-    }
-    tile_room_free(room);
+    crew_run(threads < most ? threads : (unsigned)most, work, &c);
+    tile_room_free(c.room);
     pthread_cond_destroy(&c.turned);
     pthread_mutex_destroy(&c.lock);
     *found = c.found;
