@@ -119,7 +119,7 @@ static int work_on_pieces(partition_answer *a, pieces *all)
 static int work_on_meshes(partition_answer *a)
 {
     pieces all;
-    int code = pieces_open(&all, a->r->paths, a->r->count, a->r->from.format, &a->r->from.shift);
+    int code = pieces_open(&all, a->r->paths, a->r->count, a->r->from.format, &a->r->from.shift, a->r->threads);
     a->is_shifted = a->r->from.shift.is_wanted;
     if (!code)
         code = work_on_pieces(a, &all);

@@ -18,7 +18,7 @@ static const struct {
 } layouts[] = {[TRIANGLES_STL] = {84, 50, 12, 4}, [TRIANGLES_F32] = {0, 36, 0, 4}, [TRIANGLES_F64] = {0, 72, 0, 8}};
 
 /* Regular files of triangles stay where they are. */
-static int open_piece(piece *p, triangle_format format, bool is_wide)
+static int open_piece(piece *p, triangle_format format, bool is_wide, unsigned threads)
 {
     triangle_file file;
     int code = triangle_file_open(p->path, format, &file);
@@ -39,7 +39,7 @@ static int open_piece(piece *p, triangle_format format, bool is_wide)
         mesh_warn(p->path, &(mesh){.miscut = (size_t)p->ply.miscut});
         return EXIT_CODE_OK;
     }
-    code = (is_wide ? mesh_read_wide : mesh_read_as)(p->path, format, &p->whole);
+    code = (is_wide ? mesh_read_wide : mesh_read_as)(p->path, format, threads, &p->whole);
     if (code)
         return code;
     p->triangles = p->whole.triangles;
@@ -51,7 +51,8 @@ static int open_piece(piece *p, triangle_format format, bool is_wide)
     return EXIT_CODE_OK;
 }
 
-int pieces_open(pieces *all, const char *const *paths, size_t count, triangle_format format, const mesh_shift *shift)
+int pieces_open(pieces *all, const char *const *paths, size_t count, triangle_format format, const mesh_shift *shift,
+                unsigned threads)
 {
     int code = EXIT_CODE_OK;
     *all = (pieces){.piece = calloc(count, sizeof *all->piece), .shift = *shift, .read_bytes = sizeof(float)};
@@ -60,7 +61,7 @@ int pieces_open(pieces *all, const char *const *paths, size_t count, triangle_fo
     while (!code && all->count < count) {
         piece *const p = &all->piece[all->count++];
         p->path = paths[all->count - 1];
-        code = open_piece(p, format, shift->is_wanted);
+        code = open_piece(p, format, shift->is_wanted, threads);
         all->triangles += p->triangles;
         all->read_bytes = p->is_double || shift->is_wanted ? sizeof(double) : all->read_bytes;
     }

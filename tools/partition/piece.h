@@ -33,7 +33,8 @@ typedef struct piece_block {
 } piece_block;
 
 /* Opens them all. Returns an exit_code; pieces_close may follow in any case. */
-int pieces_open(pieces *all, const char *const *paths, size_t count, triangle_format format, const mesh_shift *shift);
+int pieces_open(pieces *all, const char *const *paths, size_t count, triangle_format format, const mesh_shift *shift,
+                unsigned threads);
 void pieces_close(pieces *all);
 
 /* Divides them into blocks of at most so many triangles. */

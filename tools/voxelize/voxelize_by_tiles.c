@@ -88,6 +88,7 @@ static tribox_status run_filled(const tile_job *j, const tribox_sink *sink, voxe
         fill_tiles(j->set, is_parity ? (const double[2]){bounds.lo[0], bounds.hi[0]} : NULL, j->r->threads, sink, &bar, &found);
     progress_end(&bar);
     a->report = found.report;
+    a->has_bricks = true;
     a->bricks = found.bricks;
     a->inside = found.inside;
     if (!status)

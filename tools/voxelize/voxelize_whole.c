@@ -10,7 +10,7 @@
 #include "tile_set.h"
 #include "voxelize_ways.h"
 #include "write/brick_cutter.h"
-#include "write/brick_out.h"
+#include "write/brick_writer.h"
 #include "write/voxels_room.h"
 
 /* What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. */
@@ -87,20 +87,20 @@ static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
     return EXIT_CODE_OK;
 }
 
-/* Cells that are not filled are what tiles would have found: bricks come in their order, and are counted. */
+/* The cells are what tiles would have found: bricks come in their order, and are counted but where a mesh is made of the words. */
 static int put_cells(const whole *w, const voxels *v, voxelize_files *files, voxelize_answer *a)
 {
     const voxelize_request *const r = w->r;
-    const uint32_t tile = r->fill == FILL_NONE ? tile_set_side(v->grid.size) : 0;
+    const uint32_t tile = tile_set_side(v->grid.size);
     uint64_t bricks = 0;
     int code = EXIT_CODE_OK;
     progress bar = progress_start("writing", !r->result.is_quiet);
     if (!r->is_count)
         code = brick_out_voxels(r->result.format, &r->result.options, &files->out, v, tile, &bricks, &bar);
-    else if (r->fill == FILL_NONE)
+    else
         code = bricks_cut(v, tile, count_brick, &bricks, &bar);
     progress_end(&bar);
-    a->has_bricks = r->fill == FILL_NONE && (r->is_count || r->result.format->bricks);
+    a->has_bricks = r->is_count || (r->result.format->bricks && !r->result.format->bricks->whole);
     a->bricks = bricks;
     return code;
 }
