@@ -30,7 +30,8 @@ static const char help[] =
     "      --fill WORD         outside: also what is not reached from outside through free cells;\n"
     "                          parity: also what rays along x enter, for which MESH is needed\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
-    "      --shard I/N         only part I, 1 to N, of N, of equal work, as a .part for 'tribox merge'\n" OPTIONS_TEST_HELP
+    "      --shard I/N         only part I, 1 to N, of N, of equal work: a .part for 'tribox merge', or\n"
+    "                          a .npz that says which part it is, for tribox.Bricks.load of Python\n" OPTIONS_TEST_HELP
         OPTIONS_HELP_HELP "\n"
     "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
     "\n"
@@ -147,15 +148,18 @@ static int check_output(voxelize_request *r, const options_found *found)
     const char *const out = r->result.out_path;
     if (!out)
         return message_usage("no output given; give -o FILE, or --count");
-    if (!file_out_is_stdout(out) && r->has_shard != part_is_name(out))
-        return message_usage(r->has_shard ? "-o: '%s' does not end in .part, as the file of a shard must"
-                                          : "-o: '%s' is the name of a part, which needs --shard",
-                             out);
+    const bool is_stdout = file_out_is_stdout(out);
+    if (!is_stdout && !r->has_shard && part_is_name(out))
+        return message_usage("-o: '%s' is the name of a part, which needs --shard", out);
     if (r->has_shard && r->result.preview_path)
         return message_usage("--preview needs all cells: give it to 'tribox merge'");
     result_guess_up(&r->result, r->from.mesh_path);
-    r->is_part = r->has_shard;
-    return result_check(&r->result, found, r->is_part);
+    r->is_part = r->has_shard && (is_stdout ? !r->result.format : part_is_name(out));
+    const int code = result_check(&r->result, found, r->is_part);
+    if (!code && r->has_shard && !r->is_part && strcmp(r->result.format->word, "npz"))
+        return message_usage("a shard is written as a .part or a .npz, not as %s: -o FILE.part or FILE.npz",
+                             r->result.format->word);
+    return code;
 }
 
 /* What every command line needs, and what excludes each other. */

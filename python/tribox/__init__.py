@@ -43,7 +43,7 @@ Where its cells need not fit into memory a grid comes as bricks of 8 x 8 x 8 cel
     >>> bricks.at.shape, bricks.bits.shape
     ((18532, 3), (18532, 8))
 
-Both have save() for files. For many machines partition() sorts a mesh by tiles of the grid into a folder, of which each task maps
+Both have save() for files, and Bricks.load reads those of bricks, also many parts as one. For many machines partition() sorts a mesh by tiles of the grid into a folder, of which each task maps
 what it needs: see Partition, and examples/engines, which run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or

@@ -6,7 +6,7 @@ import os
 import sys
 from dataclasses import dataclass
 from functools import reduce
-from typing import Optional, SupportsIndex, Union
+from typing import Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +17,11 @@ from ._files import save_bricks
 from ._grids import Grid
 from ._masks import BYTE, WORD, row_words
 from ._overlap import ALL
+from ._parts import load_bricks
 from ._threads import in_threads, threads_of
 from ._tiles import NUMBER, Listed, Tiling, Workshop, set_padded_tile, side_of
 from ._triangles import held
-from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
+from ._typing import Accuracy, Cell, GridLike, Paths, Range, TrianglesLike
 from ._voxels import middles
 
 BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks at once
@@ -31,14 +32,32 @@ class Bricks:
     """Bricks of 8 x 8 x 8 cells, those that are not empty. Brick n has the cells 8 * at[n] + (i, j, k), for i, j, k = 0 .. 7.
 
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.
+    shift: what was subtracted from the mesh, where a file says so. shard: (I, N) of bricks that are the I-th of N parts, which load
+    found in one file; None of others.
     """
 
     at: NDArray[np.uint32]
     bits: NDArray[np.uint64]
     grid: Grid
+    shift: Tuple[float, float, float] = (0.0, 0.0, 0.0)
+    shard: Optional[Tuple[int, int]] = None
 
     def __repr__(self) -> str:
-        return f"<tribox.Bricks: {len(self.at)} bricks that are not empty, of a grid of {self.grid.sides()}>"
+        part = f", shard {self.shard[0]} of {self.shard[1]}" if self.shard else ""
+        return f"<tribox.Bricks: {len(self.at)} bricks that are not empty, of a grid of {self.grid.sides()}{part}>"
+
+    @staticmethod
+    def load(path: Paths) -> Bricks:
+        """Reads a .npz file of bricks, or all parts of one whole, which tribox voxelize --shard I/N -o FILE.npz wrote.
+
+            bricks = tribox.Bricks.load("big.*.npz")
+
+        path: of one file, which may be a part, as shard then says; or those of all parts of a whole, in any order, or a pattern of
+            their names: the bricks are those of a file that was written at once, in its order.
+
+        Raises InputError for what is not a file of bricks, and for parts that are missing, doubled, or of different wholes.
+        """
+        return Bricks(*load_bricks(path))
 
     def cells(self) -> NDArray[np.int64]:
         """The cells that are set, (i, j, k) each: an array of int64 of shape (m, 3), in the order of the bricks."""

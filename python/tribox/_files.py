@@ -71,10 +71,10 @@ def write_vti(file, voxels):
 
 
 def write_bricks(file, bricks):
-    """.npz; the program's has a shift as well."""
+    """.npz"""
     grid = bricks.grid
     np.savez(file, bits=bricks.bits, at=bricks.at, origin=np.array(grid.origin), cell=np.array(grid.cell),
-             size=np.array(grid.size, np.uint32), shift=np.zeros(3))
+             size=np.array(grid.size, np.uint32), shift=np.array(bricks.shift, float))
 
 
 def write_npz(file, voxels):

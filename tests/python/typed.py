@@ -43,6 +43,8 @@ places: NDArray[np.int64] = bricks.cells()
 origin: Three = tribox.Grid(lo, 0.5, [1, 2, 3]).origin
 grid: tribox.Grid = tribox.grid_around(triangles, cell=0.5)
 voxels.save("voxels.npz")
+loaded: List[tribox.Bricks] = [tribox.Bricks.load("a.*.npz"), tribox.Bricks.load(["a.1.npz", "a.2.npz"])]
+shard: Optional[Tuple[int, int]] = loaded[0].shard
 index = tribox.Index(triangles, keep_order=True, threads=None)
 count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + index.count(box)
 listed: NDArray[np.uint32] = index.list(lo, hi)

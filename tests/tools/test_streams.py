@@ -235,7 +235,9 @@ class Voxels(support.TestCase):
                                    ("standard output needs its format, --out-format WORD: one of npz, ", (mesh, "-o", "-")),
                                    ("--out-format: 'png' is none of npz, vdb", (mesh, "-o", "-", "--out-format", "png")),
                                    ("--json and -o - exclude", (mesh, "-o", "-", "--out-format", "raw", "--json")),
-                                   ("--out-format and --shard exclude", (mesh, "-o", "-", "--out-format", "raw", "--shard", "1/2")),
+                                   ("a shard is written as a .part or a .npz, not as raw", (mesh, "-o", "-", "--out-format", "raw", "--shard", "1/2")),
+                                   ("--out-format and the name of a part exclude",
+                                    (mesh, "-o", "x.part", "--out-format", "npz", "--shard", "1/2")),
                                    ("--preview: '-' does not end", (mesh, "-o", "-", "--out-format", "raw", "--preview", "-"))):
             self.fail_with(2, "^tribox voxelize: %s.*see 'tribox voxelize --help'" % pattern, "voxelize", *self.GRID, *arguments)
 

@@ -54,7 +54,7 @@ class WrongCommandLine(Failures):
     def test_what_excludes_each_other(self):
         self.wrong("--resolution and --cell exclude each other", self.mesh, "--resolution", "8", "--cell", "1", "-o", "x.npy")
         self.wrong("--json and --quiet exclude each other", self.mesh, "--cell", "1", "-o", "x.npy", "--json", "--quiet")
-        self.wrong("'x.npy' does not end in .part", self.mesh, "--cell", "1", "-o", "x.npy", "--shard", "1/2")
+        self.wrong("a shard is written as a .part or a .npz, not as npy", self.mesh, "--cell", "1", "-o", "x.npy", "--shard", "1/2")
         self.wrong("'x.part' is the name of a part, which needs --shard", self.mesh, "--cell", "1", "-o", "x.part")
         self.wrong("--preview needs all cells: give it to 'tribox merge'", self.mesh, "--cell", "1", "-o", "x.part", "--shard",
                    "1/2", "--preview", "x.png")

@@ -107,7 +107,7 @@ int result_check(result_request *r, const options_found *found, bool takes_part)
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
     if (takes_part && r->format)
-        return message_usage("--out-format and --shard exclude each other: a shard is written as a part");
+        return message_usage("--out-format and the name of a part exclude each other: -o FILE.part");
     const bool is_stdout = file_out_is_stdout(r->out_path);
     if (is_stdout && check_stdout(r, takes_part))
         return EXIT_CODE_USAGE;

@@ -125,9 +125,14 @@ static int run_to_part(const tile_job *j, voxelize_files *files, brick_goals *go
 static int run_to_file(const tile_job *j, voxelize_files *files, brick_goals *goals, voxelize_answer *a)
 {
     brick_out out;
+    part_header header;
     int code = brick_out_open(&out, j->r->result.format, &j->r->result.options, &files->out, &j->in->cells);
     if (code)
         return code;
+    if (j->r->has_shard) {
+        header = header_of(j);
+        out.part = &header;
+    }
     goals->file = &out;
     code = run_crew(j, goals, a);
     if (!code) {

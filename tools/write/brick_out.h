@@ -5,6 +5,8 @@
 #include "file_out.h"
 #include "volume.h"
 
+struct part_header;
+
 /*
  * Sparse formats (.npz, .vdb, cells) take memory for what their file needs at once: nothing but a buffer, or for .vdb the bricks
  * themselves. Dense formats take the words of the whole grid. Where a number has to stand before what it counts it is filled in at
@@ -14,11 +16,12 @@ typedef struct brick_out {
     const volume_format *format;
     volume_options options;
     file_out *file;
-    FILE *to;          /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
-    voxels cells;      /* the grid and the shift, and in a dense format one slab with the words */
-    uint64_t bricks;   /* put so far */
-    uint64_t occupied; /* cells in them, where the format counts them */
-    void *state;       /* the format's own */
+    FILE *to;                       /* where the bytes go: the file's own stream, or a nameless file for one that cannot go back */
+    voxels cells;                   /* the grid and the shift, and in a dense format one slab with the words */
+    uint64_t bricks;                /* put so far */
+    uint64_t occupied;              /* cells in them, where the format counts them */
+    void *state;                    /* the format's own */
+    const struct part_header *part; /* which part the bricks are, for .npz; set it after brick_out_open. NULL: the whole */
 } brick_out;
 
 /*

@@ -98,6 +98,8 @@ static int end_npz(brick_out *out, progress *bar)
     if (code)
         return code;
     npz_add_grid(&z->zip, &out->cells);
+    if (out->part)
+        npz_add_part(&z->zip, out->part);
     zip_end(&z->zip);
     return EXIT_CODE_OK;
 }

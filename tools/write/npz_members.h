@@ -2,6 +2,7 @@
 #ifndef NPZ_MEMBERS_H
 #define NPZ_MEMBERS_H
 
+#include "part.h"
 #include "voxels.h"
 #include "zip_out.h"
 
@@ -10,5 +11,8 @@ void npz_rows(unsigned char header[NPY_HEADER], const char *type, uint64_t rows,
 
 /* origin, cell, size and shift. */
 void npz_add_grid(zip_out *zip, const voxels *v);
+
+/* shard, tiles and whole: which part the file is, and of what. */
+void npz_add_part(zip_out *zip, const part_header *header);
 
 #endif

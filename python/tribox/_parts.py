@@ -1,0 +1,143 @@
+"""Bricks.load: files of bricks, and those of all parts of one whole as one."""
+
+import glob
+import os
+import zipfile
+import zlib
+from dataclasses import dataclass
+from typing import Any, Optional, Tuple
+
+import numpy as np
+
+from ._errors import InputError, shown
+from ._grids import Grid
+from ._tiles import tile_count
+
+KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)), size=("<u4", (3,)),
+             shift=("<f8", (3,)))
+PART_KINDS = dict(shard=("<u4", (2,)), tiles=("<u8", (2,)), whole=("<u8", (6,)))
+WHOLE = (("mesh", slice(0, 3)), ("accuracy", 3), ("choice of axes", 4), ("size of tiles", 5))
+SHOWN_SHARDS = 20
+
+
+@dataclass
+class Part:
+    """A file of bricks but for its bits. shard, tiles, whole: None where it is no part."""
+
+    path: str
+    at: Any
+    grid: Grid
+    shift: Tuple[float, ...]
+    shard: Optional[Tuple[int, ...]] = None
+    tiles: Optional[Tuple[int, ...]] = None
+    whole: Optional[Tuple[int, ...]] = None
+
+
+def array(path, file, name, kinds):
+    kind, shape = kinds[name]
+    found = file[name]
+    if found.dtype.str != kind or found.ndim != len(shape) or found.shape[1:] != shape[1:] or shape[0] not in (-1, len(found)):
+        raise InputError(f"{path}: not a .npz file of bricks: its {name} is {found.dtype} of shape {found.shape}")
+    return found.astype(kind[1:], copy=False)  # of this machine's byte order
+
+
+def read(path, take):
+    """What take makes of the arrays of a file."""
+    try:
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            return take(file)
+    except InputError:
+        raise
+    except (KeyError, ValueError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        raise InputError(f"{path}: not a .npz file of bricks, or a damaged one: {error}") from error
+
+
+def part_of(path):
+    def take(file):
+        at, origin, cell, size, shift = (array(path, file, name, KINDS) for name in ("at", "origin", "cell", "size", "shift"))
+        place = [tuple(array(path, file, name, PART_KINDS).tolist()) for name in PART_KINDS] if "shard" in file.files else []
+        return Part(path, at, Grid(origin, cell, size), tuple(shift.tolist()), *place)
+
+    part = read(path, take)
+    if part.shard and not 1 <= part.shard[0] <= part.shard[1]:
+        raise InputError(f"{path}: damaged: shard {part.shard[0]} of {part.shard[1]}")
+    return part
+
+
+def bits_of(part):
+    bits = read(part.path, lambda file: array(part.path, file, "bits", KINDS))
+    if len(bits) != len(part.at):
+        raise InputError(f"{part.path}: damaged: {len(part.at)} places of {len(bits)} bricks")
+    return bits
+
+
+def check_alike(one, other):
+    if not other.shard:
+        raise InputError(f"{other.path} is no part of a whole; give the files of all shards, or that file alone")
+    pairs = [("grid", one.grid, other.grid), ("shift", one.shift, other.shift),
+             ("number of shards", one.shard[1], other.shard[1])]
+    pairs += [(name, one.whole[at], other.whole[at]) for name, at in WHOLE]
+    for name, first, second in pairs:
+        if first != second:
+            raise InputError(f"{one.path} and {other.path} do not fit together: they differ in the {name}")
+
+
+def check_complete(parts):
+    """Of parts by rising shard: each once, and their tiles one after another."""
+    shards = parts[0].shard[1]
+    for one, other in zip(parts, parts[1:]):
+        if one.shard == other.shard:
+            raise InputError(f"{one.path} and {other.path} are both shard {one.shard[0]} of {shards}; give each once")
+    if len(parts) < shards:
+        missing, there = [], {part.shard[0] for part in parts}
+        for shard in range(1, shards + 1):
+            if shard not in there and len(missing) <= SHOWN_SHARDS:
+                missing.append(str(shard))
+        more = ", ..." if len(missing) > SHOWN_SHARDS else ""
+        raise InputError(f"of {shards} shards {shards - len(parts)} are missing: {', '.join(missing[:SHOWN_SHARDS])}{more}; give "
+                         "the files of all")
+    ends = [0, *(part.tiles[1] for part in parts)]
+    for part, end in zip(parts, ends):
+        if part.tiles[0] != end:
+            raise InputError(f"{part.path} begins with tile {part.tiles[0]} in place of {end}: it was cut otherwise than the "
+                             "others")
+    if ends[-1] != tile_count(parts[0].grid.size, parts[0].whole[5]):
+        raise InputError(f"{parts[-1].path} ends before the last tile: it was cut otherwise than the others")
+
+
+def joined(parts):
+    """at and bits of all, with room for the bits of one part beside them."""
+    at = np.concatenate([part.at for part in parts])
+    bits, start = np.empty((len(at), 8), np.uint64), 0
+    for part in parts:
+        bits[start:start + len(part.at)] = bits_of(part)
+        start += len(part.at)
+    return at, bits
+
+
+def paths_of(path):
+    """A path alone, or a list."""
+    if not isinstance(path, (str, os.PathLike)):
+        if isinstance(path, bytes) or not np.iterable(path):
+            raise InputError(f"path = {shown(path)}; give the path of a file, a list of paths, or a pattern such as 'big.*.npz'")
+        return [os.fspath(one) for one in path]
+    path = os.fspath(path)
+    return path if os.path.exists(path) or not glob.has_magic(path) else sorted(glob.glob(path))
+
+
+def load_bricks(path):
+    """at, bits, grid, shift and shard."""
+    paths = paths_of(path)
+    if isinstance(paths, str):
+        part = part_of(paths)
+        return part.at, bits_of(part), part.grid, part.shift, part.shard
+    if not paths:
+        raise InputError(f"path = {shown(path)}; there are no such files")
+    parts = [part_of(one) for one in paths]
+    if len(parts) == 1 and not parts[0].shard:
+        return load_bricks(paths[0])
+    for part in parts:
+        check_alike(parts[0], part)
+    parts.sort(key=lambda part: part.shard)
+    check_complete(parts)
+    return (*joined(parts), parts[0].grid, parts[0].shift, None)
