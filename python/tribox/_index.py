@@ -153,7 +153,7 @@ class Index:
 
         list: an array of uint32. start: m + 1 places, an array of intp. Boxes that are near in number should be near in space.
         """
-        options, threads = options_of(accuracy, axes, axis_order, kernel), min(threads_of(threads), processors())
+        options, workers = options_of(accuracy, axes, axis_order, kernel), min(threads_of(threads), processors())
         check_box_axes(axes)
         los, his = bounds_of_boxes(lo, hi)
         count, lists = los.shape[1], self._lists if los.dtype == FLOAT else self._lists_each
@@ -163,8 +163,8 @@ class Index:
             numbers, start = lists(los[:, first:end], his[:, first:end], options, np.zeros(end - first + 1, SIZE))
             return numbers[:start[-1]], start
 
-        parts = min(PARTS_EACH * threads, count // BOXES_LEAST) if threads > 1 and los.dtype == FLOAT else 1
-        each = in_threads(threads, work, cut(count, parts) if parts > 1 else [(0, count)])
+        parts = min(PARTS_EACH * workers, count // BOXES_LEAST) if workers > 1 and los.dtype == FLOAT else 1
+        each = in_threads(workers, work, cut(count, parts) if parts > 1 else [(0, count)])
         ends = np.cumsum([start[-1] for _, start in each], dtype=SIZE)
         starts = [each[0][1], *(start[1:] + end for (_, start), end in zip(each[1:], ends))]
         return np.concatenate([numbers for numbers, _ in each]), np.concatenate(starts).view(np.intp)

@@ -81,7 +81,7 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
         check_into(into, chosen, wanted)
     words, are_clear = new_cells(wanted[1][::-1], chosen) if into is None or fill_call else (into._words, True)
     struct = struct_of(chosen)
-    task = Task(held_, struct, *wanted, options, words, are_clear)
+    task = Task(held_, struct, wanted[0], wanted[1], options, words, are_clear)
     check_answer(held_, task.run(threads))
     if fill_call:
         words = filled(fill_call, held_, struct, words)

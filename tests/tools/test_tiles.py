@@ -120,6 +120,25 @@ class Answers(Tiles):
                     self.assertEqual(other[0], found[0][0], (mesh, grid))
                     self.assertEqual(other[1], found[0][1], (mesh, grid))
 
+    def test_threads_list_triangles(self):
+        """Enough triangles that threads list them in several runs, in many tiles: floats, doubles and wide ones, all one file."""
+        places = [t[0] for t in meshes.lattice_triangles(36000, seed=30)]
+        small = [[[x / 64 for x in vertex] for vertex in t] for t in meshes.lattice_triangles(1000, seed=31)]
+        triangles = [[[x + y for x, y in zip(vertex, place)] for vertex in small[i % 1000]] for i, place in enumerate(places)]
+        triangles[17000:17000] = meshes.lattice_triangles(20, seed=32)
+        several = (self.write("runs.f32", meshes.pack_floats(triangles)), self.write("runs.obj", meshes.obj(
+            [[[x + 1e-9 for x in vertex] for vertex in t] for t in triangles])))
+        grid = ("--cell", "0.00617", "--origin=-2,-2,-2", "--size", "700,650,500")
+        for mesh in several:
+            for options in ((), ("--accuracy", "conservative"), ("--shard", "2/3")):
+                ending = "part" if "--shard" in options else "npz"
+                files = []
+                for threads in ("1", "2", "3", "7"):
+                    self.voxelize(mesh, *grid, *options, "--threads", threads, "-o", self.path("a." + ending))
+                    files.append(volumes.read(self.path("a." + ending)))
+                for other in files[1:]:
+                    self.assertEqual(other, files[0], (mesh, options))
+
     def test_picture(self):
         small = ("--picture-size", "80x60")
         if support.run("voxelize", self.mesh, *GRID, "--quiet", "-o", self.path("a.raw"), *small, "--preview", self.path("a.png")).code:

@@ -4,50 +4,63 @@
 
 #include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "console/crew.h"
 #include "console/message.h"
+#include "kept_bricks.h"
 
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
 enum { SHARE_TRIANGLES = 4096, SHARE_TILES = 16 };
 
-typedef struct kept_brick {
-    uint32_t at[3];
-    uint64_t bits[8];
-} kept_brick;
+/* Shares for each thread that may be taken before their turn, as some take longer, and how many bricks may wait for theirs. */
+enum { AHEAD = 2, WAITING_MOST = 1 << 19 };
 
-/* The bricks of a share until its turn comes. */
-typedef struct kept {
-    kept_brick *bricks;
-    size_t count, room;
-} kept;
+typedef struct share {
+    size_t number, from, to;
+} share;
+
+/* A share that was taken, by what its number leaves. Its memory is that of the next one too. */
+typedef struct slot {
+    share share;
+    kept_bricks kept;
+    tribox_report report;
+    bool is_done;
+} slot;
 
 typedef struct crew {
     const tile_set *set;
     size_t from, to;
-    tile_room *room; /* of the calling thread */
-    bool is_alone;
+    tile_room *room;         /* of the calling thread */
+    bool is_direct;          /* one thread, or none that waits */
     const tribox_sink *sink; /* NULL to count */
     progress *bar;
+    slot *slots;
+    size_t ahead;         /* slots */
     pthread_mutex_t lock; /* of what follows */
     pthread_cond_t turned;
     size_t next;         /* record of the next share */
     size_t number, turn; /* shares taken, and handed on */
+    size_t waiting;      /* bricks in slots that are done */
+    bool is_handing;     /* a thread hands bricks to the sink */
     size_t done;         /* records */
     tile_found found;
     tribox_status status; /* the first that is not OK ends the work */
 } crew;
 
-typedef struct share {
-    size_t number, from, to;
-} share;
+/* Whoever takes the share whose turn it is does not wait, nor who hands on: there is always one at work. */
+static bool is_far_ahead(const crew *c)
+{
+    const size_t taken = c->number - c->turn;
+    return !c->status && !c->is_direct && taken && (taken >= c->ahead || c->waiting > WAITING_MOST);
+}
 
 /* False where nothing is left. */
 static bool take_share(crew *c, share *s)
 {
     pthread_mutex_lock(&c->lock);
     size_t triangles = 0;
+    while (is_far_ahead(c))
+        pthread_cond_wait(&c->turned, &c->lock);
     *s = (share){c->number, c->next, c->next};
     while (!c->status && s->to < c->to && s->to - s->from < SHARE_TILES && triangles < SHARE_TRIANGLES)
         triangles += tile_set_triangles(c->set, s->to++);
@@ -77,45 +90,9 @@ static int pass_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
     return d->crew->sink->take(d->crew->sink->data, at, bits);
 }
 
-static int keep_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
-{
-    kept *const k = data;
-    if (k->count == k->room) {
-        const size_t room = k->room ? 2 * k->room : 1024;
-        kept_brick *const grown = realloc(k->bricks, room * sizeof *grown);
-        if (!grown)
-            return 1;
-        k->bricks = grown;
-        k->room = room;
-    }
-    kept_brick *const to = &k->bricks[k->count++];
-    memcpy(to->at, at, sizeof to->at);
-    memcpy(to->bits, bits, sizeof to->bits);
-    return 0;
-}
-
-static tribox_status emit_kept(const crew *c, const kept *k)
-{
-    size_t i = 0;
-    while (i < k->count && !c->sink->take(c->sink->data, k->bricks[i].at, k->bricks[i].bits))
-        i++;
-    return i == k->count ? TRIBOX_OK : TRIBOX_STOPPED;
-}
-
-/* Waits until all shares before this one have been handed on. Returns whether the work goes on. */
-static bool wait_turn(crew *c, const share *s)
-{
-    pthread_mutex_lock(&c->lock);
-    while (c->turn < s->number && !c->status)
-        pthread_cond_wait(&c->turned, &c->lock);
-    const bool goes_on = !c->status;
-    pthread_mutex_unlock(&c->lock);
-    return goes_on;
-}
-
+/* Under the lock: a share is through. */
 static void account(crew *c, const share *s, tribox_status status, const tribox_report *report, uint64_t bricks)
 {
-    pthread_mutex_lock(&c->lock);
     if (status && !c->status)
         c->status = status;
     c->turn++;
@@ -126,7 +103,22 @@ static void account(crew *c, const share *s, tribox_status status, const tribox_
     if (!status)
         progress_tell(c->bar, (double)c->done / (double)(c->to - c->from));
     pthread_cond_broadcast(&c->turned);
-    pthread_mutex_unlock(&c->lock);
+}
+
+/* Under the lock, which is left meanwhile: all shares that are done and whose turn it is. */
+static void hand_on(crew *c)
+{
+    c->is_handing = true;
+    for (slot *s; !c->status && (s = &c->slots[c->turn % c->ahead])->is_done;) {
+        pthread_mutex_unlock(&c->lock);
+        const tribox_status status = kept_bricks_hand_on(&s->kept, c->sink);
+        pthread_mutex_lock(&c->lock);
+        s->is_done = false;
+        c->waiting -= s->kept.count;
+        account(c, &s->share, status, &s->report, s->kept.count);
+    }
+    c->is_handing = false;
+    pthread_cond_broadcast(&c->turned);
 }
 
 /* Straight into the sink, or counted. */
@@ -140,26 +132,53 @@ static tribox_status run_directly(const crew *c, const share *s, tile_room *room
     return status;
 }
 
-/* Kept, and handed on in turn. Without memory to keep them it is done again in turn, straight into the sink. */
-static tribox_status run_in_turn(crew *c, const share *s, tile_room *room, kept *k, tribox_report *report, uint64_t *bricks)
-{
-    k->count = 0;
-    tribox_status status = tile_set_run(c->set, s->from, s->to, room, &(tribox_sink){keep_brick, k}, report);
-    const bool is_full = status == TRIBOX_STOPPED;
-    *bricks = k->count;
-    if ((!status || is_full) && wait_turn(c, s))
-        status = is_full ? run_directly(c, s, room, report, bricks) : emit_kept(c, k);
-    return status;
-}
-
-static void run_share(crew *c, const share *s, tile_room *room, kept *k)
+static void run_at_once(crew *c, const share *s, tile_room *room)
 {
     tribox_report report = {0, 0};
     uint64_t bricks = 0;
-    const bool is_direct = c->is_alone || !c->sink;
-    const tribox_status status =
-        is_direct ? run_directly(c, s, room, &report, &bricks) : run_in_turn(c, s, room, k, &report, &bricks);
+    const tribox_status status = run_directly(c, s, room, &report, &bricks);
+    pthread_mutex_lock(&c->lock);
     account(c, s, status, &report, bricks);
+    pthread_mutex_unlock(&c->lock);
+}
+
+/* Without memory to keep its bricks a share is done again in its turn, straight into the sink. */
+static void run_again(crew *c, const share *s, tile_room *room)
+{
+    pthread_mutex_lock(&c->lock);
+    while ((c->turn < s->number || c->is_handing) && !c->status)
+        pthread_cond_wait(&c->turned, &c->lock);
+    const bool goes_on = !c->status;
+    c->is_handing |= goes_on;
+    pthread_mutex_unlock(&c->lock);
+    if (!goes_on)
+        return;
+    run_at_once(c, s, room);
+    pthread_mutex_lock(&c->lock);
+    hand_on(c);
+    pthread_mutex_unlock(&c->lock);
+}
+
+/* Kept until its turn comes; whoever is done with a share whose turn it is hands it on, and what is done after it. */
+static void run_in_turn(crew *c, const share *s, tile_room *room)
+{
+    slot *const own = &c->slots[s->number % c->ahead];
+    own->share = *s;
+    own->kept.count = 0;
+    const tribox_status status =
+        tile_set_run(c->set, s->from, s->to, room, &(tribox_sink){kept_bricks_take, &own->kept}, &own->report);
+    if (status == TRIBOX_STOPPED) {
+        run_again(c, s, room);
+        return;
+    }
+    pthread_mutex_lock(&c->lock);
+    own->is_done = !status;
+    c->waiting += own->kept.count;
+    if (status && !c->status)
+        c->status = status;
+    if (!c->is_handing)
+        hand_on(c);
+    pthread_mutex_unlock(&c->lock);
 }
 
 /* Whoever has no memory takes no share; of the calling thread it is there. */
@@ -167,29 +186,37 @@ static void work(void *data, unsigned thread)
 {
     crew *const c = data;
     tile_room *const room = thread ? tile_room_new(c->set, c->from, c->to) : c->room;
-    kept k = {.bricks = NULL};
     for (share s; room && take_share(c, &s);)
-        run_share(c, &s, room, &k);
-    free(k.bricks);
+        (c->is_direct ? run_at_once : run_in_turn)(c, &s, room);
     if (thread)
         tile_room_free(room);
+}
+
+static void run_crew(crew *c, unsigned threads)
+{
+    pthread_mutex_init(&c->lock, NULL);
+    pthread_cond_init(&c->turned, NULL);
+    crew_run(threads, work, c);
+    pthread_cond_destroy(&c->turned);
+    pthread_mutex_destroy(&c->lock);
+    for (size_t n = 0; n < c->ahead; n++)
+        free(c->slots[n].kept.bricks);
 }
 
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
                             tile_found *found)
 {
     const size_t most = to - from ? to - from : 1;
-    crew c = {.set = set, .from = from, .to = to, .is_alone = threads == 1, .sink = sink, .bar = bar, .next = from};
-    c.room = tile_room_new(set, from, to);
+    crew c = {.set = set, .from = from, .to = to, .is_direct = threads == 1 || !sink, .sink = sink, .bar = bar, .next = from};
     *found = c.found;
-    if (!c.room)
-        return MESSAGE_NO_MEMORY;
-    pthread_mutex_init(&c.lock, NULL);
-    pthread_cond_init(&c.turned, NULL);
-    crew_run(threads < most ? threads : (unsigned)most, work, &c);
+    c.ahead = c.is_direct ? 0 : AHEAD * (size_t)threads;
+    c.slots = calloc(c.ahead + 1, sizeof *c.slots);
+    c.room = c.slots ? tile_room_new(set, from, to) : NULL;
+    const bool has_memory = c.room;
+    if (has_memory)
+        run_crew(&c, threads < most ? threads : (unsigned)most);
     tile_room_free(c.room);
-    pthread_cond_destroy(&c.turned);
-    pthread_mutex_destroy(&c.lock);
+    free(c.slots);
     *found = c.found;
-    return c.status;
+    return has_memory ? c.status : MESSAGE_NO_MEMORY;
 }

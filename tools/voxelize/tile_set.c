@@ -7,6 +7,7 @@
 
 #include "console/memory.h"
 #include "console/message.h"
+#include "tile_listing.h"
 #include "tile_work.h"
 
 uint32_t tile_set_side(const uint32_t size[3])
@@ -25,15 +26,6 @@ int tile_set_refuse_size(const uint32_t size[3])
                            size[2]);
 }
 
-/* Counts without a list, and fills one. */
-static tribox_status list_tiles(const tile_set *set, uint32_t *list)
-{
-    const voxel_task *const t = &set->task;
-    const tribox_tiles all = {set->tile, 0, set->tiles};
-    return t->soup ? tribox_tile_lists(t->soup, &t->grid, &all, &set->listing, set->starts, list)
-                   : tribox_mesh_tile_lists(t->mesh, &t->grid, &all, &set->listing, set->starts, list);
-}
-
 /* Memory for `count` things of `size` bytes, if so much is available. NULL after a line. */
 static void *take(size_t count, size_t size, const char *what)
 {
@@ -50,19 +42,16 @@ static void *take(size_t count, size_t size, const char *what)
     return memory;
 }
 
-static int list_triangles(tile_set *set)
+static int list_triangles(tile_set *set, unsigned threads)
 {
+    const tribox_tiles all = {set->tile, 0, set->tiles};
     set->starts = take(set->tiles + 1, sizeof *set->starts, "table of tiles");
     if (!set->starts)
         return EXIT_CODE_FAILURE;
-    tribox_status status = list_tiles(set, NULL);
-    if (!status) {
-        set->places = set->starts[set->tiles];
-        set->list = take(set->starts[set->tiles], sizeof *set->list, "list of triangles by tile");
-        if (!set->list)
-            return EXIT_CODE_FAILURE;
-        status = list_tiles(set, set->list);
-    }
+    const tribox_status status = tile_listing_make(&set->task, &all, &set->listing, threads, set->starts, &set->list);
+    if (status == MESSAGE_NO_MEMORY)
+        return message_failure("out of memory for the list of triangles by tile");
+    set->places = status ? 0 : set->starts[set->tiles];
     return message_status(status);
 }
 
@@ -81,7 +70,7 @@ static int make_records(tile_set *set, bool has_work)
     return !has_work || tile_work_estimate(set, set->own_records) ? EXIT_CODE_OK : message_failure("out of memory for the shards");
 }
 
-int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set)
+int tile_set_of_task(const voxel_task *task, bool has_work, unsigned threads, tile_set *set)
 {
     *set = (tile_set){.task = *task, .tile = tile_set_side(task->grid.size), .listing = *task->options};
     /* Shards are the same on every processor, and in sum the whole: only exact cells are not decided by which tiles are asked. */
@@ -90,7 +79,7 @@ int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set)
     if (!set->tile)
         return tile_set_refuse_size(task->grid.size);
     set->tiles = tribox_tile_count(task->grid.size, set->tile);
-    int code = list_triangles(set);
+    int code = list_triangles(set, threads);
     if (!code)
         code = make_records(set, has_work);
     if (code)
@@ -111,8 +100,9 @@ tile_set tile_set_of_partition(const partition *from, const voxel_task *task)
 
 void tile_set_free(tile_set *set)
 {
+    if (set->list)
+        tile_listing_free(set->list, set->starts[set->tiles]);
     free(set->starts);
-    free(set->list);
     free(set->own_records);
     *set = (tile_set){.tile = 0};
 }

@@ -28,7 +28,7 @@ uint32_t tile_set_side(const uint32_t size[3]);
 int tile_set_refuse_size(const uint32_t size[3]);
 
 /* Sorts the triangles of a task. has_work: whether the records need their work. Returns an exit_code; on success free it. */
-int tile_set_of_task(const voxel_task *task, bool has_work, tile_set *set);
+int tile_set_of_task(const voxel_task *task, bool has_work, unsigned threads, tile_set *set);
 
 /* The triangles of a partition, into its grid with these options; both stay as long as the set. */
 tile_set tile_set_of_partition(const partition *from, const voxel_task *task);

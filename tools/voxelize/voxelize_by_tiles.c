@@ -214,7 +214,7 @@ static int run_task(const voxelize_request *r, const voxelize_input *in, const v
     if (in->partition) {
         set = tile_set_of_partition(in->partition, task);
     } else {
-        const int code = tile_set_of_task(task, r->shards > 1, &set);
+        const int code = tile_set_of_task(task, r->shards > 1, r->threads, &set);
         if (code)
             return code;
     }
