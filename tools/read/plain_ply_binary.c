@@ -10,7 +10,8 @@
 #include "plain_ply.h"
 #include "turns.h"
 
-enum { BLOCK = 4096 /* vertices or faces */ };
+/* Vertices or faces: of a block, and for each of which a thread takes less time to start than to read them. */
+enum { BLOCK = 4096, STARTED = 1 << 16 };
 
 typedef struct ply_binary {
     const plain_file *file;
@@ -156,13 +157,18 @@ static bool take_faces(void *data, unsigned thread, size_t turn)
     return is_taken;
 }
 
+static bool read_blocks_of(ply_binary *p, size_t count, bool (*work)(void *data, unsigned thread, size_t turn))
+{
+    const size_t gaining = 1 + count / STARTED;
+    return turns_run(p->file->threads < gaining ? p->file->threads : (unsigned)gaining, (count + BLOCK - 1) / BLOCK, work, p);
+}
+
 static bool read_all(ply_binary *p)
 {
-    const unsigned threads = p->file->threads;
-    if (!turns_run(threads, (p->vertices + BLOCK - 1) / BLOCK, take_vertices, p))
+    if (!read_blocks_of(p, p->vertices, take_vertices))
         return false;
     p->m->triangles = p->m->soup.count = p->faces;
-    if (!turns_run(threads, (p->faces + BLOCK - 1) / BLOCK, take_faces, p))
+    if (!read_blocks_of(p, p->faces, take_faces))
         return false;
     mesh_look_keep(&p->look, p->m);
     return true;
