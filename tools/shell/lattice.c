@@ -62,7 +62,8 @@ void lattice_mark(lattice *l, const rectangle *r)
 /* Two cells of a row side by side along x, the second of which is cell i; beyond the grid they are clear. */
 static unsigned pair(const uint64_t *row, uint32_t i, uint32_t cells)
 {
-    return (i > 0 ? row[(i - 1) / 64] >> (i - 1) % 64 & 1 : 0) | (i < cells ? (row[i / 64] >> i % 64 & 1) << 1 : 0);
+    const uint64_t before = i > 0 ? row[(i - 1) / 64] >> (i - 1) % 64 & 1 : 0, at = i < cells ? row[i / 64] >> i % 64 & 1 : 0;
+    return (unsigned)(before | at << 1);
 }
 
 static unsigned around(const lattice *l, const uint32_t at[3])

@@ -241,11 +241,14 @@ static void set_starts(const tile_set *set, const batch *b, size_t *starts)
 static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
 {
     unsigned char *at = room->gathered;
-    const bool is_gathered = set->from->pieces != NULL;
     bool is_sound = true;
     for (size_t r = b->from; r < b->to && is_sound; r++) {
-        is_sound = is_gathered ? partition_gather(set->from, r, at) : partition_is_sound(set->from, r);
-        at += is_gathered ? tile_set_triangles(set, r) * triangle_bytes(set) : 0;
+        if (!set->from->pieces) {
+            is_sound = partition_is_sound(set->from, r);
+            continue;
+        }
+        is_sound = partition_gather(set->from, r, at);
+        at += tile_set_triangles(set, r) * triangle_bytes(set);
     }
     return is_sound;
 }
