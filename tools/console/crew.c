@@ -3,6 +3,8 @@
 
 #include <pthread.h>
 
+#include "steps.h"
+
 typedef struct helper {
     pthread_t thread;
     void (*work)(void *data, unsigned thread);
@@ -33,35 +35,25 @@ unsigned crew_run(unsigned threads, void (*work)(void *data, unsigned thread), v
     return called;
 }
 
-/* What there is to do, and how much of it is taken. */
+/* What there is to do. */
 typedef struct row {
-    pthread_mutex_t lock; /* of next */
-    size_t next, count;
+    steps left;
     void (*work)(void *data, size_t n);
     void *data;
 } row;
-
-static size_t take(row *r)
-{
-    pthread_mutex_lock(&r->lock);
-    const size_t n = r->next;
-    r->next += n < r->count;
-    pthread_mutex_unlock(&r->lock);
-    return n;
-}
 
 static void work_in_row(void *data, unsigned thread)
 {
     row *const r = data;
     (void)thread;
-    for (size_t n; (n = take(r)) < r->count;)
+    for (size_t n; steps_take(&r->left, &n);)
         r->work(r->data, n);
 }
 
 void crew_each(unsigned threads, size_t count, void (*work)(void *data, size_t n), void *data)
 {
-    row r = {.count = count, .work = work, .data = data};
-    pthread_mutex_init(&r.lock, NULL);
+    row r = {.work = work, .data = data};
+    steps_start(&r.left, count);
     crew_run(threads < count ? threads : (unsigned)count, work_in_row, &r);
-    pthread_mutex_destroy(&r.lock);
+    steps_free(&r.left);
 }
