@@ -453,6 +453,36 @@ def files():
             for number, (reader, make) in enumerate(READERS.items()) for name, content in make().items()}
 
 
+def meshes():
+    """Small files that are plain, then one change each: threads and parts differ."""
+    source = random.Random(9)
+    head = "ply\nformat %s 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 3\n"
+    ply = head + "property list uchar int vertex_indices\nend_header\n"
+    corners = (0, 1, 2, 1, 2, 3, 0, 3, 1)
+    numbers = (0, 0, 0, 1, 0, 0.1, 0, 1, 0, 0.25, 0.5, 1)
+    lines = ["v %g %g %g" % numbers[3 * v:3 * v + 3] for v in range(4)] + ["f %d/1 %d//2 %d" % tuple(c + 1 for c in corners[3 * f:3 * f + 3])
+                                                                         for f in range(3)]
+    facet = "facet normal 0 0 1\nouter loop\nvertex %g %g %g\nvertex %g %g %g\nvertex %g %g %g\nendloop\nendfacet\n"
+    texts = {
+        "obj": "# c\n" + "\n".join(lines) + "\n",
+        "stl": "solid a\n" + facet % numbers[:9] + facet % numbers[3:] + "endsolid a\n",
+        "ply": ply % "ascii" + "\n".join([line[2:] for line in lines[:4]] + ["3 %d %d %d" % corners[3 * f:3 * f + 3] for f in range(3)]) + "\n",
+    }
+    binary = {form: (ply % form).encode() + struct.pack(order + "12f", *numbers) +
+              b"".join(struct.pack(order + "B3i", 3, *corners[3 * f:3 * f + 3]) for f in range(3))
+              for form, order in (("binary_little_endian", "<"), ("binary_big_endian", ">"))}
+    endings = {"ply": 0, "obj": 1, "stl": 2}
+    files = {"%s_%d" % (form, n): bytes([4 * n, 255]) + content for form, content in binary.items() for n in range(4)}
+    for name, text in texts.items():
+        for part in (1, 7, 40, 255):
+            files["%s_%d" % (name, part)] = bytes([endings[name] + 4 * source.randrange(32), part - 1]) + text.encode()
+        for n in range(8):
+            at = source.randrange(len(text))
+            changed = text[:at] + source.choice(["\r", " ", "\t", "9", "-", "e", "\n", "nan"]) + text[at + n % 2:]
+            files["%s_changed_%d" % (name, n)] = bytes([endings[name] + 4 * n, 31]) + changed.encode()
+    return files
+
+
 def command():
     lines = {
         "overlap": "overlap a.ply --box 0,0,0,1,1,1",
@@ -493,7 +523,7 @@ def command():
 
 TARGETS = {"overlap": lambda: pairs(True), "boxes": lambda: pairs(False), "voxelize": voxelize, "bricks": bricks,
            "fill": fill, "indexed": indexed, "soup": soup, "overlap_f64": overlap_f64, "index": index,
-           "oriented": oriented, "grid": grid, "files": files, "command": command}
+           "oriented": oriented, "grid": grid, "files": files, "meshes": meshes, "command": command}
 
 
 def main():

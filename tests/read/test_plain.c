@@ -3,7 +3,6 @@
  * for any number of threads, and parts of a text that begin at any byte.
  */
 #define _POSIX_C_SOURCE 200809L
-#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,6 +16,7 @@
 
 #include "console/message.h"
 #include "read/mesh_ways.h"
+#include "same_mesh.h"
 
 static char folder[] = "/tmp/tribox-plain-XXXXXX";
 static char path[64];
@@ -30,47 +30,12 @@ static void write_file(const char *name, const void *bytes, size_t size)
     assert_int_equal(fclose(file), 0);
 }
 
-static bool is_same(const mesh *a, const mesh *b)
-{
-    bool same = a->triangles == b->triangles && a->is_double == b->is_double && a->left_out == b->left_out &&
-                a->miscut == b->miscut && a->not_finite == b->not_finite && a->first_not_finite == b->first_not_finite &&
-                a->doubles.vertices == b->doubles.vertices && !memcmp(&a->bounds, &b->bounds, sizeof a->bounds);
-    for (size_t t = 0; same && t < a->triangles; t++) {
-        double u[9], v[9];
-        mesh_triangle(a, t, u);
-        mesh_triangle(b, t, v);
-        same = !memcmp(u, v, sizeof u);
-    }
-    return same;
-}
-
-/* The bounds and the triangles that are not finite, one after another. */
-static bool is_looked_at_well(const mesh *m)
-{
-    tribox_box bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    size_t not_finite = 0, first = m->triangles;
-    for (size_t t = 0; t < m->triangles; t++) {
-        double u[9];
-        bool is_finite = true;
-        mesh_triangle(m, t, u);
-        for (int c = 0; c < 9; c++)
-            is_finite &= isfinite(u[c]) != 0;
-        first = is_finite || not_finite ? first : t;
-        not_finite += !is_finite;
-        for (int c = 0; is_finite && c < 9; c++) {
-            bounds.lo[c % 3] = u[c] < bounds.lo[c % 3] ? u[c] : bounds.lo[c % 3];
-            bounds.hi[c % 3] = u[c] > bounds.hi[c % 3] ? u[c] : bounds.hi[c % 3];
-        }
-    }
-    return not_finite == m->not_finite && first == m->first_not_finite && !memcmp(&bounds, &m->bounds, sizeof bounds);
-}
-
 /* Reads the last file each way. Returns whether the fast way did. */
 static bool compare(const mesh *slow, int code, bool is_wide, unsigned threads, size_t part)
 {
     mesh plain = {.coordinates = NULL};
     const bool is_plain = mesh_read_plain(path, is_wide, threads, part, &plain);
-    if (is_plain && (code || !is_same(&plain, slow) || !is_looked_at_well(&plain)))
+    if (is_plain && (code || !mesh_is_same(&plain, slow) || !mesh_is_looked_at_well(&plain)))
         fail_msg("%s: %u threads and parts of %zu bytes make another mesh", path, threads, part);
     mesh_free(&plain);
     return is_plain;
