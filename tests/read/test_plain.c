@@ -110,6 +110,8 @@ static void test_other_obj(void **state)
                                         "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
                                         "v 0 0 0\nv 1 0 0x1p4\nv 0 1 0\nf 1 2 3\n",
                                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf\n",
+                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\n\vf 1 2 3\nf 1 2 3\n",
+                                        "v 0 0 0\nv 1 0 0\n \fv 0 1 1\nv 0 1 0\nf 1 2 3\n",
                                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4294967299\n"};
     (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)

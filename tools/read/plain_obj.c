@@ -72,6 +72,8 @@ static const char *read_line(const char *c, const char *limit, text_piece *piece
 {
     c = text_skip_blanks(c);
     const char lower = (char)(*c | 0x20);
+    if (*c == '\v' || *c == '\f') /* as blank as others, and nobody writes them */
+        return NULL;
     const bool is_known = lower == 'v' || lower == 'f' || lower == 'l' || lower == 'p';
     if (*c == 'v' && text_is_blank(c[1]))
         return read_vertex(c + 1, limit, piece);
