@@ -75,12 +75,11 @@ static bool place_all(joining *j, bool are_floats)
 
 static bool cut_faces(const char *path, const text_piece *piece, indexed_mesh *cut)
 {
-    const uint32_t *corners = piece->corners;
     int code = EXIT_CODE_OK;
-    for (size_t i = 0; !code && i < piece->faces; corners += piece->sizes[i++]) {
+    for (size_t i = 0, before = 0; !code && i < piece->faces; before += piece->sizes[i++]) {
         code = indexed_mesh_reserve_face(path, piece->sizes[i], cut);
-        if (!code && piece->sizes[i])
-            memcpy(cut->face, corners, piece->sizes[i] * sizeof *corners);
+        if (!code && piece->sizes[i]) /* without any corner there is no array */
+            memcpy(cut->face, piece->corners + before, piece->sizes[i] * sizeof *cut->face);
         code = code ? code : indexed_mesh_add_face(path, piece->sizes[i], cut);
     }
     return !code;
