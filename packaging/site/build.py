@@ -17,8 +17,9 @@ from python_page import PythonPage  # noqa: E402
 
 C, PYTHON, PROGRAM = "reference/c.html", "reference/python.html", "reference/tribox.1.html"
 # What the bar leads to, and README.md, which leads to all else.
-MARKDOWN = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "bench/README.md", "bench/scale.md", "bench/order/findings.md",
-            "examples/insides/README.md", "packaging/npm/README.md", "src/kernel/PROOFS.md"]
+MARKDOWN = ["README.md", "BUILD.md", "CHANGELOG.md", "CONTRIBUTING.md", "examples/README.md", "examples/shell.md",
+            "bench/README.md", "bench/scale.md", "bench/order/findings.md", "examples/insides/README.md",
+            "packaging/npm/README.md", "src/kernel/PROOFS.md"]
 
 
 def manual():

@@ -27,7 +27,7 @@ both_languages() {
 if ls "$libdir"/libtribox.so* >/dev/null 2>&1; then
     static=
     both_languages shared
-    # README's way to the static library where the shared one is installed too.
+    # BUILD.md's way to the static library where the shared one is installed too.
     if ls "$libdir"/libtribox.a >/dev/null 2>&1; then
         $CC $SANITIZER "$here/consumer/consumer.c" $($PKG_CONFIG --cflags --libs-only-L tribox) -l:libtribox.a -lm -o "$work/chosen"
         "$work/chosen" >"$work/printed" || die "static beside shared: fails"

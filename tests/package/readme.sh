@@ -1,19 +1,19 @@
 #!/bin/sh
-# What a reader of README.md types works: readme.sh example|by-hand ROOT LIBDIR
-#   example  the first C block with a main compiles without a warning and runs
-#   by-hand  the block with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and the library has
+# What a reader of README.md, BUILD.md and examples/README.md types works: readme.sh example|by-hand ROOT LIBDIR
+#   example  the first C block with a main of each page that has one compiles without a warning and runs
+#   by-hand  the block of BUILD.md with "ar rcs" builds without meson or CMake, on x86-64; the program that it makes runs, and the library has
 #            the kernels of the one in LIBDIR
 set -eu
 what=$1 root=$2 libdir=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The first fenced block whose opening line and text match: block FENCE TEXT
+# The first fenced block of a page whose opening line and text match: block PAGE FENCE TEXT
 block() {
-    awk -v fence="$1" -v text="$2" '
+    awk -v fence="$2" -v text="$3" '
         /^```/ && !inside { inside = 1; is_wanted = $0 ~ fence; body = ""; next }
         /^```/            { inside = 0; if (is_wanted && body ~ text) { printf "%s", body; exit }; next }
-        inside            { body = body $0 "\n" }' "$root/README.md"
+        inside            { body = body $0 "\n" }' "$root/$1"
 }
 
 skip() {
@@ -22,20 +22,22 @@ skip() {
 }
 
 test -f "$root/README.md" || skip "there is no README.md"
-example=$(block '^```c$' 'int main')
+example=$(block README.md '^```c$' 'int main')
 
 if test "$what" = example; then
-    test -n "$example" || skip "README.md has no C block with a main"
-    printf '%s\n' "$example" >"$work/example.c"
-    $CC $SANITIZER -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.c" -o "$work/example" \
-        -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir"
-    "$work/example"
+    for page in README.md examples/README.md; do
+        block "$page" '^```c$' 'int main' >"$work/example.c"
+        test -s "$work/example.c" || { echo "$page has no C block with a main" >&2; exit 1; }
+        $CC $SANITIZER -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$work/example.c" -o "$work/example" \
+            -L"$libdir" -ltribox -lm -Wl,-rpath,"$libdir"
+        "$work/example"
+    done
     exit
 fi
 
 test "$(uname -m)" = x86_64 || skip "the lines that build by hand are for x86-64"
-commands=$(block '^```' 'ar rcs')
-test -n "$commands" || skip "README.md has no lines that build by hand"
+commands=$(block BUILD.md '^```' 'ar rcs')
+test -n "$commands" || skip "BUILD.md has no lines that build by hand"
 cp -R "$root/include" "$root/src" "$work"
 cd "$work"
 # The program that the lines name and the tree does not have is the example.
