@@ -13,7 +13,7 @@ test -d "$build" || meson setup "$build" -Dpeers=enabled
 meson compile -C "$build" accuracy ratios cgal inputs doubles:executable voxels:executable index:executable scale peers
 mkdir -p "$results"
 bench/accuracy/chart.sh "$build/bench/accuracy" bench/accuracy/accuracy.gp "$results" "$@"
-rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # the repository keeps the table and the short chart
+rm "$results/accuracy.json" "$results/accuracy.csv" "$results/accuracy.svg" # the repository keeps the table and the short chart, trade.svg
 "$build/bench/ratios" >"$results/ratios.txt"
 "$build/bench/cgal" >"$results/cgal.txt"
 { "$build/bench/inputs" && "$build/bench/inputs" --kernel avx2; } >"$results/inputs.txt"

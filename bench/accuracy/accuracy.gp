@@ -1,17 +1,14 @@
 # accuracy.gp - the chart of what the program accuracy measured.
-#   gnuplot -c accuracy.gp FILE.csv OUT         a panel for each scene: speed against error, all kernels and accuracies
-#   gnuplot -c accuracy.gp FILE.csv OUT short   a line for each scene, the widest kernel alone
+#   gnuplot -c accuracy.gp FILE.csv OUT   a panel for each scene: speed against error, all kernels and accuracies
 # OUT ends in .svg or .png.
 csv = ARG1
 out = ARG2
-is_short = ARG3 eq "short"
 set datafile separator ","
 
 # Names in the order of the file, of the rows with all axes.
 names(column) = system(sprintf("awk -F, '!/^#/ && $4 == \"all\" && !seen[$%d]++ { print $%d }' '%s'", column, column, csv))
 scenes = names(1)
 kernels = names(5)
-widest = word(kernels, 2)
 accuracies = "baseline fast conservative exact"
 
 # A colour for each kernel, fit for colour-blind readers, and a mark for each accuracy.
@@ -28,8 +25,7 @@ error_at(errors, accuracy) = errors > 0 ? log10(errors) : zero + aside_of(accura
 error = "error_at(column('missed_per_million') + column('untrue_per_million'), strcol('accuracy'))"
 is_of(scene, kernel) = strcol("axes") eq "all" && strcol("scene") eq scene && strcol("kernel") eq kernel
 is_mark(scene, kernel, accuracy) = is_of(scene, kernel) && strcol("accuracy") eq accuracy
-is_drawn(kernel) = strcol("axes") eq "all" && (!is_short || kernel eq widest)
-stats csv using (is_drawn(strcol("kernel")) ? column("ns_median") : NaN) name "NS" nooutput
+stats csv using (strcol("axes") eq "all" ? column("ns_median") : NaN) name "NS" nooutput
 stats csv using (strcol("axes") eq "all" ? @error : NaN) name "ERROR" nooutput
 error_least = zero - 0.8
 error_most = ERROR_max > 2.4 ? ERROR_max + 0.6 : 3
@@ -44,90 +40,45 @@ set key off
 terminal(width, height) = sprintf("set terminal %s size %d, %d %s font 'DejaVu Sans,11'", \
     out[strlen(out) - 2:] eq "svg" ? "svg" : "pngcairo", width, height, "background rgb '#ffffff'")
 
-# ---- a panel for each scene ----------------------------------------------------------------------------------------------------
-if (!is_short) {
-    columns = words(scenes) < 3 ? words(scenes) : 3
-    lines = (words(scenes) + columns - 1) / columns
-    panel_width = 380.0; panel_height = 280.0; top = 40.0; bottom = 70.0
-    width = columns * panel_width + 20
-    height = lines * panel_height + top + bottom
-    eval terminal(width, height)
-    set output out
-    set multiplot
-    set label 1 "Speed against error, all thirteen axes, one thread" at screen 0.5, screen 1 - 18 / height center font ",14"
-    do for [k = 1:words(kernels)] {
-        set label 10 + k title_of(word(kernels, k)) \
-            at screen (75.0 + (k > 1 ? 75 : 0) + 90 * (k - 1)) / width, screen 22 / height offset 1.2, 0 \
-            point pt (k == 1 ? mark_of("baseline") : 5) ps 1.2 lc rgb colour_of(word(kernels, k))
-    }
-    do for [a = 2:4] {
-        set label 20 + a title_of(word(accuracies, a)) \
-            at screen (width - 460 + 110 * (a - 2) + (a == 4 ? 60 : 0)) / width, screen 22 / height offset 1.2, 0 \
-            point pt mark_of(word(accuracies, a)) ps 1.2 lc rgb "#404040"
-    }
-    set logscale y
-    set yrange [NS_min / 1.6 : NS_max * 1.6]
-    set xrange [error_least : error_most]
-    eval error_tics
-    do for [s = 1:words(scenes)] {
-        scene = word(scenes, s)
-        across = (s - 1) % columns
-        down = (s - 1) / columns
-        set lmargin at screen (across * panel_width + 75) / width
-        set rmargin at screen ((across + 1) * panel_width + 10) / width
-        set tmargin at screen 1 - (top + down * panel_height + 30) / height
-        set bmargin at screen 1 - (top + (down + 1) * panel_height - 40) / height
-        set title scene offset 0, -0.5 font ",12"
-        set xlabel (s + columns > words(scenes) ? "errors in a million pairs (marks at 0 are spread)" : "") offset 0, 0.4
-        set ylabel (across == 0 ? "ns per triangle" : "")
-        plot for [k = 2:words(kernels)] csv using (is_of(scene, word(kernels, k)) ? @error : NaN):(column("ns_median")) \
-                 with lines lw 1 dt 3 lc rgb colour_of(word(kernels, k)), \
-             for [k = 1:words(kernels)] for [a = 1:4] csv \
-                 using (is_mark(scene, word(kernels, k), word(accuracies, a)) ? @error : NaN):(column("ns_median")) \
-                 with points pt mark_of(word(accuracies, a)) ps 1.1 lw 1.6 lc rgb colour_of(word(kernels, k))
-        unset label
-    }
-    unset multiplot
+columns = words(scenes) < 3 ? words(scenes) : 3
+lines = (words(scenes) + columns - 1) / columns
+panel_width = 380.0; panel_height = 280.0; top = 40.0; bottom = 70.0
+width = columns * panel_width + 20
+height = lines * panel_height + top + bottom
+eval terminal(width, height)
+set output out
+set multiplot
+set label 1 "Speed against error, all thirteen axes, one thread" at screen 0.5, screen 1 - 18 / height center font ",14"
+do for [k = 1:words(kernels)] {
+    set label 10 + k title_of(word(kernels, k)) \
+        at screen (75.0 + (k > 1 ? 75 : 0) + 90 * (k - 1)) / width, screen 22 / height offset 1.2, 0 \
+        point pt (k == 1 ? mark_of("baseline") : 5) ps 1.2 lc rgb colour_of(word(kernels, k))
 }
-
-# ---- the short form ------------------------------------------------------------------------------------------------------------
-if (is_short) {
-    width = 860.0
-    height = 30.0 * words(scenes) + 120
-    place(scene, a) = words(scenes) - (sum [s = 1:words(scenes)] (word(scenes, s) eq scene ? s : 0)) + 0.2 * (3 - a)
-    is_shown(a) = strcol("axes") eq "all" && strcol("kernel") eq widest && strcol("accuracy") eq word(accuracies, a)
-    eval terminal(width, height)
-    set output out
-    set multiplot
-    set label 1 sprintf("What accuracy costs and saves: kernel %s, all thirteen axes, one thread", widest) \
-        at screen 0.5, screen 1 - 18 / height center font ",13"
-    do for [a = 2:4] {
-        set label 20 + a title_of(word(accuracies, a)) at screen 0.3 + 0.17 * (a - 2), screen 1 - 42 / height offset 1.2, 0 \
-            point pt mark_of(word(accuracies, a)) ps 1.2 lc rgb colour_of(widest)
-    }
-    set tmargin at screen 1 - 60 / height
-    set bmargin at screen 50 / height
-    set yrange [-0.6 : words(scenes) - 0.4]
-    set ytics () scale 0
-    do for [s = 1:words(scenes)] { set ytics add (word(scenes, s) words(scenes) - s) }
-    set lmargin at screen 110 / width
-    set rmargin at screen 470 / width
-    set xlabel "ns per triangle" offset 0, 0.4
-    set logscale x
-    set xrange [NS_min / 1.4 : NS_max * 1.4]
-    unset object 1
-    plot for [a = 2:4] csv using (is_shown(a) ? column("ns_median") : NaN):(place(strcol("scene"), a)) \
-        with points pt mark_of(word(accuracies, a)) ps 1.1 lw 1.6 lc rgb colour_of(widest)
+do for [a = 2:4] {
+    set label 20 + a title_of(word(accuracies, a)) \
+        at screen (width - 460 + 110 * (a - 2) + (a == 4 ? 60 : 0)) / width, screen 22 / height offset 1.2, 0 \
+        point pt mark_of(word(accuracies, a)) ps 1.2 lc rgb "#404040"
+}
+set logscale y
+set yrange [NS_min / 1.6 : NS_max * 1.6]
+set xrange [error_least : error_most]
+eval error_tics
+do for [s = 1:words(scenes)] {
+    scene = word(scenes, s)
+    across = (s - 1) % columns
+    down = (s - 1) / columns
+    set lmargin at screen (across * panel_width + 75) / width
+    set rmargin at screen ((across + 1) * panel_width + 10) / width
+    set tmargin at screen 1 - (top + down * panel_height + 30) / height
+    set bmargin at screen 1 - (top + (down + 1) * panel_height - 40) / height
+    set title scene offset 0, -0.5 font ",12"
+    set xlabel (s + columns > words(scenes) ? "errors in a million pairs (marks at 0 are spread)" : "") offset 0, 0.4
+    set ylabel (across == 0 ? "ns per triangle" : "")
+    plot for [k = 2:words(kernels)] csv using (is_of(scene, word(kernels, k)) ? @error : NaN):(column("ns_median")) \
+             with lines lw 1 dt 3 lc rgb colour_of(word(kernels, k)), \
+         for [k = 1:words(kernels)] for [a = 1:4] csv \
+             using (is_mark(scene, word(kernels, k), word(accuracies, a)) ? @error : NaN):(column("ns_median")) \
+             with points pt mark_of(word(accuracies, a)) ps 1.1 lw 1.6 lc rgb colour_of(word(kernels, k))
     unset label
-    unset logscale x
-    do for [s = 1:words(scenes)] { set ytics add ("" words(scenes) - s) }
-    set lmargin at screen 500 / width
-    set rmargin at screen 840 / width
-    set xlabel "errors in a million pairs (marks at 0 are spread)"
-    set xrange [error_least : error_most]
-    eval error_tics
-    set object 1 rectangle from first error_least, graph 0 to first zero + 0.8, graph 1 fc rgb "#f2f2f2" fs noborder behind
-    plot for [a = 2:4] csv using (is_shown(a) ? @error : NaN):(place(strcol("scene"), a)) \
-        with points pt mark_of(word(accuracies, a)) ps 1.1 lw 1.6 lc rgb colour_of(widest)
-    unset multiplot
 }
+unset multiplot
