@@ -149,6 +149,7 @@ static int write_bricks(merging *m, const part *parts, size_t count, file_out *o
     int code = brick_out_open(&m->out, result->format, &result->options, out, &m->cells);
     if (code)
         return code;
+    m->out.threads = m->r->threads;
     code = read_parts(m, parts, count);
     if (!code) {
         progress bar = progress_start("writing", !result->is_quiet);

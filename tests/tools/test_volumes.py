@@ -229,6 +229,22 @@ class Places(Volumes):
                         self.assertLess(512 * about.st_blocks, about.st_size / 2, (origin, word))
                     os.remove(self.path("x"))
 
+    def test_layers_as_they_are_done(self):
+        """
+        The same bytes for any number of threads and for what takes bytes as they come, which gets all layers at once: rows that end
+        amid words and blocks, more layers than a thread takes at once. Where the file becomes too large nothing is left.
+        """
+        for word, size, threads in (("npy", "130,701,300", "125"), ("raw", "130,701,300", "2"), ("vti", "1000,120,160", "2")):
+            grid = ("--cell", "0.03", "--origin=-2.3,-2,-2.1", "--size", size, "--out-format", word)
+            done = subprocess.run([support.program(), "voxelize", self.mesh, *grid, "-o", "-"], capture_output=True, timeout=60)
+            for count in threads:
+                self.succeed("voxelize", self.mesh, *grid, "-q", "-o", self.path("x"), "-t", count)
+                self.assertEqual(volumes.read(self.path("x")) == done.stdout, True, (word, count))
+                os.remove(self.path("x"))
+                self.fail_with(1, "x.npy: cannot write all of it: File too large; nothing was kept", "voxelize", self.mesh, *grid,
+                               "-t", count, "-o", self.path("x.npy"), limit=(resource.RLIMIT_FSIZE, len(done.stdout) // 2))
+                self.assertEqual(os.listdir(self.folder), ["mesh.ply"])
+
     def test_folder_that_is_not_there(self):
         for word in self.SPARSE + self.DENSE:
             self.fail_with(1, "cannot write there: No such file", "voxelize", self.mesh, *GRIDS["odd"], "--out-format", word, "-o",

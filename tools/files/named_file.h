@@ -27,6 +27,9 @@ bool named_file_about_open(FILE *stream, file_about *about);
  */
 bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, size_t *got);
 
+/* Writes at an offset of a regular file, wherever the stream stands; several threads may at once. False with errno. */
+bool named_file_write_at(FILE *stream, uint64_t offset, const void *from, size_t bytes);
+
 /* Whether there is anything, be it a link that leads nowhere. */
 bool named_file_is_there(const char *path);
 

@@ -46,6 +46,17 @@ bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, s
     return true;
 }
 
+bool named_file_write_at(FILE *stream, uint64_t offset, const void *from, size_t bytes)
+{
+    for (size_t done = 0; done < bytes;) {
+        const ssize_t now = pwrite(fileno(stream), (const char *)from + done, bytes - done, (off_t)(offset + done));
+        if (now < 0 && errno != EINTR)
+            return false;
+        done += now > 0 ? (size_t)now : 0;
+    }
+    return true;
+}
+
 bool named_file_is_there(const char *path)
 {
     struct stat found;

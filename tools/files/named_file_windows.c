@@ -58,6 +58,20 @@ bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, s
     return true;
 }
 
+bool named_file_write_at(FILE *stream, uint64_t offset, const void *from, size_t bytes)
+{
+    const HANDLE file = (HANDLE)_get_osfhandle(_fileno(stream));
+    DWORD now;
+    for (size_t done = 0; done < bytes; done += now) {
+        const uint64_t at = offset + done;
+        const size_t left = bytes - done;
+        OVERLAPPED place = {.Offset = (DWORD)at, .OffsetHigh = (DWORD)(at >> 32)};
+        if (!WriteFile(file, (const char *)from + done, left < INT32_MAX ? (DWORD)left : INT32_MAX, &now, &place))
+            return windows_file_failed();
+    }
+    return true;
+}
+
 bool named_file_is_there(const char *path)
 {
     wchar_t *const wide = wide_of_utf8(path);

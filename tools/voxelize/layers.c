@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "console/pages.h"
 #include "layers_job.h"
 #include "layers_work.h"
 
@@ -51,19 +52,50 @@ static void run(layers_job *job, unsigned threads)
         layers_by_slabs(job);
 }
 
+static layers_job job_of(const voxel_task *task, uint32_t first, uint32_t layers, uint64_t *occupied,
+                         void (*progress)(void *data, double done), void *data)
+{
+    layers_job job = {.task = task, .occupied = occupied, .first = first, .layers = layers, .progress = progress, .data = data};
+    job.layer_words = tribox_mask_words(task->grid.size[0]) * task->grid.size[1];
+    pthread_mutex_init(&job.lock, NULL);
+    return job;
+}
+
+static tribox_status end_job(layers_job *job, tribox_report *report)
+{
+    pthread_mutex_destroy(&job->lock);
+    if (!job->status && report)
+        *report = job->report;
+    return job->status;
+}
+
 tribox_status voxelize_in_threads(const voxel_task *task, uint32_t first, uint32_t layers, unsigned threads, uint64_t *occupied,
                                   tribox_report *report, void (*progress)(void *data, double done), void *data)
 {
     const tribox_status status = check_layers(task, first, layers, occupied);
     if (status)
         return status;
-    layers_job job = {.task = task, .occupied = occupied, .first = first, .layers = layers, .progress = progress, .data = data};
-    job.layer_words = tribox_mask_words(task->grid.size[0]) * task->grid.size[1];
-    pthread_mutex_init(&job.lock, NULL);
+    layers_job job = job_of(task, first, layers, occupied, progress, data);
     if (layers)
         run(&job, threads);
-    pthread_mutex_destroy(&job.lock);
-    if (!job.status && report)
-        *report = job.report;
-    return job.status;
+    return end_job(&job, report);
+}
+
+tribox_status voxelize_layers_apart(const voxel_task *task, unsigned threads, const layers_taker *taker, tribox_report *report,
+                                    void (*progress)(void *data, double done), void *data)
+{
+    const uint32_t layers = task->grid.size[2];
+    const tribox_status status = check_layers(task, 0, layers, (uint64_t[]){0});
+    if (status)
+        return status;
+    layers_job job = job_of(task, 0, layers, NULL, progress, data);
+    job.taker = taker;
+    job.threads = threads_for(&job, threads);
+    const size_t bytes = layers_apart_step(&job) * job.layer_words * sizeof *job.occupied;
+    job.occupied = pages_take(bytes);
+    job.status = job.occupied ? TRIBOX_OK : TRIBOX_STOPPED;
+    if (job.occupied)
+        layers_by_slabs(&job);
+    pages_free(job.occupied, bytes);
+    return end_job(&job, report);
 }

@@ -8,6 +8,8 @@
 #ifndef LAYERS_H
 #define LAYERS_H
 
+#include <stdbool.h>
+
 #include "console/processors.h"
 #include "voxel_task.h"
 
@@ -20,5 +22,26 @@
  */
 tribox_status voxelize_in_threads(const voxel_task *task, uint32_t first, uint32_t layers, unsigned threads, uint64_t *occupied,
                                   tribox_report *report, void (*progress)(void *data, double done), void *data);
+
+/*
+ * Who gets layers as soon as they are done: from any of the threads, from several at once, each layer once. The words are the thread's
+ * own and gone when it returns. False ends the work, which then returns TRIBOX_STOPPED. begin: whether a thread besides the calling one
+ * has what it takes; else it leaves the layers to others.
+ */
+typedef struct layers_taker {
+    bool (*begin)(void *data, unsigned thread);
+    bool (*take)(void *data, unsigned thread, uint32_t first, uint32_t layers, const uint64_t *words);
+    void *data;
+} layers_taker;
+
+/*
+ * The same for all layers, the words of which nobody keeps: memory for some layers of each thread is all that it takes.
+ * TRIBOX_STOPPED also where there is none.
+ */
+tribox_status voxelize_layers_apart(const voxel_task *task, unsigned threads, const layers_taker *taker, tribox_report *report,
+                                    void (*progress)(void *data, double done), void *data);
+
+/* Whether that takes less time: where there are many words, and most triangles reach few layers. */
+bool layers_apart_pay(const voxel_task *task);
 
 #endif

@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "layers_job.h"
 
-static bool goes_on(layers_job *job)
+bool layers_job_goes_on(layers_job *job)
 {
     pthread_mutex_lock(&job->lock);
     const bool is_ok = !job->status;
@@ -10,17 +10,21 @@ static bool goes_on(layers_job *job)
     return is_ok;
 }
 
+void layers_job_stop(layers_job *job, tribox_status status)
+{
+    pthread_mutex_lock(&job->lock);
+    job->status = status;
+    pthread_mutex_unlock(&job->lock);
+}
+
 tribox_report layers_job_run(layers_job *job, size_t start, size_t count, uint32_t first, uint32_t layers, uint64_t *words)
 {
     tribox_report found = {0, 0};
-    if (!goes_on(job))
+    if (!layers_job_goes_on(job))
         return found;
     const tribox_status status = voxel_task_run(job->task, start, count, first, layers, words, &found);
-    if (status) {
-        pthread_mutex_lock(&job->lock);
-        job->status = status;
-        pthread_mutex_unlock(&job->lock);
-    }
+    if (status)
+        layers_job_stop(job, status);
     return found;
 }
 

@@ -2,8 +2,10 @@
 #define _POSIX_C_SOURCE 200809L
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/crew.h"
+#include "console/pages.h"
 #include "console/steps.h"
 #include "layers_job.h"
 #include "layers_work.h"
@@ -17,7 +19,8 @@ enum { EACH = 2, SLABS_MAX = EACH * THREADS_MAX, GAP = 4, STEP = 64, WINDOW = 1 
 
 typedef struct slabs {
     layers_job *job;
-    int count;
+    size_t count;
+    uint32_t step;                  /* layers of each slab that is taken apart; else 0, and work is cut into about equal parts: */
     uint32_t border[SLABS_MAX + 1]; /* slab s: the layers border[s] .. border[s + 1] - 1 of the range */
     steps looks, cut, slabs;
     size_t blocks;
@@ -45,8 +48,13 @@ static void cut_layers(slabs *s)
 {
     const layers_job *const job = s->job;
     for (size_t n; steps_take(&s->cut, &n); steps_done(&s->cut))
-        layers_work_cut(&job->task->grid, job->first, job->layers, s->block, s->block ? s->blocks : 0, s->count, s->border);
+        layers_work_cut(&job->task->grid, job->first, job->layers, s->block, s->block ? s->blocks : 0, (int)s->count, s->border);
     steps_wait(&s->cut);
+}
+
+static uint32_t border_of(const slabs *s, size_t slab)
+{
+    return s->step ? (uint32_t)least(slab * s->step, s->job->layers) : s->border[slab];
 }
 
 /* The lowest plane of a slab and the highest. */
@@ -54,11 +62,11 @@ typedef struct slab_planes {
     double lo, hi;
 } slab_planes;
 
-static slab_planes planes_of(const slabs *s, int slab)
+static slab_planes planes_of(const slabs *s, uint32_t from, uint32_t to)
 {
     const layers_job *const job = s->job;
-    const tribox_box low = tribox_grid_cell(&job->task->grid, 0, 0, job->first + s->border[slab]);
-    const tribox_box high = tribox_grid_cell(&job->task->grid, 0, 0, job->first + s->border[slab + 1] - 1);
+    const tribox_box low = tribox_grid_cell(&job->task->grid, 0, 0, job->first + from);
+    const tribox_box high = tribox_grid_cell(&job->task->grid, 0, 0, job->first + to - 1);
     return (slab_planes){low.lo[2], high.hi[2]};
 }
 
@@ -77,50 +85,71 @@ static size_t run_end(const slabs *s, size_t from, slab_planes slab)
     return end;
 }
 
-static void run_slab(slabs *s, int slab)
+/* words: of the slab. */
+static void run_slab(slabs *s, uint32_t from, uint32_t to, uint64_t *words)
 {
     layers_job *const job = s->job;
-    const uint32_t layers = s->border[slab + 1] - s->border[slab];
-    const slab_planes planes = layers ? planes_of(s, slab) : (slab_planes){0, 0};
-    uint64_t *const words = job->occupied + job->layer_words * s->border[slab];
+    const slab_planes planes = from < to ? planes_of(s, from, to) : (slab_planes){0, 0};
     double share = 0;
-    for (size_t b = 0, end; layers && b < s->blocks; b = end) {
+    for (size_t b = 0, end; from < to && b < s->blocks; b = end) {
         tribox_report found = {0, 0};
         const bool is_in = reaches(s, b, planes);
         end = is_in ? run_end(s, b, planes) : b + 1;
         if (is_in)
-            found = layers_job_run(job, b * LAYERS_BLOCK, block_triangles(s, b, end), job->first + s->border[slab], layers, words);
-        share += (double)(end - b) / (double)s->blocks / s->count;
+            found = layers_job_run(job, b * LAYERS_BLOCK, block_triangles(s, b, end), job->first + from, to - from, words);
+        share += (double)(end - b) / (double)s->blocks / (double)s->count;
         if (is_in)
             layers_job_tell(job, share, found);
         share = is_in ? 0 : share;
     }
 }
 
+static void run_apart(slabs *s, unsigned thread, size_t slab, uint64_t *words)
+{
+    layers_job *const job = s->job;
+    const uint32_t from = border_of(s, slab), to = border_of(s, slab + 1);
+    run_slab(s, from, to, words);
+    if (layers_job_goes_on(job) && !job->taker->take(job->taker->data, thread, job->first + from, to - from, words))
+        layers_job_stop(job, TRIBOX_STOPPED);
+    memset(words, 0, (to - from) * job->layer_words * sizeof *words);
+}
+
+/* Who has no memory leaves the slabs to others; the calling thread took its own before any other began. */
+static void work_apart(slabs *s, unsigned thread)
+{
+    const layers_job *const job = s->job;
+    const size_t bytes = s->step * job->layer_words * sizeof *job->occupied;
+    uint64_t *const words = thread ? pages_take(bytes) : job->occupied;
+    if (words && (!thread || job->taker->begin(job->taker->data, thread)))
+        for (size_t n; steps_take(&s->slabs, &n);)
+            run_apart(s, thread, n, words);
+    if (thread)
+        pages_free(words, bytes);
+}
+
 static void work_on(void *data, unsigned thread)
 {
     slabs *const s = data;
-    (void)thread;
     look_at_blocks(s);
     cut_layers(s);
-    for (size_t n; steps_take(&s->slabs, &n);)
-        run_slab(s, (int)n);
-}
-
-/* Only for the true answer do bounds alone say that triangles miss a slab, and only where boxes are asked. */
-static bool bounds_tell(const tribox_options *options)
-{
-    return !options || (options->accuracy == TRIBOX_EXACT && (!options->axes || options->axes & TRIBOX_AXES_BOX));
+    if (s->step)
+        work_apart(s, thread);
+    for (size_t n; !s->step && steps_take(&s->slabs, &n);)
+        run_slab(s, border_of(s, n), border_of(s, n + 1), s->job->occupied + border_of(s, n) * s->job->layer_words);
 }
 
 void layers_by_slabs(layers_job *job)
 {
-    slabs s = {.job = job, .count = EACH * (int)job->threads, .blocks = (job->task->count + LAYERS_BLOCK - 1) / LAYERS_BLOCK};
+    slabs s = {.job = job, .count = EACH * job->threads, .blocks = (job->task->count + LAYERS_BLOCK - 1) / LAYERS_BLOCK};
     s.block = malloc(s.blocks * sizeof *s.block);
-    s.can_skip = s.block && bounds_tell(job->task->options);
-    steps_start(&s.cut, 1);
+    s.can_skip = s.block && layers_bounds_tell(job->task->options);
+    if (job->taker) {
+        s.step = layers_apart_step(job);
+        s.count = (job->layers + s.step - 1) / s.step;
+    }
+    steps_start(&s.cut, !s.step);
     steps_start(&s.looks, s.block ? (s.blocks + STEP - 1) / STEP : 0);
-    steps_start(&s.slabs, (size_t)s.count);
+    steps_start(&s.slabs, s.count);
     crew_run(job->threads, work_on, &s);
     steps_free(&s.slabs);
     steps_free(&s.cut);

@@ -133,6 +133,7 @@ static int run_to_file(const tile_job *j, voxelize_files *files, brick_goals *go
         header = header_of(j);
         out.part = &header;
     }
+    out.threads = j->r->threads;
     goals->file = &out;
     code = run_crew(j, goals, a);
     if (!code) {
@@ -227,11 +228,7 @@ static int run_task(const voxelize_request *r, const voxelize_input *in, const v
 int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     const double start = clock_seconds();
-    const tribox_soup nothing = {.count = 0};
-    const tribox_grid *const grid = &in->cells.grid;
-    const voxel_task task = in->mesh && in->mesh->is_double
-                                ? voxel_task_of_mesh(&in->mesh->doubles, grid, &r->test)
-                                : voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, grid, &r->test);
+    const voxel_task task = voxelize_task(r, in);
     const int code = run_task(r, in, &task, files, a);
     a->seconds = clock_seconds() - start;
     return code;

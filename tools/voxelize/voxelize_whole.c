@@ -16,7 +16,7 @@
 /* What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. */
 typedef struct whole {
     const voxelize_request *r;
-    const mesh *m;
+    const voxelize_input *in;
     voxels cells;
     size_t words;
     uint64_t *surface, *solid; /* solid: NULL without a fill */
@@ -47,10 +47,8 @@ static int take_memory(whole *w)
 static tribox_status run(const whole *w, progress *bar, tribox_report *report)
 {
     void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
-    const tribox_grid *const grid = &w->cells.grid;
-    const voxel_task task = w->m->is_double ? voxel_task_of_mesh(&w->m->doubles, grid, &w->r->test)
-                                            : voxel_task_of_soup(&w->m->soup, grid, &w->r->test);
-    return voxelize_in_threads(&task, 0, grid->size[2], w->r->threads, w->surface, report, tell, bar);
+    const voxel_task task = voxelize_task(w->r, w->in);
+    return voxelize_in_threads(&task, 0, w->cells.grid.size[2], w->r->threads, w->surface, report, tell, bar);
 }
 
 static int voxelize(const whole *w, voxelize_answer *a)
@@ -71,7 +69,7 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     f.scratch = malloc(fill_whole_bytes(f.grid, w->r->threads));
     if (!f.scratch)
         return message_failure("out of memory to fill the cells");
-    const tribox_status status = fill_whole(w->r->fill == FILL_PARITY ? w->m : NULL, w->r->threads, &f);
+    const tribox_status status = fill_whole(w->r->fill == FILL_PARITY ? w->in->mesh : NULL, w->r->threads, &f);
     free(f.scratch);
     if (status)
         return message_status(status);
@@ -96,7 +94,7 @@ static int put_cells(const whole *w, const voxels *v, voxelize_files *files, vox
     int code = EXIT_CODE_OK;
     progress bar = progress_start("writing", !r->result.is_quiet);
     if (!r->is_count)
-        code = brick_out_voxels(r->result.format, &r->result.options, &files->out, v, tile, &bricks, &bar);
+        code = brick_out_voxels(r->result.format, &r->result.options, &files->out, v, tile, r->threads, &bricks, &bar);
     else
         code = bricks_cut(v, tile, count_brick, &bricks, &bar);
     progress_end(&bar);
@@ -119,7 +117,7 @@ static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a
 
 int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
-    whole w = {.r = r, .m = in->mesh, .cells = in->cells};
+    whole w = {.r = r, .in = in, .cells = in->cells};
     int code = take_memory(&w);
     if (!code)
         code = voxelize(&w, a);

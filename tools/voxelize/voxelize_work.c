@@ -9,6 +9,7 @@
 #include "console/interrupt.h"
 #include "console/memory.h"
 #include "console/message.h"
+#include "layers.h"
 #include "voxelize_ways.h"
 
 /*
@@ -33,6 +34,15 @@ static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
     return (is_dense && in->mesh) || is_small(r, in);
 }
 
+voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
+{
+    static const tribox_soup nothing = {.count = 0};
+    const tribox_grid *const grid = &in->cells.grid;
+    if (in->mesh && in->mesh->is_double)
+        return voxel_task_of_mesh(&in->mesh->doubles, grid, &r->test);
+    return voxel_task_of_soup(in->mesh ? &in->mesh->soup : &nothing, grid, &r->test);
+}
+
 void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a)
 {
     a->fill = r->fill == FILL_OUTSIDE ? "outside" : "parity";
@@ -44,6 +54,14 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
                     triangle_file_name(r->from.mesh_path), odd_rows);
 }
 
+/* Neither a filling nor a picture needs all cells, and the file takes layers in any order. */
+static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
+{
+    const bool is_wanted = in->mesh && r->fill == FILL_NONE && !r->is_count && !r->is_part && r->result.format->frame;
+    const voxel_task task = voxelize_task(r, in);
+    return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
+}
+
 static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     a->cells = in->cells;
@@ -53,6 +71,8 @@ static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_
             return code;
     }
     volume_note_shift(r->result.format, r->result.out_path, &in->cells);
+    if (takes_layers(r, in, files))
+        return voxelize_apart(r, in, files, a);
     return (takes_whole(r, in) ? voxelize_whole : voxelize_by_tiles)(r, in, files, a);
 }
 

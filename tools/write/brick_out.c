@@ -8,6 +8,7 @@
 #include "brick_cutter.h"
 #include "console/memory.h"
 #include "console/message.h"
+#include "dense_out.h"
 #include "spool.h"
 
 /* The words of a dense format until all bricks are there. */
@@ -51,11 +52,15 @@ static int put_dense(brick_out *out, const uint32_t at[3], const uint64_t bits[8
     return EXIT_CODE_OK;
 }
 
-static int end_dense(brick_out *out, progress *bar)
+static int write_dense(const volume_format *format, const file_out *file, const voxels *v, unsigned threads, progress *bar)
 {
-    out->format->write(out->to, &out->cells, bar);
+    if (format->frame)
+        return dense_write(format->frame, file, v, threads, bar);
+    format->write(file->stream, v, bar);
     return EXIT_CODE_OK;
 }
+
+static int end_dense(brick_out *out, progress *bar) { return write_dense(out->format, out->file, &out->cells, out->threads, bar); }
 
 static void drop_dense(brick_out *out)
 {
@@ -139,10 +144,7 @@ static int cut_voxels(const volume_format *format, const volume_options *options
 }
 
 int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
-                     uint64_t *bricks, progress *bar)
+                     unsigned threads, uint64_t *bricks, progress *bar)
 {
-    if (format->bricks)
-        return cut_voxels(format, options, file, v, tile, bricks, bar);
-    format->write(file->stream, v, bar);
-    return EXIT_CODE_OK;
+    return format->bricks ? cut_voxels(format, options, file, v, tile, bricks, bar) : write_dense(format, file, v, threads, bar);
 }

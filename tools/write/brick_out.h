@@ -20,6 +20,7 @@ typedef struct brick_out {
     voxels cells;                   /* the grid and the shift, and in a dense format one slab with the words */
     uint64_t bricks;                /* put so far */
     uint64_t occupied;              /* cells in them, where the format counts them */
+    unsigned threads;               /* that write a dense format; set it after brick_out_open, else one does */
     void *state;                    /* the format's own */
     const struct part_header *part; /* which part the bricks are, for .npz; set it after brick_out_open. NULL: the whole */
 } brick_out;
@@ -43,10 +44,10 @@ int brick_out_end(brick_out *out, progress *bar);
 void brick_out_drop(brick_out *out);
 
 /*
- * Writes voxels in memory in any format, dense or sparse, whose bricks come in the order of these tiles, 0: of the whole. bricks: how
- * many a sparse format got. Returns an exit_code.
+ * Writes voxels in memory in any format, dense or sparse, whose bricks come in the order of these tiles, 0: of the whole. threads:
+ * that write a dense format. bricks: how many a sparse format got. Returns an exit_code.
  */
 int brick_out_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
-                     uint64_t *bricks, progress *bar);
+                     unsigned threads, uint64_t *bricks, progress *bar);
 
 #endif

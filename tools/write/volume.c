@@ -10,17 +10,22 @@
 /* Of two with one ending the first is the one that the ending stands for. */
 static const volume_format formats[] = {
     {.word = "npz", .ending = ".npz", .check_grid = bricks_check_npz, .bricks = &bricks_npz, .has_place = true},
-    {.word = "vdb", .ending = ".vdb", .begin = bricks_begin_vdb, .check_grid = bricks_check_vdb, .bricks = &bricks_vdb, .has_place = true},
-    {.word = "npy", .ending = ".npy", .write = volume_write_npy},
+    {.word = "vdb",
+     .ending = ".vdb",
+     .begin = bricks_begin_vdb,
+     .check_grid = bricks_check_vdb,
+     .bricks = &bricks_vdb,
+     .has_place = true},
+    {.word = "npy", .ending = ".npy", .frame = &volume_npy},
     {.word = "cells", .ending = ".npy", .bricks = &bricks_cells},
-    {.word = "vti", .ending = ".vti", .write = volume_write_vti, .has_place = true},
-    {.word = "nrrd", .ending = ".nrrd", .write = volume_write_nrrd, .has_place = true},
+    {.word = "vti", .ending = ".vti", .frame = &volume_vti, .has_place = true},
+    {.word = "nrrd", .ending = ".nrrd", .frame = &volume_nrrd, .has_place = true},
     {.word = "binvox", .ending = ".binvox", .check_grid = volume_check_binvox, .write = volume_write_binvox, .has_place = true},
     {.word = "vox", .ending = ".vox", .check_grid = volume_check_vox, .write = volume_write_vox},
     {.word = "ply", .ending = ".ply", .check_grid = bricks_check_shell, .bricks = &bricks_ply, .has_place = true},
     {.word = "obj", .ending = ".obj", .check_grid = bricks_check_shell, .bricks = &bricks_obj, .has_place = true},
     {.word = "glb", .ending = ".glb", .check_grid = bricks_check_glb, .bricks = &bricks_glb, .has_place = true},
-    {.word = "raw", .ending = ".raw", .write = volume_write_raw}};
+    {.word = "raw", .ending = ".raw", .frame = &volume_raw}};
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 

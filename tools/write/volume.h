@@ -13,6 +13,13 @@ typedef struct volume_options {
     bool is_mask;     /* .vdb: a MaskGrid in place of a BoolGrid, smaller, and known to fewer programs */
 } volume_options;
 
+/* A format whose cells lie one after the other: x fastest, then y, then z. */
+typedef struct volume_frame {
+    void (*before)(FILE *to, const voxels *v); /* what stands before them, and after them; NULL: nothing */
+    void (*after)(FILE *to);
+    bool has_words; /* the words of tribox_voxelize, little-endian; else a byte for each cell, 1 where it is set */
+} volume_frame;
+
 typedef struct volume_format {
     const char *word;   /* "npy" */
     const char *ending; /* ".npy" */
@@ -23,13 +30,12 @@ typedef struct volume_format {
     /* Refuses a grid that the format cannot hold. Returns an exit_code. NULL: it holds every grid. */
     int (*check_grid)(const char *path, const tribox_grid *grid);
 
-    /*
-     * A dense format: writes layer by layer, in memory for a layer or two. Stops where the stream fails, which ferror then reports.
-     * NULL for a sparse format. brick_out.h writes both.
-     */
+    const volume_frame *frame; /* of a dense format, which dense_out.h writes; NULL for others */
+
+    /* Another dense format: writes layer by layer. Stops where the stream fails, which ferror then reports. NULL for others. */
     void (*write)(FILE *to, const voxels *v, progress *bar);
 
-    /* A sparse format: writes bricks as they come. NULL for a dense one. */
+    /* A sparse format: writes bricks as they come. NULL for a dense one. brick_out.h writes all. */
     const struct brick_writer *bricks;
 
     bool has_place; /* it says where the grid is, which is where the mesh was before it was shifted */
@@ -47,16 +53,16 @@ const volume_format *volume_format_named(const char *word);
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
 
 /* NumPy 1.0: one bool per cell, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */
-void volume_write_npy(FILE *to, const voxels *v, progress *bar);
+extern const volume_frame volume_npy;
 
 /* The words of tribox_voxelize, layer by layer, little-endian, and nothing else. */
-void volume_write_raw(FILE *to, const voxels *v, progress *bar);
+extern const volume_frame volume_raw;
 
 /* VTK's XML image, 1.0: a cell of unsigned char for each cell, appended raw. */
-void volume_write_vti(FILE *to, const voxels *v, progress *bar);
+extern const volume_frame volume_vti;
 
 /* NRRD 4: an unsigned char for each cell, raw, with the directions and the origin of the space. */
-void volume_write_nrrd(FILE *to, const voxels *v, progress *bar);
+extern const volume_frame volume_nrrd;
 
 /* binvox 1: runs of equal cells, y fastest, then z, then x. Empty cells fill the grid up to a cube; cells must be cubes. */
 int volume_check_binvox(const char *path, const tribox_grid *grid);

@@ -1,7 +1,6 @@
 /* volume_nrrd.c - nearly raw raster data, for 3D Slicer: https://teem.sourceforge.net/nrrd/format.html */
 #include "console/decimal.h"
 #include "volume.h"
-#include "volume_bytes.h"
 
 /* The place of a sample is the middle of its cell. */
 static double middle(const voxels *v, int a) { return v->grid.origin[a] + v->grid.cell[a] / 2 + v->shift[a]; }
@@ -36,8 +35,4 @@ static void write_header(FILE *to, const voxels *v)
     fputs("\n\n", to);
 }
 
-void volume_write_nrrd(FILE *to, const voxels *v, progress *bar)
-{
-    write_header(to, v);
-    volume_write_bytes(to, v, bar);
-}
+const volume_frame volume_nrrd = {.before = write_header};

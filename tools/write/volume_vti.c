@@ -2,7 +2,6 @@
 #include "console/decimal.h"
 #include "read/little.h"
 #include "volume.h"
-#include "volume_bytes.h"
 
 /* Three doubles, with a blank before each but the first. */
 static void write_point(FILE *to, double x, double y, double z)
@@ -44,7 +43,7 @@ static void write_length(FILE *to, const uint32_t size[3])
     fwrite(length, 1, sizeof length, to);
 }
 
-void volume_write_vti(FILE *to, const voxels *v, progress *bar)
+static void write_before(FILE *to, const voxels *v)
 {
     fputs("<?xml version=\"1.0\"?>\n"
           "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n",
@@ -52,6 +51,8 @@ void volume_write_vti(FILE *to, const voxels *v, progress *bar)
     write_image(to, v);
     fputs("  <AppendedData encoding=\"raw\">\n   _", to);
     write_length(to, v->grid.size);
-    volume_write_bytes(to, v, bar);
-    fputs("\n  </AppendedData>\n</VTKFile>\n", to);
 }
+
+static void write_after(FILE *to) { fputs("\n  </AppendedData>\n</VTKFile>\n", to); }
+
+const volume_frame volume_vti = {.before = write_before, .after = write_after};

@@ -1,7 +1,7 @@
 /* voxels.c - finds layers among slabs, and counts cells. */
 #include "voxels.h"
 
-const uint64_t *voxels_layer(const voxels *v, uint32_t k)
+static const voxels_slab *slab_of(const voxels *v, uint32_t k)
 {
     size_t low = 0, high = v->slabs;
     while (high - low > 1) {
@@ -11,7 +11,19 @@ const uint64_t *voxels_layer(const voxels *v, uint32_t k)
         else
             high = middle;
     }
-    return v->slab[low].bits + (size_t)(k - v->slab[low].first) * voxels_layer_words(&v->grid);
+    return &v->slab[low];
+}
+
+const uint64_t *voxels_layer(const voxels *v, uint32_t k)
+{
+    const voxels_slab *const slab = slab_of(v, k);
+    return slab->bits + (size_t)(k - slab->first) * voxels_layer_words(&v->grid);
+}
+
+uint32_t voxels_layers_from(const voxels *v, uint32_t k)
+{
+    const voxels_slab *const slab = slab_of(v, k);
+    return slab->layers - (k - slab->first);
 }
 
 /* Of so few words that no byte of the sum overflows: first pairs of bits are added, then fours, then bytes. */

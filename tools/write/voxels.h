@@ -22,6 +22,9 @@ typedef struct voxels {
 /* The words of layer k: rows of voxels_row_words, one for each y. */
 const uint64_t *voxels_layer(const voxels *v, uint32_t k);
 
+/* How many layers from k on lie behind each other in memory, k among them. */
+uint32_t voxels_layers_from(const voxels *v, uint32_t k);
+
 static inline bool voxels_bit(const uint64_t *row, uint32_t i) { return row[i / 64] >> i % 64 & 1; }
 
 /* How many bits are set in `count` words. */
