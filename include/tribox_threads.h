@@ -5,6 +5,8 @@
  * it as often as there are threads, finish every part. Any number of threads may take part in a step; the order is the same as in
  * one call.
  *
+ * Tiles: tribox_tile_lists of some of the triangles, into one list for all.
+ *
  * Insides: parity is filled window by window, the outside part by part, where labels of free cells are joined across the faces of
  * parts. In sum the bits are those of tribox_fill_parity and tribox_fill_outside.
  */
@@ -59,6 +61,32 @@ TRIBOX_API tribox_status tribox_sort_cut(void *scratch, size_t total, size_t fir
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (scratch or order is NULL where count > 0, or first + count exceeds total).
  */
 TRIBOX_API tribox_status tribox_sort_finish(void *scratch, size_t total, size_t first, size_t count, uint32_t *order);
+
+/* ============================================================================================================================== */
+/*                                               Lists by tile, part by part (threads)                                            */
+/* ============================================================================================================================== */
+
+/**
+ * tribox_tile_lists of triangles first .. first + count - 1 alone, for threads that share them and write one list. In two passes
+ * over the same parts: without a list each part is counted. Then the caller finds the places: in tile 0, 1, 2 and so on of the
+ * share, those of the first part, of the second, and so on, one after the other. With the list, each part is written from its
+ * places on. So the list is that of tribox_tile_lists.
+ *
+ * first, count: within the soup, which has at most 2^32 triangles. Their numbers in the list are those that they have in the soup.
+ * places: tiles->count numbers, of this part. Without a list, written: how many of the triangles are in tile tiles->first + t. With
+ *   a list, where in it the first of them goes; left as the place after the last of them.
+ * list: of all parts, written in these places alone; NULL to count.
+ *
+ * Returns what tribox_tile_lists does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
+ */
+TRIBOX_API tribox_status tribox_tile_lists_part(const tribox_soup *soup, size_t first, size_t count, const tribox_grid *grid,
+                                                const tribox_tiles *tiles, const tribox_options *options, size_t *places,
+                                                uint32_t *list);
+
+/** The same for a mesh, of floats or doubles, of which only the indices of these triangles are checked. */
+TRIBOX_API tribox_status tribox_mesh_tile_lists_part(const tribox_mesh *mesh, size_t first, size_t count, const tribox_grid *grid,
+                                                     const tribox_tiles *tiles, const tribox_options *options, size_t *places,
+                                                     uint32_t *list);
 
 /* ============================================================================================================================== */
 /*                                                Insides, part by part (threads)                                                 */

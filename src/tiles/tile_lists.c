@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "base/environment.h"
+#include "mesh/mesh_input.h"
+#include "tribox_threads.h"
 
 /* What a kernel found of triangles `from` on. */
 static void put_found(tribox_tiles_call *l, size_t from, size_t count, const tribox_tile_range *found)
@@ -29,8 +31,8 @@ static void list_by_float(tribox_tiles_call *l, const tribox_tile_lattice *latti
 {
     tribox_stream_room room = {0};
     tribox_tile_range found;
-    for (size_t at = 0, some; at < l->triangles->count; at += some) {
-        const size_t left = l->triangles->count - at;
+    for (size_t at = l->from, some; at < l->to; at += some) {
+        const size_t left = l->to - at;
         some = left < TRIBOX_TILES_BLOCK ? left : TRIBOX_TILES_BLOCK;
         const tribox_soup soup = tribox_triangles_stream(l->triangles, l->plan.kernel, l->planes.origin, at, some, &room);
         l->plan.kernel->cells->find_tiles(&soup, lattice, &found);
@@ -40,7 +42,7 @@ static void list_by_float(tribox_tiles_call *l, const tribox_tile_lattice *latti
 
 static void list_by_planes(tribox_tiles_call *l)
 {
-    for (uint64_t i = 0; i < l->triangles->count; i++) {
+    for (uint64_t i = l->from; i < l->to; i++) {
         l->triangle = (uint32_t)i;
         tribox_tiles_put_by_planes(l);
     }
@@ -89,40 +91,24 @@ static void list_triangles(tribox_tiles_call *l)
         list_by_planes(l);
 }
 
-/* Each list is counted in the number after its own; their sums are where lists begin. */
-static void count_lists(tribox_tiles_call *l)
-{
-    const size_t tiles = l->tiling.end - l->tiling.first;
-    memset(l->starts, 0, (tiles + 1) * sizeof *l->starts);
-    list_triangles(l);
-    for (size_t t = 0; t < tiles; t++)
-        l->starts[t + 1] += l->starts[t];
-}
-
-/* Every start becomes its list's end, which is the start of the next. */
-static void fill_lists(tribox_tiles_call *l)
-{
-    const size_t tiles = l->tiling.end - l->tiling.first;
-    list_triangles(l);
-    memmove(l->starts + 1, l->starts, tiles * sizeof *l->starts);
-    l->starts[0] = 0;
-}
-
 static tribox_status check_lists(tribox_tiles_call *l, const tribox_grid *grid, const tribox_tiles *tiles)
 {
+    const tribox_triangles *const t = l->triangles;
     if (!tribox_grid_is_sound(grid))
         return TRIBOX_BAD_GRID;
     if (!tribox_tiling_make(grid->size, tiles, &l->tiling))
         return TRIBOX_BAD_ARGUMENT;
-    return tribox_triangles_have_vertices(l->triangles, l->plan.kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
+    return t->is_soup || tribox_mesh_is_in_range(&t->mesh, l->plan.kernel, l->from, l->to - l->from) ? TRIBOX_OK
+                                                                                                     : TRIBOX_BAD_VERTEX;
 }
 
 /* FAST does without error bounds, which cost little here. */
-static tribox_status list_tiles(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_tiles *tiles,
-                                const tribox_options *options, size_t *starts, uint32_t *list)
+static tribox_status list_part(const tribox_triangles *triangles, size_t first, size_t count, const tribox_grid *grid,
+                               const tribox_tiles *tiles, const tribox_options *options, size_t *places, uint32_t *list)
 {
-    tribox_tiles_call l = {.triangles = triangles, .starts = starts, .list = list};
-    if (!grid || !tiles || !starts || !tribox_has_numbers(triangles->count))
+    tribox_tiles_call l = {.triangles = triangles, .from = first, .to = first + count, .places = places, .list = list};
+    if (!grid || !tiles || !places || !tribox_has_numbers(triangles->count) || first > triangles->count ||
+        count > triangles->count - first)
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(options, &l.plan);
     if (status)
@@ -132,12 +118,39 @@ static tribox_status list_tiles(const tribox_triangles *triangles, const tribox_
     status = check_lists(&l, grid, tiles);
     if (!status) {
         l.planes = tribox_planes_of(grid, NULL);
-        if (list)
-            fill_lists(&l);
-        else
-            count_lists(&l);
+        if (!list)
+            memset(places, 0, tiles->count * sizeof *places);
+        list_triangles(&l);
     }
     tribox_environment_leave(callers);
+    return status;
+}
+
+/* Each list is counted in the number after its own; their sums are where lists begin. */
+static void sum_counts(size_t *starts, size_t tiles)
+{
+    starts[0] = 0;
+    for (size_t t = 0; t < tiles; t++)
+        starts[t + 1] += starts[t];
+}
+
+/* Every start has become its list's end, which is the start of the next. */
+static void put_back(size_t *starts, size_t tiles)
+{
+    memmove(starts + 1, starts, tiles * sizeof *starts);
+    starts[0] = 0;
+}
+
+static tribox_status list_whole(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_tiles *tiles,
+                                const tribox_options *options, size_t *starts, uint32_t *list)
+{
+    if (!starts)
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_status status = list_part(triangles, 0, triangles->count, grid, tiles, options, list ? starts : starts + 1, list);
+    if (!status && list)
+        put_back(starts, tiles->count);
+    else if (!status)
+        sum_counts(starts, tiles->count);
     return status;
 }
 
@@ -145,7 +158,7 @@ tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid
                                 const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_triangles triangles;
-    return tribox_triangles_of_soup(soup, &triangles) ? list_tiles(&triangles, grid, tiles, options, starts, list)
+    return tribox_triangles_of_soup(soup, &triangles) ? list_whole(&triangles, grid, tiles, options, starts, list)
                                                       : TRIBOX_BAD_ARGUMENT;
 }
 
@@ -153,6 +166,22 @@ tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const tribox_grid 
                                      const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_triangles triangles;
-    return tribox_triangles_of_mesh(mesh, &triangles) ? list_tiles(&triangles, grid, tiles, options, starts, list)
+    return tribox_triangles_of_mesh(mesh, &triangles) ? list_whole(&triangles, grid, tiles, options, starts, list)
+                                                      : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_tile_lists_part(const tribox_soup *soup, size_t first, size_t count, const tribox_grid *grid,
+                                     const tribox_tiles *tiles, const tribox_options *options, size_t *places, uint32_t *list)
+{
+    tribox_triangles triangles;
+    return tribox_triangles_of_soup(soup, &triangles) ? list_part(&triangles, first, count, grid, tiles, options, places, list)
+                                                      : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_mesh_tile_lists_part(const tribox_mesh *mesh, size_t first, size_t count, const tribox_grid *grid,
+                                          const tribox_tiles *tiles, const tribox_options *options, size_t *places, uint32_t *list)
+{
+    tribox_triangles triangles;
+    return tribox_triangles_of_mesh(mesh, &triangles) ? list_part(&triangles, first, count, grid, tiles, options, places, list)
                                                       : TRIBOX_BAD_ARGUMENT;
 }

@@ -20,8 +20,9 @@ typedef struct tribox_tiles_call {
     tribox_tiling tiling;
     tribox_plan plan; /* its accuracy is not FAST */
     const tribox_triangles *triangles;
+    size_t from, to; /* the triangles that are listed: from .. to - 1 */
     tribox_planes planes;
-    size_t *starts;
+    size_t *places; /* by tile of the share: how many were counted, or where the next goes */
     uint32_t *list; /* NULL to count */
 
     tribox_tile_box part[TRIBOX_SHARE_PARTS]; /* boxes that the share is made of */
@@ -40,11 +41,10 @@ static inline void tribox_tiles_put(tribox_tiles_call *l, size_t tile)
 {
     if (tile < l->tiling.first || tile >= l->tiling.end)
         return;
-    size_t *const start = l->starts + (tile - l->tiling.first);
+    size_t *const place = l->places + (tile - l->tiling.first);
     if (l->list)
-        l->list[(*start)++] = l->triangle;
-    else
-        start[1]++;
+        l->list[*place] = l->triangle;
+    ++*place;
 }
 
 /* Into those of the share that it overlaps, whatever its numbers. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "common/contact.h"
+#include "tribox_threads.h"
 #include "voxels/grid_kinds.h"
 #include "voxels/grid_scenes_f64.h"
 #include "voxels/triangle_kinds.h"
@@ -130,6 +131,15 @@ tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t
 tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *numbers)
 {
     return list(c, from, to, starts, numbers);
+}
+
+tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places, uint32_t *list)
+{
+    const tribox_soup soup = triangle_list_soup(&c->triangles);
+    const tribox_mesh mesh = mesh_of(c);
+    const tribox_tiles tiles = {c->tile, from, to - from};
+    return c->is_mesh ? tribox_mesh_tile_lists_part(&mesh, first, count, grid_of(c), &tiles, &c->options, places, list)
+                      : tribox_tile_lists_part(&soup, first, count, grid_of(c), &tiles, &c->options, places, list);
 }
 
 tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *numbers,

@@ -34,6 +34,8 @@ size_t tile_case_tiles(const tile_case *c);
 /* The calls. */
 tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts);
 tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *list);
+tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places,
+                             uint32_t *list);
 tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
                                void *scratch, const tribox_sink *sink, tribox_report *report);
 
