@@ -8,6 +8,8 @@ import signal
 import struct
 import subprocess
 import time
+import zipfile
+from array import array
 
 import meshes
 import support
@@ -138,6 +140,24 @@ class Answers(Tiles):
                     files.append(volumes.read(self.path("a." + ending)))
                 for other in files[1:]:
                     self.assertEqual(other, files[0], (mesh, options))
+
+    def test_places_of_many_bricks(self):
+        """So many that their places wait in memory and in a file, on the way to a file and to a pipe. The mesh covers each brick."""
+        side, tile = 600, 16  # bricks
+        tiles = [range(first, min(first + tile, side)) for first in range(0, side, tile)]
+        expected = array("I", (n for js in tiles for is_ in tiles for j in js for i in is_ for n in (i, j, 0)))
+        grid = ("--cell", "1,1,1", "--origin=0,0,0", "--size", "%d,%d,3" % (8 * side, 8 * side))
+        low, high = 0.0, 8.0 * side
+        mesh = self.write("square.obj", meshes.obj([((low, low, 0.5), (high, low, 0.5), (high, high, 0.5)),
+                                                    ((low, low, 0.5), (high, high, 0.5), (low, high, 0.5))]))
+        for threads in "12":
+            self.voxelize(mesh, *grid, "--threads", threads, "-o", self.path("a.npz"))
+            with zipfile.ZipFile(self.path("a.npz")) as file:
+                self.assertEqual(file.read("at.npy")[128:], expected.tobytes())
+                self.assertEqual(file.read("bits.npy")[128:], (b"\xff" * 8 + bytes(56)) * side ** 2)
+            piped = subprocess.run([support.program(), "voxelize", mesh, *grid, "--threads", threads, "--out-format", "npz", "-o",
+                                    "-"], capture_output=True, check=True, timeout=60).stdout
+            self.assertEqual(piped, volumes.read(self.path("a.npz")))
 
     def test_picture(self):
         small = ("--picture-size", "80x60")

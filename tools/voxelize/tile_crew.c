@@ -10,10 +10,10 @@
 #include "kept_bricks.h"
 
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
-enum { SHARE_TRIANGLES = 4096, SHARE_TILES = 16 };
+enum { SHARE_TRIANGLES = 2048, SHARE_TILES = 4 };
 
 /* Shares for each thread that may be taken before their turn, as some take longer, and how many bricks may wait for theirs. */
-enum { AHEAD = 2, WAITING_MOST = 1 << 19 };
+enum { AHEAD = 4, WAITING_MOST = 1 << 19 };
 
 typedef struct share {
     size_t number, from, to;
@@ -70,24 +70,17 @@ static bool take_share(crew *c, share *s)
     return s->to > s->from;
 }
 
+/* A sink that counts what it is handed, and hands it on where there is another. */
+typedef struct counter {
+    const tribox_sink *sink;
+    uint64_t bricks;
+} counter;
+
 static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
-    (void)at, (void)bits;
-    ++*(uint64_t *)data;
-    return 0;
-}
-
-/* The sink of a crew of one, and how many it was handed. */
-typedef struct direct {
-    const crew *crew;
-    uint64_t bricks;
-} direct;
-
-static int pass_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
-{
-    direct *const d = data;
-    d->bricks++;
-    return d->crew->sink->take(d->crew->sink->data, at, bits);
+    counter *const n = data;
+    n->bricks++;
+    return n->sink ? n->sink->take(n->sink->data, at, bits) : 0;
 }
 
 /* Under the lock: a share is through. */
@@ -122,23 +115,13 @@ static void hand_on(crew *c)
 }
 
 /* Straight into the sink, or counted. */
-static tribox_status run_directly(const crew *c, const share *s, tile_room *room, tribox_report *report, uint64_t *bricks)
-{
-    direct d = {c, 0};
-    const tribox_sink sink = c->sink ? (tribox_sink){pass_brick, &d} : (tribox_sink){count_brick, bricks};
-    const tribox_status status = tile_set_run(c->set, s->from, s->to, room, &sink, report);
-    if (c->sink)
-        *bricks = d.bricks;
-    return status;
-}
-
 static void run_at_once(crew *c, const share *s, tile_room *room)
 {
     tribox_report report = {0, 0};
-    uint64_t bricks = 0;
-    const tribox_status status = run_directly(c, s, room, &report, &bricks);
+    counter n = {.sink = c->sink};
+    const tribox_status status = tile_set_run(c->set, s->from, s->to, room, &(tribox_sink){count_brick, &n}, &report);
     pthread_mutex_lock(&c->lock);
-    account(c, s, status, &report, bricks);
+    account(c, s, status, &report, n.bricks);
     pthread_mutex_unlock(&c->lock);
 }
 
@@ -192,17 +175,6 @@ static void work(void *data, unsigned thread)
         tile_room_free(room);
 }
 
-static void run_crew(crew *c, unsigned threads)
-{
-    pthread_mutex_init(&c->lock, NULL);
-    pthread_cond_init(&c->turned, NULL);
-    crew_run(threads, work, c);
-    pthread_cond_destroy(&c->turned);
-    pthread_mutex_destroy(&c->lock);
-    for (size_t n = 0; n < c->ahead; n++)
-        free(c->slots[n].kept.bricks);
-}
-
 tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
                             tile_found *found)
 {
@@ -213,8 +185,14 @@ tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigne
     c.slots = calloc(c.ahead + 1, sizeof *c.slots);
     c.room = c.slots ? tile_room_new(set, from, to) : NULL;
     const bool has_memory = c.room;
+    pthread_mutex_init(&c.lock, NULL);
+    pthread_cond_init(&c.turned, NULL);
     if (has_memory)
-        run_crew(&c, threads < most ? threads : (unsigned)most);
+        crew_run(threads < most ? threads : (unsigned)most, work, &c);
+    pthread_cond_destroy(&c.turned);
+    pthread_mutex_destroy(&c.lock);
+    for (size_t n = 0; n < c.ahead && c.slots; n++)
+        free(c.slots[n].kept.bricks);
     tile_room_free(c.room);
     free(c.slots);
     *found = c.found;

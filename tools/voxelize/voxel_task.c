@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "tribox_threads.h"
+
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options)
 {
     return (voxel_task){.soup = soup, .count = soup->count, .grid = *grid, .options = options};
@@ -53,15 +55,11 @@ tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count,
     return tribox_mesh_voxelize(&part, &task->grid, &window, task->options, occupied, report);
 }
 
-tribox_status voxel_task_lists(const voxel_task *task, size_t start, size_t count, const tribox_tiles *tiles,
-                               const tribox_options *options, size_t *starts, uint32_t *list)
+tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t count, const tribox_tiles *tiles,
+                               const tribox_options *options, size_t *places, uint32_t *list)
 {
-    if (task->soup) {
-        const tribox_soup part = part_of_soup(task->soup, start, count);
-        return tribox_tile_lists(&part, &task->grid, tiles, options, starts, list);
-    }
-    const tribox_mesh part = part_of_mesh(task->mesh, start, count);
-    return tribox_mesh_tile_lists(&part, &task->grid, tiles, options, starts, list);
+    return task->soup ? tribox_tile_lists_part(task->soup, first, count, &task->grid, tiles, options, places, list)
+                      : tribox_mesh_tile_lists_part(task->mesh, first, count, &task->grid, tiles, options, places, list);
 }
 
 static double number_at(const unsigned char *at, size_t bytes)

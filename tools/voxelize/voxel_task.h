@@ -19,9 +19,9 @@ voxel_task voxel_task_of_mesh(const tribox_mesh *mesh, const tribox_grid *grid, 
 tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count, uint32_t first, uint32_t layers,
                              uint64_t *occupied, tribox_report *report);
 
-/* tribox_tile_lists of triangles start .. start + count - 1, whose numbers count from 0. */
-tribox_status voxel_task_lists(const voxel_task *task, size_t start, size_t count, const tribox_tiles *tiles,
-                               const tribox_options *options, size_t *starts, uint32_t *list);
+/* tribox_tile_lists_part of these triangles. */
+tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t count, const tribox_tiles *tiles,
+                               const tribox_options *options, size_t *places, uint32_t *list);
 
 /* The coordinates of triangle t: u[a][v] of vertex v on axis a. */
 void voxel_task_triangle(const voxel_task *task, size_t t, double u[3][3]);

@@ -11,6 +11,9 @@
 #include "dense_out.h"
 #include "spool.h"
 
+/* Bricks after which the stream is asked whether it failed, which takes a lock. */
+enum { LOOK_EVERY = 256 };
+
 /* The words of a dense format until all bricks are there. */
 typedef struct gathering {
     voxels_slab slab;
@@ -97,8 +100,8 @@ int brick_out_open(brick_out *out, const volume_format *format, const volume_opt
 int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     const int code = writer(out)->put(out, at, bits);
-    out->bricks++;
-    return code ? code : check_stream(out);
+    const bool is_looked_at = ++out->bricks % LOOK_EVERY == 0;
+    return code || !is_looked_at ? code : check_stream(out);
 }
 
 int brick_out_end(brick_out *out, progress *bar)

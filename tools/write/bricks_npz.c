@@ -6,23 +6,22 @@
 #include "console/message.h"
 #include "npz_members.h"
 #include "read/little.h"
-#include "spool.h"
+#include "waiting.h"
 
-enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512, CHUNK = 1 << 16 };
+enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512 };
 
 /* The file gets the bits as they come; the places wait beside it. */
 typedef struct npz {
     zip_out zip;
-    FILE *places;
+    waiting places;
     deflater *deflater; /* NULL: not deflated */
-    size_t waiting;     /* bricks that are in neither yet: for a few bytes each call costs too much */
+    size_t count;       /* bricks that are in neither yet: for a few bytes each call costs too much */
     unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES];
 } npz;
 
 static void free_npz(npz *z)
 {
-    if (z->places)
-        fclose(z->places);
+    waiting_free(&z->places);
     deflater_free(z->deflater);
     free(z);
 }
@@ -33,11 +32,10 @@ static int open_npz(brick_out *out)
     if (!z)
         return message_failure("%s: out of memory", out->file->path);
     z->deflater = out->options.is_deflated ? deflater_new() : NULL;
-    z->places = spool_open(out->file);
-    const bool lacks_memory = out->options.is_deflated && !z->deflater;
-    if (lacks_memory || !z->places) {
+    z->places = waiting_for(out->file);
+    if (out->options.is_deflated && !z->deflater) {
         free_npz(z);
-        return lacks_memory ? message_failure("%s: out of memory", out->file->path) : EXIT_CODE_FAILURE;
+        return message_failure("%s: out of memory", out->file->path);
     }
     zip_begin(&z->zip, out->to, z->deflater);
     zip_begin_member(&z->zip, "bits.npy");
@@ -45,23 +43,22 @@ static int open_npz(brick_out *out)
     return EXIT_CODE_OK;
 }
 
-static int write_waiting(brick_out *out)
+static int write_block(npz *z)
 {
-    npz *const z = out->state;
-    fwrite(z->place, AT_BYTES, z->waiting, z->places);
-    zip_add(&z->zip, z->words, z->waiting * BITS_BYTES);
-    z->waiting = 0;
-    return !ferror(z->places) ? EXIT_CODE_OK : file_out_failure(out->file);
+    const size_t count = z->count;
+    z->count = 0;
+    zip_add(&z->zip, z->words, count * BITS_BYTES);
+    return waiting_add(&z->places, z->place, count * AT_BYTES);
 }
 
 static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     npz *const z = out->state;
     for (int a = 0; a < 3; a++)
-        little_put32(z->place[z->waiting] + 4 * a, at[a]);
+        little_put32(z->place[z->count] + 4 * a, at[a]);
     for (int k = 0; k < 8; k++)
-        little_put64(z->words[z->waiting] + 8 * k, bits[k]);
-    return ++z->waiting < BLOCK ? EXIT_CODE_OK : write_waiting(out);
+        little_put64(z->words[z->count] + 8 * k, bits[k]);
+    return ++z->count < BLOCK ? EXIT_CODE_OK : write_block(z);
 }
 
 static void end_rows(brick_out *out, const char *type, int columns)
@@ -72,25 +69,23 @@ static void end_rows(brick_out *out, const char *type, int columns)
     zip_end_member(&z->zip, header);
 }
 
+static void add_some(void *zip, const void *bytes, size_t count) { zip_add(zip, bytes, count); }
+
 static int add_places(brick_out *out)
 {
     npz *const z = out->state;
-    unsigned char chunk[CHUNK];
-    size_t length;
-    if (fflush(z->places) || fseek(z->places, 0, SEEK_SET))
-        return file_out_failure(out->file);
     zip_begin_member(&z->zip, "at.npy");
-    while ((length = fread(chunk, 1, sizeof chunk, z->places)) > 0)
-        zip_add(&z->zip, chunk, length);
-    end_rows(out, "<u4", 3);
-    return !ferror(z->places) ? EXIT_CODE_OK : file_out_failure(out->file);
+    const int code = waiting_hand_on(&z->places, add_some, &z->zip);
+    if (!code)
+        end_rows(out, "<u4", 3);
+    return code;
 }
 
 static int end_npz(brick_out *out, progress *bar)
 {
     npz *const z = out->state;
     (void)bar;
-    int code = write_waiting(out);
+    int code = write_block(z);
     if (code)
         return code;
     end_rows(out, "<u8", 8);
