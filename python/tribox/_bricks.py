@@ -143,4 +143,4 @@ def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: O
     listing = options_of("exact", axes, 0, kernel)  # as a Partition's: cells that are not exact depend on which tiles are asked
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
     first, count = range_of("tiles", tiles, tiling.count, "tiles")
-    return bricks_of(Listed(held_, tiling, first, count, listing), tiling, options, threads_)
+    return bricks_of(Listed(held_, tiling, first, count, listing, threads_), tiling, options, threads_)

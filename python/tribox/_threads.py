@@ -3,7 +3,9 @@
 import os
 from collections import deque
 from operator import index
-from threading import Thread
+from queue import SimpleQueue
+from threading import Lock, Thread
+from typing import List
 
 from ._errors import InputError, shown
 
@@ -24,17 +26,52 @@ def threads_of(threads):
     return count
 
 
-def started(count, run):
-    """So many threads that run something, or as many as the system starts."""
-    threads = []
+parked: List["Helper"] = []  # that wait to be called, in place of being started anew
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=parked.clear)  # a child has none of these threads
+
+
+class Helper:
+    """A thread that stays till the process ends."""
+
+    def __init__(self):
+        self.calls = SimpleQueue()
+        Thread(target=self.help, name="tribox", daemon=True).start()
+
+    def help(self):
+        while True:
+            run, done = self.calls.get()
+            try:
+                run()
+                run = None  # or what it refers to would stay too
+                parked.append(self)
+            finally:
+                done.release()
+
+
+def new_helper():
+    """None where the system starts no thread."""
+    try:
+        return Helper()
+    except RuntimeError:
+        return None
+
+
+def called(count, run):
+    """So many helpers run something, or as many as the system starts: a lock for each, which it releases at its end."""
+    locks = []
     for _ in range(count):
-        thread = Thread(target=run)
         try:
-            thread.start()
-        except RuntimeError:
+            helper = parked.pop()
+        except IndexError:
+            helper = new_helper()
+        if not helper:
             break
-        threads.append(thread)
-    return threads
+        done = Lock()
+        done.acquire()
+        helper.calls.put((run, done))
+        locks.append(done)
+    return locks
 
 
 def cut(count, parts):
@@ -68,10 +105,10 @@ def in_threads(threads, work, parts):
                 failures.append(failure)
                 left.clear()
 
-    others = started(threads - 1, run)
+    others = called(threads - 1, run)
     run()
-    for other in others:
-        other.join()
+    for done in others:
+        done.acquire()
     if failures:
         raise failures[0]
     return answers

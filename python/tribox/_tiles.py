@@ -15,11 +15,13 @@ from ._grids import SIZE_MAX, struct_of
 from ._library import lib
 from ._masks import WORD, pointer_to, row_words
 from ._overlap import check_answer
+from ._threads import cut, in_threads
 from ._triangles import Mesh, by_number
 from ._typing import Cells
 
 SIDE_MAX = 1024
 SIZE, NUMBER = np.dtype(np.uintp), np.dtype(np.uint32)
+PARTS_EACH, LISTED_ALONE = 16, 1 << 17  # of each thread; so few triangles that one thread lists them sooner
 SIZES, NUMBERS = ffi.typeof("size_t[]"), ffi.typeof("uint32_t[]")
 
 
@@ -61,13 +63,27 @@ class Tiling:
 class Listed:
     """Triangles by tile, as lists of their numbers: those of `count` tiles of a tiling, from the first on."""
 
-    def __init__(self, held_, tiling, first, count, options):
-        self.held, self.starts = held_, np.empty(count + 1, SIZE)
+    def __init__(self, held_, tiling, first, count, options, threads=1):
         tiles = ffi.new("tribox_tiles *", (tiling.side, first, count))
-        call = held_, tiling.struct, tiles, options, ffi.from_buffer(SIZES, self.starts)
-        check_answer(held_, _c.tile_lists(*call, ffi.NULL))
+        few = threads < 2 or len(held_) <= LISTED_ALONE
+        parts = cut(len(held_), 1 if few else max(1, min(PARTS_EACH * threads, len(held_) // max(count, 1)))) or [(0, 0)]
+        places = np.empty((len(parts), count), SIZE)  # by part and tile: how many, and then where
+
+        def list_part(number, to):
+            low, high = parts[number]
+            return _c.tile_lists_part(held_, low, high - low, tiling.struct, tiles, options,
+                                      ffi.from_buffer(SIZES, places[number]), to)
+
+        def list_all(to):
+            check_answer(held_, max(in_threads(threads, lambda number: list_part(number, to), range(len(parts)))))
+
+        list_all(ffi.NULL)
+        by_tile = places.T.ravel()  # in each tile the parts follow each other
+        ends = np.cumsum(by_tile, dtype=SIZE)
+        places[:] = (ends - by_tile).reshape(count, len(parts)).T
+        self.held, self.starts = held_, np.append(places[0], ends[-1:] if count else SIZE.type(0)).astype(SIZE)
         self.list = np.empty(self.starts[-1], NUMBER)
-        check(_c.tile_lists(*call, ffi.from_buffer(NUMBERS, self.list)))
+        list_all(ffi.from_buffer(NUMBERS, self.list))
         self.places = np.flatnonzero(np.diff(self.starts))  # of tiles that have triangles
         self.numbers = self.places + first
 

@@ -1,5 +1,7 @@
 """tribox.bricks: the cells of tribox.voxelize, and the bricks of the library's own call, one by one."""
 
+from unittest import mock
+
 import numpy as np
 import tribox
 from tribox._ffi import ffi
@@ -102,6 +104,15 @@ class BrickTests(cases.TestCase):
                 whole = tribox.bricks(form, grid, side=8)
                 for threads in (2, 7, None):
                     self.assert_equal(tribox.bricks(form, grid, side=8, threads=threads), whole)
+
+    def test_threads_list(self):
+        """Which triangles are in which tile, in parts of a few."""
+        for grid in GRIDS.values():
+            for form in self.forms():
+                whole = tribox.bricks(form, grid, side=64)
+                with mock.patch("tribox._tiles.LISTED_ALONE", 0):
+                    for threads in (2, 3, 7):
+                        self.assert_equal(tribox.bricks(form, grid, side=64, threads=threads), whole)
 
     def test_beyond_memory(self):
         """A grid of 2^42 cells, whose bricks are the windows around them."""

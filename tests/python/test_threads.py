@@ -1,7 +1,12 @@
 """Threads call at once, on shared input and into shared cells."""
 
+import os
+import subprocess
+import sys
 import threading
 import time
+import unittest
+import weakref
 from unittest import mock
 
 import numpy as np
@@ -97,8 +102,33 @@ class InThreads(cases.TestCase):
 
     def test_no_threads(self):
         """Where the system starts none, one does all."""
-        with mock.patch.object(threading.Thread, "start", side_effect=RuntimeError("can't start new thread")):
+        with mock.patch("tribox._threads.parked", []), \
+                mock.patch.object(threading.Thread, "start", side_effect=RuntimeError("can't start new thread")):
             self.assertEqual(in_threads(4, str, range(9)), list(map(str, range(9))))
+
+    def test_helpers_stay(self):
+        """They are called again, and hold on to nothing meanwhile."""
+        before = threading.active_count()
+        for _ in range(50):
+            held = np.zeros(10)
+            kept = weakref.ref(held)
+            self.assertEqual(in_threads(4, lambda part, held=held: held.sum() + part, range(50)), list(range(50)))
+            del held
+            self.assertIsNone(kept())
+        self.assertLessEqual(threading.active_count(), before + 3)
+
+    def test_nested(self):
+        """Each of the threads has others to help it."""
+        self.assertEqual(in_threads(3, lambda part: sum(in_threads(3, int, range(part))), range(20)),
+                         [part * (part - 1) // 2 for part in range(20)])
+
+    @unittest.skipUnless(hasattr(os, "fork"), "needs fork")
+    def test_forked(self):
+        """A child has none of its parent's threads, and starts its own."""
+        script = ("import os, signal; from tribox._threads import in_threads; in_threads(4, str, range(50)); child = os.fork()\n"
+                  "if not child: signal.alarm(20); os._exit(in_threads(4, int, range(50)) != list(range(50)))\n"
+                  "raise SystemExit(os.waitpid(child, 0)[1])")
+        self.assertEqual(subprocess.run([sys.executable, "-W", "ignore", "-c", script], timeout=60).returncode, 0)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-/* crew.c - calls threads and waits for them. Between works they are parked, as one that wakes is at work sooner than one that starts. */
+/* crew.c - calls threads and waits for them. Between works they are parked, and not started anew (bench/files.md). */
 #include "crew.h"
 
 #include <pthread.h>
