@@ -1,188 +1,198 @@
-/* plain_ply_binary.c - vertices of floats, and faces that are all triangles, so that each stands where it is known before. */
+/* plain_ply_binary.c - binary PLY files of triangles: threads take blocks of vertices in turn, then of faces, to be stored or handed over. */
 #include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "console/crew.h"
 #include "console/pages.h"
-#include "files/named_file.h"
-#include "little.h"
+#include "console/steps.h"
 #include "mesh_look.h"
 #include "plain_ply.h"
-#include "turns.h"
+#include "ply_records.h"
+#include "vertex_extremes.h"
 
-/* Vertices or faces: of a block, and for each of which a thread takes less time to start than to read them. */
-enum { BLOCK = 4096, STARTED = 1 << 16 };
+/*
+ * Vertices or faces: of a block, at least and at most, and for each of which a thread takes less time to start than to read them, or
+ * to read them and hand them over.
+ */
+enum { BLOCK_LEAST = 512, BLOCK = 4096, BLOCKS_EACH = 8, STARTED = 1 << 16, STARTED_TAKEN = 1 << 14 };
 
 typedef struct ply_binary {
     const plain_file *file;
-    bool is_big;
-    uint64_t vertices_at, faces_at; /* in the file */
-    size_t vertices, vertex_bytes, axis_at[3];
-    size_t faces, face_bytes, count_at, count_bytes;
+    const mesh_taker *taker; /* NULL: triangles are stored */
+    ply_records records;
     float *positions;
     mesh *m;
+    unsigned threads;
+    size_t block; /* faces of one */
+    steps vertices, asking, faces;
+    uint32_t extreme[EXTREMES];
     pthread_mutex_t lock; /* of what follows */
+    vertex_extremes extremes;
+    unsigned met; /* of the extremes, by triangles that were taken */
     mesh_look look;
+    bool is_failed;
 } ply_binary;
 
-/* The order of the bytes of this machine is that of `is_big`, or not; either is right. */
-static inline uint32_t load(const unsigned char *from, bool is_big)
+static bool goes_on(ply_binary *p)
 {
-    return is_big ? (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3] : little_get32(from);
+    pthread_mutex_lock(&p->lock);
+    const bool is_failed = p->is_failed;
+    pthread_mutex_unlock(&p->lock);
+    return !is_failed;
 }
 
-static bool lay_out_vertex(const ply_element *e, ply_binary *p)
+static void fail(ply_binary *p)
 {
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const property = &e->properties[i];
-        if (property->count || (property->role <= PLY_Z && property->type != PLY_FLOAT))
-            return false;
-        if (property->role <= PLY_Z)
-            p->axis_at[property->role] = p->vertex_bytes;
-        p->vertex_bytes += ply_type_size(property->type);
-    }
-    return true;
+    pthread_mutex_lock(&p->lock);
+    p->is_failed = true;
+    pthread_mutex_unlock(&p->lock);
 }
 
-static bool lay_out_face(const ply_element *e, ply_binary *p)
+/* Returns when all threads are here. */
+static void run_steps(ply_binary *p, steps *s, unsigned thread, bool (*work)(ply_binary *p, unsigned thread, size_t step))
 {
-    for (int i = 0; i < e->property_count; i++) {
-        const ply_property *const property = &e->properties[i];
-        const bool is_corners = property->role == PLY_CORNERS;
-        if (is_corners ? property->type != PLY_INT32 && property->type != PLY_UINT32 : property->count)
-            return false;
-        if (is_corners) {
-            p->count_at = p->face_bytes;
-            p->count_bytes = ply_type_size(property->count);
-        }
-        p->face_bytes += is_corners ? p->count_bytes + sizeof(uint32_t[3]) : ply_type_size(property->type);
-    }
-    return true;
+    for (size_t n; steps_take(s, &n); steps_done(s))
+        if (goes_on(p) && !work(p, thread, n))
+            fail(p);
+    steps_wait(s);
 }
 
-/* Whether the file has the bytes that the header promises. */
-static bool lay_out(const ply_header *h, ply_binary *p)
-{
-    const ply_element *const vertices = &h->elements[0], *const faces = &h->elements[1];
-    if (!vertices->count || !faces->count || !lay_out_vertex(vertices, p) || !lay_out_face(faces, p))
-        return false;
-    p->vertices_at = h->size;
-    const uint64_t left = p->file->size - h->size;
-    if (vertices->count > left / p->vertex_bytes)
-        return false;
-    p->faces_at = h->size + vertices->count * p->vertex_bytes;
-    if (faces->count > (p->file->size - p->faces_at) / p->face_bytes || faces->count > SIZE_MAX / sizeof(float[9]))
-        return false;
-    p->vertices = (size_t)vertices->count;
-    p->faces = (size_t)faces->count;
-    return true;
-}
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
-/* A block of records, for free(). */
-static unsigned char *read_records(const ply_binary *p, uint64_t at, size_t bytes)
+static bool take_vertices(ply_binary *p, unsigned thread, size_t step)
 {
-    size_t got;
-    unsigned char *const records = malloc(bytes);
-    if (records && (!named_file_read_at(p->file->stream, at, records, bytes, &got) || got < bytes)) {
-        free(records);
-        return NULL;
-    }
-    return records;
-}
-
-static bool take_vertices(void *data, unsigned thread, size_t turn)
-{
-    const ply_binary *const p = data;
-    const size_t first = turn * BLOCK, left = p->vertices - first, count = left < BLOCK ? left : BLOCK;
-    unsigned char *const records = read_records(p, p->vertices_at + first * p->vertex_bytes, count * p->vertex_bytes);
+    const size_t first = step * BLOCK, count = least(BLOCK, p->records.vertices - first);
+    vertex_extremes own = vertex_extremes_none();
     (void)thread;
-    for (size_t i = 0; records && i < count; i++)
-        for (size_t a = 0; a < 3; a++) {
-            const uint32_t bits = load(records + i * p->vertex_bytes + p->axis_at[a], p->is_big);
-            memcpy(p->positions + 3 * (first + i) + a, &bits, sizeof bits);
-        }
-    free(records);
-    return records;
-}
-
-/* Returns whether all faces are triangles: their counts are 3 in the one byte, 0 in others. */
-static inline bool take_corners(const unsigned char *list, size_t count, size_t face_bytes, size_t count_bytes, bool is_big,
-                                uint32_t *corners)
-{
-    unsigned char other = 0;
-    const size_t lowest = is_big ? count_bytes - 1 : 0;
-    for (size_t i = 0; i < count; i++, list += face_bytes) {
-        for (size_t b = 0; b < count_bytes; b++)
-            other |= (unsigned char)(list[b] ^ (b == lowest ? 3 : 0));
-        for (size_t v = 0; v < 3; v++)
-            corners[3 * i + v] = load(list + count_bytes + 4 * v, is_big);
-    }
-    return !other;
-}
-
-static bool take_all_corners(const ply_binary *p, const unsigned char *records, size_t count, uint32_t *corners)
-{
-    if (p->count_bytes == 1 && !p->is_big)
-        return take_corners(records + p->count_at, count, p->face_bytes, 1, false, corners);
-    return take_corners(records + p->count_at, count, p->face_bytes, p->count_bytes, p->is_big, corners);
-}
-
-static bool fill_faces(ply_binary *p, size_t first, size_t count, const uint32_t *corners)
-{
-    const tribox_mesh all = {
-        .positions = p->positions, .vertices = p->vertices, .indices = corners, .index_bytes = sizeof *corners, .count = count};
-    float *to[9];
-    mesh_streams(p->m, first, to);
-    if (tribox_mesh_to_soup(&all, NULL, 0, count, NULL, to, to + 3, to + 6))
+    if (!ply_records_vertices(&p->records, p->file->stream, first, count, p->positions))
         return false;
+    if (!p->taker)
+        return true;
+    vertex_extremes_look(p->positions, first, count, &own);
+    pthread_mutex_lock(&p->lock);
+    vertex_extremes_join(&own, &p->extremes);
+    pthread_mutex_unlock(&p->lock);
+    return true;
+}
+
+/* The box is that of the vertices, and of the triangles only if these have such as reach its sides, which is seen at the end. */
+static bool ask_taker(ply_binary *p, unsigned thread, size_t step)
+{
+    mesh *const m = p->m;
+    (void)thread, (void)step;
+    m->is_taken =
+        p->taker && vertex_extremes_box(&p->extremes, &m->bounds) && p->taker->begin(p->taker->data, &m->bounds, p->records.faces);
+    if (m->is_taken)
+        vertex_extremes_find(&p->extremes, p->positions, BLOCK, p->extreme);
+    return m->is_taken || mesh_take_room(p->records.faces, m);
+}
+
+static bool store(ply_binary *p, const tribox_mesh *block, size_t first)
+{
+    float *to[9];
     mesh_look own = mesh_look_none();
-    mesh_look_at(p->m, first, count, &own);
+    mesh_streams(p->m, first, to);
+    if (tribox_mesh_to_soup(block, NULL, 0, block->count, NULL, to, to + 3, to + 6))
+        return false;
+    mesh_look_at(p->m, first, block->count, &own);
     pthread_mutex_lock(&p->lock);
     mesh_look_join(&own, &p->look);
     pthread_mutex_unlock(&p->lock);
     return true;
 }
 
-static bool take_faces(void *data, unsigned thread, size_t turn)
+static unsigned join_met(ply_binary *p, unsigned met)
 {
-    ply_binary *const p = data;
-    const size_t first = turn * BLOCK, left = p->faces - first, count = left < BLOCK ? left : BLOCK;
-    unsigned char *const records = read_records(p, p->faces_at + first * p->face_bytes, count * p->face_bytes);
+    pthread_mutex_lock(&p->lock);
+    met = p->met |= met;
+    pthread_mutex_unlock(&p->lock);
+    return met;
+}
+
+static bool hand_over(ply_binary *p, unsigned thread, const tribox_mesh *block)
+{
+    const unsigned before = join_met(p, 0), met = vertex_extremes_meet(p->extreme, block->indices, 3 * block->count, before);
+    if (met != before)
+        join_met(p, met);
+    return p->taker->take(p->taker->data, thread, block);
+}
+
+static bool take_faces(ply_binary *p, unsigned thread, size_t step)
+{
+    const size_t first = step * p->block, count = least(p->block, p->records.faces - first);
     uint32_t *const corners = malloc(count * sizeof(uint32_t[3]));
-    (void)thread;
-    const bool is_taken =
-        records && corners && take_all_corners(p, records, count, corners) && fill_faces(p, first, count, corners);
-    free(records);
+    const tribox_mesh block = {.positions = p->positions,
+                               .vertices = p->records.vertices,
+                               .indices = corners,
+                               .index_bytes = sizeof *corners,
+                               .count = count};
+    const bool is_taken = corners && ply_records_faces(&p->records, p->file->stream, first, count, corners) &&
+                          (p->m->is_taken ? hand_over(p, thread, &block) : store(p, &block, first));
     free(corners);
     return is_taken;
 }
 
-static bool read_blocks_of(ply_binary *p, size_t count, bool (*work)(void *data, unsigned thread, size_t turn))
+static void read_in_crew(void *data, unsigned thread)
 {
-    const size_t gaining = 1 + count / STARTED;
-    return turns_run(p->file->threads < gaining ? p->file->threads : (unsigned)gaining, (count + BLOCK - 1) / BLOCK, work, p);
+    ply_binary *const p = data;
+    run_steps(p, &p->vertices, thread, take_vertices);
+    run_steps(p, &p->asking, thread, ask_taker);
+    run_steps(p, &p->faces, thread, take_faces);
 }
 
+/* Reads what has not been read. */
+static bool read_by_threads(ply_binary *p)
+{
+    p->is_failed = false;
+    steps_start(&p->faces, (p->records.faces + p->block - 1) / p->block);
+    crew_run(p->threads, read_in_crew, p);
+    steps_free(&p->faces);
+    return !p->is_failed;
+}
+
+/* Faces that were handed over for nothing are read again. */
 static bool read_all(ply_binary *p)
 {
-    if (!read_blocks_of(p, p->vertices, take_vertices))
-        return false;
-    p->m->triangles = p->m->soup.count = p->faces;
-    if (!read_blocks_of(p, p->faces, take_faces))
-        return false;
-    mesh_look_keep(&p->look, p->m);
-    return true;
+    mesh *const m = p->m;
+    bool is_read = read_by_threads(p);
+    if (m->is_taken && !(is_read && p->met == (1U << EXTREMES) - 1)) {
+        p->taker->drop(p->taker->data);
+        m->is_taken = false;
+        is_read = mesh_take_room(p->records.faces, m) && read_by_threads(p);
+    }
+    m->triangles = p->records.faces;
+    m->first_not_finite = m->triangles;
+    if (is_read && !m->is_taken) {
+        m->soup.count = m->triangles;
+        mesh_look_keep(&p->look, m);
+    }
+    return is_read;
+}
+
+static void share_out(ply_binary *p)
+{
+    const size_t faces = p->records.faces, gaining = 1 + faces / (p->taker ? STARTED_TAKEN : STARTED);
+    p->threads = (unsigned)least(p->file->threads, gaining);
+    const size_t block = faces / (BLOCKS_EACH * p->threads);
+    p->block = block < BLOCK_LEAST ? BLOCK_LEAST : least(block, BLOCK);
 }
 
 bool plain_ply_binary(const plain_file *file, const ply_header *h, mesh *m)
 {
-    ply_binary p = {.file = file, .is_big = h->format == PLY_BIG_ENDIAN, .m = m, .look = mesh_look_none()};
-    if (!lay_out(h, &p))
+    ply_binary p = {.file = file, .taker = file->taker, .m = m, .extremes = vertex_extremes_none(), .look = mesh_look_none()};
+    if (!ply_records_of(h, file->size, &p.records))
         return false;
-    const size_t bytes = p.vertices * sizeof(float[3]);
-    p.positions = p.vertices <= SIZE_MAX / sizeof(float[3]) ? pages_take(bytes) : NULL;
+    const size_t vertices = p.records.vertices, bytes = vertices * sizeof(float[3]);
+    p.positions = vertices <= SIZE_MAX / sizeof(float[3]) ? pages_take(bytes) : NULL;
+    if (!p.positions)
+        return false;
+    share_out(&p);
     pthread_mutex_init(&p.lock, NULL);
-    const bool is_read = p.positions && mesh_take_room(p.faces, m) && read_all(&p);
+    steps_start(&p.vertices, (vertices + BLOCK - 1) / BLOCK);
+    steps_start(&p.asking, 1);
+    const bool is_read = read_all(&p);
+    steps_free(&p.asking);
+    steps_free(&p.vertices);
     pthread_mutex_destroy(&p.lock);
     pages_free(p.positions, bytes);
     return is_read;

@@ -7,6 +7,7 @@
 #include "console/pages.h"
 #include "layers_job.h"
 #include "layers_work.h"
+#include "own_words.h"
 
 /* What the library returns for these arguments but the triangles, before any thread starts. */
 static tribox_status check_layers(const voxel_task *task, uint32_t first, uint32_t layers, uint64_t *occupied)
@@ -42,11 +43,10 @@ static unsigned threads_for(const layers_job *job, unsigned asked)
 
 static void run(layers_job *job, unsigned threads)
 {
-    enum { OWN_BYTES = 1 << 21 }; /* words of one's own up to these are put together faster than triangles are looked at twice */
     job->threads = threads_for(job, threads);
     if (job->threads == 1)
         run_alone(job);
-    else if (job->layer_words * job->layers <= OWN_BYTES / sizeof *job->occupied)
+    else if (job->layer_words * job->layers <= OWN_WORDS_BYTES / sizeof *job->occupied)
         layers_by_triangles(job);
     else
         layers_by_slabs(job);

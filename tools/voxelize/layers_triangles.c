@@ -3,18 +3,18 @@
 #include <stddef.h>
 
 #include "console/crew.h"
-#include "console/pages.h"
 #include "console/steps.h"
 #include "layers_job.h"
+#include "own_words.h"
 
-/* Triangles in a step: enough for a call, and steps enough for threads to end together. Words in a strip of those put together. */
-enum { STEP_LEAST = 512, STEP_MOST = 1 << 15, STEPS_EACH = 8, STRIP = 4096 };
+/* Triangles in a step: enough for a call, and steps enough for threads to end together. */
+enum { STEP_LEAST = 512, STEP_MOST = 1 << 15, STEPS_EACH = 8 };
 
 typedef struct sharing {
     layers_job *job;
-    size_t step, words;
+    size_t step;
     steps triangles, strips;
-    uint64_t *own[THREADS_MAX]; /* NULL: that thread has set nothing, or sets them where all go */
+    own_words words;
 } sharing;
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
@@ -38,46 +38,30 @@ static void set_cells(sharing *s, uint64_t *words)
     }
 }
 
-static size_t put_together(sharing *s, size_t from, size_t count)
+static void put_together(sharing *s)
 {
-    uint64_t *const to = s->job->occupied + from;
-    const size_t before = tribox_mask_indices(to, 64 * count, NULL);
-    for (unsigned t = 1; t < THREADS_MAX; t++)
-        for (size_t w = 0; s->own[t] && w < count; w++)
-            to[w] |= s->own[t][from + w];
-    return tribox_mask_indices(to, 64 * count, NULL) - before;
-}
-
-static void put_strips(sharing *s)
-{
-    for (size_t n; steps_take(&s->strips, &n);) {
-        const size_t from = n * STRIP;
-        layers_job_tell(s->job, 0, (tribox_report){.overlapping = put_together(s, from, least(STRIP, s->words - from))});
-    }
+    for (size_t n; steps_take(&s->strips, &n);)
+        layers_job_tell(s->job, 0, (tribox_report){.overlapping = own_words_join(&s->words, n)});
 }
 
 /* Whoever has no memory sets no cells. */
 static void work_on(void *data, unsigned thread)
 {
     sharing *const s = data;
-    if (thread)
-        s->own[thread] = pages_take(s->words * sizeof **s->own);
-    if (!thread || s->own[thread])
-        set_cells(s, thread ? s->own[thread] : s->job->occupied);
+    uint64_t *const words = own_words_of(&s->words, thread);
+    if (words)
+        set_cells(s, words);
     steps_wait(&s->triangles);
-    put_strips(s);
+    put_together(s);
 }
-
-static size_t steps_of(size_t count, size_t each) { return (count + each - 1) / each; }
 
 void layers_by_triangles(layers_job *job)
 {
-    sharing s = {.job = job, .step = step_for(job), .words = job->layer_words * job->layers};
-    steps_start(&s.triangles, steps_of(job->task->count, s.step));
-    steps_start(&s.strips, steps_of(s.words, STRIP));
+    sharing s = {.job = job, .step = step_for(job), .words = {.count = job->layer_words * job->layers, .all = job->occupied}};
+    steps_start(&s.triangles, (job->task->count + s.step - 1) / s.step);
+    steps_start(&s.strips, own_words_strips(&s.words));
     crew_run(job->threads, work_on, &s);
-    for (unsigned t = 1; t < THREADS_MAX; t++)
-        pages_free(s.own[t], s.words * sizeof **s.own);
+    own_words_free(&s.words);
     steps_free(&s.strips);
     steps_free(&s.triangles);
 }

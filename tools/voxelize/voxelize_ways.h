@@ -13,6 +13,7 @@ typedef struct voxelize_input {
     const mesh *mesh;           /* NULL for a partition */
     const partition *partition; /* NULL for a mesh */
     voxels cells;               /* the grid and the shift */
+    uint64_t *surface;          /* the words of the mesh in the grid; NULL: it is still to be voxelized */
 } voxelize_input;
 
 /* The files, open where they are wanted. */
@@ -28,6 +29,9 @@ int voxelize_apart(const voxelize_request *r, const voxelize_input *in, voxelize
 
 /* The mesh as what is to be voxelized into this grid. */
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in);
+
+/* Whether all cells at once take less time than tile by tile, whose triangles are sorted first, and are the same cells. */
+bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles);
 
 /* Says in the answer how it was filled, and warns of a mesh that is not closed. */
 void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a);

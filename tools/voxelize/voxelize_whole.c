@@ -19,6 +19,7 @@ typedef struct whole {
     const voxelize_input *in;
     voxels cells;
     size_t words;
+    bool is_taken;             /* the surface was voxelized while the mesh was read */
     uint64_t *surface, *solid; /* solid: NULL without a fill */
 } whole;
 
@@ -38,7 +39,8 @@ static int take_memory(whole *w)
     code = voxels_check_memory(grid, bytes, fewer);
     if (code)
         return code;
-    w->surface = pages_take(w->words * sizeof *w->surface);
+    if (!w->is_taken)
+        w->surface = pages_take(w->words * sizeof *w->surface);
     w->solid = is_filled ? pages_take(w->words * sizeof *w->solid) : NULL;
     return w->surface && (w->solid || !is_filled) ? EXIT_CODE_OK
                                                   : message_failure("out of memory for %zu words of cells", w->words);
@@ -117,15 +119,16 @@ static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a
 
 int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
-    whole w = {.r = r, .in = in, .cells = in->cells};
+    whole w = {.r = r, .in = in, .cells = in->cells, .is_taken = in->surface, .surface = in->surface};
     int code = take_memory(&w);
-    if (!code)
+    if (!code && !w.is_taken)
         code = voxelize(&w, a);
     if (!code)
         code = fill_if_wanted(&w, a);
     if (!code)
         code = write_files(&w, files, a);
     pages_free(w.solid, w.words * sizeof *w.solid);
-    pages_free(w.surface, w.words * sizeof *w.surface);
+    if (!w.is_taken)
+        pages_free(w.surface, w.words * sizeof *w.surface);
     return code;
 }

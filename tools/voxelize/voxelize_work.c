@@ -10,20 +10,17 @@
 #include "console/memory.h"
 #include "console/message.h"
 #include "layers.h"
+#include "taken_cells.h"
 #include "voxelize_ways.h"
 
-/*
- * Whether all cells at once take less time than tile by tile, whose triangles are sorted first: up to 2 MB of bits, which a core has
- * at hand, and further the more triangles there are, up to what the last cache holds (bench/files.md). Only the true answer is the
- * same cell by cell either way.
- */
-static bool is_small(const voxelize_request *r, const voxelize_input *in)
+/* Up to 2 MB of bits, which a core has at hand, and with many triangles up to what the last cache holds (bench/files.md). */
+bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles)
 {
     static const double at_hand = 0x1p21, cached = 0x1p25, per_triangle = 16;
-    if (!in->mesh || r->has_shard || r->test.accuracy != TRIBOX_EXACT)
+    if (r->has_shard || r->test.accuracy != TRIBOX_EXACT)
         return false;
-    const double bytes = ceil(in->cells.grid.size[0] / 64.0) * in->cells.grid.size[1] * in->cells.grid.size[2] * sizeof(uint64_t);
-    const bool is_faster = bytes <= at_hand || bytes <= per_triangle * (double)in->mesh->triangles;
+    const double bytes = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2] * sizeof(uint64_t);
+    const bool is_faster = bytes <= at_hand || bytes <= per_triangle * (double)triangles;
     return is_faster && bytes <= cached && bytes < (double)memory_available() / 2;
 }
 
@@ -31,7 +28,7 @@ static bool is_small(const voxelize_request *r, const voxelize_input *in)
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks;
-    return (is_dense && in->mesh) || is_small(r, in);
+    return in->mesh && (in->surface || is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
 }
 
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
@@ -57,7 +54,8 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 /* Neither a filling nor a picture needs all cells, and the file takes layers in any order. */
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
-    const bool is_wanted = in->mesh && r->fill == FILL_NONE && !r->is_count && !r->is_part && r->result.format->frame;
+    const bool is_wanted =
+        in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_count && !r->is_part && r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }
@@ -103,24 +101,50 @@ static int open_files(const voxelize_request *r, const voxelize_input *in, voxel
     return code;
 }
 
+static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_input *in, voxelize_answer *a)
+{
+    const char *const name = triangle_file_name(r->from.mesh_path);
+    in->mesh = m;
+    mesh_warn(name, m);
+    a->triangles = m->triangles;
+    a->not_finite = m->not_finite;
+    a->is_double = m->is_double;
+    const int code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
+    return code ? code : open_files(r, in, a);
+}
+
+/* Most small grids need no mesh that is stored: their cells are set while it is read. */
+static int work_while_reading(const voxelize_request *r, voxelize_answer *a)
+{
+    mesh m;
+    mesh_taker taker;
+    taken_cells taken;
+    voxelize_input in = {.mesh = NULL};
+    const bool may_take = taken_cells_start(r, &taken, &taker);
+    int code = mesh_read_into(r->from.mesh_path, r->from.format, r->threads, may_take ? &taker : NULL, &m);
+    if (!code) {
+        if (m.is_taken)
+            in.surface = taken_cells_end(&taken, a);
+        code = work_with_mesh(r, &m, &in, a);
+        mesh_free(&m);
+    }
+    taken_cells_free(&taken);
+    return code;
+}
+
 static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
 {
     mesh m;
     mesh_shift shift = r->from.shift;
-    const char *const name = triangle_file_name(r->from.mesh_path);
+    voxelize_input in = {.mesh = NULL};
+    if (!shift.is_wanted)
+        return work_while_reading(r, a);
     int code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, &m);
     if (code)
         return code;
-    voxelize_input in = {.mesh = &m};
-    mesh_warn(name, &m);
-    a->triangles = m.triangles;
-    a->not_finite = m.not_finite;
-    a->is_double = m.is_double;
-    a->is_shifted = shift.is_wanted;
+    a->is_shifted = true;
     memcpy(in.cells.shift, shift.by, sizeof shift.by);
-    code = grid_choose(&r->from.choice, name, &m, &in.cells.grid);
-    if (!code)
-        code = open_files(r, &in, a);
+    code = work_with_mesh(r, &m, &in, a);
     mesh_free(&m);
     return code;
 }
