@@ -43,7 +43,7 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm256_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm256_or_ps(a, b); }
-TRIBOX_INLINE vnum v_floor(vnum a) { return _mm256_floor_ps(a); }
+TRIBOX_INLINE vnum v_nearest(vnum a) { return _mm256_round_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
 TRIBOX_INLINE vnum avx2_join(__m128 low, __m128 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_EQ_OQ); }

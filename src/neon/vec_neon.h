@@ -49,7 +49,7 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
     return neon_number(veorq_u32(neon_bits(a), vandq_u32(neon_bits(sign), vdupq_n_u32(0x80000000u))));
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return neon_number(vorrq_u32(neon_bits(a), neon_bits(b))); }
-TRIBOX_INLINE vnum v_floor(vnum a) { return vrndmq_f32(a); }
+TRIBOX_INLINE vnum v_nearest(vnum a) { return vrndnq_f32(a); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f32(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return vceqzq_f32(a); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f32(m, a, b); }

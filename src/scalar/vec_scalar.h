@@ -57,12 +57,8 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
 TRIBOX_INLINE vnum v_abs(vnum a) { return fabsf(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return a * copysignf(1, sign); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return scalar_float(scalar_bits(a) | scalar_bits(b)); }
-/* So far from zero floats are whole: the first sum rounds to a whole number, and all else is exact. */
-TRIBOX_INLINE vnum v_floor(vnum a)
-{
-    const vnum whole = a + 0x1.8p23f - 0x1.8p23f;
-    return whole - (float)(whole > a);
-}
+/* So far from zero floats are whole: the sum rounds to a whole number. */
+TRIBOX_INLINE vnum v_nearest(vnum a) { return a + 0x1.8p23f - 0x1.8p23f; }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return a == 0; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)

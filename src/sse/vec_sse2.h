@@ -41,12 +41,8 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_ps(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_and_ps(_mm_castsi128_ps(_mm_set1_epi32(0x7fffffff)), a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_ps(a, _mm_and_ps(_mm_set1_ps(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return _mm_or_ps(a, b); }
-/* So far from zero floats are whole: the first sum rounds to a whole number, and all else is exact. */
-TRIBOX_INLINE vnum v_floor(vnum a)
-{
-    const vnum far_away = _mm_set1_ps(0x1.8p23f), whole = _mm_sub_ps(_mm_add_ps(a, far_away), far_away);
-    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmpgt_ps(whole, a), _mm_set1_ps(1)));
-}
+/* So far from zero floats are whole: the sum rounds to a whole number. */
+TRIBOX_INLINE vnum v_nearest(vnum a) { return _mm_sub_ps(_mm_add_ps(a, _mm_set1_ps(0x1.8p23f)), _mm_set1_ps(0x1.8p23f)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_ps(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return _mm_cmpeq_ps(a, _mm_setzero_ps()); }
 /* Two copies of the mask fewer than by and, andnot and or, as its operations write over their first operand. */

@@ -64,6 +64,7 @@ static bool make_float(tribox_voxel_window *w)
         f->per_cell[a] = (float)w->lattice.per_cell[a];
         f->size[a] = (float)w->size[a];
         f->off[a] = (float)off;
+        f->off_middle[a] = (float)(off - 0.5);
         f->cell[a] =
             !w->doubles && off == 0 && has_float_planes(f->origin[a], w->planes.cell[a], f->size[a]) ? (float)w->planes.cell[a] : 0;
         f->error[a] = (float)(w->lattice.error[a] + 0x1.4p-21 * magnitude(off)) * 1.001f;

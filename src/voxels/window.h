@@ -14,10 +14,11 @@
 /* The window in float, for triangles of floats as they are, and for those of doubles less the place of plane 0. */
 typedef struct tribox_float_lattice {
     float origin[3], per_cell[3], size[3];
-    float off[3];   /* the place of the origin: plane 0 need not be a float */
-    float cell[3];  /* where all planes are floats that float arithmetic makes without rounding; else 0 */
-    float error[3]; /* that of tribox_lattice, and what `off` adds to it */
-    float doubt[3]; /* with what float adds to it, for every place in the window */
+    float off[3];        /* the place of the origin: plane 0 need not be a float; */
+    float off_middle[3]; /* from the middle of cell 0 */
+    float cell[3];       /* where all planes are floats that float arithmetic makes without rounding; else 0 */
+    float error[3];      /* that of tribox_lattice, and what `off` adds to it */
+    float doubt[3];      /* with what float adds to it, for every place in the window */
 } tribox_float_lattice;
 
 /* A window of a grid as a grid of its own, and the layers of it that are written. */

@@ -42,7 +42,7 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return wasm_f32x4_pmax(b, a); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return wasm_f32x4_abs(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return wasm_v128_xor(a, wasm_v128_and(wasm_f32x4_const_splat(-0.0f), sign)); }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return wasm_v128_or(a, b); }
-TRIBOX_INLINE vnum v_floor(vnum a) { return wasm_f32x4_floor(a); }
+TRIBOX_INLINE vnum v_nearest(vnum a) { return wasm_f32x4_nearest(a); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return wasm_f32x4_gt(a, b); }
 TRIBOX_INLINE vmask v_is_zero(vnum a) { return wasm_f32x4_eq(a, wasm_f32x4_const_splat(0)); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return wasm_v128_bitselect(a, b, m); }

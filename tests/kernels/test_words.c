@@ -442,19 +442,19 @@ static float near_whole(random_source *r)
     return fminf(fmaxf(beside, -0x1p22f), 0x1p22f);
 }
 
-static void test_floors(void **state)
+static void test_nearest(void **state)
 {
     (void)state;
-    random_source r = random_named(args.seed, "floors");
+    random_source r = random_named(args.seed, "nearest");
     for (int round = 0; round < 100000; round++) {
         float a[LANES_MAX], out[LANES_MAX];
         for (unsigned lane = 0; lane < lanes_count; lane++)
             a[lane] =
                 random_int(&r, 2) ? near_whole(&r) : ldexpf((float)random_double(&r, -1, 1), random_int_between(&r, -140, 22));
-        lanes_floor(a, out);
+        lanes_nearest(a, out);
         for (unsigned lane = 0; lane < lanes_count; lane++)
-            if (out[lane] != floorf(a[lane]))
-                fail_msg("v_floor of %a in lane %u gives %a", (double)a[lane], lane, (double)out[lane]);
+            if (out[lane] != rintf(a[lane]))
+                fail_msg("v_nearest of %a in lane %u gives %a", (double)a[lane], lane, (double)out[lane]);
     }
 }
 
@@ -699,7 +699,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_permutes),
         cmocka_unit_test(test_transposes),
         cmocka_unit_test(test_near),
-        cmocka_unit_test(test_floors),
+        cmocka_unit_test(test_nearest),
         cmocka_unit_test(test_ints),
         cmocka_unit_test(test_shifts),
         cmocka_unit_test(test_runs),

@@ -106,7 +106,7 @@ void lanes_near_transpose(const void *const *from, const double *lo, lane_number
         put(to[k], out[k]);
 }
 
-void lanes_floor(const float *a, float *out) { put(v_floor(lanes_of(a)), out); }
+void lanes_nearest(const float *a, float *out) { put(v_nearest(lanes_of(a)), out); }
 
 /* Not i_load, which is a word under test. */
 static vint ints_of(const int32_t *from)

@@ -89,7 +89,7 @@ void lanes_permute(const float *a, const float *b, const int32_t *from, lane_num
 void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX]);
 void lanes_near(const void *from, const double *lo, lane_number *out);
 void lanes_near_transpose(const void *const *from, const double *lo, lane_number out[4][LANES_MAX]);
-void lanes_floor(const float *a, float *out);
+void lanes_nearest(const float *a, float *out);
 void lanes_int(int_word word, const int32_t *a, const int32_t *b, int32_t *out);
 uint64_t lanes_with_bits(const int32_t *a);
 void lanes_pack(const float *a, const int32_t *chosen, float *out); /* those where `chosen` has bits */

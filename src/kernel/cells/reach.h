@@ -1,6 +1,6 @@
 /*
  * reach.h - which cells of a grid the bounding boxes of a packet of triangles touch, in float.
- * After: axes.h, voxelizing.h. Needs: v_floor.
+ * After: axes.h, voxelizing.h. Needs: v_nearest.
  *
  * A number lies in the cell that its place says, unless a whole place is within `doubt` of that; then the plane there decides
  * (PROOFS.md 7.3). Where triangles are of doubles, these are asked.
@@ -36,10 +36,10 @@ typedef struct lane_cells {
     vnum first, last;
 } lane_cells;
 
-/* The whole number that is nearest to a place, which is -1/2 or more. */
-TRIBOX_INLINE int64_t nearest_plane(float place) { return (int64_t)(place + 0.5f); }
+/* The plane that is nearest to a number, of a place less half a cell, which is -1 or more. */
+TRIBOX_INLINE int64_t nearest_plane(float middle) { return (int64_t)(middle + 1); }
 
-/* On one axis the least and the greatest number of triangles in float, and their places. */
+/* On one axis the least and the greatest number of triangles in float, and their places, less half a cell. */
 typedef struct lane_ends {
     vnum least, most, from, to;
 } lane_ends;
@@ -89,7 +89,7 @@ static lane_cells ask_planes(const tribox_voxel_window *w, lane_reach *r, int a,
 static lane_cells ask_planes_of_floats(const tribox_voxel_window *w, int a, vmask in_doubt, lane_cells guess, lane_ends ends)
 {
     const uint64_t lanes = m_bits(in_doubt);
-    const vnum half = v_splat(0.5f), low = v_floor(v_add(ends.from, half)), high = v_floor(v_add(ends.to, half));
+    const vnum half = v_splat(0.5f), low = v_nearest(v_add(ends.from, half)), high = v_nearest(v_add(ends.to, half));
     const double origin = w->planes.origin[a], cell = w->planes.cell[a], before = w->planes.first[a];
     float first[V_LANES], last[V_LANES], least[V_LANES], most[V_LANES];
     v_write(first, low);
@@ -123,10 +123,12 @@ static lane_cells ask_float_planes(const tribox_float_lattice *lattice, int a, l
                         plus_where(guess.last, m_not(v_gt(above_last, ends.most)), v_gt(last, ends.most))};
 }
 
-TRIBOX_INLINE vnum place_of(vnum x, const tribox_float_lattice *lattice, int a)
+/* The place of x less half a cell, so that the nearest whole number is its cell. */
+TRIBOX_INLINE vnum middle_of(vnum x, const tribox_float_lattice *lattice, int a)
 {
-    const vnum place = v_fma(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]), v_splat(lattice->off[a]));
-    return v_min(v_max(place, v_splat(-0.5f)), v_splat(lattice->size[a] + 0.5f));
+    const vnum middle =
+        v_fma(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]), v_splat(lattice->off_middle[a]));
+    return v_min(v_max(middle, v_splat(-1)), v_splat(lattice->size[a]));
 }
 
 TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, int a, const float *const stream[3], size_t at)
@@ -134,12 +136,12 @@ TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, int a
     for (int j = 0; j < 3; j++)
         r->u[3 * a + j] = v_load(stream[j] + at);
     const tribox_float_lattice *const lattice = &w->in_float;
-    const vnum half = v_splat(0.5f), zero = v_splat(0), size = v_splat(lattice->size[a]);
+    const vnum zero = v_splat(0), size = v_splat(lattice->size[a]);
     const vnum least = lane_min3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
     const vnum most = lane_max3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
-    const vnum from = place_of(least, lattice, a), to = place_of(most, lattice, a);
-    lane_cells c = {v_floor(from), v_floor(to)};
-    const vnum off = v_max(v_abs(v_sub(v_sub(from, c.first), half)), v_abs(v_sub(v_sub(to, c.last), half)));
+    const vnum from = middle_of(least, lattice, a), to = middle_of(most, lattice, a);
+    lane_cells c = {v_nearest(from), v_nearest(to)};
+    const vnum off = v_max(v_abs(v_sub(from, c.first)), v_abs(v_sub(to, c.last)));
     const vmask in_doubt = v_gt(off, v_splat(0.5f - lattice->doubt[a]));
     if (m_bits(in_doubt) && lattice->cell[a] > 0)
         c = ask_float_planes(lattice, a, c, (lane_ends){least, most, from, to});

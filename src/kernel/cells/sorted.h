@@ -143,22 +143,22 @@ TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const l
 TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines, vnum rows)
 {
     const lane_bits bits = bits_at(v, r->base);
-    const vint one = i_splat(1), bit = i_shl(one, bits.from);
     const vint step =
         i_or(i_keep(r->spans[1], i_splat(v->sinks.row_halves)), i_keep(m_not(r->spans[1]), i_splat(v->sinks.layer_halves)));
     vint half = bits.half;
     make_room(v);
-    list_bits(v, half, bits.from, i_keep(lines, i_shr(i_splat(-1), i_sub(i_splat(32), i_cut(r->cells[0])))));
+    list_bits(v, half, bits.from, i_keep(lines, i_run(i_splat(0), i_cut(r->cells[0]))));
     for (int row = 1; row < TRIBOX_LINE_MOST; row++) {
         const vmask longer = m_and(lines, v_gt(rows, v_splat((float)row)));
-        half = i_add(half, step);
         if (!m_bits(longer))
             break;
-        list(v, longer, half, bit);
+        half = i_add(half, step);
+        list(v, longer, half, i_shl(i_splat(1), bits.from));
     }
 }
 
-TRIBOX_INLINE vmask at_most(vnum a, float most) { return m_not(v_gt(a, v_splat(most))); }
+/* Of whole numbers. */
+TRIBOX_INLINE vmask at_most(vnum a, float most) { return v_gt(v_splat(most + 1), a); }
 
 /* The layers that are written, as a packet needs them. */
 typedef struct lane_layers {

@@ -1,5 +1,5 @@
 /*
- * tile_ranges.h - which tiles of a grid the bounding boxes of triangles touch, in float. After: reach.h. Needs: v_floor, KERNEL.
+ * tile_ranges.h - which tiles of a grid the bounding boxes of triangles touch, in float. After: reach.h. Needs: v_nearest, KERNEL.
  *
  * A number lies in the tile that its place says, unless a whole place, or an end of the grid, is within `doubt` of that: whoever
  * asks then finds out from the planes (PROOFS.md 7.12).
@@ -21,8 +21,9 @@ TRIBOX_INLINE lane_tiles tiles_of(const vnum u[3], const tribox_tile_lattice *la
 {
     const vnum half = v_splat(0.5f), doubt = v_splat(lattice->doubt[a]), end = v_splat(lattice->end[a]);
     const vnum from = tile_place(lane_min3(u[0], u[1], u[2]), lattice, a), to = tile_place(lane_max3(u[0], u[1], u[2]), lattice, a);
-    const vnum first = v_floor(from), last = v_floor(to);
-    const vnum off = v_max(v_abs(v_sub(v_sub(from, first), half)), v_abs(v_sub(v_sub(to, last), half)));
+    const vnum from_middle = v_sub(from, half), to_middle = v_sub(to, half);
+    const vnum first = v_nearest(from_middle), last = v_nearest(to_middle);
+    const vnum off = v_max(v_abs(v_sub(from_middle, first)), v_abs(v_sub(to_middle, last)));
     lane_tiles tiles = {.first = first, .more = v_sub(last, first)};
     tiles.outside = m_or(v_gt(v_sub(v_splat(0), doubt), to), v_gt(from, v_add(end, doubt)));
     tiles.unknown = m_or(m_or(v_gt(off, v_sub(half, doubt)), v_gt(v_splat(0), first)),
