@@ -23,6 +23,12 @@ Triangles that are asked about many boxes belong in an Index, whose answers are 
     >>> numbers[start[1]:start[2]]
     array([1], dtype=uint32)
 
+The triangles of a box are a mesh of their own, with the numbers of its faces and vertices, by which attributes are looked up:
+
+    >>> part = tribox.crop(utm, (557820, 5108010, 700), (557821, 5108011, 701))
+    >>> part.faces, part.face_numbers
+    (array([[0, 1, 2]], dtype=uint32), array([0]))
+
 Cells come as Voxels, an array of bool that knows its grid. The grid is laid around the mesh, or given:
 
     >>> voxels = tribox.voxelize(triangles, cell=0.1)
@@ -58,6 +64,7 @@ All is typed; tribox.TrianglesLike is the type of what is taken for triangles.
 from ._around import grid_around
 from ._boxes import OrientedBox
 from ._bricks import Bricks, bricks
+from ._crop import Cropped, crop
 from ._errors import BadIndexError, Error, InputError, InputTypeError
 from ._fill import OpenMeshWarning
 from ._grids import Grid
@@ -76,8 +83,8 @@ AXES_BOX, AXES_PLANE, AXES_EDGES = lib.TRIBOX_AXES_BOX, lib.TRIBOX_AXES_PLANE, l
 AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
-    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "Error", "Grid", "Index", "InputError",
-    "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Partition", "Soup", "Voxels", "bricks", "classify", "find",
+    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "Cropped", "Error", "Grid", "Index", "InputError",
+    "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Partition", "Soup", "Voxels", "bricks", "classify", "crop", "find",
     "grid_around", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes",
     "overlap_oriented", "partition", "tile_count", "voxelize",
 ]

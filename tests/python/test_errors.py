@@ -203,7 +203,7 @@ class Oddities(cases.TestCase):
         """(status, call) for each place of three numbers, with `odd` among them."""
         one, corner, far, frame = (0, 0, 0), (odd, 0, 0), (1, 1, 1), np.eye(3)
         bounds = np.zeros((3, 2), np.float32)
-        for call in (tribox.overlap, tribox.overlap_any, tribox.overlap_all, tribox.classify):
+        for call in (tribox.overlap, tribox.overlap_any, tribox.overlap_all, tribox.classify, tribox.crop):
             yield "BAD_BOX", lambda call=call: call(self.triangles, corner, far, **options)
             yield "BAD_BOX", lambda call=call: call(self.triangles, one, corner, **options)
         yield "BAD_BOX", lambda: tribox.overlap_oriented(self.triangles, corner, far, frame, **options)

@@ -50,6 +50,9 @@ count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + i
 listed: NDArray[np.uint32] = index.list(lo, hi)
 lists, starts = index.lists(np.zeros((5, 3)), np.ones((5, 3)), threads=2)
 lists, starts = index.lists([[[0, 0, 0], [1, 1, 1]]])
+part: tribox.Cropped = tribox.crop(meshes_of_others.trimesh, lo, hi, inside=True)
+vertices, faces, face_numbers, vertex_numbers = tribox.crop(triangles, box, rest=True)
+chosen: NDArray[np.intp] = part.face_numbers
 many: NDArray[np.bool_] = tribox.overlap_boxes(triangles[0], np.zeros((5, 3)), np.ones((5, 3)))
 shares: List[Tuple[int, int]] = parts.shares(8)
 names: List[str] = tribox.kernels()
@@ -64,6 +67,7 @@ tribox.overlap(triangles, lo, object())  # wrong
 tribox.overlap(triangles)  # wrong
 tribox.overlap(triangles, lo, hi, kernel=3)  # wrong
 tribox.overlap(object(), lo, hi)  # wrong
+tribox.crop(triangles, lo, hi, "rest")  # wrong
 tribox.find(triangles, lo, hi, "first")  # wrong
 tribox.voxelize(triangles, lo, 0.5)  # wrong
 tribox.voxelize(triangles, 0.5)  # wrong
