@@ -10,6 +10,7 @@
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
+#include "console/terminal.h"
 #include "overlap/overlap.h"
 
 static const char help[] =
@@ -29,6 +30,9 @@ static const char help[] =
     "      --format WORD       stl, f32 or f64, whatever the name of the file; standard input needs it\n"
     "      --shift X,Y,Z|auto  subtract this from the mesh first, in double; auto: near its corner\n"
     "      --inside            also count the triangles inside the box, on its border and outside\n"
+    "  -o, --out FILE          write the faces that overlap, with --inside those inside, as a mesh with\n"
+    "                          all that they had: PLY, OBJ, OFF, STL or raw triangles, as the mesh is\n"
+    "      --rest FILE         write all other faces, with -o or alone; - is standard output\n"
     "  -l, --list              print the numbers of the overlapping triangles, from 0, and nothing\n"
     "                          else; with --boxes it needs --json\n"
     "  -j, --json              print a JSON object, one per line with --boxes\n"
@@ -42,6 +46,7 @@ static const char help[] =
     "  tribox overlap part.stl --box \"0 0 0 10 10 10\" --list > triangles.txt\n"
     "  tribox overlap part.stl --box 0,0,0,10,10,10 --inside\n"
     "  tribox overlap part.stl --oriented 5,5,5,4,2,1,0.8,0.6,0,-0.6,0.8,0,0,0,1\n"
+    "  tribox overlap scan.ply --box 0,0,0,10,10,10 -o part.ply --rest rest.ply\n"
     "  generate-boxes | tribox overlap bunny.ply --boxes - --json\n"
     "  generate-triangles | tribox overlap - --format f32 --box 0,0,0,1,1,1\n";
 
@@ -58,7 +63,9 @@ enum {
     OPTION_INSIDE,
     OPTION_LIST,
     OPTION_JSON,
-    OPTION_THREADS
+    OPTION_THREADS,
+    OPTION_OUT,
+    OPTION_REST
 };
 
 static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},         [OPTION_BOXES] = {"boxes", 0, true},
@@ -67,7 +74,8 @@ static const option_entry options[] = {[OPTION_BOX] = {"box", 'b', true},       
                                        [OPTION_KERNEL] = {"kernel", 0, true},     [OPTION_ORDER] = {"order", 0, true},
                                        [OPTION_AXES] = {"axes", 0, true},         [OPTION_INSIDE] = {"inside", 0, false},
                                        [OPTION_LIST] = {"list", 'l', false},      [OPTION_JSON] = {"json", 'j', false},
-                                       [OPTION_THREADS] = {"threads", 't', true}, {NULL, 0, false}};
+                                       [OPTION_THREADS] = {"threads", 't', true}, [OPTION_OUT] = {"out", 'o', true},
+                                       [OPTION_REST] = {"rest", 0, true},         {NULL, 0, false}};
 
 static int read_oriented(const char *text, tribox_oriented_box *box)
 {
@@ -113,6 +121,12 @@ static int take(void *context, int which, const char *value)
     case OPTION_JSON:
         r->wants_json = true;
         return EXIT_CODE_OK;
+    case OPTION_OUT:
+        r->crop_paths[CROP_PART] = value;
+        return EXIT_CODE_OK;
+    case OPTION_REST:
+        r->crop_paths[CROP_REST] = value;
+        return EXIT_CODE_OK;
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     default:
@@ -131,7 +145,32 @@ static int check_oriented(const request *r)
     return EXIT_CODE_OK;
 }
 
-static int check_request(const request *r)
+static bool is_stdout(const char *path) { return path && file_out_is_stdout(path); }
+
+/* Both may go elsewhere than the report does. */
+static int check_crop(request *r)
+{
+    const bool is_part = is_stdout(r->crop_paths[CROP_PART]), is_rest = is_stdout(r->crop_paths[CROP_REST]);
+    r->has_report = !is_part && !is_rest;
+    if (!r->crop_paths[CROP_PART] && !r->crop_paths[CROP_REST])
+        return EXIT_CODE_OK;
+    if (r->boxes_path)
+        return message_usage("-o and --rest write the faces about one box: give --box or --oriented in place of --boxes");
+    if (!strcmp(r->mesh_path, "-"))
+        return message_usage("-o and --rest need the mesh as a file, since it is read twice");
+    if (r->has_report)
+        return EXIT_CODE_OK;
+    const char *const option = is_part ? "-o" : "--rest";
+    if (is_part && is_rest)
+        return message_usage("-o and --rest cannot both go to standard output; give one of them a name");
+    if (r->wants_json || r->wants_list)
+        return message_usage("%s and %s - exclude each other, since both go to standard output",
+                             r->wants_json ? "--json" : "--list", option);
+    return terminal_is(stdout) ? message_usage("%s -: standard output is a terminal; send it to a program or a file", option)
+                               : EXIT_CODE_OK;
+}
+
+static int check_request(request *r)
 {
     const int boxes = r->has_box + r->has_oriented + (r->boxes_path != NULL);
     const bool is_stdin = r->mesh_path && !strcmp(r->mesh_path, "-");
@@ -148,7 +187,8 @@ static int check_request(const request *r)
         return message_usage("--list with --boxes needs --json");
     if (r->wants_list && r->wants_inside)
         return message_usage("--inside counts triangles and --list lists them: they exclude each other");
-    return r->has_oriented ? check_oriented(r) : EXIT_CODE_OK;
+    const int code = r->has_oriented ? check_oriented(r) : EXIT_CODE_OK;
+    return code ? code : check_crop(r);
 }
 
 int cmd_overlap(int count, char **words)

@@ -11,6 +11,7 @@
 #include "console/options.h"
 #include "console/output.h"
 #include "console/processors.h"
+#include "read/reading.h"
 #include "partition/partition.h"
 #include "voxelize/voxelize_work.h"
 #include "write/file_out.h"
@@ -186,6 +187,7 @@ int cmd_voxelize(int count, char **words)
     int code = options_read(count, words, options, take, &r, &found);
     if (!code && !found.wants_help)
         code = check_request(&r, &found);
+    reading_show(!r.result.is_quiet);
     if (!code)
         code = found.wants_help ? output_text(help) : voxelize_work(&r);
     free(r.paths);

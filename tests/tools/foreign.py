@@ -72,6 +72,25 @@ def with_vtk_mesh(path):
             "edges": edges.GetOutput().GetNumberOfCells(), "volume": mass.GetVolume()}
 
 
+def with_vtk_faces(path):
+    """Where the corners of each face are, and their colours where there are some."""
+    from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+    reader = {"ply": vtkPLYReader, "obj": vtkOBJReader, "stl": vtkSTLReader}[path[-3:]]()
+    if path.endswith("stl"):
+        reader.MergingOff()
+    reader.SetFileName(path)
+    reader.Update()
+    assert not reader.GetErrorCode()
+    found, faces, colors = reader.GetOutput(), [], []
+    rgb = found.GetPointData().GetArray("RGB")
+    for n in range(found.GetNumberOfCells()):
+        points = [found.GetCell(n).GetPointId(k) for k in range(found.GetCell(n).GetNumberOfPoints())]
+        faces.append([found.GetPoint(p) for p in points])
+        colors.append([rgb.GetTuple(p) for p in points] if rgb else None)
+    return {"faces": faces, "colors": colors}
+
+
 def with_teem(path):
     about = {}
     for line in subprocess.run(["teem-unu", "head", path], capture_output=True, check=True, text=True).stdout.splitlines():

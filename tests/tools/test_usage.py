@@ -7,7 +7,8 @@ import support
 
 COMMANDS = ("overlap", "voxelize", "partition", "merge", "info", "demo")
 OPTIONS = {
-    "overlap": ["--format", "--shift", "--box", "--boxes", "--oriented", "--inside", "--list", "--json", "--accuracy", "--axes", "--order",
+    "overlap": ["--format", "--shift", "--box", "--boxes", "--oriented", "--inside", "--out", "--rest", "--list", "--json", "--accuracy",
+                "--axes", "--order",
                 "--kernel", "--help"],
     "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--shift", "--out", "--out-format", "--preview", "--up", "--view",
                  "--picture-size", "--json", "--quiet", "--threads",

@@ -334,9 +334,15 @@ class LittleMemory(Failures):
 
 
 class Progress(Failures):
-    def on_terminal(self, *arguments):
+    def on_terminal(self, *arguments, rest_at=None):
+        """rest_at: seconds after which it rests for one."""
         leader, follower = pty.openpty()
         process = subprocess.Popen([support.program(), *arguments], stderr=follower, stdout=subprocess.DEVNULL)
+        if rest_at is not None:
+            time.sleep(rest_at)
+            process.send_signal(signal.SIGSTOP)
+            time.sleep(1)
+            process.send_signal(signal.SIGCONT)
         os.close(follower)
         text = b""
         try:
@@ -358,6 +364,20 @@ class Progress(Failures):
         if text:  # the work has taken long enough
             self.assertRegex(text, r"\A(\r(voxelizing|writing) \[#*\.*\] +\d+ %  [^\r\n]* left *)+\r +\r")
             self.assertTrue(text.endswith(" \r"))
+
+    def test_reading(self):
+        """What is read at once would show nothing, so the program is made to rest on the way."""
+        text = meshes.obj(meshes.lattice_triangles(3000, seed=3)) * 100
+        box = ("--box", support.UNIT_BOX, "-t", "1")
+        for name, content in (("long.obj", text), ("long.f32", meshes.pack_floats(meshes.lattice_triangles(3000, seed=3)) * 300)):
+            mesh, shown = self.write(name, content), ""
+            for rest_at in (0.02, 0.05, 0.01, 0.03, 0.1, 0.2, 0.4):
+                shown = self.on_terminal("overlap", mesh, *box, "--shift", "0,0,0", rest_at=rest_at)
+                if "reading" in shown:
+                    break
+            self.assertRegex(shown, r"\A(\rreading \[#*\.*\] +\d+ %  [^\r\n]*)+\r +\r")
+            quiet = ("voxelize", mesh, "-r", "8", "-t", "1", "--quiet", "-o", self.path("x.npy"))
+            self.assertEqual(self.on_terminal(*quiet, rest_at=rest_at), "")
 
     def test_what_is_done(self):
         """By tiles the bar also says how many of them are done, and how many in a second."""

@@ -33,6 +33,9 @@ bool named_file_write_at(FILE *stream, uint64_t offset, const void *from, size_t
 /* Whether there is anything, be it a link that leads nowhere. */
 bool named_file_is_there(const char *path);
 
+/* Whether two names lead to one file, or will: what stands there counts or, where nothing does, the folder and the name in it. */
+bool named_file_is_same(const char *a, const char *b);
+
 /* How many of the name's characters are its folder, the last separator among them. */
 size_t named_file_folder(const char *path);
 

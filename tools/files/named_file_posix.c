@@ -3,6 +3,7 @@
 #include "named_file.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -61,6 +62,26 @@ bool named_file_is_there(const char *path)
 {
     struct stat found;
     return !lstat(path, &found);
+}
+
+static bool find_folder(const char *path, struct stat *found)
+{
+    const size_t length = named_file_folder(path);
+    char *const folder = length ? strndup(path, length) : strdup(".");
+    const bool is_found = folder && !stat(folder, found);
+    free(folder);
+    return is_found;
+}
+
+bool named_file_is_same(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    const bool has_a = !stat(a, &of_a), has_b = !stat(b, &of_b);
+    if (has_a != has_b)
+        return false;
+    if (!has_a && (strcmp(a + named_file_folder(a), b + named_file_folder(b)) || !find_folder(a, &of_a) || !find_folder(b, &of_b)))
+        return false;
+    return of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
 }
 
 size_t named_file_folder(const char *path)

@@ -42,6 +42,16 @@ bool named_file_about(const char *path, file_about *about)
     return is_told;
 }
 
+static bool identify(const char *path, BY_HANDLE_FILE_INFORMATION *found)
+{
+    const HANDLE file = windows_file_behind(path);
+    if (file == INVALID_HANDLE_VALUE)
+        return false;
+    const bool is_found = GetFileInformationByHandle(file, found);
+    CloseHandle(file);
+    return is_found;
+}
+
 bool named_file_about_open(FILE *stream, file_about *about) { return describe((HANDLE)_get_osfhandle(_fileno(stream)), about); }
 
 bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, size_t *got)
@@ -78,6 +88,32 @@ bool named_file_is_there(const char *path)
     const bool is_there = wide && (GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES || windows_file_failed() || errno != ENOENT);
     free(wide);
     return is_there;
+}
+
+static bool find_folder(const char *path, BY_HANDLE_FILE_INFORMATION *found)
+{
+    const size_t length = named_file_folder(path);
+    char *const folder = malloc(length + 2);
+    if (!folder)
+        return false;
+    memcpy(folder, path, length);
+    memcpy(folder + length, ".", 2);
+    const bool is_found = identify(folder, found);
+    free(folder);
+    return is_found;
+}
+
+bool named_file_is_same(const char *a, const char *b)
+{
+    BY_HANDLE_FILE_INFORMATION of_a, of_b;
+    const bool has_a = identify(a, &of_a), has_b = identify(b, &of_b);
+    if (has_a != has_b)
+        return false;
+    if (!has_a &&
+        (_stricmp(a + named_file_folder(a), b + named_file_folder(b)) || !find_folder(a, &of_a) || !find_folder(b, &of_b)))
+        return false;
+    return of_a.dwVolumeSerialNumber == of_b.dwVolumeSerialNumber && of_a.nFileIndexHigh == of_b.nFileIndexHigh &&
+           of_a.nFileIndexLow == of_b.nFileIndexLow;
 }
 
 size_t named_file_folder(const char *path)

@@ -21,6 +21,12 @@ void masks_free(masks *bits)
     *bits = (masks){.overlap = NULL};
 }
 
+int overlap_crop(const request *r, const masks *bits, crop_files *files, answer *a)
+{
+    const crop_choice choice = {r->wants_inside ? bits->inside : bits->overlap, a->triangles, r->wants_inside};
+    return crop_write(files, &choice, a->crop);
+}
+
 asked_triangles triangles_of_mesh(const mesh *m)
 {
     return (asked_triangles){.count = m->triangles, .is_double = m->is_double, .soup = m->soup, .doubles = m->doubles};

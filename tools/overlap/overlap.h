@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "console/json.h"
+#include "crop/crop.h"
 #include "read/boxes.h"
 #include "read/mesh_shift.h"
 #include "tribox.h"
@@ -21,6 +22,8 @@ typedef struct request {
     tribox_options test;
     bool wants_inside, wants_list, wants_json;
     uint32_t threads;
+    const char *crop_paths[CROP_SIDES]; /* with -o and --rest, else NULL */
+    bool has_report;                    /* standard output is free for it */
 } request;
 
 /* A bit per triangle: which overlap and, with --inside, which of these lie inside; else `inside` is NULL. */
@@ -49,10 +52,11 @@ typedef struct answer {
     double moved;     /* the most that it has moved a coordinate */
     uint64_t overlapping, undecided, inside;
     int runs;
-    double seconds;       /* of the test alone, best run */
-    double total_seconds; /* with reading, where the mesh is streamed; else 0 */
-    index_stage stage;    /* whether it was found by an index */
-    json json;            /* the object that is being printed */
+    double seconds;               /* of the test alone, best run */
+    double total_seconds;         /* with reading, where the mesh is streamed; else 0 */
+    index_stage stage;            /* whether it was found by an index */
+    crop_counts crop[CROP_SIDES]; /* what was written */
+    json json;                    /* the object that is being printed */
 } answer;
 
 /* Allocates the bits of `count` triangles. Returns an exit_code; on success masks_free frees them. */
@@ -68,7 +72,13 @@ asked_triangles triangles_of_mesh(const mesh *m);
 /* From the mesh to the report. Returns an exit_code. */
 int overlap_work(const request *r);
 
-/* Tests one box while the mesh is read, in constant memory. Closes the file. Returns an exit_code. */
-int overlap_stream(const request *r, triangle_file *file);
+/*
+ * Tests one box while the mesh is read, in constant memory, but for a bit a triangle where it is written again. Closes the file.
+ * files: NULL where it is not. Returns an exit_code.
+ */
+int overlap_stream(const request *r, triangle_file *file, crop_files *files);
+
+/* Writes the mesh again by what was found. Returns an exit_code. */
+int overlap_crop(const request *r, const masks *bits, crop_files *files, answer *a);
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/clock.h"
 #include "console/crew.h"
@@ -42,6 +43,7 @@ typedef struct stream {
     answer *a;
     uint64_t *first_not_finite; /* among all triangles of the file */
     progress *bar;
+    masks all; /* of all triangles, where the mesh is written again */
 } stream;
 
 static int make_block(const request *r, block *b)
@@ -91,6 +93,16 @@ static size_t find_not_finite(const block *b, size_t *first)
     return count;
 }
 
+/* Blocks are whole words. */
+static void keep_bits(const masks *all, uint64_t first, const block *b)
+{
+    const size_t bytes = tribox_mask_words(b->triangles.count) * sizeof(uint64_t);
+    if (all->overlap)
+        memcpy(all->overlap + first / 64, b->bits.overlap, bytes);
+    if (all->inside)
+        memcpy(all->inside + first / 64, b->bits.inside, bytes);
+}
+
 /* Fails early where the list cannot be written any more. */
 static int add_block(const stream *s, const block *b)
 {
@@ -105,6 +117,7 @@ static int add_block(const stream *s, const block *b)
     a->seconds += b->found.seconds;
     if (s->r->wants_list)
         code = report_list(s->r, a, a->triangles, b->bits.overlap, b->triangles.count);
+    keep_bits(&s->all, a->triangles, b);
     a->triangles += b->triangles.count;
     progress_tell(s->bar, (double)a->triangles / (double)s->file->promised);
     return code;
@@ -180,20 +193,27 @@ static int run_threads(stream *s, unsigned threads)
     return s->code ? s->code : s->end_code;
 }
 
-static int answer_file(const request *r, triangle_file *file, block *blocks, unsigned threads)
+static int tell(const request *r, const stream *s, crop_files *files)
+{
+    answer *const a = s->a;
+    const int code = files ? overlap_crop(r, &s->all, files, a) : EXIT_CODE_OK;
+    return code ? code : report_end(r, a);
+}
+
+static int answer_file(const request *r, triangle_file *file, block *blocks, unsigned threads, crop_files *files)
 {
     const double start = clock_seconds();
     const bool is_double = file->format == TRIANGLES_F64;
     uint64_t first_not_finite = 0;
     answer a = {.box = box_for_mesh(&r->box, is_double), .is_double = is_double, .runs = 1};
     stream s = {.r = r, .file = file, .blocks = blocks, .a = &a, .first_not_finite = &first_not_finite};
-    int code = run_threads(&s, threads);
-    if (code)
-        return code;
-    if (!a.triangles)
-        return message_failure("%s: contains no triangles", file->name);
+    int code = files ? masks_make((size_t)file->promised, r->wants_inside, &s.all) : EXIT_CODE_OK;
+    if (!code)
+        code = run_threads(&s, threads);
     a.total_seconds = clock_seconds() - start;
-    code = report_end(r, &a);
+    if (!code)
+        code = a.triangles ? tell(r, &s, files) : message_failure("%s: contains no triangles", file->name);
+    masks_free(&s.all);
     if (!code)
         mesh_warn_not_finite(file->name, a.not_finite, a.triangles, first_not_finite);
     return code;
@@ -206,7 +226,7 @@ static unsigned threads_for(const request *r, const triangle_file *file)
     return r->threads < blocks ? r->threads : (unsigned)blocks;
 }
 
-int overlap_stream(const request *r, triangle_file *file)
+int overlap_stream(const request *r, triangle_file *file, crop_files *files)
 {
     const unsigned threads = threads_for(r, file);
     block *const blocks = calloc(threads, sizeof *blocks);
@@ -214,7 +234,7 @@ int overlap_stream(const request *r, triangle_file *file)
     for (unsigned t = 0; !code && t < threads; t++)
         code = make_block(r, &blocks[t]);
     if (!code)
-        code = answer_file(r, file, blocks, threads);
+        code = answer_file(r, file, blocks, threads, files);
     for (unsigned t = 0; blocks && t < threads; t++)
         masks_free(&blocks[t].bits);
     free(blocks);

@@ -2,6 +2,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "box_after_box.h"
 #include "console/message.h"
+#include "console/terminal.h"
+#include "read/reading.h"
 #include "report.h"
 
 /* Tests a mesh up to `runs` times, fewer when it is slow; the best time counts. */
@@ -35,16 +37,21 @@ static void tell_mesh(const mesh *m, answer *a)
     a->moved = m->moved;
 }
 
-static int answer_box(const mesh *m, const request *r)
+/* The mesh gives way to the file, which is read again. */
+static int answer_box(mesh *m, const request *r, crop_files *files)
 {
     masks bits;
+    const size_t triangles = m->triangles;
     answer a = {.box = box_for_mesh(&r->box, m->is_double)};
     tell_mesh(m, &a);
     int code = masks_make(m->triangles, r->wants_inside, &bits);
     if (!code)
         code = run_test(m, r, &bits, 5, &a);
+    mesh_free(m);
+    if (!code && files)
+        code = overlap_crop(r, &bits, files, &a);
     if (!code && r->wants_list)
-        code = report_list(r, &a, 0, bits.overlap, m->triangles);
+        code = report_list(r, &a, 0, bits.overlap, triangles);
     masks_free(&bits);
     return code ? code : report_end(r, &a);
 }
@@ -95,7 +102,7 @@ static int answer_boxes(mesh *m, const request *r)
     return code;
 }
 
-static int answer_mesh(const request *r)
+static int answer_mesh(const request *r, crop_files *files)
 {
     mesh m;
     request own = *r; /* its shift is found from the mesh */
@@ -103,18 +110,31 @@ static int answer_mesh(const request *r)
     if (code)
         return code;
     mesh_warn(r->mesh_path, &m);
-    code = r->boxes_path ? answer_boxes(&m, &own) : answer_box(&m, &own);
+    code = r->boxes_path ? answer_boxes(&m, &own) : answer_box(&m, &own, files);
     mesh_free(&m);
     return code;
 }
 
 /* A single box takes one pass over the triangles, for which a file of triangles need not be held in memory. */
-int overlap_work(const request *r)
+static int answer_any(const request *r, crop_files *files)
 {
     triangle_file file = {.stream = NULL};
     const int code = r->boxes_path || r->shift.is_wanted ? EXIT_CODE_OK : triangle_file_open(r->mesh_path, r->format, &file);
     if (!code && file.stream)
-        return overlap_stream(r, &file);
+        return overlap_stream(r, &file, files);
     triangle_file_close(&file);
-    return code ? code : answer_mesh(r);
+    return code ? code : answer_mesh(r, files);
+}
+
+int overlap_work(const request *r)
+{
+    crop_files files;
+    reading_show(!(r->wants_list && terminal_is(stdout)));
+    if (!r->crop_paths[CROP_PART] && !r->crop_paths[CROP_REST])
+        return answer_any(r, NULL);
+    int code = crop_files_open(r->mesh_path, r->format, r->crop_paths, &files);
+    if (!code)
+        code = answer_any(r, &files);
+    crop_files_drop(&files);
+    return code;
 }

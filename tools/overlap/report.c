@@ -13,6 +13,8 @@
 static const char *const index_words[] = {
     [INDEX_NONE] = "none", [INDEX_IN_FILE_ORDER] = "in file order", [INDEX_ORDERED] = "ordered"};
 
+static const char *const sides[CROP_SIDES] = {"part", "rest"};
+
 static double percent(const answer *a, uint64_t count) { return 100.0 * (double)count / (double)a->triangles; }
 
 static double ns_per_triangle(const answer *a) { return 1e9 * a->seconds / (double)a->triangles; }
@@ -51,6 +53,19 @@ static void print_share(const char *name, const answer *a, uint64_t count)
     printf("%-12s %" PRIu64 " (%.2f %%)\n", name, count, percent(a, count));
 }
 
+static void print_crop(const request *r, const answer *a)
+{
+    for (int s = 0; s < CROP_SIDES; s++) {
+        const crop_counts *const c = &a->crop[s];
+        if (!r->crop_paths[s])
+            continue;
+        printf("%-12s %s (%" PRIu64 " face%s", sides[s], r->crop_paths[s], c->faces, c->faces == 1 ? "" : "s");
+        if (c->has_vertices)
+            printf(", %" PRIu64 " vert%s", c->vertices, c->vertices == 1 ? "ex" : "ices");
+        puts(")");
+    }
+}
+
 static void print_summary(const request *r, const answer *a)
 {
     char text[DURATION_MAX];
@@ -80,6 +95,21 @@ static void print_summary(const request *r, const answer *a)
         printf("in blocks; with reading the mesh %s)\n", duration_text(a->total_seconds, text));
     else
         printf("best of %d run%s)\n", a->runs, a->runs == 1 ? "" : "s");
+    print_crop(r, a);
+}
+
+static void json_crop(json *j, const request *r, const answer *a)
+{
+    for (int s = 0; s < CROP_SIDES; s++) {
+        if (!r->crop_paths[s])
+            continue;
+        json_open_object(j, sides[s]);
+        json_string(j, "output", r->crop_paths[s]);
+        json_whole(j, "faces", a->crop[s].faces);
+        if (a->crop[s].has_vertices)
+            json_whole(j, "vertices", a->crop[s].vertices);
+        json_close(j);
+    }
 }
 
 static void print_line(const request *r, const answer *a)
@@ -163,6 +193,7 @@ static void print_json_tail(const request *r, answer *a)
     json_number(j, "ns_per_triangle", 6, ns_per_triangle(a));
     if (a->total_seconds > 0)
         json_number(j, "total_seconds", 6, a->total_seconds);
+    json_crop(j, r, a);
     json_close(j);
 }
 
@@ -205,6 +236,8 @@ int report_words(const request *r, answer *a, const found_words *words)
 
 int report_end(const request *r, answer *a)
 {
+    if (!r->has_report)
+        return EXIT_CODE_OK;
     if (r->wants_json) {
         if (!r->wants_list)
             print_json_head(r, a);

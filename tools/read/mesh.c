@@ -3,11 +3,10 @@
 #include "mesh.h"
 
 #include <stdlib.h>
-#include <string.h>
-#include <strings.h>
 
 #include "console/message.h"
 #include "mesh_doubles.h"
+#include "mesh_kind.h"
 #include "mesh_look.h"
 #include "mesh_triangles.h"
 #include "mesh_ways.h"
@@ -18,39 +17,19 @@
 typedef int reader(const char *path, const whole_file *file, indexed_mesh *m);
 
 static const struct {
-    const char *word, *ending;
     reader *read;
     plain_reader *read_plain;
-} formats[] = {{"ply", ".ply", read_ply, plain_ply},
-               {"off", ".off", read_off, NULL},
-               {"solid", ".stl", read_stl_text, plain_stl},
-               {"", ".obj", read_obj, plain_obj}};
-enum { FORMATS = sizeof formats / sizeof formats[0] };
-
-static bool has_ending(const char *path, const char *ending)
-{
-    const size_t length = strlen(path), size = strlen(ending);
-    return length >= size && !strcasecmp(path + length - size, ending);
-}
-
-/* What a file says of itself counts for more than its name. FORMATS: libassimp may know it. */
-static int find_format(const char *path, const words *first)
-{
-    int i = 0;
-    while (i < FORMATS && !(first->length && words_is(first, formats[i].word)))
-        i++;
-    for (int k = 0; i == FORMATS && k < FORMATS; k++)
-        if (has_ending(path, formats[k].ending))
-            return k;
-    return i;
-}
+} readers[] = {[MESH_PLY] = {read_ply, plain_ply},
+               [MESH_OFF] = {read_off, NULL},
+               [MESH_STL_TEXT] = {read_stl_text, plain_stl},
+               [MESH_OBJ] = {read_obj, plain_obj},
+               [MESH_OTHER] = {NULL, NULL}};
 
 static reader *find_reader(const char *path, const whole_file *file)
 {
     words first = words_of(path, file, '#');
     words_next(&first);
-    const int format = find_format(path, &first);
-    return format < FORMATS ? formats[format].read : NULL;
+    return readers[mesh_kind_by(path, &first)].read;
 }
 
 static plain_reader *find_plain_reader(const char *path, const plain_file *file)
@@ -58,8 +37,7 @@ static plain_reader *find_plain_reader(const char *path, const plain_file *file)
     words first = words_of(path, &file->head, '#');
     if (!words_next(&first) || words_is_cut(&first))
         return NULL;
-    const int format = find_format(path, &first);
-    return format < FORMATS ? formats[format].read_plain : NULL;
+    return readers[mesh_kind_by(path, &first)].read_plain;
 }
 
 static int take_floats(const char *path, const tribox_mesh *all, mesh *m)

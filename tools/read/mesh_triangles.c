@@ -9,6 +9,7 @@
 #include "console/message.h"
 #include "double_triangles.h"
 #include "mesh_look.h"
+#include "reading.h"
 
 /* A regular file that goes into room for all of it. */
 typedef struct reading {
@@ -49,8 +50,10 @@ static void read_blocks(void *data, unsigned thread)
     (void)thread;
     triangle_block block = {.bytes = malloc(TRIANGLE_BLOCK_BYTES)};
     int code = block.bytes ? EXIT_CODE_OK : message_failure("%s: out of memory", r->file->name);
-    while (!code && find_block(r, &block))
+    while (!code && find_block(r, &block)) {
         code = read_found(r, &block, &own);
+        reading_tell((double)block.first / (double)r->file->promised);
+    }
     free(block.bytes);
     pthread_mutex_lock(&r->lock);
     r->code = code ? code : r->code;
@@ -75,7 +78,9 @@ static int read_sized(triangle_file *file, unsigned threads, mesh *m)
     if (code)
         return code;
     pthread_mutex_init(&r.lock, NULL);
+    reading_begin();
     crew_run(threads, read_blocks, &r);
+    reading_end();
     pthread_mutex_destroy(&r.lock);
     m->triangles = (size_t)file->promised;
     if (!m->is_double)

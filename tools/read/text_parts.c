@@ -7,12 +7,14 @@
 
 #include "console/processors.h"
 #include "files/named_file.h"
+#include "reading.h"
 #include "turns.h"
 
 typedef struct text_run {
     const plain_file *file;
     uint64_t from;
     text_order order;
+    size_t count; /* of the parts */
     text_work *work;
     void *data;
     char *rooms[THREADS_MAX]; /* each for its thread alone */
@@ -129,6 +131,7 @@ static bool read_part(const text_run *r, char *room, text_part *part)
 static bool work_on_part(void *data, unsigned thread, size_t turn)
 {
     text_run *const r = data;
+    reading_tell((double)turn / (double)r->count);
     text_part part = {.number = turn, .run = r};
     if (!r->rooms[thread])
         r->rooms[thread] = malloc(1 + r->file->part_bytes + TEXT_OVERLAP + 1 + TEXT_AHEAD);
@@ -139,10 +142,12 @@ static bool work_on_part(void *data, unsigned thread, size_t turn)
 
 bool text_parts_run(const plain_file *file, uint64_t from, text_order order, text_work *work, void *data)
 {
-    text_run r = {.file = file, .from = from, .order = order, .work = work, .data = data};
+    text_run r = {.file = file, .from = from, .order = order, .count = text_parts_count(file, from), .work = work, .data = data};
     pthread_mutex_init(&r.lock, NULL);
     pthread_cond_init(&r.is_passed, NULL);
-    const bool is_done = turns_run(file->threads, text_parts_count(file, from), work_on_part, &r);
+    reading_begin();
+    const bool is_done = turns_run(file->threads, r.count, work_on_part, &r);
+    reading_end();
     pthread_cond_destroy(&r.is_passed);
     pthread_mutex_destroy(&r.lock);
     for (int t = 0; t < THREADS_MAX; t++)

@@ -246,6 +246,8 @@ int triangle_file_next(triangle_file *file, float *const streams[9], size_t *cou
 
 int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *count) { return next(file, NULL, positions, count); }
 
+size_t triangle_file_record(const triangle_file *file) { return formats[file->format].record; }
+
 void triangle_file_close(triangle_file *file)
 {
     if (file->stream && file->stream != stdin)

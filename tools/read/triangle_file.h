@@ -70,6 +70,9 @@ int triangle_file_next_doubles(triangle_file *file, double *positions, size_t *c
 int triangle_file_find(triangle_file *file, triangle_block *block);
 int triangle_file_unpack(const triangle_file *file, triangle_block *block, float *const streams[9], double *positions);
 
+/* The bytes of a triangle in the file. */
+size_t triangle_file_record(const triangle_file *file);
+
 void triangle_file_close(triangle_file *file);
 
 #endif

@@ -9,6 +9,22 @@
 
 #include "console/message.h"
 #include "files/named_file.h"
+#include "reading.h"
+
+/* In pieces, between which it is told how far this is. */
+static bool read_pieces(FILE *stream, whole_file *file)
+{
+    const size_t piece = (size_t)1 << 22;
+    bool is_read = true;
+    reading_begin();
+    for (size_t at = 0; is_read && at < file->size; at += piece) {
+        const size_t left = file->size - at, count = left < piece ? left : piece;
+        is_read = fread(file->bytes + at, 1, count, stream) == count;
+        reading_tell((double)at / (double)file->size);
+    }
+    reading_end();
+    return is_read;
+}
 
 static int read_bytes(const char *path, FILE *stream, whole_file *file)
 {
@@ -16,7 +32,7 @@ static int read_bytes(const char *path, FILE *stream, whole_file *file)
     if (!file->bytes)
         return message_failure("%s: out of memory: the file has %zu bytes", path, file->size);
     errno = 0;
-    if (fread(file->bytes, 1, file->size, stream) == file->size) {
+    if (read_pieces(stream, file)) {
         file->bytes[file->size] = '\0';
         return EXIT_CODE_OK;
     }

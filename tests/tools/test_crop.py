@@ -1,0 +1,438 @@
+"""tribox overlap -o and --rest: each face of the mesh in one of two files, with all that it had, told by a reader of its own."""
+
+import json
+import math
+import os
+import re
+import resource
+import signal
+import subprocess
+import time
+
+import faces
+import meshes
+import support
+
+SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
+FOREIGN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "foreign.py")
+BOX = (-0.5, 0.125, -0.75, 0.25, 0.75, 0.5)
+LARGE = (-1.5, -1.375, -1.625, 1.75, 1.5, 1.625)  # which all but a few overlap
+
+XYZ = [("x", "float"), ("y", "float"), ("z", "float")]
+CORNERS = [("vertex_indices", "uchar", "int")]
+SCHEMAS = {
+    "plain": [("vertex", None, XYZ), ("face", None, CORNERS)],
+    "attributes": [
+        ("vertex", None, [("red", "uchar"), *XYZ, ("nx", "double"), ("quality", "short"), ("weights", "uchar", "float")]),
+        ("face", None, [("flags", "uint"), ("texcoord", "uchar", "float"), ("vertex_index", "uint", "uint"), ("red", "uchar"),
+                        ("names", "ushort", "char")])],
+    "doubles, faces first": [
+        ("face", None, [("vertex_indices", "ushort", "short"), ("area", "double")]),
+        ("camera", 2, [("view", "double"), ("matrix", "uchar", "double")]),
+        ("vertex", None, [("z", "double"), ("x", "double"), ("y", "double")])],
+    "other elements": [
+        ("material", 3, [("ambient", "uchar"), ("name", "uchar", "uchar")]),
+        ("vertex", None, XYZ),
+        ("edge", 4, [("vertex1", "int"), ("vertex2", "int"), ("crease", "char")]),
+        ("patch", 2, [("names", "uchar", "int"), ("vertex_indices", "uchar", "int")]),
+        ("face", None, CORNERS),
+        ("tristrips", 0, CORNERS),
+        ("empty", 0, [("thing", "int")]),
+        ("user", 1, [("number", "ushort")])],
+    "corners of floats": [("vertex", None, XYZ), ("face", None, [("vertex_indices", "char", "float")])],
+    "corners of doubles": [("vertex", None, XYZ), ("face", None, [("vertex_indices", "int", "double"), ("n", "uchar")])],
+}
+
+
+class Crop(support.TestCase):
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_crop(self, mesh, *options, pattern="", names=("-o", "--rest"), box=BOX, ending=None):
+        """What is written, by the options' names, and the JSON."""
+        ending = ending or os.path.splitext(mesh)[1]
+        files = {name: self.path(name.strip("-") + ending) for name in names}
+        result = support.run("overlap", mesh, "--box", ",".join(map(repr, box)), "--json", *options,
+                             *(word for pair in files.items() for word in pair))
+        self.assertEqual(result.code, 0, result.stderr)
+        self.assertRegex(result.stderr, r"\A%s\Z" % pattern)
+        written = {}
+        for name, path in files.items():
+            with open(path, "rb") as file:
+                written[name] = file.read()
+            os.unlink(path)
+        return written, json.loads(result.stdout)
+
+    def assert_same(self, found, expected, what):
+        self.assertEqual(found.other, expected.other, what)
+        self.assertEqual(found.vertices, expected.vertices, what)
+        for n, (own, due) in enumerate(zip(found.faces, expected.faces)):
+            self.assertEqual(own, due, (what, n))
+        self.assertEqual(len(found.faces), len(expected.faces), what)
+
+    def check(self, scene, name, data, read, others=(), pattern=None, is_partial=True, keep=lambda whole: whole):
+        """others: numbers of the faces of the file that are none of the scene. keep: what is to be found of the whole."""
+        mesh, whole = self.write(name, data), keep(read(data))
+        notes = pattern if pattern is not None else "(tribox.*NaN or infinite.*\n)?"
+        for how, box, options in (("overlapping", BOX, ()), ("inside", LARGE, ("--inside",))):
+            part = scene.in_part(box, how)
+            rest = [n for n in range(len(whole.faces)) if n not in set(part)]
+            self.assertTrue(part and len(rest) > len(others) + len(scene.faces) // 4)
+            due = {"-o": whole.of(part), "--rest": whole.of(rest)}
+            written, told = self.run_crop(mesh, "-t", "1", *options, pattern=notes, box=box)
+            for option, file in written.items():
+                if is_of_pairs(data):
+                    self.assertTrue(is_of_pairs(file))
+                self.assert_same(read(file), due[option], (name, how, option))
+                found = told[{"-o": "part", "--rest": "rest"}[option]]
+                self.assertEqual(found["faces"], len(due[option].faces) - (len(others) if option == "--rest" else 0))
+                self.assertEqual(found.get("vertices", 0), len(due[option].vertices))
+            again, _ = self.run_crop(mesh, "-t", "2", *options, pattern=notes, box=box)
+            self.assertEqual(again, written)
+        if not is_partial:
+            return
+        for alone in ("-o", "--rest"):
+            self.assertEqual(self.run_crop(mesh, "--inside", names=(alone,), pattern=notes, box=LARGE)[0], {alone: written[alone]})
+
+
+class Formats(Crop):
+    def test_ply(self):
+        print("seed", SEED)
+        for n, (name, schema) in enumerate(SCHEMAS.items()):
+            scene = faces.Scene(SEED + n)
+            for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+                for line_end in ("\n", "\r\n") if form == "ascii" else ("\n", "\r\n", "\r"):
+                    with self.subTest(name, form=form, line_end=line_end):
+                        self.check_ply(scene, faces.ply(scene, schema, form, line_end))
+
+    def check_ply(self, scene, data):
+        notes = "((tribox.*its (4 of 'edge'|2 of 'patch') refer to vertices, and are left out.*|tribox.*NaN or infinite.*)\n)*"
+        self.check(scene, "mesh.ply", data, faces.read_ply, pattern=notes, keep=without_edges)
+
+    def test_ply_as_one_line(self):
+        scene = faces.Scene(SEED + 5)
+        data = faces.ply(scene, SCHEMAS["attributes"], "ascii")
+        head, _, body = data.partition(b"end_header\n")
+        self.check(scene, "mesh.ply", head + b"end_header\n" + body.replace(b"\n", b"\t "), faces.read_ply)
+
+    def test_large_records(self):
+        """Of more bytes than any buffer; the header is as long."""
+        scene = faces.Scene(SEED)
+        schema = [("vertex", None, [*XYZ, *(("v%d" % k, "double") for k in range(300))]),
+                  ("face", None, [*(("f%d" % k, "uint") for k in range(600)), *CORNERS])]
+        for form in ("ascii", "binary_big_endian"):
+            data = faces.ply(scene, schema, form).replace(b"obj_info", b"comment " + 99999 * b"x" + b"\nobj_info", 1)
+            self.check(scene, "mesh.ply", data, faces.read_ply, is_partial=False)
+
+    def test_obj(self):
+        for n, options in enumerate(({}, {"is_negative": True}, {"line_end": "\r\n"}, {"is_mixed": True},
+                                     {"is_mixed": True, "is_negative": True})):
+            with self.subTest(**options):
+                scene = faces.Scene(SEED + n, least=None)
+                count = len(scene.faces)
+                data = faces.obj(scene, **options)
+                read = faces.read_obj
+                if options.get("is_mixed"):  # the elements stand anywhere
+                    self.assertEqual([face[1][0] for face in read(data).faces], count * ["f"] + ["l", "p"])
+                self.check(scene, "mesh.obj", data, read, others=(count, count + 1),
+                           pattern="((tribox.*1 lines of curves and surfaces are left out.*|tribox.*NaN or infinite.*)\n)*")
+                for side in self.run_crop(self.write("mesh.obj", data), pattern="(.*\n)*")[0].values():
+                    self.assertNotIn(b"o empty", side)
+                    self.assertEqual(read(side).unused, 0)
+
+    def test_obj_that_refers_to_nothing(self):
+        """No reader minds textures and normals that are not there; what refers to nothing still does. A line of a backslash ends
+        a file, as it does for the reader."""
+        text = "v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nf 1/2/7 3/0 4/-9\nf 2//1 2 2/5\n\\\nv 5 5 5\nf 1 1 1\n"
+        written, _ = self.run_crop(self.write("mesh.obj", text))
+        self.assertEqual(written["-o"].decode(), "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1 1\nf 1/1/7 2/0 3/-9\n")
+        self.assertEqual(written["--rest"].decode(), "v 9 9 9\nf 1//1 1 1/5\n")
+
+    def test_off(self):
+        for n, options in enumerate(({}, {"line_end": "\r\n"}, {"is_joined": True}, {"head": "OFF"})):
+            with self.subTest(**options):
+                scene = faces.Scene(SEED + n)
+                self.check(scene, "mesh.off", faces.off(scene, **options), faces.read_off)
+
+    def test_stl(self):
+        scene = faces.Scene(SEED, polygons=0, least=None)
+        scene.faces = [face for face in scene.faces if len(face) == 3]
+        for line_end in ("\n", "\r\n"):
+            self.check(scene, "mesh.stl", faces.stl_text(scene, line_end), faces.read_stl_text)
+        self.check(scene, "mesh.stl", faces.stl_binary(scene), read_stl)
+
+    def test_raw(self):
+        scene = faces.Scene(SEED, polygons=0, least=None)
+        scene.faces = [face for face in scene.faces if len(face) == 3]
+        for form, size in (("f", 4), ("d", 8)):
+            self.check(scene, "mesh.f%d" % (8 * size), faces.raw(scene, form), faces.read_raw(size))
+
+    def test_many_blocks(self):
+        """Records are read in blocks of 4096, and masks have words of 64."""
+        scene = faces.Scene(SEED, triangles=9001, polygons=0, least=None)
+        scene.faces = [face for face in scene.faces if len(face) == 3]
+        self.check(scene, "mesh.stl", faces.stl_binary(scene), read_stl, is_partial=False)
+
+    def test_names_say_less_than_the_file(self):
+        scene = faces.Scene(SEED)
+        mesh = self.write("mesh.dat", faces.off(scene, head="OFF"))
+        written, _ = self.run_crop(mesh, ending=".off", pattern="(.*\n)?")
+        self.assertTrue(written["-o"].startswith(b"OFF\n# made by a test\n"))
+        triangles = self.write("mesh.bin", meshes.stl_binary(meshes.lattice_triangles(50, SEED)))
+        self.run_crop(triangles, "--format", "stl", ending=".STL", box=(-1, -1, -1, 0, 0, 0))
+
+    def test_foreign_readers(self):
+        """VTK reads both files as the faces that they should have, with the colours of their corners."""
+        colored = [("vertex", None, [*XYZ, ("red", "uchar"), ("green", "uchar"), ("blue", "uchar")]), ("face", None, CORNERS)]
+        scene = faces.Scene(SEED, least=None, has_nan=False)
+        flat = faces.Scene(SEED, polygons=0, least=None, has_nan=False)
+        cases = [("a.ply", scene, faces.ply(scene, colored, "binary_little_endian")),
+                 ("t.ply", scene, faces.ply(scene, colored, "ascii")),
+                 ("a.obj", scene, re.sub(rb"(?m)^(curv|l|p) .*|\\\n|  # a face", b"", faces.obj(scene, forms=["%d/%d/%d"]))),
+                 ("a.stl", flat, faces.stl_binary(flat)), ("t.stl", flat, faces.stl_text(flat))]
+        paths, due = [], []
+        for name, one, data in cases:
+            written, _ = self.run_crop(self.write(name, data))
+            for side, chosen in zip(("-o", "--rest"), part_and_rest(one)):
+                paths.append(self.write(side + name, written[side]))
+                due.append([[list(one.positions[c]) for c in one.faces[n]] for n in chosen])
+        paths.append(self.path("a.ply"))
+        done = subprocess.run(["/usr/bin/python3", "-B", FOREIGN, "vtk_faces", *paths], capture_output=True, timeout=120)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        found = json.loads(done.stdout)
+        if isinstance(found, str):
+            self.skipTest(found)
+        for path, own, expected in zip(paths, found, due):
+            self.assertEqual(own["faces"], expected, path)
+        whole = found.pop()
+        for own, chosen in zip(found[:4], 2 * part_and_rest(scene)):
+            self.assertEqual(own["colors"], [whole["colors"][n] for n in chosen])
+
+    def test_texts(self):
+        """What becomes of comments, of counts, of lines that end early, and of groups without faces."""
+        box = (-1, -1, -1, 1, 1, 1)
+        for name, text, part, rest in (
+                ("a.off", "OFF # 3 2 9\n5 2 7 # counts\n\n0 0 0 1 0 0\n9 9 9\n# a vertex\n0 1 0\n9 8 9\n1 0 0\n3 0 2 4 7 7 7\n"
+                 "4 1 3 1 3",
+                 "OFF # 3 2 9\n3 1 0 # counts\n\n0 0 0 1 0 0\n# a vertex\n0 1 0\n1 0 0\n3 0 1 2 7 7 7\n",
+                 "OFF # 3 2 9\n2 1 0 # counts\n\n9 9 9\n# a vertex\n9 8 9\n4 0 1 0 1"),
+                ("a.obj", "v 0 0 0\r\nv 9 9 9\r\n\r\ng one\r\nv 0 1 0\r\nusemtl red\r\ng two\r\nf 1 1 3\r\n# here\r\ng three\r\n"
+                 "f 2 2 \\\r\n2",
+                 "v 0 0 0\r\n\r\nv 0 1 0\r\nusemtl red\r\ng two\r\nf 1 1 2\r\n# here\r\n",
+                 "v 9 9 9\r\n\r\n# here\r\nusemtl red\r\ng three\r\nf 1 1 \\\r\n1")):
+            written, _ = self.run_crop(self.write(name, text), box=box)
+            self.assertEqual(written["-o"].decode(), part)
+            self.assertEqual(written["--rest"].decode(), rest)
+
+
+def part_and_rest(scene):
+    part = scene.in_part(BOX)
+    return part, [n for n in range(len(scene.faces)) if n not in part]
+
+
+def is_of_pairs(data):
+    """Whether lines end in CR LF alone."""
+    return 0 < data.count(b"\r\n") == data.count(b"\n")
+
+
+def read_stl(data):
+    """Counts are in front of the rest, and each file has its own."""
+    return faces.read_stl_binary(data)
+
+
+def without_edges(content):
+    """The header's lines and the records of what refers to vertices."""
+    other, element = [], ""
+    for entry in content.other:
+        words = entry.split() if isinstance(entry, str) else entry
+        element = words[1] if words[0] == "element" else element
+        if (element if words[0] in ("element", "property") else words[0]) not in ("edge", "patch"):
+            other.append(entry)
+    return faces.Content(content.vertices, content.faces, other)
+
+
+class Ways(Crop):
+    def setUp(self):
+        super().setUp()
+        self.triangles = meshes.lattice_triangles(300, SEED)
+        self.mesh = self.write("mesh.ply", meshes.ply_binary(self.triangles))
+
+    def test_oriented(self):
+        box = (0.1, 0, 0, 0.5, 0.75, 1, 0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1)
+        due = meshes.overlapping_oriented(self.triangles, box)
+        part = self.path("part.ply")
+        self.succeed("overlap", self.mesh, "--oriented", ",".join(map(repr, box)), "-o", part)
+        with open(part, "rb") as file:
+            found = faces.read_ply(file.read())
+        self.assertEqual(len(found.faces), len(due))
+        with open(self.mesh, "rb") as file:
+            self.assert_same(found, faces.read_ply(file.read()).of(due), "oriented")
+
+    def test_shift(self):
+        """The box is about the mesh that was moved; what is written has not moved."""
+        moved = ",".join(repr(b - s) for b, s in zip(BOX, 2 * (1.0, 2.0, -3.0)))
+        straight, _ = self.run_crop(self.mesh)
+        shifted, told = self.run_crop(self.mesh, "--shift", "1,2,-3", box=[float(b) for b in moved.split(",")])
+        self.assertEqual(shifted, straight)
+        self.assertEqual(told["shift"], [1, 2, -3])
+
+    def test_list_and_counts_stay(self):
+        for mesh in (self.mesh, self.write("mesh.f32", meshes.pack_floats(self.triangles))):
+            part, box = self.path("x" + os.path.splitext(mesh)[1]), ",".join(map(repr, BOX))
+            alone = self.succeed("overlap", mesh, "--box", box, "--list")
+            self.assertEqual(self.succeed("overlap", mesh, "--box", box, "--list", "-o", part), alone)
+            said = self.succeed("overlap", mesh, "--box", box, "-o", part)
+            self.assertIn("\npart         %s (%d face" % (part, alone.count("\n")), said)
+
+    def test_nothing_and_everything(self):
+        for ending, data in ((".ply", meshes.ply_binary(self.triangles)), (".PLY", meshes.ply_ascii(self.triangles)),
+                             (".obj", meshes.obj(self.triangles)), (".off", meshes.off(self.triangles)),
+                             (".stl", meshes.stl_binary(self.triangles)), (".stl", meshes.stl_ascii(self.triangles)),
+                             (".f32", meshes.pack_floats(self.triangles))):
+            mesh = self.write("mesh" + ending, data)
+            everything = (-9, -9, -9, 9, 9, 9)
+            written, told = self.run_crop(mesh, box=everything, pattern="tribox.*rest%s: has no face, since all are in the box\n"
+                                          % ending.replace(".", r"\."))
+            self.assertEqual(told["part"]["faces"], 300)
+            self.assertEqual(told["rest"]["faces"], 0)
+            self.assertEqual(written["-o"].replace(b" 900 300 0", b""), data.replace(b" 900 300 0", b""))
+            nothing, told = self.run_crop(mesh, box=(8, 8, 8, 9, 9, 9), pattern="tribox.*o%s: has no face, since none is in the "
+                                          "box\n" % ending.replace(".", r"\."))
+            self.assertEqual(nothing["--rest"], written["-o"])
+            self.assertEqual(nothing["-o"], written["--rest"])
+
+    def test_part_of_a_part(self):
+        """What is written can be read, and all of its faces are where they were."""
+        for name, data in (("mesh.ply", meshes.ply_binary(self.triangles)), ("mesh.obj", meshes.obj(self.triangles)),
+                           ("mesh.off", meshes.off(self.triangles)), ("mesh.stl", meshes.stl_ascii(self.triangles))):
+            written, told = self.run_crop(self.write(name, data))
+            again, counts = self.run_crop(self.write("2" + name, written["-o"]), pattern=".*has no face.*\n")
+            self.assertEqual(again["-o"], written["-o"])
+            self.assertEqual(counts["overlapping"], told["overlapping"])
+
+    def test_standard_output(self):
+        written, _ = self.run_crop(self.mesh)
+        box = ",".join(map(repr, BOX))
+        for option in ("-o", "--rest"):
+            done = subprocess.run([support.program(), "overlap", self.mesh, "--box", box, option, "-"], capture_output=True)
+            self.assertEqual((done.returncode, done.stderr, done.stdout), (0, b"", written[option]))
+        done = subprocess.run([support.program(), "overlap", self.mesh, "--box", box, "-o", "-", "--rest", self.path("r.ply")],
+                              capture_output=True)
+        self.assertEqual((done.stdout, done.stderr), (written["-o"], b""))
+
+    def test_links(self):
+        os.mkdir(self.path("elsewhere"))
+        os.symlink("elsewhere/part.ply", self.path("link.ply"))
+        self.write("elsewhere/part.ply", "old")
+        self.succeed("overlap", self.mesh, "--box", support.UNIT_BOX, "-o", self.path("link.ply"))
+        self.assertTrue(os.path.islink(self.path("link.ply")))
+        with open(self.path("elsewhere/part.ply"), "rb") as file:
+            self.assertEqual(file.read(4), b"ply\n")
+
+
+class Refusals(Crop):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(300, SEED)))
+        os.symlink("mesh.ply", self.path("same.ply"))
+        os.mkdir(self.path("folder"))
+        self.there = sorted(os.listdir(self.folder))
+
+    def refuse(self, code, pattern, *options, mesh=None, **how):
+        self.fail_with(code, pattern, "overlap", mesh or self.mesh, *options, **how)
+        self.assertEqual(sorted(os.listdir(self.folder)), self.there)
+        self.assertEqual(os.listdir(self.path("folder")), [])
+
+    def test_command_line(self):
+        box = ("--box", support.UNIT_BOX)
+        x = self.path("x.ply")
+        self.refuse(2, "-o and --rest write the faces about one box", "--boxes", self.mesh, "-o", x)
+        self.refuse(2, "-o and --rest need the mesh as a file", *box, "--format", "stl", "-o", x, mesh="-")
+        self.refuse(2, "-o and --rest cannot both go to standard output", *box, "-o", "-", "--rest", "-")
+        self.refuse(2, "--json and -o - exclude each other", *box, "--json", "-o", "-")
+        self.refuse(2, "--list and --rest - exclude each other", *box, "--list", "--rest", "-")
+        self.refuse(2, "--inside goes with --box or --boxes", "--oriented", support.UNIT_ORIENTED, "--inside", "-o", x)
+
+    def test_names(self):
+        box = ("--box", support.UNIT_BOX)
+        for name in ("x.obj", "x", "x.ply.gz", "x.stl", "ply"):
+            self.refuse(2, "-o: '.*' does not end in .ply", *box, "-o", self.path(name))
+            self.refuse(2, "--rest: '.*' does not end in .ply", *box, "--rest", self.path(name))
+        for name in (self.mesh, self.path("same.ply"), self.path("folder/../mesh.ply")):
+            self.refuse(2, "-o: '.*' is the mesh itself", *box, "-o", name)
+            self.refuse(2, "--rest: '.*' is the mesh itself", *box, "--rest", name, "-o", self.path("x.ply"))
+        self.refuse(2, "-o and --rest are one file, '.*x.ply'", *box, "-o", self.path("x.ply"), "--rest",
+                    self.path("folder/../x.ply"))
+        self.refuse(2, "-o and --rest are one file, 'x.ply'", *box, "-o", self.path("x.ply"), "--rest", "x.ply", cwd=self.folder)
+        self.refuse(1, "no.folder.*x.ply: cannot write there: No such file", *box, "-o", self.path("no/folder/x.ply"))
+        self.refuse(1, "no.folder.*x.ply: cannot write there: No such file", *box, "-o", self.path("x.ply"), "--rest",
+                    self.path("no/folder/x.ply"))
+        self.refuse(1, "folder.ply: is a directory", *box, "-o", self.make_folder("folder.ply"))
+
+    def make_folder(self, name):
+        os.mkdir(self.path(name))
+        self.there = sorted(os.listdir(self.folder))
+        return self.path(name)
+
+    def test_meshes(self):
+        box = ("--box", support.UNIT_BOX, "-o", self.path("x.ply"))
+        self.refuse(1, "cannot open the mesh file: No such file", *box, mesh=self.path("none.ply"))
+        self.refuse(1, "is a directory", *box, mesh=self.path("folder"))
+        self.refuse(1, "is not a regular file, and -o and --rest read the mesh twice", *box, mesh="/dev/null")
+        for name, data, pattern in (("empty.ply", b"", "the file is empty"), ("scene.3ds", b"MM\0\0", "convert it to one of these"),
+                                    ("cut.ply", meshes.ply_binary(meshes.lattice_triangles(9, 1))[:-1], "truncated"),
+                                    ("strips.ply", strips(), "has strips of triangles, which -o and --rest do not cut")):
+            mesh = self.write(name, data)
+            self.there = sorted(os.listdir(self.folder))
+            self.refuse(1, pattern, *box, mesh=mesh)
+
+    def test_full_disk(self):
+        """Small files fail when they are closed, large ones while they are written; neither file is kept."""
+        for count, limit in ((300, 2000), (9000, 100000)):
+            for name, write in (("a.ply", meshes.ply_binary), ("a.obj", meshes.obj), ("a.off", meshes.off),
+                                ("t.ply", meshes.ply_ascii), ("a.stl", meshes.stl_binary), ("t.stl", meshes.stl_ascii),
+                                ("a.f32", meshes.pack_floats)):
+                mesh = self.write(name, write(meshes.lattice_triangles(count, SEED)))
+                self.there = sorted(os.listdir(self.folder))
+                ending = os.path.splitext(name)[1]
+                self.refuse(1, "(x|y)%s: cannot write all of it: File too large; nothing was kept" % ending, "--box",
+                            support.UNIT_BOX, "-o", self.path("x" + ending), "--rest", self.path("y" + ending), mesh=mesh,
+                            limit=(resource.RLIMIT_FSIZE, limit))
+        mesh = self.write("a.ply", meshes.ply_binary(meshes.lattice_triangles(300, SEED)))
+        self.refuse(1, "y.ply: cannot write all of it: File too large; nothing was kept", "--box", "8,8,8,9,9,9", "-o",
+                    self.path("x.ply"), "--rest", self.path("y.ply"), limit=(resource.RLIMIT_FSIZE, 2000), mesh=mesh)
+        if os.path.exists("/dev/full"):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([support.program(), "overlap", self.mesh, "--box", support.UNIT_BOX, "-o", "-"], stdout=full,
+                                      stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(b"cannot write the output: No space left on device", done.stderr)
+
+    def test_signals(self):
+        """Told to end while it reads or writes it leaves nothing of its own."""
+        mesh = self.write("long.obj", meshes.obj(meshes.lattice_triangles(3000, SEED)) * 20)
+        self.there = sorted(os.listdir(self.folder))
+        for wait in (0.02, 0.1, 0.3):
+            process = subprocess.Popen([support.program(), "overlap", mesh, "--box", support.UNIT_BOX, "-o",
+                                        self.path("folder/x.obj"), "--rest", self.path("folder/y.obj")],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            time.sleep(wait)
+            process.send_signal(signal.SIGTERM)
+            process.communicate()
+            if process.returncode:
+                self.assertEqual(process.returncode, -signal.SIGTERM)
+                self.assertEqual(os.listdir(self.path("folder")), [])
+            else:
+                self.assertEqual(sorted(os.listdir(self.path("folder"))), ["x.obj", "y.obj"])
+                for name in os.listdir(self.path("folder")):
+                    os.unlink(self.path("folder/" + name))
+
+
+def strips():
+    head = meshes.ply_header("ascii", 4, 1, element="tristrips")
+    return head + b"0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2 3\n"
+
+
+if __name__ == "__main__":
+    assert math.isnan(faces.NAN)
+    support.main()

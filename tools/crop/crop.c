@@ -1,0 +1,138 @@
+/* crop.c - finds the writer of a format, and keeps the files when all of them are written. */
+#include "crop.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "console/message.h"
+#include "crop_faces.h"
+
+void crop_begin(crop *c)
+{
+    c->next = 0;
+    c->pass++;
+}
+
+static void tell(crop *c)
+{
+    enum { EACH = 4096 };
+    if (++c->told % EACH == 0)
+        progress_tell(c->bar, (c->pass - 1 + (double)c->next / (double)c->choice.triangles) / c->passes);
+}
+
+static bool is_set(const crop *c, uint64_t triangle) { return c->choice.bits[triangle / 64] >> triangle % 64 & 1; }
+
+crop_side crop_next(crop *c, uint64_t corners)
+{
+    const uint64_t triangles = corners > 2 ? corners - 2 : 0;
+    if (triangles > c->choice.triangles - c->next) {
+        c->is_changed = true;
+        return CROP_REST;
+    }
+    uint64_t set = 0;
+    for (uint64_t t = 0; t < triangles; t++)
+        set += is_set(c, c->next + t);
+    c->next += triangles;
+    tell(c);
+    return set && (!c->choice.needs_all || set == triangles) ? CROP_PART : CROP_REST;
+}
+
+static void fail(crop *c, crop_side side)
+{
+    c->failed = (int)side + 1;
+    c->reason = errno;
+}
+
+static void write_buffer(crop *c, crop_side side)
+{
+    if (c->filled[side] && !c->failed && fwrite(c->buffer[side], 1, c->filled[side], c->to[side]) != c->filled[side])
+        fail(c, side);
+    c->filled[side] = 0;
+}
+
+/* Most of what is put are a few bytes, for which a stream takes long. */
+void crop_put(crop *c, crop_side side, const void *bytes, size_t size)
+{
+    if (!c->to[side] || c->failed)
+        return;
+    if (size > CROP_BUFFER - c->filled[side])
+        write_buffer(c, side);
+    if (size > CROP_BUFFER) {
+        if (!c->failed && fwrite(bytes, 1, size, c->to[side]) != size)
+            fail(c, side);
+        return;
+    }
+    memcpy(c->buffer[side] + c->filled[side], bytes, size);
+    c->filled[side] += size;
+}
+
+void crop_put_both(crop *c, const void *bytes, size_t size)
+{
+    for (crop_side s = CROP_PART; s < CROP_SIDES; s++)
+        crop_put(c, s, bytes, size);
+}
+
+static int write_records(crop *c, const crop_files *f)
+{
+    triangle_file file;
+    c->passes = 1;
+    int code = triangle_file_open(f->mesh_path, f->format, &file);
+    if (!code && !file.stream)
+        c->is_changed = true;
+    else if (!code)
+        code = crop_records(c, &file);
+    triangle_file_close(&file);
+    return code;
+}
+
+static int write_faces(crop *c, const crop_files *f)
+{
+    static int (*const writers[])(crop * c) = {
+        [MESH_PLY] = crop_ply, [MESH_OFF] = crop_off, [MESH_STL_TEXT] = crop_stl_text, [MESH_OBJ] = crop_obj};
+    c->passes = f->kind == MESH_STL_TEXT ? 1 : 2;
+    return writers[f->kind](c);
+}
+
+static int write_all(crop *c, const crop_files *f)
+{
+    int code = f->format == TRIANGLES_OTHER ? write_faces(c, f) : write_records(c, f);
+    for (int s = 0; !code && s < CROP_SIDES; s++) {
+        write_buffer(c, (crop_side)s);
+        if (!c->failed && c->to[s] && fflush(c->to[s]))
+            fail(c, (crop_side)s);
+    }
+    if (code)
+        return code;
+    if (c->is_changed || (!c->failed && c->next != c->choice.triangles))
+        return message_failure("%s: has changed while it was read; nothing was kept", c->path);
+    errno = c->reason;
+    return c->failed ? file_out_failure(&f->out[c->failed - 1]) : EXIT_CODE_OK;
+}
+
+static void note_empty(const crop_files *f, int side, const crop_counts *counts)
+{
+    if (f->out[side].stream && !counts->faces)
+        message_say("note: %s: has no face, since %s", file_out_is_stdout(f->out[side].path) ? "stdout" : f->out[side].path,
+                    side == CROP_PART ? "none is in the box" : "all are in the box");
+}
+
+int crop_write(crop_files *f, const crop_choice *choice, crop_counts counts[CROP_SIDES])
+{
+    progress bar = progress_start("writing", true);
+    crop c = {.path = f->mesh_path, .choice = *choice, .bar = &bar, .to = {f->out[CROP_PART].stream, f->out[CROP_REST].stream}};
+    for (int s = 0; s < CROP_SIDES; s++)
+        c.buffer[s] = malloc(CROP_BUFFER);
+    int code = c.buffer[CROP_PART] && c.buffer[CROP_REST] ? write_all(&c, f) : message_failure("%s: out of memory", c.path);
+    progress_end(&bar);
+    for (int s = 0; s < CROP_SIDES; s++) {
+        free(c.buffer[s]);
+        counts[s] = c.counts[s];
+        counts[s].has_vertices = f->format == TRIANGLES_OTHER && f->kind != MESH_STL_TEXT;
+        if (!code)
+            note_empty(f, s, &counts[s]);
+        code = code ? code : file_out_keep(&f->out[s]);
+    }
+    crop_files_drop(f);
+    return code;
+}
