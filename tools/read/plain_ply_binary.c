@@ -8,6 +8,7 @@
 #include "mesh_look.h"
 #include "plain_ply.h"
 #include "ply_records.h"
+#include "reading.h"
 #include "vertex_extremes.h"
 
 /*
@@ -75,6 +76,13 @@ static bool take_vertices(ply_binary *p, unsigned thread, size_t step)
     return true;
 }
 
+/* The taker has a bar of its own. */
+static bool begin_to_store(ply_binary *p)
+{
+    reading_begin();
+    return mesh_take_room(p->records.faces, p->m);
+}
+
 /* The box is that of the vertices, and of the triangles only if these have such as reach its sides, which is seen at the end. */
 static bool ask_taker(ply_binary *p, unsigned thread, size_t step)
 {
@@ -84,7 +92,7 @@ static bool ask_taker(ply_binary *p, unsigned thread, size_t step)
         p->taker && vertex_extremes_box(&p->extremes, &m->bounds) && p->taker->begin(p->taker->data, &m->bounds, p->records.faces);
     if (m->is_taken)
         vertex_extremes_find(&p->extremes, p->positions, BLOCK, p->extreme);
-    return m->is_taken || mesh_take_room(p->records.faces, m);
+    return m->is_taken || begin_to_store(p);
 }
 
 static bool store(ply_binary *p, const tribox_mesh *block, size_t first)
@@ -98,6 +106,7 @@ static bool store(ply_binary *p, const tribox_mesh *block, size_t first)
     pthread_mutex_lock(&p->lock);
     mesh_look_join(&own, &p->look);
     pthread_mutex_unlock(&p->lock);
+    reading_tell((double)first / (double)p->records.faces);
     return true;
 }
 
@@ -158,8 +167,10 @@ static bool read_all(ply_binary *p)
     if (m->is_taken && !(is_read && p->met == (1U << EXTREMES) - 1)) {
         p->taker->drop(p->taker->data);
         m->is_taken = false;
-        is_read = mesh_take_room(p->records.faces, m) && read_by_threads(p);
+        is_read = begin_to_store(p) && read_by_threads(p);
     }
+    if (!m->is_taken)
+        reading_end();
     m->triangles = p->records.faces;
     m->first_not_finite = m->triangles;
     if (is_read && !m->is_taken) {
