@@ -572,6 +572,33 @@ TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_g
 TRIBOX_API tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
                                               const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
+/**
+ * tribox_voxelize that also says, for each cell that it sets, which triangle: the lowest number of one that overlaps it. With
+ * EXACT the answer is one, the same on every kernel, in every order of the triangles and in every window. CONSERVATIVE and FAST
+ * have the lowest number of those for which they set the bit, and may differ where bits do.
+ *
+ * Calls accumulate: where a bit is set before the call, its id takes part. So a soup may come in parts, in any order.
+ *
+ * first: the number of the soup's first triangle: 0, or how many came in other calls before it. All numbers are less than
+ *   UINT32_MAX, or the call is refused.
+ * occupied: as for tribox_voxelize. Cells whose bits are set before the call have ids: those that calls before it wrote.
+ * ids: one for each cell of the window, cell (i, j, k) at ids[(k * size[1] + j) * size[0] + i], without a gap after a row.
+ *   Written where bits are set and nowhere else, so they need not be cleared; what is there where a bit is clear says nothing.
+ *
+ * Threads that own some layers of the grid each own the ids of these. Other arguments are as for tribox_voxelize.
+ *
+ * Returns what that does; TRIBOX_BAD_ARGUMENT also if ids is NULL or numbers would reach UINT32_MAX; TRIBOX_BAD_GRID also if the
+ * ids exceed the address space.
+ */
+TRIBOX_API tribox_status tribox_voxelize_ids(const tribox_soup *soup, uint32_t first, const tribox_grid *grid,
+                                             const tribox_window *window, const tribox_options *options, uint64_t *occupied,
+                                             uint32_t *ids, tribox_report *report);
+
+/** tribox_voxelize_ids for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+TRIBOX_API tribox_status tribox_mesh_voxelize_ids(const tribox_mesh *mesh, uint32_t first, const tribox_grid *grid,
+                                                  const tribox_window *window, const tribox_options *options, uint64_t *occupied,
+                                                  uint32_t *ids, tribox_report *report);
+
 /* ============================================================================================================================== */
 /*                                                        Tiles and bricks                                                        */
 /* ============================================================================================================================== */
@@ -663,6 +690,39 @@ TRIBOX_API tribox_status tribox_bricks(const tribox_soup *soup, const tribox_gri
 TRIBOX_API tribox_status tribox_mesh_bricks(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
                                             const size_t *starts, const uint32_t *list, const tribox_options *options,
                                             void *scratch, const tribox_sink *sink, tribox_report *report);
+
+/**
+ * Takes bricks with ids: as tribox_sink, and ids[64 * k + 8 * j + i] is the lowest number of a triangle that overlaps cell
+ * (i, j, k) of the brick, or UINT32_MAX where its bit is clear. They are there until take returns.
+ */
+typedef struct tribox_ids_sink {
+    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512]); /* 0 to go on */
+    void *data;                                                                                     /* what take is handed */
+} tribox_ids_sink;
+
+/**
+ * The bytes of scratch that tribox_bricks_ids needs for tiles of this side: those of tribox_bricks_bytes, and four for each cell of
+ * a tile; SIZE_MAX if it overflows. Tiles of 64 cells a side, whose ids fit into 1 MiB, suit the caches.
+ */
+TRIBOX_API size_t tribox_bricks_ids_bytes(uint32_t side);
+
+/**
+ * tribox_bricks with an id for each cell, as of tribox_voxelize_ids: with EXACT the lowest number of a triangle that overlaps it,
+ * of those that are listed for its tile. Numbers are those of the soup, whatever the order of a list.
+ *
+ * soup: of less than 2^32 triangles.
+ * scratch: tribox_bricks_ids_bytes(tiles->side) bytes, at any alignment; one for each thread.
+ *
+ * Other arguments are as for tribox_bricks, and so is what it returns.
+ */
+TRIBOX_API tribox_status tribox_bricks_ids(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
+                                           const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
+                                           const tribox_ids_sink *sink, tribox_report *report);
+
+/** tribox_bricks_ids for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_bricks. */
+TRIBOX_API tribox_status tribox_mesh_bricks_ids(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
+                                                const size_t *starts, const uint32_t *list, const tribox_options *options,
+                                                void *scratch, const tribox_ids_sink *sink, tribox_report *report);
 
 /* ============================================================================================================================== */
 /*                                                      Insides of surfaces                                                       */

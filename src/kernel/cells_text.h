@@ -12,4 +12,5 @@
 #include "kernel/cells/solids.h"
 #include "kernel/cells/flats.h"
 #include "kernel/cells/bricks.h"
+#include "kernel/cells/brick_ids.h"
 #include "kernel/cells/sorted.h"

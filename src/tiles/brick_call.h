@@ -13,6 +13,14 @@ typedef struct tribox_listed {
     int32_t number[TRIBOX_LISTED_STREAM];
 } tribox_listed;
 
+/* The ids of the cells of a tile, where they are asked for, and of those of one brick. */
+enum { TRIBOX_BRICK_IDS_ROOM = TRIBOX_BRICK_IDS + TRIBOX_LANES_MAX };
+typedef struct tribox_brick_ids {
+    tribox_ids_sink sink; /* its take is NULL where none are */
+    uint32_t *of_tile, *of_brick;
+    tribox_window tile;
+} tribox_brick_ids;
+
 typedef struct tribox_bricks_call {
     tribox_tiling tiling;
     tribox_triangles triangles;
@@ -21,6 +29,7 @@ typedef struct tribox_bricks_call {
     const size_t *starts;
     const uint32_t *list;
     uint64_t *bits; /* of a tile: zero before each and after */
+    tribox_brick_ids ids;
     tribox_listed *block;
     tribox_outlet outlet;
     tribox_report counts;
@@ -28,6 +37,9 @@ typedef struct tribox_bricks_call {
 
 /* Whether the triangles have these numbers, and their vertices are there. */
 bool tribox_listed_are_there(const tribox_triangles *triangles, const uint32_t *list, size_t count);
+
+/* A sink of a tile's bricks that hands each on with its ids. Its data is the call. */
+int tribox_brick_ids_take(void *call, const uint32_t at[3], const uint64_t bits[8]);
 
 /* Triangles list[0] .. list[count - 1] into the block: floats as they are, doubles less `origin`, then rounded. */
 tribox_soup tribox_listed_gather(const tribox_triangles *triangles, const double origin[3], const uint32_t *list, size_t count,

@@ -74,7 +74,6 @@ static void gather_mesh(const tribox_mesh *mesh, const double origin[3], const u
     for (size_t i = 0; i < count; i++) {
         double corner[3][3];
         tribox_mesh_read_corners(mesh, 3 * (size_t)list[i], 3, corner);
-        block->number[i] = (int32_t)list[i];
         for (size_t n = 0; n < 9; n++)
             block->u[n][i] = (float)(corner[n % 3][n / 3] - origin[n / 3]);
     }

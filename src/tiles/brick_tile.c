@@ -57,9 +57,13 @@ static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *li
     const tribox_environment callers = tribox_environment_enter();
     v->plan = s->plan;
     tribox_voxels_begin(v, &s->triangles, s->grid, w, s->bits);
+    if (s->ids.sink.take)
+        tribox_voxels_ask_ids(v, s->ids.of_tile, 0);
     for (size_t at = 0; at < count; at += TRIBOX_LISTED) {
         const size_t some = count - at < TRIBOX_LISTED ? count - at : TRIBOX_LISTED;
         const tribox_soup soup = tribox_listed_gather(&s->triangles, tribox_voxels_origin(v), list + at, some, s->block);
+        if (v->window.has_numbers)
+            memcpy(s->block->number, list + at, some * sizeof *list);
         tribox_voxels_put(v, &soup, s->block->number);
         find_ends_of_block(s, some, &z);
     }
@@ -73,7 +77,7 @@ static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *li
 bool tribox_bricks_of_tile(tribox_bricks_call *s, size_t number, const uint32_t *list, size_t count)
 {
     const tribox_window all = tile_window(&s->tiling, number);
-    tribox_window w = all;
+    tribox_window w = s->ids.tile = all;
     set_tile(s, &w, list, count);
     uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_words_of(all.size[0]);
     return s->plan.kernel->cells->emit(bits, w.first, w.size, &s->outlet);

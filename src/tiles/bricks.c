@@ -20,6 +20,18 @@ size_t tribox_bricks_bytes(uint32_t side)
     return bytes > SIZE_MAX - block ? SIZE_MAX : bytes + block;
 }
 
+size_t tribox_bricks_ids_bytes(uint32_t side)
+{
+    size_t bytes = sizeof(uint32_t);
+    for (int a = 0; a < 3; a++) {
+        if (side && bytes > SIZE_MAX / side)
+            return SIZE_MAX;
+        bytes *= side;
+    }
+    const size_t others = tribox_bricks_bytes(side), more = (TRIBOX_BRICK_IDS_ROOM + TRIBOX_LANES_MAX) * sizeof(uint32_t) + LINE;
+    return others > SIZE_MAX - more || bytes > SIZE_MAX - more - others ? SIZE_MAX : bytes + more + others;
+}
+
 static tribox_status emit_tiles(tribox_bricks_call *s)
 {
     for (size_t t = 0; t < s->tiling.end - s->tiling.first; t++) {
@@ -62,6 +74,7 @@ static tribox_status check_bricks(tribox_bricks_call *s, const tribox_tiles *til
     return are_listed || tribox_triangles_have_vertices(&s->triangles, s->plan.kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
 }
 
+/* Bits, and ids where they are asked for, begin lines of the cache. */
 static void use_scratch(tribox_bricks_call *s, void *scratch)
 {
     uint32_t most[3];
@@ -70,13 +83,16 @@ static void use_scratch(tribox_bricks_call *s, void *scratch)
     s->bits = (uint64_t *)(void *)(aligned + sizeof *s->block);
     for (int a = 0; a < 3; a++)
         most[a] = s->tiling.size[a] < s->tiling.side ? s->tiling.size[a] : s->tiling.side;
-    memset(s->bits, 0, tribox_window_words(most) * sizeof *s->bits);
+    const size_t words = tribox_window_words(most);
+    memset(s->bits, 0, words * sizeof *s->bits);
+    s->ids.of_brick = (uint32_t *)(void *)(s->bits + (words + 7) / 8 * 8);
+    s->ids.of_tile = s->ids.of_brick + TRIBOX_BRICK_IDS_ROOM;
 }
 
 static tribox_status make_bricks(tribox_bricks_call *s, const tribox_tiles *tiles, const tribox_options *options, void *scratch,
-                                 const tribox_sink *sink, tribox_report *report)
+                                 tribox_report *report)
 {
-    if (!s->grid || !tiles || !s->starts || !scratch || !sink || !sink->take)
+    if (!s->grid || !tiles || !s->starts || !scratch || !s->outlet.sink.take)
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(options, &s->plan);
     if (!status)
@@ -84,7 +100,6 @@ static tribox_status make_bricks(tribox_bricks_call *s, const tribox_tiles *tile
     if (status)
         return status;
     use_scratch(s, scratch);
-    s->outlet.sink = *sink;
     status = emit_tiles(s);
     s->counts.overlapping = s->outlet.cells;
     if (status == TRIBOX_OK || status == TRIBOX_STOPPED)
@@ -97,8 +112,10 @@ tribox_status tribox_bricks(const tribox_soup *soup, const tribox_grid *grid, co
                             tribox_report *report)
 {
     tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
-    return tribox_triangles_of_soup(soup, &s.triangles) ? make_bricks(&s, tiles, options, scratch, sink, report)
-                                                        : TRIBOX_BAD_ARGUMENT;
+    if (!sink || !tribox_triangles_of_soup(soup, &s.triangles))
+        return TRIBOX_BAD_ARGUMENT;
+    s.outlet.sink = *sink;
+    return make_bricks(&s, tiles, options, scratch, report);
 }
 
 tribox_status tribox_mesh_bricks(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles, const size_t *starts,
@@ -106,6 +123,37 @@ tribox_status tribox_mesh_bricks(const tribox_mesh *mesh, const tribox_grid *gri
                                  tribox_report *report)
 {
     tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
-    return tribox_triangles_of_mesh(mesh, &s.triangles) ? make_bricks(&s, tiles, options, scratch, sink, report)
+    if (!sink || !tribox_triangles_of_mesh(mesh, &s.triangles))
+        return TRIBOX_BAD_ARGUMENT;
+    s.outlet.sink = *sink;
+    return make_bricks(&s, tiles, options, scratch, report);
+}
+
+/* No triangle has the number UINT32_MAX, which stands for none. */
+static tribox_status make_bricks_with_ids(tribox_bricks_call *s, const tribox_tiles *tiles, const tribox_options *options,
+                                          void *scratch, const tribox_ids_sink *sink, tribox_report *report)
+{
+    if (!sink || !sink->take || s->triangles.count > UINT32_MAX)
+        return TRIBOX_BAD_ARGUMENT;
+    s->ids.sink = *sink;
+    s->outlet.sink = (tribox_sink){tribox_brick_ids_take, s};
+    return make_bricks(s, tiles, options, scratch, report);
+}
+
+tribox_status tribox_bricks_ids(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles, const size_t *starts,
+                                const uint32_t *list, const tribox_options *options, void *scratch, const tribox_ids_sink *sink,
+                                tribox_report *report)
+{
+    tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
+    return tribox_triangles_of_soup(soup, &s.triangles) ? make_bricks_with_ids(&s, tiles, options, scratch, sink, report)
+                                                        : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_mesh_bricks_ids(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
+                                     const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
+                                     const tribox_ids_sink *sink, tribox_report *report)
+{
+    tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
+    return tribox_triangles_of_mesh(mesh, &s.triangles) ? make_bricks_with_ids(&s, tiles, options, scratch, sink, report)
                                                         : TRIBOX_BAD_ARGUMENT;
 }

@@ -106,6 +106,19 @@ typedef struct tribox_outlet {
  */
 typedef bool tribox_emit(uint64_t *bits, const uint32_t first[3], const uint32_t size[3], tribox_outlet *outlet);
 
+/* The ids of the first cell of a brick, and how many there are from one row of it to the next, and from one layer. */
+typedef struct tribox_brick_rows {
+    const uint32_t *ids;
+    size_t row, layer;
+} tribox_brick_rows;
+
+/*
+ * The ids of a brick with these bits; all bits of an id are set where that of its cell is clear. Up to TRIBOX_LANES_MAX ids of a
+ * row are read, and as many from the last row on are written.
+ */
+enum { TRIBOX_BRICK_IDS = 512 };
+typedef void tribox_take_ids(const tribox_brick_rows *rows, const uint64_t bits[8], uint32_t *to);
+
 typedef struct tribox_cells_kernel {
     tribox_sort_soup *sort;
     tribox_finish *finish;
@@ -113,6 +126,7 @@ typedef struct tribox_cells_kernel {
     tribox_find_tiles *find_tiles;
     tribox_find_ends *find_ends;
     tribox_emit *emit;
+    tribox_take_ids *take_ids;
 } tribox_cells_kernel;
 
 /* Turns a bit for each crossing of the first `count` triangles, in a grid that has places. Nothing of those that are not finite. */

@@ -14,6 +14,7 @@ void tribox_voxels_empty_sinks(tribox_voxels *v, uint64_t *occupied)
     v->sinks.row_halves = (int32_t)(2 * v->sinks.row_words);
     v->sinks.layer_halves = (int32_t)(uint32_t)(2 * v->sinks.row_words * v->window.size[1]);
     v->sinks.occupied = occupied;
+    v->sinks.ids = (tribox_cell_ids){.of = NULL};
     v->sinks.handlers = &handlers;
     v->sinks.is_far = v->sinks.row_words * v->window.size[1] * (size_t)layers > 1 << 17;
     v->counts = (tribox_report){0, 0};

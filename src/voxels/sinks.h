@@ -2,6 +2,7 @@
 #ifndef TRIBOX_SINKS_H
 #define TRIBOX_SINKS_H
 
+#include "cell_ids.h"
 #include "kernel.h"
 #include "window.h"
 
@@ -10,6 +11,7 @@ enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 320, TRIBOX_WRITES_AHEAD = 48 
 typedef struct tribox_writes {
     unsigned count;
     int32_t half[TRIBOX_WRITES + TRIBOX_WRITES_STEP + TRIBOX_WRITES_AHEAD], bits[TRIBOX_WRITES + TRIBOX_WRITES_STEP];
+    int32_t number[TRIBOX_WRITES + TRIBOX_WRITES_STEP]; /* of the triangle, where ids are asked for */
 } tribox_writes;
 
 /*
@@ -31,7 +33,7 @@ typedef struct tribox_queue {
      * them
      */
     float number[TRIBOX_QUEUED][TRIBOX_QUEUE + TRIBOX_LANES_MAX];
-    int32_t triangle[TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* of doubles its number */
+    int32_t triangle[TRIBOX_QUEUE + TRIBOX_LANES_MAX]; /* its number, where they have any */
 } tribox_queue;
 
 /* Open cells of up to TRIBOX_WAITING rows. Entry n: cell at[0][n] + b of row (at[1][n], at[2][n]) for every bit b; all unsigned. */
@@ -39,7 +41,7 @@ enum { TRIBOX_WAITING = 128 };
 typedef struct tribox_waiting {
     unsigned count;
     float u[9][TRIBOX_WAITING + TRIBOX_LANES_MAX];     /* the triangle, of floats; */
-    int32_t number[TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* or the number of one of doubles */
+    int32_t number[TRIBOX_WAITING + TRIBOX_LANES_MAX]; /* its number, where they have any: of doubles alone that is read */
     int32_t at[3][TRIBOX_WAITING + TRIBOX_LANES_MAX], bits[TRIBOX_WAITING + TRIBOX_LANES_MAX];
 } tribox_waiting;
 
@@ -64,6 +66,7 @@ typedef struct tribox_voxel_sinks {
     size_t row_words;
     int32_t row_halves, layer_halves; /* modulo 2^32, as halves are counted */
     bool is_far;                      /* from the nearer caches: more than 1 MiB of bits */
+    tribox_cell_ids ids;
     tribox_writes writes;
     tribox_queue queue[TRIBOX_CLASSES];
     tribox_waiting waiting;

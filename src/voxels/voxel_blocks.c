@@ -5,17 +5,27 @@
 
 static double window_plane(const void *planes, int a, int64_t p) { return tribox_plane_at(planes, a, p); }
 
-static void set_cell(void *voxels, const int64_t at[3])
+/* Whose cells are asked. */
+typedef struct asker {
+    tribox_voxels *v;
+    int32_t number; /* of the triangle */
+} asker;
+
+static void set_cell(void *taker, const int64_t at[3])
 {
-    tribox_voxels *const v = voxels;
-    const int64_t row = (at[2] - v->window.first_layer) * v->window.size[1] + at[1];
-    v->counts.overlapping += tribox_set_cells(v->sinks.occupied + row * (int64_t)v->sinks.row_words, at[0], at[0]);
+    const asker *const a = taker;
+    tribox_voxels *const v = a->v;
+    const int64_t row = ((at[2] - v->window.first_layer) * v->window.size[1] + at[1]) * (int64_t)v->sinks.row_words;
+    if (v->sinks.ids.of)
+        tribox_lower_row(&v->sinks.ids, v->sinks.occupied, (size_t)row, at[0], at[0], tribox_voxels_id(v, a->number));
+    v->counts.overlapping += tribox_set_cells(v->sinks.occupied + row, at[0], at[0]);
 }
 
 void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
 {
+    asker asking = {v, triangle->number};
     const tribox_blocks blocks = {
-        .plan = &v->plan, .plane = window_plane, .lattice = &v->window.planes, .take = set_cell, .taker = v};
+        .plan = &v->plan, .plane = window_plane, .lattice = &v->window.planes, .take = set_cell, .taker = &asking};
     const int64_t first = tribox_greatest(range->base[2], v->window.first_layer);
     const int64_t end = tribox_least(range->base[2] + range->cells[2], v->window.end_layer);
     const int64_t base[3] = {range->base[0], range->base[1], first}, cells[3] = {range->cells[0], range->cells[1], end - first};

@@ -51,8 +51,17 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
         set_full_strip(v, shape);
 }
 
+/* Of a line of cells from cell `first` of the row that begins with word `row`: more than one on one axis at most. */
+static void lower_line(const tribox_voxels *v, size_t row, int64_t first, const size_t cells[3], uint32_t id)
+{
+    for (size_t k = 0; k < cells[2]; k++)
+        for (size_t j = 0; j < cells[1]; j++)
+            tribox_lower_row(&v->sinks.ids, v->sinks.occupied, row + (k * v->window.size[1] + j) * v->sinks.row_words, first,
+                             first + (int64_t)cells[0] - 1, id);
+}
+
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
-static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cells[3])
+static void set_line(tribox_voxels *v, const tribox_triangle *triangle, const int64_t base[3], const int64_t cells[3])
 {
     const int64_t from = tribox_greatest(base[2], v->window.first_layer),
                   end = tribox_least(base[2] + cells[2], v->window.end_layer);
@@ -60,6 +69,10 @@ static void set_line(tribox_voxels *v, const int64_t base[3], const int64_t cell
     uint64_t *const row =
         v->sinks.occupied + (size_t)(from - v->window.first_layer) * layer_words + (size_t)base[1] * v->sinks.row_words;
     const uint64_t bit = UINT64_C(1) << base[0] % 64;
+    if (v->sinks.ids.of)
+        lower_line(v, (size_t)(row - v->sinks.occupied), base[0],
+                   (const size_t[3]){(size_t)cells[0], (size_t)cells[1], (size_t)(end - from)},
+                   tribox_voxels_id(v, triangle->number));
     if (cells[0] > 1)
         v->counts.overlapping += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
     else if (cells[1] > 1)
@@ -96,7 +109,7 @@ static bool has_limits(const tribox_voxels *v, const double u[9])
 void tribox_voxels_take_triangle(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
 {
     if (range->spans[0] + range->spans[1] + range->spans[2] < 2)
-        set_line(v, range->base, range->cells);
+        set_line(v, triangle, range->base, range->cells);
     else if (!has_limits(v, triangle->u))
         tribox_voxels_ask_blocks(v, triangle, range);
     else

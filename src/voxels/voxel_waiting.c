@@ -4,9 +4,10 @@
 #include "base/finite.h"
 #include "pairs/settle.h"
 
-/* The word of a cell, and its bit there. */
+/* The word of a cell, its bit there, and the number of the triangle that it waits with. */
 typedef struct cell_bit {
     uint64_t *word, bit;
+    int32_t number;
 } cell_bit;
 
 void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *triangle)
@@ -18,12 +19,20 @@ void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *tria
             tribox_voxels_wait_for_row(v, triangle, 0, (int64_t)v->window.size[0] - 1, j, k);
 }
 
+static void lower_id(const tribox_voxels *v, const cell_bit *cell)
+{
+    uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)(cell->word - v->sinks.occupied));
+    tribox_lower_ids(ids, *cell->word, cell->bit, tribox_voxels_id(v, cell->number));
+}
+
 static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)
 {
     v->counts.undecided += count;
     const tribox_verdict verdict = tribox_settle_batch(batch, count, &v->plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const unsigned i = tribox_lowest_bit(left);
+        if (v->sinks.ids.of)
+            lower_id(v, &cell[i]);
         v->counts.overlapping += tribox_set_bits(cell[i].word, cell[i].bit);
     }
 }
@@ -36,13 +45,27 @@ static uint64_t *row_of(const tribox_voxels *v, unsigned n)
            (layer * (int64_t)v->window.size[1] + (uint32_t)v->sinks.waiting.at[1][n]) * (int64_t)v->sinks.row_words;
 }
 
-/* Those of its cells that are not set by now: most rows have none. Cells may go on in the next word. */
-static uint32_t unset_cells(const tribox_voxels *v, unsigned n)
+/* Those of these set cells whose id is greater than that of the triangle that they wait with. */
+static uint32_t cells_of_greater_id(const tribox_voxels *v, unsigned n, uint32_t cells)
+{
+    const uint32_t i = (uint32_t)v->sinks.waiting.at[0][n], id = tribox_voxels_id(v, v->sinks.waiting.number[n]);
+    const uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)(row_of(v, n) - v->sinks.occupied)) + i;
+    uint32_t greater = 0;
+    for (; cells; cells &= cells - 1) {
+        const unsigned b = tribox_lowest_bit(cells);
+        greater |= (uint32_t)(ids[b] > id) << b;
+    }
+    return greater;
+}
+
+/* Those of its cells that are to be settled, as they are not set by now: most rows have none. Cells may go on in the next word. */
+static uint32_t open_cells(const tribox_voxels *v, unsigned n)
 {
     const uint32_t i = (uint32_t)v->sinks.waiting.at[0][n], from = i % 64;
     const uint64_t *const word = row_of(v, n) + i / 64;
     const uint64_t next = word[(size_t)i / 64 + 1 < v->sinks.row_words];
-    return (uint32_t)v->sinks.waiting.bits[n] & ~(uint32_t)(word[0] >> from | next << 1 << (63 - from));
+    const uint32_t bits = (uint32_t)v->sinks.waiting.bits[n], set = (uint32_t)(word[0] >> from | next << 1 << (63 - from));
+    return (bits & ~set) | (v->sinks.ids.of ? cells_of_greater_id(v, n, bits & set) : 0);
 }
 
 static double plane_at(const tribox_voxels *v, int a, uint32_t p, uint32_t above)
@@ -72,7 +95,7 @@ void tribox_voxels_settle_waiting(tribox_voxels *v)
     v->plan.kernel->cells->write(v);
     for (unsigned n = 0; n < v->sinks.waiting.count; n++) {
         row[rows] = n;
-        left[rows] = unset_cells(v, n);
+        left[rows] = open_cells(v, n);
         rows += left[rows] != 0;
     }
     for (unsigned r = 0; r < rows; r++) {
@@ -80,7 +103,7 @@ void tribox_voxels_settle_waiting(tribox_voxels *v)
         read_row(v, row[r], number);
         for (; left[r]; left[r] &= left[r] - 1) {
             const uint32_t i = (uint32_t)v->sinks.waiting.at[0][row[r]] + tribox_lowest_bit(left[r]);
-            cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64};
+            cell[count] = (cell_bit){row_of(v, row[r]) + i / 64, UINT64_C(1) << i % 64, v->sinks.waiting.number[row[r]]};
             number[9] = plane_at(v, 0, i, 0);
             number[12] = plane_at(v, 0, i, 1);
             for (int m = 0; m < 15; m++)

@@ -11,6 +11,22 @@ static tribox_status check_window(const tribox_grid *grid, const tribox_window *
     return tribox_fits_one_call(window->size) ? TRIBOX_OK : TRIBOX_BAD_GRID;
 }
 
+/* What is written. */
+typedef struct cells_out {
+    uint64_t *occupied;
+    uint32_t *ids;  /* or NULL */
+    uint32_t first; /* the id of triangle 0 */
+} cells_out;
+
+/* Whether that many ids can be addressed. */
+static bool have_addresses(const uint32_t size[3])
+{
+    size_t left = PTRDIFF_MAX / sizeof(uint32_t);
+    for (int a = 0; a < 3; a++)
+        left /= size[a] ? size[a] : 1;
+    return left;
+}
+
 /* Whole layers are taken as layers of the whole grid, so that they have its bits at every accuracy (PROOFS.md 7.9). */
 static bool has_whole_layers(const tribox_grid *grid, const tribox_window *window)
 {
@@ -18,25 +34,27 @@ static bool has_whole_layers(const tribox_grid *grid, const tribox_window *windo
 }
 
 static void set_window(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
-                       uint64_t *occupied)
+                       const cells_out *out)
 {
     if (has_whole_layers(grid, window)) {
         const tribox_window whole = tribox_whole_window(grid);
-        tribox_voxels_begin(v, triangles, grid, &whole, occupied);
+        tribox_voxels_begin(v, triangles, grid, &whole, out->occupied);
         tribox_voxels_limit_layers(v, window->first[2], window->size[2]);
     } else {
-        tribox_voxels_begin(v, triangles, grid, window, occupied);
+        tribox_voxels_begin(v, triangles, grid, window, out->occupied);
     }
+    if (out->ids)
+        tribox_voxels_ask_ids(v, out->ids, out->first);
     if (window->size[0] && window->size[1] && window->size[2])
         tribox_voxels_put_all(v, triangles);
     tribox_voxels_end(v);
 }
 
 static tribox_status voxelize(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
-                              const tribox_options *options, uint64_t *occupied, tribox_report *report)
+                              const tribox_options *options, const cells_out *out, tribox_report *report)
 {
     tribox_voxels voxels, *const v = &voxels;
-    if (!grid || !occupied)
+    if (!grid || !out->occupied)
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(options, &v->plan);
     if (status)
@@ -44,11 +62,13 @@ static tribox_status voxelize(const tribox_triangles *triangles, const tribox_gr
     const tribox_window asked = window ? *window : tribox_whole_window(grid);
     const tribox_environment callers = tribox_environment_enter();
     status = check_window(grid, &asked);
+    if (!status && out->ids && !have_addresses(asked.size))
+        status = TRIBOX_BAD_GRID;
     if (!status && !tribox_triangles_have_vertices(triangles, v->plan.kernel))
         status = TRIBOX_BAD_VERTEX;
     if (!status) {
         const tribox_accuracy accuracy = v->plan.accuracy;
-        set_window(v, triangles, grid, &asked, occupied);
+        set_window(v, triangles, grid, &asked, out);
         v->plan.accuracy = accuracy;
         tribox_plan_report(&v->plan, v->counts, report);
     }
@@ -59,15 +79,44 @@ static tribox_status voxelize(const tribox_triangles *triangles, const tribox_gr
 tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
                               const tribox_options *options, uint64_t *occupied, tribox_report *report)
 {
+    const cells_out out = {.occupied = occupied};
     tribox_triangles triangles;
-    return tribox_triangles_of_soup(soup, &triangles) ? voxelize(&triangles, grid, window, options, occupied, report)
+    return tribox_triangles_of_soup(soup, &triangles) ? voxelize(&triangles, grid, window, options, &out, report)
                                                       : TRIBOX_BAD_ARGUMENT;
 }
 
 tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
                                    const tribox_options *options, uint64_t *occupied, tribox_report *report)
 {
+    const cells_out out = {.occupied = occupied};
     tribox_triangles triangles;
-    return tribox_triangles_of_mesh(mesh, &triangles) ? voxelize(&triangles, grid, window, options, occupied, report)
+    return tribox_triangles_of_mesh(mesh, &triangles) ? voxelize(&triangles, grid, window, options, &out, report)
+                                                      : TRIBOX_BAD_ARGUMENT;
+}
+
+/* No triangle has the number UINT32_MAX, which stands for none. */
+static tribox_status voxelize_ids(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                                  const tribox_options *options, const cells_out *out, tribox_report *report)
+{
+    return out->ids && triangles->count <= UINT32_MAX - out->first ? voxelize(triangles, grid, window, options, out, report)
+                                                                   : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_voxelize_ids(const tribox_soup *soup, uint32_t first, const tribox_grid *grid, const tribox_window *window,
+                                  const tribox_options *options, uint64_t *occupied, uint32_t *ids, tribox_report *report)
+{
+    const cells_out out = {occupied, ids, first};
+    tribox_triangles triangles;
+    return tribox_triangles_of_soup(soup, &triangles) ? voxelize_ids(&triangles, grid, window, options, &out, report)
+                                                      : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_mesh_voxelize_ids(const tribox_mesh *mesh, uint32_t first, const tribox_grid *grid,
+                                       const tribox_window *window, const tribox_options *options, uint64_t *occupied,
+                                       uint32_t *ids, tribox_report *report)
+{
+    const cells_out out = {occupied, ids, first};
+    tribox_triangles triangles;
+    return tribox_triangles_of_mesh(mesh, &triangles) ? voxelize_ids(&triangles, grid, window, options, &out, report)
                                                       : TRIBOX_BAD_ARGUMENT;
 }

@@ -18,9 +18,16 @@ void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layer
     tribox_voxels_empty_sinks(v, v->sinks.occupied);
 }
 
+void tribox_voxels_ask_ids(tribox_voxels *v, uint32_t *ids, uint32_t first)
+{
+    const uint32_t row_words = (uint32_t)v->sinks.row_words;
+    v->sinks.ids = (tribox_cell_ids){.of = ids, .first = first, .row_words = row_words, .gap = 64 * row_words - v->window.size[0]};
+    v->window.has_numbers = true;
+}
+
 static tribox_triangle triangle_at(const tribox_voxels *v, const tribox_soup *streams, const int32_t *number, size_t i)
 {
-    tribox_triangle triangle = {.number = 0};
+    tribox_triangle triangle = {.number = v->window.has_numbers ? number[i] : 0};
     if (v->window.doubles)
         return tribox_window_read_triangle(&v->window, number[i]);
     for (int n = 0; n < 9; n++)
@@ -40,7 +47,7 @@ static void put_one(tribox_voxels *v, const tribox_triangle *triangle)
 void tribox_voxels_put(tribox_voxels *v, const tribox_soup *streams, const int32_t *number)
 {
     if (v->window.is_for_float && streams->count) {
-        v->window.number = number;
+        v->window.number = v->window.has_numbers ? number : NULL;
         v->plan.kernel->cells->sort(v, streams);
         return;
     }
@@ -56,7 +63,8 @@ void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
     enum { PART = 1 << 30 };
     tribox_stream_room room = {0};
     int32_t number[TRIBOX_STREAMED] = {0};
-    const size_t most = tribox_triangles_at_once(triangles);
+    const size_t at_once = tribox_triangles_at_once(triangles);
+    const size_t most = v->window.has_numbers && at_once > TRIBOX_STREAMED ? TRIBOX_STREAMED : at_once;
     for (size_t at = 0, some; at < triangles->count; at += some) {
         const size_t left = triangles->count - at;
         some = left < most ? left : most;
@@ -64,7 +72,7 @@ void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
             tribox_voxels_end(v);
             v->window.first_triangle = at;
         }
-        for (size_t i = 0; v->window.doubles && i < some; i++)
+        for (size_t i = 0; v->window.has_numbers && i < some; i++)
             number[i] = (int32_t)(at - v->window.first_triangle + i);
         const tribox_soup streams = tribox_triangles_stream(triangles, v->plan.kernel, tribox_voxels_origin(v), at, some, &room);
         tribox_voxels_put(v, &streams, number);

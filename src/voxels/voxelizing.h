@@ -36,8 +36,20 @@ void tribox_voxels_end(tribox_voxels *v);
 void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layers);
 
 /*
+ * Before the first triangle: also the lowest number of a triangle for each cell that is set, `first` being that of triangle 0.
+ * `ids` are those of the layers that are written.
+ */
+void tribox_voxels_ask_ids(tribox_voxels *v, uint32_t *ids, uint32_t first);
+
+/* The id of a triangle with this number (tribox_triangle). */
+static inline uint32_t tribox_voxels_id(const tribox_voxels *v, int32_t number)
+{
+    return v->sinks.ids.first + (uint32_t)v->window.first_triangle + (uint32_t)number;
+}
+
+/*
  * Some of the triangles, as streams of which whole packets can be read: floats, or doubles less tribox_voxels_origin, with the
- * number of each.
+ * number of each where they have any.
  */
 void tribox_voxels_put(tribox_voxels *v, const tribox_soup *streams, const int32_t *number);
 static inline const double *tribox_voxels_origin(const tribox_voxels *v) { return v->window.lattice.origin; }

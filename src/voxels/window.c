@@ -93,6 +93,7 @@ void tribox_voxel_window_make(tribox_voxel_window *w, const tribox_grid *grid, c
     w->end_layer = asked->size[2];
     w->doubles = triangles->are_doubles ? &triangles->mesh : NULL;
     w->first_triangle = 0;
+    w->has_numbers = triangles->are_doubles;
     w->number = NULL;
     w->lattice = lattice_of(w);
     w->has_limits = is_for_limits(w);

@@ -32,9 +32,10 @@ typedef struct tribox_voxel_window {
     bool has_limits;     /* whether the limits of rows hold in double: else cells are asked themselves (7.10); */
     bool has_all_limits; /* of all triangles */
 
-    const tribox_mesh *doubles; /* NULL where triangles are of floats, which need no numbers; */
+    const tribox_mesh *doubles; /* NULL where triangles are of floats; */
     size_t first_triangle;      /* the one with the number 0; */
-    const int32_t *number;      /* those of the soup that is sorted */
+    bool has_numbers;           /* whether triangles have any: those of doubles, and where ids are asked for; */
+    const int32_t *number;      /* those of the soup that is sorted, or NULL */
 } tribox_voxel_window;
 
 /* Of a sound grid. */
@@ -42,8 +43,8 @@ void tribox_voxel_window_make(tribox_voxel_window *w, const tribox_grid *grid, c
                               const tribox_triangles *triangles, unsigned axes);
 
 /*
- * One triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below, floats or doubles; and for one of doubles its number,
- * modulo 2^32.
+ * One triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below, floats or doubles; and its number modulo 2^32, where
+ * triangles have numbers.
  */
 typedef struct tribox_triangle {
     double u[9];

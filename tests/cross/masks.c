@@ -22,7 +22,7 @@
 #include "masks_f64.h"
 #include "common/kernels_here.h"
 
-enum { PAIRS_A_ROUND = 10000, SELDOM = 5 /* rounds to those that ask what takes long */, WORDS_MAX = 1024 };
+enum { PAIRS_A_ROUND = 10000, SELDOM = 5 /* rounds to those that ask what takes long */, WORDS_MAX = 1200 };
 
 static const unsigned orders[] = {123, 132, 213, 231, 312, 321};
 enum { ORDERS = sizeof orders / sizeof orders[0] };
@@ -38,6 +38,7 @@ typedef enum part {
     MESHES,
     ORIENTED,
     VOXELS,
+    IDS,
     INDEX,
     CONSERVATIVE_TWICE, /* rounded twice: scalar */
     FAST_TWICE,
@@ -46,8 +47,8 @@ typedef enum part {
     PARTS
 } part;
 
-static const char *const part_names[PARTS] = {"drawn", "exact",         "axes",  "meshes",        "oriented", "voxels",
-                                              "index", "conservative2", "fast2", "conservative1", "fast1"};
+static const char *const part_names[PARTS] = {"drawn", "exact", "axes",          "meshes", "oriented",      "voxels",
+                                              "ids",   "index", "conservative2", "fast2",  "conservative1", "fast1"};
 
 /* One round of a scene. */
 typedef struct round_of_scene {
@@ -213,6 +214,19 @@ static void ask_voxels(const round_of_scene *round, const tribox_options *option
     put_status(to, tribox_voxelize(&round->soup, &round->grid, NULL, options, occupied, NULL));
 }
 
+/* Of each cell that is set, two ids in a word. */
+static void ask_ids(const round_of_scene *round, const tribox_options *options, answers *to)
+{
+    enum { CELLS = 70 * 6 * 5 };
+    uint32_t ids[CELLS];
+    uint64_t occupied[2 * 6 * 5] = {0};
+    put_status(to, tribox_voxelize_ids(&round->soup, 0, &round->grid, NULL, options, occupied, ids, NULL));
+    uint64_t *const words = take_words(to, CELLS / 2);
+    for (size_t n = 0; n < CELLS; n++)
+        if (occupied[n / 70 * 2 + n % 70 / 64] >> n % 70 % 64 & 1)
+            words[n / 2] |= (uint64_t)(ids[n] + 1) << n % 2 * 32;
+}
+
 /* More triangles than a node of the lowest level has: those of the round, over and over, some of them with a NaN. */
 enum { TURNS = 45, REPEATED = TURNS * SCENE_TRIANGLES, NODES = 3 };
 
@@ -376,7 +390,7 @@ static bool is_in_fast_range(const scene *s) { return !strcmp(s->family, "ordina
 static void ask_round(const round_of_scene *round, const scene *s, digest digests[PARTS])
 {
     const answers exact = exact_answers(ask_pairs, round, 0, 0), voxels = exact_answers(ask_voxels, round, 0, 0);
-    const answers oriented = exact_answers(ask_oriented, round, 0, 0);
+    const answers ids = exact_answers(ask_ids, round, 0, 0), oriented = exact_answers(ask_oriented, round, 0, 0);
     const answers meshes = exact_answers(ask_meshes, round, 0, 0);
     if (memcmp(meshes.word, exact.word, tribox_mask_words(round->soup.count) * sizeof *meshes.word))
         die(names[0], &(tribox_options){.axes = 0}, "answers otherwise than for streams, for", "meshes");
@@ -384,6 +398,7 @@ static void ask_round(const round_of_scene *round, const scene *s, digest digest
     add_answers(&digests[EXACT], &exact);
     add_answers(&digests[MESHES], &meshes);
     add_answers(&digests[VOXELS], &voxels);
+    add_answers(&digests[IDS], &ids);
     add_answers(&digests[ORIENTED], &oriented);
     if (round_number % SELDOM == 0) {
         const answers index = exact_answers(ask_index, round, 0, 0);

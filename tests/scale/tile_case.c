@@ -102,7 +102,7 @@ size_t tile_case_triangles(const tile_case *c) { return c->is_double ? c->window
 size_t tile_case_tiles(const tile_case *c) { return tribox_tile_count(tile_case_size(c), c->tile); }
 
 /* Of doubles, or of the floats of the soup. */
-static tribox_mesh mesh_of(const tile_case *c)
+tribox_mesh tile_case_mesh(const tile_case *c)
 {
     const window_f64 *const w = &c->window;
     const size_t count = tile_case_triangles(c);
@@ -112,15 +112,15 @@ static tribox_mesh mesh_of(const tile_case *c)
                          .position_bytes = c->is_double ? 8 : 4};
 }
 
-static const tribox_grid *grid_of(const tile_case *c) { return c->is_double ? &c->window.grid : &c->at.grid; }
+const tribox_grid *tile_case_grid(const tile_case *c) { return c->is_double ? &c->window.grid : &c->at.grid; }
 
 static tribox_status list(const tile_case *c, size_t from, size_t to, size_t *starts, uint32_t *numbers)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const tribox_mesh mesh = tile_case_mesh(c);
     const tribox_tiles tiles = {c->tile, from, to - from};
-    return c->is_mesh ? tribox_mesh_tile_lists(&mesh, grid_of(c), &tiles, &c->options, starts, numbers)
-                      : tribox_tile_lists(&soup, grid_of(c), &tiles, &c->options, starts, numbers);
+    return c->is_mesh ? tribox_mesh_tile_lists(&mesh, tile_case_grid(c), &tiles, &c->options, starts, numbers)
+                      : tribox_tile_lists(&soup, tile_case_grid(c), &tiles, &c->options, starts, numbers);
 }
 
 tribox_status tile_case_count(const tile_case *c, size_t from, size_t to, size_t *starts)
@@ -136,30 +136,30 @@ tribox_status tile_case_fill(const tile_case *c, size_t from, size_t to, size_t 
 tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, size_t from, size_t to, size_t *places, uint32_t *list)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const tribox_mesh mesh = tile_case_mesh(c);
     const tribox_tiles tiles = {c->tile, from, to - from};
-    return c->is_mesh ? tribox_mesh_tile_lists_part(&mesh, first, count, grid_of(c), &tiles, &c->options, places, list)
-                      : tribox_tile_lists_part(&soup, first, count, grid_of(c), &tiles, &c->options, places, list);
+    return c->is_mesh ? tribox_mesh_tile_lists_part(&mesh, first, count, tile_case_grid(c), &tiles, &c->options, places, list)
+                      : tribox_tile_lists_part(&soup, first, count, tile_case_grid(c), &tiles, &c->options, places, list);
 }
 
 tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *numbers,
                                void *scratch, const tribox_sink *sink, tribox_report *report)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const tribox_mesh mesh = tile_case_mesh(c);
     const tribox_tiles tiles = {c->tile, from, to - from};
-    return c->is_mesh ? tribox_mesh_bricks(&mesh, grid_of(c), &tiles, starts, numbers, &c->options, scratch, sink, report)
-                      : tribox_bricks(&soup, grid_of(c), &tiles, starts, numbers, &c->options, scratch, sink, report);
+    return c->is_mesh ? tribox_mesh_bricks(&mesh, tile_case_grid(c), &tiles, starts, numbers, &c->options, scratch, sink, report)
+                      : tribox_bricks(&soup, tile_case_grid(c), &tiles, starts, numbers, &c->options, scratch, sink, report);
 }
 
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const tribox_mesh mesh = tile_case_mesh(c);
     tribox_report report;
     memset(occupied, 0, CASE_WORDS * sizeof *occupied);
-    const tribox_status status = c->is_double ? tribox_mesh_voxelize(&mesh, grid_of(c), NULL, options, occupied, &report)
-                                              : tribox_voxelize(&soup, grid_of(c), NULL, options, occupied, &report);
+    const tribox_status status = c->is_double ? tribox_mesh_voxelize(&mesh, tile_case_grid(c), NULL, options, occupied, &report)
+                                              : tribox_voxelize(&soup, tile_case_grid(c), NULL, options, occupied, &report);
     assert_int_equal(status, TRIBOX_OK);
     return report.overlapping;
 }
@@ -178,13 +178,13 @@ static void find_cells(const tile_case *c, size_t tile, uint32_t low[3], uint32_
 void tile_case_overlap(const tile_case *c, size_t tile, const tribox_options *options, uint64_t *mask)
 {
     const tribox_soup soup = triangle_list_soup(&c->triangles);
-    const tribox_mesh mesh = mesh_of(c);
+    const tribox_mesh mesh = tile_case_mesh(c);
     uint32_t low[3], high[3];
     tribox_box box;
     find_cells(c, tile, low, high);
     for (int a = 0; a < 3; a++) {
-        box.lo[a] = window_f64_plane(grid_of(c), a, low[a]);
-        box.hi[a] = window_f64_plane(grid_of(c), a, high[a]);
+        box.lo[a] = window_f64_plane(tile_case_grid(c), a, low[a]);
+        box.hi[a] = window_f64_plane(tile_case_grid(c), a, high[a]);
     }
     assert_int_equal(c->is_double ? tribox_mesh_overlap(&mesh, &box, options, mask, NULL)
                                   : tribox_overlap(&soup, &box, options, mask, NULL),

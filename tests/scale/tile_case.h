@@ -39,6 +39,15 @@ tribox_status tile_case_part(const tile_case *c, size_t first, size_t count, siz
 tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
                                void *scratch, const tribox_sink *sink, tribox_report *report);
 
+/* The same with ids, which are written where a bit is set; those of the whole grid with its bits, which are zero before. */
+tribox_status tile_case_bricks_ids(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
+                                   void *scratch, const tribox_ids_sink *sink, tribox_report *report);
+void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids);
+
+/* The triangles as a mesh: of doubles, or of the floats of the soup. */
+tribox_mesh tile_case_mesh(const tile_case *c);
+const tribox_grid *tile_case_grid(const tile_case *c);
+
 /* The bits of the whole grid, by the scalar kernel where all are to be right. */
 size_t tile_case_dense(const tile_case *c, const tribox_options *options, uint64_t *occupied);
 

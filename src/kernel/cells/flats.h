@@ -26,12 +26,12 @@ TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue
 }
 
 /* Lists cells along y: bit n of `set` is the cell n rows on. */
-TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set)
+TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set, const int32_t *number)
 {
     const vint one = i_splat(1), bit = i_shl(one, from);
     for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->sinks.row_halves))) {
         make_room(v);
-        list(v, m_has_bits(i_and(set, one)), half, bit);
+        list(v, m_has_bits(i_and(set, one)), half, bit, number);
     }
 }
 
@@ -61,6 +61,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     const vint step = i_or(i_keep(is_z, i_splat(v->sinks.row_halves)), i_keep(m_not(is_z), i_splat(v->sinks.layer_halves)));
     const vnum layers = either(is_z, 0, 1);
     const lane_bits bits = bits_at(v, base);
+    const int32_t *const number = listed_numbers(v, &queue->triangle[at]);
     vint half = bits.half;
     for (int row = 0; row < TRIBOX_FLAT_MOST; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
@@ -81,8 +82,8 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
             }
         }
         make_room(v);
-        list_bits(v, half, bits.from, i_keep(m_not(is_x), set));
-        list_column(v, half, bits.from, i_keep(is_x, set));
+        list_bits(v, half, bits.from, i_keep(m_not(is_x), set), number);
+        list_column(v, half, bits.from, i_keep(is_x, set), number);
     }
     defer_queued(v, queue, at, m_bits(m_and(present, wild)));
 }

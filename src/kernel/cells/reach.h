@@ -7,7 +7,7 @@
  */
 typedef struct lane_reach {
     vnum u[9];              /* the triangles: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
-    const int32_t *number;  /* those of doubles; else NULL */
+    const int32_t *number;  /* theirs; NULL where they have none */
     vmask blurred;          /* doubles that floats cannot stand for (PROOFS.md 7.11) */
     vnum base[3], cells[3]; /* the first cell, and how many, within the grid */
     vmask spans[3];         /* those with more than one, even if some lie outside the grid */

@@ -10,10 +10,10 @@ TRIBOX_NOINLINE tribox_triangle triangle_of_doubles(const tribox_voxel_window *w
     return tribox_window_read_triangle(w, number);
 }
 
-/* A triangle of floats, its numbers a stride apart, or the triangle of doubles with this number. */
+/* The triangle with this number: of floats, a stride apart, or of doubles. */
 TRIBOX_INLINE tribox_triangle triangle_of_lane(const tribox_voxels *v, const float *u, size_t stride, int32_t number)
 {
-    tribox_triangle triangle = {.number = 0};
+    tribox_triangle triangle = {.number = number};
     if (v->window.doubles)
         return triangle_of_doubles(&v->window, number);
     for (size_t n = 0; n < 9; n++)
@@ -29,7 +29,7 @@ TRIBOX_INLINE void wait_for_lanes(tribox_voxels *v, const tribox_queue *queue, u
     const unsigned added = m_count(m);
     if (w->count + added > TRIBOX_WAITING)
         v->sinks.handlers->settle_waiting(v);
-    if (v->window.doubles)
+    if (v->window.has_numbers)
         i_pack(&w->number[w->count], m, i_load(&queue->triangle[at]));
     for (int n = 0; n < 9 && !v->window.doubles; n++)
         v_pack(&w->u[n][w->count], m, v_load(&queue->number[n][at]));
@@ -85,6 +85,7 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
     const plane_limits plane = plane_of(p, bound_scale, has_plane);
 
     const lane_bits bits = bits_at(v, base);
+    const int32_t *const number = listed_numbers(v, &queue->triangle[at]);
     const vmask present = m_andnot(lanes_between(0, count), wild);
     lane_run in_row[TRIBOX_SOLID_MOST];
     int rows = 0;
@@ -126,7 +127,7 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
             } else {
                 set = i_keep(may_side, set);
             }
-            list_bits(v, half, bits.from, set);
+            list_bits(v, half, bits.from, set, number);
             half = i_add(half, i_splat(v->sinks.row_halves));
         }
     }

@@ -70,7 +70,7 @@ static void set_packets(tribox_voxels *v, tribox_class kind)
     queue->count -= at;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         v_write(queue->number[n], v_load(&queue->number[n][at]));
-    if (v->window.doubles)
+    if (v->window.has_numbers)
         i_write(queue->triangle, i_load(&queue->triangle[at]));
 }
 
@@ -96,7 +96,7 @@ TRIBOX_INLINE vnum queued_cells(tribox_class kind, const lane_reach *r, int a)
 TRIBOX_INLINE void pack_lanes(const tribox_voxels *v, tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
 {
     const unsigned to = queue->count;
-    if (v->window.doubles)
+    if (v->window.has_numbers)
         i_pack(&queue->triangle[to], m, i_load(r->number));
     for (int n = 0; n < 9; n++)
         v_pack(&queue->number[n][to], m, r->u[n]);
@@ -120,7 +120,7 @@ TRIBOX_INLINE void copy_lanes(const tribox_voxels *v, tribox_queue *queue, tribo
     for (uint64_t left = m_bits(m); left; left &= left - 1, to++) {
         for (int n = 0; n < TRIBOX_QUEUED; n++)
             queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
-        if (v->window.doubles)
+        if (v->window.has_numbers)
             queue->triangle[to] = r->number[tribox_lowest_bit(left)];
     }
 }
@@ -145,15 +145,16 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
     const lane_bits bits = bits_at(v, r->base);
     const vint step =
         i_or(i_keep(r->spans[1], i_splat(v->sinks.row_halves)), i_keep(m_not(r->spans[1]), i_splat(v->sinks.layer_halves)));
+    const int32_t *const number = listed_numbers(v, r->number);
     vint half = bits.half;
     make_room(v);
-    list_bits(v, half, bits.from, i_keep(lines, i_run(i_splat(0), i_cut(r->cells[0]))));
+    list_bits(v, half, bits.from, i_keep(lines, i_run(i_splat(0), i_cut(r->cells[0]))), number);
     for (int row = 1; row < TRIBOX_LINE_MOST; row++) {
         const vmask longer = m_and(lines, v_gt(rows, v_splat((float)row)));
         if (!m_bits(longer))
             break;
         half = i_add(half, step);
-        list(v, longer, half, i_shl(i_splat(1), bits.from));
+        list(v, longer, half, i_shl(i_splat(1), bits.from), number);
     }
 }
 
@@ -230,7 +231,7 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
 {
     const lane_layers layers = {v_splat((float)v->window.first_layer), v_splat((float)v->window.end_layer)};
     lane_reach r;
-    r.number = v->window.doubles ? v->window.number + at : NULL;
+    r.number = v->window.number ? v->window.number + at : NULL;
     r.blurred = m_none();
     r.inside = lanes_between(from, end_lane);
     if (!reach_packet(&r, &v->window, soup, at, layers))
@@ -278,4 +279,5 @@ const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .find_tiles = find_tiles,
     .find_ends = find_ends,
     .emit = emit_bricks,
+    .take_ids = take_ids,
 };

@@ -15,11 +15,17 @@ TRIBOX_INLINE unsigned char *half_at(uint64_t *occupied, uint32_t half)
     return (unsigned char *)occupied + 4 * (size_t)(first ? half : half ^ 1);
 }
 
+/* The ids of its cells. */
+TRIBOX_INLINE uint32_t *ids_of_half(const tribox_cell_ids *ids, uint32_t half)
+{
+    return tribox_ids_of_word(ids, half / 2) + half % 2 * 32;
+}
+
 /*
  * Leaves of the bits of each entry those that were not set before. Fetching ahead pays where the grid is larger than a cache, and
- * costs where it is not.
+ * costs where it is not. Of ids it pays always, as there are 32 times as many bytes. `first` is the id of triangle 0.
  */
-TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far)
+TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far, const tribox_cell_ids *ids, uint32_t first)
 {
     const unsigned count = w->count;
     for (unsigned n = 0; n < count; n++) {
@@ -27,9 +33,13 @@ TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far)
         uint32_t before;
         if (is_far)
             tribox_will_write(half_at(occupied, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
+        if (ids)
+            tribox_will_write(ids_of_half(ids, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
         memcpy(&before, at, sizeof before);
         const uint32_t after = before | (uint32_t)w->bits[n];
         memcpy(at, &after, sizeof after);
+        if (ids)
+            tribox_lower_ids(ids_of_half(ids, (uint32_t)w->half[n]), before, (uint32_t)w->bits[n], first + (uint32_t)w->number[n]);
         w->bits[n] = (int32_t)(after ^ before);
     }
 }
@@ -56,10 +66,12 @@ TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
         return;
     for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
         w->half[w->count + n] = w->half[w->count - 1];
-    if (v->sinks.is_far)
-        write_each(w, v->sinks.occupied, true);
+    if (v->sinks.ids.of)
+        write_each(w, v->sinks.occupied, true, &v->sinks.ids, tribox_voxels_id(v, 0));
+    else if (v->sinks.is_far)
+        write_each(w, v->sinks.occupied, true, NULL, 0);
     else
-        write_each(w, v->sinks.occupied, false);
+        write_each(w, v->sinks.occupied, false, NULL, 0);
     v->counts.overlapping += count_listed(w);
     w->count = 0;
 }
@@ -71,22 +83,30 @@ TRIBOX_INLINE void make_room(tribox_voxels *v)
         write_listed(v);
 }
 
-TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits)
+/* The numbers of a packet of triangles, if they are to be listed. */
+TRIBOX_INLINE const int32_t *listed_numbers(const tribox_voxels *v, const int32_t *number)
+{
+    return v->sinks.ids.of ? number : NULL;
+}
+
+TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits, const int32_t *number)
 {
     tribox_writes *const w = &v->sinks.writes;
     i_pack(&w->half[w->count], m, half);
     i_pack(&w->bits[w->count], m, bits);
+    if (number)
+        i_pack(&w->number[w->count], m, i_load(number));
     w->count += m_count(m);
 }
 
 /* Bits that begin at bit `from`, 0 to 31, of a half, and may go on in the next. */
-TRIBOX_INLINE void list_bits(tribox_voxels *v, vint half, vint from, vint bits)
+TRIBOX_INLINE void list_bits(tribox_voxels *v, vint half, vint from, vint bits, const int32_t *number)
 {
     const vint high = i_shl_over(bits, from), low = i_shl(bits, from);
     const vmask has_high = m_has_bits(high);
-    list(v, m_has_bits(low), half, low);
+    list(v, m_has_bits(low), half, low, number);
     if (m_bits(has_high))
-        list(v, has_high, i_add(half, i_splat(1)), high);
+        list(v, has_high, i_add(half, i_splat(1)), high, number);
 }
 
 /* Where the bits of cells are: their halves, and the bit of the first. */

@@ -49,8 +49,11 @@ TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end
     const int64_t row = (int64_t)p->v->sinks.row_words, layer = row * p->v->window.size[1];
     if (first >= end)
         return 0;
-    uint64_t *const word = p->v->sinks.occupied + (p->strip->word[p->t] + (k - p->first) * layer + first * row);
-    return tribox_set_column(word, (size_t)row, end - first, UINT64_C(1) << p->strip->bit[p->t]);
+    const int64_t word = p->strip->word[p->t] + (k - p->first) * layer + first * row;
+    if (p->v->sinks.ids.of)
+        tribox_lower_column(&p->v->sinks.ids, p->v->sinks.occupied, (size_t)word, (unsigned)p->strip->bit[p->t], end - first,
+                            tribox_voxels_id(p->v, p->strip->number[p->t]));
+    return tribox_set_column(p->v->sinks.occupied + word, (size_t)row, end - first, UINT64_C(1) << p->strip->bit[p->t]);
 }
 
 TRIBOX_INLINE void set_columns(const strip_place *p, bool has_certain)

@@ -175,6 +175,31 @@ static size_t set_wide_rows(uint64_t *occupied, const row_list *rows, const row_
     return set;
 }
 
+/* The ids of rows that lie in one word each, before they are set. */
+TRIBOX_NOINLINE void lower_narrow_rows(const strip_place *p, const row_list *rows, const row_cells *cells)
+{
+    const tribox_cell_ids *const ids = &p->v->sinks.ids;
+    const uint64_t *const occupied = p->v->sinks.occupied;
+    const int bit = p->strip->bit[p->t];
+    const uint32_t id = tribox_voxels_id(p->v, p->strip->number[p->t]);
+    for (unsigned n = 0; n < rows->count; n++) {
+        const int from = bit + cells->first[n], count = cells->end[n] - cells->first[n];
+        if (count > 0)
+            tribox_lower_run(tribox_ids_of_word(ids, (uint32_t)rows->word[n]) + from, occupied[rows->word[n]] >> from, count, id);
+    }
+}
+
+/* Their ids, before they are set. */
+TRIBOX_NOINLINE void lower_wide_rows(const strip_place *p, const row_list *rows, const row_cells *cells)
+{
+    const int bit = p->strip->bit[p->t];
+    const uint32_t id = tribox_voxels_id(p->v, p->strip->number[p->t]);
+    for (unsigned n = 0; n < rows->count; n++)
+        if (cells->first[n] < cells->end[n])
+            tribox_lower_row(&p->v->sinks.ids, p->v->sinks.occupied, (size_t)rows->word[n], bit + cells->first[n],
+                             bit + cells->end[n] - 1, id);
+}
+
 static size_t set_listed_rows(uint64_t *occupied, const row_list *rows, const row_cells *cells, int bit, bool is_narrow)
 {
     return is_narrow ? set_narrow_rows(occupied, rows, cells, bit) : set_wide_rows(occupied, rows, cells, bit);

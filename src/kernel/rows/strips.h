@@ -11,6 +11,10 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
     while (list_rows(p, &at, &rows, shape, has_certain)) {
         const row_cells *const cells = has_certain ? &rows.certain : &rows.maybe;
         limit_all_rows(p, &rows, shape, has_certain);
+        if (p->v->sinks.ids.of && is_narrow)
+            lower_narrow_rows(p, &rows, cells);
+        else if (p->v->sinks.ids.of)
+            lower_wide_rows(p, &rows, cells);
         p->v->counts.overlapping += set_listed_rows(p->v->sinks.occupied, &rows, cells, bit, is_narrow);
         if (has_certain && may_be_undecided(&rows))
             wait_for_rows(p, &rows);
