@@ -43,6 +43,15 @@ Cells come as Voxels, an array of bool that knows its grid. The grid is laid aro
     >>> voxels.points()[:1]
     array([[0.05, 0.05, 0.05]])
 
+With ids they say which triangle is in a cell, the lowest of several. So what belongs to triangles comes to cells by a look-up:
+
+    >>> voxels = tribox.voxelize(triangles, resolution=4, ids=True)
+    >>> colours = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)    # of each triangle; of trimesh: mesh.visual.face_colors
+    >>> voxels.ids
+    array([0, 0, 0, 1], dtype=uint32)
+    >>> colours[voxels.ids].shape, voxels.points().shape
+    ((4, 3), (4, 3))
+
 Where its cells need not fit into memory a grid comes as bricks of 8 x 8 x 8 cells, those that are not empty:
 
     >>> bricks = tribox.bricks(triangles, resolution=4096)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Optional, SupportsIndex, Tuple, Union
 
@@ -15,7 +15,8 @@ from ._around import grid_given
 from ._arguments import options_of, range_of
 from ._files import save_bricks
 from ._grids import Grid
-from ._masks import BYTE, WORD, row_words
+from ._ids import bits_of_bricks, brick_ids, cells_of_ids, check_ids, set_with_ids
+from ._masks import BYTE, WORD, bools, row_words
 from ._overlap import ALL
 from ._parts import load_bricks
 from ._threads import in_threads, threads_of
@@ -33,7 +34,8 @@ class Bricks:
 
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.
     shift: what was subtracted from the mesh, where a file says so. shard: (I, N) of bricks that are the I-th of N parts, which load
-    found in one file; None of others.
+    found in one file; None of others. ids: where they were asked for, or a file has them: uint32, for each cell that is set the
+    lowest number of a triangle that overlaps it, in the order of cells().
     """
 
     at: NDArray[np.uint32]
@@ -41,6 +43,7 @@ class Bricks:
     grid: Grid
     shift: Tuple[float, float, float] = (0.0, 0.0, 0.0)
     shard: Optional[Tuple[int, int]] = None
+    ids: Optional[NDArray[np.uint32]] = None
 
     def __repr__(self) -> str:
         part = f", shard {self.shard[0]} of {self.shard[1]}" if self.shard else ""
@@ -61,8 +64,7 @@ class Bricks:
 
     def cells(self) -> NDArray[np.int64]:
         """The cells that are set, (i, j, k) each: an array of int64 of shape (m, 3), in the order of the bricks."""
-        octets = (self.bits.byteswap() if sys.byteorder == "big" else self.bits).view(BYTE).reshape(-1, 8, 8, 1)
-        brick, k, j, i = np.nonzero(np.unpackbits(octets, -1, bitorder="little"))
+        brick, k, j, i = np.nonzero(bits_of_bricks(self.bits))
         return 8 * self.at[brick].astype(np.int64) + np.stack([i, j, k], 1)
 
     def points(self) -> NDArray[np.float64]:
@@ -96,13 +98,17 @@ def cut(words, corners):
 
 def bricks_in(voxels):
     """The bricks of all cells of a grid, in the order of z, y and x."""
-    parts = []
+    parts, ids, start = [], [], 0
     for k in range(0, voxels.shape[0], 8):
         layers = voxels.words[k:k + 8]
         padded = np.zeros((1, 8, -(-layers.shape[1] // 8) * 8, layers.shape[2]), WORD)
         padded[0, :len(layers), :layers.shape[1]] = layers
         parts.append(cut(padded, np.array([[0, 0, k // 8]])))
-    return joined(parts, voxels.grid)
+        if voxels.ids is not None:
+            in_cells = cells_of_ids(voxels.ids[start:], bools(layers, voxels.shape[2]))
+            ids.append(brick_ids(in_cells, parts[-1][0] - np.array([0, 0, k // 8], NUMBER), parts[-1][1]))
+            start += len(ids[-1])
+    return replace(joined(parts, voxels.grid), ids=None if voxels.ids is None else np.concatenate([np.empty(0, NUMBER), *ids]))
 
 
 def bricks_of(lists, tiling, options, threads):
@@ -126,16 +132,37 @@ def bricks_of(lists, tiling, options, threads):
     return joined(in_threads(threads, work, range(0, len(lists.numbers), most)), tiling.grid)
 
 
+def bricks_with_ids(listed, tiling, options, threads):
+    """Those of a Listed, tile by tile, with the ids of their cells."""
+    first, size = tiling.windows(listed.numbers)
+
+    def work(n):
+        window, place = (first[n].tolist(), size[n].tolist()), listed.places[n]
+        nx, ny, nz = window[1]
+        words = np.zeros((-(-nz // 8) * 8, -(-ny // 8) * 8, row_words(nx)), WORD)
+        own = words if words.shape[:2] == (nz, ny) else np.zeros((nz, ny, row_words(nx)), WORD)
+        ids = set_with_ids(listed.of(place), tiling.struct, *window, options, own)
+        words[:nz, :ny] = own
+        at, bits = cut(words[None], np.zeros((1, 3), np.int64))
+        numbers = listed.list[slice(*listed.starts[place:place + 2].tolist())]
+        return (at + first[n] // 8).astype(NUMBER), bits, numbers[brick_ids(ids, at, bits)]
+
+    parts = in_threads(threads, work, range(len(listed.numbers)))
+    whole = joined([part[:2] for part in parts], tiling.grid)
+    return replace(whole, ids=np.concatenate([np.empty(0, NUMBER), *(part[2] for part in parts)]))
+
+
 def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: Optional[Cell] = None,
            resolution: Optional[SupportsIndex] = None, side: SupportsIndex = 128, tiles: Optional[Range] = None,
            threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact", axes: int = ALL,
-           kernel: Optional[str] = None) -> Bricks:
+           kernel: Optional[str] = None, ids: bool = False) -> Bricks:
     """voxelize for grids whose cells need not fit into memory: Bricks, at and bits, of the cells that some triangle overlaps.
 
     triangles, grid, cell, resolution, threads, accuracy, axes, kernel: as for voxelize.
     side: of the cubes of cells that are taken one at a time, the tiles, in cells, a multiple of 8. The bricks do not depend on it,
         but their order: by the number of their tile, then by z, y and x.
     tiles: (first, count) for these tiles, of tile_count(grid.size, side), alone: the share of a task or a machine.
+    ids: True for Bricks whose ids say of each cell the lowest number of a triangle that overlaps it, as voxelize has it.
 
     Raises errors as voxelize does. Bricks take 76 bytes each; a surface has 64 to 69 cells in each, however fine the grid.
     """
@@ -143,4 +170,7 @@ def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: O
     listing = options_of("exact", axes, 0, kernel)  # as a Partition's: cells that are not exact depend on which tiles are asked
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
     first, count = range_of("tiles", tiles, tiling.count, "tiles")
-    return bricks_of(Listed(held_, tiling, first, count, listing, threads_), tiling, options, threads_)
+    listed = Listed(held_, tiling, first, count, listing, threads_)
+    if ids:
+        check_ids(held_)
+    return (bricks_with_ids if ids else bricks_of)(listed, tiling, options, threads_)

@@ -18,7 +18,7 @@ def of_both(name):
 
 
 overlap, overlap_oriented, classify, find = map(of_both, ("overlap", "overlap_oriented", "classify", "find"))
-voxelize, tile_lists_part, fill_parity = map(of_both, ("voxelize", "tile_lists_part", "fill_parity"))
+voxelize, voxelize_ids, tile_lists_part, fill_parity = map(of_both, ("voxelize", "voxelize_ids", "tile_lists_part", "fill_parity"))
 
 
 def sort(held_, order, scratch):

@@ -72,9 +72,9 @@ def write_vti(file, voxels):
 
 def write_bricks(file, bricks):
     """.npz"""
-    grid = bricks.grid
+    grid, ids = bricks.grid, {} if bricks.ids is None else dict(ids=bricks.ids)
     np.savez(file, bits=bricks.bits, at=bricks.at, origin=np.array(grid.origin), cell=np.array(grid.cell),
-             size=np.array(grid.size, np.uint32), shift=np.array(bricks.shift, float))
+             size=np.array(grid.size, np.uint32), shift=np.array(bricks.shift, float), **ids)
 
 
 def write_npz(file, voxels):

@@ -14,7 +14,7 @@ from ._grids import Grid
 from ._tiles import tile_count
 
 KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)), size=("<u4", (3,)),
-             shift=("<f8", (3,)))
+             shift=("<f8", (3,)), ids=("<u4", (-1,)))
 PART_KINDS = dict(shard=("<u4", (2,)), tiles=("<u8", (2,)), whole=("<u8", (6,)))
 WHOLE = (("mesh", slice(0, 3)), ("accuracy", 3), ("choice of axes", 4), ("size of tiles", 5))
 SHOWN_SHARDS = 20
@@ -71,6 +71,14 @@ def bits_of(part):
     return bits
 
 
+def ids_of(path, bits):
+    """The ids of a file of these bricks; None where it has none."""
+    ids = read(path, lambda file: array(path, file, "ids", KINDS) if "ids" in file.files else None)
+    if ids is not None and len(ids) != np.count_nonzero(np.unpackbits(bits.view(np.uint8))):
+        raise InputError(f"{path}: damaged: {len(ids)} ids of other cells")
+    return ids
+
+
 def check_alike(one, other):
     if not other.shard:
         raise InputError(f"{other.path} is no part of a whole; give the files of all shards, or that file alone")
@@ -106,13 +114,15 @@ def check_complete(parts):
 
 
 def joined(parts):
-    """at and bits of all, with room for the bits of one part beside them."""
+    """at, bits and ids of all, with room for the bits of one part beside them. ids: None unless each part has them."""
     at = np.concatenate([part.at for part in parts])
-    bits, start = np.empty((len(at), 8), np.uint64), 0
+    bits, ids, start = np.empty((len(at), 8), np.uint64), [], 0
     for part in parts:
-        bits[start:start + len(part.at)] = bits_of(part)
+        own = bits[start:start + len(part.at)]
+        own[:] = bits_of(part)
+        ids.append(ids_of(part.path, own))
         start += len(part.at)
-    return at, bits
+    return at, bits, None if any(one is None for one in ids) else np.concatenate(ids)
 
 
 def paths_of(path):
@@ -126,11 +136,12 @@ def paths_of(path):
 
 
 def load_bricks(path):
-    """at, bits, grid, shift and shard."""
+    """at, bits, grid, shift, shard and ids."""
     paths = paths_of(path)
     if isinstance(paths, str):
         part = part_of(paths)
-        return part.at, bits_of(part), part.grid, part.shift, part.shard
+        bits = bits_of(part)
+        return part.at, bits, part.grid, part.shift, part.shard, ids_of(part.path, bits)
     if not paths:
         raise InputError(f"path = {shown(path)}; there are no such files")
     parts = [part_of(one) for one in paths]
@@ -140,4 +151,5 @@ def load_bricks(path):
         check_alike(parts[0], part)
     parts.sort(key=lambda part: part.shard)
     check_complete(parts)
-    return (*joined(parts), parts[0].grid, parts[0].shift, None)
+    at, bits, ids = joined(parts)
+    return at, bits, parts[0].grid, parts[0].shift, None, ids

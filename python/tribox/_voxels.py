@@ -59,6 +59,7 @@ class Voxels(NDArrayOperatorsMixin):
             raise InputError(f"cells has shape {cells.shape}; give {wanted}")
         self._words = np.ascontiguousarray(cells) if cells.dtype == WORD else rows_of_words(cells)
         self._cells: Optional[NDArray[np.bool_]] = None
+        self._ids: Optional[NDArray[np.uint32]] = None
 
     @property
     def grid(self) -> Grid:
@@ -76,6 +77,11 @@ class Voxels(NDArrayOperatorsMixin):
         words = self._words.view()
         words.flags.writeable = False
         return words
+
+    @property
+    def ids(self) -> Optional[NDArray[np.uint32]]:
+        """Of voxelize(..., ids=True): the lowest number of a triangle for each cell that is set, in the order of cells()."""
+        return self._ids
 
     @property
     def shape(self) -> Tuple[int, int, int]:
@@ -127,11 +133,17 @@ class Voxels(NDArrayOperatorsMixin):
         """Adds cells, which may be these very words."""
         if words is not self._words:
             np.bitwise_or(self._words, words, out=self._words)
-        self._cells = None
+        self._cells = self._ids = None
+        return self
+
+    def _with_ids(self, ids):
+        ids.flags.writeable = False
+        self._ids = ids
         return self
 
     def __reduce__(self) -> Any:
-        return Voxels, (self._words, self._grid, self._window)
+        whole = Voxels, (self._words, self._grid, self._window)
+        return whole if self._ids is None else (*whole, {"_ids": self._ids})
 
     def sum(self, axis: Any = None, **keywords: Any) -> Any:
         """How many cells are set: in all, or along axes as arrays of bool are summed up."""

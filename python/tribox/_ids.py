@@ -1,0 +1,69 @@
+"""For each cell that is set the lowest number of a triangle that overlaps it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import _c
+from ._arguments import check
+from ._errors import InputError, check_indices
+from ._ffi import ffi
+from ._masks import BYTE, bools, pointer_to
+from ._threads import cut, in_threads
+from ._tiles import NUMBER, NUMBERS
+
+AT_ONCE = 1 << 25  # cells, of four bytes each: more layers are taken in turn
+TRIANGLES_MAX = 0xFFFFFFFF
+
+
+def check_ids(held_):
+    if held_.struct.count > TRIANGLES_MAX:
+        raise InputError(f"{held_.struct.count} triangles have no ids of 32 bits; give less than 2^32")
+
+
+def set_with_ids(held_, grid, first, size, options, words):
+    """Sets the cells of a window, whose words are clear. Returns the ids of all its cells: any numbers of those that stay clear."""
+    ids = np.empty(size[::-1], NUMBER)
+    window = ffi.new("tribox_window *", (first, size))
+    check(_c.voxelize_ids(held_, 0, grid, window, options, pointer_to(words), ffi.from_buffer(NUMBERS, ids), ffi.NULL))
+    return ids
+
+
+def window_ids(task, threads):
+    """Sets the cells of a Task. Returns the ids of those that are set, in the order of k, j, i."""
+    check_indices(task.held)
+    nx, ny, nz = task.size
+    if not task.words.size:
+        return np.empty(0, NUMBER)
+
+    def work(slab):
+        low, high = slab
+        own = task.words[low:high]
+        own.fill(0)
+        first, size = (*task.first[:2], task.first[2] + low), (nx, ny, high - low)
+        return set_with_ids(task.held, task.grid, first, size, task.options, own)[bools(own, nx)]
+
+    return np.concatenate(in_threads(threads, work, cut(nz, max(threads, -(-nx * ny * nz // AT_ONCE)))))
+
+
+def brick_ids(ids, at, bits):
+    """Those of the cells of the bricks that a tile was cut into, in their order. at: of the bricks, counted from the first."""
+    nx, ny, nz = (-(-size // 8) for size in ids.shape[::-1])
+    padded = np.zeros((8 * nz, 8 * ny, 8 * nx), NUMBER)
+    padded[:ids.shape[0], :ids.shape[1], :ids.shape[2]] = ids
+    i, j, k = at.T
+    found = padded.reshape(nz, 8, ny, 8, nx, 8)[k, :, j, :, i, :]
+    return found[bits_of_bricks(bits)]
+
+
+def cells_of_ids(ids, are_set):
+    """An array of a number for each cell, of those that are set the next of ids."""
+    cells = np.zeros(are_set.shape, NUMBER)
+    cells[are_set] = ids[:np.count_nonzero(are_set)]
+    return cells
+
+
+def bits_of_bricks(bits):
+    """An array of bool of shape (n, 8, 8, 8): brick, k, j, i."""
+    octets = bits.astype("<u8", copy=False).view(BYTE).reshape(-1, 8, 8, 1)
+    return np.unpackbits(octets, -1, bitorder="little").view(bool)

@@ -1,0 +1,102 @@
+"""ids: for each cell the lowest triangle that tribox.voxelize sets it for alone, of every form, window and number of threads."""
+
+import os
+import pickle
+import tempfile
+
+import numpy as np
+import tribox
+
+import cases
+
+GRIDS = {"floats": ((-2, -1.5, -1), (0.03125, 0.0625, 0.09375), (131, 50, 33)),
+         "doubles": ((-2.1, -1.5, -1), (0.03, 0.06, 0.09), (131, 50, 33)),
+         "small": ((-2, -2, -2), 1, (3, 4, 5))}
+
+
+class IdTests(cases.TestCase):
+    def setUp(self):
+        self.triangles = np.concatenate([cases.lattice(20) / 2, cases.scattered(40)])
+
+    def forms(self):
+        yield self.triangles
+        yield tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
+        yield tribox.Soup.of(self.triangles)
+        yield self.triangles.astype(float)
+
+    def expected(self, grid):
+        """An array of the lowest number for each cell, -1 where there is none, from a call for each triangle."""
+        lowest = np.full(grid[2][::-1], -1)
+        for t in range(len(self.triangles) - 1, -1, -1):
+            lowest[np.asarray(tribox.voxelize(self.triangles[t:t + 1], grid))] = t
+        return lowest
+
+    def check(self, answer, lowest, offset=(0, 0, 0)):
+        i, j, k = (answer.cells() - offset).T
+        self.assertEqual(answer.ids.dtype, np.uint32)
+        self.assert_same(answer.ids, lowest[k, j, i].astype(np.uint32))
+        self.assertEqual(len(answer.ids), np.count_nonzero(lowest >= 0))
+
+    def test_cells(self):
+        for grid in GRIDS.values():
+            lowest = self.expected(grid)
+            for form in self.forms():
+                for threads in (1, 3):
+                    voxels = tribox.voxelize(form, grid, ids=True, threads=threads)
+                    self.check(voxels, lowest)
+                    self.assert_same(voxels.words.copy(), tribox.voxelize(form, grid).words.copy())
+                for side in (8, 24, 128):
+                    self.check(tribox.bricks(form, grid, side=side, ids=True, threads=2), lowest)
+            first, size = (1, 1, 2), (2, 3, 3)
+            part = tribox.voxelize(self.triangles, grid, window=(first, size), ids=True)
+            self.check(part, lowest[2:5, 1:4, 1:3], first)
+            self.check(tribox.voxelize(self.triangles, grid, layers=(1, 3), ids=True), lowest[1:4], (0, 0, 1))
+
+    def test_files(self):
+        grid = GRIDS["floats"]
+        lowest, voxels = self.expected(grid), tribox.voxelize(self.triangles, grid, ids=True)
+        self.check(pickle.loads(pickle.dumps(voxels)), lowest)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cells.npz")
+            for whole in (voxels, tribox.bricks(self.triangles, grid, side=16, ids=True)):
+                whole.save(path)
+                self.check(tribox.Bricks.load(path), lowest)
+                with np.load(path) as file:
+                    self.assertEqual(file["ids"].dtype.str, "<u4")
+            found = dict(np.load(path))
+            for wrong in (found["ids"][1:], found["ids"].astype(np.int64)):
+                np.savez(path, **{**found, "ids": wrong})
+                with self.assertRaises(tribox.InputError):
+                    tribox.Bricks.load(path)
+            tribox.voxelize(self.triangles, grid).save(path)
+            self.assertIsNone(tribox.Bricks.load(path).ids)
+
+    def test_colours(self):
+        """A look-up: the colours of triangles become those of cells."""
+        colours = np.random.default_rng(1).integers(0, 256, (len(self.triangles), 3), np.uint8)
+        voxels = tribox.voxelize(self.triangles, resolution=40, ids=True)
+        self.assertEqual(colours[voxels.ids].shape, voxels.points().shape)
+
+    def test_none(self):
+        grid = GRIDS["small"]
+        self.assertEqual(len(tribox.voxelize(self.triangles[:0], grid, ids=True).ids), 0)
+        self.assertEqual(len(tribox.bricks(self.triangles[:0], grid, ids=True).ids), 0)
+        self.assertEqual(len(tribox.voxelize(self.triangles, grid, window=((1, 1, 1), (0, 2, 2)), ids=True).ids), 0)
+        self.assertIsNone(tribox.voxelize(self.triangles, grid).ids)
+
+    def test_refused(self):
+        grid = GRIDS["small"]
+        for more in (dict(fill="outside"), dict(into=tribox.voxelize(self.triangles, grid))):
+            with self.assertRaisesRegex(tribox.InputError, "without fill and into"):
+                tribox.voxelize(self.triangles, grid, ids=True, **more)
+        vertices, faces = cases.shared_vertices(self.triangles, np.int32)
+        faces[3, 1] = len(vertices)
+        with self.assertRaisesRegex(IndexError, r"faces\[3, 1\]"):
+            tribox.voxelize(tribox.Mesh(vertices, faces), grid, ids=True)
+        kept = tribox.voxelize(self.triangles, grid, ids=True)
+        tribox.voxelize(self.triangles, grid, into=kept)
+        self.assertIsNone(kept.ids)
+
+
+if __name__ == "__main__":
+    cases.main()
