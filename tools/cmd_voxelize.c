@@ -25,11 +25,11 @@ static const char help[] =
     "\n"
     "Marks the cells of the surface, those inside with --fill. Cells are closed: a face on a plane of the\n"
     "grid is in the cells of both sides. MESH is as for 'tribox overlap'; FOLDER is what 'tribox\n"
-    "partition' wrote, which has its grid; several of one grid are taken as one mesh. Grids of sparse\n"
-    "files may be larger than memory.\n"
+    "partition' wrote, with its grid; several of one are one mesh. Sparse files may exceed memory.\n"
     "\n" GRID_HELP RESULT_HELP "      --count             write no file, only count cells and bricks\n"
     "      --fill WORD         outside: also what is not reached from outside through free cells;\n"
     "                          parity: also what rays along x enter, for which MESH is needed\n"
+    "      --colours           those of MESH (PLY, OBJ, OFF); for .vox .glb .ply .obj .vdb .npz, picture\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         only part I, 1 to N, of N, of equal work: a .part for 'tribox merge', or\n"
     "                          a .npz that says which part it is, for tribox.Bricks.load of Python\n" OPTIONS_TEST_HELP
@@ -45,6 +45,7 @@ enum {
     OPTION_GRID = RESULT_END,
     OPTION_COUNT = OPTION_GRID + GRID_END,
     OPTION_FILL,
+    OPTION_COLOURS,
     OPTION_THREADS,
     OPTION_SHARD,
     OPTION_ACCURACY,
@@ -56,6 +57,7 @@ static const option_entry options[] = {RESULT_ENTRIES,
                                        GRID_ENTRIES(OPTION_GRID),
                                        [OPTION_COUNT] = {"count", 0, false},
                                        [OPTION_FILL] = {"fill", 0, true},
+                                       [OPTION_COLOURS] = {"colours", 0, false},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
                                        [OPTION_ACCURACY] = {"accuracy", 0, true},
@@ -95,6 +97,9 @@ static int take(void *request, int which, const char *value)
         return EXIT_CODE_OK;
     case OPTION_FILL:
         return read_fill(value, &r->fill);
+    case OPTION_COLOURS:
+        r->has_colours = true;
+        return EXIT_CODE_OK;
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     case OPTION_SHARD:
@@ -163,6 +168,23 @@ static int check_output(voxelize_request *r, const options_found *found)
     return code;
 }
 
+/* They are those of the surface, whose triangles are at hand. */
+static int check_colours(const voxelize_request *r)
+{
+    if (r->is_count)
+        return message_usage("--count only prints: leave out --colours");
+    if (r->has_shard)
+        return message_usage("--colours needs all cells at once: leave out --shard");
+    if (r->fill != FILL_NONE)
+        return message_usage("--colours are those of the surface, cells inside have none: leave out --fill");
+    if (partition_is_folder(r->from.mesh_path))
+        return message_usage("%s is a partition, which lacks the colours of its mesh: --colours needs the mesh itself",
+                             r->from.mesh_path);
+    if (r->result.format->colours == VOLUME_NO_COLOURS)
+        return message_usage("--colours: .%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz", r->result.format->word);
+    return EXIT_CODE_OK;
+}
+
 /* What every command line needs, and what excludes each other. */
 static int check_request(voxelize_request *r, const options_found *found)
 {
@@ -171,7 +193,8 @@ static int check_request(voxelize_request *r, const options_found *found)
         return code;
     if (r->fill != FILL_NONE && r->has_shard)
         return message_usage("--fill needs all cells at once: leave out --shard");
-    return r->is_count ? check_count(r, found) : check_output(r, found);
+    const int own = r->is_count ? check_count(r, found) : check_output(r, found);
+    return own || !r->has_colours ? own : check_colours(r);
 }
 
 int cmd_voxelize(int count, char **words)

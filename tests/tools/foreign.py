@@ -72,6 +72,40 @@ def with_vtk_mesh(path):
             "edges": edges.GetOutput().GetNumberOfCells(), "volume": mass.GetVolume()}
 
 
+def with_numpy_colours(path):
+    """Cells and their colours."""
+    import numpy
+    stored = numpy.load(path)
+    assert sorted(stored.files) == ["at", "bits", "cell", "colours", "origin", "shift", "size"]
+    assert stored["colours"].dtype == numpy.uint8
+    rows = stored["bits"].astype("<u8").view(numpy.uint8).reshape(-1, 8, 8, 1)
+    n, k, j, i = numpy.nonzero(numpy.unpackbits(rows, axis=-1, bitorder="little"))
+    cells = 8 * stored["at"][n].astype(int) + numpy.stack([i, j, k], 1)
+    assert stored["colours"].shape == (len(cells), 3)
+    return list(zip(cells.tolist(), stored["colours"].tolist()))
+
+
+def with_openvdb_colours(path):
+    import pyopenvdb
+    grids = {grid.name: grid for grid in pyopenvdb.readAll(path)[0]}
+    assert sorted(grids) == ["Cd", "tribox"] and grids["Cd"].transform == grids["tribox"].transform
+    return {"cells": [item.min for item in grids["tribox"].citerOnValues()],
+            "colours": [(item.min, item.value) for item in grids["Cd"].citerOnValues()],
+            "middle": grids["Cd"].transform.indexToWorld((0, 0, 0))}
+
+
+def with_vtk_colours(path):
+    """The corners of each triangle, and its colour."""
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+    reader = vtkPLYReader()
+    reader.SetFileName(path)
+    reader.Update()
+    found = reader.GetOutput()
+    colours = found.GetCellData().GetArray("RGB")
+    return [([found.GetCell(n).GetPoints().GetPoint(c) for c in range(3)], [int(x) for x in colours.GetTuple(n)])
+            for n in range(found.GetNumberOfCells())]
+
+
 def with_vtk_faces(path):
     """Where the corners of each face are, and their colours where there are some."""
     from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader

@@ -12,7 +12,7 @@ OPTIONS = {
                 "--kernel", "--help"],
     "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--shift", "--out", "--out-format", "--preview", "--up", "--view",
                  "--picture-size", "--json", "--quiet", "--threads",
-                 "--shard", "--count", "--fill", "--accuracy", "--axes", "--kernel", "--help"],
+                 "--shard", "--count", "--fill", "--colours", "--accuracy", "--axes", "--kernel", "--help"],
     "merge": ["--out", "--out-format", "--preview", "--up", "--view", "--picture-size", "--threads", "--json", "--quiet",
               "--help"],
     "partition": ["--format", "--shift", "--resolution", "--cell", "--origin", "--size", "--out", "--memory", "--threads",
@@ -65,7 +65,7 @@ class WrongCommandLine(support.TestCase):
 
     def test_unknown_options(self):
         for command in COMMANDS:
-            for option in ("--colour", "-x", "--colour=red", "--jsonl", "--json2=1"):
+            for option in ("--tint", "-x", "--tint=red", "--jsonl", "--json2=1"):
                 self.fail_with(2, r"^tribox %s: unknown option '%s'; see 'tribox %s --help'" % (command, option, command),
                                command, option)
 

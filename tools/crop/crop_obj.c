@@ -4,7 +4,7 @@
 #include "console/message.h"
 #include "crop_text.h"
 #include "kept_numbers.h"
-#include "obj_lines.h"
+#include "read/obj_lines.h"
 
 /* Lines that wait for a face, so that no empty groups are written. */
 typedef struct obj_states {

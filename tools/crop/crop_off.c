@@ -47,7 +47,7 @@ static bool find_counts(off *o)
 static void put_head(off *o)
 {
     crop *const c = o->c;
-    const char *const end = crop_line_next(o->words.at, o->words.end);
+    const char *const end = text_line_next(o->words.at, o->words.end);
     for (int s = 0; s < CROP_SIDES; s++) {
         crop_copy copy = {c, (crop_side)s, o->from};
         crop_copy_number(&copy, o->counts[0], o->length[0], o->kept[s].kept);
@@ -66,7 +66,7 @@ static bool find_line(off *o, const char **line)
         o->c->is_changed = true;
         return false;
     }
-    *line = crop_line_begin(o->from, o->words.word);
+    *line = text_line_begin(o->from, o->words.word);
     return true;
 }
 
@@ -112,7 +112,7 @@ static void put_vertex(off *o, uint64_t number)
         return;
     put_gap(o, line);
     words_skip_line(&o->words);
-    const char *const next = crop_line_next(o->words.at, o->words.end);
+    const char *const next = text_line_next(o->words.at, o->words.end);
     for (int s = 0; s < CROP_SIDES; s++)
         if (kept_numbers_has(&o->kept[s], number))
             crop_put(o->c, (crop_side)s, line, (size_t)(next - line));
@@ -131,7 +131,7 @@ static void put_face(off *o)
         if (take_corner(o, &corner))
             crop_copy_number(&copy, o->words.word, o->words.length, kept_numbers_new(&o->kept[copy.side], corner));
     words_skip_line(&o->words);
-    o->from = crop_line_next(o->words.at, o->words.end);
+    o->from = text_line_next(o->words.at, o->words.end);
     crop_copy_to(&copy, o->from);
 }
 

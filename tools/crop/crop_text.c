@@ -20,16 +20,3 @@ void crop_copy_number(crop_copy *copy, const char *word, size_t length, uint64_t
     crop_put(copy->c, copy->side, digits + at, DIGITS_MOST - at);
     copy->from = word + length;
 }
-
-const char *crop_line_begin(const char *from, const char *word)
-{
-    while (word > from && word[-1] != '\n' && word[-1] != '\r')
-        word--;
-    return word;
-}
-
-const char *crop_line_next(const char *line_end, const char *text_end)
-{
-    const bool is_pair = text_end - line_end > 1 && line_end[0] == '\r' && line_end[1] == '\n';
-    return line_end + (is_pair ? 2 : line_end < text_end);
-}

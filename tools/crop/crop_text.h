@@ -3,6 +3,7 @@
 #define CROP_TEXT_H
 
 #include "crop_faces.h"
+#include "read/text_lines.h"
 
 typedef struct crop_copy {
     crop *c;
@@ -15,9 +16,5 @@ void crop_copy_to(crop_copy *copy, const char *end);
 
 /* Copies up to these `length` bytes, and has a number in their place. */
 void crop_copy_number(crop_copy *copy, const char *word, size_t length, uint64_t number);
-
-/* Where the line of a word begins, unless that is before `from`; and where the next one does after a line's last character. */
-const char *crop_line_begin(const char *from, const char *word);
-const char *crop_line_next(const char *line_end, const char *text_end);
 
 #endif

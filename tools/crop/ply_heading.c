@@ -75,7 +75,7 @@ static void put_head(crop_ply_file *f, crop_side side)
             put_count(&copy, &w, kind == PLY_FACES ? f->c->counts[side].faces : f->c->counts[side].vertices);
         words_skip_line(&w);
         if (f->is_left_out[e])
-            copy.from = crop_line_next(w.at, w.end);
+            copy.from = text_line_next(w.at, w.end);
     }
     crop_copy_to(&copy, f->head.bytes + f->header.size);
 }

@@ -168,6 +168,7 @@ bool picture_faces_make(const voxels *v, picture_faces *f)
         split_lists(f);
         scan_faces(&s, f);
         find_bounds(f);
+        f->factor = s.factor;
     }
     free(s.layers);
     return f->all;

@@ -9,6 +9,7 @@ typedef struct picture_face {
 } picture_face;
 
 typedef struct picture_faces {
+    uint32_t factor;          /* how many cells along each axis are joined to one */
     float cell[3];            /* lengths, the greatest 1 */
     int lo[3], hi[3];         /* the occupied cells: lo <= cell < hi; all 0 where there are none */
     picture_face *list[3][2]; /* by axis; 0: the cell's lower side, 1: its upper */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "console/crew.h"
+#include "picture_colours.h"
 #include "picture_light.h"
 #include "picture_normal.h"
 
@@ -20,6 +21,7 @@ static const vec sun_colour = {{1.72f, 1.54f, 1.28f}}, sky_colour = {{0.52f, 0.6
 
 typedef struct drawing {
     picture_faces faces;
+    picture_colours colours;
     picture_view view; /* a point for each sample */
     uint32_t *seen;
     picture_lights lights;
@@ -79,6 +81,26 @@ static bool is_same_surface(const drawing *d, uint32_t a, uint32_t b)
            fabsf(picture_seen_depth(a) - picture_seen_depth(b)) < 1.5f * d->view.scale;
 }
 
+/* Of the cell behind a place on a face across an axis; the middle of a sample may be beside its face, and then beside the cell. */
+static vec colour_at(const drawing *d, vec place, int axis)
+{
+    static const int beside[][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    vec colour = clay;
+    int cell[3];
+    for (int a = 0; a < 3; a++) {
+        const float at = place.at[a] / d->faces.cell[a];
+        cell[a] = (int)floorf(a != axis ? at : roundf(at) + (d->view.toward.at[a] > 0 ? -0.5f : 0.5f));
+    }
+    for (size_t n = 0; d->colours.v->colours && n < sizeof beside / sizeof *beside; n++) {
+        int near[3] = {cell[0], cell[1], cell[2]};
+        near[(axis + 1) % 3] += beside[n][0];
+        near[(axis + 2) % 3] += beside[n][1];
+        if (picture_colours_at(&d->colours, near, &colour))
+            break;
+    }
+    return colour;
+}
+
 static vec voxel_seen(const drawing *d, int x, int y, uint32_t seen, shown *last, int sample)
 {
     const vec place = picture_view_place(&d->view, (vec){{(float)x + 0.5f, (float)y + 0.5f, picture_seen_depth(seen)}});
@@ -87,8 +109,9 @@ static vec voxel_seen(const drawing *d, int x, int y, uint32_t seen, shown *last
     const float above = greatest(1.6f * d->smoothness, 0.02f);
     vec light = colour_of(picture_lights_at(&d->lights, place, last->normal, above, sample));
     const float line = edge_line(d, place, picture_seen_axis(seen));
+    const vec colour = colour_at(d, place, picture_seen_axis(seen));
     for (int c = 0; c < 3; c++)
-        light.at[c] *= line * clay.at[c];
+        light.at[c] *= line * colour.at[c];
     return light;
 }
 
@@ -235,6 +258,7 @@ bool picture_draw(const voxels *v, const picture_look *look, unsigned threads, u
     drawing d = {.pixels = pixels, .columns = (int)look->size[0], .rows = (int)look->size[1]};
     if (!picture_faces_make(v, &d.faces))
         return false;
+    d.colours = picture_colours_of(v, d.faces.factor);
     uint16_t *maps = malloc(PICTURE_MAP_POINTS * sizeof *maps);
     d.seen = calloc(samples_of(look), sizeof *d.seen);
     const bool is_drawn = maps && d.seen;

@@ -79,6 +79,8 @@ static bool read_property(words *w, ply_header *h)
     if (!read_type(w, &p->type) || !words_next_on_line(w))
         return false;
     p->role = role_of(w, e->kind, is_list);
+    p->name = w->word;
+    p->name_length = w->length;
     h->property_count++;
     e->property_count++;
     return true;

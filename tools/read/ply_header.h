@@ -30,6 +30,8 @@ typedef struct ply_property {
     ply_type count; /* of the number of values in a list; PLY_NONE: a single value */
     ply_type type;
     ply_role role;
+    const char *name; /* not terminated: name_length bytes of the file */
+    size_t name_length;
 } ply_property;
 
 typedef enum ply_kind { PLY_VERTICES, PLY_FACES, PLY_STRIPS, PLY_OTHER } ply_kind;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "colours/cell_colours.h"
 #include "write/lowest_bit.h"
 
 enum { SIDE = 64 };
@@ -56,6 +57,42 @@ static void clear_run(uint64_t *row, uint32_t from, uint32_t to)
         row[w] &= ~bits_of_word(w, from, to);
 }
 
+/* Of the cell behind a face of the rectangle's plane. */
+static rgb colour_at(const walk *k, const rectangle *r, uint32_t column, uint32_t row)
+{
+    uint32_t cell[3];
+    cell[r->axis] = r->plane - r->is_up;
+    cell[rectangle_u(r->axis)] = column;
+    cell[rectangle_v(r->axis)] = row;
+    return cell_colours_at(k->cells->colours, cell);
+}
+
+/* Where the rectangle's colour ends in a row of it. */
+static uint32_t end_of_colour(const walk *k, const rectangle *r, uint32_t row)
+{
+    uint32_t column = r->from[0];
+    while (column < r->to[0] && rgb_number(colour_at(k, r, column, row)) == rgb_number(r->colour))
+        column++;
+    return column;
+}
+
+/* Takes the first run of the row, up to where it changes its colour, and as many rows after it as go on with it. */
+static void cut_rectangle(const walk *k, uint64_t *mask, size_t words, uint32_t rows, rectangle *r)
+{
+    const uint32_t row = r->from[1];
+    const bool has_colours = k->cells->colours;
+    r->to[0] = end_of_run(mask + row * words, words, r->from[0]);
+    if (has_colours) {
+        r->colour = colour_at(k, r, r->from[0], row);
+        r->to[0] = end_of_colour(k, r, row);
+    }
+    r->to[1] = row;
+    do
+        clear_run(mask + r->to[1]++ * words, r->from[0], r->to[0]);
+    while (r->to[1] < rows && has_run(mask + r->to[1] * words, r->from[0], r->to[0]) &&
+           (!has_colours || end_of_colour(k, r, r->to[1]) == r->to[0]));
+}
+
 /* Takes all bits of a mask; r says which plane it is. */
 static void cut_mask(const walk *k, uint64_t *mask, size_t words, uint32_t rows, rectangle r)
 {
@@ -64,11 +101,8 @@ static void cut_mask(const walk *k, uint64_t *mask, size_t words, uint32_t rows,
         for (size_t w = 0; w < words; w++)
             while (row[w]) {
                 r.from[0] = (uint32_t)(64 * w) + lowest_bit(row[w]);
-                r.to[0] = end_of_run(row, words, r.from[0]);
-                r.from[1] = r.to[1] = j;
-                do
-                    clear_run(mask + r.to[1]++ * words, r.from[0], r.to[0]);
-                while (r.to[1] < rows && has_run(mask + r.to[1] * words, r.from[0], r.to[0]));
+                r.from[1] = j;
+                cut_rectangle(k, mask, words, rows, &r);
                 k->take(k->data, &r);
             }
     }

@@ -19,10 +19,11 @@ enum { LOW, HIGH, LEFT, RIGHT, SIDES };
 
 typedef struct cutting {
     const shell *s;
-    void (*take)(void *data, const uint32_t triangle[3]);
+    shell_taker *take;
     bool (*tell)(void *data, double done);
     void *data;
     bool is_turned; /* u, v and the outside are left-handed */
+    rgb colour;
 } cutting;
 
 /* Room for a side: each point and each middle between two. */
@@ -63,7 +64,7 @@ static side find_side(const shell *s, const rectangle *r, int along, bool is_far
 
 static void take_triangle(const cutting *c, uint32_t a, uint32_t b, uint32_t d)
 {
-    c->take(c->data, (const uint32_t[3]){a, c->is_turned ? d : b, c->is_turned ? b : d});
+    c->take(c->data, (const uint32_t[3]){a, c->is_turned ? d : b, c->is_turned ? b : d}, c->colour);
 }
 
 /* A triangle whose edge from b to d is a side of the rectangle, there and back: cut where the side has vertices. */
@@ -101,6 +102,7 @@ static void cut_rectangle(void *data, const rectangle *r)
     for (int n = 0; n < SIDES; n++)
         sides[n] = find_side(c->s, r, n / 2, n % 2, c->s->side + (size_t)n * room);
     c->is_turned = (r->axis == 1) == r->is_up;
+    c->colour = r->colour;
     take_between(c, sides);
 }
 
@@ -110,10 +112,9 @@ static bool tell_cutting(void *data, double done)
     return c->tell(c->data, done);
 }
 
-void shell_triangles(const shell *s, void (*take)(void *data, const uint32_t triangle[3]), bool (*tell)(void *data, double done),
-                     void *data)
+void shell_triangles(const shell *s, shell_taker *take, bool (*tell)(void *data, double done), void *data)
 {
-    cutting c = {s, take, tell, data, false};
+    cutting c = {.s = s, .take = take, .tell = tell, .data = data};
     rectangles_walk(s->points.cells, s->mask, cut_rectangle, tell_cutting, &c);
 }
 
@@ -131,10 +132,10 @@ static void mark(void *data, const rectangle *r)
     lattice_mark(&m->s->points, r);
 }
 
-static void count(void *data, const uint32_t triangle[3])
+static void count(void *data, const uint32_t triangle[3], rgb colour)
 {
     making *const m = data;
-    (void)triangle;
+    (void)triangle, (void)colour;
     m->s->triangles++;
 }
 

@@ -29,8 +29,10 @@ uint64_t shell_bytes(const tribox_grid *grid);
 bool shell_make(shell *s, const voxels *cells, bool (*tell)(void *data, double done), void *data);
 void shell_free(shell *s);
 
-/* Hands over each triangle by the numbers of its vertices. tell: told the share that is done; returns whether to stop. */
-void shell_triangles(const shell *s, void (*take)(void *data, const uint32_t triangle[3]), bool (*tell)(void *data, double done),
-                     void *data);
+/* A triangle by the numbers of its vertices, and the colour of the cells behind it, where they have one. */
+typedef void shell_taker(void *data, const uint32_t triangle[3], rgb colour);
+
+/* Hands over each triangle. tell: told the share that is done; returns whether to stop. */
+void shell_triangles(const shell *s, shell_taker *take, bool (*tell)(void *data, double done), void *data);
 
 #endif

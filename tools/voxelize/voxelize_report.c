@@ -78,6 +78,8 @@ static void print_summary(const voxelize_answer *a)
     if (a->shard)
         printf("shard        %u of %u: %zu tiles from %zu\n", a->shard, a->shards, a->tiles, a->from_tile);
     printf("occupied     %zu cells (%.4g %%)\n", a->report.overlapping, share_percent(a));
+    if (a->colours)
+        printf("colours      of its %s\n", a->colours);
     if (a->fill)
         printf("inside       %zu cells (%s)\n", a->inside, a->fill);
     if (a->has_rows)
@@ -116,6 +118,8 @@ static void print_json(const voxelize_answer *a)
     }
     json_whole(&j, "occupied", a->report.overlapping);
     json_number(&j, "share_percent", 6, share_percent(a));
+    if (a->colours)
+        json_string(&j, "colours", a->colours);
     if (a->fill) {
         json_string(&j, "fill", a->fill);
         json_whole(&j, "inside", a->inside);

@@ -21,6 +21,7 @@ typedef struct voxelize_answer {
     uint64_t bricks;
     uint32_t shard, shards;  /* shard 0: the whole */
     size_t from_tile, tiles; /* of a shard */
+    const char *colours;     /* whose they are; NULL for none */
     const char *fill;        /* the word of --fill; NULL for none */
     size_t inside, odd_rows; /* of a fill */
     bool has_rows;           /* odd_rows were counted */

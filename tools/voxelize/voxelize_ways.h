@@ -2,6 +2,7 @@
 #ifndef VOXELIZE_WAYS_H
 #define VOXELIZE_WAYS_H
 
+#include "colours/mesh_colours.h"
 #include "partition/partition.h"
 #include "voxel_task.h"
 #include "voxelize_report.h"
@@ -10,10 +11,11 @@
 
 /* What there is to voxelize: a mesh, or a partition. */
 typedef struct voxelize_input {
-    const mesh *mesh;           /* NULL for a partition */
-    const partition *partition; /* NULL for a mesh */
-    voxels cells;               /* the grid and the shift */
-    uint64_t *surface;          /* the words of the mesh in the grid; NULL: it is still to be voxelized */
+    const mesh *mesh;            /* NULL for a partition */
+    const mesh_colours *colours; /* of its triangles, where the cells get them; else NULL */
+    const partition *partition;  /* NULL for a mesh */
+    voxels cells;                /* the grid and the shift */
+    uint64_t *surface;           /* the words of the mesh in the grid; NULL: it is still to be voxelized */
 } voxelize_input;
 
 /* The files, open where they are wanted. */

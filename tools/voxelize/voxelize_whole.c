@@ -6,6 +6,7 @@
 #include "console/message.h"
 #include "console/pages.h"
 #include "fill/fill_whole.h"
+#include "coloured_cells.h"
 #include "layers.h"
 #include "tile_set.h"
 #include "voxelize_ways.h"
@@ -21,6 +22,7 @@ typedef struct whole {
     size_t words;
     bool is_taken;             /* the surface was voxelized while the mesh was read */
     uint64_t *surface, *solid; /* solid: NULL without a fill */
+    cell_colours colours;
 } whole;
 
 static const char fewer[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
@@ -46,21 +48,38 @@ static int take_memory(whole *w)
                                                   : message_failure("out of memory for %zu words of cells", w->words);
 }
 
-static tribox_status run(const whole *w, progress *bar, tribox_report *report)
+static int run(whole *w, progress *bar, tribox_report *report)
 {
     void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
     const voxel_task task = voxelize_task(w->r, w->in);
-    return voxelize_in_threads(&task, 0, w->cells.grid.size[2], w->r->threads, w->surface, report, tell, bar);
+    if (w->in->colours)
+        return coloured_cells_make(&task, w->in->colours, w->r->threads, w->surface, &w->colours, bar, report);
+    return message_status(voxelize_in_threads(&task, 0, w->cells.grid.size[2], w->r->threads, w->surface, report, tell, bar));
 }
 
-static int voxelize(const whole *w, voxelize_answer *a)
+static int voxelize(whole *w, voxelize_answer *a)
 {
     progress bar = progress_start("voxelizing", !w->r->result.is_quiet);
     const double start = clock_seconds();
-    const tribox_status status = run(w, &bar, &a->report);
+    const int code = run(w, &bar, &a->report);
     a->seconds = clock_seconds() - start;
     progress_end(&bar);
-    return message_status(status);
+    return code;
+}
+
+/* What a format with a palette needs. */
+static int make_palette(whole *w)
+{
+    cell_colours *const c = &w->colours;
+    if (!w->in->colours || w->r->result.format->colours != VOLUME_PALETTE)
+        return EXIT_CODE_OK;
+    if (!palette_make(c->of, c->cells, &c->palette))
+        return message_failure("%s: out of memory for its palette", w->r->result.out_path);
+    if (c->palette.place)
+        message_say(
+            "note: %s has the %d colours of its palette for more that its cells have: those close to one another are their mean",
+            w->r->result.out_path, c->palette.count);
+    return EXIT_CODE_OK;
 }
 
 static int fill_if_wanted(const whole *w, voxelize_answer *a)
@@ -111,6 +130,7 @@ static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a
     voxels v = w->cells;
     v.slab = &slab;
     v.slabs = 1;
+    v.colours = w->in->colours ? &w->colours : NULL;
     int code = put_cells(w, &v, files, a);
     if (!code)
         code = file_out_keep(&files->out);
@@ -126,7 +146,10 @@ int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize
     if (!code)
         code = fill_if_wanted(&w, a);
     if (!code)
+        code = make_palette(&w);
+    if (!code)
         code = write_files(&w, files, a);
+    cell_colours_free(&w.colours);
     pages_free(w.solid, w.words * sizeof *w.solid);
     if (!w.is_taken)
         pages_free(w.surface, w.words * sizeof *w.surface);

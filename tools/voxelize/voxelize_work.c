@@ -28,7 +28,8 @@ bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks;
-    return in->mesh && (in->surface || is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
+    const bool is_small = in->mesh && (in->surface || is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
+    return r->has_colours || is_small;
 }
 
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
@@ -101,6 +102,19 @@ static int open_files(const voxelize_request *r, const voxelize_input *in, voxel
     return code;
 }
 
+static int work_on_colours(const voxelize_request *r, voxelize_input *in, voxelize_answer *a)
+{
+    mesh_colours colours;
+    int code = mesh_colours_read(r->from.mesh_path, r->from.format, in->mesh->triangles, &colours);
+    if (code)
+        return code;
+    in->colours = &colours;
+    a->colours = colours.from;
+    code = open_files(r, in, a);
+    mesh_colours_free(&colours);
+    return code;
+}
+
 static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_input *in, voxelize_answer *a)
 {
     const char *const name = triangle_file_name(r->from.mesh_path);
@@ -110,7 +124,7 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
     a->not_finite = m->not_finite;
     a->is_double = m->is_double;
     const int code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
-    return code ? code : open_files(r, in, a);
+    return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
 }
 
 /* Most small grids need no mesh that is stored: their cells are set while it is read. */

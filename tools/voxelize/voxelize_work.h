@@ -17,6 +17,7 @@ typedef struct voxelize_request {
     uint32_t shard, shards; /* 1 of 1 without --shard */
     bool has_shard;
     voxelize_fill fill;
+    bool has_colours; /* of the mesh's triangles, for the cells */
     tribox_options test;
     result_request result;
 } voxelize_request;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "brick_writer.h"
+#include "colours/cell_colours.h"
 #include "console/message.h"
 #include "npz_members.h"
 #include "read/little.h"
@@ -13,15 +14,16 @@ enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512 };
 /* The file gets the bits as they come; the places wait beside it. */
 typedef struct npz {
     zip_out zip;
-    waiting places;
-    deflater *deflater; /* NULL: not deflated */
-    size_t count;       /* bricks that are in neither yet: for a few bytes each call costs too much */
+    waiting places, colours; /* colours where there are some */
+    deflater *deflater;      /* NULL: not deflated */
+    size_t count;            /* bricks that are in neither yet: for a few bytes each call costs too much */
     unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES];
 } npz;
 
 static void free_npz(npz *z)
 {
     waiting_free(&z->places);
+    waiting_free(&z->colours);
     deflater_free(z->deflater);
     free(z);
 }
@@ -33,6 +35,7 @@ static int open_npz(brick_out *out)
         return message_failure("%s: out of memory", out->file->path);
     z->deflater = out->options.is_deflated ? deflater_new() : NULL;
     z->places = waiting_for(out->file);
+    z->colours = out->cells.colours ? waiting_for(out->file) : (waiting){.count = 0};
     if (out->options.is_deflated && !z->deflater) {
         free_npz(z);
         return message_failure("%s: out of memory", out->file->path);
@@ -51,6 +54,12 @@ static int write_block(npz *z)
     return waiting_add(&z->places, z->place, count * AT_BYTES);
 }
 
+static int put_colours(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
+{
+    npz *const z = out->state;
+    return waiting_add(&z->colours, cell_colours_of_brick(out->cells.colours, at), (size_t)voxels_count(bits, 8) * sizeof(rgb));
+}
+
 static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     npz *const z = out->state;
@@ -58,26 +67,26 @@ static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
         little_put32(z->place[z->count] + 4 * a, at[a]);
     for (int k = 0; k < 8; k++)
         little_put64(z->words[z->count] + 8 * k, bits[k]);
-    return ++z->count < BLOCK ? EXIT_CODE_OK : write_block(z);
+    const int code = out->cells.colours ? put_colours(out, at, bits) : EXIT_CODE_OK;
+    return code || ++z->count < BLOCK ? code : write_block(z);
 }
 
-static void end_rows(brick_out *out, const char *type, int columns)
+static void end_rows(npz *z, const char *type, uint64_t rows, int columns)
 {
-    npz *const z = out->state;
     unsigned char header[NPY_HEADER];
-    npz_rows(header, type, out->bricks, columns);
+    npz_rows(header, type, rows, columns);
     zip_end_member(&z->zip, header);
 }
 
 static void add_some(void *zip, const void *bytes, size_t count) { zip_add(zip, bytes, count); }
 
-static int add_places(brick_out *out)
+/* What waited beside the file, three numbers a row. */
+static int add_waited(npz *z, waiting *from, const char *name, const char *type, uint64_t rows)
 {
-    npz *const z = out->state;
-    zip_begin_member(&z->zip, "at.npy");
-    const int code = waiting_hand_on(&z->places, add_some, &z->zip);
+    zip_begin_member(&z->zip, name);
+    const int code = waiting_hand_on(from, add_some, &z->zip);
     if (!code)
-        end_rows(out, "<u4", 3);
+        end_rows(z, type, rows, 3);
     return code;
 }
 
@@ -88,8 +97,10 @@ static int end_npz(brick_out *out, progress *bar)
     int code = write_block(z);
     if (code)
         return code;
-    end_rows(out, "<u8", 8);
-    code = add_places(out);
+    end_rows(z, "<u8", out->bricks, 8);
+    code = add_waited(z, &z->places, "at.npy", "<u4", out->bricks);
+    if (!code && out->cells.colours)
+        code = add_waited(z, &z->colours, "colours.npy", "|u1", out->cells.colours->cells);
     if (code)
         return code;
     npz_add_grid(&z->zip, &out->cells);

@@ -93,12 +93,13 @@ static int write_shell(brick_out *out, progress *bar, int (*write)(shell_file *f
         return code;
     out->cells.slab = &g->slab;
     out->cells.slabs = 1;
+    shell_file f = {.to = out->to, .path = out->file->path, .cells = &out->cells, .shell = &s, .bar = bar};
     if (!shell_make(&s, &out->cells, tell_finding, bar))
         code = message_failure("%s: out of memory for the surface of the cells", out->file->path);
     if (!code)
         code = check_vertices(out, &s);
     if (!code)
-        code = write(&(shell_file){out->to, out->file->path, &out->cells, &s, bar});
+        code = write(&f);
     shell_free(&s);
     return code;
 }
@@ -112,13 +113,17 @@ double shell_file_coordinate(const voxels *v, int axis, uint32_t halves)
 
 typedef struct file_triangles {
     shell_file *f;
-    void (*take)(void *file, const uint32_t triangle[3]);
+    shell_taker *take;
 } file_triangles;
 
-static void take_file_triangle(void *data, const uint32_t triangle[3])
+static void take_file_triangle(void *data, const uint32_t triangle[3], rgb colour)
 {
     const file_triangles *const t = data;
-    t->take(t->f, triangle);
+    const shell_corners *const c = t->f->corners;
+    uint32_t own[3];
+    for (int n = 0; n < 3; n++)
+        own[n] = c ? shell_corners_find(c, triangle[n], colour) : triangle[n];
+    t->take(t->f, own, colour);
 }
 
 static bool tell_writing(void *data, double done)
@@ -128,15 +133,61 @@ static bool tell_writing(void *data, double done)
     return ferror(f->to);
 }
 
-void shell_file_triangles(shell_file *f, void (*take)(void *file, const uint32_t triangle[3]))
+void shell_file_triangles(shell_file *f, shell_taker *take)
 {
     file_triangles t = {f, take};
     shell_triangles(f->shell, take_file_triangle, tell_writing, &t);
 }
 
+uint64_t shell_file_vertices(const shell_file *f) { return f->corners ? f->corners->count : f->shell->points.vertices; }
+
+typedef struct file_vertices {
+    shell_file *f;
+    bool (*take)(void *file, const uint32_t halves[3], rgb colour);
+} file_vertices;
+
+static bool take_file_vertex(void *data, const uint32_t halves[3])
+{
+    const file_vertices *const v = data;
+    return v->take(v->f, halves, (rgb){{0, 0, 0}});
+}
+
+bool shell_file_each_vertex(shell_file *f, bool (*take)(void *file, const uint32_t halves[3], rgb colour))
+{
+    const shell_corners *const c = f->corners;
+    if (!c)
+        return lattice_vertices(&f->shell->points, take_file_vertex, &(file_vertices){f, take});
+    size_t n = 0;
+    while (n < c->count && take(f, c->places[c->of[n].vertex], c->of[n].colour))
+        n++;
+    return n == c->count;
+}
+
+static bool tell_nothing(void *data, double done)
+{
+    (void)data, (void)done;
+    return false;
+}
+
+static int with_corners(shell_file *f, int (*write)(shell_file *f))
+{
+    shell_corners corners;
+    int code = EXIT_CODE_OK;
+    if (!shell_corners_make(&corners, f->shell, tell_nothing, f))
+        code = message_failure("%s: out of memory for the colours of its vertices", f->path);
+    f->corners = &corners;
+    if (!code)
+        code = write(f);
+    shell_corners_free(&corners);
+    return code;
+}
+
+static int write_obj(shell_file *f) { return f->cells->colours ? with_corners(f, shell_write_obj) : shell_write_obj(f); }
+static int write_glb(shell_file *f) { return f->cells->colours ? with_corners(f, shell_write_glb) : shell_write_glb(f); }
+
 static int end_ply(brick_out *out, progress *bar) { return write_shell(out, bar, shell_write_ply); }
-static int end_obj(brick_out *out, progress *bar) { return write_shell(out, bar, shell_write_obj); }
-static int end_glb(brick_out *out, progress *bar) { return write_shell(out, bar, shell_write_glb); }
+static int end_obj(brick_out *out, progress *bar) { return write_shell(out, bar, write_obj); }
+static int end_glb(brick_out *out, progress *bar) { return write_shell(out, bar, write_glb); }
 
 const brick_writer bricks_ply = {.open = open_shell, .put = put_shell, .whole = take_whole, .end = end_ply, .drop = drop_shell};
 const brick_writer bricks_obj = {.open = open_shell, .put = put_shell, .whole = take_whole, .end = end_obj, .drop = drop_shell};

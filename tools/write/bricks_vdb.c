@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "brick_writer.h"
+#include "colours/cell_colours.h"
 #include "console/message.h"
 #include "vdb_process.h"
 
@@ -23,7 +24,7 @@ static double unit_of(const tribox_grid *grid)
 
 static vdb_grid grid_of(const voxels *v, bool is_mask)
 {
-    vdb_grid grid = {.unit = unit_of(&v->grid), .is_mask = is_mask};
+    vdb_grid grid = {.unit = unit_of(&v->grid), .is_mask = is_mask, .has_colours = v->colours != NULL};
     for (int a = 0; a < 3; a++)
         grid.origin[a] = v->grid.origin[a] + v->shift[a];
     memcpy(grid.cell, v->grid.cell, sizeof grid.cell);
@@ -36,6 +37,8 @@ static int fail(const char *path, const char *reason) { return message_failure("
 
 /* Begun while the mesh is read, tried when there is a grid, and then at work for one file. */
 static vdb_process *begun;
+
+static rgb_curve curve;
 
 void bricks_begin_vdb(void)
 {
@@ -78,6 +81,7 @@ int bricks_check_vdb(const char *path, const tribox_grid *grid)
 static int open_vdb(brick_out *out)
 {
     char reason[VDB_PROCESS_REASON];
+    curve = rgb_curve_make();
     const vdb_grid grid = grid_of(&out->cells, out->options.is_mask);
     if (!begun)
         begun = vdb_process_begin(reason);
@@ -90,10 +94,24 @@ static int open_vdb(brick_out *out)
     return EXIT_CODE_OK;
 }
 
+/* As light. Returns how many. */
+static uint32_t find_colours(const cell_colours *c, const uint32_t at[3], const uint64_t bits[8], float (*to)[3])
+{
+    const rgb *const from = cell_colours_of_brick(c, at);
+    const uint32_t cells = (uint32_t)voxels_count(bits, 8);
+    for (uint32_t n = 0; n < cells; n++)
+        for (int a = 0; a < 3; a++)
+            to[n][a] = curve.light[from[n].at[a]];
+    return cells;
+}
+
 static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
+    enum { CELLS = 512 };
     char reason[VDB_PROCESS_REASON];
-    return vdb_process_put(out->state, at, bits, reason) ? EXIT_CODE_OK : fail(out->file->path, reason);
+    float colours[CELLS][3];
+    const uint32_t cells = out->cells.colours ? find_colours(out->cells.colours, at, bits, colours) : 0;
+    return vdb_process_put(out->state, at, bits, colours[0], cells, reason) ? EXIT_CODE_OK : fail(out->file->path, reason);
 }
 
 static int end_vdb(brick_out *out, progress *bar)

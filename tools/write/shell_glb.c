@@ -2,7 +2,8 @@
  * shell_glb.c - a shell as binary glTF 2.0: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
  *
  * Positions are floats there. They count cells, which is exact; the node scales them by the lengths of a cell and moves them to the
- * origin. There are no normals, so that readers shade each triangle flat.
+ * origin. There are no normals, so that readers shade each triangle flat. Colours are those of vertices, linear as glTF has them, with
+ * a matte material, as the one that readers have without is a metal.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -15,7 +16,15 @@
 #include "shell_file.h"
 
 /* A float holds halves up to SIDE_MOST cells. Lengths of the file and its chunks are of 32 bits. */
-enum { SIDE_MOST = 1 << 23, GLB_HEADER = 12, CHUNK = 8, VERTEX_BYTES = 12, TRIANGLE_BYTES = 12, TEXT_MAX = 2048 };
+enum {
+    SIDE_MOST = 1 << 23,
+    GLB_HEADER = 12,
+    CHUNK = 8,
+    VERTEX_BYTES = 12,
+    TRIANGLE_BYTES = 12,
+    COLOURED_BYTES = 20,
+    TEXT_MAX = 2048
+};
 
 int bricks_check_glb(const char *path, const tribox_grid *grid)
 {
@@ -66,9 +75,47 @@ static void describe_place(char text[TEXT_MAX], const voxels *v)
     add(text, "}],");
 }
 
+static uint64_t vertex_bytes(const shell_file *f) { return f->corners ? COLOURED_BYTES : VERTEX_BYTES; }
+
+static uint64_t buffer_bytes(const shell_file *f)
+{
+    return vertex_bytes(f) * shell_file_vertices(f) + TRIANGLE_BYTES * f->shell->triangles;
+}
+
+/* Where positions, corners of triangles and colours are, after the first's least and most. */
+static void describe_accessors(char text[TEXT_MAX], const shell_file *f)
+{
+    char part[TEXT_MAX];
+    snprintf(part, sizeof part, "},{\"bufferView\":1,\"componentType\":5125,\"count\":%" PRIu64 ",\"type\":\"SCALAR\"}",
+             3 * f->shell->triangles);
+    add(text, part);
+    snprintf(part, sizeof part,
+             ",{\"bufferView\":0,\"byteOffset\":%d,\"componentType\":5123,\"normalized\":true,\"count\":%" PRIu64
+             ",\"type\":\"VEC4\"}",
+             (int)VERTEX_BYTES, shell_file_vertices(f));
+    add(text, f->corners ? part : "");
+}
+
+/* Two views of one buffer: vertices, with a colour after each where there are colours, and which of them make triangles. */
+static void describe_views(char text[TEXT_MAX], const shell_file *f)
+{
+    const uint64_t vertices = vertex_bytes(f) * shell_file_vertices(f), triangles = TRIANGLE_BYTES * f->shell->triangles;
+    char part[TEXT_MAX];
+    snprintf(part, sizeof part, "],\"bufferViews\":[{\"buffer\":0,\"byteLength\":%" PRIu64, vertices);
+    add(text, part);
+    snprintf(part, sizeof part, ",\"byteStride\":%d", (int)COLOURED_BYTES);
+    add(text, f->corners ? part : "");
+    snprintf(part, sizeof part,
+             ",\"target\":34962},{\"buffer\":0,\"byteOffset\":%" PRIu64 ",\"byteLength\":%" PRIu64
+             ",\"target\":34963}],\"buffers\":[{\"byteLength\":%" PRIu64 "}],",
+             vertices, triangles, vertices + triangles);
+    add(text, part);
+    if (f->corners)
+        add(text, "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":1}}],");
+}
+
 static void describe_mesh(char text[TEXT_MAX], const shell_file *f)
 {
-    const uint64_t vertices = f->shell->points.vertices, triangles = f->shell->triangles;
     char part[TEXT_MAX];
     extent e = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
     double least[3], most[3];
@@ -77,19 +124,15 @@ static void describe_mesh(char text[TEXT_MAX], const shell_file *f)
         least[a] = e.least[a] / 2.0;
         most[a] = e.most[a] / 2.0;
     }
-    add(text, "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],\"accessors\":[");
-    snprintf(part, sizeof part, "{\"bufferView\":0,\"componentType\":5126,\"count\":%" PRIu64 ",\"type\":\"VEC3\"", vertices);
+    add(text, "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0");
+    add(text, f->corners ? ",\"COLOR_0\":2},\"indices\":1,\"material\":0}]}]," : "},\"indices\":1}]}],");
+    snprintf(part, sizeof part, "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%" PRIu64 ",\"type\":\"VEC3\"",
+             shell_file_vertices(f));
     add(text, part);
     add_numbers(text, ",\"min\":", least);
     add_numbers(text, ",\"max\":", most);
-    snprintf(part, sizeof part,
-             "},{\"bufferView\":1,\"componentType\":5125,\"count\":%" PRIu64 ",\"type\":\"SCALAR\"}],\"bufferViews\":["
-             "{\"buffer\":0,\"byteLength\":%" PRIu64 ",\"target\":34962},"
-             "{\"buffer\":0,\"byteOffset\":%" PRIu64 ",\"byteLength\":%" PRIu64 ",\"target\":34963}],"
-             "\"buffers\":[{\"byteLength\":%" PRIu64 "}],",
-             3 * triangles, VERTEX_BYTES * vertices, VERTEX_BYTES * vertices, TRIANGLE_BYTES * triangles,
-             VERTEX_BYTES * vertices + TRIANGLE_BYTES * triangles);
-    add(text, part);
+    describe_accessors(text, f);
+    describe_views(text, f);
 }
 
 /* Blanks fill it up to a multiple of four. No cell that is set, no mesh: glTF has no empty ones. */
@@ -108,27 +151,50 @@ static void describe(char text[TEXT_MAX], const shell_file *f)
 
 static void put_numbers(FILE *to, const uint32_t *number, int count)
 {
-    unsigned char bytes[12];
+    unsigned char bytes[COLOURED_BYTES];
     for (int n = 0; n < count; n++)
         little_put32(bytes + 4 * n, number[n]);
     fwrite(bytes, 1, 4 * (size_t)count, to);
 }
 
-static bool put_vertex_glb(void *data, const uint32_t halves[3])
+static void find_bits(const uint32_t halves[3], uint32_t bits[3])
 {
-    const shell_file *const f = data;
-    uint32_t bits[3];
     for (int a = 0; a < 3; a++) {
         const float x = (float)halves[a] / 2;
         memcpy(&bits[a], &x, sizeof x);
     }
-    put_numbers(f->to, bits, 3);
+}
+
+/* In 16 bits all bytes stay apart, the dark ones too. */
+static uint32_t linear_of(const rgb_curve *curve, unsigned char byte)
+{
+    return (uint32_t)((double)curve->light[byte] * UINT16_MAX + 0.5);
+}
+
+/* With what vertices of colours need. */
+typedef struct glb_file {
+    shell_file file; /* the first, as vertices are handed over with it */
+    rgb_curve curve;
+} glb_file;
+
+static bool put_vertex_glb(void *file, const uint32_t halves[3], rgb colour)
+{
+    const glb_file *const g = file;
+    const shell_file *const f = &g->file;
+    uint32_t number[COLOURED_BYTES / 4];
+    find_bits(halves, number);
+    if (f->corners) {
+        number[3] = linear_of(&g->curve, colour.at[0]) | linear_of(&g->curve, colour.at[1]) << 16;
+        number[4] = linear_of(&g->curve, colour.at[2]) | (uint32_t)UINT16_MAX << 16;
+    }
+    put_numbers(f->to, number, f->corners ? 5 : 3);
     return !ferror(f->to);
 }
 
-static void put_triangle_glb(void *file, const uint32_t triangle[3])
+static void put_triangle_glb(void *file, const uint32_t triangle[3], rgb colour)
 {
     const shell_file *const f = file;
+    (void)colour;
     put_numbers(f->to, triangle, 3);
 }
 
@@ -136,12 +202,12 @@ int shell_write_glb(shell_file *f)
 {
     char text[TEXT_MAX];
     describe(text, f);
-    const uint64_t bytes = VERTEX_BYTES * f->shell->points.vertices + TRIANGLE_BYTES * f->shell->triangles;
+    const uint64_t bytes = buffer_bytes(f);
     const uint64_t all = GLB_HEADER + CHUNK + strlen(text) + (bytes ? CHUNK + bytes : 0);
     if (all > UINT32_MAX)
         return message_failure("%s: %" PRIu64 " vertices and %" PRIu64 " triangles take more than the 4 GiB that .glb holds: write "
                                ".ply or .obj, or choose fewer cells",
-                               f->path, f->shell->points.vertices, f->shell->triangles);
+                               f->path, shell_file_vertices(f), f->shell->triangles);
     fputs("glTF", f->to);
     put_numbers(f->to, (const uint32_t[3]){2, (uint32_t)all, (uint32_t)strlen(text)}, 3);
     fprintf(f->to, "JSON%s", text);
@@ -149,7 +215,8 @@ int shell_write_glb(shell_file *f)
         return EXIT_CODE_OK;
     put_numbers(f->to, (const uint32_t[1]){(uint32_t)bytes}, 1);
     fwrite("BIN", 1, 4, f->to);
-    if (lattice_vertices(&f->shell->points, put_vertex_glb, f))
+    glb_file g = {*f, rgb_curve_make()};
+    if (shell_file_each_vertex(&g.file, put_vertex_glb))
         shell_file_triangles(f, put_triangle_glb);
     return EXIT_CODE_OK;
 }

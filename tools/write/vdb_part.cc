@@ -101,6 +101,40 @@ template <class Grid> class tree_of : public tree
     typename Grid::Ptr grid;
 };
 
+// Light from 0 to 1, as programs that render have it: inactive cells are black.
+class colours
+{
+  public:
+    colours() : grid(std::static_pointer_cast<openvdb::Vec3SGrid>(openvdb::GridBase::createGrid(openvdb::Vec3STree::treeType()))) {}
+
+    void put(const openvdb::Coord &corner, const uint64_t bits[8], const uint64_t words[8], const float *colour)
+    {
+        using leaf_node = openvdb::Vec3STree::LeafNodeType;
+        leaf_node *const leaf = grid->tree().touchLeaf(corner);
+        leaf_node::NodeMaskType mask;
+        for (int i = 0; i < 8; i++)
+            mask.getWord<uint64_t>(i) = words[i];
+        leaf->setValueMask(mask);
+        openvdb::Vec3s *const to = leaf->buffer().data();
+        for (unsigned n = 0; n < 512; n++)
+            if (bits[n / 64] >> n % 64 & 1) { // of layer z, row y and cell x: OpenVDB counts z first
+                to[n % 8 * 64 + n / 8 % 8 * 8 + n / 64] = openvdb::Vec3s(colour);
+                colour += 3;
+            }
+    }
+
+    openvdb::GridBase::Ptr base() const { return grid; }
+
+  private:
+    openvdb::Vec3SGrid::Ptr grid;
+};
+
+// What there is of a file.
+struct content {
+    std::unique_ptr<tree> cells;
+    std::unique_ptr<colours> cells_colours; // nullptr: none
+};
+
 // The middle of cell i lies at index i, as programs that draw voxels have it.
 openvdb::math::Transform::Ptr transform_of(const vdb_grid &grid)
 {
@@ -109,10 +143,10 @@ openvdb::math::Transform::Ptr transform_of(const vdb_grid &grid)
         new openvdb::math::Transform(openvdb::math::MapBase::Ptr(new openvdb::math::ScaleTranslateMap(cell, middle))));
 }
 
-void describe(openvdb::GridBase &to, const vdb_grid &grid)
+void describe(openvdb::GridBase &to, const vdb_grid &grid, const char *name)
 {
     const openvdb::Vec3d shift(grid.shift);
-    to.setName("tribox");
+    to.setName(name);
     to.setTransform(transform_of(grid));
     to.setCreator("tribox");
     to.insertMeta("origin", openvdb::Vec3DMetadata(openvdb::Vec3d(grid.origin)));
@@ -140,27 +174,35 @@ template <class Work> bool attempt(char *reason, Work work)
 
 void *make(const vdb_grid *grid, char *reason)
 {
-    tree *made = nullptr;
+    content *made = nullptr;
     attempt(reason, [&] {
         openvdb::initialize();
-        std::unique_ptr<tree> t;
+        std::unique_ptr<content> c(new content);
         if (grid->is_mask)
-            t.reset(new tree_of<openvdb::MaskGrid>);
+            c->cells.reset(new tree_of<openvdb::MaskGrid>);
         else
-            t.reset(new tree_of<openvdb::BoolGrid>);
-        describe(*t->base(), *grid);
-        made = t.release();
+            c->cells.reset(new tree_of<openvdb::BoolGrid>);
+        describe(*c->cells->base(), *grid, "tribox");
+        if (grid->has_colours) {
+            c->cells_colours.reset(new colours);
+            c->cells_colours->base()->setVectorType(openvdb::VEC_INVARIANT);
+            describe(*c->cells_colours->base(), *grid, "Cd");
+        }
+        made = c.release();
     });
     return made;
 }
 
-int put(void *to, const uint32_t at[3], const uint64_t bits[8], char *reason)
+int put(void *to, const uint32_t at[3], const uint64_t bits[8], const float *colour, char *reason)
 {
     return attempt(reason, [&] {
         uint64_t words[8];
+        content *const c = static_cast<content *>(to);
+        const openvdb::Coord corner(static_cast<int>(8 * at[0]), static_cast<int>(8 * at[1]), static_cast<int>(8 * at[2]));
         exchange(bits, words);
-        static_cast<tree *>(to)->put(
-            openvdb::Coord(static_cast<int>(8 * at[0]), static_cast<int>(8 * at[1]), static_cast<int>(8 * at[2])), words);
+        c->cells->put(corner, words);
+        if (c->cells_colours)
+            c->cells_colours->put(corner, bits, words, colour);
     });
 }
 
@@ -170,7 +212,11 @@ int write(void *from, FILE *to, int can_seek, char *reason)
     return attempt(reason, [&] {
         c_buffer buffer(to);
         std::ostream stream(&buffer);
-        archive().write_to(stream, {static_cast<tree *>(from)->base()}, can_seek != 0);
+        content *const c = static_cast<content *>(from);
+        openvdb::GridPtrVec grids = {c->cells->base()};
+        if (c->cells_colours)
+            grids.push_back(c->cells_colours->base());
+        archive().write_to(stream, grids, can_seek != 0);
     });
 }
 

@@ -13,8 +13,9 @@ typedef struct vdb_grid {
     double origin[3]; /* of the mesh as it was before any shift */
     double cell[3], shift[3];
     uint32_t size[3];
-    double unit; /* the transform's lengths are these times it */
-    int is_mask; /* a MaskGrid in place of a BoolGrid */
+    double unit;     /* the transform's lengths are these times it */
+    int is_mask;     /* a MaskGrid in place of a BoolGrid */
+    int has_colours; /* beside it a Vec3SGrid, "Cd" */
 } vdb_grid;
 
 /* Where these fail they write why into `reason`, which has room for VDB_REASON bytes. */
@@ -24,8 +25,11 @@ typedef struct vdb_part {
     /* An empty tree of bricks, which stays as long as the process; NULL if it fails. */
     void *(*make)(const vdb_grid *grid, char *reason);
 
-    /* Each returns whether it did it. put: a brick as a tribox_sink gets it. can_seek: of the stream, which is at its start. */
-    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], char *reason);
+    /*
+     * Each returns whether it did it. put: a brick as a tribox_sink gets it, and red, green and blue of its set cells, in the order of
+     * the bits, where there are colours. can_seek: of the stream, which is at its start.
+     */
+    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], const float *colours, char *reason);
     int (*write)(void *tree, FILE *to, int can_seek, char *reason);
 } vdb_part;
 

@@ -23,14 +23,20 @@
 #define MSG_NOSIGNAL 0
 #endif
 
-enum { BLOCK = 512 };
+enum { BLOCK = 512, BRICK_CELLS = 512 };
+
+/* What has a colour for each cell goes with fewer bricks. */
+enum { BLOCK_COLOURS = 32 * BRICK_CELLS };
 
 typedef struct block {
-    uint32_t count; /* 0: these are all, write them */
+    uint32_t count;   /* 0: these are all, write them */
+    uint32_t colours; /* of all bricks together; 0: they have none */
     struct {
         uint32_t at[3];
+        uint32_t cells; /* that have a colour */
         uint64_t bits[8];
     } brick[BLOCK];
+    float colour[BLOCK_COLOURS][3];
 } block;
 
 /* A grid to make a tree for; where it is only tried, no file comes with it. */
@@ -110,12 +116,20 @@ static FILE *receive_file(int from)
 
 static bool send_block(int to, const block *b)
 {
-    return send_all(to, &b->count, sizeof b->count) && send_all(to, b->brick, b->count * sizeof b->brick[0]);
+    const uint32_t counts[2] = {b->count, b->colours};
+    return send_all(to, counts, sizeof counts) && send_all(to, b->brick, b->count * sizeof b->brick[0]) &&
+           send_all(to, b->colour, b->colours * sizeof b->colour[0]);
 }
 
 static bool receive_block(int from, block *b)
 {
-    return receive_all(from, &b->count, sizeof b->count) && receive_all(from, b->brick, b->count * sizeof b->brick[0]);
+    uint32_t counts[2];
+    if (!receive_all(from, counts, sizeof counts))
+        return false;
+    b->count = counts[0];
+    b->colours = counts[1];
+    return receive_all(from, b->brick, b->count * sizeof b->brick[0]) &&
+           receive_all(from, b->colour, b->colours * sizeof b->colour[0]);
 }
 
 /*
@@ -136,8 +150,11 @@ static void say_failed(answer *a, const char *why) { snprintf(a->reason, sizeof 
 static bool put_block(const vdb_part *part, void *tree, const block *b, char *why)
 {
     bool is_put = true;
-    for (uint32_t i = 0; i < b->count && is_put; i++)
-        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, why);
+    const float *colour = b->colour[0];
+    for (uint32_t i = 0; i < b->count && is_put; i++) {
+        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, colour, why);
+        colour += (size_t)3 * b->brick[i].cells;
+    }
     return is_put;
 }
 
@@ -263,16 +280,20 @@ bool vdb_process_open(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_s
     return hear(p, &a, reason);
 }
 
-bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], char *reason)
+bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], const float *colours, uint32_t cells,
+                     char *reason)
 {
     answer a;
     block *const b = &p->next;
     memcpy(b->brick[b->count].at, at, sizeof b->brick->at);
     memcpy(b->brick[b->count].bits, bits, sizeof b->brick->bits);
-    if (++b->count < BLOCK)
+    b->brick[b->count].cells = cells;
+    memcpy(b->colour[b->colours], colours, cells * sizeof b->colour[0]);
+    b->colours += cells;
+    if (++b->count < BLOCK && b->colours + BRICK_CELLS <= BLOCK_COLOURS)
         return true;
     const bool is_sent = send_block(p->socket, b);
-    b->count = 0;
+    b->count = b->colours = 0;
     return is_sent || hear(p, &a, reason);
 }
 
@@ -282,7 +303,7 @@ bool vdb_process_write(vdb_process *p, int *error, char *reason)
     block *const b = &p->next;
     if (b->count)
         send_block(p->socket, b); /* whether they arrive the answer says */
-    b->count = 0;
+    b->count = b->colours = 0;
     send_block(p->socket, b);
     const bool is_done = hear(p, &a, reason);
     *error = a.error;

@@ -20,6 +20,9 @@ typedef struct volume_frame {
     bool has_words; /* the words of tribox_voxelize, little-endian; else a byte for each cell, 1 where it is set */
 } volume_frame;
 
+/* What a format holds of the colours of cells. */
+typedef enum volume_colours { VOLUME_NO_COLOURS, VOLUME_ANY_COLOURS, VOLUME_PALETTE } volume_colours;
+
 typedef struct volume_format {
     const char *word;   /* "npy" */
     const char *ending; /* ".npy" */
@@ -38,6 +41,7 @@ typedef struct volume_format {
     /* A sparse format: writes bricks as they come. NULL for a dense one. brick_out.h writes all. */
     const struct brick_writer *bricks;
 
+    volume_colours colours;
     bool has_place; /* it says where the grid is, which is where the mesh was before it was shifted */
 } volume_format;
 

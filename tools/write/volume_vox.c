@@ -1,12 +1,13 @@
 /* volume_vox.c - MagicaVoxel's format, one model: https://github.com/ephtracy/voxel-model, MagicaVoxel-file-format-vox.txt */
 #include <stdlib.h>
 
+#include "colours/cell_colours.h"
 #include "console/message.h"
 #include "read/little.h"
 #include "volume.h"
 
 /* A colour is an index of the palette, where 1 is white by default. A chunk's header is its name and two lengths. */
-enum { VERSION = 150, SIDE_MAX = 256, COLOUR = 1, CHUNK_HEADER = 12 };
+enum { VERSION = 150, SIDE_MAX = 256, COLOUR = 1, CHUNK_HEADER = 12, SIZE_BYTES = 12, COLOURS = 256, PALETTE_BYTES = 4 * COLOURS };
 
 int volume_check_vox(const char *path, const tribox_grid *grid)
 {
@@ -32,22 +33,40 @@ static void start_chunk(FILE *to, const char *name, uint32_t bytes, uint32_t byt
     put(to, bytes_of_children);
 }
 
-static void write_row(FILE *to, const uint64_t *row, uint32_t cells, uint32_t j, uint32_t k)
+static unsigned char colour_of(const voxels *v, const uint32_t cell[3])
 {
-    for (uint32_t i = 0; i < cells; i++)
+    const cell_colours *const c = v->colours;
+    return (unsigned char)(c ? COLOUR + palette_find(&c->palette, cell_colours_at(c, cell)) : COLOUR);
+}
+
+static void write_row(FILE *to, const voxels *v, uint32_t j, uint32_t k)
+{
+    const uint64_t *const row = voxels_layer(v, k) + j * voxels_row_words(&v->grid);
+    for (uint32_t i = 0; i < v->grid.size[0]; i++)
         if (voxels_bit(row, i)) {
-            const unsigned char cell[4] = {(unsigned char)i, (unsigned char)j, (unsigned char)k, COLOUR};
+            const unsigned char colour = colour_of(v, (const uint32_t[3]){i, j, k});
+            const unsigned char cell[4] = {(unsigned char)i, (unsigned char)j, (unsigned char)k, colour};
             fwrite(cell, 1, sizeof cell, to);
         }
 }
 
+/* Colour n + 1 of a cell is number n here. */
+static void write_palette(FILE *to, const palette *p)
+{
+    start_chunk(to, "RGBA", PALETTE_BYTES, 0);
+    for (int n = 0; n < COLOURS; n++) {
+        const rgb colour = n < p->count ? p->of[n] : (rgb){{0, 0, 0}};
+        fwrite((const unsigned char[4]){colour.at[0], colour.at[1], colour.at[2], UINT8_MAX}, 1, 4, to);
+    }
+}
+
 void volume_write_vox(FILE *to, const voxels *v, progress *bar)
 {
-    enum { SIZE_BYTES = 12 };
     const uint32_t *n = v->grid.size, cells = (uint32_t)voxels_occupied(v), cell_bytes = 4 + 4 * cells;
+    const uint32_t palette_bytes = v->colours ? CHUNK_HEADER + PALETTE_BYTES : 0;
     fputs("VOX ", to);
     put(to, VERSION);
-    start_chunk(to, "MAIN", 0, CHUNK_HEADER + SIZE_BYTES + CHUNK_HEADER + cell_bytes);
+    start_chunk(to, "MAIN", 0, CHUNK_HEADER + SIZE_BYTES + CHUNK_HEADER + cell_bytes + palette_bytes);
     start_chunk(to, "SIZE", SIZE_BYTES, 0);
     for (int a = 0; a < 3; a++)
         put(to, n[a]);
@@ -55,7 +74,9 @@ void volume_write_vox(FILE *to, const voxels *v, progress *bar)
     put(to, cells);
     for (uint32_t k = 0; k < n[2] && !ferror(to); k++) {
         for (uint32_t j = 0; j < n[1]; j++)
-            write_row(to, voxels_layer(v, k) + j * voxels_row_words(&v->grid), n[0], j, k);
+            write_row(to, v, j, k);
         progress_tell(bar, (k + 1.0) / n[2]);
     }
+    if (v->colours)
+        write_palette(to, &v->colours->palette);
 }

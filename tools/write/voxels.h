@@ -17,6 +17,7 @@ typedef struct voxels {
     double shift[3];         /* what was subtracted from the mesh */
     const voxels_slab *slab; /* one after the other, without gaps */
     size_t slabs;
+    const struct cell_colours *colours; /* of all set cells; NULL: they have none */
 } voxels;
 
 /* The words of layer k: rows of voxels_row_words, one for each y. */

@@ -28,6 +28,9 @@ typedef struct obj_line {
 /* The next line that is neither empty nor a comment; false at the end. from: what follows the line before it. */
 bool obj_line_next(words *w, const char *from, obj_line *line);
 
+/* What follows the first word, without the blanks around it: a name, which may have blanks within. */
+const char *obj_line_rest(const obj_line *line, size_t *length);
+
 /* Numbers in the order of OBJ_NUMBERED: of all, and of those before a line, from which negative ones count. */
 typedef struct obj_numbers {
     uint64_t all[OBJ_NUMBERED], here[OBJ_NUMBERED];

@@ -1,7 +1,9 @@
 /* obj_lines.c - tells the lines of OBJ apart, as read_obj.c does: a backslash joins two, in upper case or lower case. */
 #include "obj_lines.h"
 
-#include "crop_text.h"
+#include <string.h>
+
+#include "text_lines.h"
 
 static const struct {
     const char *word;
@@ -48,7 +50,7 @@ bool obj_line_next(words *w, const char *from, obj_line *line)
 {
     if (!words_next(w))
         return false;
-    *line = (obj_line){.kind = OBJ_OTHER, .begin = crop_line_begin(from, w->word), .words = *w};
+    *line = (obj_line){.kind = OBJ_OTHER, .begin = text_line_begin(from, w->word), .words = *w};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (words_is(w, known[i].word)) {
             line->kind = known[i].kind;
@@ -56,8 +58,19 @@ bool obj_line_next(words *w, const char *from, obj_line *line)
             break;
         }
     words_skip_line(w);
-    line->end = crop_line_next(w->at, w->end);
+    line->end = text_line_next(w->at, w->end);
     return true;
+}
+
+const char *obj_line_rest(const obj_line *line, size_t *length)
+{
+    const char *begin = line->words.at, *end = line->end;
+    while (begin < end && strchr(" \t", *begin))
+        begin++;
+    while (end > begin && strchr(" \t\r\n", end[-1]))
+        end--;
+    *length = (size_t)(end - begin);
+    return begin;
 }
 
 obj_corners obj_corners_of(const obj_line *line) { return (obj_corners){.words = line->words, .which = OBJ_NUMBERED}; }

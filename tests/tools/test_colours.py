@@ -1,0 +1,441 @@
+"""The colours of cells: tribox voxelize --colours, from each way in which meshes have them into each file that holds them."""
+
+import functools
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import coloured
+import meshes
+import support
+import volumes
+
+SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+DEBIAN = "/usr/bin/python3"
+FOREIGN = os.path.join(HERE, "foreign.py")
+GRID = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "8,6,9")
+ABOUT = {"origin": [-2, -2.25, -2], "cell": [0.5, 0.75, 0.5], "size": [8, 6, 9]}
+
+
+def pick_colours(count, seed):
+    """Ends and neighbours of ends among them."""
+    pick = random.Random(seed)
+    return [tuple(pick.choice((0, 1, 254, 255, pick.randrange(256))) for _ in range(3)) for _ in range(count)]
+
+
+@functools.lru_cache
+def scene():
+    print("seed", SEED)
+    triangles = meshes.lattice_triangles(14, seed=SEED)
+    return triangles, coloured.lowest(triangles, ABOUT)
+
+
+class Colours(support.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.triangles, cls.lowest = scene()
+        cls.vertices = [v for triangle in cls.triangles for v in triangle]
+        cls.corners = [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(len(cls.triangles))]
+        cls.colours = pick_colours(len(cls.triangles), SEED)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def voxelize(self, mesh, name, *options):
+        out = self.path(name)
+        found = self.succeed("voxelize", mesh, *GRID, "--colours", "--json", "-o", out, *options)
+        return out, json.loads(found)
+
+    def cells(self, colours):
+        """What is right, of colours of triangles."""
+        return {cell: colours[number] for cell, number in self.lowest.items()}
+
+    def check(self, name, content, colours, whose):
+        mesh = self.write(name, content)
+        out, found = self.voxelize(mesh, "cells.vox")
+        self.assertEqual(coloured.read_vox(out), self.cells(colours), name)
+        self.assertEqual(found["colours"], whose, name)
+
+
+class Meshes(Colours):
+    def test_ply_faces(self):
+        for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+            for kind in coloured.TYPES:
+                content = coloured.ply(self.vertices, self.corners, face_colours=self.colours, kind=kind, form=form)
+                self.check("%s.%s.ply" % (form, kind), content, self.colours, "faces")
+
+    def test_ply_vertices(self):
+        own = pick_colours(len(self.vertices), SEED + 1)
+        means = [coloured.mean([own[n] for n in corners]) for corners in self.corners]
+        for form in ("ascii", "binary_little_endian"):
+            for first in (False, True):
+                content = coloured.ply(self.vertices, self.corners, own, form=form, faces_first=first)
+                self.check("vertices.ply", content, means, "vertices")
+        content = coloured.ply(self.vertices, self.corners, own, names=("diffuse_red", "diffuse_green", "diffuse_blue"))
+        self.check("diffuse.ply", content, means, "vertices")
+        content = coloured.ply(self.vertices, self.corners, own, self.colours, form="binary_little_endian")
+        self.check("both.ply", content, self.colours, "faces")
+
+    def test_ply_numbers_out_of_range(self):
+        """Of floats: what is beyond 0 and 1 is the end, NaN is 0; a half of a byte goes up."""
+        rows = [("nan", "-1", "inf"), ("2", "-0", "1e-9"), ("0.5", "0.0019", "0.00197"), ("-inf", "1", "0.999")]
+        expected = [(0, 0, 255), (255, 0, 0), (128, 0, 1), (0, 255, 255)]
+        content = coloured.ply(self.vertices, self.corners, face_colours=[(0, 0, 0)] * len(self.corners), kind="float").decode()
+        head, body = content.split("end_header\n")
+        lines = body.splitlines()
+        for n in range(len(self.corners)):
+            words = lines[len(self.vertices) + n].split()
+            lines[len(self.vertices) + n] = " ".join(words[:4] + list(rows[n % 4]) + words[7:])
+        self.check("range.ply", head + "end_header\n" + "\n".join(lines) + "\n",
+                   [expected[n % 4] for n in range(len(self.corners))], "faces")
+
+    def test_polygons(self):
+        """A polygon has one colour, also where its corners have some; lines and points have none."""
+        square = [(-1.9, y, z) for y, z in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        vertices, polygons = square + self.vertices, [(0, 1, 2, 3), (0, 1), (2,), *(tuple(n + 4 for n in c) for c in self.corners)]
+        triangles = [tuple(square[:3]), (square[0], square[2], square[3]), *self.triangles]
+        lowest = coloured.lowest([tuple(tuple(map(volumes.float_of, v)) for v in t) for t in triangles], ABOUT)
+        own = pick_colours(len(vertices), SEED + 2)
+        means = [coloured.mean([own[n] for n in polygon]) for polygon in polygons if len(polygon) > 2]
+        out, _ = self.voxelize(self.write("polygons.ply", coloured.ply(vertices, polygons, own)), "cells.vox")
+        self.assertEqual(coloured.read_vox(out), {cell: means[max(number - 1, 0)] for cell, number in lowest.items()})
+
+    def test_strips(self):
+        own = pick_colours(4, SEED)
+        square = [(-1.75, -1, -1), (-1.75, 1, -1), (-1.75, -1, 1), (-1.75, 1, 1)]
+        lines = "".join("%g %g %g %d %d %d\n" % (*v, *c) for v, c in zip(square, own))
+        content = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                   "property uchar green\nproperty uchar blue\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                   + lines + "8 0 1 2 3 -1 3 2 1\n")
+        triangles = [(0, 1, 2), (1, 2, 3), (3, 2, 1)]
+        out, _ = self.voxelize(self.write("strips.ply", content), "cells.vox")
+        lowest = coloured.lowest([tuple(square[n] for n in t) for t in triangles], ABOUT)
+        self.assertEqual(coloured.read_vox(out),
+                         {cell: coloured.mean([own[n] for n in triangles[t]]) for cell, t in lowest.items()})
+
+    def test_off(self):
+        def off(word, vertex, face):
+            lines = ["%.9g %.9g %.9g%s" % (*v, vertex(n)) for n, v in enumerate(self.vertices)]
+            lines += ["3 %d %d %d%s" % (*c, face(n)) for n, c in enumerate(self.corners)]
+            return "%s\n# a comment\n%d %d 0\n" % (word, len(self.vertices), len(self.corners)) + "\n".join(lines) + "\n"
+
+        own = pick_colours(len(self.vertices), SEED + 3)
+        means = [coloured.mean([own[n] for n in corners]) for corners in self.corners]
+        whole, share = " %d %d %d 255", " %.6f %.6f %.6f"
+        self.check("whole.off", off("OFF", lambda n: "", lambda n: whole % self.colours[n]), self.colours, "faces")
+        self.check("share.off", off("OFF", lambda n: "", lambda n: share % tuple(c / 255 for c in self.colours[n])), self.colours,
+                   "faces")
+        self.check("vertices.off", off("COFF", lambda n: whole % own[n], lambda n: ""), means, "vertices")
+        self.check("normals.off", off("CNOFF", lambda n: " 0 0 1" + share % tuple(c / 255 for c in own[n]), lambda n: ""), means,
+                   "vertices")
+        self.fail_with(1, "has no colours: ", "voxelize", self.write("none.off", off("OFF", lambda n: "", lambda n: "")), *GRID,
+                       "--colours", "-o", self.path("no.vox"))
+
+
+class Materials(Colours):
+    """Three materials in turn, the last of them with one number and a blank in its name."""
+
+    LIBRARY = ("# colours\r\nnewmtl red\r\nKa 0 1 0\r\nKd 1 0 0\r\nmap_Kd no.png\r\n\r\nnewmtl half\nKd 0.5 0.25 0.125\nnewmtl dark one\n"
+               "kd 0.2\nnewmtl red\nKd 0 0 1\nnewmtl spectral\nKd spectral file.rfl\n")
+    NAMES = {"red": (255, 0, 0), "half": (128, 64, 32), "dark one": (51, 51, 51)}
+
+    def obj(self, library="mtllib scene.mtl\n", names=tuple(NAMES), vertices=lambda n: ""):
+        lines = ["v %.9g %.9g %.9g%s" % (*v, vertices(n)) for n, v in enumerate(self.vertices)]
+        for n, corners in enumerate(self.corners):
+            if n % 2 == 0:
+                lines += ["g part%d" % n, "usemtl %s " % names[n // 2 % len(names)]]
+            lines.append("f " + " ".join("%d/1" % (c - len(self.vertices)) for c in corners))
+            lines.append("l 1 2")
+        return library + "vt 0 0\n" + "\n".join(lines) + "\n"
+
+    def expected(self, names):
+        return [self.NAMES.get(names[n // 2 % len(names)], coloured.GREY) for n in range(len(self.corners))]
+
+    def test_materials(self):
+        self.write("scene.mtl", self.LIBRARY)
+        self.check("scene.obj", self.obj(), self.expected(tuple(self.NAMES)), "materials")
+        self.write("two words.mtl", self.LIBRARY)
+        self.check("blank.obj", self.obj("mtllib two words.mtl\n"), self.expected(tuple(self.NAMES)), "materials")
+        self.write("first.mtl", "newmtl red\nKd 1 0 0\n")
+        self.check("several.obj", self.obj("mtllib first.mtl scene.mtl\n"), self.expected(tuple(self.NAMES)), "materials")
+        os.mkdir(self.path("sub"))
+        self.write("sub/deep.mtl", self.LIBRARY)
+        self.check("folder.obj", self.obj("mtllib sub\\deep.mtl\n"), self.expected(tuple(self.NAMES)), "materials")
+
+    def test_vertices(self):
+        """Colours of vertices go before materials, where all corners have one."""
+        self.write("scene.mtl", self.LIBRARY)
+        own = pick_colours(len(self.vertices), SEED + 4)
+        means = [coloured.mean([own[n] for n in corners]) for corners in self.corners]
+        self.check("vertices.obj", self.obj(vertices=lambda n: " %.6f %.6f %.6f" % tuple(c / 255 for c in own[n])), means,
+                   "vertices")
+        some = lambda n: " %.6f %.6f %.6f" % tuple(c / 255 for c in own[n]) if n % 9 else ""
+        mixed = [means[n] if all(c % 9 for c in corners) else self.expected(tuple(self.NAMES))[n]
+                 for n, corners in enumerate(self.corners)]
+        mesh = self.write("some.obj", self.obj(vertices=some))
+        self.assertEqual(coloured.read_vox(self.voxelize(mesh, "cells.vox")[0]), self.cells(mixed))
+
+    def grey(self, name, content, pattern, names):
+        mesh, out = self.write(name, content), self.path("grey.vox")
+        self.succeed_with_note(pattern, "voxelize", mesh, *GRID, "--colours", "-q", "-o", out)
+        self.assertEqual(coloured.read_vox(out), self.cells(self.expected(names)))
+
+    def test_missing(self):
+        self.write("scene.mtl", self.LIBRARY)
+        names = ("red", "half", "absent", "red", "half", "half", "half")
+        self.grey("absent.obj", self.obj(names=names),
+                  "warning: .*absent.obj: material 'absent' is in none of its .mtl files: its faces are grey", names)
+        names = ("red", "half", "spectral", "red", "half", "half", "half")
+        self.grey("spectral.obj", self.obj(names=names), "material 'spectral' has no Kd that is a colour: its faces are grey",
+                  names)
+        names = tuple(self.NAMES)
+        self.grey("lost.obj", self.obj("mtllib lost.mtl\nmtllib scene.mtl\n"),
+                  "its materials '.*/lost.mtl' are no file that can be read", names)
+
+    def test_none(self):
+        result = support.run("voxelize", self.write("none.obj", self.obj("mtllib none.mtl\n")), *GRID, "--colours", "-o",
+                             self.path("no.vox"))
+        self.assertEqual(result.code, 1)
+        self.assertRegex(result.stderr,
+                         r"(?s)none.mtl' are no file.*material 'red' is in none.*in all 7 lines.*none.obj: has no colours: .*; leave out --colours\n\Z")
+        self.assertFalse(os.path.exists(self.path("no.vox")))
+
+
+class Example(support.TestCase):
+    def test_scene(self):
+        """The example's nine materials are the palette, each as it is written, and every one is seen."""
+        subprocess.run([sys.executable, "-B", os.path.join(HERE, "../../examples/colours/scene.py")], cwd=self.folder, check=True,
+                       timeout=60)
+        out = os.path.join(self.folder, "scene.vox")
+        self.succeed("voxelize", os.path.join(self.folder, "scene.obj"), "--resolution", "64", "--colours", "-q", "-o", out)
+        with open(os.path.join(self.folder, "scene.mtl")) as file:
+            kd = [[float(x) for x in line.split()[1:]] for line in file if line.startswith("Kd")]
+        self.assertEqual(set(coloured.read_vox(out).values()), {tuple(int(255 * x + 0.5) for x in colour) for colour in kd})
+        self.assertEqual(len(kd), 9)
+
+
+class Files(Colours):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        self.expected = self.cells(self.colours)
+
+    def test_meshes(self):
+        """Every face of a cell has the colour of its cell, and there are no others."""
+        for ending, read in coloured.READERS.items():
+            out, _ = self.voxelize(self.mesh, "cells" + ending)
+            self.assertEqual(coloured.faces_of(read(out), ABOUT), coloured.faces_expected(self.expected), ending)
+
+    def test_merged(self):
+        """Where all have one colour, there are as many triangles as without colours; else there is no more than a square for a face."""
+        counts = []
+        for colours in ([(9, 8, 7)] * len(self.corners), self.colours):
+            mesh = self.write("one.ply", coloured.ply(self.vertices, self.corners, face_colours=colours))
+            counts.append(len(list(coloured.read_ply(self.voxelize(mesh, "one_cells.ply")[0]))))
+        self.succeed("voxelize", self.mesh, *GRID, "-q", "-o", self.path("plain.ply"))
+        head = volumes.read(self.path("plain.ply")).split(b"end_header")[0].decode()
+        self.assertIn("element face %d\n" % counts[0], head)
+        self.assertGreater(counts[1], counts[0])
+
+    def foreign(self, program, *paths):
+        if not os.path.exists(DEBIAN):
+            self.skipTest("no Python of Debian's")
+        done = subprocess.run([DEBIAN, "-B", FOREIGN, program, *paths], capture_output=True, timeout=120)
+        self.assertEqual((done.returncode, done.stderr.decode()), (0, ""))
+        found = json.loads(done.stdout)
+        if isinstance(found, str):
+            self.skipTest(found)
+        return found
+
+    def test_numpy(self):
+        for options in ((), ("--deflate",)):
+            (found,) = self.foreign("numpy_colours", self.voxelize(self.mesh, "cells.npz", *options)[0])
+            self.assertEqual({tuple(cell): tuple(colour) for cell, colour in found}, self.expected)
+
+    def test_openvdb(self):
+        support.skip_without_openvdb(self)
+        (found,) = self.foreign("openvdb_colours", self.voxelize(self.mesh, "cells.vdb")[0])
+        self.assertEqual({tuple(cell) for cell in found["cells"]}, set(self.expected))
+        self.assertEqual({tuple(cell) for cell, _ in found["colours"]}, set(self.expected))
+        for cell, colour in found["colours"]:
+            for light, byte in zip(colour, self.expected[tuple(cell)]):
+                self.assertAlmostEqual(light, coloured.linear(byte), places=6)
+        self.assertEqual(found["middle"], [o + c / 2 for o, c in zip(ABOUT["origin"], ABOUT["cell"])])
+
+    def test_vtk(self):
+        """What ParaView has: a colour for each face."""
+        (found,) = self.foreign("vtk_colours", self.voxelize(self.mesh, "cells.ply")[0])
+        self.assertEqual(coloured.faces_of(found, ABOUT), coloured.faces_expected(self.expected))
+
+    def three(self):
+        """The folder of three.js: one that is given, or what npm installs of the version that the page has."""
+        if os.environ.get("TRIBOX_THREE"):
+            return os.environ["TRIBOX_THREE"]
+        with open(os.path.join(HERE, "../../examples/web/package.json")) as file:
+            version = json.load(file)["dependencies"]["three"]
+        if not shutil.which("npm"):
+            self.skipTest("no npm")
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        try:
+            done = subprocess.run(["npm", "install", "--loglevel=error", "--no-audit", "--no-fund", "--prefer-offline",
+                                   "three@" + version],
+                                  cwd=folder.name, capture_output=True, timeout=100)
+        except subprocess.TimeoutExpired:
+            self.skipTest("npm installs no three.js in time")
+        if done.returncode:
+            self.skipTest("npm cannot install three.js")
+        return os.path.join(folder.name, "node_modules/three")
+
+    def test_three(self):
+        paths = [self.voxelize(self.mesh, "cells" + ending)[0] for ending in coloured.READERS]
+        done = subprocess.run(["node", os.path.join(HERE, "three.mjs"), self.three(), *paths], capture_output=True, timeout=100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        expected = coloured.faces_expected(self.expected)
+        for path, found in zip(paths, json.loads(done.stdout)):
+            triangles = zip(*(iter(zip(found["corners"], found["colours"])),) * 3)
+            faces = coloured.faces_of([([corner for corner, _ in t], t[0][1]) for t in triangles], ABOUT)
+            self.assertTrue(found["isShown"], path)
+            self.assertEqual(set(faces), set(expected), path)
+            for face, (light,) in faces.items():
+                (colour,) = expected[face]
+                for x, byte in zip(light, colour):
+                    self.assertAlmostEqual(x, coloured.linear(byte), delta={".obj": 2e-4, ".ply": 4e-3, ".glb": 2e-5}[path[-4:]])
+
+    def test_preview(self):
+        """Cells of one colour, lit: pixels have its hue, those of the ground do not."""
+        mesh = self.write("blue.ply", coloured.ply(self.vertices, self.corners, face_colours=[(0, 0, 255)] * len(self.corners)))
+        self.voxelize(mesh, "cells.vox", "--preview", self.path("blue.png"), "--picture-size", "160x120")
+        _, _, rows = volumes.read_png(self.path("blue.png"))
+        pixels = [row[x:x + 3] for row in rows for x in range(0, len(row), 3)]
+        blue = sum(p[2] > 2 * p[0] + 30 and p[2] > 2 * p[1] + 30 for p in pixels)
+        self.assertGreater(blue, len(pixels) // 8)
+        self.assertLess(blue, len(pixels) // 2)
+
+
+class Palette(Colours):
+    def check_palette(self, count):
+        """A row of points with a colour each, spread over the cube of colours."""
+        pick = random.Random(SEED)
+        colours = [rgb_of(n) for n in pick.sample(range(1 << 24), count)]
+        points = [(n % 200 + 0.5, n // 200 + 0.5, 0.5) for n in range(count)]
+        content = coloured.ply([p for p in points], [(n, n, n) for n in range(count)], face_colours=colours,
+                               form="binary_little_endian")
+        mesh, out = self.write("points.ply", content), self.path("points.vox")
+        arguments = ("voxelize", mesh, "--cell", "1", "--origin", "0,0,0", "--size", "200,%d,1" % (count // 200 + 1), "--colours",
+                     "-q", "-o", out)
+        if count <= 255:
+            self.succeed(*arguments)
+        else:
+            self.succeed_with_note(r"note: .* has the 255 colours of its palette for more", *arguments)
+        found = coloured.read_vox(out)
+        self.assertEqual(set(found), {(n % 200, n // 200, 0) for n in range(count)})
+        return [(found[n % 200, n // 200, 0], colour) for n, colour in enumerate(colours)]
+
+    def test_as_they_are(self):
+        for count in (1, 2, 254, 255):
+            for found, colour in self.check_palette(count):
+                self.assertEqual(found, colour)
+
+    def test_more(self):
+        """All colours of the palette are means of what they stand for, and close to it."""
+        for count in (256, 257, 5000):
+            pairs = self.check_palette(count)
+            groups = {}
+            for found, colour in pairs:
+                groups.setdefault(found, []).append(colour)
+            self.assertGreaterEqual(len(groups), 250)
+            for found, colours in groups.items():
+                self.assertEqual(found, coloured.mean(colours))
+            far = sum(sum((a - b) ** 2 for a, b in zip(found, colour)) for found, colour in pairs) / len(pairs)
+            self.assertLess(far ** 0.5, 40, count)
+
+
+def rgb_of(number):
+    return number >> 16, number >> 8 & 255, number & 255
+
+
+class Ways(Colours):
+    def test_threads(self):
+        """The same bytes by any number of threads, over many tiles; of doubles too."""
+        triangles = meshes.lattice_triangles(300, seed=SEED)
+        vertices = [v for t in triangles for v in t]
+        corners = [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(len(triangles))]
+        content = coloured.ply(vertices, corners, face_colours=pick_colours(300, SEED))
+        for name, text in (("floats", content),
+                           ("doubles",
+                            content.replace(b"0.125", b"0.12500000001").replace(b"property float x", b"property double x"))):
+            mesh = self.write(name + ".ply", text)
+            for word in ("npz", "ply", "glb"):
+                written = set()
+                for threads in ("1", "2", "7"):
+                    out = self.path("%s.%s" % (threads, word))
+                    self.succeed("voxelize", mesh, "--cell", "0.0154,0.2,0.2", "--origin=-2,-2,-2", "--size", "260,20,20",
+                                 "--colours", "-q", "-t",
+                                 threads, "-o", out)
+                    written.add(volumes.read(out))
+                self.assertEqual(len(written), 1, (name, word))
+
+    def test_cells_are_the_same(self):
+        """Colours change no cell, and what has none is written as before."""
+        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        _, found = self.voxelize(mesh, "cells.vox")
+        plain = json.loads(self.succeed("voxelize", mesh, *GRID, "--json", "-o", self.path("cells.npy")))
+        self.assertEqual(found["occupied"], plain["occupied"])
+        self.assertNotIn("colours", plain)
+        self.assertEqual(volumes.read_npy(self.path("cells.npy"))[1], set(self.lowest))
+
+    def test_no_cell(self):
+        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        for ending in (".vox", ".npz", ".ply", ".obj", ".glb"):
+            self.succeed("voxelize", mesh, "--cell", "1", "--origin", "50,50,50", "--size", "3,4,5", "--colours", "-q", "-o",
+                         self.path("no" + ending))
+        self.assertEqual(coloured.read_vox(self.path("no.vox")), {})
+
+    def test_shift(self):
+        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        self.succeed("voxelize", mesh, "--shift", "1,2,3", "--cell", "0.5,0.75,0.5", "--origin=-3,-4.25,-5", "--size", "8,6,9",
+                     "--colours", "-q",
+                     "-o", self.path("cells.ply"))
+        self.assertEqual(coloured.faces_of(coloured.read_ply(self.path("cells.ply")), ABOUT),
+                         coloured.faces_expected(self.cells(self.colours)))
+
+
+class Refusals(Colours):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+
+    def refuse(self, code, pattern, *options, mesh=None, out=("-o", "no.vox")):
+        grid = () if mesh and os.path.isdir(mesh) else GRID
+        self.fail_with(code, pattern, "voxelize", mesh or self.mesh, *grid, "--colours", *out, *options, cwd=self.folder)
+
+    def test_options(self):
+        self.refuse(2, "--fill", "--fill", "outside")
+        self.refuse(2, "--count only prints: leave out --colours", out=("--count",))
+        self.refuse(2, "--colours needs all cells at once: leave out --shard", "--shard", "1/2", out=("-o", "no.part"))
+        for ending in ("npy", "vti", "nrrd", "binvox", "raw"):
+            self.refuse(2, r"--colours: \.%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz" % ending,
+                        out=("-o", "no." + ending))
+        self.succeed("partition", self.mesh, *GRID, "-q", "-o", self.path("tiles"))
+        self.refuse(2, "is a partition, which lacks the colours", mesh=self.path("tiles"))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["mesh.ply", "tiles"])
+
+    def test_meshes_without(self):
+        for name, write in meshes.FORMATS.items():
+            mesh = self.write(name, write(self.triangles))
+            self.refuse(1, "(has no colours|no colours of its format are read): .*; leave out --colours", mesh=mesh)
+        half = coloured.ply(self.vertices, self.corners, face_colours=self.colours, names=("red", "green", "alpha"))
+        self.refuse(1, "has no colours", mesh=self.write("half.ply", half))
+        self.refuse(1, "no colours of its format are read", "--format", "f32",
+                    mesh=self.write("raw.bin", meshes.pack_floats(self.triangles)))
+        self.assertFalse([name for name in os.listdir(self.folder) if name.startswith(("no.", "."))])
+
+
+if __name__ == "__main__":
+    support.main()
