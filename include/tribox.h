@@ -648,6 +648,26 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
 /**
+ * Lists which triangles overlap which cell of a window, in two passes as tribox_tile_lists does with tiles of one cell: all that
+ * an id of tribox_voxelize_ids is the lowest of. A grid beyond memory is listed window by window, from the triangles of each.
+ *
+ * soup, grid, options: as for tribox_tile_lists.
+ * window: NULL for the whole grid.
+ * starts: one for each cell of the window, and one more: cell (i, j, k) has the triangles from starts[c] to before starts[c + 1] of
+ *   the list, where c = (k * size[1] + j) * size[0] + i. Otherwise as for tribox_tile_lists.
+ *
+ * With EXACT the cells that have triangles are those that tribox_voxelize sets, and a window has the lists of the whole.
+ *
+ * Returns what tribox_tile_lists does; TRIBOX_BAD_ARGUMENT also where the window is not within the grid.
+ */
+TRIBOX_API tribox_status tribox_cell_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
+                                           const tribox_options *options, size_t *starts, uint32_t *list);
+
+/** tribox_cell_lists for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+TRIBOX_API tribox_status tribox_mesh_cell_lists(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
+                                                const tribox_options *options, size_t *starts, uint32_t *list);
+
+/**
  * Takes bricks, 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
  * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. take returns 0 to go on; anything else ends the call. It runs in the
  * caller's floating-point environment, may call the library, and must return.

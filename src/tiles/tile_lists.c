@@ -34,7 +34,7 @@ static void list_by_float(tribox_tiles_call *l, const tribox_tile_lattice *latti
     for (size_t at = l->from, some; at < l->to; at += some) {
         const size_t left = l->to - at;
         some = left < TRIBOX_TILES_BLOCK ? left : TRIBOX_TILES_BLOCK;
-        const tribox_soup soup = tribox_triangles_stream(l->triangles, l->plan.kernel, l->planes.origin, at, some, &room);
+        const tribox_soup soup = tribox_triangles_stream(l->triangles, l->plan.kernel, l->first_plane, at, some, &room);
         l->plan.kernel->cells->find_tiles(&soup, lattice, &found);
         put_found(l, at, some, &found);
     }
@@ -66,7 +66,7 @@ static bool make_lattice(const tribox_tiles_call *l, tribox_tile_lattice *f)
     const tribox_tiling *const t = &l->tiling;
     bool fits = l->plan.axes & TRIBOX_AXES_BOX && t->tiles <= INT32_MAX;
     for (int a = 0; a < 3; a++) {
-        const double per_tile = 1 / l->planes.cell[a] / t->side, first = l->planes.origin[a];
+        const double per_tile = 1 / l->planes.cell[a] / t->side, first = l->first_plane[a];
         f->origin[a] = l->triangles->are_doubles ? 0 : (float)first;
         const double off = l->triangles->are_doubles ? 0 : (f->origin[a] - first) * per_tile;
         f->per_tile[a] = (float)per_tile;
@@ -91,39 +91,56 @@ static void list_triangles(tribox_tiles_call *l)
         list_by_planes(l);
 }
 
-static tribox_status check_lists(tribox_tiles_call *l, const tribox_grid *grid, const tribox_tiles *tiles)
+static tribox_status check_lists(tribox_tiles_call *l, const tribox_grid *grid, const tribox_window *window,
+                                 const tribox_tiles *tiles)
 {
     const tribox_triangles *const t = l->triangles;
     if (!tribox_grid_is_sound(grid))
         return TRIBOX_BAD_GRID;
-    if (!tribox_tiling_make(grid->size, tiles, &l->tiling))
+    if (!tribox_grid_has_window(grid, window) || !tribox_tiling_make(window->size, tiles, &l->tiling))
         return TRIBOX_BAD_ARGUMENT;
     return t->is_soup || tribox_mesh_is_in_range(&t->mesh, l->plan.kernel, l->from, l->to - l->from) ? TRIBOX_OK
                                                                                                      : TRIBOX_BAD_VERTEX;
 }
 
+static void make_planes(tribox_tiles_call *l, const tribox_grid *grid, const tribox_window *window)
+{
+    l->planes = tribox_planes_of(grid, window->first);
+    for (int a = 0; a < 3; a++)
+        l->first_plane[a] = tribox_tile_plane(l, a, 0);
+}
+
 /* FAST does without error bounds, which cost little here. */
-static tribox_status list_part(const tribox_triangles *triangles, size_t first, size_t count, const tribox_grid *grid,
-                               const tribox_tiles *tiles, const tribox_options *options, size_t *places, uint32_t *list)
+static tribox_status list_in_window(const tribox_triangles *triangles, size_t first, size_t count, const tribox_grid *grid,
+                                    const tribox_window *window, const tribox_tiles *tiles, const tribox_options *options,
+                                    size_t *places, uint32_t *list)
 {
     tribox_tiles_call l = {.triangles = triangles, .from = first, .to = first + count, .places = places, .list = list};
-    if (!grid || !tiles || !places || !tribox_has_numbers(triangles->count) || first > triangles->count ||
-        count > triangles->count - first)
+    if (!places || !tribox_has_numbers(triangles->count) || first > triangles->count || count > triangles->count - first)
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(options, &l.plan);
     if (status)
         return status;
     l.plan.accuracy = l.plan.accuracy == TRIBOX_FAST ? TRIBOX_CONSERVATIVE : l.plan.accuracy;
     const tribox_environment callers = tribox_environment_enter();
-    status = check_lists(&l, grid, tiles);
+    status = check_lists(&l, grid, window, tiles);
     if (!status) {
-        l.planes = tribox_planes_of(grid, NULL);
+        make_planes(&l, grid, window);
         if (!list)
             memset(places, 0, tiles->count * sizeof *places);
         list_triangles(&l);
     }
     tribox_environment_leave(callers);
     return status;
+}
+
+static tribox_status list_part(const tribox_triangles *triangles, size_t first, size_t count, const tribox_grid *grid,
+                               const tribox_tiles *tiles, const tribox_options *options, size_t *places, uint32_t *list)
+{
+    if (!grid || !tiles)
+        return TRIBOX_BAD_ARGUMENT;
+    const tribox_window whole = tribox_whole_window(grid);
+    return list_in_window(triangles, first, count, grid, &whole, tiles, options, places, list);
 }
 
 /* Each list is counted in the number after its own; their sums are where lists begin. */
@@ -141,12 +158,14 @@ static void put_back(size_t *starts, size_t tiles)
     starts[0] = 0;
 }
 
-static tribox_status list_whole(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_tiles *tiles,
-                                const tribox_options *options, size_t *starts, uint32_t *list)
+tribox_status tribox_tiles_list(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                                const tribox_tiles *tiles, const tribox_options *options, size_t *starts, uint32_t *list)
 {
-    if (!starts)
+    if (!grid || !tiles || !starts)
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_status status = list_part(triangles, 0, triangles->count, grid, tiles, options, list ? starts : starts + 1, list);
+    const tribox_window whole = tribox_whole_window(grid);
+    const tribox_status status = list_in_window(triangles, 0, triangles->count, grid, window ? window : &whole, tiles, options,
+                                                list ? starts : starts + 1, list);
     if (!status && list)
         put_back(starts, tiles->count);
     else if (!status)
@@ -158,7 +177,7 @@ tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid
                                 const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_triangles triangles;
-    return tribox_triangles_of_soup(soup, &triangles) ? list_whole(&triangles, grid, tiles, options, starts, list)
+    return tribox_triangles_of_soup(soup, &triangles) ? tribox_tiles_list(&triangles, grid, NULL, tiles, options, starts, list)
                                                       : TRIBOX_BAD_ARGUMENT;
 }
 
@@ -166,7 +185,7 @@ tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const tribox_grid 
                                      const tribox_options *options, size_t *starts, uint32_t *list)
 {
     tribox_triangles triangles;
-    return tribox_triangles_of_mesh(mesh, &triangles) ? list_whole(&triangles, grid, tiles, options, starts, list)
+    return tribox_triangles_of_mesh(mesh, &triangles) ? tribox_tiles_list(&triangles, grid, NULL, tiles, options, starts, list)
                                                       : TRIBOX_BAD_ARGUMENT;
 }
 

@@ -22,13 +22,18 @@ typedef struct tribox_tiles_call {
     const tribox_triangles *triangles;
     size_t from, to; /* the triangles that are listed: from .. to - 1 */
     tribox_planes planes;
-    size_t *places; /* by tile of the share: how many were counted, or where the next goes */
-    uint32_t *list; /* NULL to count */
+    double first_plane[3]; /* where tile 0 begins */
+    size_t *places;        /* by tile of the share: how many were counted, or where the next goes */
+    uint32_t *list;        /* NULL to count */
 
     tribox_tile_box part[TRIBOX_SHARE_PARTS]; /* boxes that the share is made of */
     int parts;
     uint32_t triangle; /* the one at hand */
 } tribox_tiles_call;
+
+/* The tiles of a window as of a grid of its own; NULL for the whole. With a list, or to count: as tribox_tile_lists. */
+tribox_status tribox_tiles_list(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                                const tribox_tiles *tiles, const tribox_options *options, size_t *starts, uint32_t *list);
 
 /* Finds the boxes of the share. */
 void tribox_tiles_cut_share(tribox_tiles_call *l);
