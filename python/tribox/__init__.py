@@ -58,7 +58,14 @@ Where its cells need not fit into memory a grid comes as bricks of 8 x 8 x 8 cel
     >>> bricks.at.shape, bricks.bits.shape
     ((18532, 3), (18532, 8))
 
-Both have save() for files, and Bricks.load reads those of bricks, also many parts as one. For many machines partition() sorts a mesh by tiles of the grid into a folder, of which each task maps
+Which triangles are in which cell: lists, one after another, in the order of voxels.cells():
+
+    >>> lists = tribox.cell_lists(triangles, cell=0.1)
+    >>> lists.cells[40], lists.triangles[lists.start[40]:lists.start[41]]
+    (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
+    >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
+
+Voxels and Bricks have save() for files, and Bricks.load reads those of bricks, also many parts as one. For many machines partition() sorts a mesh by tiles of the grid into a folder, of which each task maps
 what it needs: see Partition, and examples/engines, which run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
@@ -73,6 +80,7 @@ All is typed; tribox.TrianglesLike is the type of what is taken for triangles.
 from ._around import grid_around
 from ._boxes import OrientedBox
 from ._bricks import Bricks, bricks
+from ._cells import CellLists, cell_lists
 from ._crop import Cropped, crop
 from ._errors import BadIndexError, Error, InputError, InputTypeError
 from ._fill import OpenMeshWarning
@@ -92,8 +100,8 @@ AXES_BOX, AXES_PLANE, AXES_EDGES = lib.TRIBOX_AXES_BOX, lib.TRIBOX_AXES_PLANE, l
 AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
-    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "Cropped", "Error", "Grid", "Index", "InputError",
-    "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Partition", "Soup", "Voxels", "bricks", "classify", "crop", "find",
-    "grid_around", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any", "overlap_boxes",
-    "overlap_oriented", "partition", "tile_count", "voxelize",
+    "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "CellLists", "Cropped", "Error", "Grid", "Index",
+    "InputError", "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Partition", "Soup", "Voxels", "bricks", "cell_lists",
+    "classify", "crop", "find", "grid_around", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any",
+    "overlap_boxes", "overlap_oriented", "partition", "tile_count", "voxelize",
 ]

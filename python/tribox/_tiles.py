@@ -46,7 +46,7 @@ class Tiling:
     def __init__(self, grid, side):
         self.grid, self.struct, self.side, self.size = grid, struct_of(grid), side, np.array(grid.size, np.int64)
         self.along = -(-self.size // side)
-        self.count = tile_count(grid.size, side)
+        self.count = int(lib.tribox_tile_count(grid.size, side))
 
     def windows(self, numbers):
         """(first, size) of tiles with these numbers: arrays of shape (n, 3)."""
@@ -89,8 +89,12 @@ class Listed:
 
     def of(self, place):
         """The triangles of a tile."""
+        return Mesh(by_number(self.held, self.ids(place)))
+
+    def ids(self, place):
+        """Their numbers, in rising order."""
         start, end = self.starts[place:place + 2].tolist()
-        return Mesh(by_number(self.held, self.list[start:end]))
+        return self.list[start:end]
 
 
 class Workshop(threading.local):

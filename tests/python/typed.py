@@ -33,6 +33,7 @@ for form in forms:
     around: tribox.Voxels = tribox.voxelize(form, resolution=np.int64(64), threads=2, layers=(0, 1))
     cubes = tribox.voxelize(form, cell=0.1) | tribox.voxelize(form, cell=(1, 2, np.float32(3)), window=((0, 0, 0), (1, 1, 1)))
     bricks: tribox.Bricks = tribox.bricks(form, resolution=4096, side=64, tiles=(0, 1))
+    by_cell: tribox.CellLists = tribox.cell_lists(form, resolution=np.int64(64), threads=None, accuracy="exact")
     parts: tribox.Partition = tribox.partition(form, "tiles", voxels.grid)
     copied: tribox.Mesh = tribox.Mesh(form)
 
@@ -40,6 +41,8 @@ cells: NDArray[np.bool_] = np.asarray(voxels)
 total: int = int(voxels.sum()) + len(voxels) + voxels.shape[0]
 points: NDArray[np.float64] = voxels.points()
 places: NDArray[np.int64] = bricks.cells()
+lowest: NDArray[np.uint32] = by_cell.triangles[by_cell.start[:-1]]
+middles: NDArray[np.float64] = by_cell.points()
 origin: Three = tribox.Grid(lo, 0.5, [1, 2, 3]).origin
 grid: tribox.Grid = tribox.grid_around(triangles, cell=0.5)
 voxels.save("voxels.npz")
@@ -78,4 +81,5 @@ tribox.Index(triangles, axis_order=3)  # wrong
 tribox.Mesh(object())  # wrong
 voxels.save(3)  # wrong
 index.list(lo, hi).nothing()  # wrong
+tribox.cell_lists(triangles, resolution=64, fill="outside")  # wrong
 tribox.kernel_names()  # wrong
