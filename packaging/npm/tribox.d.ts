@@ -68,6 +68,8 @@ export interface VoxelizeOptions extends Options {
     readonly window?: Window;
     /** Voxels of tribox.voxels(grid, window) to add to, in place of new ones: bits are only set, so soups accumulate. */
     readonly into?: Voxels;
+    /** Also says which triangle: see Voxels.ids. Not with `into`. */
+    readonly ids?: boolean;
 }
 
 export interface Overlap {
@@ -115,6 +117,8 @@ export interface Tribox {
     mask(length: number): Mask;
     /** The cells of a grid, or of a window of it, in the memory, all clear, for `into`. */
     voxels(grid: Grid, window?: Window): Voxels;
+    /** How many tiles of so many cells a side a grid of this size has. */
+    tileCount(size: Vector, side: number): number;
     /** The grid that voxelize lays around triangles with these bounds. */
     gridAround(box: Box, cells: Around): Grid;
 }
@@ -173,6 +177,8 @@ export interface Triangles extends Freeable {
     fillParity(voxels: Voxels): FilledByParity;
     /** Which triangles overlap which tile of a grid: with a side of 1, which cell. */
     tileLists(grid: Grid | Around, tiles: Tiles, options?: Options): TileLists;
+    /** All triangles of each cell that has any, of a grid or of a window of it; memory for each cell of the window. */
+    cellLists(grid: Grid | Around | Voxels, options?: CellListsOptions): CellLists;
     /**
      * voxelize for grids whose cells need not fit into the memory: hands each brick of 8 x 8 x 8 cells that is not empty to take,
      * by the number of its tile, then by z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 suits.
@@ -210,6 +216,8 @@ export interface Index extends Freeable {
     classify(box: Box, options?: ClassifyOptions): Classes;
     /** The triangles that overlap, in ascending order. With ids: their numbers in the mesh, if it was sorted. */
     list(box: Box | OrientedBox, options?: Options & { readonly ids?: boolean }): Uint32Array;
+    /** list() for box after box. */
+    lists(boxes: readonly (Box | OrientedBox)[], options?: Options & { readonly ids?: boolean }): Lists;
     /** Some triangle that overlaps; -1 if none does. */
     any(box: Box | OrientedBox, options?: Options): number;
     /** To be called after triangles first .. first + count - 1 have changed; all of them by default. */
@@ -258,6 +266,25 @@ export interface Tiles {
     readonly count?: number;
 }
 
+export interface CellListsOptions extends Options {
+    /** The cells that are asked for; by default the whole grid. */
+    readonly window?: Window;
+}
+
+export interface Lists {
+    /** The triangles of number n are list[starts[n]] to before list[starts[n + 1]]. */
+    readonly starts: Uint32Array;
+    readonly list: Uint32Array;
+}
+
+/** Cell n has one triangle or more, in ascending order. At 'exact' the cells are those of voxelize. */
+export interface CellLists extends Lists {
+    readonly grid: Grid;
+    readonly window: Window;
+    /** i, j, k of one cell after another, as Voxels.list() has them. */
+    readonly cells: Uint32Array;
+}
+
 export interface TileLists {
     readonly grid: Grid;
     /** The triangles of tile first + t are list[starts[t]] to before list[starts[t + 1]], in ascending order. */
@@ -302,6 +329,11 @@ export interface Voxels extends Freeable {
     readonly rowWords: number;
     /** Cell (i, j, k) is bit i % 32 of bits[(k * size[1] + j) * rowWords + (i >> 5)]. */
     readonly bits: Uint32Array;
+    /**
+     * For each cell, (i, j, k) at (k * size[1] + j) * size[0] + i, the lowest number of a triangle that overlaps it, or 2^32 - 1 where
+     * it is not set; null where voxelize was not asked for ids. Colours of cells are then one look-up. The caller's own.
+     */
+    readonly ids: Uint32Array | null;
     has(i: number, j: number, k: number): boolean;
     /** How many cells are set. */
     count(): number;

@@ -1,5 +1,6 @@
 // tribox.mjs - loads tribox.wasm, and makes soups, meshes, masks and voxels in its memory. Types and manual: tribox.d.ts.
-import { whole } from './parts/arguments.mjs';
+import { vector, whole } from './parts/arguments.mjs';
+import { countOf } from './parts/bricks.mjs';
 import { shown, TriboxError } from './parts/errors.mjs';
 import { gridAroundBox } from './parts/grid.mjs';
 import { Mask, maskWords } from './parts/mask.mjs';
@@ -46,6 +47,11 @@ class Tribox {
 
     voxels(grid, window) {
         return voxelsIn(this.#memory, grid, window);
+    }
+
+    tileCount(size, side) {
+        const cells = vector(size, 'size').map((number, a) => whole(number, `size[${a}]`, 0, COUNT_MAX));
+        return countOf({ size: cells }, whole(side, 'side', 1, COUNT_MAX, 'the cells along a side of a tile'));
     }
 
     gridAround(box, cells) {

@@ -279,3 +279,57 @@ test('bricks', () => eachGrid((question, { soup, grid, count, what }) => {
     expectWords(low.map((word, k) => word | high[k]), question.cells, what);
     eachMesh(question, count, {}, (mesh) => expectWords(wordsOfBricks(mesh, grid, { side: 64 }), question.meshCells, what));
 }));
+
+/** By a mesh's answers for the box of each cell. */
+function checkCells(triangles, grid, window, what) {
+    const voxels = triangles.voxelize(grid, { window, ids: true }), { size } = voxels, { cells, starts, list } =
+        triangles.cellLists(grid, { window });
+    expectWords(triangles.voxelize(grid, { window }).bits, Array.from(voxels.bits), what);
+    expectWords(cells, Array.from(voxels.list()), what);
+    assert.deepEqual([starts[0], starts.length, starts.at(-1)], [0, cells.length / 3 + 1, list.length], what);
+    const boxes = [];
+    const ids = new Uint32Array(size[0] * size[1] * size[2]).fill(2 ** 32 - 1);
+    for (let n = 0; n < cells.length / 3; n++) {
+        const [i, j, k] = cells.subarray(3 * n, 3 * n + 3);
+        boxes.push(voxels.box(i, j, k));
+        ids[(k * size[1] + j) * size[0] + i] = list[starts[n]];
+    }
+    expectWords(voxels.ids, Array.from(ids), what);
+    for (let n = 0; n < boxes.length; n += 1 + (boxes.length >> 6))
+        expectWords(list.slice(starts[n], starts[n + 1]), bitsIn(triangles.overlap(boxes[n]).mask), what);
+    return boxes;
+}
+
+test('which triangle is in which cell', () => eachGrid((question, { soup, grid, count, what }) => {
+    const window = { first: [5, 1, 2], size: [60, 7, 2] }, boxes = checkCells(soup, grid, undefined, what), index = soup.index();
+    const some = boxes.filter((_, n) => n % 50 === 0), lists = index.lists(some);
+    assert.equal(lists.starts.length, some.length + 1, what);
+    some.forEach((box, n) => expectWords(lists.list.slice(lists.starts[n], lists.starts[n + 1]), Array.from(index.list(box)), what));
+    index.free();
+    eachMesh(question, count, {}, (mesh) => checkCells(mesh, grid, window, what));
+}));
+
+test('tiles are counted', () => {
+    assert.equal(tribox.tileCount([100, 7, 33], 8), 13 * 5);
+    assert.equal(tribox.tileCount({ x: 128, y: 129, z: 1 }, 128), 2);
+    assert.equal(tribox.tileCount([2 ** 20, 2 ** 20, 2 ** 20], 8), 2 ** 51);
+    for (const [size, side] of [[[1, 2], 8], [[1, 2, -1], 8], [[1, 2, 3], 0], ['abc', 8], [[1, 2, 3], '8']])
+        assert.throws(() => tribox.tileCount(size, side), /^(TypeError|RangeError): si[dz]e/);
+});
+
+test('ids and lists say what they do not take', () => {
+    const soup = tribox.soup({ positions: new Float32Array(9) }), grid = { origin: [0, 0, 0], cell: 1, size: [4, 4, 4] };
+    const index = soup.index(), into = tribox.voxels(grid);
+    assert.throws(() => soup.voxelize(grid, { into, ids: true }), /^TypeError: options.ids and options.into/);
+    assert.equal(soup.voxelize(grid).ids, null);
+    assert.throws(() => soup.cellLists(grid, { window: { first: [2, 0, 0], size: [3, 1, 1] } }), /^RangeError: window/);
+    assert.throws(() => soup.cellLists(grid, { ids: true }), /^TypeError: options.ids is unknown/);
+    assert.deepEqual(Array.from(soup.cellLists(grid, { window: { first: [4, 4, 4], size: [0, 0, 0] } }).starts), [0]);
+    assert.throws(() => index.lists({ lo: [0, 0, 0], hi: [1, 1, 1] }), /^TypeError: boxes = /);
+    assert.throws(() => index.lists([{ lo: [0, 0, 0] }]), /^TypeError: box = /);
+    assert.deepEqual(Array.from(index.lists([]).starts), [0]);
+    soup.free();
+    assert.throws(() => soup.cellLists(grid), { name: 'TriboxError', message: 'this soup was freed' });
+    assert.throws(() => index.lists([{ lo: [0, 0, 0], hi: [1, 1, 1] }]), { name: 'TriboxError' });
+    into.free();
+});

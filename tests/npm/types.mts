@@ -1,6 +1,6 @@
 // types.mts - what TypeScript makes of the package: this compiles, and each line that is marked has its error.
 import { load, TriboxError } from 'tribox';
-import type { Box, Bricks, Classes, Filled, Grid, Index, Mask, Mesh, Options, OrientedBox, Soup, TileLists, Tribox, Voxels, Window } from 'tribox';
+import type { Box, Bricks, CellLists, Classes, Filled, Grid, Index, Lists, Mask, Mesh, Options, OrientedBox, Soup, TileLists, Tribox, Voxels, Window } from 'tribox';
 
 const tribox: Tribox = await load(new URL('./tribox.wasm', import.meta.url));
 const options: Options = { accuracy: 'conservative', axes: ['box', 'edges'], axisOrder: 312 };
@@ -26,6 +26,9 @@ const mesh: Mesh = tribox.mesh({ positions: new Float64Array(9), indices: null }
 const sorted: Mesh = tribox.mesh({ positions }, { sort: true });
 const lists: TileLists = sorted.tileLists(grid, { side: 1 }), set = new Map<string, Uint32Array>();
 const bricks: Bricks = mesh.bricks({ resolution: 64 }, { side: 128, first: 0, count: 1 }, (at, bits) => set.set(at.join(), bits));
+const byCell: CellLists = mesh.cellLists({ cell: 0.5 }, { accuracy: 'exact' }), many: Lists = mesh.index().lists([box, oriented], { ids: true });
+const lowest: Uint32Array | null = mesh.voxelize(grid, { ids: true }).ids;
+export const tiles: number = tribox.tileCount(grid.size, 8) + byCell.cells.length + many.list.length + (lowest?.length ?? 0);
 const filled: Filled = sorted.voxelize(grid).fillOutside(), odd: number = mesh.fillParity(filled.solid).oddRows;
 const answer: number = ask(soup) + lists.list[0]! + bricks.overlapping + odd + mesh.index().any(oriented) + mesh.count(oriented) + tribox.exports.malloc!(8);
 export const failure = answer > 0 ? new TriboxError('no', { cause: answer }) : null;
@@ -48,6 +51,8 @@ soup.bricks(grid, () => true);
 soup.overlap(box, { accuracy: 'Exact' });
 // @ts-expect-error there is no such option
 soup.overlap(box, { kernel: 'scalar' });
+// @ts-expect-error nor are there ids of boxes
+soup.overlap(box, { ids: true });
 // @ts-expect-error there is no such order
 soup.overlap(box, { axisOrder: 111 });
 // @ts-expect-error a mask is not writable as a whole

@@ -9,7 +9,7 @@ const SIZE_MAX = 2 ** 32 - 1;
 // What a call is about lies in a room of its own, as whatever takes bricks may make calls, too: grid, options, tiles, sink, report.
 const OPTIONS = GRID_BYTES, TILES = OPTIONS + OPTIONS_BYTES, SINK = TILES + 12, REPORT = SINK + 8, ROOM_BYTES = REPORT + 8;
 
-const countOf = ({ size }, side) => size.reduce((tiles, cells) => tiles * Math.ceil(cells / side), 1);
+export const countOf = ({ size }, side) => size.reduce((tiles, cells) => tiles * Math.ceil(cells / side), 1);
 
 /** The tiles of {side, first, count}: all of them by default. */
 function readTiles(grid, tiles, most) {

@@ -1,5 +1,6 @@
 // mesh_index.mjs - an index over a soup or a mesh, and what it is asked.
 import { axesBits, checkKeys, optionKeys, whole } from './arguments.mjs';
+import { shown } from './errors.mjs';
 import { maskWords } from './mask.mjs';
 import { placeIn, Questions } from './questions.mjs';
 
@@ -90,6 +91,18 @@ export class Index extends Questions {
         let list = listUpTo(LIST_ROOM);
         list = typeof list === 'number' ? listUpTo(list) : list;
         return original ? list.map((i) => original[i]) : list;
+    }
+
+    lists(boxes, options) {
+        if (!Array.isArray(boxes))
+            throw new TypeError(`boxes = ${shown(boxes)}: give an array of boxes, such as [{lo, hi}, {lo, hi}]`);
+        const lists = Array.from(boxes, (box) => this.list(box, options)), starts = new Uint32Array(lists.length + 1);
+        lists.forEach((list, n) => {
+            starts[n + 1] = starts[n] + list.length;
+        });
+        const list = new Uint32Array(starts[lists.length]);
+        lists.forEach((one, n) => list.set(one, starts[n]));
+        return { starts, list };
     }
 
     any(box, options) {

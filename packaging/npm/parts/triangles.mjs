@@ -4,7 +4,7 @@ import { bricks, tileLists } from './bricks.mjs';
 import { boundsOf } from './grid.mjs';
 import { Index } from './mesh_index.mjs';
 import { placeIn, Questions } from './questions.mjs';
-import { fillParity, voxelize } from './voxels.mjs';
+import { cellLists, fillParity, voxelize } from './voxels.mjs';
 
 const whats = ['hit', 'miss'];
 
@@ -47,6 +47,10 @@ export class Triangles extends Questions {
 
     tileLists(grid, tiles, options) {
         return tileLists(this.held, this, grid, tiles, options);
+    }
+
+    cellLists(grid, options) {
+        return cellLists(this.held, this, grid, options);
     }
 
     bricks(grid, tiles, take, options) {

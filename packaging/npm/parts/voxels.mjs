@@ -6,18 +6,21 @@ import { shown } from './errors.mjs';
 
 const rowWordsOf = (size) => 2 * Math.ceil(size[0] / 64);
 const wordsOf = (size) => rowWordsOf(size) * size[1] * size[2];
+const cellsOf = ({ size }) => size[0] * size[1] * size[2];
 const cellsIn = ({ size }) => `${size.join(' x ')} cells`;
 const isSame = (one, other, keys) => keys.every((key) => one[key].every((number, a) => number === other[key][a]));
 
 export class Voxels extends Words {
     #grid;
     #window;
+    #ids;
 
     /** own: the words, unless they lie at the address. */
-    constructor(memory, address, grid, window, own) {
+    constructor(memory, address, grid, window, own, ids = null) {
         super(memory, address, wordsOf(window.size), own, 'set of voxels');
         this.#grid = grid;
         this.#window = window;
+        this.#ids = ids;
     }
 
     get grid() {
@@ -38,6 +41,11 @@ export class Voxels extends Words {
 
     get bits() {
         return this.view;
+    }
+
+    get ids() {
+        void this.held;
+        return this.#ids;
     }
 
     #check(...at) {
@@ -97,18 +105,64 @@ export function placeFor(memory, triangles, numbers, asked) {
     return { grid, window: windowFor(grid, asked) };
 }
 
+function voxelizeWithIds(memory, triangles, { grid, window, options }) {
+    const words = wordsOf(window.size), cells = cellsOf(window);
+    return memory.borrow(4 * (words + cells), `the ids of ${cellsIn(window)}`, (address) => {
+        const ids = address + 4 * words;
+        memory.words(address, words).fill(0);
+        memory.words(ids, cells).fill(2 ** 32 - 1);
+        triangles.call(memory, 'voxelize_ids', 0, memory.grid(grid), memory.window(window), memory.options(options), address, ids, 0);
+        return new Voxels(memory, 0, grid, window, memory.words(address, words).slice(), memory.words(ids, cells).slice());
+    });
+}
+
+/** Of the cells that have triangles: where each is, and in the list where its triangles begin. */
+function joinCells({ size }, starts, list) {
+    const count = starts.reduce((cells, start, c) => cells + (c > 0 && start > starts[c - 1]), 0);
+    const cells = new Uint32Array(3 * count), begins = new Uint32Array(count + 1);
+    let found = 0;
+    for (let c = 0; c + 1 < starts.length; c++)
+        if (starts[c] < starts[c + 1]) {
+            const row = Math.floor(c / size[0]);
+            cells.set([c % size[0], row % size[1], Math.floor(row / size[1])], 3 * found);
+            begins[++found] = starts[c + 1];
+        }
+    return { cells, starts: begins, list };
+}
+
+export function cellLists(memory, triangles, numbers, options) {
+    checkKeys(options, [...optionKeys, 'window']);
+    void triangles.address;
+    const { grid, window } = placeFor(memory, triangles, numbers, options?.window), count = cellsOf(window);
+    checkGrid(memory, grid);
+    return memory.borrow(4 * (count + 1), `lists of ${cellsIn(window)}`, (starts) => {
+        const list = (to) => triangles.call(memory, 'cell_lists', memory.grid(grid), memory.window(window), memory.options(options),
+            starts, to);
+        list(0);
+        const places = memory.words(starts, count + 1)[count];
+        return memory.borrow(4 * places, `lists of ${places} triangles`, (to) => {
+            list(to);
+            return { grid, window, ...joinCells(window, memory.words(starts, count + 1), memory.words(to, places).slice()) };
+        });
+    });
+}
+
 export function voxelize(memory, triangles, numbers, options) {
-    checkKeys(options, [...optionKeys, 'into', 'window']);
+    checkKeys(options, [...optionKeys, 'into', 'window', 'ids']);
     void triangles.address;
     const { into } = options ?? {}, { grid, window } = placeFor(memory, triangles, numbers, options?.window);
     const work = (address) => triangles.call(memory, 'voxelize', memory.grid(grid), memory.window(window), memory.options(options),
         address, 0);
+    if (into !== undefined && options.ids)
+        throw new TypeError('options.ids and options.into exclude each other: ids are of new voxels');
     if (into !== undefined) {
         checkInto(into, grid, window);
         work(into.addressFor(memory, 'options.into'));
         return into;
     }
     checkGrid(memory, grid);
+    if (options?.ids)
+        return voxelizeWithIds(memory, triangles, { grid, window, options });
     const words = wordsOf(window.size);
     return memory.borrow(4 * words, `a grid of ${cellsIn(window)}`, (address) => {
         memory.words(address, words).fill(0);
