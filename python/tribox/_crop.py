@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from dataclasses import dataclass
+from typing import Any, Dict, Iterator, Optional
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,8 @@ from ._triangles import INDEX, by_number, held
 from ._typing import Accuracy, Region, TrianglesLike, Vector
 
 
-class Cropped(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Cropped:
     """Some triangles of a mesh: vertices, faces, face_numbers, vertex_numbers = tribox.crop(mesh, lo, hi).
 
     What the mesh has for each face or vertex is a look-up away: colors[face_numbers], normals[vertex_numbers].
@@ -28,6 +30,9 @@ class Cropped(NamedTuple):
     """Which triangles of the mesh they are."""
     vertex_numbers: NDArray[np.intp]
     """Which vertices of the mesh they are; for triangles without faces 3 * triangle + corner."""
+
+    def __iter__(self) -> Iterator[NDArray[Any]]:
+        return iter((self.vertices, self.faces, self.face_numbers, self.vertex_numbers))
 
 
 def crop(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, inside: bool = False, rest: bool = False,
@@ -46,7 +51,8 @@ def crop(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, i
     Nothing is cut or merged: a triangle across the border is in the part, with all three corners. A vertex that is in no face of the
     result is not in it. Other arguments and errors are as for overlap.
     """
-    held_, options = held(triangles), {"accuracy": accuracy, "axes": axes, "axis_order": axis_order, "kernel": kernel}
+    held_ = held(triangles)
+    options: Dict[str, Any] = {"accuracy": accuracy, "axes": axes, "axis_order": axis_order, "kernel": kernel}
     if isinstance(lo, OrientedBox):
         if inside or hi is not None:
             raise InputError("inside is for boxes from lo to hi, and hi for those alone; give an OrientedBox without them")

@@ -48,7 +48,14 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
     return avx512_float(_mm512_ternarylogic_epi32(avx512_bits(a), avx512_bits(sign), but_sign, 0xb4)); /* a ^ (sign & ~rest) */
 }
 TRIBOX_INLINE vnum v_either(vnum a, vnum b) { return avx512_float(_mm512_or_si512(avx512_bits(a), avx512_bits(b))); }
+#ifdef __GNUC__ /* without optimisation gcc has a macro of it, which makes a mask of -1 */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#endif
 TRIBOX_INLINE vnum v_nearest(vnum a) { return _mm512_roundscale_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+#ifdef __GNUC__
+#pragma GCC diagnostic pop
+#endif
 TRIBOX_INLINE vnum avx512_join(__m256 low, __m256 high)
 {
     return _mm512_castpd_ps(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_castps_pd(low)), _mm256_castps_pd(high), 1));

@@ -24,5 +24,5 @@ awk '/^\.Sh/ { inside = 0 } /^\.Sh EXAMPLES/ { inside = 1 } /^\.Ed/ { literal = 
 $CC $SANITIZER -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$source/include" "$work/example.c" -o "$work/example" \
     -L"$libdir_built" -ltribox -lm -Wl,-rpath,"$libdir_built"
 "$work/example" >"$work/printed"
-printf '1 of 2 triangles overlap\ntriangle 0: overlaps\ntriangle 1: misses\n' | diff - "$work/printed" ||
+echo '1 of 2 triangles overlap' | diff - "$work/printed" ||
     die "the example of tribox(3) prints something else"

@@ -58,7 +58,7 @@ class Crop(cases.TestCase):
         part = tribox.crop((self.vertices, self.faces), LO, HI)
         np.testing.assert_array_equal(part.vertices[part.faces], self.triangles[colors[part.face_numbers]])
         np.testing.assert_array_equal(normals[part.vertex_numbers][part.faces], normals[self.faces[part.face_numbers]])
-        again = tribox.crop(part[:2], LO, HI)
+        again = tribox.crop((part.vertices, part.faces), LO, HI)
         self.assert_same(again.face_numbers, np.arange(len(part.faces)))
         self.assert_same(again.vertices, part.vertices)
         self.assert_same(again.faces, part.faces)

@@ -134,7 +134,7 @@ class Site(unittest.TestCase):
         faults = {
             "no such page": (bench, lambda text: text.replace('href="scale.html"', 'href="scales.html"', 1).replace(
                 'href="order/order.html"', 'href="order/orders.html"', 1), "does not exist"),
-            "no such place": ("index.html", lambda text: text.replace('id="voxels"', 'id="voxel"'), "names no place"),
+            "no such place": (bench, lambda text: text.replace('id="recorded-figures"', 'id="recorded"'), "names no place"),
             "no such picture": (bench, lambda text: text.replace('trade.svg"', 'traded.svg"'), "does not exist"),
             "twice": (bench, lambda text: text.replace("</main>", '<p id="contestants"></p></main>'), "twice"),
             "no bar": (bench, lambda text: text.replace('class="bar"', ""), "no bar"),
