@@ -20,7 +20,16 @@ typedef struct tribox_crossing_handlers {
     void (*add_doubtful)(tribox_crossings *c, double u[3][3]); /* all: whether it has an area or is finite is in doubt */
 } tribox_crossing_handlers;
 
-/* The rows that crossings are written to. */
+/* Where the cells that hold a crossing are set, for which x, y and z stand for axes `along` and those after it, cyclically. */
+typedef struct tribox_crossed_cells {
+    uint64_t *occupied; /* NULL: crossings turn bits */
+    size_t row_words;
+    uint32_t size[3]; /* of the cells as they are */
+    int along;
+    size_t set; /* cells that were clear before */
+} tribox_crossed_cells;
+
+/* The rows that crossings are written to, or their cells. */
 struct tribox_crossings {
     const tribox_crossing_handlers *handlers;
     const tribox_kernel *kernel;
@@ -28,6 +37,7 @@ struct tribox_crossings {
     tribox_rows rows;
     uint64_t *solid;  /* in the first cell whose middle lies past a crossing, the bit is turned; */
     uint64_t *beyond; /* if there is none, the bit of the row */
+    tribox_crossed_cells cells;
     tribox_turns turns;
 };
 
@@ -52,22 +62,46 @@ void tribox_crossings_row(tribox_crossings *c, double u[3][3], int64_t j, int64_
 /* Those two. */
 extern const tribox_crossing_handlers tribox_exact_crossings;
 
-/* Turns what is listed. */
+/* Turns what is listed, or sets it. */
 static inline void tribox_crossings_finish(tribox_crossings *c)
 {
     tribox_turns *const turns = &c->turns;
+    const uint64_t kept = c->cells.occupied ? ~UINT64_C(0) : 0;
     for (unsigned n = 0; n < TRIBOX_TURNS_AHEAD; n++)
         turns->word[turns->count + n] = c->beyond;
     for (unsigned n = 0; n < turns->count; n++) {
+        const uint64_t word = *turns->word[n], bit = turns->bit[n];
         tribox_will_write(turns->word[n + TRIBOX_TURNS_AHEAD]);
-        *turns->word[n] ^= turns->bit[n];
+        c->cells.set += !(word & bit);
+        *turns->word[n] = (word ^ bit) | (bit & kept);
     }
     turns->count = 0;
+}
+
+/* Lists the cell that holds a crossing, if it is there. */
+static inline void tribox_crossings_set(tribox_crossings *c, int64_t j, int64_t k, int64_t cell)
+{
+    const tribox_crossed_cells *const cells = &c->cells;
+    tribox_turns *const turns = &c->turns;
+    size_t at[3];
+    if (cell < 0 || cell >= c->middles.size[0])
+        return;
+    at[cells->along] = (size_t)cell;
+    at[(cells->along + 1) % 3] = (size_t)j;
+    at[(cells->along + 2) % 3] = (size_t)k;
+    turns->word[turns->count] = cells->occupied + (at[2] * cells->size[1] + at[1]) * cells->row_words + at[0] / 64;
+    turns->bit[turns->count++] = UINT64_C(1) << at[0] % 64;
+    if (turns->count == TRIBOX_TURNS)
+        tribox_crossings_finish(c);
 }
 
 /* Lists the bit of a cell, 0 to size, of row (j, k): without a branch, as that cannot be foreseen. */
 static inline void tribox_crossings_turn(tribox_crossings *c, int64_t j, int64_t k, int64_t cell)
 {
+    if (c->cells.occupied) {
+        tribox_crossings_set(c, j, k, cell);
+        return;
+    }
     const size_t row = (size_t)k * c->middles.size[1] + (size_t)j;
     const bool is_within = cell < c->middles.size[0];
     const size_t bit = is_within ? (size_t)cell : row;

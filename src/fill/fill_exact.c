@@ -37,14 +37,32 @@ static int side_of_ray(double u[3][3], const double at[2])
     return side;
 }
 
-/* The first of the cells whose middle lies past the crossing, or the one after them: others lie wholly on either side of it. */
+/* The sign of n . (mark - u_0). */
+static int height_of_mark(const tribox_crossings *c, double u[3][3], const double at[2], int64_t cell)
+{
+    const double mark = tribox_mark(&c->middles, cell);
+    const bool is_lowest = c->middles.are_planes && cell < 0 && c->middles.planes.first[0] < 1;
+    double mirrored[3][3];
+    if (!is_lowest)
+        return tribox_exact_height(u, (double[3]){mark, at[0], at[1]});
+    /* The lowest plane of the grid is moved down, so that what lies in it is in the cell above. Seen in a mirror that is up. */
+    memcpy(mirrored, u, sizeof mirrored);
+    for (int j = 0; j < 3; j++)
+        mirrored[j][0] = -u[j][0];
+    return -tribox_exact_height(mirrored, (double[3]){-mark, at[0], at[1]});
+}
+
+/*
+ * The first of the cells whose mark lies past the crossing, or the one after them: others lie wholly on either side of it. But the
+ * upper plane of the cell before them may lie past it.
+ */
 static int64_t cell_past(const tribox_crossings *c, double u[3][3], const double at[2], int side)
 {
     const tribox_cells cells = cells_of_triangle(c, u, 0);
-    int64_t before = cells.first - 1, past = cells.last + 1;
+    int64_t before = cells.first - (c->middles.are_planes ? 2 : 1), past = cells.last + 1;
     while (past - before > 1) {
         const int64_t cell = before + (past - before) / 2;
-        const bool is_past = tribox_exact_height(u, (double[3]){tribox_middle(&c->middles, 0, cell), at[0], at[1]}) == side;
+        const bool is_past = height_of_mark(c, u, at, cell) == side;
         *(is_past ? &past : &before) = cell;
     }
     return past;

@@ -17,6 +17,13 @@ typedef struct tribox_middles {
     double origin[3], cell[3], per_cell[3], error[3];
     double off[3];   /* how far from the middle of cell i origin + (i + 1/2) cell can be, in double */
     bool has_places; /* errors are less than a quarter of a cell */
+
+    /*
+     * On x each cell has a mark, and crossings are told by the first mark past them: its middle, with place i + 1/2. Or its upper
+     * plane, where origin is half a cell more; then the lowest plane is the mark of cell -1.
+     */
+    bool are_planes;
+    double least; /* place, to which crossings before all marks are cut off: 0, or -1 */
 } tribox_middles;
 
 /* Of a window of a sound grid. Planes are off by half a spacing of doubles, as are their means. */
@@ -48,6 +55,21 @@ static inline double tribox_mean(double lo, double hi)
 static inline double tribox_middle(const tribox_middles *m, int a, int64_t cell)
 {
     return tribox_mean(tribox_plane_at(&m->planes, a, cell), tribox_plane_at(&m->planes, a, cell + 1));
+}
+
+/* Of whose cells the marks on x are their upper planes: farther off than middles they are not, so errors are the same. */
+static inline tribox_middles tribox_marks_of(const tribox_grid *grid, const tribox_window *window)
+{
+    tribox_middles m = tribox_middles_of(grid, window);
+    m.are_planes = true;
+    m.origin[0] += m.cell[0] / 2;
+    m.least = -1;
+    return m;
+}
+
+static inline double tribox_mark(const tribox_middles *m, int64_t cell)
+{
+    return m->are_planes ? tribox_plane_at(&m->planes, 0, cell + 1) : tribox_middle(m, 0, cell);
 }
 
 #endif

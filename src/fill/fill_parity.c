@@ -52,6 +52,7 @@ static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, co
     c->rows = tribox_rows_of(window->size);
     c->solid = solid;
     c->beyond = tribox_fill_row_bits(scratch, &c->rows);
+    c->cells = (tribox_crossed_cells){.occupied = NULL};
     c->turns.count = 0;
     memset(solid, 0, c->rows.count * c->rows.words * sizeof *solid);
 }

@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Cells on one axis, cells of a grid, and triangles. */
-enum { ORACLE_SIDE = 130, ORACLE_CELLS = 4096, ORACLE_TRIANGLES = 2000 };
+/* Cells on one axis or planes, cells of a grid, and triangles. */
+enum { ORACLE_SIDE = 131, ORACLE_CELLS = 4096, ORACLE_TRIANGLES = 2000 };
 
 /* The middles of cells, and triangles u[t][v][a]. */
 typedef struct crossing_case {

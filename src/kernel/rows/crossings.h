@@ -145,7 +145,7 @@ TRIBOX_INLINE lane_crossing cross_pairs(const tribox_middles *m, const lane_seen
     const vnum least = lane_min3(v_flip(side[0], s->area), v_flip(side[1], s->area), v_flip(side[2], s->area));
     const vnum x = v_add(s->x, crossing_past(s, side[0], side[2]));
     const vnum place = v_mul(v_sub(x, v_splat(m->origin[0])), v_splat(m->per_cell[0]));
-    const vnum inside = v_min(v_max(place, v_splat(0)), v_splat(m->size[0]));
+    const vnum inside = v_min(v_max(place, v_splat(m->least)), v_splat(m->size[0]));
     c.cell = whole_near(inside);
     const vmask is_told = v_gt(v_sub(half, s->place_error), v_abs(v_sub(inside, c.cell)));
     const vmask is_past = v_gt(least, s->error), is_beside = v_gt(v_sub(v_splat(0), s->error), least);
