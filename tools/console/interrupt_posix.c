@@ -3,6 +3,7 @@
 #include "interrupt.h"
 
 #include <errno.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -19,11 +20,29 @@ static const char *volatile watched[WATCHED_MOST];
 static char line[512];
 static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
 
+/* Any thread may hold signals off, and any other may get them: whoever counts itself first is seen by the other. */
+static atomic_int holding, cleaning, waiting; /* waiting: the signal that came meanwhile */
+
+/* Whether a thread holds signals off: then the last that does raises it again. */
+static bool is_put_off(int number)
+{
+    atomic_fetch_add(&cleaning, 1);
+    if (!atomic_load(&holding))
+        return false;
+    atomic_store(&waiting, number);
+    if (!atomic_load(&holding) && atomic_exchange(&waiting, 0)) /* the last has gone, and has not seen it */
+        return false;
+    atomic_fetch_sub(&cleaning, 1);
+    return true;
+}
+
 /* Nothing but what a handler may call. Signals often come twice, the second perhaps to another thread, which waits for the end. */
 static void clean(int number)
 {
     static atomic_flag is_cleaning = ATOMIC_FLAG_INIT;
     const int reason = errno;
+    if (is_put_off(number))
+        return;
     while (atomic_flag_test_and_set(&is_cleaning))
         pause();
     for (int i = WATCHED_MOST; i-- > 0;)
@@ -49,6 +68,7 @@ static void start(void)
         interrupt_advise("nothing was written; run it again");
     memset(&action, 0, sizeof action);
     action.sa_handler = clean;
+    action.sa_flags = SA_RESTART; /* of what it interrupts while it is put off */
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
         sigaddset(&action.sa_mask, ends[i]);
@@ -57,22 +77,27 @@ static void start(void)
             sigaction(ends[i], &action, NULL);
 }
 
-static void mask(int how)
+/* Returns with the signal raised that came meanwhile. */
+static void raise_waiting(void)
 {
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
-        sigaddset(&signals, ends[i]);
-    sigprocmask(how, &signals, NULL);
+    const int number = atomic_exchange(&waiting, 0);
+    if (number)
+        raise(number);
 }
 
 void interrupt_hold(void)
 {
     start();
-    mask(SIG_BLOCK);
+    atomic_fetch_add(&holding, 1);
+    while (atomic_load(&cleaning)) /* the process is about to end, or the other has seen this thread */
+        sched_yield();
 }
 
-void interrupt_release(void) { mask(SIG_UNBLOCK); }
+void interrupt_release(void)
+{
+    if (atomic_fetch_sub(&holding, 1) == 1)
+        raise_waiting();
+}
 
 void interrupt_leave(void)
 {
@@ -80,7 +105,7 @@ void interrupt_leave(void)
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
         if (!sigaction(ends[i], NULL, &action) && action.sa_handler == clean)
             signal(ends[i], SIG_DFL);
-    mask(SIG_UNBLOCK);
+    raise_waiting();
 }
 
 void interrupt_watch(const char *path)
