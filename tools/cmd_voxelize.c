@@ -27,8 +27,12 @@ static const char help[] =
     "grid is in the cells of both sides. MESH is as for 'tribox overlap'; FOLDER is what 'tribox\n"
     "partition' wrote, with its grid; several of one are one mesh. Sparse files may exceed memory.\n"
     "\n" GRID_HELP RESULT_HELP "      --count             write no file, only count cells and bricks\n"
+    "      --thin              a surface of about half the cells, closed across faces alone\n"
     "      --fill WORD         outside: also what is not reached from outside through free cells;\n"
-    "                          parity: also what rays along x enter, for which MESH is needed\n"
+    "                          parity: also what rays along x enter, for which MESH is needed;\n"
+    "                          middles: by parity the cells whose middle is inside, and no surface\n"
+    "      --labels            with --fill: cells of the surface are 1, those inside 2\n"
+    "      --inside-only       with --fill: the cells inside without those of the surface\n"
     "      --colours           those of MESH (PLY, OBJ, OFF); for .vox .glb .ply .obj .vdb .npz, picture\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         only part I, 1 to N, of N, of equal work: a .part for 'tribox merge', or\n"
@@ -38,13 +42,17 @@ static const char help[] =
     "\n"
     "Examples ('man tribox' has the details):\n"
     "  tribox voxelize bunny.ply --resolution 256 -o bunny.npy --preview bunny.png --up y\n"
+    "  tribox voxelize part.stl --cell 0.5 --fill outside --labels -o part.nrrd\n"
     "  tribox voxelize big.ply --resolution 16384 -o big.npz\n"
     "  generate | tribox voxelize - --format f32 -r 64 -o - --out-format npy | consume\n";
 
 enum {
     OPTION_GRID = RESULT_END,
     OPTION_COUNT = OPTION_GRID + GRID_END,
+    OPTION_THIN,
     OPTION_FILL,
+    OPTION_LABELS,
+    OPTION_INSIDE_ONLY,
     OPTION_COLOURS,
     OPTION_THREADS,
     OPTION_SHARD,
@@ -56,7 +64,10 @@ enum {
 static const option_entry options[] = {RESULT_ENTRIES,
                                        GRID_ENTRIES(OPTION_GRID),
                                        [OPTION_COUNT] = {"count", 0, false},
+                                       [OPTION_THIN] = {"thin", 0, false},
                                        [OPTION_FILL] = {"fill", 0, true},
+                                       [OPTION_LABELS] = {"labels", 0, false},
+                                       [OPTION_INSIDE_ONLY] = {"inside-only", 0, false},
                                        [OPTION_COLOURS] = {"colours", 0, false},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
@@ -80,8 +91,11 @@ static int read_shard(const char *text, uint32_t *shard, uint32_t *shards)
 
 static int read_fill(const char *word, voxelize_fill *fill)
 {
-    *fill = !strcmp(word, "outside") ? FILL_OUTSIDE : !strcmp(word, "parity") ? FILL_PARITY : FILL_NONE;
-    return *fill != FILL_NONE ? EXIT_CODE_OK : message_usage("--fill: '%s' is neither outside nor parity", word);
+    *fill = !strcmp(word, "outside")   ? FILL_OUTSIDE
+            : !strcmp(word, "parity")  ? FILL_PARITY
+            : !strcmp(word, "middles") ? FILL_MIDDLES
+                                       : FILL_NONE;
+    return *fill != FILL_NONE ? EXIT_CODE_OK : message_usage("--fill: '%s' is none of outside, parity and middles", word);
 }
 
 static int take(void *request, int which, const char *value)
@@ -95,8 +109,18 @@ static int take(void *request, int which, const char *value)
     case OPTION_COUNT:
         r->is_count = true;
         return EXIT_CODE_OK;
+    case OPTION_THIN:
+        r->is_thin = true;
+        return EXIT_CODE_OK;
     case OPTION_FILL:
         return read_fill(value, &r->fill);
+    case OPTION_LABELS:
+        r->cells = FILL_CELLS_LABELLED;
+        r->result.options.has_labels = true;
+        return EXIT_CODE_OK;
+    case OPTION_INSIDE_ONLY:
+        r->cells = FILL_CELLS_INSIDE;
+        return EXIT_CODE_OK;
     case OPTION_COLOURS:
         r->has_colours = true;
         return EXIT_CODE_OK;
@@ -121,9 +145,9 @@ static int check_partition(const voxelize_request *r, const options_found *found
                                  options[which].name);
     if (r->test.axes && r->test.axes != TRIBOX_AXES_ALL)
         return message_usage("%s is a partition, which is for all axes: leave out --axes", r->from.mesh_path);
-    if (r->fill == FILL_PARITY)
-        return message_usage("%s is a partition, which lacks what lies before its grid: --fill parity needs the mesh itself",
-                             r->from.mesh_path);
+    if (r->fill == FILL_PARITY || r->fill == FILL_MIDDLES)
+        return message_usage("%s is a partition, which lacks what lies before its grid: --fill %s needs the mesh itself",
+                             r->from.mesh_path, r->fill == FILL_PARITY ? "parity" : "middles");
     return EXIT_CODE_OK;
 }
 
@@ -139,13 +163,58 @@ static int check_input(const voxelize_request *r, const options_found *found)
     return folders ? check_partition(r, found) : grid_check(&r->from, found, OPTION_GRID);
 }
 
+/* A thin surface is told exactly, of a mesh, and all at once. */
+static int check_thin(const voxelize_request *r)
+{
+    if (!r->is_thin)
+        return EXIT_CODE_OK;
+    if (r->test.accuracy != TRIBOX_EXACT || (r->test.axes && r->test.axes != TRIBOX_AXES_ALL))
+        return message_usage("--thin is exact and of all axes: leave out --accuracy and --axes");
+    if (r->fill == FILL_MIDDLES)
+        return message_usage("--fill middles has no cells of the surface: leave out --thin, or give --fill parity");
+    if (r->has_shard)
+        return message_usage("--thin needs all cells at once: leave out --shard");
+    if (partition_is_folder(r->from.mesh_path))
+        return message_usage("%s is a partition, which is for tiles: --thin needs the mesh itself", r->from.mesh_path);
+    return EXIT_CODE_OK;
+}
+
+/* Which of the cells of a fill are wanted. */
+static int check_cells(const voxelize_request *r, const options_found *found)
+{
+    const bool has_labels = options_has(found, OPTION_LABELS), has_inside = options_has(found, OPTION_INSIDE_ONLY);
+    if (has_labels && has_inside)
+        return message_usage("--labels and --inside-only exclude each other");
+    if (r->cells == FILL_CELLS_ALL)
+        return EXIT_CODE_OK;
+    const char *const name = options[has_labels ? OPTION_LABELS : OPTION_INSIDE_ONLY].name;
+    if (r->fill == FILL_NONE)
+        return message_usage("--%s is about a filled mesh: give --fill outside or --fill parity", name);
+    if (r->fill == FILL_MIDDLES)
+        return message_usage("--fill middles has no cells of the surface: leave out --%s, or give --fill parity", name);
+    return EXIT_CODE_OK;
+}
+
 /* To count nothing is written. */
 static int check_count(voxelize_request *r, const options_found *found)
 {
     for (int which = 0; which < RESULT_END; which++)
         if (options_has(found, which) && which != RESULT_JSON)
             return message_usage("--count only prints: leave out --%s", options[which].name);
+    if (r->cells == FILL_CELLS_LABELLED)
+        return message_usage("--count only prints: leave out --labels");
     r->result.has_summary = true;
+    return EXIT_CODE_OK;
+}
+
+/* Formats that tell labels, of which .vdb then has no choice of grids. */
+static int check_labels(const voxelize_request *r, const options_found *found)
+{
+    if (!r->result.format->takes_labels)
+        return message_usage("--labels: %s holds no labels; write " VOLUME_LABELLED ", or give --inside-only",
+                             r->result.format->word);
+    if (options_has(found, RESULT_VDB_GRID))
+        return message_usage("--labels and --vdb-grid exclude each other: labels are a grid of whole numbers");
     return EXIT_CODE_OK;
 }
 
@@ -162,6 +231,8 @@ static int check_output(voxelize_request *r, const options_found *found)
     result_guess_up(&r->result, r->from.mesh_path);
     r->is_part = r->has_shard && (is_stdout ? !r->result.format : part_is_name(out));
     const int code = result_check(&r->result, found, r->is_part);
+    if (!code && r->cells == FILL_CELLS_LABELLED)
+        return check_labels(r, found);
     if (!code && r->has_shard && !r->is_part && strcmp(r->result.format->word, "npz"))
         return message_usage("a shard is written as a .part or a .npz, not as %s: -o FILE.part or FILE.npz",
                              r->result.format->word);
@@ -177,6 +248,8 @@ static int check_colours(const voxelize_request *r)
         return message_usage("--colours needs all cells at once: leave out --shard");
     if (r->fill != FILL_NONE)
         return message_usage("--colours are those of the surface, cells inside have none: leave out --fill");
+    if (r->is_thin)
+        return message_usage("--colours are those of all triangles of a cell: leave out --thin");
     if (partition_is_folder(r->from.mesh_path))
         return message_usage("%s is a partition, which lacks the colours of its mesh: --colours needs the mesh itself",
                              r->from.mesh_path);
@@ -188,7 +261,11 @@ static int check_colours(const voxelize_request *r)
 /* What every command line needs, and what excludes each other. */
 static int check_request(voxelize_request *r, const options_found *found)
 {
-    const int code = check_input(r, found);
+    int code = check_input(r, found);
+    if (!code)
+        code = check_thin(r);
+    if (!code)
+        code = check_cells(r, found);
     if (code)
         return code;
     if (r->fill != FILL_NONE && r->has_shard)

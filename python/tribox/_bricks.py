@@ -35,7 +35,8 @@ class Bricks:
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.
     shift: what was subtracted from the mesh, where a file says so. shard: (I, N) of bricks that are the I-th of N parts, which load
     found in one file; None of others. ids: where they were asked for, or a file has them: uint32, for each cell that is set the
-    lowest number of a triangle that overlaps it, in the order of cells().
+    lowest number of a triangle that overlaps it, in the order of cells(); else None. inside: where cells have labels, which of bits
+    are inside, of its shape; else None.
     """
 
     at: NDArray[np.uint32]
@@ -44,6 +45,7 @@ class Bricks:
     shift: Tuple[float, float, float] = (0.0, 0.0, 0.0)
     shard: Optional[Tuple[int, int]] = None
     ids: Optional[NDArray[np.uint32]] = None
+    inside: Optional[NDArray[np.uint64]] = None
 
     def __repr__(self) -> str:
         part = f", shard {self.shard[0]} of {self.shard[1]}" if self.shard else ""
@@ -85,30 +87,51 @@ def joined(bricks, grid):
 def cut(words, corners):
     """The bricks of whole tiles. words: of shape (tiles, nz, ny, row words). corners: the bricks' places at those of the tiles."""
     tiles, nz, ny, row_words = words.shape
-    if sys.byteorder == "big":
-        words = words.byteswap()
+    words = little(words)
     rows = np.bitwise_or.reduce(words.reshape(tiles, nz // 8, 8, ny, row_words), 2).reshape(tiles, nz // 8, ny // 8, 8, row_words)
     is_any = reduce(np.bitwise_or, (rows[..., j, :] for j in range(8))).view(BYTE)
     tile, k, j, i = np.nonzero(is_any)
+    at = corners[tile] + np.stack([i, j, k], 1)
+    return at.astype(NUMBER), bits_at(words, tile, i, j, k)
+
+
+def bits_at(words, tile, i, j, k):
+    """Of bricks in tiles, whose words are little-endian."""
+    tiles, nz, ny, row_words = words.shape
     octets = words.view(BYTE).reshape(tiles, nz // 8, 8, ny // 8, 8, 8 * row_words)
     bits = octets[tile, k, :, j, :, i].view(WORD)[..., 0]
-    at = corners[tile] + np.stack([i, j, k], 1)
-    return at.astype(NUMBER), bits.byteswap() if sys.byteorder == "big" else bits
+    return little(bits)
 
 
 def bricks_in(voxels):
     """The bricks of all cells of a grid, in the order of z, y and x."""
-    parts, ids, start = [], [], 0
+    parts, ids, insides, start = [], [], [], 0
     for k in range(0, voxels.shape[0], 8):
         layers = voxels.words[k:k + 8]
-        padded = np.zeros((1, 8, -(-layers.shape[1] // 8) * 8, layers.shape[2]), WORD)
-        padded[0, :len(layers), :layers.shape[1]] = layers
-        parts.append(cut(padded, np.array([[0, 0, k // 8]])))
+        parts.append(cut(padded(layers), np.array([[0, 0, k // 8]])))
+        at, bits = parts[-1]
         if voxels.ids is not None:
             in_cells = cells_of_ids(voxels.ids[start:], bools(layers, voxels.shape[2]))
-            ids.append(brick_ids(in_cells, parts[-1][0] - np.array([0, 0, k // 8], NUMBER), parts[-1][1]))
+            ids.append(brick_ids(in_cells, at - np.array([0, 0, k // 8], NUMBER), bits))
             start += len(ids[-1])
-    return replace(joined(parts, voxels.grid), ids=None if voxels.ids is None else np.concatenate([np.empty(0, NUMBER), *ids]))
+        if voxels.inside is not None:
+            i, j, _ = at.T
+            insides.append(bits_at(little(padded(voxels.inside.words[k:k + 8])), 0 * i, i, j, 0 * i))
+    return replace(joined(parts, voxels.grid),
+                   ids=None if voxels.ids is None else np.concatenate([np.empty(0, NUMBER), *ids]),
+                   inside=None if voxels.inside is None else np.concatenate([np.empty((0, 8), WORD), *insides]))
+
+
+def padded(layers):
+    """Eight layers at most as a tile of whole bricks."""
+    tile = np.zeros((1, 8, -(-layers.shape[1] // 8) * 8, layers.shape[2]), WORD)
+    tile[0, :len(layers), :layers.shape[1]] = layers
+    return tile
+
+
+def little(words):
+    """In little-endian order."""
+    return words.byteswap() if sys.byteorder == "big" else words
 
 
 def bricks_of(lists, tiling, options, threads):

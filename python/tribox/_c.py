@@ -18,8 +18,8 @@ def of_both(name):
 
 
 overlap, overlap_oriented, classify, find = map(of_both, ("overlap", "overlap_oriented", "classify", "find"))
-voxelize, voxelize_ids, tile_lists_part, cell_lists = map(of_both, ("voxelize", "voxelize_ids", "tile_lists_part", "cell_lists"))
-fill_parity = of_both("fill_parity")
+voxelize, voxelize_ids, voxelize_thin = map(of_both, ("voxelize", "voxelize_ids", "voxelize_thin"))
+tile_lists_part, cell_lists, fill_parity = map(of_both, ("tile_lists_part", "cell_lists", "fill_parity"))
 
 
 def sort(held_, order, scratch):

@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from ._errors import InputError, shown
-from ._masks import bools
+from ._masks import bools, labels_of
 
 
 def decimal(number):
@@ -21,12 +21,14 @@ def point(numbers, between):
 
 def write_bytes(file, voxels):
     """A byte a cell, layer by layer."""
-    for layer in voxels.words:
-        file.write(bools(layer, voxels.shape[2]).tobytes())
+    inside = voxels.inside
+    for k, layer in enumerate(voxels.words):
+        nx = voxels.shape[2]
+        file.write((bools(layer, nx) if inside is None else labels_of(layer, inside.words[k], nx)).tobytes())
 
 
 def write_npy(file, voxels):
-    np.lib.format.write_array_header_1_0(file, dict(descr="|b1", fortran_order=False, shape=voxels.shape))
+    np.lib.format.write_array_header_1_0(file, dict(descr="|b1" if voxels.inside is None else "|u1", fortran_order=False, shape=voxels.shape))
     write_bytes(file, voxels)
 
 
@@ -35,8 +37,9 @@ def write_nrrd(file, voxels):
     x, y, z = grid.cell
     directions = " ".join(f"({point(row, ',')})" for row in ((x, 0, 0), (0, y, 0), (0, 0, z)))
     middle = point((start + cell / 2 for start, cell in zip(grid.origin, grid.cell)), ",")
+    labels = "" if voxels.inside is None else ": 1, and that it encloses: 2"
     file.write(f"""NRRD0004
-# cells of a grid that a mesh overlaps, by tribox
+# cells of a grid that a mesh overlaps{labels}, by tribox
 type: uint8
 dimension: 3
 space dimension: 3
@@ -54,12 +57,13 @@ space origin: ({middle})
 def write_vti(file, voxels):
     grid = voxels.grid
     extent = " ".join(f"0 {size}" for size in grid.size)
+    name, most = ("occupied", 1) if voxels.inside is None else ("label", 2)
     file.write(f"""<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <ImageData WholeExtent="{extent}" Origin="{point(grid.origin, ' ')}" Spacing="{point(grid.cell, ' ')}">
     <Piece Extent="{extent}">
-      <CellData Scalars="occupied">
-        <DataArray type="UInt8" Name="occupied" format="appended" RangeMin="0" RangeMax="1" offset="0"/>
+      <CellData Scalars="{name}">
+        <DataArray type="UInt8" Name="{name}" format="appended" RangeMin="0" RangeMax="{most}" offset="0"/>
       </CellData>
     </Piece>
   </ImageData>
@@ -73,7 +77,8 @@ def write_vti(file, voxels):
 def write_bricks(file, bricks):
     """.npz"""
     grid, ids = bricks.grid, {} if bricks.ids is None else dict(ids=bricks.ids)
-    np.savez(file, bits=bricks.bits, at=bricks.at, origin=np.array(grid.origin), cell=np.array(grid.cell),
+    labels = {} if bricks.inside is None else dict(inside=bricks.inside)
+    np.savez(file, bits=bricks.bits, at=bricks.at, **labels, origin=np.array(grid.origin), cell=np.array(grid.cell),
              size=np.array(grid.size, np.uint32), shift=np.array(bricks.shift, float), **ids)
 
 

@@ -20,16 +20,21 @@ def fill_outside(held_, grid, words, scratch, solid):
     check(lib.tribox_fill_outside(tuple(grid.size), words, scratch, solid, ffi.NULL))
 
 
-def fill_parity(held_, grid, words, scratch, solid):
+def fill_parity(held_, grid, words, scratch, solid, is_of_middles=False):
     odd = ffi.new("size_t *")
     check(_c.fill_parity(held_, grid, words, scratch, solid, ffi.NULL, odd))
     if odd[0]:
         warnings.warn(f"the mesh is not closed: {odd[0]} of {grid.size[1] * grid.size[2]} rows of cells cross it an odd number of "
                       'times, and are filled to their end; fill="outside" asks nothing of a mesh but that no hole is larger than a '
-                      "cell", OpenMeshWarning, stacklevel=4)
+                      "cell", OpenMeshWarning, stacklevel=5 if is_of_middles else 4)
 
 
-FILLS = {"outside": fill_outside, "parity": fill_parity}
+def fill_middles(*arguments):
+    """Parity of the middles: the words have no surface."""
+    fill_parity(*arguments, is_of_middles=True)
+
+
+FILLS = {"outside": fill_outside, "parity": fill_parity, "middles": fill_middles}
 
 
 def fill_of(word):

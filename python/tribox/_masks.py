@@ -31,6 +31,11 @@ def bools(words, count):
     return np.unpackbits(words.view(BYTE), -1, count, "little").view(BOOL)
 
 
+def labels_of(words, inside, count):
+    """1 for the first `count` bits that are set, and 2 for those of inside."""
+    return bools(words, count).view(BYTE) + bools(inside, count).view(BYTE)
+
+
 def row_words(width):
     """Of a row of so many cells."""
     return (width + 63) >> 6

@@ -13,8 +13,8 @@ from ._errors import InputError, shown
 from ._grids import Grid
 from ._tiles import tile_count
 
-KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)), size=("<u4", (3,)),
-             shift=("<f8", (3,)), ids=("<u4", (-1,)))
+KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), inside=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)),
+             size=("<u4", (3,)), shift=("<f8", (3,)), ids=("<u4", (-1,)))
 PART_KINDS = dict(shard=("<u4", (2,)), tiles=("<u8", (2,)), whole=("<u8", (6,)))
 WHOLE = (("mesh", slice(0, 3)), ("accuracy", 3), ("choice of axes", 4), ("size of tiles", 5))
 SHOWN_SHARDS = 20
@@ -65,10 +65,18 @@ def part_of(path):
 
 
 def bits_of(part):
-    bits = read(part.path, lambda file: array(part.path, file, "bits", KINDS))
-    if len(bits) != len(part.at):
-        raise InputError(f"{part.path}: damaged: {len(part.at)} places of {len(bits)} bricks")
-    return bits
+    return rows_of(part, read(part.path, lambda file: array(part.path, file, "bits", KINDS)))
+
+
+def inside_of(part):
+    """Which cells are inside; None without labels."""
+    return rows_of(part, read(part.path, lambda file: array(part.path, file, "inside", KINDS) if "inside" in file.files else None))
+
+
+def rows_of(part, rows):
+    if rows is not None and len(rows) != len(part.at):
+        raise InputError(f"{part.path}: damaged: {len(part.at)} places of {len(rows)} bricks")
+    return rows
 
 
 def ids_of(path, bits):
@@ -136,12 +144,12 @@ def paths_of(path):
 
 
 def load_bricks(path):
-    """at, bits, grid, shift, shard and ids."""
+    """at, bits, grid, shift, shard, ids and inside."""
     paths = paths_of(path)
     if isinstance(paths, str):
         part = part_of(paths)
         bits = bits_of(part)
-        return part.at, bits, part.grid, part.shift, part.shard, ids_of(part.path, bits)
+        return part.at, bits, part.grid, part.shift, part.shard, ids_of(part.path, bits), inside_of(part)
     if not paths:
         raise InputError(f"path = {shown(path)}; there are no such files")
     parts = [part_of(one) for one in paths]
@@ -152,4 +160,4 @@ def load_bricks(path):
     parts.sort(key=lambda part: part.shard)
     check_complete(parts)
     at, bits, ids = joined(parts)
-    return at, bits, parts[0].grid, parts[0].shift, None, ids
+    return at, bits, parts[0].grid, parts[0].shift, None, ids, None

@@ -44,6 +44,7 @@ class Task(NamedTuple):
     options: Any
     words: NDArray[np.uint64]
     are_clear: bool  # otherwise they are made so
+    call: Any = _c.voxelize
 
     def run(self, threads):
         """Sets the cells; returns the status."""
@@ -55,7 +56,7 @@ class Task(NamedTuple):
         return self.set(self.held, self.first, self.size, self.words)
 
     def set(self, held_, first, size, words):
-        return _c.voxelize(held_, self.grid, ffi.new("tribox_window *", (first, size)), self.options, pointer_to(words), ffi.NULL)
+        return self.call(held_, self.grid, ffi.new("tribox_window *", (first, size)), self.options, pointer_to(words), ffi.NULL)
 
     def way(self, threads):
         """What shares the work out where that gains something."""

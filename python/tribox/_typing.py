@@ -67,6 +67,6 @@ GridLike = Union["Grid", Tuple[Vector, Cell, Cells]]
 Window = Tuple[Cells, Cells]
 Range = Tuple[SupportsIndex, SupportsIndex]  # first, count
 Accuracy = Literal["exact", "conservative", "fast"]
-Fill = Literal["outside", "parity"]
+Fill = Literal["outside", "parity", "middles"]
 Answer = NDArray[Any]  # of bool, or of uint64 for packed bits
 Paths = Union[str, "os.PathLike[str]", Iterable[Union[str, "os.PathLike[str]"]]]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Optional, SupportsIndex
 
+from . import _c
 from ._around import grid_given
 from ._arguments import options_of, range_of
 from ._errors import InputError, InputTypeError, shown
-from ._fill import fill_of, filled
+from ._fill import fill_middles, fill_of, filled
 from ._grids import struct_of
 from ._ids import check_ids, window_ids
 from ._masks import row_words
@@ -49,10 +50,25 @@ def check_into(into, grid, window):
         raise InputError(f"into has the cells {into.window} of {into.grid}, and not {window} of {grid}; give its grid and window")
 
 
+def check_thin(options, fill_call):
+    if options.accuracy or options.axes not in (0, ALL):
+        raise InputError('thin = True is exact and of all axes; leave out accuracy and axes', "BAD_OPTION")
+    if fill_call is fill_middles:
+        raise InputError('fill = "middles" has no cells of the surface; leave out thin, or give fill = "parity"')
+
+
+def check_labels(fill_call, into):
+    if fill_call is None or fill_call is fill_middles:
+        raise InputError('labels = True tells the surface from what it encloses; give fill = "outside" or "parity"')
+    if into is not None:
+        raise InputError("labels and into exclude each other: labels are of one mesh")
+
+
 def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: Optional[Cell] = None,
              resolution: Optional[SupportsIndex] = None, window: Optional[Window] = None, layers: Optional[Range] = None,
-             fill: Optional[Fill] = None, threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact", axes: int = ALL,
-             kernel: Optional[str] = None, into: Optional[Voxels] = None, ids: bool = False) -> Voxels:
+             thin: bool = False, fill: Optional[Fill] = None, labels: bool = False, threads: Optional[SupportsIndex] = 1,
+             accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, into: Optional[Voxels] = None,
+             ids: bool = False) -> Voxels:
     """Tells which cells of a grid some triangle overlaps, the surface alone: Voxels, an array of bool that knows its grid.
 
         voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of that length; cell=(x, y, z) where they are no cubes
@@ -63,9 +79,15 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
     window: ((i, j, k), (ni, nj, nk)) for the ni x nj x nk cells from cell (i, j, k) on alone, with the same exact answers as for
         the whole: for tasks, and for grids of any size, as only the bits of the window take memory, 16 GiB at most.
     layers: (first, count) for these layers along z alone.
+    thin: about half of these cells: those in which some triangle crosses a line through the middle along x, y or z. A flat surface
+        is then a cell thick, and still does not leak: ways across faces of cells do not lead through it, those across edges may.
+        Exact, and of all axes.
     fill: "outside" sets every cell, too, that cannot be reached from outside the grid through faces of cells that are clear;
         "parity" those from whose middle a ray along x crosses the triangles an odd number of times, which holes of a mesh do not
-        empty, and warns (OpenMeshWarning) where the mesh is certainly not closed. For whole grids.
+        empty, and warns (OpenMeshWarning) where the mesh is certainly not closed; "middles" those alone, without the cells of the
+        surface, which is how VTK's stencils and PyVista voxelize. For whole grids.
+    labels: with fill, the cells of the surface and those inside are told apart: voxels.labels() are 1 and 2, voxels.inside the
+        cells inside alone, and files have labels. Not with into.
     threads: how many may share the work, where that gains time: with many triangles, or with many cells and few triangles; never
         more than there are processors. None for one on each processor. The answers do not depend on it.
     into: Voxels of the same grid and window, to which the cells are added, and which are returned.
@@ -82,17 +104,30 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
         raise InputError("fill needs the whole grid: what is outside a part of it may be inside the whole")
     if ids and (fill_call or into is not None):
         raise InputError("ids are those of triangles that overlap a cell; voxelize with ids, but without fill and into")
+    if ids and thin:
+        raise InputError("ids are those of all triangles that overlap a cell; leave out thin")
+    if thin:
+        check_thin(options, fill_call)
+    if labels:
+        check_labels(fill_call, into)
     wanted = window_wanted(window, layers, chosen)
     if into is not None:
         check_into(into, chosen, wanted)
     words, are_clear = new_cells(wanted[1][::-1], chosen) if into is None or fill_call else (into._words, True)
     struct = struct_of(chosen)
-    task = Task(held_, struct, wanted[0], wanted[1], options, words, are_clear)
+    task = Task(held_, struct, wanted[0], wanted[1], options, words, are_clear, _c.voxelize_thin if thin else _c.voxelize)
     if ids:
         check_ids(held_)
         found = window_ids(task, threads)
         return Voxels(words, chosen, wanted)._with_ids(found)
-    check_answer(held_, task.run(threads))
+    if fill_call is not fill_middles:
+        check_answer(held_, task.run(threads))
+    elif not are_clear:
+        words[...] = 0
+    surface = words
     if fill_call:
-        words = filled(fill_call, held_, struct, words)
-    return Voxels(words, chosen, wanted) if into is None else into._add(words)
+        words = filled(fill_call, held_, struct, surface)
+    if into is not None:
+        return into._add(words)
+    voxels = Voxels(words, chosen, wanted)
+    return voxels._with_inside(words & ~surface) if labels else voxels

@@ -15,7 +15,7 @@ from ._ffi import ffi
 from ._files import save_voxels
 from ._grids import SIZE_MAX, Grid
 from ._library import lib
-from ._masks import BOOL, MASK_WORDS_MAX, WORD, bools, pointer_to, row_words, rows_of_words
+from ._masks import BOOL, MASK_WORDS_MAX, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
 from ._bounds import point
 from ._typing import Window
 
@@ -29,6 +29,9 @@ class Voxels(NDArrayOperatorsMixin):
     grid: the Grid. window: (first, size) of its cells that are here, which may be some of them.
     words: the cells in memory, uint64 of shape (nz, ny, words): bit i % 64 of word i // 64 of a row is cell i along x. Bools, eight
         times as large, are made when they are first asked for.
+
+    inside: after voxelize(..., labels=True) the cells that are inside, Voxels too, and None of others; then labels() is an array
+        of 1 for cells of the surface, 2 for those inside, and 0.
 
     Voxels(cells, grid) makes them of an array of bool, or of such words; Voxels(cells, grid, window) of some of the grid's cells.
 
@@ -60,6 +63,7 @@ class Voxels(NDArrayOperatorsMixin):
         self._words = np.ascontiguousarray(cells) if cells.dtype == WORD else rows_of_words(cells)
         self._cells: Optional[NDArray[np.bool_]] = None
         self._ids: Optional[NDArray[np.uint32]] = None
+        self._inside: Optional[NDArray[np.uint64]] = None
 
     @property
     def grid(self) -> Grid:
@@ -82,6 +86,20 @@ class Voxels(NDArrayOperatorsMixin):
     def ids(self) -> Optional[NDArray[np.uint32]]:
         """Of voxelize(..., ids=True): the lowest number of a triangle for each cell that is set, in the order of cells()."""
         return self._ids
+
+    @property
+    def inside(self) -> Optional[Voxels]:
+        """The cells that are inside, where they are told apart."""
+        return None if self._inside is None else Voxels(self._inside, self._grid, self._window)
+
+    def labels(self) -> NDArray[np.uint8]:
+        """An array of uint8 of shape (nz, ny, nx): 1 for cells of the surface, 2 for those inside, and 0.
+
+        Raises InputError for Voxels that have no labels.
+        """
+        if self._inside is None:
+            raise InputError("these Voxels have no labels; voxelize(..., fill=..., labels=True) makes some that have")
+        return labels_of(self._words, self._inside, self.shape[2])
 
     @property
     def shape(self) -> Tuple[int, int, int]:
@@ -133,7 +151,7 @@ class Voxels(NDArrayOperatorsMixin):
         """Adds cells, which may be these very words."""
         if words is not self._words:
             np.bitwise_or(self._words, words, out=self._words)
-        self._cells = self._ids = None
+        self._cells = self._ids = self._inside = None
         return self
 
     def _with_ids(self, ids):
@@ -141,9 +159,13 @@ class Voxels(NDArrayOperatorsMixin):
         self._ids = ids
         return self
 
+    def _with_inside(self, words):
+        self._inside = words
+        return self
+
     def __reduce__(self) -> Any:
-        whole = Voxels, (self._words, self._grid, self._window)
-        return whole if self._ids is None else (*whole, {"_ids": self._ids})
+        more = {name: value for name, value in (("_ids", self._ids), ("_inside", self._inside)) if value is not None}
+        return (Voxels, (self._words, self._grid, self._window), *([more] if more else []))
 
     def sum(self, axis: Any = None, **keywords: Any) -> Any:
         """How many cells are set: in all, or along axes as arrays of bool are summed up."""
@@ -176,7 +198,8 @@ class Voxels(NDArrayOperatorsMixin):
         """Writes a file as the program tribox does: by the ending of its name, of kind .npz, .npy, .nrrd or .vti.
 
         .npz: bricks, the grid, and nothing for empty bricks: numpy.load(path) has at, bits, origin, cell, size and shift. .npy: an
-        array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window have .npy alone.
+        array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window have .npy alone. Labels are
+        inside, the bits of cells that are, in .npz, and uint8 in the others.
 
         Raises InputError for other kinds, and OSError where the file cannot be written.
         """

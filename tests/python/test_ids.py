@@ -89,6 +89,8 @@ class IdTests(cases.TestCase):
         for more in (dict(fill="outside"), dict(into=tribox.voxelize(self.triangles, grid))):
             with self.assertRaisesRegex(tribox.InputError, "without fill and into"):
                 tribox.voxelize(self.triangles, grid, ids=True, **more)
+        with self.assertRaisesRegex(tribox.InputError, "leave out thin"):
+            tribox.voxelize(self.triangles, grid, ids=True, thin=True)
         vertices, faces = cases.shared_vertices(self.triangles, np.int32)
         faces[3, 1] = len(vertices)
         with self.assertRaisesRegex(IndexError, r"faces\[3, 1\]"):

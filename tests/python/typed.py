@@ -31,6 +31,7 @@ for form in forms:
     turned: NDArray[np.bool_] = tribox.overlap_oriented(form, lo, hi, np.eye(3))
     voxels: tribox.Voxels = tribox.voxelize(form, (lo, 0.5, (2, 2, 2)), threads=None, fill="outside", into=None)
     around: tribox.Voxels = tribox.voxelize(form, resolution=np.int64(64), threads=2, layers=(0, 1))
+    told: NDArray[np.uint8] = tribox.voxelize(form, resolution=8, thin=True, fill="parity", labels=True).labels()
     cubes = tribox.voxelize(form, cell=0.1) | tribox.voxelize(form, cell=(1, 2, np.float32(3)), window=((0, 0, 0), (1, 1, 1)))
     bricks: tribox.Bricks = tribox.bricks(form, resolution=4096, side=64, tiles=(0, 1))
     by_cell: tribox.CellLists = tribox.cell_lists(form, resolution=np.int64(64), threads=None, accuracy="exact")
@@ -76,6 +77,7 @@ tribox.voxelize(triangles, lo, 0.5)  # wrong
 tribox.voxelize(triangles, 0.5)  # wrong
 tribox.voxelize(triangles, resolution=0.5)  # wrong
 tribox.voxelize(triangles, resolution=64, fill="all")  # wrong
+tribox.voxelize(triangles, resolution=64, fill="outside", labels="all")  # wrong
 tribox.voxelize(triangles, cell=1, into=cells)  # wrong
 tribox.Index(triangles, axis_order=3)  # wrong
 tribox.Mesh(object())  # wrong

@@ -315,7 +315,7 @@ class Refusals(Tiles):
                 ("--count only prints: leave out --out", (self.mesh, *GRID, "--count", "-o", "x.npz")),
                 ("--count only prints: leave out --preview", (self.mesh, *GRID, "--count", "-p", "x.png")),
                 ("--count only prints: leave out --quiet", (self.mesh, *GRID, "--count", "-q")),
-                ("--fill: 'inside' is neither outside nor parity", (self.mesh, *GRID, "--fill", "inside")),
+                ("--fill: 'inside' is none of outside, parity and middles", (self.mesh, *GRID, "--fill", "inside")),
                 ("--fill needs all cells at once: leave out --shard",
                  (self.mesh, *GRID, "--fill", "outside", "--shard", "1/2", "-o", "x.part")),
                 ("a folder, so a partition, which has its grid: leave out --resolution", (tiles, "-r", "9", "-o", "x.npz")),

@@ -117,7 +117,7 @@ def read_vdb_node(data, corner, log2s, cells):
             read_vdb_node(data, at, log2s[1:], cells)
         else:
             assert at not in cells
-            cells.add(at)
+            cells[at] = True
 
 
 def without_vdb_id(written):
@@ -127,12 +127,30 @@ def without_vdb_id(written):
 
 def read_vdb_masks(path):
     """OpenVDB 224, one MaskGrid. Returns its metadata, as (type, bytes), its transform in doubles, and the cells."""
-    data, cells = Bytes(read(path)), set()
+    about, transform, cells, _ = read_vdb(path, "Tree_mask_5_4_3", "b")
+    return about, transform, set(cells)
+
+
+def read_vdb_labels(path):
+    """OpenVDB 224, one Int32Grid. Returns the values of its active cells by their place."""
+    _, _, cells, data = read_vdb(path, "Tree_int32_5_4_3", "i")
+    places = iter(cells)
+    labels = {}
+    while len(labels) < len(cells):
+        count = len(data.bits(512))
+        assert count and data.take("b") == 0  # of a leaf active values alone follow
+        labels.update((next(places), data.take("i")) for _ in range(count))
+    return labels
+
+
+def read_vdb(path, tree, background):
+    """Up to the values of leaves."""
+    data, cells = Bytes(read(path)), {}
     assert data.take("qI") == (0x56444220, 224)
     data.take("II")
     has_offsets = data.take("b")
     data.take("36s")
-    assert data.take("II") == (0, 1) and data.text() == "tribox" and data.text() == "Tree_mask_5_4_3" and data.text() == ""
+    assert data.take("II") == (0, 1) and data.text() == "tribox" and data.text() == tree and data.text() == ""
     start, _, end = data.take("qqq")
     assert not has_offsets or (data.at == start and end == len(data.data))
     assert data.take("I") == 2  # active values alone, not compressed
@@ -142,12 +160,12 @@ def read_vdb_masks(path):
         about[name] = kind, data.take("%ds" % data.take("I"))
     assert data.text() in ("ScaleTranslateMap", "UniformScaleTranslateMap")
     transform = data.take("18d")
-    assert data.take("I") == 1 and data.take("b") == 0  # one buffer; the background
+    assert data.take("I") == 1 and data.take(background) == 0  # one buffer; the background
     tiles, children = data.take("II")
     assert tiles == 0
     for _ in range(children):
         read_vdb_node(data, data.take("iii"), (5, 4, 3), cells)
-    return about, transform, cells
+    return about, transform, cells, data
 
 
 def float_of(number):

@@ -70,7 +70,7 @@ static int time_voxels(result *r, uint64_t *bits)
 
 static int draw(const uint64_t *bits, const result *r, file_out *picture)
 {
-    const voxels_slab slab = {0, r->grid.size[2], bits};
+    const voxels_slab slab = {.layers = r->grid.size[2], .bits = bits};
     const voxels v = {.grid = r->grid, .slab = &slab, .slabs = 1};
     return preview_draw(picture, &v, &PREVIEW_LOOK_DEFAULT, r->threads, true);
 }

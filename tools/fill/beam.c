@@ -9,9 +9,9 @@ static size_t along(const tile_set *set, int a)
     return size / set->tile + (size % set->tile != 0);
 }
 
-bool beams_of(const tile_set *set, beams *b)
+bool beams_of(const tile_set *set, fill_cells cells, beams *b)
 {
-    *b = (beams){.set = set, .tiles = along(set, 0), .count = along(set, 1) * along(set, 2)};
+    *b = (beams){.set = set, .tiles = along(set, 0), .count = along(set, 1) * along(set, 2), .cells = cells};
     b->first = malloc((b->count + 1) * sizeof *b->first);
     size_t record = 0;
     for (size_t n = 0; b->first && n <= b->count; n++) {

@@ -5,16 +5,18 @@
 #ifndef BEAM_H
 #define BEAM_H
 
+#include "fill_kinds.h"
 #include "tile_cells.h"
 
 typedef struct beams {
     const tile_set *set;
     size_t tiles, count; /* tiles of each, and how many there are */
     size_t *first;       /* the first record of each, and after the last all */
+    fill_cells cells;    /* that go on */
 } beams;
 
 /* False where there is no memory. */
-bool beams_of(const tile_set *set, beams *b);
+bool beams_of(const tile_set *set, fill_cells cells, beams *b);
 void beams_free(beams *b);
 
 /* What was found in a beam; in sum in all. */
@@ -29,6 +31,13 @@ typedef struct beam_solid {
     tile_cells *tiles; /* those that have any, in their order */
     size_t count;
 } beam_solid;
+
+/* The words of a filled surface become those of the cells inside. */
+static inline void beam_keep_inside(uint64_t *surface, const uint64_t *solid, size_t words)
+{
+    for (size_t w = 0; w < words; w++)
+        surface[w] = solid[w] & ~surface[w];
+}
 
 /* A way of filling. */
 typedef struct beam_filling {

@@ -11,7 +11,7 @@
 typedef struct crew {
     const beams *beams;
     const beam_filling *filling;
-    const tribox_sink *sink;
+    const filled_sink *sink;
     progress *bar;
     pthread_mutex_t lock; /* of what follows */
     pthread_cond_t turned;
@@ -94,7 +94,7 @@ static void work(void *data, unsigned thread)
     free(solid.tiles);
 }
 
-tribox_status beam_crew_run(const beams *b, const beam_filling *filling, unsigned threads, const tribox_sink *sink, progress *bar,
+tribox_status beam_crew_run(const beams *b, const beam_filling *filling, unsigned threads, const filled_sink *sink, progress *bar,
                             beam_found *found)
 {
     crew c = {.beams = b, .filling = filling, .sink = sink, .bar = bar};

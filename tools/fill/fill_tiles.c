@@ -6,7 +6,7 @@
 #include "outside.h"
 #include "parity_beams.h"
 
-static tribox_status fill_parity(const beams *b, const double x[2], unsigned threads, const tribox_sink *sink, progress *bar,
+static tribox_status fill_parity(const beams *b, const double x[2], unsigned threads, const filled_sink *sink, progress *bar,
                                  beam_found *found)
 {
     parity p;
@@ -19,7 +19,7 @@ static tribox_status fill_parity(const beams *b, const double x[2], unsigned thr
     return status;
 }
 
-static tribox_status fill_outside(const beams *b, unsigned threads, const tribox_sink *sink, progress *bar, beam_found *found)
+static tribox_status fill_outside(const beams *b, unsigned threads, const filled_sink *sink, progress *bar, beam_found *found)
 {
     outside o;
     tribox_status status = outside_start(b, threads, bar, &o);
@@ -31,12 +31,12 @@ static tribox_status fill_outside(const beams *b, unsigned threads, const tribox
     return status;
 }
 
-tribox_status fill_tiles(const tile_set *set, const double x[2], unsigned threads, const tribox_sink *sink, progress *bar,
-                         beam_found *found)
+tribox_status fill_tiles(const tile_set *set, const double x[2], fill_cells cells, unsigned threads, const filled_sink *sink,
+                         progress *bar, beam_found *found)
 {
     beams b;
     *found = (beam_found){.bricks = 0};
-    if (!beams_of(set, &b))
+    if (!beams_of(set, cells, &b))
         return MESSAGE_NO_MEMORY;
     const tribox_status status = x ? fill_parity(&b, x, threads, sink, bar, found) : fill_outside(&b, threads, sink, bar, found);
     beams_free(&b);

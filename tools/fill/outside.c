@@ -15,7 +15,7 @@ typedef struct outside_room {
     tile_room *tile;
     uint64_t *surface;
     void *scratch;
-    uint64_t *solid; /* `most` tiles */
+    uint64_t *solid; /* `most` tiles; two for each where the inside is asked for, the second the inside */
     size_t most;
     uint64_t *mask; /* of labels */
     size_t mask_words;
@@ -178,14 +178,26 @@ static tribox_status fill_tile(const outside *o, size_t record, const tribox_win
     return status;
 }
 
-static void add_cells(beam_solid *solid, const tribox_window *w, const uint64_t *words)
+static void add_cells(beam_solid *solid, const tribox_window *w, const uint64_t *words, const uint64_t *inside)
 {
     tile_cells *const to = &solid->tiles[solid->count++];
-    *to = (tile_cells){.words = words, .row_words = tribox_mask_words(w->size[0])};
+    *to = (tile_cells){.words = words, .inside = inside, .row_words = tribox_mask_words(w->size[0])};
     for (int a = 0; a < 3; a++) {
         to->first[a] = w->first[a];
         to->size[a] = w->size[a];
     }
+}
+
+/* The cells of a tile that go on. inside: room for them where they are asked for. */
+static void add_tile_cells(beam_solid *to, const tribox_window *w, fill_cells cells, const uint64_t *surface, const uint64_t *solid,
+                           uint64_t *inside)
+{
+    const size_t words = tribox_window_words(w->size);
+    if (cells != FILL_CELLS_ALL) {
+        memcpy(inside, surface, words * sizeof *inside);
+        beam_keep_inside(inside, solid, words);
+    }
+    add_cells(to, w, cells == FILL_CELLS_INSIDE ? inside : solid, cells == FILL_CELLS_LABELLED ? inside : NULL);
 }
 
 static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_solid *solid, beam_found *found)
@@ -193,7 +205,9 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     const outside *const o = about;
     const tile_set *const set = o->beams->set;
     outside_room *const r = room;
-    const size_t records = o->beams->first[beam + 1] - o->beams->first[beam], words = tile_word_count(set);
+    const size_t records = o->beams->first[beam + 1] - o->beams->first[beam];
+    const fill_cells cells = o->beams->cells;
+    const size_t words = tile_word_count(set) * (cells == FILL_CELLS_ALL ? 1 : 2);
     uint64_t *to = records ? more_room(r->solid, &r->most, records, words * sizeof *to) : NULL;
     if (records && !to)
         return MESSAGE_NO_MEMORY;
@@ -205,10 +219,10 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
             const tribox_status status = fill_tile(o, record, &w, r, to, found);
             if (status)
                 return status;
-            add_cells(solid, &w, to);
+            add_tile_cells(solid, &w, cells, r->surface, to, to + words / 2);
             to += words;
         } else if (!outside_has_tile(&o->labels, t)) {
-            add_cells(solid, &w, NULL);
+            add_cells(solid, &w, NULL, NULL);
             found->inside += cells_of(&w);
         }
     }

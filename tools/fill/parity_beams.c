@@ -151,10 +151,16 @@ static tribox_status fill_window(const parity *p, parity_room *r, size_t beam, c
 static void hand_on(const parity *p, const parity_room *r, size_t beam, const tribox_window *w, beam_solid *solid)
 {
     const size_t row_words = tribox_mask_words(w->size[0]);
+    const fill_cells cells = p->beams->cells;
+    const uint64_t *const words = cells == FILL_CELLS_INSIDE ? r->surface : r->solid; /* the inside took the place of the surface */
+    const uint64_t *const inside = cells == FILL_CELLS_LABELLED ? r->surface : NULL;
     for (size_t n = 0; n < p->beams->tiles; n++) {
         const tribox_window tile = tile_cells_of(p->beams->set, beam * p->beams->tiles + n);
         tile_cells *const to = &solid->tiles[solid->count++];
-        *to = (tile_cells){.words = r->solid + tile.first[0] / 64, .row_words = row_words, .shift = tile.first[0] % 64};
+        *to = (tile_cells){.words = words + tile.first[0] / 64,
+                           .inside = inside ? inside + tile.first[0] / 64 : NULL,
+                           .row_words = row_words,
+                           .shift = tile.first[0] % 64};
         for (int a = 0; a < 3; a++) {
             to->first[a] = tile.first[a];
             to->size[a] = tile.size[a];
@@ -174,6 +180,8 @@ static tribox_status fill_beam(const void *about, void *room, size_t beam, beam_
     tribox_status status = tile_words_take(p->beams->set, from, to, r->tile, &(tile_words){w, r->surface}, &found->report);
     if (!status)
         status = fill_window(p, r, beam, &w, found);
+    if (!status && p->beams->cells != FILL_CELLS_ALL)
+        beam_keep_inside(r->surface, r->solid, tribox_window_words(w.size));
     if (!status)
         hand_on(p, r, beam, &w, solid);
     return status;

@@ -48,14 +48,14 @@ typedef struct brick_row {
     uint64_t any, all;         /* bits of any word, and of all of them */
 } brick_row;
 
-static void read_words(const tile_cells *c, size_t w, uint32_t j, uint32_t k, brick_row *b)
+static void read_words(const tile_cells *c, const uint64_t *words, size_t w, uint32_t j, uint32_t k, brick_row *b)
 {
     const uint32_t rows = least(SIDE, c->size[1] - j), layers = least(SIDE, c->size[2] - k);
     memset(b, 0, sizeof *b);
     b->all = rows == SIDE && layers == SIDE ? ~UINT64_C(0) : 0;
     for (uint32_t z = 0; z < layers; z++)
         for (uint32_t y = 0; y < rows; y++) {
-            b->word[z][y] = c->words ? c->words[((size_t)(k + z) * c->size[1] + j + y) * c->row_words + w] : ~UINT64_C(0);
+            b->word[z][y] = words ? words[((size_t)(k + z) * c->size[1] + j + y) * c->row_words + w] : ~UINT64_C(0);
             b->any |= b->word[z][y];
             b->all &= b->word[z][y];
         }
@@ -80,25 +80,30 @@ static bool cut_brick(const brick_row *b, uint32_t from, uint32_t cells, uint64_
 }
 
 /* The bricks of eight rows in eight layers. */
-static int cut_rows(const tile_cells *c, uint32_t j, uint32_t k, const tribox_sink *sink, uint64_t *bricks)
+static int cut_rows(const tile_cells *c, uint32_t j, uint32_t k, const filled_sink *sink, uint64_t *bricks)
 {
-    brick_row b = {.any = 0};
+    brick_row b = {.any = 0}, of_inside = {.any = 0};
     for (uint32_t i = 0; i < c->size[0]; i += SIDE) {
         const uint32_t at[3] = {(c->first[0] + i) / SIDE, (c->first[1] + j) / SIDE, (c->first[2] + k) / SIDE};
         const uint32_t bit = c->shift + i;
-        uint64_t bits[SIDE];
-        if (!i || bit % 64 == 0)
-            read_words(c, bit / 64, j, k, &b);
+        uint64_t bits[SIDE], inside[SIDE];
+        if (!i || bit % 64 == 0) {
+            read_words(c, c->words, bit / 64, j, k, &b);
+            if (c->inside)
+                read_words(c, c->inside, bit / 64, j, k, &of_inside);
+        }
         if (!b.any || !cut_brick(&b, bit % 64, c->size[0] - i, bits))
             continue;
         ++*bricks;
-        if (sink && sink->take(sink->data, at, bits))
+        if (sink && c->inside)
+            cut_brick(&of_inside, bit % 64, c->size[0] - i, inside);
+        if (sink && sink->take(sink->data, at, bits, c->inside ? inside : bits))
             return 1;
     }
     return 0;
 }
 
-int tile_cells_cut(const tile_cells *cells, const tribox_sink *sink, uint64_t *bricks)
+int tile_cells_cut(const tile_cells *cells, const filled_sink *sink, uint64_t *bricks)
 {
     int code = 0;
     for (uint32_t k = 0; k < cells->size[2] && !code; k += SIDE)

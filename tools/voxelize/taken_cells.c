@@ -66,7 +66,8 @@ bool taken_cells_start(const voxelize_request *r, taken_cells *t, mesh_taker *ta
     *t = (taken_cells){.r = r};
     *taker = (mesh_taker){.begin = begin, .take = take, .drop = drop, .data = t};
     pthread_mutex_init(&t->lock, NULL);
-    return r->fill != FILL_PARITY && !r->has_colours && asks_boxes(&r->test);
+    const bool needs_mesh = r->fill == FILL_PARITY || r->fill == FILL_MIDDLES;
+    return !needs_mesh && !r->is_thin && !r->has_colours && asks_boxes(&r->test);
 }
 
 static void join(void *data, size_t strip)

@@ -2,6 +2,8 @@
 #ifndef VOXEL_TASK_H
 #define VOXEL_TASK_H
 
+#include <stdbool.h>
+
 #include "tribox.h"
 
 typedef struct voxel_task {
@@ -10,6 +12,7 @@ typedef struct voxel_task {
     size_t count; /* of the triangles */
     tribox_grid grid;
     const tribox_options *options;
+    bool is_thin; /* the cells of tribox_voxelize_thin, in words alone: tiles have none */
 } voxel_task;
 
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options);

@@ -25,7 +25,7 @@ static bool take_room(void *data, unsigned thread)
 static bool put_layers(void *data, unsigned thread, uint32_t first, uint32_t layers, const uint64_t *words)
 {
     putting *const p = data;
-    return dense_put(&p->out, p->room[thread], first, layers, words);
+    return dense_put(&p->out, p->room[thread], first, layers, words, NULL);
 }
 
 static tribox_status run(const voxelize_request *r, const voxelize_input *in, putting *p, voxelize_answer *a)

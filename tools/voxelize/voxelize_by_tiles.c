@@ -77,15 +77,24 @@ static tribox_status run_surface(const tile_job *j, const tribox_sink *sink, vox
     return status;
 }
 
+/* A brick of a filled grid. */
+static int take_filled(void *data, const uint32_t at[3], const uint64_t bits[8], const uint64_t inside[8])
+{
+    brick_goals *const g = data;
+    if (g->file)
+        g->file->inside = inside;
+    return take_brick(data, at, bits);
+}
+
 /* With its inside. Parity asks for the mesh, of which a partition has what is in the grid. */
-static tribox_status run_filled(const tile_job *j, const tribox_sink *sink, voxelize_answer *a)
+static tribox_status run_filled(const tile_job *j, const filled_sink *sink, voxelize_answer *a)
 {
     progress bar = progress_start("filling", !j->r->result.is_quiet);
     tribox_box bounds = {{0, 0, 0}, {0, 0, 0}};
-    const bool is_parity = j->r->fill == FILL_PARITY && mesh_bounds(j->in->mesh, &bounds);
+    const bool is_parity = j->r->fill != FILL_OUTSIDE && mesh_bounds(j->in->mesh, &bounds);
+    const double along[2] = {bounds.lo[0], bounds.hi[0]};
     beam_found found;
-    const tribox_status status =
-        fill_tiles(j->set, is_parity ? (const double[2]){bounds.lo[0], bounds.hi[0]} : NULL, j->r->threads, sink, &bar, &found);
+    const tribox_status status = fill_tiles(j->set, is_parity ? along : NULL, j->r->cells, j->r->threads, sink, &bar, &found);
     progress_end(&bar);
     a->report = found.report;
     a->has_bricks = true;
@@ -100,7 +109,9 @@ static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
 {
     const bool has_goal = goals->file || goals->part || goals->words;
     const tribox_sink sink = {take_brick, goals};
-    const tribox_status status = (j->r->fill == FILL_NONE ? run_surface : run_filled)(j, has_goal ? &sink : NULL, a);
+    const filled_sink filled = {take_filled, goals};
+    const tribox_status status =
+        j->r->fill == FILL_NONE ? run_surface(j, has_goal ? &sink : NULL, a) : run_filled(j, has_goal ? &filled : NULL, a);
     if (goals->code)
         return goals->code;
     if (goals->part && goals->part->reason)
@@ -215,9 +226,12 @@ static int run_task(const voxelize_request *r, const voxelize_input *in, const v
     if (in->partition) {
         set = tile_set_of_partition(in->partition, task);
     } else {
-        const int code = tile_set_of_task(task, r->shards > 1, r->threads, &set);
+        const tribox_soup nothing = {.count = 0};
+        const voxel_task no_surface = voxel_task_of_soup(&nothing, &task->grid, task->options);
+        const int code = tile_set_of_task(r->fill == FILL_MIDDLES ? &no_surface : task, r->shards > 1, r->threads, &set);
         if (code)
             return code;
+        set.task = *task;
     }
     const int code = run_set(r, in, &set, files, a);
     tile_set_free(&set);

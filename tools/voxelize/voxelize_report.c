@@ -69,6 +69,20 @@ void voxelize_print_written(const char *path, bool lacks_place)
 
 void voxelize_print_preview(const char *path, const char *up) { printf("preview      %s\nup           %s\n", path, up); }
 
+/* Which cells of a fill the file has. */
+static const char *cells_word(const voxelize_answer *a)
+{
+    static const char *const words[] = {[FILL_CELLS_ALL] = "all", [FILL_CELLS_LABELLED] = "labels", [FILL_CELLS_INSIDE] = "inside"};
+    return words[a->has_no_surface ? FILL_CELLS_INSIDE : a->filled];
+}
+
+static const char *cells_note(const voxelize_answer *a)
+{
+    static const char *const notes[] = {
+        [FILL_CELLS_ALL] = "", [FILL_CELLS_LABELLED] = "; label 2, the surface 1", [FILL_CELLS_INSIDE] = "; alone in the file"};
+    return notes[a->filled];
+}
+
 static void print_summary(const voxelize_answer *a)
 {
     printf("mesh         %s\n", a->mesh_path);
@@ -77,11 +91,12 @@ static void print_summary(const voxelize_answer *a)
     voxelize_print_grid(&a->cells, a->is_shifted);
     if (a->shard)
         printf("shard        %u of %u: %zu tiles from %zu\n", a->shard, a->shards, a->tiles, a->from_tile);
-    printf("occupied     %zu cells (%.4g %%)\n", a->report.overlapping, share_percent(a));
+    if (!a->has_no_surface)
+        printf("occupied     %zu cells (%.4g %%)%s\n", a->report.overlapping, share_percent(a), a->is_thin ? ", thin" : "");
     if (a->colours)
         printf("colours      of its %s\n", a->colours);
     if (a->fill)
-        printf("inside       %zu cells (%s)\n", a->inside, a->fill);
+        printf("inside       %zu cells (%s%s)\n", a->inside, a->fill, cells_note(a));
     if (a->has_rows)
         printf("odd rows     %zu\n", a->odd_rows);
     if (a->has_bricks)
@@ -116,13 +131,18 @@ static void print_json(const voxelize_answer *a)
         json_whole(&j, "first_tile", a->from_tile);
         json_whole(&j, "tiles", a->tiles);
     }
-    json_whole(&j, "occupied", a->report.overlapping);
-    json_number(&j, "share_percent", 6, share_percent(a));
+    if (!a->has_no_surface) {
+        json_whole(&j, "occupied", a->report.overlapping);
+        json_number(&j, "share_percent", 6, share_percent(a));
+    }
+    if (a->is_thin)
+        json_bool(&j, "thin", true);
     if (a->colours)
         json_string(&j, "colours", a->colours);
     if (a->fill) {
         json_string(&j, "fill", a->fill);
         json_whole(&j, "inside", a->inside);
+        json_string(&j, "cells", cells_word(a));
     }
     if (a->has_rows)
         json_whole(&j, "odd_rows", a->odd_rows);

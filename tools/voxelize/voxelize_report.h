@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "console/json.h"
+#include "fill/fill_kinds.h"
 #include "tribox.h"
 #include "write/voxels.h"
 
@@ -21,10 +22,13 @@ typedef struct voxelize_answer {
     uint64_t bricks;
     uint32_t shard, shards;  /* shard 0: the whole */
     size_t from_tile, tiles; /* of a shard */
+    bool is_thin;            /* the surface */
     const char *colours;     /* whose they are; NULL for none */
     const char *fill;        /* the word of --fill; NULL for none */
     size_t inside, odd_rows; /* of a fill */
     bool has_rows;           /* odd_rows were counted */
+    fill_cells filled;       /* which cells of it the file has */
+    bool has_no_surface;     /* the fill is of the inside alone, and counted no cells of the surface */
     tribox_options test;
     tribox_report report;
     unsigned threads;

@@ -5,6 +5,7 @@
 #include "console/clock.h"
 #include "console/message.h"
 #include "console/pages.h"
+#include "fill/beam.h"
 #include "fill/fill_whole.h"
 #include "coloured_cells.h"
 #include "layers.h"
@@ -14,7 +15,10 @@
 #include "write/brick_writer.h"
 #include "write/voxels_room.h"
 
-/* What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. */
+/*
+ * What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. Where the inside is asked
+ * for it takes the place of the surface.
+ */
 typedef struct whole {
     const voxelize_request *r;
     const voxelize_input *in;
@@ -25,12 +29,14 @@ typedef struct whole {
     cell_colours colours;
 } whole;
 
-static const char fewer[] = "choose fewer cells, or write bricks, -o FILE.npz or .vdb";
+static const char fewer_of[2][64] = {"choose fewer cells, or write bricks, -o FILE.npz or .vdb",
+                                     "choose fewer cells, or leave out --thin"};
 
 static int take_memory(whole *w)
 {
     const tribox_grid *const grid = &w->cells.grid;
     const bool is_filled = w->r->fill != FILL_NONE;
+    const char *const fewer = fewer_of[w->r->is_thin];
     int code = voxels_check_words(grid, fewer);
     if (code)
         return code;
@@ -51,7 +57,8 @@ static int take_memory(whole *w)
 static int run(whole *w, progress *bar, tribox_report *report)
 {
     void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
-    const voxel_task task = voxelize_task(w->r, w->in);
+    voxel_task task = voxelize_task(w->r, w->in);
+    task.is_thin = w->r->is_thin;
     if (w->in->colours)
         return coloured_cells_make(&task, w->in->colours, w->r->threads, w->surface, &w->colours, bar, report);
     return message_status(voxelize_in_threads(&task, 0, w->cells.grid.size[2], w->r->threads, w->surface, report, tell, bar));
@@ -61,7 +68,7 @@ static int voxelize(whole *w, voxelize_answer *a)
 {
     progress bar = progress_start("voxelizing", !w->r->result.is_quiet);
     const double start = clock_seconds();
-    const int code = run(w, &bar, &a->report);
+    const int code = w->r->fill == FILL_MIDDLES ? EXIT_CODE_OK : run(w, &bar, &a->report);
     a->seconds = clock_seconds() - start;
     progress_end(&bar);
     return code;
@@ -90,10 +97,15 @@ static int fill_if_wanted(const whole *w, voxelize_answer *a)
     f.scratch = malloc(fill_whole_bytes(f.grid, w->r->threads));
     if (!f.scratch)
         return message_failure("out of memory to fill the cells");
-    const tribox_status status = fill_whole(w->r->fill == FILL_PARITY ? w->in->mesh : NULL, w->r->threads, &f);
+    const double start = clock_seconds();
+    const tribox_status status = fill_whole(w->r->fill == FILL_OUTSIDE ? NULL : w->in->mesh, w->r->threads, &f);
     free(f.scratch);
     if (status)
         return message_status(status);
+    if (w->r->fill == FILL_MIDDLES)
+        a->seconds = clock_seconds() - start; /* all that there is to do */
+    if (w->r->cells != FILL_CELLS_ALL)
+        beam_keep_inside(w->surface, w->solid, w->words);
     a->inside = f.inside;
     voxelize_note_fill(w->r, f.odd_rows, a);
     return EXIT_CODE_OK;
@@ -126,7 +138,10 @@ static int put_cells(const whole *w, const voxels *v, voxelize_files *files, vox
 
 static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a)
 {
-    const voxels_slab slab = {.layers = w->cells.grid.size[2], .bits = w->solid ? w->solid : w->surface};
+    const fill_cells cells = w->r->cells;
+    const voxels_slab slab = {.layers = w->cells.grid.size[2],
+                              .bits = w->solid && cells != FILL_CELLS_INSIDE ? w->solid : w->surface,
+                              .inside = cells == FILL_CELLS_LABELLED ? w->surface : NULL};
     voxels v = w->cells;
     v.slab = &slab;
     v.slabs = 1;

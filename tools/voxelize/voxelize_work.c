@@ -29,7 +29,7 @@ static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks;
     const bool is_small = in->mesh && (in->surface || is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
-    return r->has_colours || is_small;
+    return r->has_colours || r->is_thin || is_small;
 }
 
 voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
@@ -43,8 +43,11 @@ voxel_task voxelize_task(const voxelize_request *r, const voxelize_input *in)
 
 void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_answer *a)
 {
-    a->fill = r->fill == FILL_OUTSIDE ? "outside" : "parity";
-    a->has_rows = r->fill == FILL_PARITY;
+    static const char *const words[] = {[FILL_OUTSIDE] = "outside", [FILL_PARITY] = "parity", [FILL_MIDDLES] = "middles"};
+    a->fill = words[r->fill];
+    a->filled = r->cells;
+    a->has_no_surface = r->fill == FILL_MIDDLES;
+    a->has_rows = r->fill != FILL_OUTSIDE;
     a->odd_rows = odd_rows;
     if (odd_rows)
         message_say("warning: %s is not closed: %zu rows of cells cross it an odd number of times, and what is filled there may be "
@@ -56,7 +59,7 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
     const bool is_wanted =
-        in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_count && !r->is_part && r->result.format->frame;
+        in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_thin && !r->is_count && !r->is_part && r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }
@@ -186,6 +189,7 @@ int voxelize_work(const voxelize_request *r)
                          .preview_path = r->result.preview_path,
                          .up = result_up(&r->result),
                          .lacks_place = r->result.format && !r->result.format->has_place,
+                         .is_thin = r->is_thin,
                          .test = r->test,
                          .threads = r->threads,
                          .shard = r->has_shard ? r->shard : 0,

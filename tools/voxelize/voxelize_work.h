@@ -2,10 +2,9 @@
 #ifndef VOXELIZE_WORK_H
 #define VOXELIZE_WORK_H
 
+#include "fill/fill_kinds.h"
 #include "grid_options.h"
 #include "result_options.h"
-
-typedef enum voxelize_fill { FILL_NONE, FILL_OUTSIDE, FILL_PARITY } voxelize_fill;
 
 typedef struct voxelize_request {
     grid_request from;  /* the mesh may be a partition, which has its grid */
@@ -16,7 +15,9 @@ typedef struct voxelize_request {
     bool is_count;          /* nothing is written */
     uint32_t shard, shards; /* 1 of 1 without --shard */
     bool has_shard;
+    bool is_thin; /* cells of a thin surface, which all are in memory */
     voxelize_fill fill;
+    fill_cells cells; /* of a fill */
     bool has_colours; /* of the mesh's triangles, for the cells */
     tribox_options test;
     result_request result;

@@ -106,6 +106,19 @@ int bricks_cut(const voxels *v, uint32_t tile, brick_taker *take, void *data, pr
     return code;
 }
 
+void bricks_inside(const voxels *v, const uint32_t at[3], uint64_t inside[8])
+{
+    const size_t row_words = voxels_row_words(&v->grid);
+    const uint32_t rows = least(SIDE, v->grid.size[1] - SIDE * at[1]), depth = least(SIDE, v->grid.size[2] - SIDE * at[2]);
+    for (uint32_t k = 0; k < SIDE; k++)
+        inside[k] = 0;
+    for (uint32_t k = 0; k < depth; k++) {
+        const uint64_t *word = voxels_layer_inside(v, SIDE * at[2] + k) + SIDE * at[1] * row_words + at[0] / SIDE;
+        for (uint32_t j = 0; j < rows; j++, word += row_words)
+            inside[k] |= (*word >> SIDE * (at[0] % SIDE) & 0xff) << SIDE * j;
+    }
+}
+
 /* Eight cells along x never lie in two words. */
 void bricks_lay(const tribox_grid *grid, uint64_t *words, const uint32_t at[3], const uint64_t bits[8])
 {

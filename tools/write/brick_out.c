@@ -17,7 +17,7 @@ enum { LOOK_EVERY = 256 };
 /* The words of a dense format until all bricks are there. */
 typedef struct gathering {
     voxels_slab slab;
-    uint64_t *words;
+    uint64_t *words, *inside; /* inside: NULL without labels */
 } gathering;
 
 static int take_words(brick_out *out, gathering *g)
@@ -25,12 +25,25 @@ static int take_words(brick_out *out, gathering *g)
     char needed[16], there[16];
     const tribox_grid *const grid = &out->cells.grid;
     const uint64_t words = (uint64_t)voxels_layer_words(grid) * grid->size[2], available = memory_available();
-    if (words > available / sizeof *g->words)
+    const uint64_t bytes = sizeof *g->words * (out->options.has_labels ? 2 : 1); /* for each word */
+    if (words > available / bytes)
         return message_failure("%s: %u x %u x %u cells take %s of memory in this format and %s are available; write .npz or .vdb",
-                               out->file->path, grid->size[0], grid->size[1], grid->size[2],
-                               memory_text(words * sizeof *g->words, needed), memory_text(available, there));
+                               out->file->path, grid->size[0], grid->size[1], grid->size[2], memory_text(words * bytes, needed),
+                               memory_text(available, there));
     g->words = calloc(words, sizeof *g->words);
-    return g->words ? EXIT_CODE_OK : message_failure("%s: out of memory for its cells", out->file->path);
+    g->inside = out->options.has_labels ? calloc(words, sizeof *g->inside) : NULL;
+    return g->words && (g->inside || !out->options.has_labels)
+               ? EXIT_CODE_OK
+               : message_failure("%s: out of memory for its cells", out->file->path);
+}
+
+static void free_gathering(gathering *g)
+{
+    if (!g)
+        return;
+    free(g->words);
+    free(g->inside);
+    free(g);
 }
 
 static int open_dense(brick_out *out)
@@ -38,10 +51,10 @@ static int open_dense(brick_out *out)
     gathering *const g = calloc(1, sizeof *g);
     const int code = g ? take_words(out, g) : message_failure("%s: out of memory", out->file->path);
     if (code) {
-        free(g);
+        free_gathering(g);
         return code;
     }
-    g->slab = (voxels_slab){.layers = out->cells.grid.size[2], .bits = g->words};
+    g->slab = (voxels_slab){.layers = out->cells.grid.size[2], .bits = g->words, .inside = g->inside};
     out->cells.slab = &g->slab;
     out->cells.slabs = 1;
     out->state = g;
@@ -52,6 +65,8 @@ static int put_dense(brick_out *out, const uint32_t at[3], const uint64_t bits[8
 {
     const gathering *const g = out->state;
     bricks_lay(&out->cells.grid, g->words, at, bits);
+    if (g->inside)
+        bricks_lay(&out->cells.grid, g->inside, at, out->inside);
     return EXIT_CODE_OK;
 }
 
@@ -65,12 +80,7 @@ static int write_dense(const volume_format *format, const file_out *file, const 
 
 static int end_dense(brick_out *out, progress *bar) { return write_dense(out->format, out->file, &out->cells, out->threads, bar); }
 
-static void drop_dense(brick_out *out)
-{
-    gathering *const g = out->state;
-    free(g->words);
-    free(g);
-}
+static void drop_dense(brick_out *out) { free_gathering(out->state); }
 
 static const brick_writer dense = {.open = open_dense, .put = put_dense, .end = end_dense, .drop = drop_dense};
 
@@ -104,6 +114,12 @@ int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     return code || !is_looked_at ? code : check_stream(out);
 }
 
+int brick_out_put_labelled(brick_out *out, const uint32_t at[3], const uint64_t bits[8], const uint64_t inside[8])
+{
+    out->inside = inside;
+    return brick_out_put(out, at, bits);
+}
+
 int brick_out_end(brick_out *out, progress *bar)
 {
     int code = writer(out)->end(out, bar);
@@ -128,6 +144,20 @@ void brick_out_drop(brick_out *out)
 
 static int put(void *out, const uint32_t at[3], const uint64_t bits[8]) { return brick_out_put(out, at, bits); }
 
+/* Bricks of voxels with labels. */
+typedef struct labelled_goal {
+    brick_out *out;
+    const voxels *v;
+} labelled_goal;
+
+static int put_labelled(void *data, const uint32_t at[3], const uint64_t bits[8])
+{
+    const labelled_goal *const g = data;
+    uint64_t inside[8];
+    bricks_inside(g->v, at, inside);
+    return brick_out_put_labelled(g->out, at, bits, inside);
+}
+
 static int cut_voxels(const volume_format *format, const volume_options *options, file_out *file, const voxels *v, uint32_t tile,
                       uint64_t *bricks, progress *bar)
 {
@@ -137,6 +167,8 @@ static int cut_voxels(const volume_format *format, const volume_options *options
         return code;
     if (writer(&out)->whole)
         writer(&out)->whole(&out, v);
+    else if (options->has_labels)
+        code = bricks_cut(v, tile, put_labelled, &(labelled_goal){&out, v}, bar);
     else
         code = bricks_cut(v, tile, put, &out, bar);
     *bricks = out.bricks;

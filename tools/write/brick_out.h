@@ -22,6 +22,7 @@ typedef struct brick_out {
     uint64_t occupied;              /* cells in them, where the format counts them */
     unsigned threads;               /* that write a dense format; set it after brick_out_open, else one does */
     void *state;                    /* the format's own */
+    const uint64_t *inside;         /* cells of the brick that is put which are inside, for labels; NULL without */
     const struct part_header *part; /* which part the bricks are, for .npz; set it after brick_out_open. NULL: the whole */
 } brick_out;
 
@@ -36,6 +37,9 @@ int brick_out_open(brick_out *out, const volume_format *format, const volume_opt
  * to be 0. Returns an exit_code; after a failure, which has said its line, brick_out_drop is all that is left.
  */
 int brick_out_put(brick_out *out, const uint32_t at[3], const uint64_t bits[8]);
+
+/* The same with labels, as the options say: which of the cells are inside. */
+int brick_out_put_labelled(brick_out *out, const uint32_t at[3], const uint64_t bits[8], const uint64_t inside[8]);
 
 /* Writes the rest and frees all memory; file_out_keep is the caller's next step. Returns an exit_code; on failure as for put. */
 int brick_out_end(brick_out *out, progress *bar);

@@ -1,4 +1,4 @@
-/* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, and the grid. */
+/* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, which of these are inside, and the grid. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,19 +11,20 @@
 
 enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512 };
 
-/* The file gets the bits as they come; the places wait beside it. */
+/* The file gets the bits as they come; the places, and bits of labels, wait beside it. */
 typedef struct npz {
     zip_out zip;
-    waiting places, colours; /* colours where there are some */
-    deflater *deflater;      /* NULL: not deflated */
-    size_t count;            /* bricks that are in neither yet: for a few bytes each call costs too much */
-    unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES];
+    waiting places, colours, insides; /* the last two where there are some */
+    deflater *deflater;               /* NULL: not deflated */
+    size_t count;                     /* bricks that are in none yet: for a few bytes each call costs too much */
+    unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES], inside[BLOCK][BITS_BYTES];
 } npz;
 
 static void free_npz(npz *z)
 {
     waiting_free(&z->places);
     waiting_free(&z->colours);
+    waiting_free(&z->insides);
     deflater_free(z->deflater);
     free(z);
 }
@@ -36,6 +37,7 @@ static int open_npz(brick_out *out)
     z->deflater = out->options.is_deflated ? deflater_new() : NULL;
     z->places = waiting_for(out->file);
     z->colours = out->cells.colours ? waiting_for(out->file) : (waiting){.count = 0};
+    z->insides = out->options.has_labels ? waiting_for(out->file) : (waiting){.count = 0};
     if (out->options.is_deflated && !z->deflater) {
         free_npz(z);
         return message_failure("%s: out of memory", out->file->path);
@@ -46,12 +48,14 @@ static int open_npz(brick_out *out)
     return EXIT_CODE_OK;
 }
 
-static int write_block(npz *z)
+static int write_block(brick_out *out)
 {
+    npz *const z = out->state;
     const size_t count = z->count;
     z->count = 0;
     zip_add(&z->zip, z->words, count * BITS_BYTES);
-    return waiting_add(&z->places, z->place, count * AT_BYTES);
+    const int code = waiting_add(&z->places, z->place, count * AT_BYTES);
+    return code || !out->options.has_labels ? code : waiting_add(&z->insides, z->inside, count * BITS_BYTES);
 }
 
 static int put_colours(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
@@ -60,15 +64,22 @@ static int put_colours(brick_out *out, const uint32_t at[3], const uint64_t bits
     return waiting_add(&z->colours, cell_colours_of_brick(out->cells.colours, at), (size_t)voxels_count(bits, 8) * sizeof(rgb));
 }
 
+static void put_words(unsigned char *to, const uint64_t words[8])
+{
+    for (int k = 0; k < 8; k++)
+        little_put64(to + 8 * k, words[k]);
+}
+
 static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
 {
     npz *const z = out->state;
     for (int a = 0; a < 3; a++)
         little_put32(z->place[z->count] + 4 * a, at[a]);
-    for (int k = 0; k < 8; k++)
-        little_put64(z->words[z->count] + 8 * k, bits[k]);
+    put_words(z->words[z->count], bits);
+    if (out->options.has_labels)
+        put_words(z->inside[z->count], out->inside);
     const int code = out->cells.colours ? put_colours(out, at, bits) : EXIT_CODE_OK;
-    return code || ++z->count < BLOCK ? code : write_block(z);
+    return code || ++z->count < BLOCK ? code : write_block(out);
 }
 
 static void end_rows(npz *z, const char *type, uint64_t rows, int columns)
@@ -80,13 +91,13 @@ static void end_rows(npz *z, const char *type, uint64_t rows, int columns)
 
 static void add_some(void *zip, const void *bytes, size_t count) { zip_add(zip, bytes, count); }
 
-/* What waited beside the file, three numbers a row. */
-static int add_waited(npz *z, waiting *from, const char *name, const char *type, uint64_t rows)
+/* What waited beside the file, `columns` numbers a row. */
+static int add_waited(npz *z, waiting *from, const char *name, const char *type, uint64_t rows, int columns)
 {
     zip_begin_member(&z->zip, name);
     const int code = waiting_hand_on(from, add_some, &z->zip);
     if (!code)
-        end_rows(z, type, rows, 3);
+        end_rows(z, type, rows, columns);
     return code;
 }
 
@@ -94,13 +105,15 @@ static int end_npz(brick_out *out, progress *bar)
 {
     npz *const z = out->state;
     (void)bar;
-    int code = write_block(z);
+    int code = write_block(out);
     if (code)
         return code;
     end_rows(z, "<u8", out->bricks, 8);
-    code = add_waited(z, &z->places, "at.npy", "<u4", out->bricks);
+    code = add_waited(z, &z->places, "at.npy", "<u4", out->bricks, 3);
+    if (!code && out->options.has_labels)
+        code = add_waited(z, &z->insides, "inside.npy", "<u8", out->bricks, 8);
     if (!code && out->cells.colours)
-        code = add_waited(z, &z->colours, "colours.npy", "|u1", out->cells.colours->cells);
+        code = add_waited(z, &z->colours, "colours.npy", "|u1", out->cells.colours->cells, 3);
     if (code)
         return code;
     npz_add_grid(&z->zip, &out->cells);

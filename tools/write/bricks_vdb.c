@@ -22,9 +22,12 @@ static double unit_of(const tribox_grid *grid)
     return unit <= unit_max ? unit : INFINITY;
 }
 
-static vdb_grid grid_of(const voxels *v, bool is_mask)
+static vdb_grid grid_of(const voxels *v, const volume_options *options)
 {
-    vdb_grid grid = {.unit = unit_of(&v->grid), .is_mask = is_mask, .has_colours = v->colours != NULL};
+    vdb_grid grid = {.unit = unit_of(&v->grid),
+                     .is_mask = options->is_mask,
+                     .has_labels = options->has_labels,
+                     .has_colours = v->colours != NULL};
     for (int a = 0; a < 3; a++)
         grid.origin[a] = v->grid.origin[a] + v->shift[a];
     memcpy(grid.cell, v->grid.cell, sizeof grid.cell);
@@ -65,7 +68,7 @@ static bool try_grid(const vdb_grid *grid, char *reason)
 int bricks_check_vdb(const char *path, const tribox_grid *grid)
 {
     char reason[VDB_PROCESS_REASON];
-    const vdb_grid tried = grid_of(&(voxels){.grid = *grid}, false);
+    const vdb_grid tried = grid_of(&(voxels){.grid = *grid}, &(volume_options){.is_mask = false});
     if (isinf(tried.unit))
         return message_failure("%s: cells of %.9g x %.9g x %.9g are too small for .vdb; write .npz", path, grid->cell[0],
                                grid->cell[1], grid->cell[2]);
@@ -82,7 +85,7 @@ static int open_vdb(brick_out *out)
 {
     char reason[VDB_PROCESS_REASON];
     curve = rgb_curve_make();
-    const vdb_grid grid = grid_of(&out->cells, out->options.is_mask);
+    const vdb_grid grid = grid_of(&out->cells, &out->options);
     if (!begun)
         begun = vdb_process_begin(reason);
     if (!begun || !vdb_process_open(begun, &grid, out->to, !file_out_is_stdout(out->file->path), reason)) {
@@ -111,7 +114,8 @@ static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     char reason[VDB_PROCESS_REASON];
     float colours[CELLS][3];
     const uint32_t cells = out->cells.colours ? find_colours(out->cells.colours, at, bits, colours) : 0;
-    return vdb_process_put(out->state, at, bits, colours[0], cells, reason) ? EXIT_CODE_OK : fail(out->file->path, reason);
+    return vdb_process_put(out->state, at, bits, out->inside, colours[0], cells, reason) ? EXIT_CODE_OK
+                                                                                         : fail(out->file->path, reason);
 }
 
 static int end_vdb(brick_out *out, progress *bar)

@@ -56,8 +56,9 @@ void dense_start(dense_out *d, const volume_frame *frame, const file_out *file, 
     const tribox_grid *const grid = &v->grid;
     FILE *const to = file->stream;
     const uint64_t cells = (uint64_t)grid->size[0] * grid->size[1] * grid->size[2];
-    const uint64_t bytes = frame->has_words ? 8 * (uint64_t)voxels_layer_words(grid) * grid->size[2] : cells;
-    *d = (dense_out){.frame = frame, .file = file, .grid = grid, .has_places = to != stdout};
+    const bool has_words = frame->has_words && !voxels_have_labels(v);
+    const uint64_t bytes = has_words ? 8 * (uint64_t)voxels_layer_words(grid) * grid->size[2] : cells;
+    *d = (dense_out){.frame = frame, .file = file, .grid = grid, .has_words = has_words, .has_places = to != stdout};
     pthread_mutex_init(&d->lock, NULL);
     errno = 0;
     if (frame->before)
@@ -132,13 +133,14 @@ static uint64_t spread(uint64_t byte)
     return (own + UINT64_C(0x7f7f7f7f7f7f7f7f)) >> 7 & UINT64_C(0x0101010101010101);
 }
 
-static void set_bytes(const dense_out *d, uint64_t word, unsigned char bytes[64])
+/* A byte of a set cell is 1, and 1 more where it is inside. */
+static void set_bytes(const dense_out *d, uint64_t word, uint64_t inside, unsigned char bytes[64])
 {
-    if (d->frame->has_words)
+    if (d->has_words)
         little_put64(bytes, word);
     else
         for (unsigned i = 0; i < 64; i += 8)
-            little_put64(bytes + i, spread(word >> i & 0xff));
+            little_put64(bytes + i, spread(word >> i & 0xff) + (inside ? spread(inside >> i & 0xff) : 0));
 }
 
 static void copy(dense_out *d, dense_room *r, uint64_t at, const unsigned char *bytes, size_t count)
@@ -152,11 +154,11 @@ static void copy(dense_out *d, dense_room *r, uint64_t at, const unsigned char *
 }
 
 /* Words come in their order: what is written beyond the last cells of a row are zeros where there are none yet. */
-static void put_word(dense_out *d, dense_room *r, uint64_t at, uint64_t word, size_t count)
+static void put_word(dense_out *d, dense_room *r, uint64_t at, uint64_t word, uint64_t inside, size_t count)
 {
     unsigned char apart[64];
     const bool is_in = at + sizeof apart <= r->end;
-    set_bytes(d, word, is_in ? place_of(r, at) : apart);
+    set_bytes(d, word, inside, is_in ? place_of(r, at) : apart);
     if (!is_in)
         copy(d, r, at, apart, count);
 }
@@ -169,14 +171,14 @@ static bool is_empty(const uint64_t *words, size_t count)
     return !any;
 }
 
-static void put_row(dense_out *d, dense_room *r, uint64_t at, const uint64_t *row, size_t words)
+static void put_row(dense_out *d, dense_room *r, uint64_t at, const uint64_t *row, const uint64_t *inside)
 {
-    const uint32_t cells = d->grid->size[0], each = d->frame->has_words ? 8 : 64;
-    const size_t bytes = d->frame->has_words ? 8 * words : cells;
+    const uint32_t cells = d->grid->size[0], each = d->has_words ? 8 : 64;
+    const size_t words = voxels_row_words(d->grid), bytes = d->has_words ? 8 * words : cells;
     for (size_t w = 0; w < words; w++) {
         const size_t left = bytes - each * w;
         if (row[w])
-            put_word(d, r, at + each * w, row[w], left < each ? left : each);
+            put_word(d, r, at + each * w, row[w], inside ? inside[w] : 0, left < each ? left : each);
     }
 }
 
@@ -187,18 +189,20 @@ static void lacks_memory(dense_out *d)
     pthread_mutex_unlock(&d->lock);
 }
 
-bool dense_put(dense_out *d, dense_room *r, uint32_t first, uint32_t layers, const uint64_t *words)
+bool dense_put(dense_out *d, dense_room *r, uint32_t first, uint32_t layers, const uint64_t *words, const uint64_t *inside)
 {
-    const size_t row_words = voxels_row_words(d->grid), row_bytes = d->frame->has_words ? 8 * row_words : d->grid->size[0];
+    const size_t row_words = voxels_row_words(d->grid), row_bytes = d->has_words ? 8 * row_words : d->grid->size[0];
     const uint64_t layer_bytes = (uint64_t)row_bytes * d->grid->size[1];
     if (!r)
         return lacks_memory(d), false;
     r->from = r->end = d->start + first * layer_bytes;
     r->to = r->from + layers * layer_bytes;
     r->filled = r->runs = 0;
-    for (uint64_t at = r->from; at < r->to; at += row_bytes, words += row_words)
+    for (uint64_t at = r->from; at < r->to; at += row_bytes, words += row_words) {
         if (!is_empty(words, row_words))
-            put_row(d, r, at, words, row_words);
+            put_row(d, r, at, words, inside);
+        inside += inside ? row_words : 0;
+    }
     if (r->to == d->end && r->end < r->to)
         begin_block(d, r, r->to - 1); /* the length of a file is where its bytes end */
     return write_room(d, r);

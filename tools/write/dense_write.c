@@ -23,7 +23,7 @@ static void put_step(writing *w, dense_room *room, uint32_t first)
     for (uint32_t k = first, layers; k < end; k += layers) {
         layers = voxels_layers_from(w->v, k);
         layers = layers < end - k ? layers : end - k;
-        dense_put(w->out, room, k, layers, voxels_layer(w->v, k));
+        dense_put(w->out, room, k, layers, voxels_layer(w->v, k), voxels_layer_inside(w->v, k));
     }
 }
 

@@ -66,7 +66,7 @@ class tree
 {
   public:
     virtual ~tree() = default;
-    virtual void put(const openvdb::Coord &corner, const uint64_t words[8]) = 0;
+    virtual void put(const openvdb::Coord &corner, const uint64_t words[8], const uint64_t inside[8]) = 0;
     virtual openvdb::GridBase::Ptr base() const = 0;
 };
 
@@ -76,7 +76,7 @@ template <class Grid> class tree_of : public tree
     // Made by OpenVDB: to make one here, the compiler would have to translate all of it again.
     tree_of() : grid(std::static_pointer_cast<Grid>(openvdb::GridBase::createGrid(Grid::TreeType::treeType()))) {}
 
-    void put(const openvdb::Coord &corner, const uint64_t words[8]) override
+    void put(const openvdb::Coord &corner, const uint64_t words[8], const uint64_t inside[8]) override
     {
         using leaf_node = typename Grid::TreeType::LeafNodeType;
         typename leaf_node::NodeMaskType mask;
@@ -84,18 +84,26 @@ template <class Grid> class tree_of : public tree
             mask.template getWord<uint64_t>(i) = words[i];
         leaf_node *const leaf = grid->tree().touchLeaf(corner);
         leaf->setValueMask(mask);
-        set_values(*leaf, words);
+        set_values(*leaf, words, inside);
     }
 
     openvdb::GridBase::Ptr base() const override { return grid; }
 
   private:
     // The values of a mask are its active cells.
-    static void set_values(openvdb::MaskTree::LeafNodeType &, const uint64_t *) {}
+    static void set_values(openvdb::MaskTree::LeafNodeType &, const uint64_t *, const uint64_t *) {}
 
-    static void set_values(openvdb::BoolTree::LeafNodeType &leaf, const uint64_t words[8])
+    static void set_values(openvdb::BoolTree::LeafNodeType &leaf, const uint64_t words[8], const uint64_t *)
     {
         std::memcpy(leaf.buffer().data(), words, 8 * sizeof *words);
+    }
+
+    // Labels: 1, and 2 inside.
+    static void set_values(openvdb::Int32Tree::LeafNodeType &leaf, const uint64_t words[8], const uint64_t inside[8])
+    {
+        int32_t *const values = leaf.buffer().data();
+        for (int n = 0; n < 512; n++)
+            values[n] = static_cast<int32_t>((words[n / 64] >> n % 64 & 1) + (inside[n / 64] >> n % 64 & 1));
     }
 
     typename Grid::Ptr grid;
@@ -178,7 +186,9 @@ void *make(const vdb_grid *grid, char *reason)
     attempt(reason, [&] {
         openvdb::initialize();
         std::unique_ptr<content> c(new content);
-        if (grid->is_mask)
+        if (grid->has_labels)
+            c->cells.reset(new tree_of<openvdb::Int32Grid>);
+        else if (grid->is_mask)
             c->cells.reset(new tree_of<openvdb::MaskGrid>);
         else
             c->cells.reset(new tree_of<openvdb::BoolGrid>);
@@ -193,14 +203,16 @@ void *make(const vdb_grid *grid, char *reason)
     return made;
 }
 
-int put(void *to, const uint32_t at[3], const uint64_t bits[8], const float *colour, char *reason)
+int put(void *to, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const float *colour, char *reason)
 {
     return attempt(reason, [&] {
-        uint64_t words[8];
+        uint64_t words[8], inside_words[8] = {0};
         content *const c = static_cast<content *>(to);
         const openvdb::Coord corner(static_cast<int>(8 * at[0]), static_cast<int>(8 * at[1]), static_cast<int>(8 * at[2]));
         exchange(bits, words);
-        c->cells->put(corner, words);
+        if (inside)
+            exchange(inside, inside_words);
+        c->cells->put(corner, words, inside_words);
         if (c->cells_colours)
             c->cells_colours->put(corner, bits, words, colour);
     });

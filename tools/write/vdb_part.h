@@ -15,6 +15,7 @@ typedef struct vdb_grid {
     uint32_t size[3];
     double unit;     /* the transform's lengths are these times it */
     int is_mask;     /* a MaskGrid in place of a BoolGrid */
+    int has_labels;  /* an Int32Grid, of 1 and of 2 where cells are inside */
     int has_colours; /* beside it a Vec3SGrid, "Cd" */
 } vdb_grid;
 
@@ -26,10 +27,11 @@ typedef struct vdb_part {
     void *(*make)(const vdb_grid *grid, char *reason);
 
     /*
-     * Each returns whether it did it. put: a brick as a tribox_sink gets it, and red, green and blue of its set cells, in the order of
-     * the bits, where there are colours. can_seek: of the stream, which is at its start.
+     * Each returns whether it did it. put: a brick as a tribox_sink gets it; inside: which of its cells are, for labels; colours: red,
+     * green and blue of its set cells, in the order of the bits, where there are some. can_seek: of the stream, which is at its start.
      */
-    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], const float *colours, char *reason);
+    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const float *colours,
+               char *reason);
     int (*write)(void *tree, FILE *to, int can_seek, char *reason);
 } vdb_part;
 

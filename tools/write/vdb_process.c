@@ -37,6 +37,7 @@ typedef struct block {
         uint64_t bits[8];
     } brick[BLOCK];
     float colour[BLOCK_COLOURS][3];
+    uint64_t inside[BLOCK][8]; /* sent of a grid of labels alone */
 } block;
 
 /* A grid to make a tree for; where it is only tried, no file comes with it. */
@@ -55,6 +56,7 @@ typedef struct answer {
 struct vdb_process {
     pid_t child;
     int socket;
+    bool has_labels;
     block next;
 };
 
@@ -114,14 +116,15 @@ static FILE *receive_file(int from)
     return file < 0 ? NULL : fdopen(file, "wb");
 }
 
-static bool send_block(int to, const block *b)
+static bool send_block(int to, const block *b, bool has_labels)
 {
     const uint32_t counts[2] = {b->count, b->colours};
     return send_all(to, counts, sizeof counts) && send_all(to, b->brick, b->count * sizeof b->brick[0]) &&
-           send_all(to, b->colour, b->colours * sizeof b->colour[0]);
+           send_all(to, b->colour, b->colours * sizeof b->colour[0]) &&
+           (!has_labels || send_all(to, b->inside, b->count * sizeof b->inside[0]));
 }
 
-static bool receive_block(int from, block *b)
+static bool receive_block(int from, block *b, bool has_labels)
 {
     uint32_t counts[2];
     if (!receive_all(from, counts, sizeof counts))
@@ -129,7 +132,8 @@ static bool receive_block(int from, block *b)
     b->count = counts[0];
     b->colours = counts[1];
     return receive_all(from, b->brick, b->count * sizeof b->brick[0]) &&
-           receive_all(from, b->colour, b->colours * sizeof b->colour[0]);
+           receive_all(from, b->colour, b->colours * sizeof b->colour[0]) &&
+           (!has_labels || receive_all(from, b->inside, b->count * sizeof b->inside[0]));
 }
 
 /*
@@ -147,26 +151,26 @@ static const vdb_part *load(answer *a)
 
 static void say_failed(answer *a, const char *why) { snprintf(a->reason, sizeof a->reason, "OpenVDB failed: %s", why); }
 
-static bool put_block(const vdb_part *part, void *tree, const block *b, char *why)
+static bool put_block(const vdb_part *part, void *tree, const block *b, bool has_labels, char *why)
 {
     bool is_put = true;
     const float *colour = b->colour[0];
     for (uint32_t i = 0; i < b->count && is_put; i++) {
-        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, colour, why);
+        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, has_labels ? b->inside[i] : NULL, colour, why);
         colour += (size_t)3 * b->brick[i].cells;
     }
     return is_put;
 }
 
 /* The bricks of a tree, and its file. */
-static void take_bricks(int parent, const vdb_part *part, void *tree, FILE *to, bool can_seek)
+static void take_bricks(int parent, const vdb_part *part, void *tree, FILE *to, const order *o)
 {
     block b;
     char why[VDB_REASON];
     answer a = {.is_done = true};
     bool goes_on = true;
-    while (goes_on && receive_block(parent, &b)) {
-        a.is_done = b.count ? put_block(part, tree, &b, why) : part->write(tree, to, can_seek, why);
+    while (goes_on && receive_block(parent, &b, o->grid.has_labels)) {
+        a.is_done = b.count ? put_block(part, tree, &b, o->grid.has_labels, why) : part->write(tree, to, o->can_seek, why);
         goes_on = b.count && a.is_done;
         if (!a.is_done)
             say_failed(&a, why);
@@ -195,7 +199,7 @@ static void serve(int parent)
         if (!send_all(parent, &a, sizeof a) || !a.is_done)
             return;
         if (to)
-            take_bricks(parent, part, tree, to, o.can_seek);
+            take_bricks(parent, part, tree, to, &o);
     }
 }
 
@@ -275,13 +279,14 @@ bool vdb_process_try(vdb_process *p, const vdb_grid *grid, char *reason)
 bool vdb_process_open(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek, char *reason)
 {
     answer a;
+    p->has_labels = grid->has_labels;
     send_all(p->socket, &(order){.grid = *grid, .has_file = true, .can_seek = can_seek}, sizeof(order));
     send_file(p->socket, fileno(to));
     return hear(p, &a, reason);
 }
 
-bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], const float *colours, uint32_t cells,
-                     char *reason)
+bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const float *colours,
+                     uint32_t cells, char *reason)
 {
     answer a;
     block *const b = &p->next;
@@ -290,9 +295,11 @@ bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8
     b->brick[b->count].cells = cells;
     memcpy(b->colour[b->colours], colours, cells * sizeof b->colour[0]);
     b->colours += cells;
+    if (p->has_labels)
+        memcpy(b->inside[b->count], inside, sizeof b->inside[0]);
     if (++b->count < BLOCK && b->colours + BRICK_CELLS <= BLOCK_COLOURS)
         return true;
-    const bool is_sent = send_block(p->socket, b);
+    const bool is_sent = send_block(p->socket, b, p->has_labels);
     b->count = b->colours = 0;
     return is_sent || hear(p, &a, reason);
 }
@@ -302,9 +309,9 @@ bool vdb_process_write(vdb_process *p, int *error, char *reason)
     answer a;
     block *const b = &p->next;
     if (b->count)
-        send_block(p->socket, b); /* whether they arrive the answer says */
+        send_block(p->socket, b, p->has_labels); /* whether they arrive the answer says */
     b->count = b->colours = 0;
-    send_block(p->socket, b);
+    send_block(p->socket, b, p->has_labels);
     const bool is_done = hear(p, &a, reason);
     *error = a.error;
     return is_done && !a.error;

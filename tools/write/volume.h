@@ -11,13 +11,15 @@
 typedef struct volume_options {
     bool is_deflated; /* .npz: smaller, and slower to write */
     bool is_mask;     /* .vdb: a MaskGrid in place of a BoolGrid, smaller, and known to fewer programs */
+    bool has_labels;  /* cells are 1 or 2, surface or inside */
 } volume_options;
 
 /* A format whose cells lie one after the other: x fastest, then y, then z. */
 typedef struct volume_frame {
     void (*before)(FILE *to, const voxels *v); /* what stands before them, and after them; NULL: nothing */
     void (*after)(FILE *to);
-    bool has_words; /* the words of tribox_voxelize, little-endian; else a byte for each cell, 1 where it is set */
+    bool has_words; /* without labels the words of tribox_voxelize, little-endian; else a byte for each cell, 1 where
+                       it is set, 2 where it is labelled as inside */
 } volume_frame;
 
 /* What a format holds of the colours of cells. */
@@ -42,12 +44,14 @@ typedef struct volume_format {
     const struct brick_writer *bricks;
 
     volume_colours colours;
-    bool has_place; /* it says where the grid is, which is where the mesh was before it was shifted */
+    bool has_place;    /* it says where the grid is, which is where the mesh was before it was shifted */
+    bool takes_labels; /* it can tell cells of the surface from those inside */
 } volume_format;
 
 /* For the help text and for messages. */
 #define VOLUME_WORDS "npz, vdb, cells, npy, vti, nrrd, binvox, vox, raw, ply, obj, glb"
 #define VOLUME_ENDINGS ".npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox, .raw, .ply, .obj or .glb"
+#define VOLUME_LABELLED "npz, vdb, npy, vti, nrrd, vox or raw"
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
@@ -56,10 +60,10 @@ const volume_format *volume_format_named(const char *word);
 /* Says where the cells are, if they are shifted and the format does not. NULL for a part, which does. */
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
 
-/* NumPy 1.0: one bool per cell, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */
+/* NumPy 1.0: one bool per cell, or label of uint8, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */
 extern const volume_frame volume_npy;
 
-/* The words of tribox_voxelize, layer by layer, little-endian, and nothing else. */
+/* The words of tribox_voxelize, layer by layer, little-endian, and nothing else; labels as a byte for each cell. */
 extern const volume_frame volume_raw;
 
 /* VTK's XML image, 1.0: a cell of unsigned char for each cell, appended raw. */
@@ -72,7 +76,7 @@ extern const volume_frame volume_nrrd;
 int volume_check_binvox(const char *path, const tribox_grid *grid);
 void volume_write_binvox(FILE *to, const voxels *v, progress *bar);
 
-/* MagicaVoxel 150: one model, a list of cells; at most 256 cells on each axis. */
+/* MagicaVoxel 150: one model, a list of cells; at most 256 cells on each axis. Labels have colours of their own. */
 int volume_check_vox(const char *path, const tribox_grid *grid);
 void volume_write_vox(FILE *to, const voxels *v, progress *bar);
 

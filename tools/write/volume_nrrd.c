@@ -16,13 +16,13 @@ static void write_header(FILE *to, const voxels *v)
     const tribox_grid *const grid = &v->grid;
     fprintf(to,
             "NRRD0004\n"
-            "# cells of a grid that a mesh overlaps, by tribox\n"
+            "# cells of a grid that a mesh overlaps%s, by tribox\n"
             "type: uint8\n"
             "dimension: 3\n"
             "space dimension: 3\n"
             "sizes: %u %u %u\n"
             "space directions:",
-            grid->size[0], grid->size[1], grid->size[2]);
+            voxels_have_labels(v) ? ": 1, and that it encloses: 2" : "", grid->size[0], grid->size[1], grid->size[2]);
     write_vector(to, grid->cell[0], 0, 0);
     write_vector(to, 0, grid->cell[1], 0);
     write_vector(to, 0, 0, grid->cell[2]);

@@ -33,18 +33,22 @@ static void start_chunk(FILE *to, const char *name, uint32_t bytes, uint32_t byt
     put(to, bytes_of_children);
 }
 
-static unsigned char colour_of(const voxels *v, const uint32_t cell[3])
+/* The label is the colour where cells have none of their own. */
+static unsigned char colour_of(const voxels *v, const uint64_t *inside, const uint32_t cell[3])
 {
     const cell_colours *const c = v->colours;
-    return (unsigned char)(c ? COLOUR + palette_find(&c->palette, cell_colours_at(c, cell)) : COLOUR);
+    const int label = inside && voxels_bit(inside, cell[0]) ? VOXELS_INSIDE : VOXELS_SURFACE;
+    return (unsigned char)(c ? COLOUR + palette_find(&c->palette, cell_colours_at(c, cell)) : label);
 }
 
 static void write_row(FILE *to, const voxels *v, uint32_t j, uint32_t k)
 {
-    const uint64_t *const row = voxels_layer(v, k) + j * voxels_row_words(&v->grid);
+    const size_t before = j * voxels_row_words(&v->grid);
+    const uint64_t *const row = voxels_layer(v, k) + before, *const layer = voxels_layer_inside(v, k);
+    const uint64_t *const inside = layer ? layer + before : NULL;
     for (uint32_t i = 0; i < v->grid.size[0]; i++)
         if (voxels_bit(row, i)) {
-            const unsigned char colour = colour_of(v, (const uint32_t[3]){i, j, k});
+            const unsigned char colour = colour_of(v, inside, (const uint32_t[3]){i, j, k});
             const unsigned char cell[4] = {(unsigned char)i, (unsigned char)j, (unsigned char)k, colour};
             fwrite(cell, 1, sizeof cell, to);
         }
@@ -60,10 +64,19 @@ static void write_palette(FILE *to, const palette *p)
     }
 }
 
+/* White for the surface and orange for what is inside. */
+static void write_label_palette(FILE *to)
+{
+    static const unsigned char colours[PALETTE_BYTES] = {255, 255, 255, 255, 255, 128, 0, 255};
+    start_chunk(to, "RGBA", PALETTE_BYTES, 0);
+    fwrite(colours, 1, sizeof colours, to);
+}
+
 void volume_write_vox(FILE *to, const voxels *v, progress *bar)
 {
     const uint32_t *n = v->grid.size, cells = (uint32_t)voxels_occupied(v), cell_bytes = 4 + 4 * cells;
-    const uint32_t palette_bytes = v->colours ? CHUNK_HEADER + PALETTE_BYTES : 0;
+    const bool has_labels = voxels_have_labels(v);
+    const uint32_t palette_bytes = v->colours || has_labels ? CHUNK_HEADER + PALETTE_BYTES : 0;
     fputs("VOX ", to);
     put(to, VERSION);
     start_chunk(to, "MAIN", 0, CHUNK_HEADER + SIZE_BYTES + CHUNK_HEADER + cell_bytes + palette_bytes);
@@ -79,4 +92,6 @@ void volume_write_vox(FILE *to, const voxels *v, progress *bar)
     }
     if (v->colours)
         write_palette(to, &v->colours->palette);
+    else if (has_labels)
+        write_label_palette(to);
 }

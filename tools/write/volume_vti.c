@@ -17,6 +17,7 @@ static void write_extent(FILE *to, const char *attribute, const uint32_t size[3]
 
 static void write_image(FILE *to, const voxels *v)
 {
+    const bool has_labels = voxels_have_labels(v);
     const tribox_grid *const grid = &v->grid;
     fputs("  <ImageData", to);
     write_extent(to, "WholeExtent", grid->size);
@@ -26,13 +27,14 @@ static void write_image(FILE *to, const voxels *v)
     write_point(to, grid->cell[0], grid->cell[1], grid->cell[2]);
     fputs("\">\n    <Piece", to);
     write_extent(to, "Extent", grid->size);
-    fputs(">\n"
-          "      <CellData Scalars=\"occupied\">\n"
-          "        <DataArray type=\"UInt8\" Name=\"occupied\" format=\"appended\" RangeMin=\"0\" RangeMax=\"1\" offset=\"0\"/>\n"
-          "      </CellData>\n"
-          "    </Piece>\n"
-          "  </ImageData>\n",
-          to);
+    fprintf(to,
+            ">\n"
+            "      <CellData Scalars=\"%s\">\n"
+            "        <DataArray type=\"UInt8\" Name=\"%s\" format=\"appended\" RangeMin=\"0\" RangeMax=\"%d\" offset=\"0\"/>\n"
+            "      </CellData>\n"
+            "    </Piece>\n"
+            "  </ImageData>\n",
+            has_labels ? "label" : "occupied", has_labels ? "label" : "occupied", has_labels ? VOXELS_INSIDE : 1);
 }
 
 /* The length of the array stands before it. */

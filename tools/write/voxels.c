@@ -14,11 +14,24 @@ static const voxels_slab *slab_of(const voxels *v, uint32_t k)
     return &v->slab[low];
 }
 
+static size_t words_before(const voxels *v, const voxels_slab *slab, uint32_t k)
+{
+    return (size_t)(k - slab->first) * voxels_layer_words(&v->grid);
+}
+
 const uint64_t *voxels_layer(const voxels *v, uint32_t k)
 {
     const voxels_slab *const slab = slab_of(v, k);
-    return slab->bits + (size_t)(k - slab->first) * voxels_layer_words(&v->grid);
+    return slab->bits + words_before(v, slab, k);
 }
+
+const uint64_t *voxels_layer_inside(const voxels *v, uint32_t k)
+{
+    const voxels_slab *const slab = slab_of(v, k);
+    return slab->inside ? slab->inside + words_before(v, slab, k) : NULL;
+}
+
+bool voxels_have_labels(const voxels *v) { return v->slabs && v->slab[0].inside; }
 
 uint32_t voxels_layers_from(const voxels *v, uint32_t k)
 {

@@ -10,6 +10,7 @@
 typedef struct voxels_slab {
     uint32_t first, layers;
     const uint64_t *bits;
+    const uint64_t *inside; /* which of them are inside, for labels; NULL: cells have none */
 } voxels_slab;
 
 typedef struct voxels {
@@ -25,6 +26,14 @@ const uint64_t *voxels_layer(const voxels *v, uint32_t k);
 
 /* How many layers from k on lie behind each other in memory, k among them. */
 uint32_t voxels_layers_from(const voxels *v, uint32_t k);
+/* The same of those inside; NULL without labels. */
+const uint64_t *voxels_layer_inside(const voxels *v, uint32_t k);
+
+/* Layers put apart, which have no slabs, have none. */
+bool voxels_have_labels(const voxels *v);
+
+/* The label of a set cell, by a row of those inside. */
+enum { VOXELS_SURFACE = 1, VOXELS_INSIDE = 2 };
 
 static inline bool voxels_bit(const uint64_t *row, uint32_t i) { return row[i / 64] >> i % 64 & 1; }
 
