@@ -201,7 +201,8 @@ bool dense_put(dense_out *d, dense_room *r, uint32_t first, uint32_t layers, con
     for (uint64_t at = r->from; at < r->to; at += row_bytes, words += row_words) {
         if (!is_empty(words, row_words))
             put_row(d, r, at, words, inside);
-        inside += inside ? row_words : 0;
+        if (inside)
+            inside += row_words;
     }
     if (r->to == d->end && r->end < r->to)
         begin_block(d, r, r->to - 1); /* the length of a file is where its bytes end */
