@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/interrupt.h"
 #include "console/message.h"
 #include "crop_faces.h"
 
@@ -117,6 +118,22 @@ static void note_empty(const crop_files *f, int side, const crop_counts *counts)
                     side == CROP_PART ? "none is in the box" : "all are in the box");
 }
 
+/* Both or neither, if a signal comes; none is put off while a reader is slow. */
+static int keep(crop_files *f, int code)
+{
+    for (int s = 0; !code && s < CROP_SIDES; s++)
+        if (f->out[s].stream)
+            fflush(f->out[s].stream);
+    interrupt_hold();
+    for (int s = 0; !code && s < CROP_SIDES; s++)
+        code = file_out_keep(&f->out[s]);
+    crop_files_drop(f);
+    if (!code)
+        interrupt_advise("the faces are written, what is said of them is not");
+    interrupt_release();
+    return code;
+}
+
 int crop_write(crop_files *f, const crop_choice *choice, crop_counts counts[CROP_SIDES])
 {
     progress bar = progress_start("writing", true);
@@ -131,8 +148,6 @@ int crop_write(crop_files *f, const crop_choice *choice, crop_counts counts[CROP
         counts[s].has_vertices = f->format == TRIANGLES_OTHER && f->kind != MESH_STL_TEXT;
         if (!code)
             note_empty(f, s, &counts[s]);
-        code = code ? code : file_out_keep(&f->out[s]);
     }
-    crop_files_drop(f);
-    return code;
+    return keep(f, code);
 }
