@@ -15,12 +15,13 @@ import contextlib
 import faulthandler
 import os
 import shutil
+import sys
 
 import numpy as np
 import pieces
 import tribox
 import zarr
-from dask.distributed import Client, LocalCluster
+from dask.distributed import Client, LocalCluster, as_completed
 
 
 def bounds_of(mesh, number, count):
@@ -76,14 +77,28 @@ def run(each, mesh, resolution, count, jobs):
     return sum(each(voxelize_share, [(folders, n, count, f"{jobs}/cells", grid) for n in range(1, count + 1)]))
 
 
+def told(task, ends, count):
+    """The ends of a task's calls as they come, counted on stderr."""
+    for n, end in enumerate(ends, 1):
+        print(f"\r{task.__name__}: {n} of {count}", end="\n" if n == count else "", file=sys.stderr, flush=True)
+        yield end
+
+
 @contextlib.contextmanager
 def dask(workers):
     # Workers come when they can: a cluster that is made with some waits for each, for ever where one dies on its way.
     cluster = LocalCluster(n_workers=0, threads_per_worker=1, dashboard_address=":0")
     client = Client(cluster)
+
+    def each(task, calls):
+        futures = [client.submit(task, *call, retries=3, pure=False) for call in calls]
+        for _ in told(task, as_completed(futures), len(futures)):
+            pass
+        return client.gather(futures)
+
     try:
         cluster.scale(workers)
-        yield lambda task, calls: client.gather([client.submit(task, *call, retries=3, pure=False) for call in calls])
+        yield each
     finally:
         for part in client, cluster:  # which do not end either where a worker died on its way
             with contextlib.suppress(Exception):
@@ -104,7 +119,7 @@ def main():
         parser.error(f"{options.out} exists")
     mesh, jobs = os.path.abspath(options.mesh), os.path.abspath(options.out) + ".jobs"
     pieces.take_up(jobs, mesh, options.resolution, options.pieces)
-    here = contextlib.nullcontext(lambda task, calls: [task(*call) for call in calls])
+    here = contextlib.nullcontext(lambda task, calls: list(told(task, (task(*call) for call in calls), len(calls))))
     with dask(options.workers) if options.workers else here as each:
         cells = run(each, mesh, options.resolution, options.pieces, jobs)
     shutil.rmtree(f"{jobs}/cells.done")  # first, as they say that the chunks are there
