@@ -1,5 +1,6 @@
 """ids: for each cell the lowest triangle that tribox.voxelize sets it for alone, of every form, window and number of threads."""
 
+import importlib.util
 import os
 import pickle
 import tempfile
@@ -98,6 +99,36 @@ class IdTests(cases.TestCase):
         kept = tribox.voxelize(self.triangles, grid, ids=True)
         tribox.voxelize(self.triangles, grid, into=kept)
         self.assertIsNone(kept.ids)
+
+
+class TextureTests(cases.TestCase):
+    """examples/colours/texture.py."""
+
+    def setUp(self):
+        path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/colours/texture.py")
+        spec = importlib.util.spec_from_file_location("texture", path)
+        self.texture = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.texture)
+
+    def test_globe(self):
+        """A cell has the colour of its own longitude and latitude, but near the edges of stripes."""
+        triangles, coordinates = self.texture.globe()
+        voxels = tribox.voxelize(triangles, resolution=60, ids=True)
+        found = self.texture.colours_of(voxels, triangles, coordinates, self.texture.stripes())
+        x, y, z = voxels.points().T
+        stripe = np.arctan2(y, x) / (2 * np.pi) % 1 * 12
+        height = (np.arcsin(z / np.sqrt(x * x + y * y + z * z)) / np.pi + 0.5 - 0.75) * 64
+        is_clear = (abs(stripe - np.round(stripe)) > 0.3) & (abs(height) > 2) & (abs(z) < 0.9)
+        light = np.where(stripe.astype(int) % 2, 230, 70)
+        expected = np.stack([np.maximum(light, 230 * (height > 0)), light, light], axis=-1)[is_clear]
+        self.assertGreater(len(expected), 3000)
+        self.assert_same(found[is_clear], expected.astype(np.uint8))
+
+    def test_thin(self):
+        """Segments and points have a colour too, that of their first corner."""
+        triangles = np.array([[(0, 0, 0), (4, 0, 0), (2, 0, 0)], [(1, 2, 3)] * 3], np.float32)
+        points = np.array([(3, 1, 0), (1, 2, 3)], float)
+        self.assert_same(self.texture.places_in(triangles.astype(float), points), np.array([(1, 0, 0), (1, 0, 0)], float))
 
 
 if __name__ == "__main__":
