@@ -123,26 +123,44 @@ static lane_cells ask_float_planes(const tribox_float_lattice *lattice, int a, l
                         plus_where(guess.last, m_not(v_gt(above_last, ends.most)), v_gt(last, ends.most))};
 }
 
-/* The place of x less half a cell, so that the nearest whole number is its cell. */
-TRIBOX_INLINE vnum middle_of(vnum x, const tribox_float_lattice *lattice, int a)
+/* A window in all lanes, once for all packets: a splat of a number in memory is as dear as an operation. */
+typedef struct lane_axis {
+    vnum origin, per_cell, off_middle, size, certain; /* no place so near to the middle of a cell is in doubt */
+} lane_axis;
+typedef struct lane_window {
+    lane_axis axis[3];
+    vnum first_layer, end_layer; /* of those that are written */
+} lane_window;
+
+TRIBOX_INLINE lane_window lanes_of_window(const tribox_voxel_window *w)
 {
-    const vnum middle =
-        v_fma(v_sub(x, v_splat(lattice->origin[a])), v_splat(lattice->per_cell[a]), v_splat(lattice->off_middle[a]));
-    return v_min(v_max(middle, v_splat(-1)), v_splat(lattice->size[a]));
+    const tribox_float_lattice *const f = &w->in_float;
+    lane_window lanes = {.first_layer = v_splat((float)w->first_layer), .end_layer = v_splat((float)w->end_layer)};
+    for (int a = 0; a < 3; a++)
+        lanes.axis[a] = (lane_axis){v_splat(f->origin[a]), v_splat(f->per_cell[a]), v_splat(f->off_middle[a]), v_splat(f->size[a]),
+                                    v_splat(0.5f - f->doubt[a])};
+    return lanes;
 }
 
-TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, int a, const float *const stream[3], size_t at)
+/* The place of x less half a cell, so that the nearest whole number is its cell. */
+TRIBOX_INLINE vnum middle_of(vnum x, const lane_axis *axis)
+{
+    return v_min(v_max(v_fma(v_sub(x, axis->origin), axis->per_cell, axis->off_middle), v_splat(-1)), axis->size);
+}
+
+TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, const lane_axis *axis, int a,
+                              const float *const stream[3], size_t at)
 {
     for (int j = 0; j < 3; j++)
         r->u[3 * a + j] = v_load(stream[j] + at);
     const tribox_float_lattice *const lattice = &w->in_float;
-    const vnum zero = v_splat(0), size = v_splat(lattice->size[a]);
+    const vnum zero = v_splat(0), size = axis->size;
     const vnum least = lane_min3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
     const vnum most = lane_max3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
-    const vnum from = middle_of(least, lattice, a), to = middle_of(most, lattice, a);
+    const vnum from = middle_of(least, axis), to = middle_of(most, axis);
     lane_cells c = {v_nearest(from), v_nearest(to)};
     const vnum off = v_max(v_abs(v_sub(from, c.first)), v_abs(v_sub(to, c.last)));
-    const vmask in_doubt = v_gt(off, v_splat(0.5f - lattice->doubt[a]));
+    const vmask in_doubt = v_gt(off, axis->certain);
     if (m_bits(in_doubt) && lattice->cell[a] > 0)
         c = ask_float_planes(lattice, a, c, (lane_ends){least, most, from, to});
     else if (m_bits(in_doubt) && !w->doubles)

@@ -161,25 +161,22 @@ TRIBOX_INLINE void list_lines(tribox_voxels *v, const lane_reach *r, vmask lines
 /* Of whole numbers. */
 TRIBOX_INLINE vmask at_most(vnum a, float most) { return v_gt(v_splat(most + 1), a); }
 
-/* The layers that are written, as a packet needs them. */
-typedef struct lane_layers {
-    vnum first, end;
-} lane_layers;
-
 /*
  * Which cells a packet touches. False if none of its lanes does. z first, then y: whoever asks for some layers alone, or a window,
  * looks at most triangles in vain.
  */
-TRIBOX_INLINE bool reach_packet(lane_reach *r, const tribox_voxel_window *w, const tribox_soup *soup, size_t at, lane_layers layers)
+TRIBOX_INLINE bool reach_packet(lane_reach *r, const tribox_voxel_window *w, const lane_window *lanes, const tribox_soup *soup,
+                                size_t at)
 {
-    reach_axis(r, w, 2, soup->z, at);
-    r->inside = m_and(r->inside, m_and(v_gt(layers.end, r->base[2]), v_gt(v_add(r->base[2], r->cells[2]), layers.first)));
+    reach_axis(r, w, &lanes->axis[2], 2, soup->z, at);
+    const vmask is_before_end = v_gt(lanes->end_layer, r->base[2]);
+    r->inside = m_and(r->inside, m_and(is_before_end, v_gt(v_add(r->base[2], r->cells[2]), lanes->first_layer)));
     if (!m_bits(r->inside))
         return false;
-    reach_axis(r, w, 1, soup->y, at);
+    reach_axis(r, w, &lanes->axis[1], 1, soup->y, at);
     if (!m_bits(r->inside))
         return false;
-    reach_axis(r, w, 0, soup->x, at);
+    reach_axis(r, w, &lanes->axis[0], 0, soup->x, at);
     return true;
 }
 
@@ -197,11 +194,12 @@ TRIBOX_INLINE lane_shapes shapes_of(const lane_reach *r)
 }
 
 /* Lists the lines of few cells among these lanes. Returns the others. */
-TRIBOX_INLINE vmask list_short_lines(tribox_voxels *v, const lane_reach *r, vmask inside, lane_shapes shapes, lane_layers layers)
+TRIBOX_INLINE vmask list_short_lines(tribox_voxels *v, const lane_reach *r, vmask inside, lane_shapes shapes,
+                                     const lane_window *lanes)
 {
     lane_reach line = *r;
-    line.base[2] = v_max(r->base[2], layers.first);
-    line.cells[2] = v_sub(v_min(v_add(r->base[2], r->cells[2]), layers.end), line.base[2]);
+    line.base[2] = v_max(r->base[2], lanes->first_layer);
+    line.cells[2] = v_sub(v_min(v_add(r->base[2], r->cells[2]), lanes->end_layer), line.base[2]);
     const vnum rows = v_max(r->cells[1], line.cells[2]);
     const vmask lines = m_andnot(m_and(m_and(inside, shapes.narrow), at_most(rows, TRIBOX_LINE_MOST)), shapes.wide);
     if (m_bits(lines))
@@ -226,15 +224,14 @@ TRIBOX_INLINE vmask enqueue_by_class(tribox_voxels *v, const lane_reach *r, vmas
     return m_andnot(left, m_or(flats, solids));
 }
 
-/* Lanes `from` to before `end_lane` of the packet at triangle `at`. */
-static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, unsigned from, unsigned end_lane)
+/* These lanes of the packet at triangle `at`. */
+static void sort_packet(tribox_voxels *v, const lane_window *lanes, const tribox_soup *soup, size_t at, vmask asked)
 {
-    const lane_layers layers = {v_splat((float)v->window.first_layer), v_splat((float)v->window.end_layer)};
     lane_reach r;
     r.number = v->window.number ? v->window.number + at : NULL;
     r.blurred = m_none();
-    r.inside = lanes_between(from, end_lane);
-    if (!reach_packet(&r, &v->window, soup, at, layers))
+    r.inside = asked;
+    if (!reach_packet(&r, &v->window, lanes, soup, at))
         return;
     const vmask inside = m_andnot(m_and(r.inside, is_finite(r.u)), r.blurred), unknown = m_andnot(r.inside, inside);
     if (m_bits(unknown))
@@ -242,7 +239,7 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
     if (!m_bits(inside))
         return;
     const lane_shapes shapes = shapes_of(&r);
-    vmask left = list_short_lines(v, &r, inside, shapes, layers);
+    vmask left = list_short_lines(v, &r, inside, shapes, lanes);
     if (!m_bits(left))
         return;
     /* One lane has nothing to gain: the rows in double are as fast, and fewer. */
@@ -256,12 +253,13 @@ static void sort_packet(tribox_voxels *v, const tribox_soup *soup, size_t at, un
 static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
 {
     const unsigned last = soup->count % V_LANES;
+    const lane_window lanes = lanes_of_window(&v->window);
     for (size_t at = 0; at + V_LANES <= soup->count; at += V_LANES)
-        sort_packet(v, soup, at, 0, V_LANES);
+        sort_packet(v, &lanes, soup, at, m_all());
     if (soup->count < V_LANES)
-        sort_packet(v, soup, 0, 0, last);
+        sort_packet(v, &lanes, soup, 0, lanes_between(0, last));
     else if (last)
-        sort_packet(v, soup, soup->count - V_LANES, V_LANES - last, V_LANES);
+        sort_packet(v, &lanes, soup, soup->count - V_LANES, lanes_between(V_LANES - last, V_LANES));
 }
 
 static void finish_cells(tribox_voxels *v)
