@@ -22,8 +22,8 @@ TRIBOX_INLINE uint32_t *ids_of_half(const tribox_cell_ids *ids, uint32_t half)
 }
 
 /*
- * Leaves of the bits of each entry those that were not set before. Fetching ahead pays where the grid is larger than a cache, and
- * costs where it is not. Of ids it pays always, as there are 32 times as many bytes. `first` is the id of triangle 0.
+ * Leaves in the place of each half what it was before. Fetching ahead pays where the grid is larger than a cache, and costs where
+ * it is not. Of ids it pays always, as there are 32 times as many bytes. `first` is the id of triangle 0.
  */
 TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far, const tribox_cell_ids *ids, uint32_t first)
 {
@@ -40,19 +40,19 @@ TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far,
         memcpy(at, &after, sizeof after);
         if (ids)
             tribox_lower_ids(ids_of_half(ids, (uint32_t)w->half[n]), before, (uint32_t)w->bits[n], first + (uint32_t)w->number[n]);
-        w->bits[n] = (int32_t)(after ^ before);
+        w->half[n] = (int32_t)before;
     }
 }
 
-/* How many bits all entries have. */
-TRIBOX_INLINE size_t count_listed(tribox_writes *w)
+/* How many bits all entries have that were not set before. */
+TRIBOX_INLINE size_t count_written(tribox_writes *w)
 {
     int32_t in_lane[V_LANES];
     vint sum = i_splat(0);
     size_t bits = 0;
     i_write(&w->bits[w->count], sum);
     for (unsigned n = 0; n < w->count; n += V_LANES)
-        sum = i_add(sum, i_count(i_load(&w->bits[n])));
+        sum = i_add(sum, i_count(i_andnot(i_load(&w->bits[n]), i_load(&w->half[n]))));
     i_write(in_lane, sum);
     for (int n = 0; n < V_LANES; n++)
         bits += (size_t)in_lane[n];
@@ -72,7 +72,7 @@ TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
         write_each(w, v->sinks.occupied, true, NULL, 0);
     else
         write_each(w, v->sinks.occupied, false, NULL, 0);
-    v->counts.overlapping += count_listed(w);
+    v->counts.overlapping += count_written(w);
     w->count = 0;
 }
 
