@@ -148,11 +148,16 @@ TRIBOX_INLINE vnum middle_of(vnum x, const lane_axis *axis)
     return v_min(v_max(v_fma(v_sub(x, axis->origin), axis->per_cell, axis->off_middle), v_splat(-1)), axis->size);
 }
 
+enum { REACH_AHEAD = 64 }; /* triangles */
+
 TRIBOX_INLINE void reach_axis(lane_reach *r, const tribox_voxel_window *w, const lane_axis *axis, int a,
                               const float *const stream[3], size_t at)
 {
-    for (int j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++) {
         r->u[3 * a + j] = v_load(stream[j] + at);
+        if (V_LANES > 4) /* the others are slower than memory is */
+            tribox_will_read(stream[j] + at + REACH_AHEAD);
+    }
     const tribox_float_lattice *const lattice = &w->in_float;
     const vnum zero = v_splat(0), size = axis->size;
     const vnum least = lane_min3(r->u[3 * a], r->u[3 * a + 1], r->u[3 * a + 2]);
