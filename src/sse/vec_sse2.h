@@ -140,15 +140,14 @@ TRIBOX_INLINE vint i_run(vint first, vint end)
     const vint half = sse2_power(_mm_sub_epi32(end, _mm_set1_epi32(1)));
     return _mm_and_si128(_mm_sub_epi32(_mm_add_epi32(half, half), sse2_power(first)), _mm_cmpgt_epi32(end, first));
 }
-/* In parallel within the lane: pairs of bits, nibbles, bytes, and pairs of bytes. */
+/* In parallel within the lane: pairs of bits, nibbles, and bytes; and their sums by products. */
 TRIBOX_INLINE vint i_count(vint a)
 {
     const vint in_pairs = _mm_set1_epi32(0x33333333), in_nibbles = _mm_set1_epi32(0x0f0f0f0f);
     a = _mm_sub_epi32(a, _mm_and_si128(_mm_srli_epi32(a, 1), _mm_set1_epi32(0x55555555)));
     a = _mm_add_epi32(_mm_and_si128(a, in_pairs), _mm_and_si128(_mm_srli_epi32(a, 2), in_pairs));
     a = _mm_and_si128(_mm_add_epi32(a, _mm_srli_epi32(a, 4)), in_nibbles);
-    a = _mm_add_epi32(a, _mm_srli_epi32(a, 8));
-    return _mm_and_si128(_mm_add_epi32(a, _mm_srli_epi32(a, 16)), _mm_set1_epi32(0x3f));
+    return _mm_madd_epi16(_mm_srli_epi16(_mm_mullo_epi16(a, _mm_set1_epi16(0x0101)), 8), _mm_set1_epi16(1));
 }
 TRIBOX_INLINE vint i_keep(vmask m, vint a) { return _mm_and_si128(_mm_castps_si128(m), a); }
 
@@ -164,15 +163,19 @@ TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask
 TRIBOX_INLINE unsigned m_count(vmask a) { return (unsigned)(UINT64_C(0x4332322132212110) >> 4 * m_bits(a)) & 15; }
 TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))); }
 
-/* Each lane goes where those of m before it end: one that is not of m is written over, or lies past the last. */
-TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128 a)
+/*
+ * Pairs of lanes: the second is moved down where the first is not of m, and the high pair goes to the place where those of m in the
+ * low one end. So for each set of the first three: by how many bits each pair is moved, and that place.
+ */
+TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128i a)
 {
-    const uint64_t bits = m_bits(m), first = bits & 1, second = first + (bits >> 1 & 1), third = second + (bits >> 2 & 1);
-    const size_t place[V_LANES] = {0, (size_t)first, (size_t)second, (size_t)third};
-    for (int i = 0; i < V_LANES; i++, a = _mm_shuffle_ps(a, a, 0x39)) {
-        const float lane = _mm_cvtss_f32(a);
-        memcpy((float *)p + place[i], &lane, sizeof lane);
-    }
+    static const struct {
+        int32_t low, high, place;
+    } by[8] = {{32, 32, 0}, {0, 32, 1}, {32, 32, 1}, {0, 32, 2}, {32, 0, 0}, {0, 0, 1}, {32, 0, 1}, {0, 0, 2}};
+    const uint64_t first = m_bits(m) & 7;
+    const __m128i high = _mm_srl_epi64(a, _mm_cvtsi32_si128(by[first].high));
+    _mm_storel_epi64((__m128i *)p, _mm_srl_epi64(a, _mm_cvtsi32_si128(by[first].low)));
+    _mm_storeh_pi((__m64 *)((float *)p + by[first].place), _mm_castsi128_ps(high));
 }
-TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { sse2_pack(p, m, a); }
-TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { sse2_pack(p, m, _mm_castsi128_ps(a)); }
+TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { sse2_pack(p, m, _mm_castps_si128(a)); }
+TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { sse2_pack(p, m, a); }

@@ -106,34 +106,12 @@ TRIBOX_INLINE void pack_lanes(const tribox_voxels *v, tribox_queue *queue, tribo
     }
 }
 
-/* Lane by lane: one costs less than what it takes to close up a few others. */
-TRIBOX_INLINE void copy_lanes(const tribox_voxels *v, tribox_queue *queue, tribox_class kind, vmask m, const lane_reach *r)
-{
-    float lane[TRIBOX_QUEUED][V_LANES];
-    unsigned to = queue->count;
-    for (int n = 0; n < 9; n++)
-        v_write(lane[n], r->u[n]);
-    for (int a = 0; a < 3; a++) {
-        v_write(lane[9 + a], r->base[a]);
-        v_write(lane[12 + a], queued_cells(kind, r, a));
-    }
-    for (uint64_t left = m_bits(m); left; left &= left - 1, to++) {
-        for (int n = 0; n < TRIBOX_QUEUED; n++)
-            queue->number[n][to] = lane[n][tribox_lowest_bit(left)];
-        if (v->window.has_numbers)
-            queue->triangle[to] = r->number[tribox_lowest_bit(left)];
-    }
-}
-
 TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const lane_reach *r)
 {
     tribox_queue *const queue = &v->sinks.queue[kind];
     if (!m_bits(m))
         return;
-    if (V_LANES <= 4)
-        copy_lanes(v, queue, kind, m, r);
-    else
-        pack_lanes(v, queue, kind, m, r);
+    pack_lanes(v, queue, kind, m, r);
     queue->count += m_count(m);
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
         set_packets(v, kind);
