@@ -55,10 +55,9 @@ TRIBOX_INLINE vnum shadow_error(const lane_places *q, const lane_places *p)
     return v_fma(p->F, v_fma(q->R, rounding, q->E), v_mul(q->F, v_fma(p->R, rounding, p->E)));
 }
 
-/* The axis of edge j: m, the left side for cell (0, 0), and the lanes where it is not redundant. */
+/* The axis of edge j: m, and the left side for cell (0, 0). It is redundant where either part of m is zero. */
 typedef struct shadow_axis {
     vnum m_q, m_p, slack;
-    vmask asked;
 } shadow_axis;
 
 /* m (g - X): X is the upper plane of cell 0 where m is negative. */
@@ -67,8 +66,7 @@ TRIBOX_INLINE vnum from_corner(vnum g, vnum m) { return v_fms(m, g, v_min(m, v_s
 TRIBOX_INLINE shadow_axis shadow_axis_of(const lane_places *q, const lane_places *p, int j, vnum n)
 {
     const vnum m_q = v_flip(p->f[j], n), m_p = v_flip(q->f[j], v_flip(n, v_splat(-0.0f)));
-    return (shadow_axis){m_q, m_p, v_add(from_corner(q->g[j], m_q), from_corner(p->g[j], m_p)),
-                         m_and(is_not_zero(p->f[j]), is_not_zero(q->f[j]))};
+    return (shadow_axis){m_q, m_p, v_add(from_corner(q->g[j], m_q), from_corner(p->g[j], m_p))};
 }
 
 /*
@@ -90,7 +88,6 @@ TRIBOX_INLINE shadow_limit select_limit(vmask m, const shadow_limit *a, const sh
 /* Those of edge j: an upper one where m_q > 0, a lower one where m_q < 0. */
 typedef struct edge_limits {
     vnum m_q;
-    vmask asked;
     shadow_limit upper, lower;
 } edge_limits;
 
@@ -100,7 +97,7 @@ TRIBOX_INLINE edge_limits limits_of_edge(const lane_places *q, const lane_places
     const vnum per_m = v_div(v_splat(1), axis.m_q);
     const vnum at = v_fma(axis.slack, per_m, v_splat(1)), slope = v_mul(v_sub(v_splat(0), axis.m_p), per_m);
     const vnum off = v_mul(error, v_abs(per_m));
-    return (edge_limits){axis.m_q, axis.asked, {slope, v_add(at, off), v_sub(at, off)}, {slope, v_sub(at, off), v_add(at, off)}};
+    return (edge_limits){axis.m_q, {slope, v_add(at, off), v_sub(at, off)}, {slope, v_sub(at, off), v_add(at, off)}};
 }
 
 TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p, vnum bound_scale, vmask asked)
@@ -112,7 +109,7 @@ TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p
     vmask is_upper[3], is_lower[3];
     for (int j = 0; j < 3; j++) {
         edge[j] = limits_of_edge(q, p, j, n, error);
-        const vmask is_asked = m_and(asked, edge[j].asked);
+        const vmask is_asked = m_and(asked, is_not_zero(q->f[j])); /* m_q is not zero, or neither an upper nor a lower one */
         is_upper[j] = m_and(is_asked, v_gt(edge[j].m_q, zero));
         is_lower[j] = m_and(is_asked, v_gt(zero, edge[j].m_q));
     }
@@ -135,7 +132,7 @@ TRIBOX_INLINE shadow_side side_of_shadow(const lane_places *q, const lane_places
 {
     const vnum zero = v_splat(0);
     const shadow_axis axis = shadow_axis_of(q, p, j, shadow_normal(q, p));
-    const vmask is_asked = m_and(asked, axis.asked);
+    const vmask is_asked = m_and(asked, m_and(is_not_zero(p->f[j]), is_not_zero(q->f[j])));
     return (shadow_side){v_select(is_asked, axis.slack, v_splat(INFINITY)), v_select(is_asked, v_sub(zero, axis.m_q), zero),
                          v_select(is_asked, v_sub(zero, axis.m_p), zero)};
 }

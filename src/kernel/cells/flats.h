@@ -28,10 +28,11 @@ TRIBOX_INLINE lane_places flat_places(const tribox_voxels *v, const tribox_queue
 /* Lists cells along y: bit n of `set` is the cell n rows on. */
 TRIBOX_INLINE void list_column(tribox_voxels *v, vint half, vint from, vint set, const int32_t *number)
 {
-    const vint one = i_splat(1), bit = i_shl(one, from);
-    for (; m_bits(m_has_bits(set)); set = i_shr(set, one), half = i_add(half, i_splat(v->sinks.row_halves))) {
+    const vint bit = i_shl(i_splat(1), from);
+    for (vint row = i_splat(1); m_bits(m_has_bits(set)); row = i_add(row, row), half = i_add(half, i_splat(v->sinks.row_halves))) {
         make_room(v);
-        list(v, m_has_bits(i_and(set, one)), half, bit, number);
+        list(v, m_has_bits(i_and(set, row)), half, bit, number);
+        set = i_andnot(set, row);
     }
 }
 

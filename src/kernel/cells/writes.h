@@ -117,7 +117,8 @@ typedef struct lane_bits {
 /* Of cells in layers before those asked for, too. Axes have at most 2^20 cells here (PROOFS.md 7.9), and halves are modulo 2^32. */
 TRIBOX_INLINE lane_bits bits_at(const tribox_voxels *v, const vnum base[3])
 {
-    const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->window.first_layer)), i = i_cut(base[0]);
+    const vint layer = i_add(i_cut(base[2]), i_splat((int32_t)-v->window.first_layer));
     const vint row = i_add(i_mul(layer, i_splat((int32_t)v->window.size[1])), i_cut(base[1]));
-    return (lane_bits){i_add(i_mul(row, i_splat(v->sinks.row_halves)), i_shr(i, i_splat(5))), i_and(i, i_splat(31))};
+    return (lane_bits){i_add(i_mul(row, i_splat(v->sinks.row_halves)), i_cut(v_mul(base[0], v_splat(0x1p-5f)))),
+                       i_and(i_cut(base[0]), i_splat(31))};
 }
