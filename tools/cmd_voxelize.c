@@ -34,6 +34,7 @@ static const char help[] =
     "      --labels            with --fill: cells of the surface are 1, those inside 2\n"
     "      --inside-only       with --fill: the cells inside without those of the surface\n"
     "      --colours           those of MESH (PLY, OBJ, OFF); for .vox .glb .ply .obj .vdb .npz, picture\n"
+    "      --ids               of each cell the lowest triangle, from 0; for .npz .vdb .npy .nrrd .vti .raw\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         only part I, 1 to N, of N, of equal work: a .part for 'tribox merge', or\n"
     "                          a .npz that says which part it is, for tribox.Bricks.load of Python\n" OPTIONS_TEST_HELP
@@ -54,6 +55,7 @@ enum {
     OPTION_LABELS,
     OPTION_INSIDE_ONLY,
     OPTION_COLOURS,
+    OPTION_IDS,
     OPTION_THREADS,
     OPTION_SHARD,
     OPTION_ACCURACY,
@@ -69,6 +71,7 @@ static const option_entry options[] = {RESULT_ENTRIES,
                                        [OPTION_LABELS] = {"labels", 0, false},
                                        [OPTION_INSIDE_ONLY] = {"inside-only", 0, false},
                                        [OPTION_COLOURS] = {"colours", 0, false},
+                                       [OPTION_IDS] = {"ids", 0, false},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_SHARD] = {"shard", 0, true},
                                        [OPTION_ACCURACY] = {"accuracy", 0, true},
@@ -124,6 +127,9 @@ static int take(void *request, int which, const char *value)
     case OPTION_COLOURS:
         r->has_colours = true;
         return EXIT_CODE_OK;
+    case OPTION_IDS:
+        r->result.options.has_ids = true;
+        return EXIT_CODE_OK;
     case OPTION_THREADS:
         return numbers_read_whole(value, "--threads", THREADS_MAX, &r->threads);
     case OPTION_SHARD:
@@ -163,7 +169,7 @@ static int check_input(const voxelize_request *r, const options_found *found)
     return folders ? check_partition(r, found) : grid_check(&r->from, found, OPTION_GRID);
 }
 
-/* A thin surface is told exactly, of a mesh, and all at once. */
+/* A thin surface is told exactly. */
 static int check_thin(const voxelize_request *r)
 {
     if (!r->is_thin)
@@ -172,22 +178,15 @@ static int check_thin(const voxelize_request *r)
         return message_usage("--thin is exact and of all axes: leave out --accuracy and --axes");
     if (r->fill == FILL_MIDDLES)
         return message_usage("--fill middles has no cells of the surface: leave out --thin, or give --fill parity");
-    if (r->has_shard)
-        return message_usage("--thin needs all cells at once: leave out --shard");
-    if (partition_is_folder(r->from.mesh_path))
-        return message_usage("%s is a partition, which is for tiles: --thin needs the mesh itself", r->from.mesh_path);
     return EXIT_CODE_OK;
 }
 
 /* Which of the cells of a fill are wanted. */
 static int check_cells(const voxelize_request *r, const options_found *found)
 {
-    const bool has_labels = options_has(found, OPTION_LABELS), has_inside = options_has(found, OPTION_INSIDE_ONLY);
-    if (has_labels && has_inside)
-        return message_usage("--labels and --inside-only exclude each other");
     if (r->cells == FILL_CELLS_ALL)
         return EXIT_CODE_OK;
-    const char *const name = options[has_labels ? OPTION_LABELS : OPTION_INSIDE_ONLY].name;
+    const char *const name = options[options_has(found, OPTION_LABELS) ? OPTION_LABELS : OPTION_INSIDE_ONLY].name;
     if (r->fill == FILL_NONE)
         return message_usage("--%s is about a filled mesh: give --fill outside or --fill parity", name);
     if (r->fill == FILL_MIDDLES)
@@ -198,23 +197,25 @@ static int check_cells(const voxelize_request *r, const options_found *found)
 /* To count nothing is written. */
 static int check_count(voxelize_request *r, const options_found *found)
 {
-    for (int which = 0; which < RESULT_END; which++)
-        if (options_has(found, which) && which != RESULT_JSON)
+    for (int which = 0; which <= OPTION_IDS; which++) {
+        const bool is_for_files = which < RESULT_END || which == OPTION_LABELS || which >= OPTION_COLOURS;
+        if (options_has(found, which) && is_for_files && which != RESULT_JSON)
             return message_usage("--count only prints: leave out --%s", options[which].name);
-    if (r->cells == FILL_CELLS_LABELLED)
-        return message_usage("--count only prints: leave out --labels");
+    }
     r->result.has_summary = true;
     return EXIT_CODE_OK;
 }
 
-/* Formats that tell labels, of which .vdb then has no choice of grids. */
-static int check_labels(const voxelize_request *r, const options_found *found)
+/* What a format holds of cells besides that they are there. */
+static int check_format(const voxelize_request *r)
 {
-    if (!r->result.format->takes_labels)
-        return message_usage("--labels: %s holds no labels; write " VOLUME_LABELLED ", or give --inside-only",
-                             r->result.format->word);
-    if (options_has(found, RESULT_VDB_GRID))
-        return message_usage("--labels and --vdb-grid exclude each other: labels are a grid of whole numbers");
+    const volume_format *const format = r->result.format;
+    if (r->cells == FILL_CELLS_LABELLED && !format->takes_labels)
+        return message_usage("--labels: %s holds no labels; write " VOLUME_LABELLED ", or give --inside-only", format->word);
+    if (r->has_colours && format->colours == VOLUME_NO_COLOURS)
+        return message_usage("--colours: .%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz", format->word);
+    if (r->result.options.has_ids && (!format || !volume_takes_ids(format)))
+        return message_usage("--ids: %s holds none; write " VOLUME_WITH_IDS, format ? format->word : "a .part");
     return EXIT_CODE_OK;
 }
 
@@ -226,35 +227,51 @@ static int check_output(voxelize_request *r, const options_found *found)
     const bool is_stdout = file_out_is_stdout(out);
     if (!is_stdout && !r->has_shard && part_is_name(out))
         return message_usage("-o: '%s' is the name of a part, which needs --shard", out);
-    if (r->has_shard && r->result.preview_path)
-        return message_usage("--preview needs all cells: give it to 'tribox merge'");
     result_guess_up(&r->result, r->from.mesh_path);
     r->is_part = r->has_shard && (is_stdout ? !r->result.format : part_is_name(out));
-    const int code = result_check(&r->result, found, r->is_part);
-    if (!code && r->cells == FILL_CELLS_LABELLED)
-        return check_labels(r, found);
+    int code = result_check(&r->result, found, r->is_part);
+    if (!code)
+        code = check_format(r);
     if (!code && r->has_shard && !r->is_part && strcmp(r->result.format->word, "npz"))
         return message_usage("a shard is written as a .part or a .npz, not as %s: -o FILE.part or FILE.npz",
                              r->result.format->word);
     return code;
 }
 
-/* They are those of the surface, whose triangles are at hand. */
-static int check_colours(const voxelize_request *r)
+/* Options that exclude each other, and why. */
+static const struct conflict {
+    int one, other;
+    const char *line;
+} conflicts[] = {
+    {OPTION_THIN, OPTION_SHARD, "--thin needs all cells at once: leave out --shard"},
+    {OPTION_FILL, OPTION_SHARD, "--fill needs all cells at once: leave out --shard"},
+    {OPTION_COLOURS, OPTION_SHARD, "--colours needs all cells at once: leave out --shard"},
+    {OPTION_SHARD, RESULT_PREVIEW, "--preview needs all cells: give it to 'tribox merge'"},
+    {OPTION_LABELS, OPTION_INSIDE_ONLY, "--labels and --inside-only exclude each other"},
+    {OPTION_LABELS, RESULT_VDB_GRID, "--labels and --vdb-grid exclude each other: labels are a grid of whole numbers"},
+    {OPTION_IDS, RESULT_VDB_GRID, "--ids and --vdb-grid exclude each other: ids are a grid of whole numbers"},
+    {OPTION_COLOURS, OPTION_FILL, "--colours are those of the surface, cells inside have none: leave out --fill"},
+    {OPTION_IDS, OPTION_FILL, "--ids are those of the surface, cells inside have none: leave out --fill"},
+    {OPTION_COLOURS, OPTION_THIN, "--colours are those of all triangles of a cell: leave out --thin"},
+    {OPTION_IDS, OPTION_THIN, "--ids are those of all triangles of a cell: leave out --thin"},
+    {OPTION_IDS, OPTION_COLOURS, "--ids and --colours exclude each other: run it for each"}};
+
+/* What a partition lacks. */
+static const struct lack {
+    int option;
+    const char *line;
+} lacks[] = {{OPTION_THIN, "is for tiles: --thin"},
+             {OPTION_COLOURS, "lacks the colours of its mesh: --colours"},
+             {OPTION_IDS, "lacks the numbers of its triangles: --ids"}};
+
+static int check_conflicts(const voxelize_request *r, const options_found *found)
 {
-    if (r->is_count)
-        return message_usage("--count only prints: leave out --colours");
-    if (r->has_shard)
-        return message_usage("--colours needs all cells at once: leave out --shard");
-    if (r->fill != FILL_NONE)
-        return message_usage("--colours are those of the surface, cells inside have none: leave out --fill");
-    if (r->is_thin)
-        return message_usage("--colours are those of all triangles of a cell: leave out --thin");
-    if (partition_is_folder(r->from.mesh_path))
-        return message_usage("%s is a partition, which lacks the colours of its mesh: --colours needs the mesh itself",
-                             r->from.mesh_path);
-    if (r->result.format->colours == VOLUME_NO_COLOURS)
-        return message_usage("--colours: .%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz", r->result.format->word);
+    for (size_t n = 0; n < sizeof conflicts / sizeof *conflicts; n++)
+        if (options_has(found, conflicts[n].one) && options_has(found, conflicts[n].other))
+            return message_usage("%s", conflicts[n].line);
+    for (size_t n = 0; n < sizeof lacks / sizeof *lacks; n++)
+        if (options_has(found, lacks[n].option) && partition_is_folder(r->from.mesh_path))
+            return message_usage("%s is a partition, which %s needs the mesh itself", r->from.mesh_path, lacks[n].line);
     return EXIT_CODE_OK;
 }
 
@@ -263,15 +280,12 @@ static int check_request(voxelize_request *r, const options_found *found)
 {
     int code = check_input(r, found);
     if (!code)
+        code = check_conflicts(r, found);
+    if (!code)
         code = check_thin(r);
     if (!code)
         code = check_cells(r, found);
-    if (code)
-        return code;
-    if (r->fill != FILL_NONE && r->has_shard)
-        return message_usage("--fill needs all cells at once: leave out --shard");
-    const int own = r->is_count ? check_count(r, found) : check_output(r, found);
-    return own || !r->has_colours ? own : check_colours(r);
+    return code ? code : r->is_count ? check_count(r, found) : check_output(r, found);
 }
 
 int cmd_voxelize(int count, char **words)

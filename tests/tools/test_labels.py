@@ -137,7 +137,7 @@ class Labels(Filled):
         for way in self.ways():
             self.write_labels(".vdb", "outside", *way)
             labels = bytearray(len(truth))
-            for (i, j, k), label in volumes.read_vdb_labels(self.path("l.vdb")).items():
+            for (i, j, k), label in volumes.read_vdb_numbers(self.path("l.vdb")).items():
                 labels[(k * SIZE[1] + j) * SIZE[0] + i] = label
             self.assertEqual(labels, truth)
 

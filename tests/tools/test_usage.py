@@ -12,7 +12,7 @@ OPTIONS = {
                 "--kernel", "--help"],
     "voxelize": ["--resolution", "--cell", "--origin", "--size", "--format", "--shift", "--out", "--out-format", "--preview", "--up", "--view",
                  "--picture-size", "--json", "--quiet", "--threads",
-                 "--shard", "--count", "--thin", "--fill", "--labels", "--inside-only", "--colours", "--accuracy", "--axes", "--kernel", "--help"],
+                 "--shard", "--count", "--thin", "--fill", "--labels", "--inside-only", "--colours", "--ids", "--accuracy", "--axes", "--kernel", "--help"],
     "merge": ["--out", "--out-format", "--preview", "--up", "--view", "--picture-size", "--threads", "--json", "--quiet",
               "--help"],
     "partition": ["--format", "--shift", "--resolution", "--cell", "--origin", "--size", "--out", "--memory", "--threads",

@@ -131,9 +131,9 @@ def read_vdb_masks(path):
     return about, transform, set(cells)
 
 
-def read_vdb_labels(path):
+def read_vdb_numbers(path, background=0):
     """OpenVDB 224, one Int32Grid. Returns the values of its active cells by their place."""
-    _, _, cells, data = read_vdb(path, "Tree_int32_5_4_3", "i")
+    _, _, cells, data = read_vdb(path, "Tree_int32_5_4_3", "i", background)
     places = iter(cells)
     labels = {}
     while len(labels) < len(cells):
@@ -143,7 +143,7 @@ def read_vdb_labels(path):
     return labels
 
 
-def read_vdb(path, tree, background):
+def read_vdb(path, tree, number, background=0):
     """Up to the values of leaves."""
     data, cells = Bytes(read(path)), {}
     assert data.take("qI") == (0x56444220, 224)
@@ -160,7 +160,7 @@ def read_vdb(path, tree, background):
         about[name] = kind, data.take("%ds" % data.take("I"))
     assert data.text() in ("ScaleTranslateMap", "UniformScaleTranslateMap")
     transform = data.take("18d")
-    assert data.take("I") == 1 and data.take(background) == 0  # one buffer; the background
+    assert data.take("I") == 1 and data.take(number) == background  # one buffer; the background
     tiles, children = data.take("II")
     assert tiles == 0
     for _ in range(children):

@@ -20,8 +20,9 @@ tribox_window tile_cells_of(const tile_set *set, size_t t)
     return w;
 }
 
-static int lay_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+static int lay_brick(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
+    (void)ids;
     const tile_words *const t = data;
     const uint32_t *const size = t->window.size;
     const size_t row_words = tribox_mask_words(size[0]);
@@ -39,7 +40,7 @@ tribox_status tile_words_take(const tile_set *set, size_t from, size_t to, tile_
                               tribox_report *report)
 {
     memset(to_words->words, 0, tribox_window_words(to_words->window.size) * sizeof *to_words->words);
-    return tile_set_run(set, from, to, room, &(tribox_sink){lay_brick, to_words}, report);
+    return tile_set_run(set, from, to, room, &(tile_sink){lay_brick, to_words}, report);
 }
 
 /* The words of 64 x 8 x 8 cells: eight bricks side by side. Rows and layers beyond the cells are 0. */

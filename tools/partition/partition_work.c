@@ -63,7 +63,7 @@ static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, 
 static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
 {
     tile_runs runs;
-    const uint32_t side = tile_set_side(a->cells.grid.size);
+    const uint32_t side = tile_set_side(a->cells.grid.size, false);
     if (!side)
         return tile_set_refuse_size(a->cells.grid.size);
     int code = tile_runs_start(&runs, &a->cells.grid, side, all->blocks, memory_of(a->r));

@@ -1,30 +1,64 @@
-/* kept_bricks.c - a growing row of bricks. */
+/* kept_bricks.c - growing rows of bricks and of ids. */
 #include "kept_bricks.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8])
+#include "write/voxels.h"
+
+/* Room for `more` things of `size` bytes; NULL where there is no memory, and what was there stays. */
+static void *grow(void *list, size_t count, size_t more, size_t *room, size_t size)
+{
+    if (list && count + more <= *room)
+        return list;
+    const size_t grown = 2 * (*room > 512 ? *room : 512);
+    void *const larger = realloc(list, grown * size);
+    if (larger)
+        *room = grown;
+    return larger;
+}
+
+static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
+{
+    uint32_t *const grown = grow(k->ids, k->ids_count, cells, &k->ids_room, sizeof *ids);
+    if (!grown)
+        return false;
+    k->ids = grown;
+    memcpy(k->ids + k->ids_count, ids, cells * sizeof *ids);
+    k->ids_count += cells;
+    return true;
+}
+
+int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     kept_bricks *const k = kept;
-    if (k->count == k->room) {
-        const size_t room = k->room ? 2 * k->room : 1024;
-        kept_brick *const grown = realloc(k->bricks, room * sizeof *grown);
-        if (!grown)
-            return 1;
-        k->bricks = grown;
-        k->room = room;
-    }
+    kept_brick *const grown = grow(k->bricks, k->count, 1, &k->room, sizeof *grown);
+    if (!grown)
+        return 1;
+    k->bricks = grown;
+    if (ids && !keep_ids(k, ids, (size_t)voxels_count(bits, 8)))
+        return 1;
     kept_brick *const to = &k->bricks[k->count++];
     memcpy(to->at, at, sizeof to->at);
     memcpy(to->bits, bits, sizeof to->bits);
     return 0;
 }
 
-tribox_status kept_bricks_hand_on(const kept_bricks *kept, const tribox_sink *sink)
+tribox_status kept_bricks_hand_on(const kept_bricks *kept, const tile_sink *sink)
 {
-    size_t i = 0;
-    while (i < kept->count && !sink->take(sink->data, kept->bricks[i].at, kept->bricks[i].bits))
-        i++;
-    return i == kept->count ? TRIBOX_OK : TRIBOX_STOPPED;
+    const uint32_t *ids = kept->ids_count ? kept->ids : NULL;
+    for (size_t i = 0; i < kept->count; i++) {
+        const kept_brick *const b = &kept->bricks[i];
+        if (sink->take(sink->data, b->at, b->bits, ids))
+            return TRIBOX_STOPPED;
+        if (ids)
+            ids += voxels_count(b->bits, 8);
+    }
+    return TRIBOX_OK;
+}
+
+void kept_bricks_free(kept_bricks *kept)
+{
+    free(kept->bricks);
+    free(kept->ids);
 }

@@ -32,7 +32,7 @@ typedef struct crew {
     size_t from, to;
     tile_room *room;         /* of the calling thread */
     bool is_direct;          /* one thread, or none that waits */
-    const tribox_sink *sink; /* NULL to count */
+    const tile_sink *sink; /* NULL to count */
     progress *bar;
     slot *slots;
     size_t ahead;         /* slots */
@@ -72,15 +72,15 @@ static bool take_share(crew *c, share *s)
 
 /* A sink that counts what it is handed, and hands it on where there is another. */
 typedef struct counter {
-    const tribox_sink *sink;
+    const tile_sink *sink;
     uint64_t bricks;
 } counter;
 
-static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     counter *const n = data;
     n->bricks++;
-    return n->sink ? n->sink->take(n->sink->data, at, bits) : 0;
+    return n->sink ? n->sink->take(n->sink->data, at, bits, ids) : 0;
 }
 
 /* Under the lock: a share is through. */
@@ -119,7 +119,7 @@ static void run_at_once(crew *c, const share *s, tile_room *room)
 {
     tribox_report report = {0, 0};
     counter n = {.sink = c->sink};
-    const tribox_status status = tile_set_run(c->set, s->from, s->to, room, &(tribox_sink){count_brick, &n}, &report);
+    const tribox_status status = tile_set_run(c->set, s->from, s->to, room, &(tile_sink){count_brick, &n}, &report);
     pthread_mutex_lock(&c->lock);
     account(c, s, status, &report, n.bricks);
     pthread_mutex_unlock(&c->lock);
@@ -147,9 +147,9 @@ static void run_in_turn(crew *c, const share *s, tile_room *room)
 {
     slot *const own = &c->slots[s->number % c->ahead];
     own->share = *s;
-    own->kept.count = 0;
+    own->kept.count = own->kept.ids_count = 0;
     const tribox_status status =
-        tile_set_run(c->set, s->from, s->to, room, &(tribox_sink){kept_bricks_take, &own->kept}, &own->report);
+        tile_set_run(c->set, s->from, s->to, room, &(tile_sink){kept_bricks_take, &own->kept}, &own->report);
     if (status == TRIBOX_STOPPED) {
         run_again(c, s, room);
         return;
@@ -175,7 +175,7 @@ static void work(void *data, unsigned thread)
         tile_room_free(room);
 }
 
-tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
+tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tile_sink *sink, progress *bar,
                             tile_found *found)
 {
     const size_t most = to - from ? to - from : 1;
@@ -192,7 +192,7 @@ tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigne
     pthread_cond_destroy(&c.turned);
     pthread_mutex_destroy(&c.lock);
     for (size_t n = 0; n < c.ahead && c.slots; n++)
-        free(c.slots[n].kept.bricks);
+        kept_bricks_free(&c.slots[n].kept);
     tile_room_free(c.room);
     free(c.slots);
     *found = c.found;

@@ -20,7 +20,7 @@ typedef struct tile_found {
  *
  * Returns what tile_set_run does, or MESSAGE_NO_MEMORY where there is none even for one.
  */
-tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tribox_sink *sink, progress *bar,
+tribox_status tile_crew_run(const tile_set *set, size_t from, size_t to, unsigned threads, const tile_sink *sink, progress *bar,
                             tile_found *found);
 
 #endif

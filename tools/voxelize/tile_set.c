@@ -9,12 +9,13 @@
 #include "console/message.h"
 #include "tile_listing.h"
 #include "tile_work.h"
+#include "write/lowest_bit.h"
 
-uint32_t tile_set_side(const uint32_t size[3])
+uint32_t tile_set_side(const uint32_t size[3], bool has_ids)
 {
-    enum { SIDE = 128, SIDE_MOST = 1024 };
+    enum { SIDE = 128, SIDE_IDS = 64, SIDE_MOST = 1024 };
     static const size_t tiles_most = (size_t)1 << 24;
-    uint32_t side = SIDE;
+    uint32_t side = has_ids ? SIDE_IDS : SIDE;
     while (side <= SIDE_MOST && tribox_tile_count(size, side) > tiles_most)
         side *= 2;
     return side <= SIDE_MOST ? side : 0;
@@ -72,7 +73,7 @@ static int make_records(tile_set *set, bool has_work)
 
 int tile_set_of_task(const voxel_task *task, bool has_work, unsigned threads, tile_set *set)
 {
-    *set = (tile_set){.task = *task, .tile = tile_set_side(task->grid.size), .listing = *task->options};
+    *set = (tile_set){.task = *task, .tile = tile_set_side(task->grid.size, task->has_ids), .listing = *task->options};
     /* Shards are the same on every processor, and in sum the whole: only exact cells are not decided by which tiles are asked. */
     const bool is_exact = has_work || task->options->accuracy != TRIBOX_EXACT;
     set->listing.accuracy = is_exact ? TRIBOX_EXACT : TRIBOX_CONSERVATIVE;
@@ -178,7 +179,7 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
     tile_room *const room = calloc(1, sizeof *room);
     if (!room)
         return NULL;
-    room->scratch = malloc(tribox_bricks_bytes(set->tile));
+    room->scratch = malloc((set->task.has_ids ? tribox_bricks_ids_bytes : tribox_bricks_bytes)(set->tile));
     if (room->scratch && (!set->from || make_list(set, from, to, room)))
         return room;
     tile_room_free(room);
@@ -195,14 +196,36 @@ void tile_room_free(tile_room *room)
     free(room);
 }
 
+static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+{
+    const tile_sink *const sink = data;
+    return sink->take(sink->data, at, bits, NULL);
+}
+
+static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
+{
+    const tile_sink *const sink = data;
+    uint32_t of_cells[512], *to = of_cells;
+    for (unsigned k = 0; k < 8; k++)
+        for (uint64_t word = bits[k]; word; word &= word - 1)
+            *to++ = ids[64 * k + lowest_bit(word)];
+    return sink->take(sink->data, at, bits, of_cells);
+}
+
 /* Some tiles of a mesh in memory. */
-static tribox_status run_lists(const tile_set *set, const tribox_tiles *tiles, void *scratch, const tribox_sink *sink,
+static tribox_status run_lists(const tile_set *set, const tribox_tiles *tiles, void *scratch, const tile_sink *to,
                                tribox_report *report)
 {
     const voxel_task *const t = &set->task;
     const size_t *const starts = set->starts + tiles->first;
-    return t->soup ? tribox_bricks(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, sink, report)
-                   : tribox_mesh_bricks(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, sink, report);
+    tile_sink own = *to;
+    const tribox_sink sink = {take_brick, &own};
+    const tribox_ids_sink ids = {take_ids, &own};
+    if (set->task.has_ids)
+        return t->soup ? tribox_bricks_ids(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report)
+                       : tribox_mesh_bricks_ids(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report);
+    return t->soup ? tribox_bricks(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &sink, report)
+                   : tribox_mesh_bricks(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &sink, report);
 }
 
 /* Records from .. to - 1 of a partition, whose triangles lie one after the other. */
@@ -253,17 +276,18 @@ static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
     return is_sound;
 }
 
-static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tribox_sink *sink, tribox_report *report)
+static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tile_sink *to, tribox_report *report)
 {
     const tribox_tiles tiles = {set->tile, b->first, b->end - b->first};
+    tile_sink own = *to;
     set_starts(set, b, room->starts);
     if (!check_batch(set, b, room))
         return TRIBOX_BAD_VERTEX;
-    return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch, sink,
-                              report);
+    return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
+                              &(tribox_sink){take_brick, &own}, report);
 }
 
-tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tribox_sink *sink,
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tile_sink *sink,
                            tribox_report *report)
 {
     tribox_status status = TRIBOX_OK;

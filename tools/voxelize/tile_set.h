@@ -22,7 +22,7 @@ typedef struct tile_set {
 } tile_set;
 
 /* Cells along a side of a tile: few enough for the caches, and so many that the tiles can be numbered. 0: there are too many. */
-uint32_t tile_set_side(const uint32_t size[3]);
+uint32_t tile_set_side(const uint32_t size[3], bool has_ids);
 
 /* The line for a grid of more. Returns EXIT_CODE_FAILURE. */
 int tile_set_refuse_size(const uint32_t size[3]);
@@ -44,16 +44,22 @@ size_t tile_set_border(const tile_set *set, size_t from);
 /* How many triangles a record has. */
 size_t tile_set_triangles(const tile_set *set, size_t record);
 
+/* Takes a brick as a tribox_sink does. ids: of its set cells, in the order of the bits; NULL where the set has none. */
+typedef struct tile_sink {
+    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids);
+    void *data;
+} tile_sink;
+
 /* What a thread needs to voxelize; NULL where there is no memory. */
 typedef struct tile_room tile_room;
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to);
 void tile_room_free(tile_room *room);
 
 /*
- * tribox_bricks for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_VERTEX:
+ * tribox_bricks, or tribox_bricks_ids, for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_VERTEX:
  * the triangles of the partition are damaged.
  */
-tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tribox_sink *sink,
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tile_sink *sink,
                            tribox_report *report);
 
 #endif

@@ -13,6 +13,7 @@ typedef struct voxel_task {
     tribox_grid grid;
     const tribox_options *options;
     bool is_thin; /* the cells of tribox_voxelize_thin, in words alone: tiles have none */
+    bool has_ids; /* of each cell, in tiles alone */
 } voxel_task;
 
 voxel_task voxel_task_of_soup(const tribox_soup *soup, const tribox_grid *grid, const tribox_options *options);

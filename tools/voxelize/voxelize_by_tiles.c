@@ -22,11 +22,13 @@ typedef struct brick_goals {
     int code;        /* of what failed */
 } brick_goals;
 
-static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     brick_goals *const g = data;
-    if (g->file)
+    if (g->file) {
+        g->file->ids = ids;
         g->code = brick_out_put(g->file, at, bits);
+    }
     if (g->part)
         part_put(g->part, at, bits);
     if (g->words)
@@ -65,7 +67,7 @@ static part_header header_of(const tile_job *j)
 }
 
 /* The surface alone. */
-static tribox_status run_surface(const tile_job *j, const tribox_sink *sink, voxelize_answer *a)
+static tribox_status run_surface(const tile_job *j, const tile_sink *sink, voxelize_answer *a)
 {
     progress bar = progress_start_of("voxelizing", "tiles", (double)(j->to - j->from), !j->r->result.is_quiet);
     tile_found found;
@@ -83,7 +85,7 @@ static int take_filled(void *data, const uint32_t at[3], const uint64_t bits[8],
     brick_goals *const g = data;
     if (g->file)
         g->file->inside = inside;
-    return take_brick(data, at, bits);
+    return take_brick(data, at, bits, NULL);
 }
 
 /* With its inside. Parity asks for the mesh, of which a partition has what is in the grid. */
@@ -108,7 +110,7 @@ static tribox_status run_filled(const tile_job *j, const filled_sink *sink, voxe
 static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
 {
     const bool has_goal = goals->file || goals->part || goals->words;
-    const tribox_sink sink = {take_brick, goals};
+    const tile_sink sink = {take_brick, goals};
     const filled_sink filled = {take_filled, goals};
     const tribox_status status =
         j->r->fill == FILL_NONE ? run_surface(j, has_goal ? &sink : NULL, a) : run_filled(j, has_goal ? &filled : NULL, a);
@@ -242,7 +244,8 @@ static int run_task(const voxelize_request *r, const voxelize_input *in, const v
 int voxelize_by_tiles(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
     const double start = clock_seconds();
-    const voxel_task task = voxelize_task(r, in);
+    voxel_task task = voxelize_task(r, in);
+    task.has_ids = r->result.options.has_ids;
     const int code = run_task(r, in, &task, files, a);
     a->seconds = clock_seconds() - start;
     return code;

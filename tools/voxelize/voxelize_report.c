@@ -95,6 +95,8 @@ static void print_summary(const voxelize_answer *a)
         printf("occupied     %zu cells (%.4g %%)%s\n", a->report.overlapping, share_percent(a), a->is_thin ? ", thin" : "");
     if (a->colours)
         printf("colours      of its %s\n", a->colours);
+    if (a->has_ids)
+        puts("ids          of each cell the lowest triangle");
     if (a->fill)
         printf("inside       %zu cells (%s%s)\n", a->inside, a->fill, cells_note(a));
     if (a->has_rows)
@@ -139,6 +141,8 @@ static void print_json(const voxelize_answer *a)
         json_bool(&j, "thin", true);
     if (a->colours)
         json_string(&j, "colours", a->colours);
+    if (a->has_ids)
+        json_bool(&j, "ids", true);
     if (a->fill) {
         json_string(&j, "fill", a->fill);
         json_whole(&j, "inside", a->inside);

@@ -23,6 +23,7 @@ typedef struct voxelize_answer {
     uint32_t shard, shards;  /* shard 0: the whole */
     size_t from_tile, tiles; /* of a shard */
     bool is_thin;            /* the surface */
+    bool has_ids;
     const char *colours;     /* whose they are; NULL for none */
     const char *fill;        /* the word of --fill; NULL for none */
     size_t inside, odd_rows; /* of a fill */

@@ -59,7 +59,8 @@ static int run(whole *w, progress *bar, tribox_report *report)
     void (*const tell)(void *, double) = bar->is_wanted ? progress_tell : NULL;
     voxel_task task = voxelize_task(w->r, w->in);
     task.is_thin = w->r->is_thin;
-    if (w->in->colours)
+    task.has_ids = w->in->colours != NULL;
+    if (task.has_ids)
         return coloured_cells_make(&task, w->in->colours, w->r->threads, w->surface, &w->colours, bar, report);
     return message_status(voxelize_in_threads(&task, 0, w->cells.grid.size[2], w->r->threads, w->surface, report, tell, bar));
 }
@@ -122,7 +123,7 @@ static int count_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
 static int put_cells(const whole *w, const voxels *v, voxelize_files *files, voxelize_answer *a)
 {
     const voxelize_request *const r = w->r;
-    const uint32_t tile = tile_set_side(v->grid.size);
+    const uint32_t tile = tile_set_side(v->grid.size, false);
     uint64_t bricks = 0;
     int code = EXIT_CODE_OK;
     progress bar = progress_start("writing", !r->result.is_quiet);

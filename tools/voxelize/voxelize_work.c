@@ -17,7 +17,7 @@
 bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_t triangles)
 {
     static const double at_hand = 0x1p21, cached = 0x1p25, per_triangle = 16;
-    if (r->has_shard || r->test.accuracy != TRIBOX_EXACT)
+    if (r->has_shard || r->result.options.has_ids || r->test.accuracy != TRIBOX_EXACT)
         return false;
     const double bytes = ceil(grid->size[0] / 64.0) * grid->size[1] * grid->size[2] * sizeof(uint64_t);
     const bool is_faster = bytes <= at_hand || bytes <= per_triangle * (double)triangles;
@@ -27,7 +27,7 @@ bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_
 /* Formats of all cells take the whole grid, and so do small ones; all else goes tile by tile. */
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
-    const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks;
+    const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks && !r->result.options.has_ids;
     const bool is_small = in->mesh && (in->surface || is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
     return r->has_colours || r->is_thin || is_small;
 }
@@ -59,7 +59,7 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
     const bool is_wanted =
-        in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_thin && !r->is_count && !r->is_part && r->result.format->frame;
+        in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count && !r->is_part && r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }
@@ -126,6 +126,8 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
     a->triangles = m->triangles;
     a->not_finite = m->not_finite;
     a->is_double = m->is_double;
+    if (r->result.options.has_ids && m->triangles > INT32_MAX)
+        return message_failure("%s: %zu triangles are too many for ids, which are int32: leave out --ids", name, m->triangles);
     const int code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
     return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
 }
@@ -190,6 +192,7 @@ int voxelize_work(const voxelize_request *r)
                          .up = result_up(&r->result),
                          .lacks_place = r->result.format && !r->result.format->has_place,
                          .is_thin = r->is_thin,
+                         .has_ids = r->result.options.has_ids,
                          .test = r->test,
                          .threads = r->threads,
                          .shard = r->has_shard ? r->shard : 0,

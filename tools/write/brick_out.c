@@ -84,7 +84,10 @@ static void drop_dense(brick_out *out) { free_gathering(out->state); }
 
 static const brick_writer dense = {.open = open_dense, .put = put_dense, .end = end_dense, .drop = drop_dense};
 
-static const brick_writer *writer(const brick_out *out) { return out->format->bricks ? out->format->bricks : &dense; }
+static const brick_writer *writer(const brick_out *out)
+{
+    return out->format->bricks ? out->format->bricks : out->options.has_ids ? &dense_ids : &dense;
+}
 
 static bool is_spooled(const brick_out *out) { return out->to != out->file->stream; }
 

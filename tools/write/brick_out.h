@@ -23,6 +23,7 @@ typedef struct brick_out {
     unsigned threads;               /* that write a dense format; set it after brick_out_open, else one does */
     void *state;                    /* the format's own */
     const uint64_t *inside;         /* cells of the brick that is put which are inside, for labels; NULL without */
+    const uint32_t *ids;            /* of its set cells, in the order of the bits; NULL without */
     const struct part_header *part; /* which part the bricks are, for .npz; set it after brick_out_open. NULL: the whole */
 } brick_out;
 

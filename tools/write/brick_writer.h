@@ -19,6 +19,9 @@ typedef struct brick_writer {
 extern const brick_writer bricks_npz;
 int bricks_check_npz(const char *path, const tribox_grid *grid);
 
+/* An id for each cell of any format with a frame. */
+extern const brick_writer dense_ids;
+
 /* An array of NumPy's: the coordinates of cells, [n, 3]. */
 extern const brick_writer bricks_cells;
 

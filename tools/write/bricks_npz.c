@@ -1,4 +1,4 @@
-/* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, which of these are inside, and the grid. */
+/* bricks_npz.c - bricks as arrays for numpy.load: where they are, their bits, what is known of these, and the grid. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,12 +11,13 @@
 
 enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 512 };
 
-/* The file gets the bits as they come; the places, and bits of labels, wait beside it. */
+/* The file gets the bits as they come; what else there is of bricks and cells waits beside it. */
 typedef struct npz {
     zip_out zip;
-    waiting places, colours, insides; /* the last two where there are some */
-    deflater *deflater;               /* NULL: not deflated */
-    size_t count;                     /* bricks that are in none yet: for a few bytes each call costs too much */
+    waiting places, colours, insides, ids; /* all but the first where there are some */
+    uint64_t cells;                        /* that have ids */
+    deflater *deflater;                    /* NULL: not deflated */
+    size_t count;                          /* bricks that are in none yet: for a few bytes each call costs too much */
     unsigned char place[BLOCK][AT_BYTES], words[BLOCK][BITS_BYTES], inside[BLOCK][BITS_BYTES];
 } npz;
 
@@ -25,6 +26,7 @@ static void free_npz(npz *z)
     waiting_free(&z->places);
     waiting_free(&z->colours);
     waiting_free(&z->insides);
+    waiting_free(&z->ids);
     deflater_free(z->deflater);
     free(z);
 }
@@ -38,6 +40,7 @@ static int open_npz(brick_out *out)
     z->places = waiting_for(out->file);
     z->colours = out->cells.colours ? waiting_for(out->file) : (waiting){.count = 0};
     z->insides = out->options.has_labels ? waiting_for(out->file) : (waiting){.count = 0};
+    z->ids = out->options.has_ids ? waiting_for(out->file) : (waiting){.count = 0};
     if (out->options.is_deflated && !z->deflater) {
         free_npz(z);
         return message_failure("%s: out of memory", out->file->path);
@@ -64,6 +67,17 @@ static int put_colours(brick_out *out, const uint32_t at[3], const uint64_t bits
     return waiting_add(&z->colours, cell_colours_of_brick(out->cells.colours, at), (size_t)voxels_count(bits, 8) * sizeof(rgb));
 }
 
+static int put_ids(brick_out *out, const uint64_t bits[8])
+{
+    npz *const z = out->state;
+    unsigned char bytes[4 * 512];
+    const size_t cells = (size_t)voxels_count(bits, 8);
+    for (size_t n = 0; n < cells; n++)
+        little_put32(bytes + 4 * n, out->ids[n]);
+    z->cells += cells;
+    return waiting_add(&z->ids, bytes, 4 * cells);
+}
+
 static void put_words(unsigned char *to, const uint64_t words[8])
 {
     for (int k = 0; k < 8; k++)
@@ -78,7 +92,7 @@ static int put_npz(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     put_words(z->words[z->count], bits);
     if (out->options.has_labels)
         put_words(z->inside[z->count], out->inside);
-    const int code = out->cells.colours ? put_colours(out, at, bits) : EXIT_CODE_OK;
+    const int code = out->cells.colours ? put_colours(out, at, bits) : out->options.has_ids ? put_ids(out, bits) : EXIT_CODE_OK;
     return code || ++z->count < BLOCK ? code : write_block(out);
 }
 
@@ -91,7 +105,7 @@ static void end_rows(npz *z, const char *type, uint64_t rows, int columns)
 
 static void add_some(void *zip, const void *bytes, size_t count) { zip_add(zip, bytes, count); }
 
-/* What waited beside the file, `columns` numbers a row. */
+/* What waited beside the file, as for npz_rows. */
 static int add_waited(npz *z, waiting *from, const char *name, const char *type, uint64_t rows, int columns)
 {
     zip_begin_member(&z->zip, name);
@@ -114,6 +128,8 @@ static int end_npz(brick_out *out, progress *bar)
         code = add_waited(z, &z->insides, "inside.npy", "<u8", out->bricks, 8);
     if (!code && out->cells.colours)
         code = add_waited(z, &z->colours, "colours.npy", "|u1", out->cells.colours->cells, 3);
+    if (!code && out->options.has_ids)
+        code = add_waited(z, &z->ids, "ids.npy", "<u4", z->cells, 0);
     if (code)
         return code;
     npz_add_grid(&z->zip, &out->cells);

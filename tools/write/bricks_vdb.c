@@ -27,7 +27,8 @@ static vdb_grid grid_of(const voxels *v, const volume_options *options)
     vdb_grid grid = {.unit = unit_of(&v->grid),
                      .is_mask = options->is_mask,
                      .has_labels = options->has_labels,
-                     .has_colours = v->colours != NULL};
+                     .has_colours = v->colours != NULL,
+                     .has_ids = options->has_ids};
     for (int a = 0; a < 3; a++)
         grid.origin[a] = v->grid.origin[a] + v->shift[a];
     memcpy(grid.cell, v->grid.cell, sizeof grid.cell);
@@ -113,9 +114,16 @@ static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
     enum { CELLS = 512 };
     char reason[VDB_PROCESS_REASON];
     float colours[CELLS][3];
-    const uint32_t cells = out->cells.colours ? find_colours(out->cells.colours, at, bits, colours) : 0;
-    return vdb_process_put(out->state, at, bits, out->inside, colours[0], cells, reason) ? EXIT_CODE_OK
-                                                                                         : fail(out->file->path, reason);
+    const void *values = colours;
+    uint32_t cells = 0;
+    if (out->cells.colours) {
+        cells = find_colours(out->cells.colours, at, bits, colours);
+    } else if (out->options.has_ids) {
+        cells = (uint32_t)voxels_count(bits, 8);
+        values = out->ids;
+    }
+    return vdb_process_put(out->state, at, bits, out->inside, values, cells, reason) ? EXIT_CODE_OK
+                                                                                     : fail(out->file->path, reason);
 }
 
 static int end_vdb(brick_out *out, progress *bar)

@@ -10,7 +10,10 @@
 void npz_rows(unsigned char header[NPY_HEADER], const char *type, uint64_t rows, int columns)
 {
     char shape[32];
-    snprintf(shape, sizeof shape, "(%" PRIu64 ", %d)", rows, columns);
+    if (columns)
+        snprintf(shape, sizeof shape, "(%" PRIu64 ", %d)", rows, columns);
+    else
+        snprintf(shape, sizeof shape, "(%" PRIu64 ",)", rows);
     npy_header(header, type, shape);
 }
 

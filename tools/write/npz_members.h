@@ -6,7 +6,7 @@
 #include "voxels.h"
 #include "zip_out.h"
 
-/* The header of an array of so many rows. */
+/* The header of an array of so many rows; columns: 0 for a number each. */
 void npz_rows(unsigned char header[NPY_HEADER], const char *type, uint64_t rows, int columns);
 
 /* origin, cell, size and shift. */

@@ -109,38 +109,50 @@ template <class Grid> class tree_of : public tree
     typename Grid::Ptr grid;
 };
 
-// Light from 0 to 1, as programs that render have it: inactive cells are black.
-class colours
+// A value of each cell.
+class values
 {
   public:
-    colours() : grid(std::static_pointer_cast<openvdb::Vec3SGrid>(openvdb::GridBase::createGrid(openvdb::Vec3STree::treeType()))) {}
+    virtual ~values() = default;
+    virtual void put(const openvdb::Coord &corner, const uint64_t bits[8], const uint64_t words[8], const unsigned char *from) = 0;
+    virtual openvdb::GridBase::Ptr base() const = 0;
+};
 
-    void put(const openvdb::Coord &corner, const uint64_t bits[8], const uint64_t words[8], const float *colour)
+template <class Grid> class values_of : public values
+{
+  public:
+    explicit values_of(const typename Grid::ValueType &background)
+        : grid(std::static_pointer_cast<Grid>(openvdb::GridBase::createGrid(Grid::TreeType::treeType())))
     {
-        using leaf_node = openvdb::Vec3STree::LeafNodeType;
+        grid->tree().root().setBackground(background, false); // of an empty tree
+    }
+
+    void put(const openvdb::Coord &corner, const uint64_t bits[8], const uint64_t words[8], const unsigned char *from) override
+    {
+        using leaf_node = typename Grid::TreeType::LeafNodeType;
         leaf_node *const leaf = grid->tree().touchLeaf(corner);
-        leaf_node::NodeMaskType mask;
+        typename leaf_node::NodeMaskType mask;
         for (int i = 0; i < 8; i++)
-            mask.getWord<uint64_t>(i) = words[i];
+            mask.template getWord<uint64_t>(i) = words[i];
         leaf->setValueMask(mask);
-        openvdb::Vec3s *const to = leaf->buffer().data();
+        typename Grid::ValueType *const to = leaf->buffer().data();
         for (unsigned n = 0; n < 512; n++)
             if (bits[n / 64] >> n % 64 & 1) { // of layer z, row y and cell x: OpenVDB counts z first
-                to[n % 8 * 64 + n / 8 % 8 * 8 + n / 64] = openvdb::Vec3s(colour);
-                colour += 3;
+                std::memcpy(static_cast<void *>(&to[n % 8 * 64 + n / 8 % 8 * 8 + n / 64]), from, sizeof *to);
+                from += sizeof *to;
             }
     }
 
-    openvdb::GridBase::Ptr base() const { return grid; }
+    openvdb::GridBase::Ptr base() const override { return grid; }
 
   private:
-    openvdb::Vec3SGrid::Ptr grid;
+    typename Grid::Ptr grid;
 };
 
 // What there is of a file.
 struct content {
-    std::unique_ptr<tree> cells;
-    std::unique_ptr<colours> cells_colours; // nullptr: none
+    std::unique_ptr<tree> cells;          // nullptr: these have ids
+    std::unique_ptr<values> cells_values; // nullptr: none
 };
 
 // The middle of cell i lies at index i, as programs that draw voxels have it.
@@ -186,24 +198,26 @@ void *make(const vdb_grid *grid, char *reason)
     attempt(reason, [&] {
         openvdb::initialize();
         std::unique_ptr<content> c(new content);
-        if (grid->has_labels)
+        if (grid->has_ids)
+            c->cells_values.reset(new values_of<openvdb::Int32Grid>(-1));
+        else if (grid->has_labels)
             c->cells.reset(new tree_of<openvdb::Int32Grid>);
         else if (grid->is_mask)
             c->cells.reset(new tree_of<openvdb::MaskGrid>);
         else
             c->cells.reset(new tree_of<openvdb::BoolGrid>);
-        describe(*c->cells->base(), *grid, "tribox");
-        if (grid->has_colours) {
-            c->cells_colours.reset(new colours);
-            c->cells_colours->base()->setVectorType(openvdb::VEC_INVARIANT);
-            describe(*c->cells_colours->base(), *grid, "Cd");
+        describe(*(grid->has_ids ? c->cells_values->base() : c->cells->base()), *grid, "tribox");
+        if (grid->has_colours) { // light from 0 to 1, as programs that render have it: inactive cells are black
+            c->cells_values.reset(new values_of<openvdb::Vec3SGrid>(openvdb::Vec3s(0)));
+            c->cells_values->base()->setVectorType(openvdb::VEC_INVARIANT);
+            describe(*c->cells_values->base(), *grid, "Cd");
         }
         made = c.release();
     });
     return made;
 }
 
-int put(void *to, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const float *colour, char *reason)
+int put(void *to, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const void *of_cells, char *reason)
 {
     return attempt(reason, [&] {
         uint64_t words[8], inside_words[8] = {0};
@@ -212,9 +226,10 @@ int put(void *to, const uint32_t at[3], const uint64_t bits[8], const uint64_t *
         exchange(bits, words);
         if (inside)
             exchange(inside, inside_words);
-        c->cells->put(corner, words, inside_words);
-        if (c->cells_colours)
-            c->cells_colours->put(corner, bits, words, colour);
+        if (c->cells)
+            c->cells->put(corner, words, inside_words);
+        if (c->cells_values)
+            c->cells_values->put(corner, bits, words, static_cast<const unsigned char *>(of_cells));
     });
 }
 
@@ -225,9 +240,11 @@ int write(void *from, FILE *to, int can_seek, char *reason)
         c_buffer buffer(to);
         std::ostream stream(&buffer);
         content *const c = static_cast<content *>(from);
-        openvdb::GridPtrVec grids = {c->cells->base()};
-        if (c->cells_colours)
-            grids.push_back(c->cells_colours->base());
+        openvdb::GridPtrVec grids;
+        if (c->cells)
+            grids.push_back(c->cells->base());
+        if (c->cells_values)
+            grids.push_back(c->cells_values->base());
         archive().write_to(stream, grids, can_seek != 0);
     });
 }

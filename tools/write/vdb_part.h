@@ -17,6 +17,7 @@ typedef struct vdb_grid {
     int is_mask;     /* a MaskGrid in place of a BoolGrid */
     int has_labels;  /* an Int32Grid, of 1 and of 2 where cells are inside */
     int has_colours; /* beside it a Vec3SGrid, "Cd" */
+    int has_ids;     /* an Int32Grid of them, of -1 where no cell is set; without colours */
 } vdb_grid;
 
 /* Where these fail they write why into `reason`, which has room for VDB_REASON bytes. */
@@ -27,11 +28,11 @@ typedef struct vdb_part {
     void *(*make)(const vdb_grid *grid, char *reason);
 
     /*
-     * Each returns whether it did it. put: a brick as a tribox_sink gets it; inside: which of its cells are, for labels; colours: red,
-     * green and blue of its set cells, in the order of the bits, where there are some. can_seek: of the stream, which is at its start.
+     * Each returns whether it did it. put: a brick as a tribox_sink gets it; inside: which of its cells are, for labels; values: red,
+     * green and blue of its set cells as floats, or their ids as int32_t, in the order of the bits, where there are some. can_seek: of
+     * the stream, which is at its start.
      */
-    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const float *colours,
-               char *reason);
+    int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const void *values, char *reason);
     int (*write)(void *tree, FILE *to, int can_seek, char *reason);
 } vdb_part;
 

@@ -25,18 +25,21 @@
 
 enum { BLOCK = 512, BRICK_CELLS = 512 };
 
-/* What has a colour for each cell goes with fewer bricks. */
-enum { BLOCK_COLOURS = 32 * BRICK_CELLS };
+/* What has a value for each cell goes with fewer bricks. */
+enum { BLOCK_VALUES = 32 * BRICK_CELLS };
 
 typedef struct block {
-    uint32_t count;   /* 0: these are all, write them */
-    uint32_t colours; /* of all bricks together; 0: they have none */
+    uint32_t count;  /* 0: these are all, write them */
+    uint32_t values; /* of all bricks together; 0: they have none */
     struct {
         uint32_t at[3];
-        uint32_t cells; /* that have a colour */
+        uint32_t cells; /* that have a value */
         uint64_t bits[8];
     } brick[BLOCK];
-    float colour[BLOCK_COLOURS][3];
+    union {
+        float colour[BLOCK_VALUES][3];
+        int32_t id[BLOCK_VALUES];
+    } of;
     uint64_t inside[BLOCK][8]; /* sent of a grid of labels alone */
 } block;
 
@@ -56,7 +59,7 @@ typedef struct answer {
 struct vdb_process {
     pid_t child;
     int socket;
-    bool has_labels;
+    vdb_grid grid;
     block next;
 };
 
@@ -116,24 +119,29 @@ static FILE *receive_file(int from)
     return file < 0 ? NULL : fdopen(file, "wb");
 }
 
-static bool send_block(int to, const block *b, bool has_labels)
+static size_t value_bytes(const vdb_grid *grid)
 {
-    const uint32_t counts[2] = {b->count, b->colours};
-    return send_all(to, counts, sizeof counts) && send_all(to, b->brick, b->count * sizeof b->brick[0]) &&
-           send_all(to, b->colour, b->colours * sizeof b->colour[0]) &&
-           (!has_labels || send_all(to, b->inside, b->count * sizeof b->inside[0]));
+    return grid->has_colours ? 3 * sizeof(float) : sizeof(int32_t);
 }
 
-static bool receive_block(int from, block *b, bool has_labels)
+static bool send_block(int to, const block *b, const vdb_grid *grid)
+{
+    const uint32_t counts[2] = {b->count, b->values};
+    return send_all(to, counts, sizeof counts) && send_all(to, b->brick, b->count * sizeof b->brick[0]) &&
+           send_all(to, &b->of, b->values * value_bytes(grid)) &&
+           (!grid->has_labels || send_all(to, b->inside, b->count * sizeof b->inside[0]));
+}
+
+static bool receive_block(int from, block *b, const vdb_grid *grid)
 {
     uint32_t counts[2];
     if (!receive_all(from, counts, sizeof counts))
         return false;
     b->count = counts[0];
-    b->colours = counts[1];
+    b->values = counts[1];
     return receive_all(from, b->brick, b->count * sizeof b->brick[0]) &&
-           receive_all(from, b->colour, b->colours * sizeof b->colour[0]) &&
-           (!has_labels || receive_all(from, b->inside, b->count * sizeof b->inside[0]));
+           receive_all(from, &b->of, b->values * value_bytes(grid)) &&
+           (!grid->has_labels || receive_all(from, b->inside, b->count * sizeof b->inside[0]));
 }
 
 /*
@@ -151,13 +159,13 @@ static const vdb_part *load(answer *a)
 
 static void say_failed(answer *a, const char *why) { snprintf(a->reason, sizeof a->reason, "OpenVDB failed: %s", why); }
 
-static bool put_block(const vdb_part *part, void *tree, const block *b, bool has_labels, char *why)
+static bool put_block(const vdb_part *part, void *tree, const block *b, const vdb_grid *grid, char *why)
 {
     bool is_put = true;
-    const float *colour = b->colour[0];
+    const unsigned char *values = (const unsigned char *)&b->of;
     for (uint32_t i = 0; i < b->count && is_put; i++) {
-        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, has_labels ? b->inside[i] : NULL, colour, why);
-        colour += (size_t)3 * b->brick[i].cells;
+        is_put = part->put(tree, b->brick[i].at, b->brick[i].bits, grid->has_labels ? b->inside[i] : NULL, values, why);
+        values += b->brick[i].cells * value_bytes(grid);
     }
     return is_put;
 }
@@ -169,8 +177,8 @@ static void take_bricks(int parent, const vdb_part *part, void *tree, FILE *to, 
     char why[VDB_REASON];
     answer a = {.is_done = true};
     bool goes_on = true;
-    while (goes_on && receive_block(parent, &b, o->grid.has_labels)) {
-        a.is_done = b.count ? put_block(part, tree, &b, o->grid.has_labels, why) : part->write(tree, to, o->can_seek, why);
+    while (goes_on && receive_block(parent, &b, &o->grid)) {
+        a.is_done = b.count ? put_block(part, tree, &b, &o->grid, why) : part->write(tree, to, o->can_seek, why);
         goes_on = b.count && a.is_done;
         if (!a.is_done)
             say_failed(&a, why);
@@ -279,13 +287,13 @@ bool vdb_process_try(vdb_process *p, const vdb_grid *grid, char *reason)
 bool vdb_process_open(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek, char *reason)
 {
     answer a;
-    p->has_labels = grid->has_labels;
+    p->grid = *grid;
     send_all(p->socket, &(order){.grid = *grid, .has_file = true, .can_seek = can_seek}, sizeof(order));
     send_file(p->socket, fileno(to));
     return hear(p, &a, reason);
 }
 
-bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const float *colours,
+bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const void *values,
                      uint32_t cells, char *reason)
 {
     answer a;
@@ -293,14 +301,15 @@ bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8
     memcpy(b->brick[b->count].at, at, sizeof b->brick->at);
     memcpy(b->brick[b->count].bits, bits, sizeof b->brick->bits);
     b->brick[b->count].cells = cells;
-    memcpy(b->colour[b->colours], colours, cells * sizeof b->colour[0]);
-    b->colours += cells;
-    if (p->has_labels)
+    if (cells)
+        memcpy((unsigned char *)&b->of + b->values * value_bytes(&p->grid), values, cells * value_bytes(&p->grid));
+    b->values += cells;
+    if (p->grid.has_labels)
         memcpy(b->inside[b->count], inside, sizeof b->inside[0]);
-    if (++b->count < BLOCK && b->colours + BRICK_CELLS <= BLOCK_COLOURS)
+    if (++b->count < BLOCK && b->values + BRICK_CELLS <= BLOCK_VALUES)
         return true;
-    const bool is_sent = send_block(p->socket, b, p->has_labels);
-    b->count = b->colours = 0;
+    const bool is_sent = send_block(p->socket, b, &p->grid);
+    b->count = b->values = 0;
     return is_sent || hear(p, &a, reason);
 }
 
@@ -309,9 +318,9 @@ bool vdb_process_write(vdb_process *p, int *error, char *reason)
     answer a;
     block *const b = &p->next;
     if (b->count)
-        send_block(p->socket, b, p->has_labels); /* whether they arrive the answer says */
-    b->count = b->colours = 0;
-    send_block(p->socket, b, p->has_labels);
+        send_block(p->socket, b, &p->grid); /* whether they arrive the answer says */
+    b->count = b->values = 0;
+    send_block(p->socket, b, &p->grid);
     const bool is_done = hear(p, &a, reason);
     *error = a.error;
     return is_done && !a.error;

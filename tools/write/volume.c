@@ -78,6 +78,8 @@ const volume_format *volume_format_of(const char *path)
     return NULL;
 }
 
+bool volume_takes_ids(const volume_format *format) { return format->frame || (format->bricks && format->takes_labels); }
+
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v)
 {
     char by[3][DECIMAL_MAX];

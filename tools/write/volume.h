@@ -12,6 +12,7 @@ typedef struct volume_options {
     bool is_deflated; /* .npz: smaller, and slower to write */
     bool is_mask;     /* .vdb: a MaskGrid in place of a BoolGrid, smaller, and known to fewer programs */
     bool has_labels;  /* cells are 1 or 2, surface or inside */
+    bool has_ids;     /* cells have the number of a triangle */
 } volume_options;
 
 /* A format whose cells lie one after the other: x fastest, then y, then z. */
@@ -52,10 +53,14 @@ typedef struct volume_format {
 #define VOLUME_WORDS "npz, vdb, cells, npy, vti, nrrd, binvox, vox, raw, ply, obj, glb"
 #define VOLUME_ENDINGS ".npz, .vdb, .npy, .vti, .nrrd, .binvox, .vox, .raw, .ply, .obj or .glb"
 #define VOLUME_LABELLED "npz, vdb, npy, vti, nrrd, vox or raw"
+#define VOLUME_WITH_IDS ".npz, .vdb, .npy, .vti, .nrrd or .raw"
 
 /* The format by the ending of the name, or by its word, such as "npy". Each returns NULL after a line on standard error. */
 const volume_format *volume_format_of(const char *path);
 const volume_format *volume_format_named(const char *word);
+
+/* Whether it has a place for the id of each cell. */
+bool volume_takes_ids(const volume_format *format);
 
 /* Says where the cells are, if they are shifted and the format does not. NULL for a part, which does. */
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);

@@ -17,12 +17,15 @@ static void write_header(FILE *to, const voxels *v)
     fprintf(to,
             "NRRD0004\n"
             "# cells of a grid that a mesh overlaps%s, by tribox\n"
-            "type: uint8\n"
+            "%s\n"
             "dimension: 3\n"
             "space dimension: 3\n"
             "sizes: %u %u %u\n"
             "space directions:",
-            voxels_have_labels(v) ? ": 1, and that it encloses: 2" : "", grid->size[0], grid->size[1], grid->size[2]);
+            v->ids                  ? ": the number of the lowest triangle, else -1"
+            : voxels_have_labels(v) ? ": 1, and that it encloses: 2"
+                                    : "",
+            v->ids ? "type: int32\nendian: little" : "type: uint8", grid->size[0], grid->size[1], grid->size[2]);
     write_vector(to, grid->cell[0], 0, 0);
     write_vector(to, 0, grid->cell[1], 0);
     write_vector(to, 0, 0, grid->cell[2]);

@@ -17,7 +17,8 @@ static void write_extent(FILE *to, const char *attribute, const uint32_t size[3]
 
 static void write_image(FILE *to, const voxels *v)
 {
-    const bool has_labels = voxels_have_labels(v);
+    const char *const name = v->ids ? "id" : voxels_have_labels(v) ? "label" : "occupied";
+    const char *const range = voxels_have_labels(v) ? " RangeMin=\"0\" RangeMax=\"2\"" : " RangeMin=\"0\" RangeMax=\"1\"";
     const tribox_grid *const grid = &v->grid;
     fputs("  <ImageData", to);
     write_extent(to, "WholeExtent", grid->size);
@@ -30,18 +31,19 @@ static void write_image(FILE *to, const voxels *v)
     fprintf(to,
             ">\n"
             "      <CellData Scalars=\"%s\">\n"
-            "        <DataArray type=\"UInt8\" Name=\"%s\" format=\"appended\" RangeMin=\"0\" RangeMax=\"%d\" offset=\"0\"/>\n"
+            "        <DataArray type=\"%s\" Name=\"%s\" format=\"appended\"%s offset=\"0\"/>\n"
             "      </CellData>\n"
             "    </Piece>\n"
             "  </ImageData>\n",
-            has_labels ? "label" : "occupied", has_labels ? "label" : "occupied", has_labels ? VOXELS_INSIDE : 1);
+            name, v->ids ? "Int32" : "UInt8", name, v->ids ? "" : range);
 }
 
 /* The length of the array stands before it. */
-static void write_length(FILE *to, const uint32_t size[3])
+static void write_length(FILE *to, const voxels *v)
 {
     unsigned char length[8];
-    little_put64(length, (uint64_t)size[0] * size[1] * size[2]);
+    const uint32_t *const size = v->grid.size;
+    little_put64(length, (uint64_t)size[0] * size[1] * size[2] * (v->ids ? sizeof *v->ids : 1));
     fwrite(length, 1, sizeof length, to);
 }
 
@@ -52,7 +54,7 @@ static void write_before(FILE *to, const voxels *v)
           to);
     write_image(to, v);
     fputs("  <AppendedData encoding=\"raw\">\n   _", to);
-    write_length(to, v->grid.size);
+    write_length(to, v);
 }
 
 static void write_after(FILE *to) { fputs("\n  </AppendedData>\n</VTKFile>\n", to); }

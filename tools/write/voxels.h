@@ -19,6 +19,7 @@ typedef struct voxels {
     const voxels_slab *slab; /* one after the other, without gaps */
     size_t slabs;
     const struct cell_colours *colours; /* of all set cells; NULL: they have none */
+    const int32_t *ids;                 /* of all cells, -1 where none is set; NULL without */
 } voxels;
 
 /* The words of layer k: rows of voxels_row_words, one for each y. */

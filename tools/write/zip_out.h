@@ -9,7 +9,7 @@
 #include "deflate.h"
 #include "npy_header.h"
 
-enum { ZIP_MEMBERS_MAX = 9, ZIP_NAME_MAX = 15 };
+enum { ZIP_MEMBERS_MAX = 10, ZIP_NAME_MAX = 15 };
 
 typedef struct zip_member {
     char name[ZIP_NAME_MAX + 1];

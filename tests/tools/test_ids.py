@@ -1,0 +1,196 @@
+"""tribox voxelize --ids: of each cell the lowest triangle, in every format, against rational numbers, one triangle after another."""
+
+import functools
+import itertools
+import json
+import os
+import random
+import struct
+import subprocess
+import zipfile
+
+import coloured
+import meshes
+import support
+import volumes
+from test_labels import npy_of
+
+SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
+NAN = float("nan")
+SIZE = (131, 11, 70)  # 3 x 1 x 2 tiles, and bricks that the grid cuts
+ABOUT = {"origin": [-2, -2.25, -2], "cell": [0.5, 0.75, 0.5], "size": SIZE}
+GRID = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "%d,%d,%d" % SIZE)
+
+
+def around(corner, reach, pick):
+    """In steps of 1/8, on planes of the grid among others."""
+    return tuple(tuple(c + pick.randint(-reach, reach) / 8 for c in corner) for _ in range(3))
+
+
+@functools.lru_cache
+def scene():
+    """Triangles in every tile and across their borders; on planes, doubled, of one point and of two; large ones before and after."""
+    print("seed", SEED)
+    pick = random.Random(SEED)
+    corners = [(x, 0.75, z) for x in (-2, 14, 30, 62, 63.5) for z in (-2, 6, 14, 30, 33)]
+    triangles = [around(corner, 12, pick) for corner in corners for _ in range(3)]
+    flat = [tuple((x, y, 14.0) for x, y, _ in triangle) for triangle in triangles[:30:3]]
+    points = [((x, 0.0, z),) * 3 for x, z in ((30, 30), (30.25, 30), (-2, -2), (63.5, 33))]
+    lines = [((x, 0.0, 14.0), (x + 2, 0.0, 14.0), (x + 2, 0.0, 14.0)) for x in (29, 30)]
+    large = [((-2, 1, -2), (63, 1.25, 33), (62, 1, 33)), ((28, -2, 12), (33, 6, 17), (28, 6, 17))]
+    triangles = large[1:] + triangles + flat + points + lines + large
+    triangles += pick.sample(triangles, 20)
+    pick.shuffle(triangles)
+    return triangles + triangles[::-7]
+
+
+@functools.lru_cache
+def truth():
+    return coloured.lowest(scene(), ABOUT)
+
+
+def ids_of(array, size=SIZE):
+    """{cell: id} of int32 for all cells."""
+    numbers = struct.unpack("<%di" % (len(array) // 4), array)
+    assert len(numbers) == size[0] * size[1] * size[2]
+    assert min(numbers) >= -1
+    return {(n % size[0], n // size[0] % size[1], n // size[0] // size[1]): number for n, number in enumerate(numbers) if number >= 0}
+
+
+def read_npz(path):
+    with zipfile.ZipFile(path) as file:
+        assert file.testzip() is None
+        (_, at), (_, bits), (header, ids) = (npy_of(file.read(name + ".npy")) for name in ("at", "bits", "ids"))
+    assert "'<u4'" in header and "'shape': (%d,)" % (len(ids) // 4) in header
+    cells = [(8 * a + bit % 8, 8 * b + bit // 8, 8 * c + k) for (a, b, c), words in zip(struct.iter_unpack("<3I", at), struct.iter_unpack("<8Q", bits))
+             for k, word in enumerate(words) for bit in range(64) if word >> bit & 1]
+    assert len(cells) == len(set(cells)) == len(ids) // 4
+    return dict(zip(cells, struct.unpack("<%dI" % len(cells), ids)))
+
+
+def read_dense(path):
+    """Whatever stands before and after."""
+    data, length = volumes.read(path), 4 * SIZE[0] * SIZE[1] * SIZE[2]
+    if path.endswith(".vti"):
+        head, rest = data.split(b'<AppendedData encoding="raw">\n   _')
+        assert b'<DataArray type="Int32" Name="id" format="appended" offset="0"/>' in head and b'Scalars="id"' in head
+        assert struct.unpack_from("<Q", rest) == (length,) and rest[8 + length:] == b"\n  </AppendedData>\n</VTKFile>\n"
+        return ids_of(rest[8:8 + length])
+    head, cells = data[:-length], data[-length:]
+    if path.endswith(".nrrd"):
+        assert b"\ntype: int32\nendian: little\ndimension: 3\n" in head and head.endswith(b"\n\n")
+    if path.endswith(".npy"):
+        assert "'descr': '<i4', 'fortran_order': False, 'shape': (70, 11, 131)" in npy_of(data)[0]
+    assert path.endswith(".raw") == (not head)
+    return ids_of(cells)
+
+
+READERS = {".npz": read_npz, ".npy": read_dense, ".nrrd": read_dense, ".vti": read_dense, ".raw": read_dense,
+           ".vdb": lambda path: volumes.read_vdb_numbers(path, -1)}
+
+
+class Ids(support.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.write("mesh.f32", meshes.pack_floats(scene()))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def ids(self, mesh, ending, *options):
+        out = self.path("ids" + ending)
+        self.succeed("voxelize", mesh, *GRID, "--ids", *options, "-q", "-o", out)
+        return READERS[ending](out)
+
+    def test_formats(self):
+        for ending in READERS:
+            if ending == ".vdb" and not support.has_openvdb():
+                continue
+            for threads in "1", "3":
+                self.assertEqual(self.ids(self.mesh, ending, "--threads", threads), truth(), (ending, threads))
+        self.assertEqual(self.ids(self.mesh, ".npz", "--deflate"), truth())
+
+    def test_doubles(self):
+        """Places that float32 does not hold, and cells that lie between those that it does."""
+        triangles = [tuple(tuple(x + 2.0 ** -40 for x in v) for v in t) for t in scene()]
+        mesh = self.write("mesh.f64", b"".join(struct.pack("<9d", *itertools.chain(*t)) for t in triangles))
+        lowest = coloured.lowest(triangles, ABOUT)
+        self.assertNotEqual(lowest, truth())
+        for ending in (".npz", ".raw"):
+            self.assertEqual(self.ids(mesh, ending), lowest)
+
+    def test_not_finite(self):
+        """A number each, and no cells."""
+        triangles = [((NAN, 0, 0),) * 3, *scene()[:40], ((0, 0, 0), (0, NAN, 0), (1, 1, 1)), *scene()[40:]]
+        mesh = self.write("nan.f32", meshes.pack_floats(triangles))
+        expected = {cell: n + 1 + (n >= 40) for cell, n in truth().items()}
+        out = self.path("ids.npz")
+        self.succeed_with_note("2 of %d triangles have NaN" % len(triangles), "voxelize", mesh, *GRID, "--ids", "-q", "-o", out)
+        self.assertEqual(read_npz(out), expected)
+
+    def test_polygons(self):
+        """Numbers are of the triangles that polygons are cut into, and of those alone."""
+        square = [(-1.9, y, z) for y, z in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        triangles = [tuple(square[:3]), (square[0], square[2], square[3]), *scene()]
+        vertices = square + [v for triangle in scene() for v in triangle]
+        polygons = [(0, 1, 2, 3), (0, 1), *((n, n + 1, n + 2) for n in range(4, len(vertices), 3))]
+        lowest = coloured.lowest([tuple(tuple(map(volumes.float_of, v)) for v in t) for t in triangles], ABOUT)
+        self.assertEqual(self.ids(self.write("polygons.ply", coloured.ply(vertices, polygons)), ".raw"), lowest)
+
+    def test_shards(self):
+        """Each cell is in one of the parts, which say which part they are."""
+        for shards in (1, 3, 8):
+            parts = []
+            for shard in range(1, shards + 1):
+                parts.append(self.ids(self.mesh, ".npz", "--shard", "%d/%d" % (shard, shards)))
+                with zipfile.ZipFile(self.path("ids.npz")) as file:
+                    self.assertEqual(npy_of(file.read("shard.npy"))[1], struct.pack("<2I", shard, shards))
+            self.assertEqual({cell: n for part in parts for cell, n in part.items()}, truth())
+            self.assertEqual(sum(map(len, parts)), len(truth()))
+
+    def test_none(self):
+        mesh = self.write("none.f32", meshes.pack_floats([((900, 0, 0),) * 3]))
+        for ending in (".npz", ".raw"):
+            self.assertEqual(self.ids(mesh, ending), {})
+
+    def test_output(self):
+        """Standard output, the summary, and the picture, which is as without ids."""
+        for word in ("npy", "npz"):
+            done = subprocess.run([support.program(), "voxelize", self.mesh, *GRID, "--ids", "-o", "-", "--out-format", word],
+                                  capture_output=True, timeout=120)
+            self.ids(self.mesh, "." + word)
+            self.assertEqual((done.returncode, done.stderr, done.stdout), (0, b"", volumes.read(self.path("ids." + word))))
+        pictures = [self.path(name) for name in ("one.png", "two.png")]
+        for picture, options in zip(pictures, (("--ids",), ())):
+            found = json.loads(self.succeed("voxelize", self.mesh, *GRID, *options, "--json", "-o", self.path("x.npz"), "-p", picture))
+            self.assertEqual((found.get("ids"), found["occupied"]), (True if options else None, len(truth())))
+        self.assertEqual(*map(volumes.read, pictures))
+        self.assertIn("\nids          of each cell the lowest triangle\n",
+                      self.succeed("voxelize", self.mesh, *GRID, "--ids", "-o", self.path("x.npz")))
+
+    def test_memory(self):
+        """Bricks go beyond what memory holds of the whole; what does not fit is refused before."""
+        grid = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "20000,4000,20000")
+        self.succeed("voxelize", self.mesh, *grid, "--ids", "-q", "-o", self.path("far.npz"))
+        found = read_npz(self.path("far.npz"))
+        self.assertEqual({cell: n for cell, n in found.items() if all(c < s for c, s in zip(cell, SIZE))}, truth())
+        grid = grid[:-1] + ("20000,4000,200",)
+        self.fail_with(1, "the ids of all cells take .* of memory in this format and .* are available; write .npz or .vdb",
+                       "voxelize", self.mesh, *grid, "--ids", "-o", self.path("x.raw"))
+
+    def test_refused(self):
+        for pattern, options in (
+                ("leave out --ids", ("--count",)), ("leave out --fill", ("--fill", "outside", "-o", "x.npz")),
+                ("leave out --thin", ("--thin", "-o", "x.npz")), ("run it for each", ("--colours", "-o", "x.npz")),
+                ("--ids and --vdb-grid exclude each other", ("--vdb-grid", "mask", "-o", "x.vdb")),
+                ("a .part holds none; write .npz", ("--shard", "1/2", "-o", "x.part")),
+                *(("--ids: %s holds none; write .npz" % word, ("--out-format", word, "-o", "x"))
+                  for word in ("cells", "binvox", "vox", "ply", "obj", "glb"))):
+            self.fail_with(2, pattern, "voxelize", self.mesh, *GRID, "--ids", *options)
+        self.succeed("partition", self.mesh, *GRID, "-q", "-o", self.path("tiles"))
+        self.fail_with(2, "is a partition, which lacks the numbers of its triangles: --ids needs the mesh itself", "voxelize",
+                       self.path("tiles"), "--ids", "-o", "x.npz")
+
+
+if __name__ == "__main__":
+    support.main()
