@@ -34,7 +34,7 @@ static const char help[] =
     "      --labels            with --fill: cells of the surface are 1, those inside 2\n"
     "      --inside-only       with --fill: the cells inside without those of the surface\n"
     "      --colours           those of MESH (PLY, OBJ, OFF); for .vox .glb .ply .obj .vdb .npz, picture\n"
-    "      --ids               of each cell the lowest triangle, from 0; for .npz .vdb .npy .nrrd .vti .raw\n"
+    "      --ids               the lowest triangle of each cell; for .npz .vdb .npy .nrrd .vti .raw\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
     "      --shard I/N         only part I, 1 to N, of N, of equal work: a .part for 'tribox merge', or\n"
     "                          a .npz that says which part it is, for tribox.Bricks.load of Python\n" OPTIONS_TEST_HELP

@@ -1,4 +1,4 @@
-/* fuzz_bricks.c - tiles and bricks: a soup and a small grid, on every kernel. */
+/* fuzz_bricks.c - tiles, bricks and ids: a soup and a small grid, on every kernel. */
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 #include "target.h"
 #include "tight_memory.h"
 
-enum { TRIANGLES_MAX = 6, WORDS_MAX = 3 * 20 * 20 };
+enum { TRIANGLES_MAX = 6, WORDS_MAX = 3 * 20 * 20, CELLS_MAX = 129 * 20 * 20 };
 
 typedef struct fuzz_case {
     tribox_grid grid;
@@ -15,6 +15,7 @@ typedef struct fuzz_case {
     tribox_options options;
     uint32_t tile;
     uint64_t expected[WORDS_MAX], taken[WORDS_MAX];
+    uint32_t lowest[CELLS_MAX]; /* triangle of each cell; UINT32_MAX for none */
     size_t cells, bricks, most;
 } fuzz_case;
 
@@ -56,6 +57,55 @@ static int take(void *data, const uint32_t at[3], const uint64_t bits[8])
     return ++q->bricks >= q->most;
 }
 
+static size_t place_of(const fuzz_case *q, uint32_t i, uint32_t j, uint32_t k)
+{
+    return ((size_t)k * q->grid.size[1] + j) * q->grid.size[0] + i;
+}
+
+static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
+{
+    const fuzz_case *const q = data;
+    for (uint32_t n = 0; n < 512; n++) {
+        const uint32_t i = 8 * at[0] + n % 8, j = 8 * at[1] + n / 8 % 8, k = 8 * at[2] + n / 64;
+        const bool is_in = i < q->grid.size[0] && j < q->grid.size[1] && k < q->grid.size[2];
+        ensure(ids[n] == (is_in ? q->lowest[place_of(q, i, j, k)] : UINT32_MAX), "a brick has %u for cell %u %u %u", ids[n], i, j, k);
+    }
+    return take(data, at, bits);
+}
+
+static void find_lowest(fuzz_case *q, const tribox_options *o)
+{
+    const size_t cells = place_of(q, 0, 0, q->grid.size[2]);
+    size_t *const starts = tight_memory((cells + 1) * sizeof *starts, 0);
+    status_fits("tribox_cell_lists", 0, tribox_cell_lists(&q->soup, &q->grid, NULL, o, starts, NULL));
+    uint32_t *const list = tight_memory(starts[cells] * sizeof *list, 0);
+    status_fits("tribox_cell_lists", 0, tribox_cell_lists(&q->soup, &q->grid, NULL, o, starts, list));
+    for (size_t c = 0; c < cells; c++)
+        q->lowest[c] = starts[c] < starts[c + 1] ? list[starts[c]] : UINT32_MAX;
+}
+
+/* The soup in two calls, the later triangles first. */
+static void check_ids(const fuzz_case *q, const tribox_options *o)
+{
+    const size_t cells = place_of(q, 0, 0, q->grid.size[2]), words = tribox_window_words(q->grid.size), half = q->soup.count / 2;
+    uint64_t *const occupied = tight_mask(64 * words);
+    uint32_t *const ids = tight_memory(cells * sizeof *ids, 0);
+    tribox_soup part[2] = {q->soup, q->soup};
+    memset(occupied, 0, words * sizeof *occupied);
+    part[0].count = half;
+    part[1].count -= half;
+    for (int n = 0; n < 9; n++)
+        (n < 3 ? part[1].x : n < 6 ? part[1].y : part[1].z)[n % 3] += half;
+    for (int p = 1; p >= 0; p--)
+        status_fits("tribox_voxelize_ids", 0,
+                    tribox_voxelize_ids(&part[p], p ? (uint32_t)half : 0, &q->grid, NULL, o, occupied, ids, NULL));
+    ensure(!memcmp(occupied, q->expected, words * sizeof *occupied), "with ids there are other cells: axes %u, kernel %s", o->axes,
+           o->kernel);
+    for (size_t c = 0; c < cells; c++)
+        ensure(ids[c] == q->lowest[c] || (q->lowest[c] == UINT32_MAX && is_poisoned(&ids[c], sizeof ids[c])),
+               "cell %zu has id %u, not %u: axes %u, kernel %s", c, ids[c], q->lowest[c], o->axes, o->kernel);
+}
+
 /* The box of the tile. */
 static tribox_box box_of(const fuzz_case *q, size_t tile)
 {
@@ -88,7 +138,7 @@ static void check_list(const fuzz_case *q, size_t tile, const uint32_t *list, si
            (unsigned long long)mask);
 }
 
-static void check_bricks(fuzz_case *q, const tribox_options *o)
+static void check_bricks(fuzz_case *q, const tribox_options *o, bool has_ids)
 {
     const size_t tiles = tribox_tile_count(q->grid.size, q->tile), bytes = sizeof(size_t);
     size_t *const starts = tight_memory((tiles + 1) * bytes, 0);
@@ -99,11 +149,12 @@ static void check_bricks(fuzz_case *q, const tribox_options *o)
     status_fits("tribox_tile_lists", 0, tribox_tile_lists(&q->soup, &q->grid, &all, o, starts, list));
     for (size_t t = 0; t < tiles; t++)
         check_list(q, t, list + starts[t], starts[t + 1] - starts[t], o->accuracy == TRIBOX_EXACT);
-    void *const scratch = tight_memory(tribox_bricks_bytes(q->tile), 0);
+    void *const scratch = tight_memory((has_ids ? tribox_bricks_ids_bytes : tribox_bricks_bytes)(q->tile), 0);
     memset(q->taken, 0, sizeof q->taken);
     q->cells = q->bricks = 0;
     const tribox_status status =
-        tribox_bricks(&q->soup, &q->grid, &all, starts, list, o, scratch, &(tribox_sink){take, q}, &report);
+        has_ids ? tribox_bricks_ids(&q->soup, &q->grid, &all, starts, list, o, scratch, &(tribox_ids_sink){take_ids, q}, &report)
+                : tribox_bricks(&q->soup, &q->grid, &all, starts, list, o, scratch, &(tribox_sink){take, q}, &report);
     ensure(status == (q->bricks < q->most ? TRIBOX_OK : TRIBOX_STOPPED), "status %d after %zu bricks", (int)status, q->bricks);
     ensure(report.overlapping == q->cells, "%zu cells reported of %zu", report.overlapping, q->cells);
     for (size_t w = 0; w < WORDS_MAX && o->accuracy != TRIBOX_FAST; w++) {
@@ -120,12 +171,17 @@ static void check_answers(fuzz_case *q)
     memset(q->expected, 0, sizeof q->expected);
     if (tribox_voxelize(&q->soup, &q->grid, NULL, &o, q->expected, NULL) != TRIBOX_OK)
         return; /* a grid that is refused */
-    for (const char *const *kernel = runnable_kernels(); *kernel; kernel++)
+    find_lowest(q, &o);
+    for (const char *const *kernel = runnable_kernels(); *kernel; kernel++) {
+        o.kernel = *kernel;
+        o.accuracy = TRIBOX_EXACT;
+        check_ids(q, &o);
+        check_bricks(q, &o, true);
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
-            o.kernel = *kernel;
             o.accuracy = (tribox_accuracy)accuracy;
-            check_bricks(q, &o);
+            check_bricks(q, &o, false);
         }
+    }
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -165,7 +165,7 @@ class Ids(support.TestCase):
             found = json.loads(self.succeed("voxelize", self.mesh, *GRID, *options, "--json", "-o", self.path("x.npz"), "-p", picture))
             self.assertEqual((found.get("ids"), found["occupied"]), (True if options else None, len(truth())))
         self.assertEqual(*map(volumes.read, pictures))
-        self.assertIn("\nids          of each cell the lowest triangle\n",
+        self.assertIn("\nids          the lowest triangle of each cell\n",
                       self.succeed("voxelize", self.mesh, *GRID, "--ids", "-o", self.path("x.npz")))
 
     def test_memory(self):

@@ -96,7 +96,7 @@ static void print_summary(const voxelize_answer *a)
     if (a->colours)
         printf("colours      of its %s\n", a->colours);
     if (a->has_ids)
-        puts("ids          of each cell the lowest triangle");
+        puts("ids          the lowest triangle of each cell");
     if (a->fill)
         printf("inside       %zu cells (%s%s)\n", a->inside, a->fill, cells_note(a));
     if (a->has_rows)
