@@ -3,7 +3,10 @@
 import importlib.util
 import os
 import pickle
+import subprocess
+import sys
 import tempfile
+import unittest
 
 import numpy as np
 import tribox
@@ -77,6 +80,27 @@ class IdTests(cases.TestCase):
         colours = np.random.default_rng(1).integers(0, 256, (len(self.triangles), 3), np.uint8)
         voxels = tribox.voxelize(self.triangles, resolution=40, ids=True)
         self.assertEqual(colours[voxels.ids].shape, voxels.points().shape)
+
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_example(self):
+        """As many cells of each material as have its colour."""
+        examples = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/colours")
+        with tempfile.TemporaryDirectory() as folder:
+            def run(*words):
+                return subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True, timeout=120).stdout
+
+            run(sys.executable, "-B", os.path.join(examples, "scene.py"))
+            for option, name in (("--ids", "scene.npz"), ("--colours", "colours.npz")):
+                run(os.environ["TRIBOX_PROGRAM"], "voxelize", "scene.obj", "--resolution", "160", option, "-o", name)
+            printed = [line.split() for line in run(sys.executable, "-B", os.path.join(examples, "materials.py")).splitlines()]
+            with open(os.path.join(folder, "scene.mtl")) as file:
+                names, colours = zip(*((n.split()[1], c.split()[1:]) for n, c in zip(file, file)))
+            with np.load(os.path.join(folder, "colours.npz")) as file:
+                found, counts = np.unique(file["colours"], axis=0, return_counts=True)
+            kd = np.floor(255 * np.array(colours, float) + 0.5)
+            expected = {name: int(counts[(found == colour).all(1)][0]) for name, colour in zip(names, kd)}
+            self.assertEqual({name: int(cells) for name, cells in printed}, expected)
+            self.assertEqual(len(expected), 9)
 
     def test_none(self):
         grid = GRIDS["small"]

@@ -49,6 +49,19 @@ class Parts(cases.TestCase):
         self.assert_same(found.bits, whole.bits)
         self.assertEqual((found.grid, found.shift, found.shard), (whole.grid, whole.shift, None))
 
+    def test_ids(self):
+        """Of the parts and of the whole, as tribox.bricks has them."""
+        whole = self.whole("--ids")
+        triangles = (cases.lattice(12) * np.float32(0.5)).reshape(-1, 3, 3)
+        here = tribox.bricks(triangles, whole.grid, side=64, ids=True)
+        self.assertGreater(len(whole.ids), 10000)
+        for found in (here, *(tribox.Bricks.load(self.parts(shards, "--ids", name=f"i{shards}")) for shards in (1, 5))):
+            self.assert_whole(found, whole)
+            self.assert_same(found.ids, whole.ids)
+        mixed = [self.part(1, 2, "--ids", name="m"), self.part(2, 2, name="m")]
+        with self.assertRaisesRegex(tribox.InputError, "differ in the size of tiles"):
+            tribox.Bricks.load(mixed)
+
     def test_any_number(self):
         whole = self.whole()
         self.assertGreater(len(whole.at), 500)
