@@ -68,7 +68,8 @@ static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], co
     for (uint32_t n = 0; n < 512; n++) {
         const uint32_t i = 8 * at[0] + n % 8, j = 8 * at[1] + n / 8 % 8, k = 8 * at[2] + n / 64;
         const bool is_in = i < q->grid.size[0] && j < q->grid.size[1] && k < q->grid.size[2];
-        ensure(ids[n] == (is_in ? q->lowest[place_of(q, i, j, k)] : UINT32_MAX), "a brick has %u for cell %u %u %u", ids[n], i, j, k);
+        ensure(ids[n] == (is_in ? q->lowest[place_of(q, i, j, k)] : UINT32_MAX), "a brick has %u for cell %u %u %u", ids[n], i, j,
+               k);
     }
     return take(data, at, bits);
 }

@@ -34,8 +34,8 @@ static bool make_room(colouring *c, uint64_t cells)
 {
     cell_colours *const to = c->to;
     void *bricks = to->bricks, *of = to->of;
-    const bool has_room = grow(&bricks, to->count + 1, &c->room, sizeof *to->bricks) &&
-                          grow(&of, to->cells + cells, &c->cells_room, sizeof *to->of);
+    const bool has_room =
+        grow(&bricks, to->count + 1, &c->room, sizeof *to->bricks) && grow(&of, to->cells + cells, &c->cells_room, sizeof *to->of);
     to->bricks = bricks;
     to->of = of;
     return has_room;
@@ -64,8 +64,9 @@ static int run(const tile_set *set, unsigned threads, colouring *c, progress *ba
     *report = found.report;
     if (status && status != TRIBOX_STOPPED)
         return message_status(status);
-    return !status && cell_colours_place(c->to, set->task.grid.size) ? EXIT_CODE_OK
-                                                                      : message_failure("out of memory for the colours of the cells");
+    return !status && cell_colours_place(c->to, set->task.grid.size)
+               ? EXIT_CODE_OK
+               : message_failure("out of memory for the colours of the cells");
 }
 
 int coloured_cells_make(const voxel_task *task, const mesh_colours *colours, unsigned threads, uint64_t *words, cell_colours *cells,

@@ -30,8 +30,8 @@ typedef struct slot {
 typedef struct crew {
     const tile_set *set;
     size_t from, to;
-    tile_room *room;         /* of the calling thread */
-    bool is_direct;          /* one thread, or none that waits */
+    tile_room *room;       /* of the calling thread */
+    bool is_direct;        /* one thread, or none that waits */
     const tile_sink *sink; /* NULL to count */
     progress *bar;
     slot *slots;

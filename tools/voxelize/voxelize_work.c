@@ -58,8 +58,8 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 /* Neither a filling nor a picture needs all cells, and the file takes layers in any order. */
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
-    const bool is_wanted =
-        in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count && !r->is_part && r->result.format->frame;
+    const bool is_wanted = in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids &&
+                           !r->is_count && !r->is_part && r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }

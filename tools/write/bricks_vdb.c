@@ -122,8 +122,7 @@ static int put_vdb(brick_out *out, const uint32_t at[3], const uint64_t bits[8])
         cells = (uint32_t)voxels_count(bits, 8);
         values = out->ids;
     }
-    return vdb_process_put(out->state, at, bits, out->inside, values, cells, reason) ? EXIT_CODE_OK
-                                                                                     : fail(out->file->path, reason);
+    return vdb_process_put(out->state, at, bits, out->inside, values, cells, reason) ? EXIT_CODE_OK : fail(out->file->path, reason);
 }
 
 static int end_vdb(brick_out *out, progress *bar)

@@ -119,10 +119,7 @@ static FILE *receive_file(int from)
     return file < 0 ? NULL : fdopen(file, "wb");
 }
 
-static size_t value_bytes(const vdb_grid *grid)
-{
-    return grid->has_colours ? 3 * sizeof(float) : sizeof(int32_t);
-}
+static size_t value_bytes(const vdb_grid *grid) { return grid->has_colours ? 3 * sizeof(float) : sizeof(int32_t); }
 
 static bool send_block(int to, const block *b, const vdb_grid *grid)
 {
@@ -139,8 +136,7 @@ static bool receive_block(int from, block *b, const vdb_grid *grid)
         return false;
     b->count = counts[0];
     b->values = counts[1];
-    return receive_all(from, b->brick, b->count * sizeof b->brick[0]) &&
-           receive_all(from, &b->of, b->values * value_bytes(grid)) &&
+    return receive_all(from, b->brick, b->count * sizeof b->brick[0]) && receive_all(from, &b->of, b->values * value_bytes(grid)) &&
            (!grid->has_labels || receive_all(from, b->inside, b->count * sizeof b->inside[0]));
 }
 
