@@ -22,6 +22,12 @@ int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8], c
 /* Returns TRIBOX_STOPPED if the sink stopped. */
 tribox_status kept_bricks_hand_on(const kept_bricks *kept, const tile_sink *sink);
 
+/* How much they take, counted in bricks. */
+static inline size_t kept_bricks_size(const kept_bricks *kept)
+{
+    return kept->count + kept->ids_count * sizeof *kept->ids / sizeof *kept->bricks;
+}
+
 void kept_bricks_free(kept_bricks *kept);
 
 #endif

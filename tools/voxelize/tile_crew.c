@@ -40,7 +40,7 @@ typedef struct crew {
     pthread_cond_t turned;
     size_t next;         /* record of the next share */
     size_t number, turn; /* shares taken, and handed on */
-    size_t waiting;      /* bricks in slots that are done */
+    size_t waiting;      /* bricks in slots that are done, or as much of ids */
     bool is_handing;     /* a thread hands bricks to the sink */
     size_t done;         /* records */
     tile_found found;
@@ -107,7 +107,7 @@ static void hand_on(crew *c)
         const tribox_status status = kept_bricks_hand_on(&s->kept, c->sink);
         pthread_mutex_lock(&c->lock);
         s->is_done = false;
-        c->waiting -= s->kept.count;
+        c->waiting -= kept_bricks_size(&s->kept);
         account(c, &s->share, status, &s->report, s->kept.count);
     }
     c->is_handing = false;
@@ -156,7 +156,7 @@ static void run_in_turn(crew *c, const share *s, tile_room *room)
     }
     pthread_mutex_lock(&c->lock);
     own->is_done = !status;
-    c->waiting += own->kept.count;
+    c->waiting += kept_bricks_size(&own->kept);
     if (status && !c->status)
         c->status = status;
     if (!c->is_handing)
