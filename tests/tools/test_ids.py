@@ -183,8 +183,8 @@ class Ids(support.TestCase):
                 ("leave out --ids", ("--count",)), ("leave out --fill", ("--fill", "outside", "-o", "x.npz")),
                 ("leave out --thin", ("--thin", "-o", "x.npz")), ("run it for each", ("--colours", "-o", "x.npz")),
                 ("--ids and --vdb-grid exclude each other", ("--vdb-grid", "mask", "-o", "x.vdb")),
-                ("a .part holds none; write .npz", ("--shard", "1/2", "-o", "x.part")),
-                *(("--ids: %s holds none; write .npz" % word, ("--out-format", word, "-o", "x"))
+                ("a .part holds none; write .npz, which", ("--shard", "1/2", "-o", "x.part")),
+                *(("--ids: .%s holds none; write .npz" % word, ("--out-format", word, "-o", "x"))
                   for word in ("cells", "binvox", "vox", "ply", "obj", "glb"))):
             self.fail_with(2, pattern, "voxelize", self.mesh, *GRID, "--ids", *options)
         self.succeed("partition", self.mesh, *GRID, "-q", "-o", self.path("tiles"))
