@@ -19,12 +19,12 @@ build=${BUILD:-build-tests}
 # C++ is CGAL and OpenVDB, a minute of templates if it is optimised.
 test -d "$build" || meson setup "$build" --werror -Dtools=enabled -Dtests=enabled -Dbench=enabled -Dembree=enabled -Dpeers=enabled \
     -Dpython=enabled -Dcpp_args=-O0 "$@"
-meson compile -C "$build"
 status=0
 suites=
 for suite in ${SUITES:-}; do suites="$suites --suite $suite"; done
-# One more than there are processors: engines and servers wait for each other.
+# It builds what these tests need: no benchmark, and no test of the suites that are left out. One more than there are processors:
+# engines and servers wait for each other.
 # shellcheck disable=SC2086
-meson test -C "$build" --no-rebuild --print-errorlogs --num-processes $(($(nproc) + 1)) $suites || status=$?
+meson test -C "$build" --print-errorlogs --num-processes $(($(nproc) + 1)) $suites || status=$?
 python3 tests/sum.py "$build/meson-logs/testlog.json"
 exit "$status"
