@@ -42,6 +42,16 @@ def shared_vertices(triangles, dtype):
     return vertices, faces.reshape(-1, 3).astype(dtype)
 
 
+def forms(triangles):
+    """The same triangles in each form that calls take."""
+    yield triangles
+    yield tribox.Mesh(*shared_vertices(triangles, np.int32))
+    yield tribox.Mesh(np.asfortranarray(triangles.reshape(-1, 3)), np.arange(3 * len(triangles)).reshape(-1, 3))
+    yield tribox.Soup.of(triangles)
+    yield triangles.astype(float)
+    yield tribox.Mesh(*shared_vertices(triangles.astype(float), np.uint16))
+
+
 def joined(bricks):
     """Of several shares as one."""
     at, bits = (np.concatenate([getattr(part, name) for part in bricks]) for name in ("at", "bits"))

@@ -50,14 +50,6 @@ class BrickTests(cases.TestCase):
     def setUp(self):
         self.triangles = np.concatenate([cases.lattice(40) / 2, cases.scattered(60)])
 
-    def forms(self):
-        yield self.triangles
-        yield tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
-        yield tribox.Mesh(np.asfortranarray(self.triangles.reshape(-1, 3)), np.arange(300).reshape(-1, 3))
-        yield tribox.Soup.of(self.triangles)
-        yield self.triangles.astype(float)
-        yield tribox.Mesh(*cases.shared_vertices(self.triangles.astype(float), np.uint16))
-
     def check_like(self, bricks, cells):
         """They have these cells, each brick once and none empty."""
         answer = dense(bricks, cells.shape[::-1])
@@ -74,7 +66,7 @@ class BrickTests(cases.TestCase):
 
     def test_like_dense(self):
         for grid in GRIDS.values():
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 cells = np.array(tribox.voxelize(form, grid))
                 for side in (8, 24, 64, 128, 1024):
                     bricks = tribox.bricks(form, grid, side=side)
@@ -91,7 +83,7 @@ class BrickTests(cases.TestCase):
 
     def test_shares(self):
         for grid in GRIDS.values():
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 whole, count = tribox.bricks(form, grid, side=16), tribox.tile_count(grid[2], 16)
                 cuts = [0, 0, count // 3, count // 2, count // 2, count]
                 shares = [(first, end - first) for first, end in zip(cuts, cuts[1:])]
@@ -100,7 +92,7 @@ class BrickTests(cases.TestCase):
 
     def test_threads(self):
         for grid in GRIDS.values():
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 whole = tribox.bricks(form, grid, side=8)
                 for threads in (2, 7, None):
                     self.assert_equal(tribox.bricks(form, grid, side=8, threads=threads), whole)
@@ -108,7 +100,7 @@ class BrickTests(cases.TestCase):
     def test_threads_list(self):
         """Which triangles are in which tile, in parts of a few."""
         for grid in GRIDS.values():
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 whole = tribox.bricks(form, grid, side=64)
                 with mock.patch("tribox._tiles.LISTED_ALONE", 0):
                     for threads in (2, 3, 7):

@@ -18,13 +18,6 @@ class CellTests(cases.TestCase):
         self.triangles = np.concatenate([cases.lattice(40) / 2, cases.scattered(60)])
         self.triangles[7, 1, 2] = np.nan
 
-    def forms(self):
-        yield self.triangles
-        yield tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
-        yield tribox.Mesh(np.asfortranarray(self.triangles.reshape(-1, 3)), np.arange(300).reshape(-1, 3))
-        yield tribox.Soup.of(self.triangles)
-        yield self.triangles.astype(float)
-
     def check(self, lists, triangles, cells=None, **options):
         """Each cell, of a whole grid by default, is asked about by itself."""
         nx, ny, nz = lists.grid.size
@@ -46,7 +39,7 @@ class CellTests(cases.TestCase):
 
     def test_by_cell(self):
         for grid in GRIDS.values():
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 lists = tribox.cell_lists(form, grid)
                 self.check(lists, form)
                 self.assertTrue(len(lists.cells))
@@ -66,12 +59,12 @@ class CellTests(cases.TestCase):
             for side in (1, 2, 5):
                 for most in (1, 4, 1000):
                     with mock.patch("tribox._cells.SIDE", side), mock.patch("tribox._cells.TILES_MAX", most):
-                        for form in self.forms():
+                        for form in cases.forms(self.triangles):
                             self.assert_equal(tribox.cell_lists(form, grid), expected)
 
     def test_threads(self):
         grid = (-2, -1.5, -1), 0.05, (131, 50, 33)
-        for form in self.forms():
+        for form in cases.forms(self.triangles):
             whole = tribox.cell_lists(form, grid)
             for threads in (2, 7, None):
                 self.assert_equal(tribox.cell_lists(form, grid, threads=threads), whole)

@@ -22,12 +22,6 @@ class IdTests(cases.TestCase):
     def setUp(self):
         self.triangles = np.concatenate([cases.lattice(20) / 2, cases.scattered(40)])
 
-    def forms(self):
-        yield self.triangles
-        yield tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
-        yield tribox.Soup.of(self.triangles)
-        yield self.triangles.astype(float)
-
     def expected(self, grid):
         """An array of the lowest number for each cell, -1 where there is none, from a call for each triangle."""
         lowest = np.full(grid[2][::-1], -1)
@@ -44,7 +38,7 @@ class IdTests(cases.TestCase):
     def test_cells(self):
         for grid in GRIDS.values():
             lowest = self.expected(grid)
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 for threads in (1, 3):
                     voxels = tribox.voxelize(form, grid, ids=True, threads=threads)
                     self.check(voxels, lowest)

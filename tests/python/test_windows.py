@@ -25,13 +25,6 @@ class Windows(cases.TestCase):
         self.triangles = np.concatenate([cases.lattice(40) / 2, cases.scattered(60)])
         self.pick = np.random.default_rng(cases.seed())
 
-    def forms(self):
-        yield self.triangles
-        yield tribox.Mesh(*cases.shared_vertices(self.triangles, np.int32))
-        yield tribox.Mesh(np.asfortranarray(self.triangles.reshape(-1, 3)), np.arange(300).reshape(-1, 3))
-        yield tribox.Soup.of(self.triangles)
-        yield self.triangles.astype(float)
-
     def windows(self, size):
         yield (0, 0, 0), size
         yield (64, 3, 5), (64, 1, 2)
@@ -42,7 +35,7 @@ class Windows(cases.TestCase):
 
     def test_windows(self):
         for name, grid in GRIDS.items():
-            for form in self.forms():
+            for form in cases.forms(self.triangles):
                 whole = np.array(tribox.voxelize(form, grid))
                 self.assertTrue(whole.any() and not whole.all())
                 for first, size in self.windows(grid[2]):
@@ -115,10 +108,10 @@ class Windows(cases.TestCase):
         """As they are shared out, by layers and by triangles, whatever pays."""
         for _ in self.ways():
             for grid in GRIDS.values():
-                for form in self.forms():
+                for form in cases.forms(self.triangles):
                     self.ask_threads(form, grid)
             for accuracy in "conservative", "fast":
-                for form in self.forms():
+                for form in cases.forms(self.triangles):
                     self.ask_threads(form, GRIDS["floats"], accuracy=accuracy)
                     self.ask_threads(tribox.Soup.of(self.triangles[:1]), GRIDS["floats"], accuracy=accuracy)
             self.ask_threads(np.zeros((0, 3, 3), np.float32), GRIDS["floats"])
