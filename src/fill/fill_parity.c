@@ -68,18 +68,6 @@ static void cross_all(tribox_crossings *c, const tribox_triangles *triangles)
     tribox_crossings_finish(c);
 }
 
-static tribox_status check_fill(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
-                                const tribox_kernel *kernel)
-{
-    if (!tribox_grid_is_sound(grid))
-        return TRIBOX_BAD_GRID;
-    if (!tribox_grid_has_window(grid, window))
-        return TRIBOX_BAD_ARGUMENT;
-    if (!tribox_fits_one_call(window->size))
-        return TRIBOX_BAD_GRID;
-    return tribox_triangles_have_vertices(triangles, kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
-}
-
 static void fill_window(const tribox_triangles *triangles, const tribox_kernel *kernel, const tribox_grid *grid,
                         const tribox_window *window, const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside,
                         size_t *odd_rows)
@@ -102,7 +90,9 @@ static tribox_status fill_parity(const tribox_triangles *triangles, const tribox
         return status;
     const tribox_window asked = window ? *window : tribox_whole_window(grid);
     const tribox_environment callers = tribox_environment_enter();
-    status = check_fill(triangles, grid, &asked, plan.kernel);
+    status = tribox_grid_check_window(grid, &asked);
+    if (!status && !tribox_triangles_have_vertices(triangles, plan.kernel))
+        status = TRIBOX_BAD_VERTEX;
     if (!status)
         fill_window(triangles, plan.kernel, grid, &asked, occupied, scratch, solid, inside, odd_rows);
     tribox_environment_leave(callers);

@@ -67,13 +67,8 @@ static tribox_status check_thin(const tribox_triangles *triangles, const tribox_
 {
     if (plan->accuracy != TRIBOX_EXACT || plan->axes != TRIBOX_AXES_ALL)
         return TRIBOX_BAD_OPTION;
-    if (!tribox_grid_is_sound(grid))
-        return TRIBOX_BAD_GRID;
-    if (!tribox_grid_has_window(grid, window))
-        return TRIBOX_BAD_ARGUMENT;
-    if (!tribox_fits_one_call(window->size))
-        return TRIBOX_BAD_GRID;
-    return tribox_triangles_have_vertices(triangles, plan->kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
+    const tribox_status status = tribox_grid_check_window(grid, window);
+    return status || tribox_triangles_have_vertices(triangles, plan->kernel) ? status : TRIBOX_BAD_VERTEX;
 }
 
 static tribox_status voxelize_thin(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,

@@ -133,6 +133,15 @@ bool tribox_grid_is_sound(const tribox_grid *grid)
     return true;
 }
 
+tribox_status tribox_grid_check_window(const tribox_grid *grid, const tribox_window *window)
+{
+    if (!tribox_grid_is_sound(grid))
+        return TRIBOX_BAD_GRID;
+    if (!tribox_grid_has_window(grid, window))
+        return TRIBOX_BAD_ARGUMENT;
+    return tribox_fits_one_call(window->size) ? TRIBOX_OK : TRIBOX_BAD_GRID;
+}
+
 /* How many of planes 0 to size lie below x, or at it where `is_closed`: nearly always as many as the place of x says. */
 static int64_t planes_below(const tribox_planes *planes, int a, int64_t size, double x, bool is_closed)
 {

@@ -16,6 +16,9 @@ bool tribox_fits_one_call(const uint32_t size[3]);
 /* Whether the window lies in the grid. */
 bool tribox_grid_has_window(const tribox_grid *grid, const tribox_window *window);
 
+/* Whether a call may write a window: of a sound grid, in it, and of few enough cells. */
+tribox_status tribox_grid_check_window(const tribox_grid *grid, const tribox_window *window);
+
 /* All of the grid. */
 tribox_window tribox_whole_window(const tribox_grid *grid);
 

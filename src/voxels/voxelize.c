@@ -2,15 +2,6 @@
 #include "base/environment.h"
 #include "voxelizing.h"
 
-static tribox_status check_window(const tribox_grid *grid, const tribox_window *window)
-{
-    if (!tribox_grid_is_sound(grid))
-        return TRIBOX_BAD_GRID;
-    if (!tribox_grid_has_window(grid, window))
-        return TRIBOX_BAD_ARGUMENT;
-    return tribox_fits_one_call(window->size) ? TRIBOX_OK : TRIBOX_BAD_GRID;
-}
-
 /* What is written. */
 typedef struct cells_out {
     uint64_t *occupied;
@@ -61,7 +52,7 @@ static tribox_status voxelize(const tribox_triangles *triangles, const tribox_gr
         return status;
     const tribox_window asked = window ? *window : tribox_whole_window(grid);
     const tribox_environment callers = tribox_environment_enter();
-    status = check_window(grid, &asked);
+    status = tribox_grid_check_window(grid, &asked);
     if (!status && out->ids && !have_addresses(asked.size))
         status = TRIBOX_BAD_GRID;
     if (!status && !tribox_triangles_have_vertices(triangles, v->plan.kernel))
