@@ -11,7 +11,6 @@
 #include "common/whole.h"
 #include "console/message.h"
 #include "console/option_reader.h"
-#include "read/mesh.h"
 #include "sweep/cells.h"
 #include "trade.h"
 
@@ -219,8 +218,7 @@ static bool is_wanted(const settings *s, const char *name)
 /* The name of a file without its folder and its ending. */
 static void name_of_file(const char *path, char name[64])
 {
-    const char *const slash = strrchr(path, '/');
-    snprintf(name, 64, "%s", slash ? slash + 1 : path);
+    snprintf(name, 64, "%s", mesh_list_name(path));
     char *const dot = strrchr(name, '.');
     if (dot && dot != name)
         *dot = 0;
@@ -230,7 +228,7 @@ static bool run_mesh(const char *path, const settings *s, output *out)
 {
     char name[64], what[80];
     mesh read;
-    if (mesh_read(path, &read))
+    if (!mesh_list_read(path, &read))
         return false;
     name_of_file(path, name);
     snprintf(what, sizeof what, "a mesh, against cells of a grid, %llu along its longest side", (unsigned long long)s->along);

@@ -1,10 +1,9 @@
-/* mesh_list.h - the meshes that a benchmark's command line names. */
+/* mesh_list.h - the meshes that a benchmark's command line names: files, or names in the folder $TRIBOX_MESHES. */
 #ifndef MESH_LIST_H
 #define MESH_LIST_H
 
-#include <stddef.h>
-
 #include "console/message.h"
+#include "read/mesh.h"
 
 enum { MESH_LIST_MAX = 64 };
 typedef struct mesh_list {
@@ -19,5 +18,11 @@ static inline int mesh_list_take(mesh_list *list, const char *path)
     list->path[list->count++] = path;
     return EXIT_CODE_OK;
 }
+
+/* The name without its folder. */
+const char *mesh_list_name(const char *path);
+
+/* False after a line on standard error. */
+bool mesh_list_read(const char *path, mesh *m);
 
 #endif

@@ -13,7 +13,6 @@
 #include "common/whole.h"
 #include "console/message.h"
 #include "console/option_reader.h"
-#include "read/mesh.h"
 
 enum { RESOLUTIONS = 2 };
 
@@ -28,7 +27,7 @@ typedef struct settings {
 static const char usage[] =
     "Usage: fill [--rounds N] [--quick] MESH...\n"
     "Times the surface of a mesh, and what fills it, in grids of 512 and 1024 cells along the longest side.\n"
-    "  MESH        a mesh file\n"
+    "  MESH        a mesh file; $TRIBOX_MESHES may name a folder to look in\n"
     "  --rounds N  rounds, of which the least times count; without it 5\n"
     "  --quick     64 and 128 cells, one round\n";
 
@@ -86,7 +85,7 @@ static bool run_grid(const mesh *m, uint32_t resolution, uint64_t rounds)
 static bool run_mesh(const char *path, const settings *s)
 {
     mesh m;
-    if (mesh_read(path, &m))
+    if (!mesh_list_read(path, &m))
         return false;
     printf("\n%s, %zu triangles\n  %5s %9s %9s %6s %9s %6s %12s %12s %9s\n", path, m.soup.count, "cells", "surface", "outside", "x",
            "parity", "x", "filled", "filled", "odd rows");

@@ -6,9 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "console/message.h"
+#include "common/mesh_list.h"
 #include "paper/random.h"
-#include "read/mesh.h"
 
 static const char *const usual[] = {"dragon_vrip.ply", "buildings.ply", "SainteHelens.ply", "sponza.ply"};
 enum { USUAL = sizeof usual / sizeof usual[0], WITH_GOALS = 3 };
@@ -56,13 +55,10 @@ static bool is_finite(const float u[3][3])
 
 bool index_scene_read(const char *name, index_scene *made)
 {
-    const char *const folder = getenv("TRIBOX_MESHES"), *const slash = strrchr(name, '/');
-    char path[4096];
     mesh m;
-    snprintf(path, sizeof path, "%s%s%s", slash || !folder ? "" : folder, slash || !folder ? "" : "/", name);
-    if (mesh_read(path, &m) != EXIT_CODE_OK)
+    if (!mesh_list_read(name, &m))
         return false;
-    snprintf(made->name, sizeof made->name, "%s", slash ? slash + 1 : name);
+    snprintf(made->name, sizeof made->name, "%s", mesh_list_name(name));
     const bool is_made = soup_room_make(m.soup.count - m.not_finite, &made->room);
     for (size_t i = 0, to = 0; is_made && i < m.soup.count; i++) {
         float u[3][3];

@@ -16,7 +16,6 @@
 #include "common/whole.h"
 #include "console/message.h"
 #include "console/option_reader.h"
-#include "read/mesh.h"
 #include "scale_ways.h"
 
 enum { RESOLUTIONS_MAX = 16 };
@@ -87,16 +86,12 @@ static bool run_grid(const mesh *m, uint32_t resolution, const settings *s)
     return true;
 }
 
-static bool run_mesh(const char *name, const settings *s)
+static bool run_mesh(const char *path, const settings *s)
 {
-    const char *const folder = getenv("TRIBOX_MESHES");
-    char path[4096];
     mesh m;
-    snprintf(path, sizeof path, "%s/%s", folder ? folder : ".", name);
-    if (mesh_read(strchr(name, '/') || !folder ? name : path, &m))
+    if (!mesh_list_read(path, &m))
         return false;
-    const char *const slash = strrchr(name, '/');
-    printf("\n%s, %zu triangles\n  %-8s %9s %8s %9s %9s %9s %9s\n", slash ? slash + 1 : name, m.soup.count, "", "CPU s", "lists",
+    printf("\n%s, %zu triangles\n  %-8s %9s %8s %9s %9s %9s %9s\n", mesh_list_name(path), m.soup.count, "", "CPU s", "lists",
            "ns a cell", "MB", "x faster", "x smaller");
     bool is_run = true;
     for (size_t i = 0; is_run && i < s->resolutions; i++)

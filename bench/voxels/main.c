@@ -430,14 +430,6 @@ static int take(void *request, int which, const char *value)
     }
 }
 
-static bool read_mesh(const char *name, voxel_scene *made)
-{
-    const char *const folder = getenv("TRIBOX_MESHES");
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", folder ? folder : ".", name);
-    return voxel_scene_read(strchr(name, '/') || !folder ? name : path, made);
-}
-
 static bool run_all(const settings *s, json *out, means *m)
 {
     generator order = {~s->seed};
@@ -451,7 +443,7 @@ static bool run_all(const settings *s, json *out, means *m)
         }
     }
     for (size_t i = 0; is_run && i < s->meshes.count; i++) {
-        is_run = read_mesh(s->meshes.path[i], &at);
+        is_run = voxel_scene_read(s->meshes.path[i], &at);
         if (is_run) {
             is_run = run_scene(&at, s, &order, out, m);
             voxel_scene_free(&at);

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/mesh_list.h"
 #include "paper/random.h"
-#include "read/mesh.h"
 
 /* Room for the streams and the triangles; count 0 in `made` if there is none. */
 static bool make_room(voxel_scene *made, size_t count)
@@ -88,10 +88,9 @@ bool voxel_scene_make(int which, uint64_t seed, voxel_scene *made)
 bool voxel_scene_read(const char *path, voxel_scene *made)
 {
     mesh m;
-    if (mesh_read(path, &m) != 0)
+    if (!mesh_list_read(path, &m))
         return false;
-    const char *const slash = strrchr(path, '/');
-    snprintf(made->name, sizeof made->name, "%s", slash ? slash + 1 : path);
+    snprintf(made->name, sizeof made->name, "%s", mesh_list_name(path));
     const bool is_made = make_room(made, m.soup.count - m.not_finite);
     for (size_t i = 0, to = 0; is_made && i < m.soup.count; i++) {
         float u[3][3], sum = 0;

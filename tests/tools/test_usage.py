@@ -83,6 +83,9 @@ class WrongCommandLine(support.TestCase):
         for option in ("--box", "--boxes", "--oriented", "--format", "--shift", "--accuracy", "--axes", "--order", "--kernel"):
             self.fail_with(2, "option %s needs a value" % option, "overlap", "m.obj", option)
         self.fail_with(2, "option -b needs a value", "overlap", "m.obj", "-jb")
+        for word in ("--json", "--js", "--boxes=3"):
+            self.fail_with(2, "option --box needs a value, and '%s' is an option" % word, "overlap", "m.obj", "--box", word)
+        self.fail_with(2, "--json", "overlap", "m.obj", "--box=--json")
         for command, option in (("overlap", "--list"), ("overlap", "--json"), ("info", "--json"), ("demo", "--quick"),
                                 ("info", "--help")):
             self.fail_with(2, "option %s takes no value" % option, command, option + "=yes")

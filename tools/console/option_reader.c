@@ -79,13 +79,21 @@ static int refuse_value(const option_entry *table, int number)
     return refuse_option(table, number, i >= 0 && table[i].takes_value ? "needs a value" : "takes no value");
 }
 
-static int take_one(const option_entry *table, int number, option_take *take, void *request, options_found *found)
+/* "--json", where it stands for a value: a name that begins so is given as "./--json" or "--csv=--json". */
+static bool is_option(const option_entry *table, const char *word)
+{
+    return !strncmp(word, "--", 2) && word[2] && count_beginning(table, word);
+}
+
+static int take_one(const option_entry *table, int number, const char *word, option_take *take, void *request, options_found *found)
 {
     if (number == OPERAND)
         return take(request, OPTION_OPERAND, optarg);
     const int i = option_of(table, number);
     if (options_has(found, i))
         return refuse_option(table, number, "is given twice");
+    if (table[i].takes_value && optarg == word && is_option(table, word))
+        return message_usage("option --%s needs a value, and '%s' is an option", table[i].name, word);
     found->seen |= UINT64_C(1) << i;
     return take(request, i, optarg);
 }
@@ -103,7 +111,7 @@ int options_read(int count, char **words, const option_entry *table, option_take
             return EXIT_CODE_OK;
         code = number == '?'   ? refuse_unknown(table, optopt, words[optind - 1])
                : number == ':' ? refuse_value(table, optopt)
-                               : take_one(table, number, take, request, found);
+                               : take_one(table, number, words[optind - 1], take, request, found);
     }
     for (; !code && optind < count; optind++)
         code = take(request, OPTION_OPERAND, words[optind]);
