@@ -6,37 +6,37 @@
 #error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"
 #endif
 
-#if !defined(TRIBOX_SMALL)
-extern const tribox_kernel tribox_kernel_scalar;
-#endif
-static bool runs_anywhere(void) { return true; }
+/* Of those in kernels.txt, these are in this build. */
+extern const tribox_kernel tribox_kernel_scalar, tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512, tribox_kernel_neon,
+    tribox_kernel_wasm128;
 
-#if defined(TRIBOX_X86)
+#if defined(TRIBOX_SSE2) || defined(TRIBOX_AVX2) || defined(TRIBOX_AVX512)
 #include "x86.h"
-extern const tribox_kernel tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512;
 #endif
 
-/* NEON is in every AArch64 processor that runs an operating system. */
-#if defined(TRIBOX_NEON)
-extern const tribox_kernel tribox_kernel_neon;
-#endif
-
-/* An engine without SIMD takes no module that has it: whatever runs, runs this. */
-#if defined(TRIBOX_WASM)
-extern const tribox_kernel tribox_kernel_wasm128;
-#endif
+/*
+ * NEON is in every AArch64 processor that runs an operating system. An engine without SIMD takes no module of WebAssembly that has
+ * it: whatever runs, runs this.
+ */
+static bool runs_anywhere(void) { return true; }
 
 static const struct {
     const tribox_kernel *kernel;
     bool (*runs_here)(void);
 } table[] = {
-#if defined(TRIBOX_X86)
+#if defined(TRIBOX_AVX512)
     {&tribox_kernel_avx512, tribox_x86_runs_avx512},
+#endif
+#if defined(TRIBOX_AVX2)
     {&tribox_kernel_avx2, tribox_x86_runs_avx2},
+#endif
+#if defined(TRIBOX_SSE2)
     {&tribox_kernel_sse2, tribox_x86_runs_sse2},
-#elif defined(TRIBOX_NEON)
+#endif
+#if defined(TRIBOX_NEON)
     {&tribox_kernel_neon, runs_anywhere},
-#elif defined(TRIBOX_WASM)
+#endif
+#if defined(TRIBOX_WASM128)
     {&tribox_kernel_wasm128, runs_anywhere},
 #endif
 #if !defined(TRIBOX_SMALL)

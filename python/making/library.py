@@ -11,14 +11,9 @@ from concurrent.futures import ThreadPoolExecutor
 from glob import glob
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-BITS = ["-mpopcnt", "-mbmi", "-mbmi2"]
-NO_VECTORS = ["-fno-tree-vectorize", "-fno-tree-slp-vectorize"]
-
-# Of each processor what dispatch.c has to know, and the folders of its kernels with their flags: as in src/meson.build.
-X86 = (["-DTRIBOX_X86", "-msse2"], {"sse": ["-msse2"], "avx2": ["-mavx2", "-mfma", *BITS], "avx512": ["-mavx512f", "-mfma", *BITS]})
-NEON = (["-DTRIBOX_NEON"], {"neon": []})
-PROCESSORS = {"x86_64": X86, "aarch64": NEON}
-KERNELS = {"scalar", *(folder for _, kernels in PROCESSORS.values() for folder in kernels)}
+PROCESSORS = {"x86_64": "x86", "aarch64": "aarch64"}  # those of wheels, and what kernels.txt calls them
+with open(os.path.join(ROOT, "src", "kernels.txt"), encoding="ascii") as lines:
+    KERNELS = re.findall(r"(?m)^(\w+) (\w+) (\w+):(.*)$", lines.read())
 COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
 MANYLINUX = "manylinux_2_17_"  # as old a C library as any that NumPy is made for; tests/python/test_wheel.py proves it
 
@@ -30,15 +25,16 @@ def rooms(root):
     """The folders of src but those of kernels and of their text, of which "" is src itself."""
     source = os.path.join(root, "src")
     folders = [os.path.relpath(folder, source) for folder, _, _ in os.walk(source)]
-    own = {"kernel", "wasm", *KERNELS}
+    own = {"kernel", *(folder for _, folder, _, _ in KERNELS)}
     return sorted("" if folder == "." else folder for folder in folders if folder.split(os.sep)[0] not in own)
 
 
 def files(root):
     """The files that the package is made of, relative to the root of the repository."""
-    folders = [*rooms(root), "kernel", "kernel/*", *KERNELS]
+    kernels = [folder for _, folder, processor, _ in KERNELS if processor in ("any", *PROCESSORS.values())]
+    folders = [*rooms(root), "kernel", "kernel/*", *kernels]
     patterns = ["pyproject.toml", "LICENSE", "include/*.h", *(os.path.join("src", folder, "*.[ch]") for folder in folders),
-                "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
+                "src/kernels.txt", "python/README.md", "python/declarations.py", "python/*/*.py", "python/tribox/py.typed"]
     found = [os.path.relpath(file, root) for pattern in patterns for file in glob(os.path.join(root, pattern))]
     return sorted(file.replace(os.sep, "/") for file in found)
 
@@ -68,12 +64,13 @@ class Compiler:
 
     def flags(self):
         """{source: its flags}, relative to the root."""
-        core, kernels = PROCESSORS.get(self.processor, ([], {}))
+        kernels = [kernel for kernel in KERNELS if kernel[2] in ("any", PROCESSORS.get(self.processor))]
+        core = ["-DTRIBOX_" + name.upper() for name, _, _, _ in kernels if name != "scalar"]
         position = ["-DTRIBOX_SHARED_BUILD"] if self.is_windows else ["-fPIC"]
         is_clang = "clang" in self.output("--version")
         of_kernels = ["-mstackrealign"] if is_clang else ["-Wa,-muse-unaligned-vector-move"] if self.is_windows else []
         flags = {room: core for room in rooms(ROOT)}
-        flags.update({folder: of_kernels + own for folder, own in {"scalar": NO_VECTORS, **kernels}.items()})
+        flags.update({folder: of_kernels + own.split() for _, folder, _, own in kernels})
         return {os.path.relpath(source, ROOT): [*COMMON, *position, *own, *self.extra]
                 for folder, own in flags.items() for source in glob(os.path.join(ROOT, "src", folder, "*.c"))}
 

@@ -3,7 +3,7 @@
 set -eu
 cd "$1/kernel"
 
-forbidden='__AVX|__SSE|__FMA|__ARM|__aarch64|__x86_64|__i386|_M_X64|TRIBOX_X86|_mm_|_mm256_|_mm512_|__m128|__m256|__m512|__mmask'
+forbidden='__AVX|__SSE|__FMA|__ARM|__aarch64|__x86_64|__i386|_M_X64|TRIBOX_AVX|_mm_|_mm256_|_mm512_|__m128|__m256|__m512|__mmask'
 forbidden="$forbidden|float32x4|v[a-z]+q_f32"
 include='#[[:space:]]*include'
 

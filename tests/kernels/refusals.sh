@@ -41,6 +41,6 @@ if test "$family" = x86; then
     refuses 'little-endian AArch64' neon/pairs_neon.c
     refuses 'for WebAssembly with -msimd128' wasm/pairs_wasm128.c
     compiles scalar/pairs_scalar.c -std=gnu11 -march=sapphirerapids
-    refuses 'for the baseline' dispatch.c -DTRIBOX_X86 -mavx
+    refuses 'for the baseline' dispatch.c -DTRIBOX_AVX2 -mavx
 fi
 exit $status

@@ -55,7 +55,7 @@ grep -q 'Building C object _deps/' "$work/log" || die "FetchContent: nothing was
 build add_subdirectory -DFETCHED= -DADDED="$work/build/_deps/tribox-src"
 right tribox static
 ! grep 'Building C object _deps/' "$work/log" || die "add_subdirectory: compiled again"
-build_digests "$work/masks" "$root" "$work/build/_deps/tribox-build/libtribox.a" $CC -DTRIBOX_X86
+build_digests "$work/masks" "$root" "$work/build/_deps/tribox-build/libtribox.a" $CC
 "$work/masks" "$root/tests/cross/masks.txt" --short
 install "$work/static"
 build add_subdirectory,shared -DBUILD_SHARED_LIBS=ON

@@ -1,0 +1,45 @@
+#!/bin/sh
+# Kernels are chosen at build time, by meson and by CMake alike, and a name that is none is refused: kernels.sh ROOT FOLDER
+# The build is kept in FOLDER. Wants $MESON.
+set -eu
+root=$1 folder=$2 here=$(cd "$(dirname "$0")" && pwd)
+test "$(uname -m)" = x86_64 || { echo 'the kernels that are named here are those of x86-64: skipped'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export CC="${CC##* }"
+
+# refuses NAMES COMMAND...: and says which there are
+refuses() {
+    names=$1
+    shift
+    if "$@" >"$work/log" 2>&1; then
+        echo "takes $names: $*" >&2
+        exit 1
+    fi
+    tr -s ' \n' ' ' <"$work/log" | grep -q 'no kernel "[A-Za-z0-9]*" for this processor: .* some of scalar, sse2, avx2, avx512' ||
+        { cat "$work/log" >&2; exit 1; }
+}
+for names in avx avx2,neon sse2,AVX2; do
+    refuses "$names" "$MESON" setup "$work/refused" "$root" -Dtests=disabled "-Dkernels=$names"
+    refuses "$names" cmake -S "$root" -B "$work/refused" "-DTRIBOX_KERNELS=$names"
+    rm -rf "$work/refused"
+done
+
+for names in scalar sse2,avx512; do
+    "$MESON" setup "$work/meson" "$root" -Dtests=disabled -Dbench=disabled -Dtools=disabled "-Dkernels=$names" >/dev/null
+    python3 "$here/same_flags.py" "$work/meson" "$root" "-DTRIBOX_KERNELS=$names"
+    rm -r "$work/meson"
+done
+
+# Quickly rather than fast, as on other processors.
+mkdir -p "$folder"
+cd "$folder"
+test -f build.ninja || "$MESON" setup . "$root" --werror -Dbuildtype=plain -Doptimization=1 -Dc_args=-U__OPTIMIZE__ -Dkernels=avx2 \
+    -Dbench=disabled -Dtools=enabled -Dembree=disabled -Dassimp=disabled -Dopenvdb=disabled -Dpython=disabled
+python3 "$here/same_flags.py" . "$root" -DTRIBOX_KERNELS=avx2 -DCMAKE_C_FLAGS=-U__OPTIMIZE__
+"$MESON" test --print-errorlogs 'masks in short' dispatch exactness
+"$MESON" compile tribox:executable >/dev/null
+tools/tribox info --json >"$work/info"
+python3 -c 'import json, sys; kernels = json.load(sys.stdin)["kernels"]; sys.exit(kernels[-1] != "scalar" or kernels[:-1] not in ([], ["avx2"]))' \
+    <"$work/info" || { cat "$work/info" >&2; exit 1; }
+echo 'kernels: right'
