@@ -29,8 +29,8 @@ extern "C" {
 #endif
 
 /** The version of this header and of the library that it belongs to. */
-#define TRIBOX_VERSION_MAJOR 0
-#define TRIBOX_VERSION_MINOR 1
+#define TRIBOX_VERSION_MAJOR 1
+#define TRIBOX_VERSION_MINOR 0
 #define TRIBOX_VERSION_PATCH 0
 
 #if defined(_WIN32) && defined(TRIBOX_SHARED_BUILD)

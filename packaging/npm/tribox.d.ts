@@ -97,7 +97,7 @@ export interface Freeable {
 
 /** An instance of the library. All that lies in its memory goes with it when it is garbage. */
 export interface Tribox {
-    /** Of the library, as '0.1.0'. */
+    /** Of the library, as '1.0.0'. */
     readonly version: string;
     /** The name of the kernel: 'wasm128'. */
     readonly kernel: string;

@@ -57,4 +57,4 @@ def build_sdist(sdist_directory, config_settings=None):
 
 def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
     raise SystemExit("tribox has no editable installation, as the library is built into the package; build it with meson, and set "
-                     "PYTHONPATH=build/python TRIBOX_LIBRARY=build/src/libtribox.so.0")
+                     "PYTHONPATH=build/python TRIBOX_LIBRARY=build/src/libtribox.so.1")

@@ -73,7 +73,7 @@ float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.
 triangle with a NaN or an infinity overlaps nothing. Whatever is wrong with an argument is a tribox.Error. Calls release the
 interpreter's lock, so threads run at once.
 
-The library is that in the wheel, or else the installed libtribox.so.0; the environment variable TRIBOX_LIBRARY may name another.
+The library is that in the wheel, or else the installed libtribox.so.1; the environment variable TRIBOX_LIBRARY may name another.
 All is typed; tribox.TrianglesLike is the type of what is taken for triangles.
 """
 

@@ -8,7 +8,7 @@ from typing import List, Optional
 
 from ._ffi import ffi
 
-NAME = "libtribox.so.0"
+NAME = "libtribox.so.1"
 BESIDE = "tribox.dll" if os.name == "nt" else "libtribox.so"
 
 

@@ -19,7 +19,7 @@ answer() {
 version=$(sed -n 's/^Version: //p' "$libdir/pkgconfig/tribox.pc")
 major=${version%%.*} minor=${version#*.}
 minor=${minor%%.*}
-for request in '' "$version" "$major.$minor" "$version EXACT" "0.0...$major.$minor.99" "$major.$minor...<99"; do
+for request in '' "$version" "$major" "$major.$minor" "$version EXACT" "0.0...$major.$minor.99" "$major.$minor...<99"; do
     test "$(answer "$request")" = "1 $version" || die "CMake does not find version '$request' where $version is installed"
 done
 for request in 0 99 "$major.$((minor + 1))" "$version.1 EXACT" "0.0...<$version" "$major.$((minor + 1))...99"; do

@@ -24,7 +24,7 @@ env -u CC -u CXX -u CFLAGS -u CXXFLAGS -u LDFLAGS "$work/repository/packaging/de
 lintian --allow-root --fail-on error,warning "$work"/out/*.changes
 
 # What Debian would test on a machine with the packages installed, with the packages unpacked.
-for package in libtribox0 libtribox-dev tribox tribox-openvdb python3-tribox; do
+for package in libtribox1 libtribox-dev tribox tribox-openvdb python3-tribox; do
     dpkg -x "$work/out/${package}_"*.deb "$work/unpacked"
 done
 libdir=$(dirname "$(find "$work/unpacked" -name libtribox.a)")

@@ -7,8 +7,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 soname=$("$readelf" -d "$library" | sed -n 's/.*(SONAME).*\[\(.*\)\].*/\1/p')
-if test "$soname" != libtribox.so.0; then
-    echo "the SONAME is '$soname' and should be libtribox.so.0" >&2
+if test "$soname" != libtribox.so.1; then
+    echo "the SONAME is '$soname' and should be libtribox.so.1" >&2
     exit 1
 fi
 "$root/packaging/symbols.sh" >"$work/header"
@@ -17,7 +17,7 @@ if ! "$nm" -D --defined-only "$library" | awk '{ print $NF }' | LC_ALL=C sort | 
     echo "the exported symbols (+) are not the functions of include/tribox.h (-)" >&2
     exit 1
 fi
-list=packaging/debian/libtribox0.symbols
+list=packaging/debian/libtribox1.symbols
 if ! sed -n 's/^ \(tribox_[a-z0-9_]*\)@.*/\1/p' "$root/$list" | diff -u "$work/header" -; then
     echo "$list (+) does not list the functions of include/tribox.h (-)" >&2
     exit 1

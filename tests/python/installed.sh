@@ -19,10 +19,10 @@ ask() {
 
 unset TRIBOX_LIBRARY
 (export LD_LIBRARY_PATH="$libdir"; ask "$@")
-(export TRIBOX_LIBRARY="$libdir/libtribox.so.0"; ask "$@")
+(export TRIBOX_LIBRARY="$libdir/libtribox.so.1"; ask "$@")
 
 if "$PYTHON" -B -c 'import tribox' 2>"$work/error"; then
     echo "a libtribox of this machine's own was found without either" >&2
 else
-    grep -q 'ImportError: .*libtribox.so.0.*TRIBOX_LIBRARY' "$work/error" || die "not clear: $(cat "$work/error")"
+    grep -q 'ImportError: .*libtribox.so.1.*TRIBOX_LIBRARY' "$work/error" || die "not clear: $(cat "$work/error")"
 fi

@@ -142,7 +142,7 @@ class Wheel(unittest.TestCase):
 
     def test_symbols(self):
         """The tag: any Linux with a C library of that version, and nothing else."""
-        for library in (self.library, os.path.join(BUILD, "src", "libtribox.so.0")):
+        for library in (self.library, os.path.join(BUILD, "src", "libtribox.so.1")):
             self.assertLessEqual(max(versions(library)), NEWEST)
             self.assertEqual(needed(library), {"libc.so.6"})
         public = run("sh", os.path.join(ROOT, "packaging", "symbols.sh")).split()
@@ -200,7 +200,7 @@ class Wheel(unittest.TestCase):
         code = "import tribox._library as l; print(l.library_path())"
         unpacked = environment(PYTHONPATH=os.path.join(self.work, "unpacked"))
         self.assertEqual(run(sys.executable, "-c", code, env=unpacked, cwd="/").strip(), self.library)
-        other = os.path.join(BUILD, "src", "libtribox.so.0")
+        other = os.path.join(BUILD, "src", "libtribox.so.1")
         unpacked["TRIBOX_LIBRARY"] = other
         self.assertEqual(run(sys.executable, "-c", code, env=unpacked, cwd="/").strip(), other)
 

@@ -29,7 +29,7 @@ $cc -I"$root/include" "$package/consumer/consumer.c" "$folder/src/libtribox.a" -
 # shellcheck disable=SC2086
 cmake -S "$package/consumer" -B "$work/added" $toolchain -DLANGUAGES=C -DADDED="$root" -DBUILD_SHARED_LIBS=ON
 cmake --build "$work/added" --parallel 2
-dll=$work/added/_deps/tribox-build/libtribox-0.dll
+dll=$work/added/_deps/tribox-build/libtribox-1.dll
 runs added "$dll"
 x86_64-w64-mingw32-objdump -p "$dll" | sed -n '/^\[Ordinal.Name Pointer/,/^$/s/^\t\[.*\] //p' | LC_ALL=C sort >"$work/exported"
 "$root/packaging/symbols.sh" | diff - "$work/exported"
@@ -39,7 +39,7 @@ mv "$work/first" "$work/second"
 # shellcheck disable=SC2086
 cmake -S "$package/consumer" -B "$work/found" $toolchain -DLANGUAGES=C -DCMAKE_PREFIX_PATH="$work/second"
 cmake --build "$work/found"
-runs found "$work/second/bin/libtribox-0.dll"
+runs found "$work/second/bin/libtribox-1.dll"
 
 find "$work/added/_deps" -name '*.obj' >"$work/objects"
 # shellcheck disable=SC2086

@@ -5,7 +5,7 @@ set -eu
 root=$1 folder=$2 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh" "$root" "$folder"
 cd "$folder"
-dll=src/libtribox-0.dll
+dll=src/libtribox-1.dll
 x86_64-w64-mingw32-objdump -p "$dll" >dll.txt
 sed -n '/^\[Ordinal.Name Pointer/,/^$/s/^\t\[.*\] //p' dll.txt | LC_ALL=C sort >exported
 if ! "$root/packaging/symbols.sh" | diff -u - exported; then

@@ -1,0 +1,47 @@
+#!/bin/sh
+# The library's binary interface is the recorded one, to which functions may be added: abi.sh ROOT [record]
+# The record is libtribox1.abi, beside this script; `record` writes it anew, with a release that adds to it. Kernels export nothing,
+# and are left out.
+set -eu
+root=$1 here=$(cd "$(dirname "$0")" && pwd)
+record=$here/libtribox1.abi
+for program in gcc abidw abidiff; do
+    command -v $program >/dev/null || { echo "there is no $program (Debian: abigail-tools): skipped"; exit 77; }
+done
+test "$(uname -m)" = x86_64 || { echo 'the record is of x86-64: skipped'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# library ROOT FILE...: compiles these files, and puts all that is compiled into one library
+library() {
+    tree=$1
+    shift
+    printf '%s\n' "$@" | xargs -P 2 -I FILE sh -c 'exec gcc -std=c11 -g -O0 -fPIC -fvisibility=hidden -I"$0/include" -I"$0/src" -c "$1" \
+        -o "$2/$(basename "$1").o"' "$tree" FILE "$work"
+    gcc -shared -Wl,-soname,libtribox.so.1 "$work"/*.o -o "$work/libtribox.so"
+    abidw --headers-dir "$tree/include" --drop-private-types --exported-interfaces-only --no-corpus-path --no-comp-dir-path \
+        --no-show-locs --no-elf-needed --no-parameter-names --no-write-default-sizes "$work/libtribox.so" >"$work/libtribox1.abi"
+}
+
+# shellcheck disable=SC2046
+library "$root" $(find "$root/src" -name '*.c' | grep -vE '/src/(scalar|sse|avx2|avx512|neon|wasm)/')
+if test "${2-}" = record; then
+    cp "$work/libtribox1.abi" "$record"
+    exit
+fi
+abidiff --no-added-syms "$record" "$work/libtribox1.abi" || {
+    echo 'programs built with an earlier 1.x would break' >&2
+    exit 1
+}
+
+# A function that loses its argument is seen.
+mkdir "$work/lost"
+cp -R "$root/include" "$root/src" "$work/lost"
+sed -i -e 's/tribox_mask_words(size_t count)/tribox_mask_words(void)/' -e '/tribox_mask_words(/s/tribox_words_of(count)/0/' \
+    "$work/lost/include/tribox.h" "$work/lost/src/base/mask.c"
+library "$work/lost" "$work/lost/src/base/mask.c"
+if abidiff --no-added-syms "$record" "$work/libtribox1.abi" >"$work/seen"; then
+    echo 'tribox_mask_words loses its argument, and nothing is seen' >&2
+    exit 1
+fi
+grep -q tribox_mask_words "$work/seen"
