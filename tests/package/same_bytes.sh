@@ -1,6 +1,6 @@
 #!/bin/sh
 # Two builds of the libraries in different folders are the same, byte for byte: same_bytes.sh ROOT
-# With debug information, for which the compiler has to be told to forget where the source lay; without, see dist.sh.
+# With debug information, for which the compiler has to be told to forget where the source lay; without, see release.sh.
 # Not optimised, in a third of the time: what tells folders apart is in paths, dates and archives.
 set -eu
 root=$1

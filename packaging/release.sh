@@ -1,0 +1,82 @@
+#!/bin/sh
+# Makes all that is published of a version, from its tag alone and bit for bit again: packaging/release.sh TAG FOLDER, a new one.
+# PARTS are those that are made, all by default: source debian wheels npm windows site. They take what tests/run.sh and .ci/run
+# install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS and PAGE are those of debian.sh and site.sh.
+set -eu
+umask 022
+export LC_ALL=C TZ=UTC
+
+die() {
+    echo "release.sh: $*" >&2
+    exit 1
+}
+
+test $# -eq 2 || die "usage: packaging/release.sh TAG FOLDER"
+tag=$1 root=$(cd "$(dirname "$0")/.." && pwd)
+test ! -e "$2" || rmdir "$2" 2>/dev/null || die "$2 is there already: remove it, or name another folder"
+git -C "$root" rev-parse -q --verify "refs/tags/$tag" >/dev/null || die "there is no tag $tag: git tag -a $tag"
+test -z "$(git -C "$root" status --porcelain)" || die "the tree has changes that are in no commit: see git status"
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
+work=$(mktemp -d)
+ended() {
+    test "$1" -eq 0 || rmdir "$folder"
+    test "$1" -eq 0 || test ! -s "$work/log" || tail -n 50 "$work/log" >&2
+    rm -rf "$work"
+}
+trap 'ended $?' EXIT
+git clone -q "$root" "$work/tribox"
+git -C "$work/tribox" checkout -q "refs/tags/$tag"
+version=$("$work/tribox/packaging/version.sh")
+test "$tag" = "v$version" || die "$tag is version $version, whose tag is v$version"
+SOURCE_DATE_EPOCH=$(git -C "$work/tribox" log -1 --format=%ct)
+export SOURCE_DATE_EPOCH
+out=$work/out name=tribox-$version
+mkdir "$out"
+cd "$work/tribox"
+
+make_source() {
+    git archive --prefix="$name/" HEAD | xz >"$out/$name.tar.xz"
+}
+
+# The rest of what dpkg-buildpackage writes says when it ran.
+make_debian() {
+    packaging/debian.sh "$work/debian"
+    (cd "$work/debian" && mv ./*.deb ./*.dsc ./*.tar.xz "$out")
+}
+
+make_wheels() {
+    for compiler in cc aarch64-linux-gnu-gcc x86_64-w64-mingw32-gcc-posix; do
+        CC=$compiler CFLAGS=-O${OPTIMIZATION:-3} "${PYTHON:-/usr/bin/python3}" -m build --wheel --no-isolation --outdir "$out" .
+    done
+}
+
+make_npm() {
+    packaging/npm/build.sh "$work/npm"
+    (cd "$out" && npm pack --silent "$work/npm")
+}
+
+make_windows() {
+    meson setup "$work/windows" --cross-file tests/cross/windows.ini -Dprefix=/ -Dtests=disabled -Dbench=disabled -Dtools=enabled \
+        -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-Wl,--no-insert-timestamp
+    meson compile -C "$work/windows"
+    meson install -C "$work/windows" --no-rebuild --quiet --strip --destdir "$work/$name-windows-x64"
+    cp LICENSE "$work/$name-windows-x64"
+    find "$work/$name-windows-x64" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
+    (cd "$work" && find "$name-windows-x64" -type f | sort | xargs python3 -m zipfile -c "$out/$name-windows-x64.zip")
+}
+
+make_site() {
+    packaging/site.sh "$work/$name-site"
+    tar -c -C "$work" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner "$name-site" |
+        xz >"$out/$name-site.tar.xz"
+}
+
+for part in ${PARTS:-source debian wheels npm windows site}; do
+    "make_$part" >"$work/log" 2>&1
+    echo "$part: made"
+done
+: >"$work/log"
+cd "$out"
+sha256sum -- * >SHA256SUMS
+mv -- * "$folder"

@@ -1,0 +1,76 @@
+#!/bin/sh
+# packaging/release.sh makes the same files of a tag twice, and refuses what is no release: release.sh ROOT refusals|PART...
+# Of the source archive: it has what is committed and nothing else, and the library that builds from it is that of a clone.
+set -eu
+root=$1
+shift
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. "$here/snapshot.sh"
+. "$here/same_library.sh"
+export CCACHE_DISABLE=1 # or the second time would be a copy of the first
+export OPTIMIZATION=0 DEB_BUILD_OPTIONS='noopt nocheck' PAGE= LC_ALL=C
+
+# refuses MESSAGE TAG FOLDER
+refuses() {
+    if packaging/release.sh "$2" "$3" >"$work/log" 2>&1 || ! grep -q "$1" "$work/log"; then
+        cat "$work/log" >&2
+        echo "it does not say '$1'" >&2
+        exit 1
+    fi
+}
+
+snapshot "$root" "$work/repository"
+cd "$work/repository"
+version=$(packaging/version.sh)
+tag=v$version name=tribox-$version
+refuses "no tag $tag" "$tag" "$work/new"
+git tag "$tag"
+git tag other
+refuses "whose tag is $tag" other "$work/new"
+mkdir "$work/full"
+touch "$work/full/file"
+refuses 'there already' "$tag" "$work/full"
+touch forgotten
+refuses 'in no commit' "$tag" "$work/new"
+rm forgotten
+echo >>README.md
+refuses 'in no commit' "$tag" "$work/new"
+git checkout -q README.md
+test ! -e "$work/new" || { echo 'a folder is left where nothing was made' >&2; exit 1; }
+test "$1" != refusals || exit 0
+
+# Whatever the tree has got since the tag, wherever it lies, and whenever that is.
+(umask 022 && PARTS="$*" packaging/release.sh "$tag" "$work/one")
+sleep 1.1
+git clone -q "$work/repository" "$work/another/clone"
+cd "$work/another/clone"
+git -c user.name=test -c user.email=test@localhost -c commit.gpgsign=false commit -q --allow-empty -m later
+(umask 077 && PARTS="$*" TMPDIR=$work/another packaging/release.sh "$tag" "$work/two")
+cd "$work"
+if ! diff -r one two; then
+    echo 'twice is not the same' >&2
+    exit 1
+fi
+(cd one && sha256sum -c --quiet SHA256SUMS)
+test "$(ls one)" = "$({ sed 's/.*  //' one/SHA256SUMS; echo SHA256SUMS; } | sort)" || { echo 'SHA256SUMS does not name all' >&2; exit 1; }
+
+mkdir unpacked
+tar -x -C unpacked -f "one/$name.tar.xz"
+git -C repository ls-files | sort >committed
+(cd "unpacked/$name" && find . ! -type d | sed 's,^\./,,' | sort) | diff committed - >&2 ||
+    { echo 'the source archive lacks (<) or adds (>) these files' >&2; exit 1; }
+# The library wants a C compiler and meson: the CMake package needs no CMake to be made.
+mkdir bin
+printf '#!/bin/sh\necho "CMake was run" >&2\ntouch "%s"\nexit 1\n' "$work/asked" >bin/cmake
+chmod +x bin/cmake
+for source in "unpacked/$name" another/clone; do
+    PATH=$work/bin:$PATH "$MESON" setup "$source/build" "$source" -Dtests=disabled -Dbench=disabled -Dtools=disabled -Doptimization=0 >log
+    test ! -e asked || { echo 'configuring the library runs CMake' >&2; exit 1; }
+    "$MESON" compile -C "$source/build" >log
+done
+same_library "$work" "$version" "unpacked/$name/build" another/clone/build
+"$MESON" install -C "unpacked/$name/build" --no-rebuild --quiet --destdir "$work/root"
+test "$(find root -name tribox.h -o -name tribox.3 -o -name tribox.pc -o -name triboxConfig.cmake | wc -l)" = 4
+cat one/SHA256SUMS
