@@ -20,6 +20,8 @@ die() {
 
 snapshot "$root" "$work/repository"
 version=$("$root/packaging/version.sh")
+git -C "$work/repository" -c user.name=test -c user.email=test@localhost -c commit.gpgsign=false commit -q --allow-empty -m later
+git -C "$work/repository" tag "v$version"
 $CC -I"$root/include" "$here/consumer/consumer.c" "$library" -Wl,-rpath,"${library%/*}" -o "$work/by_meson"
 "$work/by_meson" kernels >"$work/kernels"
 
@@ -49,9 +51,10 @@ install() {
     mv "$work/first" "$1"
 }
 
-build FetchContent -DFETCHED="$work/repository"
+build FetchContent -DFETCHED="file://$work/repository" -DTAG="v$version"
 right tribox static
 grep -q 'Building C object _deps/' "$work/log" || die "FetchContent: nothing was compiled"
+test "$(git -C "$work/build/_deps/tribox-src" rev-list --count HEAD)" = 1 || die "FetchContent: the history is fetched"
 build add_subdirectory -DFETCHED= -DADDED="$work/build/_deps/tribox-src"
 right tribox static
 ! grep 'Building C object _deps/' "$work/log" || die "add_subdirectory: compiled again"

@@ -1,0 +1,8 @@
+# A port of vcpkg, untried: no vcpkg has run it. Whoever publishes fills in the address and the commit.
+vcpkg_from_git(OUT_SOURCE_PATH SOURCE_PATH URL <address of this repository> REF <commit of v${VERSION}>)
+vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}")
+vcpkg_cmake_install()
+vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/tribox)
+vcpkg_fixup_pkgconfig()
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include")
+vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")
