@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from glob import glob
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-PROCESSORS = {"x86_64": "x86", "aarch64": "aarch64"}  # those of wheels, and what kernels.txt calls them
+PROCESSORS = {"x86_64": "x86", "aarch64": "aarch64", "arm64": "aarch64"}  # those of wheels, and what kernels.txt calls them
 with open(os.path.join(ROOT, "src", "kernels.txt"), encoding="ascii") as lines:
     KERNELS = re.findall(r"(?m)^(\w+) (\w+) (\w+):(.*)$", lines.read())
 COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fvisibility=hidden", "-Iinclude", "-Isrc"]

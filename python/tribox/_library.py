@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
+import sys
 from itertools import count, takewhile
 from typing import List, Optional
 
 from ._ffi import ffi
 
-NAME = "libtribox.so.1"
+NAME = "libtribox.1.dylib" if sys.platform == "darwin" else "libtribox.so.1"
 BESIDE = "tribox.dll" if os.name == "nt" else "libtribox.so"
 
 
