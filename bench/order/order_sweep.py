@@ -1,6 +1,7 @@
 """The order sweep: runs build/bench/order on every scene and size in several processes, joins what they measured, and draws it.
 
-Leaves in the folder --out: order.csv, the medians; axes.csv; order.json, everything; and charts. Progress goes to standard error.
+Leaves in the folder --out: order.csv, the medians; axes.csv; order.json, everything; tables.md and order.svg, the tables and the
+chart of findings.md. Progress goes to standard error.
 """
 
 import argparse
@@ -9,12 +10,13 @@ import json
 import os
 import random
 import shlex
+import shutil
 import subprocess
 import sys
 import time
 
-import order_charts
 import order_join
+import order_tables
 
 SIZES = (800, 20000, 1000000)  # in the first-level cache, in the second, in none
 MEDIANS = ("scene", "size", "pairs", "hit_rate", "kernel", "lanes", "accuracy", "axes", "order", "ns", "to_best", "to_paper",
@@ -153,6 +155,18 @@ def write_all(out, header, scenes):
     with open(os.path.join(out, "order.json"), "w", encoding="utf-8") as file:
         json.dump({**header, "scenes": {scene.name: scene.what for scene in scenes}, "rows": rows, "axes": axes}, file, indent=1)
         file.write("\n")
+    with open(os.path.join(out, "tables.md"), "w", encoding="utf-8") as file:
+        file.write(order_tables.all_tables(rows))
+
+
+def draw(out):
+    """Draws the chart. Returns what is wrong, or None."""
+    if not shutil.which("gnuplot"):
+        return "gnuplot is not installed (on Debian: apt-get install gnuplot-nox)"
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "order.gp")
+    done = subprocess.run(["gnuplot", "-c", script, os.path.join(out, "order.csv"), os.path.join(out, "order.svg")],
+                          capture_output=True, text=True)
+    return "gnuplot: " + done.stderr.strip() if done.returncode else None
 
 
 def main():
@@ -160,10 +174,10 @@ def main():
     os.makedirs(wanted.out, exist_ok=True)
     machine, scenes = run_all(wanted)
     write_all(wanted.out, header_of(wanted, machine), scenes)
-    problem = order_charts.draw(wanted.out)
-    print("results%s in %s" % ("" if problem else " and charts", wanted.out))
+    problem = draw(wanted.out)
+    print("results%s in %s" % ("" if problem else " and a chart", wanted.out))
     if problem:
-        print("no charts: " + problem)
+        print("no chart: " + problem)
 
 
 if __name__ == "__main__":
