@@ -1,17 +1,17 @@
 /*
  * tribox.h - which of many triangles overlap a box, or the cells of a grid
  *
- * The separating-axis test of T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing" (2001), for very many triangles at once:
+ * The separating-axis test of T. Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing" (2001), for many triangles at once:
  * thirteen axes, structure of arrays, one kernel per instruction set, chosen at run time.
  *
  * What every function guarantees
- *   Closed sets   Triangles and boxes contain their borders: touching is overlap. A degenerate triangle is the segment or the point
- *                 that its vertices span. Vertex order and winding never change an EXACT answer.
- *   Units         Any unit of length will do, the same for triangles and boxes. There are no tolerances: no length is "small".
+ *   Closed sets   Triangles and boxes contain their borders: touching is overlap. A degenerate triangle is treated as the segment
+ *                 or point that its vertices span. Vertex order and winding never change an EXACT answer.
+ *   Units         Any unit of length, the same for triangles and boxes. There are no tolerances: no length is "small".
  *   NaN, inf      A triangle with a NaN or infinite coordinate overlaps nothing. This is not an error.
- *   Errors        Are returned as a tribox_status. On an error nothing is written. The library never prints, exits or allocates.
+ *   Errors        Are returned as a tribox_status, and then nothing is written. The library never prints, exits or allocates.
  *   Threads       Every function is re-entrant: no locks, and no state but the kernel, which is chosen once. Any number of threads
- *                 may call at once on shared input. Threads that share a mask should each own whole words of it.
+ *                 may make calls on the same input at once. Threads that share a mask should each own whole words of it.
  *   Environment   The caller's rounding mode and flush-to-zero setting change no answer and are restored on return.
  *   Memory        No alignment or padding is needed. Nothing is read outside the input or written outside the mask. Masks and
  *                 reports must not overlap the input or each other.
@@ -28,7 +28,7 @@
 extern "C" {
 #endif
 
-/** The version of this header and of the library that it belongs to. */
+/** The version of this header, and of the library that it belongs to. */
 #define TRIBOX_VERSION_MAJOR 1
 #define TRIBOX_VERSION_MINOR 0
 #define TRIBOX_VERSION_PATCH 0
@@ -51,7 +51,7 @@ extern "C" {
  * A closed axis-aligned box. Index: 0 is x, 1 is y, 2 is z. lo == hi makes it a rectangle, a segment or a point; lo > hi on any
  * axis makes it the empty box, which nothing overlaps.
  *
- * Bounds are doubles for triangles of floats, too: 0.1 is the double 0.1, and no bound is rounded to float.
+ * Bounds are doubles even where triangles are floats: 0.1 means the double 0.1, and no bound is rounded to float.
  */
 typedef struct tribox_box {
     double lo[3]; /* the lower bound on each axis, part of the box */
@@ -60,8 +60,8 @@ typedef struct tribox_box {
 
 /**
  * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. Index of axis: first which axis,
- * then its x, y, z. The formula holds for whatever doubles are given. They need not be orthonormal, which rounded numbers hardly
- * ever are, and may even be sheared. A negative half length makes it the empty box.
+ * then its x, y, z. The formula is taken literally for the doubles given. The axes need not be orthonormal, which rounded numbers
+ * hardly ever are, and may even be sheared. A negative half length makes it the empty box.
  */
 typedef struct tribox_oriented_box {
     double center[3];  /* in the same unit of length as the triangles */
@@ -92,15 +92,15 @@ typedef struct tribox_soup {
 
 /**
  * Triangles as most programs hold them, of floats or of doubles: an indexed mesh, or an array of structures with nine numbers per
- * triangle. Vertex v of triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices. Zero-initialise what
- * is not set.
+ * triangle. Vertex v of triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices. Zero-initialise fields
+ * that you do not set.
  *
- * In a matrix whose columns are x, y and z, axis_stride is the bytes of a column, and the stride position_bytes, for which 0 then
- * stands.
+ * For a matrix whose columns are x, y and z, axis_stride is the size of a column in bytes, and the stride is position_bytes, which
+ * is then also what 0 stands for.
  */
 typedef struct tribox_mesh {
     const void *positions;   /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
-    size_t stride;           /* bytes from one vertex to the next: 12 or more, 24 of doubles; 0 stands for the least */
+    size_t stride;           /* bytes from one vertex to the next: at least 12, or 24 for doubles; 0 stands for the least */
     size_t vertices;         /* how many vertices there are; nothing after the z of the last is read */
     const void *indices;     /* 3 * count vertex numbers, at any alignment; NULL for 0, 1, 2, 3, ... */
     unsigned index_bytes;    /* 2 for uint16_t, 4 for uint32_t; ignored where indices is NULL */
@@ -114,46 +114,46 @@ typedef struct tribox_mesh {
 /*                                                   Status, options and report                                                   */
 /* ============================================================================================================================== */
 
-/** The result of a call. Anything but TRIBOX_OK means that nothing was written, but for bricks that a sink was handed. */
+/** The result of a call. Anything but TRIBOX_OK means that nothing was written, except bricks that a sink was handed. */
 typedef enum tribox_status {
-    TRIBOX_OK = 0,       /* the call did what it was to do */
+    TRIBOX_OK = 0,       /* the call succeeded */
     TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size makes no sense */
     TRIBOX_BAD_BOX,      /* a bound of the box, or a number of the oriented box, is NaN or infinite */
-    TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or finer than its numbers can tell */
+    TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or so fine that two planes round to one number */
     TRIBOX_BAD_OPTION,   /* an option is unknown, or not available in this call; or a reserved number is not zero */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
     TRIBOX_BAD_VERTEX,   /* a mesh names a vertex that it does not have (tribox_mesh_bad_vertices), or a list such a triangle */
-    TRIBOX_STOPPED       /* a sink ended the call: what it was handed is right, the rest is missing */
+    TRIBOX_STOPPED       /* a sink ended the call: the bricks that it was handed are right, the rest are missing */
 } tribox_status;
 
-/** The version of the library that runs, such as "1.0.0", which may be newer than this header. Static storage. */
+/** The version of the library at run time, such as "1.0.0", which may be newer than this header. Static storage. */
 TRIBOX_API const char *tribox_version(void);
 
-/** Says in English what a status means, without a full stop. Static storage; never NULL. */
+/** What a status means, in English, without a full stop. Static storage; never NULL. */
 TRIBOX_API const char *tribox_status_text(tribox_status status);
 
 /**
- * How right an answer has to be. CONSERVATIVE and FAST err only within rounding of contact: where, on some axis, the projections of
- * triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a, and
- * m_a the farthest that any point of the triangle is from any point of the box on it. As dot products with the axis, that is less
- * than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and for the triangle's normal less than
- * 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-64, where products or lengths underflow.
+ * How accurate an answer has to be. CONSERVATIVE and FAST err only within rounding of contact: where, on some axis, the projections
+ * of triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a,
+ * and m_a the greatest distance on it of a point of the triangle from a point of the box. As dot products with the axis, that is
+ * less than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and for the triangle's normal less
+ * than 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-64, where products or lengths underflow.
  *
- * That says little where such an axis is short: the normal of a segment or sliver, and the axes of an edge far shorter than the
- * others. Rounding alone then says whether it separates, and FAST can lose a triangle that runs straight through the box: up to a
- * third of random segments, next to none of triangles up to 2^20 times as long as high. Use EXACT or CONSERVATIVE where they are
- * that thin. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES CONSERVATIVE costs hardly more than FAST there; of wider triangles it also
- * reports those that only the plane separates.
+ * That promises little where such an axis is short: the normal of a segment or sliver, and the axes of an edge far shorter than the
+ * others. Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: up to
+ * a third of random segments, hardly any of the triangles up to 2^20 times as long as high. Use EXACT or CONSERVATIVE for thinner
+ * ones. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST there, but then also reports wider
+ * triangles that only the plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
     TRIBOX_CONSERVATIVE, /* never misses an overlap; may report a triangle that misses the box within rounding of contact */
-    TRIBOX_FAST          /* single precision: errs either way within rounding of contact, for |coordinate| <= 2^40 only */
+    TRIBOX_FAST          /* single precision: may err either way within rounding of contact; for |coordinate| <= 2^40 only */
 } tribox_accuracy;
 
 /**
  * The paper's three groups of axes (section 2, its bullets 1, 2 and 3): 3 box normals, 1 triangle plane, 9 edge cross products.
- * With some groups left out a call answers "no chosen axis separates": cheaper, never misses, reports more.
+ * With some groups left out a call answers "no chosen axis separates": that is cheaper and never misses, but reports more.
  */
 enum {
     TRIBOX_AXES_BOX = 1,   /* bullet 1: the triangle's bounding box against the box */
@@ -162,11 +162,11 @@ enum {
     TRIBOX_AXES_ALL = 7    /* all thirteen axes */
 };
 
-/** Options of a call. Zero-initialised they are the defaults: exact, all thirteen axes, the best order and kernel. */
+/** Options of a call. Zero-initialised, they are the defaults: exact, all thirteen axes, the best order and kernel. */
 typedef struct tribox_options {
     tribox_accuracy accuracy; /* TRIBOX_EXACT by default */
     unsigned axes;            /* a union of TRIBOX_AXES_*; 0 for all */
-    unsigned axis_order;      /* of the groups: 123, 132, 213, 231, 312 or 321; 0 lets the call find it; it changes no answer */
+    unsigned axis_order;      /* of the groups: 123, 132, 213, 231, 312 or 321; 0 lets the call choose; it changes no answer */
     const char *kernel;       /* "scalar", "sse2", "avx2", "avx512" or "neon"; NULL for the best that this processor runs */
     uint32_t reserved[4];     /* zero, or TRIBOX_BAD_OPTION */
 } tribox_options;
@@ -174,7 +174,7 @@ typedef struct tribox_options {
 /** What a call counted. */
 typedef struct tribox_report {
     size_t overlapping; /* bits set in the mask, or cells newly set by a voxelization */
-    size_t undecided;   /* pairs left to a slower stage: a measure of cost; may differ between kernels and orders (0 for FAST) */
+    size_t undecided;   /* pairs that a slower stage decided: a measure of cost; may differ by kernel and order (0 for FAST) */
 } tribox_report;
 
 /* ============================================================================================================================== */
@@ -201,16 +201,16 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tribox_overlap for an oriented box. As in the paper (section 2) the triangles are moved into the frame of the box, in blocks, and
  * tested there.
  *
- * EXACT is the true answer about that box, of doubles as they are, for every finite input: whatever the rounding of the move could
- * change is settled by exact signs. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST
- * moves and tests in single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It loses segments and slivers
- * as tribox_overlap does, those included that the move makes thin. A triangle that is outside along one axis of the box is mostly
- * rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is settled by the last stage,
- * which takes half a microsecond each, and where it needs integers, some microseconds.
+ * EXACT is the true answer about the box given by these doubles, for every finite input: wherever rounding of the move could change
+ * the answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST
+ * moves and tests in single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and
+ * slivers as tribox_overlap does, including those that the move makes thin. A triangle that is outside along one axis of the box is
+ * mostly rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is left to the last stage,
+ * which takes half a microsecond each, or some microseconds where it needs integers.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is
- *   TRIBOX_BAD_OPTION, as the rounded frame leaves the directions of edge and plane axes open.
+ *   TRIBOX_BAD_OPTION, as the rounded frame does not fix the directions of edge and plane axes.
  *
  * Other arguments and the returned status are as for tribox_overlap.
  */
@@ -224,8 +224,8 @@ typedef enum tribox_find_what {
 } tribox_find_what;
 
 /**
- * Finds the first triangle of a soup that overlaps the box, or the first that misses it. Triangles beyond its block of some
- * thousand are not tested.
+ * Finds the first triangle of a soup that overlaps the box, or the first that misses it. Triangles after its block of some thousand
+ * are not tested.
  *
  * triangle: receives the triangle's number, or soup->count if there is none.
  *
@@ -237,9 +237,9 @@ TRIBOX_API tribox_status tribox_find(const tribox_soup *soup, const tribox_box *
 
 /**
  * Divides the triangles of a soup into those that miss the box (bit clear in both masks), straddle its border (set in mask alone)
- * and lie wholly inside (set in both), as builders of trees need. A triangle is inside if its three vertices are in the closed box.
- * That part is exact at every accuracy, and a triangle that is inside overlaps. At FAST stretches of the soup may be answered as at
- * EXACT, where that costs no more.
+ * and lie wholly inside (set in both), as tree builders need. A triangle is inside if its three vertices are in the closed box.
+ * That part is exact at every accuracy, and a triangle that is inside overlaps. FAST may answer parts of the soup as EXACT does,
+ * where that costs no more.
  *
  * inside: tribox_mask_words(soup->count) words, all of them written; NULL if not wanted.
  *
@@ -254,14 +254,14 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
 
 /**
  * tribox_overlap for a mesh as it is, of floats or doubles: exact for every finite number, however far from the origin, without
- * memory for streams. Nothing has to be moved towards the origin first, and nothing is gained by it.
+ * memory for streams. Moving the mesh towards the origin first is unnecessary, and gains nothing.
  *
  * mesh: read from where it lies, in blocks that fit the cache.
  * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count. For floats the same bits as for the
- *   nine streams of the triangles, at every accuracy. Of doubles, and of floats with an axis_stride, CONSERVATIVE and FAST are one:
- *   they never miss, and report too much only within the bounds of tribox_accuracy, of doubles with 2^-47 for 2^-19; all axes or
- *   TRIBOX_AXES_BOX alone are fast, other sets take the second stage for every triangle that the box normals leave; and the
- *   order of the axes is ignored.
+ *   nine streams of the triangles, at every accuracy. For doubles, and floats with an axis_stride, FAST is the same as
+ *   CONSERVATIVE: it never misses, and reports too much only within the bounds of tribox_accuracy, for doubles with 2^-47 in place
+ *   of 2^-19; all axes or TRIBOX_AXES_BOX alone are fast, other sets take the second stage for every triangle that the box normals
+ *   leave; and the order of the axes is ignored.
  *
  * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also where a size or a stride of the mesh is not allowed, or a reserved
  * number not zero; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
@@ -277,10 +277,10 @@ TRIBOX_API tribox_status tribox_mesh_classify(const tribox_mesh *mesh, const tri
                                               uint64_t *mask, uint64_t *inside, tribox_report *report);
 
 /**
- * tribox_overlap_oriented for a mesh as it is. EXACT is the true answer about its numbers, for every finite double, and box. For
- * floats the same bits as for the nine streams of the triangles, at every accuracy. Doubles are rounded to float relative to the
- * center of the box, so that no distance from the origin makes an answer slower or less right; where a product of their distance
- * and an axis is beyond 2^97, as where float is too narrow for the box, every pair takes the last stage.
+ * tribox_overlap_oriented for a mesh as it is. EXACT is the true answer about its numbers, for every finite double and every finite
+ * box. For floats the bits are those of the nine streams of the triangles, at every accuracy. Doubles are rounded to float relative
+ * to the center of the box, so no distance from the origin makes an answer slower or less accurate; where a product of their
+ * distance and an axis is beyond 2^97, and where float is too narrow for the box, every pair takes the last stage.
  *
  * Other arguments and the returned status are as for tribox_overlap_oriented and tribox_mesh_overlap.
  */
@@ -288,8 +288,8 @@ TRIBOX_API tribox_status tribox_mesh_overlap_oriented(const tribox_mesh *mesh, c
                                                       const tribox_options *options, uint64_t *mask, tribox_report *report);
 
 /**
- * tribox_find for a mesh. Of the indices only those of triangles that are tested are checked. Other arguments and the returned
- * status are as for tribox_find and tribox_mesh_overlap.
+ * tribox_find for a mesh. Only the indices of triangles that are tested are checked. Other arguments and the returned status are as
+ * for tribox_find and tribox_mesh_overlap.
  */
 TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
                                           tribox_find_what what, size_t *triangle);
@@ -318,40 +318,40 @@ TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[9], const tri
 /* ============================================================================================================================== */
 
 /**
- * An index over a soup or a mesh: the bounds of every 64 triangles, of every 64 of those, and so on, in memory of the caller's. It
- * makes questions about boxes cost what the answer and the border of the box cost, and not the triangles. Answers are those of
- * tribox_overlap or tribox_mesh_overlap, bit for bit: of doubles, about the doubles.
+ * An index over a soup or a mesh: a tree of bounding boxes, of every 64 triangles, of every 64 of those boxes, and so on, in memory
+ * that you provide. A query then takes time for its answer and for the border of the box, not for all triangles. Answers are those
+ * of tribox_overlap or tribox_mesh_overlap, bit for bit, and for doubles exact about the doubles.
  *
- * It pays where triangles that are near in number are near in space, as tribox_soup_sort and tribox_mesh_sort make them. In any
- * other order answers are as right, and hardly slower than without an index.
+ * It pays where triangles that are near in number are near in space, which tribox_soup_sort and tribox_mesh_sort bring about. In
+ * any other order answers are the same, and hardly slower than without an index.
  *
- * The nodes may be copied, mapped, or written to a file for the same version of the library and byte order: no number in them is an
- * address. Whatever stands in them, nothing is read outside them and the triangles; and so it is where the triangles have changed
- * since: one that refers to a vertex that does not exist then overlaps nothing. Any number of threads may ask at once.
+ * The nodes may be copied, mapped, or written to a file for the same version of the library and byte order: they hold no addresses.
+ * Whatever they contain, nothing is read outside them and the triangles. That also holds if the triangles have changed since: one
+ * that refers to a vertex that does not exist then overlaps nothing. Any number of threads may query at once.
  */
 typedef struct tribox_index {
-    const void *nodes;       /* tribox_index_bytes(count) bytes, at any alignment; 64 is the fastest; building does not look */
-    const tribox_soup *soup; /* what it is over; or NULL, and */
-    const tribox_mesh *mesh; /* this is, of floats or doubles */
-    const uint32_t *ids;     /* lists have ids[i] for triangle i, such as the order by which it was gathered; NULL for i itself */
+    const void *nodes;       /* tribox_index_bytes(count) bytes, at any alignment, fastest at 64; not read by a build */
+    const tribox_soup *soup; /* the triangles: either this soup, and mesh is NULL, */
+    const tribox_mesh *mesh; /* or this mesh of floats or doubles, and soup is NULL */
+    const uint32_t *ids;     /* lists give ids[i] for triangle i, say the order that it was gathered by; NULL for i itself */
     uint32_t reserved[4];    /* zero, or TRIBOX_BAD_ARGUMENT */
 } tribox_index;
 
-/** What an index is asked about: a box, or an oriented one. The other pointer is NULL, or TRIBOX_BAD_ARGUMENT. */
+/** What an index is queried with: a box or an oriented box. The other pointer must be NULL, or TRIBOX_BAD_ARGUMENT. */
 typedef struct tribox_region {
     const tribox_box *box;               /* finite, or TRIBOX_BAD_BOX */
     const tribox_oriented_box *oriented; /* finite, or TRIBOX_BAD_BOX */
 } tribox_region;
 
-/** The bytes of an index over so many triangles: some 1.1 % of their soup, and 1600 at the least. No count makes it overflow. */
+/** The size in bytes of an index over count triangles: some 1.1 % of their soup, and at least 1600. It overflows for no count. */
 TRIBOX_API size_t tribox_index_bytes(size_t count);
 
 /**
  * Builds an index: reads its soup or mesh once, and writes the nodes. Triangles with a NaN or infinite coordinate overlap nothing,
- * and the triangles around them are found as fast as without them.
+ * and do not slow down queries about the triangles around them.
  *
  * options: only the kernel matters; NULL for the best. Every kernel builds the same bytes, and so do a soup and a mesh of floats.
- * nodes: tribox_index_bytes of the count of triangles, all of them written. Must not overlap the triangles.
+ * nodes: tribox_index_bytes(count of triangles) bytes, all of them written. Must not overlap the triangles.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (index or nodes are NULL; not exactly one of soup and mesh is given; a reserved number is
  * not zero; what tribox_overlap or tribox_mesh_overlap says of the triangles), TRIBOX_NO_KERNEL or TRIBOX_BAD_VERTEX (a triangle
@@ -359,52 +359,54 @@ TRIBOX_API size_t tribox_index_bytes(size_t count);
  */
 TRIBOX_API tribox_status tribox_index_build(const tribox_index *index, const tribox_options *options, void *nodes);
 
-/** Triangles under one node of the lowest level: what threads that update an index share out. */
+/** Triangles under one node of the lowest level: the unit in which threads share an update of an index. */
 enum { TRIBOX_INDEX_BLOCK = 4096 };
 
 /**
- * Brings an index up to date after triangles first .. first + count - 1 alone have changed: to the bytes that tribox_index_build
- * writes.
+ * Brings an index up to date after only triangles first .. first + count - 1 have changed: to the bytes that tribox_index_build
+ * would write.
  *
- * Threads may share this work, or that of a build. Ranges of whole blocks, which begin at a multiple of TRIBOX_INDEX_BLOCK and end
- * at one or with the triangles, leave out what they would have in common unless they are all: so any number of threads may update
- * such ranges at once, and when all are done, one call of count 0 finishes the index. It has to come; until then, answers may be
- * wrong.
+ * Threads may share this work, or that of a build, by ranges of whole blocks, which begin at a multiple of TRIBOX_INDEX_BLOCK and
+ * end at one or with the triangles. An update of such a range writes nothing that others share, unless it is of all triangles, so
+ * any number of threads may update such ranges at once. When all are done, finish the index with one call of count 0; before that
+ * call answers may be wrong.
  *
  * index, options: as for tribox_index_build.
  * nodes: of an index over as many triangles.
  *
- * Returns what tribox_index_build does, of a mesh TRIBOX_BAD_VERTEX for the blocks that are read alone; TRIBOX_BAD_ARGUMENT also
- * where first + count exceeds the count of triangles.
+ * Returns what tribox_index_build does, but TRIBOX_BAD_VERTEX only for the blocks that are read; TRIBOX_BAD_ARGUMENT also where
+ * first + count exceeds the count of triangles.
  */
 TRIBOX_API tribox_status tribox_index_update(const tribox_index *index, size_t first, size_t count, const tribox_options *options,
                                              void *nodes);
 
 /**
- * tribox_overlap by an index, or what it is of a mesh or an oriented box: the same mask at EXACT and CONSERVATIVE, and at FAST that
- * mask and triangles of groups of 64 that lie wholly inside the box, which are never tested. About an oriented box CONSERVATIVE and
- * FAST may differ within rounding of contact, as groups that certainly miss it, or certainly lie inside, are not tested.
+ * tribox_overlap, or its form for a mesh or an oriented box, by an index. EXACT and CONSERVATIVE give the same mask; FAST gives
+ * that mask, plus all triangles of groups of 64 that lie wholly inside the box, as these are not tested. For an oriented box
+ * CONSERVATIVE and FAST may differ from the call without an index within rounding of contact, as groups that certainly miss it, or
+ * certainly lie inside, are not tested.
  *
- * index: with the nodes, and the triangles that they were built over. About others, or damaged nodes, answers are wrong, but
- *   nothing else is.
+ * index: with the nodes, and the triangles that they were built over. With other triangles or damaged nodes the answers are wrong,
+ *   but nothing worse happens.
  * region: finite, or TRIBOX_BAD_BOX.
- * options: as for tribox_overlap, but the axes have to include TRIBOX_AXES_BOX: without it far triangles overlap, too.
- * mask: all of its words are written, however few triangles overlap; NULL to count them, which writes nothing and reads least.
+ * options: as for tribox_overlap, but the axes must include TRIBOX_AXES_BOX, as without it triangles far away overlap, too.
+ * mask: all of its words are written, however few triangles overlap; NULL only counts them, which writes nothing and reads the
+ *   least.
  *
- * Other arguments and the returned status are as for tribox_overlap, tribox_mesh_overlap or tribox_overlap_oriented, but that
- * vertices are not checked again; TRIBOX_BAD_ARGUMENT also where tribox_index_build returns it, or region is not one of the two;
- * TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
+ * Other arguments and the returned status are as for tribox_overlap, tribox_mesh_overlap or tribox_overlap_oriented, except that
+ * vertices are not checked again; TRIBOX_BAD_ARGUMENT also where tribox_index_build returns it, or where region does not have
+ * exactly one box; TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
  */
 TRIBOX_API tribox_status tribox_index_overlap(const tribox_index *index, const tribox_region *region, const tribox_options *options,
                                               uint64_t *mask, tribox_report *report);
 
 /**
- * The words of that mask that are not zero, in ascending order: bit b of bits[k] says that triangle 64 * number[k] + b overlaps.
+ * The words of that mask that are not zero, in ascending order: bit b of bits[k] means that triangle 64 * number[k] + b overlaps.
  *
- * room: how many words number, bits and inside have room for; those beyond are not written.
- * inside: of tribox_classify, for the same words: which of the triangles lie wholly inside; NULL if not wanted. At FAST such
- *   triangles are then set in bits, too.
- * found: receives how many words there are, be there room for them or not.
+ * room: how many words number, bits and inside have room for; further words are not written.
+ * inside: as in tribox_classify, for the same words: which triangles lie wholly inside; NULL if not wanted. At FAST such triangles
+ *   are then set in bits, too.
+ * found: receives how many words there are, even if that exceeds room.
  *
  * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if found is NULL, number or
  * bits is NULL and room is not 0, inside is not NULL about an oriented box, or there are more than 2^38 triangles.
@@ -414,10 +416,10 @@ TRIBOX_API tribox_status tribox_index_words(const tribox_index *index, const tri
                                             tribox_report *report);
 
 /**
- * The triangles that overlap, as a list of index->ids, or of their numbers; either in ascending order of the numbers.
+ * Lists the triangles that overlap, by their index->ids, or by their numbers without ids; in ascending order of the numbers.
  *
- * room: how many list has room for; those beyond are not written.
- * found: receives how many triangles overlap, be there room for them or not.
+ * room: how many triangles list has room for; further ones are not written.
+ * found: receives how many triangles overlap, even if that exceeds room.
  *
  * Other arguments and the returned status are as for tribox_index_overlap; TRIBOX_BAD_ARGUMENT also if found is NULL, list is NULL
  * and room is not 0, or there are more than 2^32 triangles.
@@ -426,12 +428,12 @@ TRIBOX_API tribox_status tribox_index_list(const tribox_index *index, const trib
                                            size_t room, uint32_t *list, size_t *found);
 
 /**
- * The lists of many boxes, one after another: that of box i is list[start[i]] .. list[start[i + 1] - 1]. Boxes that are near in
- * number should be near in space (tribox_boxes_sort), so that they find their triangles in the cache.
+ * The lists of many boxes, one after another: that of box i is list[start[i]] .. list[start[i + 1] - 1]. Boxes near in number
+ * should be near in space (tribox_boxes_sort), so that their triangles are still in the cache.
  *
  * boxes: six streams. A box that is empty, or has a NaN or infinite bound, has an empty list. This is not an error.
- * room: as for tribox_index_list. All is written in turn as far as room goes.
- * start: boxes->count + 1 numbers, all of them written; start[boxes->count] is the room that all lists take.
+ * room: as for tribox_index_list. Lists are written in turn until room is used up.
+ * start: boxes->count + 1 numbers, all of them written; start[boxes->count] is the room that all lists together need.
  *
  * Other arguments and the returned status are as for tribox_index_list; TRIBOX_BAD_ARGUMENT also if boxes, a stream of a non-empty
  * set or start is NULL.
@@ -440,8 +442,8 @@ TRIBOX_API tribox_status tribox_index_lists(const tribox_index *index, const tri
                                             size_t room, uint32_t *list, size_t *start);
 
 /**
- * Finds some triangle that overlaps the region: not the first, but at EXACT the same on every processor. At FAST it may be one that
- * FAST misses and that lies wholly inside.
+ * Finds any one triangle that overlaps the region: not the first, but at EXACT the same on every processor. At FAST it may be one
+ * that lies wholly inside and that FAST otherwise misses.
  *
  * triangle: receives its number, or the count of triangles if none overlaps.
  *
@@ -454,34 +456,34 @@ TRIBOX_API tribox_status tribox_index_any(const tribox_index *index, const tribo
  * Finds an order in which triangles that are near in number are near in space: order[k] is the triangle that comes k-th. It is the
  * same on every processor.
  *
- * The triangles are cut in two across their longest side, and so are the parts, down to the 64 of a word; at multiples of the
- * greatest power of 64 below the count, so that no node of an index straddles a cut. What counts is the middle of a triangle's
- * bounding box, then its number; and where a coordinate is NaN or infinite, the triangle comes last. The time grows with count *
- * log(count), whatever the triangles are. tribox_threads.h has its steps, for threads that share the work.
+ * The triangles are cut in two across the longest side of their extent, and so are the parts, down to the 64 of a word; at
+ * multiples of the greatest power of 64 below the count, so that no node of an index straddles a cut. Triangles are compared by the
+ * middle of their bounding box, then by number; those with a NaN or infinite coordinate come last. The time grows with count *
+ * log(count), whatever the triangles are. tribox_threads.h has the single steps, for threads that share the work.
  *
  * order: room for soup->count numbers.
- * scratch: 16 bytes for each triangle, aligned as floats are. Besides, the call takes up to 64 KB of stack.
+ * scratch: 16 bytes for each triangle, aligned as floats are. The call also takes up to 64 KB of stack.
  *
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or scratch is NULL and the soup is
  * not empty; count is more than 2^32 or exceeds the address space).
  */
 TRIBOX_API tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *order, void *scratch);
 
-/** The same for boxes. Those that have a NaN or infinite bound come last. */
+/** tribox_soup_sort for boxes. Those with a NaN or infinite bound come last. */
 TRIBOX_API tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
 /**
- * The same for the triangles of a mesh, those of doubles seen from its first vertex; TRIBOX_BAD_ARGUMENT also where
+ * tribox_soup_sort for a mesh, whose doubles are taken relative to its first vertex; TRIBOX_BAD_ARGUMENT also where
  * tribox_mesh_overlap returns it, TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *order, void *scratch);
 
 /**
  * Writes triangles order[first] .. order[first + count - 1] of a soup as nine streams: x[v][i], y[v][i] and z[v][i] are vertex v of
- * triangle order[first + i]. Threads may write parts of the streams.
+ * triangle order[first + i]. Threads may each write a part of the streams.
  *
  * order: at least first + count triangles of the soup, in any order; a triangle may come more than once.
- * x, y, z: three streams each, of `count` floats, at any alignment, which overlap none of the soup's. Values are copied as they
+ * x, y, z: three streams each, of `count` floats, at any alignment, which must not overlap the soup's. Values are copied as they
  *   are, NaN and infinity included.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or a stream that is written is NULL
@@ -492,7 +494,8 @@ TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint3
                                             float *const x[3], float *const y[3], float *const z[3]);
 
 /**
- * The same for a mesh: from its triangles as they are to ordered streams, relative to an origin as by tribox_mesh_to_soup.
+ * tribox_soup_gather for a mesh: from its triangles as they are to ordered streams, relative to an origin as in
+ * tribox_mesh_to_soup.
  *
  * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_mesh_to_soup does, TRIBOX_BAD_VERTEX also if one of
  * these triangles refers to a vertex that does not exist.
@@ -506,11 +509,11 @@ TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const doubl
 
 /**
  * A grid of size[0] x size[1] x size[2] closed cells, which need not be cubes. Index: 0 is x, 1 is y, 2 is z.
- * Plane p of axis a lies at the double nearest to origin[a] + p * cell[a], rounded once (C's fma), for triangles of floats as for
- * those of doubles. The cells on both sides share that very number, so no surface can slip between them.
+ * Plane p of axis a lies at the double nearest to origin[a] + p * cell[a], rounded once (C's fma), for triangles of floats and of
+ * doubles. The cells on both sides share that very number, so no surface can slip between them.
  *
- * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same double. Any other grid
- * is TRIBOX_BAD_GRID. A grid may have any number of cells; what one call writes is at most 2^31 words.
+ * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same double; otherwise
+ * TRIBOX_BAD_GRID. A grid may have any number of cells; one call writes at most 2^31 words.
  */
 typedef struct tribox_grid {
     double origin[3]; /* the lower corner of cell (0, 0, 0), in the same unit of length as the triangles */
@@ -524,12 +527,12 @@ typedef struct tribox_window {
     uint32_t size[3];  /* how many cells on each axis; 0 makes it empty */
 } tribox_window;
 
-/** The box of cell (i, j, k), each less than the grid's size on its axis: the very box that voxelizations test. */
+/** The box of cell (i, j, k), each less than the grid's size on its axis: the very box that is tested by voxelizations. */
 TRIBOX_API tribox_box tribox_grid_cell(const tribox_grid *grid, uint32_t i, uint32_t j, uint32_t k);
 
 /**
  * The number of 64-bit words for the cells of a grid or window of this size: size[1] * size[2] rows of (size[0] + 63) / 64 words,
- * as every row along x starts with a word of its own. SIZE_MAX where that overflows.
+ * as every row along x starts a new word. SIZE_MAX if that overflows.
  */
 TRIBOX_API size_t tribox_window_words(const uint32_t size[3]);
 
@@ -539,22 +542,21 @@ TRIBOX_API size_t tribox_window_words(const uint32_t size[3]);
  *
  * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set. CONSERVATIVE sets a
  * superset of it: the extra cells miss their triangle by less than 2^-7 of a cell on some axis, and by more only where there are
- * more than 2^13 cells along an axis, or floats near the window are hardly finer than its cells. FAST takes the same limits without
- * error bounds, but for that of the plane, and errs by as much on either side. Triangles may lie outside the grid in part or
- * wholly.
+ * more than 2^13 cells along an axis, or floats near the window are hardly finer than its cells. FAST uses the same limits without
+ * error bounds, except for that of the plane, and may err as much either way. Triangles may lie partly or wholly outside the grid.
  *
- * window: the cells that are asked for; NULL for the whole grid. EXACT has the bits of the whole grid, and so have the others where
- *   the window is of whole layers, of a grid of at most 2^30: for threads, each of which owns some layers. Other windows may differ
- *   from the whole within rounding of contact. What lies outside the window costs next to nothing.
+ * window: the cells that are wanted; NULL for the whole grid. EXACT gives the bits of the whole grid, and so do the others where
+ *   the window is of whole layers, of a grid with at most 2^30 of them: for threads, each of which owns some layers. Other windows
+ *   may differ from the whole within rounding of contact. What lies outside the window costs next to nothing.
  * occupied: tribox_window_words(size) words, size being that of the window. Let rows have W = (size[0] + 63) / 64 words: cell
  *   (i, j, k) of the window, which is cell (first[0] + i, first[1] + j, first[2] + k) of the grid, is bit i % 64 of
  *   occupied[(k * size[1] + j) * W + i / 64].
  * options: NULL for the defaults; the order of the axes is ignored here.
  * report: overlapping counts the cells newly set; NULL if not wanted.
  *
- * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except for
- * axis sets without TRIBOX_AXES_BOX, which test every triangle against every cell of the window. Many triangles in one call are
- * faster than one in each: small ones are taken a packet at once. Nothing is allocated; the call takes up to 96 KB of stack.
+ * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except that
+ * axis sets without TRIBOX_AXES_BOX test every triangle against every cell of the window. Many triangles in one call are faster
+ * than many calls, as small triangles are taken a packet at a time. Nothing is allocated; the call takes up to 96 KB of stack.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, count floats exceed the address space, or the window leaves the grid),
  * TRIBOX_BAD_GRID (also if there are more than 2^31 words to write: ask for windows), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
@@ -564,7 +566,7 @@ TRIBOX_API tribox_status tribox_voxelize(const tribox_soup *soup, const tribox_g
 
 /**
  * tribox_voxelize for a mesh, of floats or doubles: EXACT is tribox_mesh_overlap of the mesh with every tribox_grid_cell. A mesh of
- * floats has the bits of its soup at every accuracy; of doubles FAST is taken as CONSERVATIVE.
+ * floats gives the bits of its soup at every accuracy; for doubles FAST is treated as CONSERVATIVE.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also where tribox_mesh_overlap does; TRIBOX_BAD_VERTEX if a triangle
  * refers to a vertex that does not exist.
@@ -573,22 +575,23 @@ TRIBOX_API tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tri
                                               const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
 /**
- * tribox_voxelize that also says, for each cell that it sets, which triangle: the lowest number of one that overlaps it. With
- * EXACT the answer is one, the same on every kernel, in every order of the triangles and in every window. CONSERVATIVE and FAST
- * have the lowest number of those for which they set the bit, and may differ where bits do.
+ * tribox_voxelize that also says, for each cell that it sets, which triangle: the lowest number of one that overlaps it. EXACT has
+ * only one answer, the same on every kernel, in every order of the triangles and in every window. CONSERVATIVE and FAST give the
+ * lowest number of those for which they set the bit, and may differ where bits do.
  *
- * Calls accumulate: where a bit is set before the call, its id takes part. So a soup may come in parts, in any order.
+ * Calls accumulate: where a bit is set before the call, its id stays if it is the lowest. So a soup may come in parts, in any
+ * order.
  *
- * first: the number of the soup's first triangle: 0, or how many came in other calls before it. All numbers are less than
- *   UINT32_MAX, or the call is refused.
+ * first: the number of the soup's first triangle: 0, or how many triangles precede it in other calls. All numbers must be less than
+ *   UINT32_MAX.
  * occupied: as for tribox_voxelize. Cells whose bits are set before the call have ids: those that calls before it wrote.
- * ids: one for each cell of the window, cell (i, j, k) at ids[(k * size[1] + j) * size[0] + i], without a gap after a row.
- *   Written where bits are set and nowhere else, so they need not be cleared; what is there where a bit is clear says nothing.
+ * ids: one for each cell of the window, cell (i, j, k) at ids[(k * size[1] + j) * size[0] + i], without a gap after a row. Written
+ *   only where bits are set, so they need not be cleared; an id where the bit is clear means nothing.
  *
- * Threads that own some layers of the grid each own the ids of these. Other arguments are as for tribox_voxelize.
+ * Threads that own some layers of the grid own the ids of these layers. Other arguments are as for tribox_voxelize.
  *
- * Returns what that does; TRIBOX_BAD_ARGUMENT also if ids is NULL or numbers would reach UINT32_MAX; TRIBOX_BAD_GRID also if the
- * ids exceed the address space.
+ * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if ids is NULL or numbers would reach UINT32_MAX; TRIBOX_BAD_GRID
+ * also if the ids exceed the address space.
  */
 TRIBOX_API tribox_status tribox_voxelize_ids(const tribox_soup *soup, uint32_t first, const tribox_grid *grid,
                                              const tribox_window *window, const tribox_options *options, uint64_t *occupied,
@@ -600,19 +603,18 @@ TRIBOX_API tribox_status tribox_mesh_voxelize_ids(const tribox_mesh *mesh, uint3
                                                   uint32_t *ids, tribox_report *report);
 
 /**
- * The cells of a thin surface: about half of those of tribox_voxelize, so that a flat one is a cell thick, and yet does not leak.
- * A cell is set if a triangle crosses one of the three lines through its middle along x, y and z, between the cell's planes. Such
- * surfaces are 6-separating, as J. Huang et al. have it ("An Accurate Method for Voxelizing Polygon Meshes", 1998); the three
- * lines are the crosshair of S. Laine, "A Topological Approach to Voxelization" (2013). Tests of planes and edges against a
- * thinner box, as of M. Schwarz and H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs" (2010), find more cells
- * at edges.
+ * The cells of a thin surface: about half of those of tribox_voxelize, so that a flat surface is one cell thick, and yet does not
+ * leak. A cell is set if a triangle crosses one of the three lines through its middle along x, y and z, between the cell's planes.
+ * Such surfaces are called 6-separating by J. Huang et al. ("An Accurate Method for Voxelizing Polygon Meshes", 1998); the three
+ * lines are the crosshair of S. Laine, "A Topological Approach to Voxelization" (2013). Tests of planes and edges against a thinner
+ * box, as by M. Schwarz and H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs" (2010), find more cells at edges.
  *
- * Exact, and never a tie: crossings are those of tribox_fill_parity, whose lines are moved by less than any distance. What lies in
- * the plane between two cells is in one of them, in planes of the grid's border in the cells within, what lies along a line
- * crosses it nowhere; triangles without an area set nothing. The order of triangles and vertices makes no difference.
+ * Exact, and without ties: crossings are those of tribox_fill_parity, whose lines are moved by less than any distance. What lies in
+ * the plane between two cells sets one of them, and in a plane of the grid's border the cell within; what lies along a line does
+ * not cross it; triangles without an area set nothing. The order of triangles and vertices makes no difference.
  *
- * Two clear cells that share a face are both inside or both outside a closed mesh (PROOFS.md 15.7). So no way from face to face
- * leads through it, and both ways of filling take these cells; but ways across edges and corners do. It is for surfaces that are
+ * Two clear cells that share a face are both inside or both outside a closed mesh (PROOFS.md 15.7). So no path across faces leads
+ * through it, and both ways of filling work with these cells; but paths across edges and corners do. It is for surfaces that are
  * built of blocks, counted, or simulated by neighbours across faces. A piece smaller than a cell may set none.
  *
  * options: EXACT and all axes, or TRIBOX_BAD_OPTION; only the kernel matters. NULL for the defaults.
@@ -632,11 +634,11 @@ TRIBOX_API tribox_status tribox_mesh_voxelize_thin(const tribox_mesh *mesh, cons
 /* ============================================================================================================================== */
 
 /**
- * A share of the tiles of a grid. A grid beyond memory is voxelized tile by tile: tiles are cubes of `side` cells a side, but for
- * those at the upper borders, which the grid cuts. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the
+ * A share of the tiles of a grid. A grid beyond memory is voxelized tile by tile: tiles are cubes of `side` cells a side, except
+ * those that the upper borders of the grid cut. Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are the
  * numbers of tiles along x and y, size divided by side and rounded up. 128 cells a side suit the caches.
  *
- * A share is what a thread takes, or a machine that has no memory for all.
+ * A share is the work of one thread, or of a machine that has no memory for all tiles.
  */
 typedef struct tribox_tiles {
     uint32_t side; /* cells along a side of a tile */
@@ -644,29 +646,29 @@ typedef struct tribox_tiles {
     size_t count;  /* how many they are */
 } tribox_tiles;
 
-/** The number of tiles of a grid of this size; 0 if side or a size is 0, SIZE_MAX if they are too many to number. */
+/** The number of tiles of a grid of this size; 0 if side or a size is 0, SIZE_MAX if there are too many to number. */
 TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
 
 /**
  * Lists which triangles are in which tile, in two passes: without a list it counts them, and writes where the list of each tile
  * begins; with a list, and the starts of the first pass for the same arguments, it writes the numbers of the triangles, in rising
- * order in each. With tiles of one cell, the lists of triangles by cell that builders of grids and trees ask for.
+ * order for each tile. With tiles of one cell, these are the lists by cell that builders of grids and trees need.
  *
- * A triangle is in a tile if it overlaps the tile's box, from the lowest plane of its cells to the highest: EXACT by definition
- * tribox_overlap, CONSERVATIVE more, and FAST as that.
+ * A triangle is in a tile if it overlaps the tile's box, from the lowest plane of its cells to the highest: EXACT is by definition
+ * tribox_overlap, CONSERVATIVE may list more, and FAST is treated as CONSERVATIVE.
  *
  * soup: at most 2^32 triangles.
  * grid: as for tribox_voxelize.
  * tiles: the share.
  * options: NULL for the defaults; the order of the axes is ignored. Without TRIBOX_AXES_BOX all triangles are tested against all
  *   tiles.
- * starts: tiles->count + 1 numbers. Without a list, written. The list of tile tiles->first + t is what lies from starts[t] to
- *   before starts[t + 1], and the last number is the length of all lists. With a list they are read; they change meanwhile, and are
+ * starts: tiles->count + 1 numbers, written if list is NULL. The list of tile tiles->first + t goes from starts[t] to before
+ *   starts[t + 1], and the last number is the length of all lists. With a list they are read; they change during the call, and are
  *   the same again on return.
  * list: starts[tiles->count] numbers, written; NULL to count.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if the side is 0, if the grid does not have all tiles of the share,
- * and if there are more triangles.
+ * or if there are more than 2^32 triangles.
  */
 TRIBOX_API tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                            const tribox_options *options, size_t *starts, uint32_t *list);
@@ -676,15 +678,16 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
 /**
- * Lists which triangles overlap which cell of a window, in two passes as tribox_tile_lists does with tiles of one cell: all that
- * an id of tribox_voxelize_ids is the lowest of. A grid beyond memory is listed window by window, from the triangles of each.
+ * Lists which triangles overlap which cell of a window, in two passes like tribox_tile_lists with tiles of one cell: all triangles
+ * of a cell, where tribox_voxelize_ids has the lowest. A grid beyond memory is listed window by window, from the triangles of each.
  *
  * soup, grid, options: as for tribox_tile_lists.
  * window: NULL for the whole grid.
  * starts: one for each cell of the window, and one more: cell (i, j, k) has the triangles from starts[c] to before starts[c + 1] of
  *   the list, where c = (k * size[1] + j) * size[0] + i. Otherwise as for tribox_tile_lists.
  *
- * With EXACT the cells that have triangles are those that tribox_voxelize sets, and a window has the lists of the whole.
+ * With EXACT the cells that have triangles are those that tribox_voxelize sets, and the lists of a window are those of the whole
+ * grid.
  *
  * Returns what tribox_tile_lists does; TRIBOX_BAD_ARGUMENT also where the window is not within the grid.
  */
@@ -696,7 +699,7 @@ TRIBOX_API tribox_status tribox_mesh_cell_lists(const tribox_mesh *mesh, const t
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
 /**
- * Takes bricks, 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
+ * Receives bricks: 8 x 8 x 8 cells of which some are set. Brick at[0], at[1], at[2] has the cells 8 at[0] + i, 8 at[1] + j,
  * 8 at[2] + k, for i, j, k = 0 .. 7: bit i + 8 j of bits[k]. take returns 0 to go on; anything else ends the call. It runs in the
  * caller's floating-point environment, may call the library, and must return.
  */
@@ -705,43 +708,43 @@ typedef struct tribox_sink {
     void *data;                                                            /* what take is handed */
 } tribox_sink;
 
-/** The bytes of scratch that tribox_bricks needs for tiles of this side, whatever the grid; SIZE_MAX if it overflows. */
+/** The bytes of scratch that tribox_bricks needs for tiles of this side, whatever the grid; SIZE_MAX if that overflows. */
 TRIBOX_API size_t tribox_bricks_bytes(uint32_t side);
 
 /**
- * tribox_voxelize for grids whose cells need not fit into memory: hands each brick that is not empty to a sink, once. EXACT has the
- * cells of tribox_voxelize; the others may differ from it within rounding of contact.
+ * tribox_voxelize for grids whose cells need not fit into memory: hands each brick that is not empty to a sink, once. EXACT gives
+ * the cells of tribox_voxelize; the others may differ from it within rounding of contact.
  *
- * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. A share of the tiles has the bricks of
- * the whole, so shares may be of any threads, tasks and machines. Tiles without triangles cost next to nothing. The call takes as
- * much stack as tribox_voxelize.
+ * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. Shares of the tiles together give the
+ * bricks of the whole, so they may be spread over threads, tasks and machines. Tiles without triangles cost next to nothing. The
+ * call takes as much stack as tribox_voxelize.
  *
  * soup, grid: as for tribox_voxelize.
  * tiles: the share; its side is a multiple of 8, at most 1024.
- * starts, list: by tile, which triangles to look at; starts[0] is that of the first tile. They are those of tribox_tile_lists for
- *   the same axes, at any accuracy, or any others: triangles that are not listed for a tile are not in its bricks.
+ * starts, list: for each tile, which triangles to look at; starts[0] is for the first tile of the share. Usually those of
+ *   tribox_tile_lists for the same axes, at any accuracy, but any will do: triangles not listed for a tile are not in its bricks.
  * scratch: tribox_bricks_bytes(tiles->side) bytes, at any alignment; one for each thread.
- * report: overlapping counts the cells of all bricks handed on; NULL if not wanted.
+ * report: overlapping counts the cells of all bricks that were handed to the sink; NULL if not wanted.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also for another side, a share that the grid does not have, a sink without
- * take, or starts that fall; TRIBOX_BAD_VERTEX if a list names a triangle that the soup does not have: bricks of tiles before it
- * were handed on by then; TRIBOX_STOPPED if the sink ended the call: the report is then of what it was handed.
+ * take, or decreasing starts; TRIBOX_BAD_VERTEX if a list names a triangle that the soup does not have, when bricks of earlier
+ * tiles have already been handed to the sink; TRIBOX_STOPPED if the sink ended the call: the report then covers what it was handed.
  */
 TRIBOX_API tribox_status tribox_bricks(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                        const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
                                        const tribox_sink *sink, tribox_report *report);
 
 /**
- * tribox_bricks for a mesh, of floats or doubles: EXACT has the cells of tribox_mesh_voxelize. TRIBOX_BAD_VERTEX also if a triangle
- * of a list refers to a vertex that does not exist; with indices, others are not looked at.
+ * tribox_bricks for a mesh, of floats or doubles: EXACT gives the cells of tribox_mesh_voxelize. TRIBOX_BAD_VERTEX also if a
+ * triangle of a list refers to a vertex that does not exist; with indices, triangles that are in no list are not checked.
  */
 TRIBOX_API tribox_status tribox_mesh_bricks(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
                                             const size_t *starts, const uint32_t *list, const tribox_options *options,
                                             void *scratch, const tribox_sink *sink, tribox_report *report);
 
 /**
- * Takes bricks with ids: as tribox_sink, and ids[64 * k + 8 * j + i] is the lowest number of a triangle that overlaps cell
- * (i, j, k) of the brick, or UINT32_MAX where its bit is clear. They are there until take returns.
+ * Receives bricks with ids: as tribox_sink, and ids[64 * k + 8 * j + i] is the lowest number of a triangle that overlaps cell
+ * (i, j, k) of the brick, or UINT32_MAX where its bit is clear. They are valid until take returns.
  */
 typedef struct tribox_ids_sink {
     int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512]); /* 0 to go on */
@@ -750,18 +753,18 @@ typedef struct tribox_ids_sink {
 
 /**
  * The bytes of scratch that tribox_bricks_ids needs for tiles of this side: those of tribox_bricks_bytes, and four for each cell of
- * a tile; SIZE_MAX if it overflows. Tiles of 64 cells a side, whose ids fit into 1 MiB, suit the caches.
+ * a tile; SIZE_MAX if that overflows. Tiles of 64 cells a side, whose ids fit into 1 MiB, suit the caches.
  */
 TRIBOX_API size_t tribox_bricks_ids_bytes(uint32_t side);
 
 /**
- * tribox_bricks with an id for each cell, as of tribox_voxelize_ids: with EXACT the lowest number of a triangle that overlaps it,
- * of those that are listed for its tile. Numbers are those of the soup, whatever the order of a list.
+ * tribox_bricks with an id for each cell, as by tribox_voxelize_ids: with EXACT the lowest number of a triangle that overlaps it,
+ * among those listed for its tile. Numbers are those of the soup, whatever the order of a list.
  *
- * soup: of less than 2^32 triangles.
+ * soup: of fewer than 2^32 triangles.
  * scratch: tribox_bricks_ids_bytes(tiles->side) bytes, at any alignment; one for each thread.
  *
- * Other arguments are as for tribox_bricks, and so is what it returns.
+ * Other arguments and the returned status are as for tribox_bricks.
  */
 TRIBOX_API tribox_status tribox_bricks_ids(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                            const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
@@ -776,19 +779,19 @@ TRIBOX_API tribox_status tribox_mesh_bricks_ids(const tribox_mesh *mesh, const t
 /*                                                      Insides of surfaces                                                       */
 /* ============================================================================================================================== */
 
-/** The bytes of scratch that filling needs for a grid of this size, two bits or so a row of cells; SIZE_MAX if it overflows. */
+/** The bytes of scratch that filling needs for a grid of this size, about two bits a row of cells; SIZE_MAX if that overflows. */
 TRIBOX_API size_t tribox_fill_bytes(const uint32_t size[3]);
 
 /**
- * Fills what a surface encloses: sets every cell that cannot be reached from outside the grid through faces of cells that are not
- * occupied. Exact by construction, as nothing but the cells of the surface is asked. Surfaces may be doubled, self-intersecting or
- * in pieces; a hole of a cell or more lets the outside in.
+ * Fills what a surface encloses: sets every cell that cannot be reached from outside the grid across faces of cells that are not
+ * occupied. Exact by construction, as it depends on nothing but the cells of the surface. Surfaces may be doubled,
+ * self-intersecting or in pieces; a hole of a cell or more lets the outside in.
  *
  * size: of the grid: at most 2^31 words.
  * occupied: the cells of the surface, as tribox_voxelize writes them; bits past a row's last cell are ignored.
  * scratch: tribox_fill_bytes(size) bytes, at any alignment.
- * solid: as many words as occupied, apart from it; written: the surface and its inside, with zeros past each row's last cell.
- * inside: how many cells were filled, without those occupied; NULL if not wanted.
+ * solid: as many words as occupied, which they must not overlap; written: the surface and its inside, zeros past each row's end.
+ * inside: receives how many cells were filled, without those occupied; NULL if not wanted.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or too many words).
  */
@@ -796,16 +799,17 @@ TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint6
                                              size_t *inside);
 
 /**
- * Fills by parity: sets every cell below whose middle, on the line along x, the surface crosses an odd number of times. Exact:
- * crossings are told by the signs of determinants of the numbers themselves, and a middle whose line meets an edge or a vertex, or
- * that is itself on the surface, is moved a little, by the same rule for all triangles (symbolic perturbation). On a closed mesh it
- * fills what tribox_fill_outside fills, but for pockets outside the mesh that the surface seals, cell by cell; what a mesh covers
- * twice is outside. Where it is open, it streaks along x: see odd_rows, and examples/insides for pictures.
+ * Fills by parity: sets every cell for which the surface crosses the line along x an odd number of times below the cell's middle.
+ * Exact: crossings are decided by the signs of determinants of the numbers themselves, and a middle whose line meets an edge or a
+ * vertex, or that is itself on the surface, is moved a little, by the same rule for all triangles (symbolic perturbation). On a
+ * closed mesh it fills what tribox_fill_outside fills, except pockets outside the mesh that cells of the surface seal off; what a
+ * mesh encloses twice is outside. Where the mesh is open, there are streaks along x: see odd_rows, and examples/insides for
+ * pictures.
  *
- * soup, grid: those of the surface. The middle of a cell lies at the double nearest to that of its planes.
- * occupied, scratch, solid, inside: as for tribox_fill_outside, for the words of the grid. With no bit of occupied set, solid is
- *   the cells whose middles are inside the mesh, as programs that sample middles voxelize (the centre rule).
- * odd_rows: how many rows of cells along x have an odd number of crossings in all: with one or more the mesh is certainly not
+ * soup, grid: those of the surface. The middle of a cell lies at the double nearest to the middle of its planes.
+ * occupied, scratch, solid, inside: as for tribox_fill_outside, for the words of the grid. With no bit of occupied set, solid has
+ *   the cells whose middles are inside the mesh, as in programs that voxelize by sampling middles (the centre rule).
+ * odd_rows: receives how many rows of cells along x have an odd number of crossings in all; if any has, the mesh is certainly not
  *   closed. NULL if not wanted.
  *
  * Triangles with a NaN or infinite coordinate are left out. Returns what tribox_voxelize does.
@@ -834,8 +838,8 @@ TRIBOX_API size_t tribox_mask_words(size_t count);
 TRIBOX_API size_t tribox_mask_indices(const uint64_t *mask, size_t count, uint32_t *indices);
 
 /**
- * Counts the triangles of a soup that have a NaN or infinite coordinate. They overlap nothing, in any call. The other calls do not
- * look for them, since they need not even load all coordinates.
+ * Counts the triangles of a soup that have a NaN or infinite coordinate. They overlap nothing, in any call. Other calls do not
+ * count them, since they do not even load all coordinates.
  *
  * soup: nine streams of soup->count floats; NULL, or NULL streams, count as an empty soup.
  * first: receives the lowest index of such a triangle, or the soup's count if there is none; NULL if not wanted.
@@ -843,7 +847,7 @@ TRIBOX_API size_t tribox_mask_indices(const uint64_t *mask, size_t count, uint32
 TRIBOX_API size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first);
 
 /**
- * The same for a mesh of floats or doubles. A triangle that names a vertex that does not exist is not looked at
+ * tribox_soup_not_finite for a mesh of floats or doubles. A triangle that names a vertex that does not exist is skipped
  * (tribox_mesh_bad_vertices).
  *
  * mesh: counts as empty if it is NULL, or if tribox_mesh_overlap would return TRIBOX_BAD_ARGUMENT for it.
@@ -855,7 +859,7 @@ TRIBOX_API size_t tribox_mesh_not_finite(const tribox_mesh *mesh, size_t *first)
  * Counts the indices of a mesh that refer to a vertex that does not exist.
  *
  * mesh: counts as empty if it is NULL, or if tribox_mesh_overlap would return TRIBOX_BAD_ARGUMENT for it.
- * first: receives the place of the first such index among all indices (its triangle is *first / 3, its corner *first % 3), or
+ * first: receives the position of the first such index among all indices (its triangle is *first / 3, its corner *first % 3), or
  *   3 * count if there is none; NULL if not wanted.
  */
 TRIBOX_API size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *first);
@@ -865,11 +869,11 @@ TRIBOX_API size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *firs
  * triangle first + i. For the calls that take a soup, and for triangles that are tested more than once.
  *
  * mesh: must not overlap the streams.
- * origin: NULL, and floats are copied as they are, NaN and infinity included, and doubles rounded; or finite numbers, and each
- *   coordinate becomes the float nearest to u - origin, the difference taken in double. Answers about such streams are exact about
- *   these floats, which are off by 2^-24 of u - origin.
+ * origin: with NULL floats are copied as they are, NaN and infinity included, and doubles are rounded; with finite numbers each
+ *   coordinate u becomes the float nearest to u - origin, the difference taken in double. Answers about such streams are exact
+ *   about these floats, which are off by 2^-24 of u - origin.
  * options: only the kernel matters; NULL for the best.
- * x, y, z: three streams each, of `count` floats, at any alignment. What is beyond the range of float becomes infinite.
+ * x, y, z: three streams each, of `count` floats, at any alignment. Numbers beyond the range of float become infinite.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_mesh_overlap; a NULL stream where count > 0; origin is not finite; first +
  * count exceeds mesh->count), TRIBOX_BAD_VERTEX (only the indices of these triangles are checked) or TRIBOX_NO_KERNEL.
@@ -879,8 +883,8 @@ TRIBOX_API tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const doub
                                              float *const z[3]);
 
 /**
- * The name of the kernel that a call with these options runs, spelt as in tribox_options.kernel; NULL if none can run: the name is
- * unknown, or this processor cannot run that kernel. Static storage.
+ * The name of the kernel that a call with these options runs, spelt as in tribox_options.kernel; NULL if none can run, because the
+ * name is unknown or this processor cannot run that kernel. Static storage.
  *
  * options: NULL for the defaults.
  */
