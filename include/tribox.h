@@ -790,7 +790,7 @@ TRIBOX_API size_t tribox_fill_bytes(const uint32_t size[3]);
  * size: of the grid: at most 2^31 words.
  * occupied: the cells of the surface, as tribox_voxelize writes them; bits past a row's last cell are ignored.
  * scratch: tribox_fill_bytes(size) bytes, at any alignment.
- * solid: as many words as occupied, which they must not overlap; written: the surface and its inside, zeros past each row's end.
+ * solid: as many words as occupied, not overlapping it; written: the surface and its inside, with zeros past each row's last cell.
  * inside: receives how many cells were filled, without those occupied; NULL if not wanted.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or too many words).

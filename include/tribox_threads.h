@@ -1,14 +1,13 @@
 /*
- * tribox_threads.h - the steps of longer works, for threads that share them, and for grids that no memory holds
+ * tribox_threads.h - longer jobs in steps, for threads that share them, and for grids larger than memory
  *
- * Spatial order: tribox_soup_sort, tribox_mesh_sort and tribox_boxes_sort are these steps, one after another: start all of it, cut
- * it as often as there are threads, finish every part. Any number of threads may take part in a step; the order is the same as in
- * one call.
+ * Spatial order: tribox_soup_sort, tribox_mesh_sort and tribox_boxes_sort consist of these steps: start everything, cut it once for
+ * each thread, finish every part. Any number of threads may take part in a step; the order is the same as in one call.
  *
- * Tiles: tribox_tile_lists of some of the triangles, into one list for all.
+ * Tiles: tribox_tile_lists for a part of the triangles, into one list for all.
  *
- * Insides: parity is filled window by window, the outside part by part, where labels of free cells are joined across the faces of
- * parts. In sum the bits are those of tribox_fill_parity and tribox_fill_outside.
+ * Insides: parity is filled window by window; the outside part by part, where labels of free cells are joined across the faces of
+ * parts. Together the bits are those of tribox_fill_parity and tribox_fill_outside.
  */
 #ifndef TRIBOX_THREADS_H
 #define TRIBOX_THREADS_H
@@ -24,39 +23,40 @@ extern "C" {
 /* ============================================================================================================================== */
 
 /**
- * The first step of tribox_soup_sort, for threads that share the work: writes to scratch where triangles first to
- * first + count - 1 lie. When that is done for all of the soup, tribox_sort_cut or tribox_sort_finish follows.
+ * The first step of tribox_soup_sort: writes to scratch where triangles first .. first + count - 1 lie. When that is done for all
+ * of the soup, tribox_sort_cut or tribox_sort_finish follows.
  *
- * scratch: the whole of it, as for tribox_soup_sort. Threads may start parts of the soup.
+ * scratch: all of it, as for tribox_soup_sort. Threads may start different parts of the soup.
  *
  * Returns what tribox_soup_sort does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
  */
 TRIBOX_API tribox_status tribox_soup_sort_start(const tribox_soup *soup, size_t first, size_t count, void *scratch);
 
-/** The same for boxes. */
+/** tribox_soup_sort_start for boxes. */
 TRIBOX_API tribox_status tribox_boxes_sort_start(const tribox_boxes *boxes, size_t first, size_t count, void *scratch);
 
-/** The same for the triangles of a mesh, of which only the indices of these triangles are checked. */
+/** tribox_soup_sort_start for a mesh, of which only the indices of these triangles are checked. */
 TRIBOX_API tribox_status tribox_mesh_sort_start(const tribox_mesh *mesh, size_t first, size_t count, void *scratch);
 
 /**
- * Cuts one part of an order in two: places first .. first + count - 1, all of them to begin with. Threads may take different parts.
+ * Cuts one part of an order in two: places first .. first + count - 1, which to begin with are all places. Threads may take
+ * different parts.
  *
- * scratch: as the calls before have left it.
+ * scratch: as the calls before left it.
  * total: the count of the soup, the boxes or the mesh.
- * before: receives how many places the first of the two parts has, which begins at `first`; 0 if there is nothing to cut, as count
- *   is 64 or less.
+ * before: receives how many places the first of the two parts has, which begins at `first`; 0 if there is nothing to cut because
+ *   count is 64 or less.
  *
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (before is NULL; scratch is NULL where count > 0; or first + count exceeds total).
  */
 TRIBOX_API tribox_status tribox_sort_cut(void *scratch, size_t total, size_t first, size_t count, size_t *before);
 
 /**
- * The last step: makes all further cuts of a part and writes order[first] .. order[first + count - 1]. So the order is the same as
- * in one call, however many parts are cut before they are finished. Threads may take different parts.
+ * The last step: makes all further cuts of a part and writes order[first] .. order[first + count - 1]. The order is the same as in
+ * one call, however many parts are cut before they are finished. Threads may take different parts.
  *
  * scratch, total: as for tribox_sort_cut.
- * order: the whole of it, as for tribox_soup_sort.
+ * order: all of it, as for tribox_soup_sort.
  *
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (scratch or order is NULL where count > 0, or first + count exceeds total).
  */
@@ -67,15 +67,15 @@ TRIBOX_API tribox_status tribox_sort_finish(void *scratch, size_t total, size_t 
 /* ============================================================================================================================== */
 
 /**
- * tribox_tile_lists of triangles first .. first + count - 1 alone, for threads that share them and write one list. In two passes
- * over the same parts: without a list each part is counted. Then the caller finds the places: in tile 0, 1, 2 and so on of the
- * share, those of the first part, of the second, and so on, one after the other. With the list, each part is written from its
- * places on. So the list is that of tribox_tile_lists.
+ * tribox_tile_lists for triangles first .. first + count - 1 only, for threads that write one list together. It takes two passes
+ * over the same parts. The first, without a list, counts each part. From the counts the caller works out the places: for tile 0, 1,
+ * 2 and so on of the share, those of the first part, then of the second, and so on, one after the other. The second pass, with the
+ * list, writes each part from its places on. The list is that of tribox_tile_lists.
  *
- * first, count: within the soup, which has at most 2^32 triangles. Their numbers in the list are those that they have in the soup.
- * places: tiles->count numbers, of this part. Without a list, written: how many of the triangles are in tile tiles->first + t. With
- *   a list, where in it the first of them goes; left as the place after the last of them.
- * list: of all parts, written in these places alone; NULL to count.
+ * first, count: within the soup, which has at most 2^32 triangles. Numbers in the list are those of the soup.
+ * places: tiles->count numbers, for this part. Without a list, written: how many of its triangles are in tile tiles->first + t.
+ *   With a list, where in it the first of them goes; on return, the place after the last.
+ * list: one for all parts, written only in these places; NULL to count.
  *
  * Returns what tribox_tile_lists does; TRIBOX_BAD_ARGUMENT also where first + count exceeds soup->count.
  */
@@ -83,7 +83,7 @@ TRIBOX_API tribox_status tribox_tile_lists_part(const tribox_soup *soup, size_t 
                                                 const tribox_tiles *tiles, const tribox_options *options, size_t *places,
                                                 uint32_t *list);
 
-/** The same for a mesh, of floats or doubles, of which only the indices of these triangles are checked. */
+/** tribox_tile_lists_part for a mesh, of floats or doubles, of which only the indices of these triangles are checked. */
 TRIBOX_API tribox_status tribox_mesh_tile_lists_part(const tribox_mesh *mesh, size_t first, size_t count, const tribox_grid *grid,
                                                      const tribox_tiles *tiles, const tribox_options *options, size_t *places,
                                                      uint32_t *list);
@@ -93,16 +93,16 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists_part(const tribox_mesh *mesh, si
 /* ============================================================================================================================== */
 
 /**
- * tribox_fill_parity for a window of the grid: the bits of the whole. Windows do not depend on each other: threads may take layers
- * each, and what no memory holds is filled by rows of tiles. Triangles whose extents on y and z miss the window make no difference
- * to it, so they may be left out; those that lie before or after it on x are asked for.
+ * tribox_fill_parity for a window of the grid, with the bits of the whole. Windows are independent: threads may take some layers
+ * each, and a grid larger than memory is filled by rows of tiles. Triangles whose extents on y and z miss the window make no
+ * difference, so they may be left out; those that lie before or after it on x are needed.
  *
- * window: the cells that are asked for; NULL for the whole grid.
+ * window: the cells that are wanted; NULL for the whole grid.
  * occupied, solid: tribox_window_words(size) words each, size being that of the window, which may have 2^31 words.
  * scratch: tribox_fill_bytes(size) bytes for the size of the window, at any alignment.
- * inside: how many cells of the window were filled; NULL if not wanted.
- * odd_rows: how many rows of the window have an odd number of crossings in all, wherever on the row these are. Windows of whole
- *   rows add up to the number of the grid. NULL if not wanted.
+ * inside: receives how many cells of the window were filled; NULL if not wanted.
+ * odd_rows: receives how many rows of the window have an odd number of crossings in all, wherever on the row these are. Over
+ *   windows of whole rows these add up to the number of the grid. NULL if not wanted.
  *
  * Returns what tribox_fill_parity does; TRIBOX_BAD_ARGUMENT also if the window leaves the grid.
  */
@@ -110,7 +110,7 @@ TRIBOX_API tribox_status tribox_fill_parity_window(const tribox_soup *soup, cons
                                                    const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside,
                                                    size_t *odd_rows);
 
-/** The same for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_fill_parity_window for a mesh of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_fill_parity_window(const tribox_mesh *mesh, const tribox_grid *grid,
                                                         const tribox_window *window, const uint64_t *occupied, void *scratch,
                                                         uint64_t *solid, size_t *inside, size_t *odd_rows);
@@ -118,21 +118,21 @@ TRIBOX_API tribox_status tribox_mesh_fill_parity_window(const tribox_mesh *mesh,
 /** In the faces of tribox_fill_labels: an occupied cell. */
 #define TRIBOX_NO_LABEL UINT32_MAX
 
-/** The bytes of scratch that tribox_fill_labels needs for a part of this size; SIZE_MAX if it does not serve it, or overflows. */
+/** The bytes of scratch that tribox_fill_labels needs for a part of this size; SIZE_MAX if that is too large or overflows. */
 TRIBOX_API size_t tribox_fill_labels_bytes(const uint32_t size[3]);
 
 /**
  * The first step of tribox_fill_outside for a grid in parts, boxes of cells that share faces, such as tiles: labels the free cells
- * on the six faces of a part. Two have one label if and only if they are connected through faces of free cells of the part. All
- * parts take this step, in any order and by any threads, and are joined by tribox_fill_join; tribox_fill_labelled follows. What is
- * to be kept of a part until then is its count of labels, and its faces until they are joined.
+ * on the six faces of a part. Two have the same label if and only if they are connected across faces of free cells of the part. All
+ * parts take this step, in any order and by any threads, and are joined by tribox_fill_join; tribox_fill_labelled follows. Until
+ * then a part's count of labels must be kept, and its faces until they are joined.
  *
- * size: of the part: (size[0] + 1) / 2 * size[1] * size[2] is less than 2^31.
- * occupied: the words of the part: those of a tribox_window.
- * scratch: tribox_fill_labels_bytes(size) bytes, at any alignment. What it is left with is what tribox_fill_labelled asks for.
+ * size: of the part: (size[0] + 1) / 2 * size[1] * size[2] must be less than 2^31.
+ * occupied: the words of the part, in the layout of a tribox_window.
+ * scratch: tribox_fill_labels_bytes(size) bytes, at any alignment. tribox_fill_labelled needs its contents.
  * faces: labels 0 .. count - 1, and TRIBOX_NO_LABEL for occupied cells: faces[2 * a] of the cells that are first on axis a,
  *   faces[2 * a + 1] of those that are last. Cell (i, j, k) is number k * size[1] + j of the first two, k * size[0] + i of the next
- *   two, and j * size[0] + i of the last two. A face that is not wanted is NULL.
+ *   two, and j * size[0] + i of the last two. NULL for a face that is not wanted.
  * count: receives how many labels there are. Free cells that are not connected to a face have none.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer) or TRIBOX_BAD_GRID (a size of 0, or a part that is too large).
@@ -144,11 +144,11 @@ TRIBOX_API tribox_status tribox_fill_labels(const uint32_t size[3], const uint64
  * The second step: joins the labels of two parts across the face that they share. One thread at a time.
  *
  * parents: a forest of all labels of all parts, and one more label for the outside, say 0, with which faces at the border of the
- *   grid are joined: parents[n] is n to begin with. Labels of a part stand from a number on that the caller chooses.
- * a: a face of one part, and in the same order of cells
- * b: that of the other; NULL where all its cells are free and have label 0: the outside, or a part without occupied cells, for
- *   which one label does and tribox_fill_labels need not be called.
- * from_a, from_b: the numbers of the labels 0 of the two parts.
+ *   grid are joined: parents[n] is n to begin with. The caller chooses from which number on the labels of a part stand.
+ * a: a face of one part.
+ * b: the same face of the other part, its cells in the same order; NULL if all its cells are free and have label 0: the outside, or
+ *   a part without occupied cells, which needs only one label and no call of tribox_fill_labels.
+ * from_a, from_b: the number in parents that label 0 of each part has.
  * count: cells of the face.
  *
  * Returns TRIBOX_OK or TRIBOX_BAD_ARGUMENT (parents or a is NULL where count > 0).
@@ -156,17 +156,17 @@ TRIBOX_API tribox_status tribox_fill_labels(const uint32_t size[3], const uint64
 TRIBOX_API tribox_status tribox_fill_join(uint32_t *parents, const uint32_t *a, uint32_t from_a, const uint32_t *b, uint32_t from_b,
                                           size_t count);
 
-/** The one number that stands for all labels that are joined with `label`, itself included. It shortens the ways of parents. */
+/** The one number that stands for all labels joined with `label`, including itself. It shortens the paths in parents. */
 TRIBOX_API uint32_t tribox_fill_root(uint32_t *parents, uint32_t label);
 
 /**
  * The last step: fills the cells of a part that the outside does not reach.
  *
  * size, occupied: of the part, as for tribox_fill_labels.
- * scratch: as tribox_fill_labels has left it for the same words; it stays as it is.
- * outside: a mask with a bit for each label: set where it is joined with the outside.
- * solid: as many words as occupied, apart from it; written: the surface and its inside, with zeros past each row's last cell.
- * inside: how many cells were filled, without those occupied; NULL if not wanted.
+ * scratch: as tribox_fill_labels left it for the same words; it is not changed.
+ * outside: a mask with a bit for each label, set if it is joined with the outside.
+ * solid: as many words as occupied, not overlapping it; written: the surface and its inside, with zeros past each row's last cell.
+ * inside: receives how many cells were filled, without those occupied; NULL if not wanted.
  *
  * Returns what tribox_fill_labels does.
  */
