@@ -23,13 +23,13 @@
 #include "write/voxels_room.h"
 
 static const char help[] =
-    "tribox merge - the parts of a voxelization become one file\n"
+    "tribox merge - join the parts of a voxelization into one file\n"
     "\n"
     "Usage: tribox merge PART... -o FILE [OPTION...]\n"
     "\n"
-    "PART... are the files of all shards that 'tribox voxelize --shard I/N' wrote, in any order. The\n"
-    "result is that of a voxelization in one piece, bit for bit. It takes little memory where FILE is\n"
-    "sparse. For .npz without --deflate threads read parts at once.\n"
+    "PART... are the files that 'tribox voxelize --shard I/N' wrote for all shards, in any order. The\n"
+    "result is that of a voxelization in one piece, bit for bit. If FILE is sparse, little memory is\n"
+    "needed. For .npz without --deflate threads read several parts at once.\n"
     "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP
     "\n"
     "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"

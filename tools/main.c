@@ -17,7 +17,7 @@ static const struct {
                 {"merge", cmd_merge},     {"sweep", cmd_sweep},       {"info", cmd_info},
                 {"demo", cmd_demo}};
 
-static const char help[] = "tribox - which triangles of a mesh overlap an axis-aligned box, and which cells of a grid?\n"
+static const char help[] = "tribox - which triangles of a mesh overlap a box, and which cells of a grid they touch\n"
                            "\n"
                            "Usage: tribox COMMAND [ARGUMENT...]\n"
                            "       tribox help [COMMAND]\n"
@@ -25,10 +25,10 @@ static const char help[] = "tribox - which triangles of a mesh overlap an axis-a
                            "\n"
                            "Commands:\n"
                            "  overlap    test the triangles of a mesh file against one box or many\n"
-                           "  voxelize   the cells of a grid that a mesh overlaps, as a file and a picture\n"
+                           "  voxelize   write the cells of a grid that a mesh overlaps, as a file or a picture\n"
                            "  partition  sort the triangles of a mesh into tiles, for shards that read their own\n"
                            "  merge      join the parts of a voxelization that was done in shards\n"
-                           "  sweep      which order of the axes is the fastest for a mesh, and why\n"
+                           "  sweep      find out which order of the axes is fastest for a mesh, and why\n"
                            "  info       version, processor, and the kernels that it can run\n"
                            "  demo       speed and answers on two built-in scenes; needs no file\n"
                            "\n"

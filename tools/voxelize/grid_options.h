@@ -20,7 +20,7 @@ enum { GRID_FORMAT, GRID_SHIFT, GRID_RESOLUTION, GRID_CELL, GRID_ORIGIN, GRID_SI
     "  -r, --resolution N      N cubic cells along the longest side of the mesh\n" \
     "  -c, --cell S[,S,S]      length of a cell, or its lengths along x, y and z\n" \
     "      --origin X,Y,Z      lower corner of the grid; default: that of the mesh\n" \
-    "      --size NX,NY,NZ     number of cells; default: as many as hold the mesh\n"
+    "      --size NX,NY,NZ     number of cells; default: just enough to hold the mesh\n"
 
 typedef struct grid_request {
     const char *mesh_path;

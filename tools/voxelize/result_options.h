@@ -36,10 +36,10 @@ enum {
     "                          - is standard output, which then holds nothing else\n" \
     "      --out-format WORD   " VOLUME_WORDS ":\n" \
     "                          whatever the name of FILE; -o - needs it. cells: their coordinates as .npy\n" \
-    "      --deflate           .npz: compressed, which takes longer\n" \
+    "      --deflate           compress the .npz, which takes longer\n" \
     "      --vdb-grid WORD     .vdb: bool (default), or mask: smaller, but not every program reads it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
-    "      --up AXIS           what is up in it: x, y, z, -x, -y or -z; default: y of glTF, else z\n" \
+    "      --up AXIS           which axis is up: x, y, z, -x, -y or -z; default: y of glTF, else z\n" \
     "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \
     "      --picture-size WxH  pixels of the picture; default: 1280x960\n" \
     "  -j, --json              print the summary as a JSON object\n" \
