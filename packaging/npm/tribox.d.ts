@@ -2,27 +2,27 @@
 /// <reference lib="esnext.disposable" />
 
 /**
- * Where tribox.wasm comes from: an address, a response, its bytes, or a module that is compiled already (which can be posted to
- * Workers). Without one it is looked for beside tribox.mjs. Where there is no page, as in Node.js, addresses are whole ones: a
- * file: URL, and not a path.
+ * Where tribox.wasm comes from: an address, a response, its bytes, or a compiled module (which can be posted to Workers). By
+ * default it is loaded from the folder of tribox.mjs. Where there is no page, as in Node.js, addresses must be complete: a file:
+ * URL, not a path.
  */
 export type Source = string | URL | Response | PromiseLike<Response> | BufferSource | WebAssembly.Module;
 
-/** Compiles and starts an instance, with a memory of its own. Some milliseconds. */
+/** Compiles and starts an instance, with a memory of its own. Takes some milliseconds. */
 export function load(source?: Source): Promise<Tribox>;
 
 /** Three numbers, x, y and z: an array or an object such as three.js's Vector3. */
 export type Vector = ArrayLike<number> | { readonly x: number; readonly y: number; readonly z: number };
 
 /**
- * A closed axis-aligned box, with lo and hi or, as three.js's Box3 has it, min and max. Its numbers are the doubles that they are,
- * and have to be finite; lo > hi on any axis makes it the empty box, which nothing overlaps.
+ * A closed axis-aligned box, with lo and hi or, as in three.js's Box3, min and max. Its numbers are taken as doubles, without
+ * rounding, and must be finite; lo > hi on any axis makes it the empty box, which nothing overlaps.
  */
 export type Box = { readonly lo: Vector; readonly hi: Vector } | { readonly min: Vector; readonly max: Vector };
 
 /**
- * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. The formula holds for whatever
- * doubles are given; axes need not be orthonormal.
+ * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. The formula is taken literally for
+ * the doubles given; axes need not be orthonormal.
  */
 export interface OrientedBox {
     readonly center: Vector;
@@ -31,12 +31,12 @@ export interface OrientedBox {
 }
 
 /**
- * exact: the true answer for every finite number. conservative: never misses an overlap, may report a triangle that misses the box
- * within rounding of contact. fast: single precision, errs either way within rounding of contact.
+ * exact: the true answer for every finite number. conservative: never misses an overlap, but may report a triangle that misses the
+ * box within rounding of contact. fast: single precision; may err either way within rounding of contact.
  */
 export type Accuracy = 'exact' | 'conservative' | 'fast';
 
-/** The paper's groups of axes: 3 box normals, the triangle's plane, 9 cross products of edges. With some left out more is reported. */
+/** The paper's groups of axes: 3 box normals, the triangle's plane, 9 cross products of edges. Fewer groups report more. */
 export type Axes = 'box' | 'plane' | 'edges';
 
 export interface Options {
@@ -44,17 +44,17 @@ export interface Options {
     readonly accuracy?: Accuracy;
     /** All three groups by default. */
     readonly axes?: readonly Axes[];
-    /** In which order the groups are tried (1 box, 2 plane, 3 edges). By default the call finds the best; it changes no answer. */
+    /** In which order the groups are tried (1 box, 2 plane, 3 edges). By default the call chooses; the order changes no answer. */
     readonly axisOrder?: 123 | 132 | 213 | 231 | 312 | 321;
 }
 
 export interface OverlapOptions extends Options {
-    /** A mask of tribox.mask(length) to write, in place of a new one: it is neither copied nor allocated. */
+    /** A mask made by tribox.mask(length) to write to; without it the call allocates and copies a new one. */
     readonly into?: Mask;
 }
 
 export interface ClassifyOptions extends OverlapOptions {
-    /** The same for insideMask. */
+    /** As `into`, for insideMask. */
     readonly insideInto?: Mask;
 }
 
@@ -64,9 +64,9 @@ export interface FindOptions extends Options {
 }
 
 export interface VoxelizeOptions extends Options {
-    /** The cells that are asked for; by default the whole grid. */
+    /** The cells that are wanted; by default the whole grid. */
     readonly window?: Window;
-    /** Voxels of tribox.voxels(grid, window) to add to, in place of new ones: bits are only set, so soups accumulate. */
+    /** Voxels made by tribox.voxels(grid, window) to add to: bits are only set, so soups accumulate. */
     readonly into?: Voxels;
     /** Also says which triangle: see Voxels.ids. Not with `into`. */
     readonly ids?: boolean;
@@ -75,14 +75,14 @@ export interface VoxelizeOptions extends Options {
 export interface Overlap {
     /** How many triangles overlap the box. */
     readonly overlapping: number;
-    /** Pairs left to a slower stage: a measure of cost. */
+    /** Pairs that a slower stage decided: a measure of cost. */
     readonly undecided: number;
     /** Bit i is set if triangle i overlaps. */
     readonly mask: Mask;
 }
 
 export interface Classes extends Overlap {
-    /** How many triangles lie wholly inside the box. They overlap it, too; the others that do straddle its border. */
+    /** How many triangles lie wholly inside the box. They overlap it, too; all others that overlap straddle its border. */
     readonly inside: number;
     /** Bit i is set if triangle i lies wholly inside. */
     readonly insideMask: Mask;
@@ -90,34 +90,34 @@ export interface Classes extends Overlap {
 
 /** What lies in the memory of the instance until it is freed. `using` frees it at the end of a block. */
 export interface Freeable {
-    /** Gives the memory back. Whatever is done with the object afterwards throws; to free it again does nothing. */
+    /** Gives the memory back. Any use of the object afterwards throws; freeing it again does nothing. */
     free(): void;
     [Symbol.dispose](): void;
 }
 
-/** An instance of the library. All that lies in its memory goes with it when it is garbage. */
+/** An instance of the library. Everything in its memory goes when the instance is garbage-collected. */
 export interface Tribox {
-    /** Of the library, as '1.0.0'. */
+    /** Of the library, such as '1.0.0'. */
     readonly version: string;
     /** The name of the kernel: 'wasm128'. */
     readonly kernel: string;
-    /** To be posted to Workers, for load() there. */
+    /** For load() in Workers: it can be posted. */
     readonly module: WebAssembly.Module;
     readonly memory: WebAssembly.Memory;
-    /** The functions of the library in C, whose names tribox.h explains, with malloc and free. */
+    /** The C functions of the library, which tribox.h explains, with malloc and free. */
     readonly exports: Readonly<Record<string, (...args: number[]) => number>>;
 
     /** Copies the triangles of a mesh into the memory, as nine streams. */
     soup(mesh: MeshOfFloats, options?: SortOptions): Soup;
-    /** Room for so many triangles, to be written through x, y and z. Until then they are NaN, and overlap nothing. */
+    /** Room for `length` triangles, to be written through x, y and z. Until then they are NaN, and overlap nothing. */
     allocSoup(length: number): Soup;
     /** Copies a mesh of doubles, or of floats, into the memory as it is. Answers are exact about the doubles. */
     mesh(mesh: MeshOfNumbers, options?: SortOptions): Mesh;
-    /** A mask of so many bits in the memory, all clear, for `into`. */
+    /** A mask of `length` bits in the memory, all clear, for `into`. */
     mask(length: number): Mask;
     /** The cells of a grid, or of a window of it, in the memory, all clear, for `into`. */
     voxels(grid: Grid, window?: Window): Voxels;
-    /** How many tiles of so many cells a side a grid of this size has. */
+    /** How many tiles a grid of this size has, with `side` cells along each side of a tile. */
     tileCount(size: Vector, side: number): number;
     /** The grid that voxelize lays around triangles with these bounds. */
     gridAround(box: Box, cells: Around): Grid;
@@ -125,8 +125,8 @@ export interface Tribox {
 
 /**
  * positions: x, y, z of vertex after vertex. indices: three vertices a triangle; without them vertices 3 i, 3 i + 1 and 3 i + 2 are
- * triangle i. As three.js has them: geometry.attributes.position.array and geometry.index.array.
- * Views of the memory of the instance serve, too, such as the positions of a Mesh.
+ * triangle i. In three.js they are geometry.attributes.position.array and geometry.index.array.
+ * Views of the memory of the instance are allowed, such as the positions of a Mesh.
  */
 export interface MeshOfFloats {
     readonly positions: Float32Array;
@@ -140,7 +140,7 @@ export interface MeshOfNumbers {
 
 export interface SortOptions {
     /**
-     * Puts triangles that are near in space near in number, as an index wants them. All numbers of triangles are then about that
+     * Puts triangles that are near in space near in number, which makes an index fast. All triangle numbers then refer to that
      * order; `ids` translates them.
      */
     readonly sort?: boolean;
@@ -150,38 +150,38 @@ export interface SortOptions {
 export interface Triangles extends Freeable {
     /** How many triangles there are. */
     readonly length: number;
-    /** ids[i]: which triangle of the mesh triangle i was, if they were sorted. */
+    /** ids[i]: the number that triangle i had in the mesh before sorting; null if not sorted. */
     readonly ids: Uint32Array | null;
     /** Where the tribox_soup or tribox_mesh of C lies in the memory, for functions of `exports`. */
     readonly address: number;
 
     /** Which triangles overlap the box? An oriented box is exact with all axes, or with 'box' alone. */
     overlap(box: Box | OrientedBox, options?: OverlapOptions): Overlap;
-    /** How many do? */
+    /** How many triangles overlap the box? */
     count(box: Box | OrientedBox, options?: Options): number;
     /** Which of them straddle the border of the box, and which lie wholly inside? */
     classify(box: Box, options?: ClassifyOptions): Classes;
     /** The first triangle that overlaps the box, or that does not; -1 if there is none. */
     find(box: Box, options?: FindOptions): number;
-    /** Bounds of groups of triangles, which make questions cost what their answer does. Freed by itself, before the triangles. */
+    /** An index: bounds of groups of triangles, with which a query takes time only for its answer. Free it before the triangles. */
     index(): Index;
     /** The bounds of all triangles whose coordinates are finite; null if there are none. */
     bounds(): { lo: [number, number, number]; hi: [number, number, number] } | null;
 
-    /** The cells that triangles overlap: of a grid, or of one around them. Voxels stand for their own grid and window. */
+    /** The cells that triangles overlap: of a grid, or of one laid around them. Voxels stand for their own grid and window. */
     voxelize(grid: Grid | Around | Voxels, options?: VoxelizeOptions): Voxels;
     /**
-     * The cells that a closed surface encloses, and its own: along x it crosses the line to their middles an odd number of times.
-     * voxels: what voxelize made of these triangles, of a whole grid. See also Voxels.fillOutside.
+     * The cells of a closed surface and those that it encloses: those for which it crosses the line along x to the cell's middle an
+     * odd number of times. voxels: from voxelize, of these triangles and a whole grid. See also Voxels.fillOutside.
      */
     fillParity(voxels: Voxels): FilledByParity;
-    /** Which triangles overlap which tile of a grid: with a side of 1, which cell. */
+    /** Which triangles overlap which tile of a grid, or with a side of 1 which cell. */
     tileLists(grid: Grid | Around, tiles: Tiles, options?: Options): TileLists;
-    /** All triangles of each cell that has any, of a grid or of a window of it; memory for each cell of the window. */
+    /** All triangles of each cell that has any, of a grid or of a window of it; takes memory for each cell of the window. */
     cellLists(grid: Grid | Around | Voxels, options?: CellListsOptions): CellLists;
     /**
      * voxelize for grids whose cells need not fit into the memory: hands each brick of 8 x 8 x 8 cells that is not empty to take,
-     * by the number of its tile, then by z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 suits.
+     * in the order of tile numbers, then of z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 is a good choice.
      */
     bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrick, options?: Options): Bricks;
 }
@@ -189,9 +189,10 @@ export interface Triangles extends Freeable {
 /** Triangles in the memory: nine streams of floats. */
 export interface Soup extends Triangles {
     /**
-     * x[v][i] is the x of vertex v (0, 1, 2) of triangle i: views of the memory, without a copy. They die when the memory grows,
-     * which may be caused by whatever makes something (soup, allocSoup, mesh, mask, voxels, index), by lists, bricks and fills, and
-     * by calls that return masks or voxels without `into`. So do not keep them: each look at the property makes new ones.
+     * x[v][i] is the x of vertex v (0, 1, 2) of triangle i: views of the memory, without a copy. They become invalid when the
+     * memory grows, which can happen in calls that make something (soup, allocSoup, mesh, mask, voxels, index), in lists, bricks
+     * and fills, and in calls that return masks or voxels without `into`. So do not keep them: each access to the property makes
+     * new ones.
      */
     readonly x: readonly [Float32Array, Float32Array, Float32Array];
     readonly y: readonly [Float32Array, Float32Array, Float32Array];
@@ -200,14 +201,14 @@ export interface Soup extends Triangles {
 
 /** A mesh in the memory as it was given. */
 export interface Mesh extends Triangles {
-    /** Views of the memory: see Soup. If the mesh was sorted, so are the indices, or without them the positions. */
+    /** Views of the memory: see Soup. In a sorted mesh the indices are in that order, or the positions if there are none. */
     readonly positions: Float64Array | Float32Array;
     readonly indices: Uint32Array | Uint16Array | null;
 }
 
 /**
- * An index over a soup or a mesh: the same answers, sooner, and of doubles about the doubles. It pays where triangles near in
- * number are near in space: see SortOptions. For find, ask the triangles; any says sooner whether some triangle overlaps.
+ * An index over a soup or a mesh: the same answers, faster, and for doubles exact about the doubles. It pays where triangles near
+ * in number are near in space: see SortOptions. It has no find; call that of the triangles, or any, which is faster.
  */
 export interface Index extends Freeable {
     readonly triangles: Soup | Mesh;
@@ -216,17 +217,17 @@ export interface Index extends Freeable {
     classify(box: Box, options?: ClassifyOptions): Classes;
     /** The triangles that overlap, in ascending order. With ids: their numbers in the mesh, if it was sorted. */
     list(box: Box | OrientedBox, options?: Options & { readonly ids?: boolean }): Uint32Array;
-    /** list() for box after box. */
+    /** list() for many boxes. */
     lists(boxes: readonly (Box | OrientedBox)[], options?: Options & { readonly ids?: boolean }): Lists;
-    /** Some triangle that overlaps; -1 if none does. */
+    /** Any one triangle that overlaps; -1 if none does. */
     any(box: Box | OrientedBox, options?: Options): number;
-    /** To be called after triangles first .. first + count - 1 have changed; all of them by default. */
+    /** Call this after triangles first .. first + count - 1 have changed; by default all of them. */
     update(first?: number, count?: number): void;
 }
 
 /**
- * A bit for each triangle. The mask of a call without `into` is the caller's own and needs no care. That of tribox.mask() lies in
- * the memory of the instance: its words are a view (see Soup), and free() gives them back.
+ * A bit for each triangle. The mask that a call without `into` returns is yours and needs no care. One made by tribox.mask() lies
+ * in the memory of the instance: its words are a view (see Soup), and free() gives them back.
  */
 export interface Mask extends Freeable {
     readonly length: number;
@@ -247,7 +248,7 @@ export interface Grid {
     readonly size: Vector;
 }
 
-/** A grid that just holds the triangles: of cubes, so many along their longest side, or of cells of a length, or of three. */
+/** A grid that just holds the triangles: of `resolution` cubes along their longest side, or of cells of one length or three. */
 export type Around = { readonly resolution: number } | { readonly cell: Vector | number };
 
 /** Cells first[a] .. first[a] + size[a] - 1 of a grid, on each axis. */
@@ -257,7 +258,7 @@ export interface Window {
 }
 
 /**
- * Tiles are cubes of `side` cells a side, but for those that the upper borders of the grid cut. Tile (i, j, k) has the number
+ * Tiles are cubes of `side` cells a side, except those that the upper borders of the grid cut. Tile (i, j, k) has the number
  * (k * nj + j) * ni + i, where ni and nj are the numbers of tiles along x and y. first, count: a share of them; by default all.
  */
 export interface Tiles {
@@ -267,7 +268,7 @@ export interface Tiles {
 }
 
 export interface CellListsOptions extends Options {
-    /** The cells that are asked for; by default the whole grid. */
+    /** The cells that are wanted; by default the whole grid. */
     readonly window?: Window;
 }
 
@@ -294,13 +295,13 @@ export interface TileLists {
 
 /**
  * Brick at[0], at[1], at[2] has the cells 8 * at[a] + 0 .. 7. Cell (i, j, k) of it is bit i + 8 * (j & 3) of the 32-bit word
- * bits[2 * k + (j >> 2)]. Both are the caller's own. To return false ends the call; what is thrown, too, and is thrown on.
+ * bits[2 * k + (j >> 2)]. Both arrays are yours to keep. Returning false ends the call; so does an exception, which is passed on.
  */
 export type TakeBrick = (at: [number, number, number], bits: Uint32Array) => unknown;
 
 export interface Bricks {
     readonly grid: Grid;
-    /** How many cells the bricks that were handed on have set. */
+    /** How many cells are set in the bricks that take received. */
     readonly overlapping: number;
     /** Whether take ended the call. */
     readonly stopped: boolean;
@@ -314,7 +315,7 @@ export interface Filled {
 }
 
 export interface FilledByParity extends Filled {
-    /** How many rows of cells along x the surface crosses an odd number of times: one or more, and it is certainly not closed. */
+    /** How many rows of cells along x the surface crosses an odd number of times; if any, it is certainly not closed. */
     readonly oddRows: number;
 }
 
@@ -323,27 +324,27 @@ export interface Voxels extends Freeable {
     readonly grid: Grid;
     /** Which cells of the grid these are: cell (i, j, k) here is cell (first[0] + i, first[1] + j, first[2] + k) there. */
     readonly window: Window;
-    /** Of the window. */
+    /** The size of the window. */
     readonly size: readonly [number, number, number];
     /** The 32-bit words of a row of cells along x: an even number. */
     readonly rowWords: number;
     /** Cell (i, j, k) is bit i % 32 of bits[(k * size[1] + j) * rowWords + (i >> 5)]. */
     readonly bits: Uint32Array;
     /**
-     * For each cell, (i, j, k) at (k * size[1] + j) * size[0] + i, the lowest number of a triangle that overlaps it, or 2^32 - 1 where
-     * it is not set; null where voxelize was not asked for ids. Colours of cells are then one look-up. The caller's own.
+     * For each cell, (i, j, k) at (k * size[1] + j) * size[0] + i, the lowest number of a triangle that overlaps it, or 2^32 - 1
+     * where it is not set; null unless voxelize was called with ids. Colours of cells are then one look-up. The array is yours.
      */
     readonly ids: Uint32Array | null;
     has(i: number, j: number, k: number): boolean;
     /** How many cells are set. */
     count(): number;
-    /** The cells that are set: i, j, k of one after another, by k, then j, then i. */
+    /** The set cells: i, j, k of one after another, ordered by k, then j, then i. */
     list(): Uint32Array;
-    /** What the surface encloses: all cells that cannot be reached from outside through faces of cells that are not set. */
+    /** What the surface encloses: all cells that cannot be reached from outside across faces of clear cells. */
     fillOutside(): Filled;
     /** The box of a cell: the very one that was tested. */
     box(i: number, j: number, k: number): { lo: [number, number, number]; hi: [number, number, number] };
 }
 
-/** What is wrong and is neither a wrong type (TypeError) nor a wrong value (RangeError): out of memory, freed, no SIMD. */
+/** Errors other than a wrong type (TypeError) or a wrong value (RangeError): out of memory, already freed, no SIMD. */
 export class TriboxError extends Error {}
