@@ -5,16 +5,16 @@
     >>> tribox.overlap(triangles, (-1, -1, -1), (1, 1, 1))
     array([ True, False])
 
-Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, a mesh of trimesh, Open3D, PyVista or meshio as it is, or a
-Soup of nine streams. Coordinates, boxes and cells are in one unit of length, whatever that is. float32 and float64 are read in
-place, rows and columns alike; lists, whole numbers and other layouts are copied. Nothing is rounded: numbers that cannot be taken
-as they are, are an error that says which and what to do.
+Triangles are an array of shape (n, 3, 3), a Mesh of vertices and faces, a mesh of trimesh, Open3D, PyVista or meshio, or a Soup of
+nine streams. Coordinates, boxes and cells are in the same unit of length, whichever it is. float32 and float64 are read in place,
+rows and columns alike; lists, whole numbers and other layouts are copied. Nothing is rounded: numbers that cannot be taken as they
+are raise an error that says which argument it is and what to do.
 
     >>> utm = triangles + np.array([557820.1, 5108010.2, 700.3])
     >>> tribox.overlap(utm, (557820, 5108010, 700), (557821, 5108011, 701))
     array([ True, False])
 
-Triangles that are asked about many boxes belong in an Index, whose answers are the same and come hundreds of times as fast:
+For many boxes about the same triangles make an Index, which gives the same answers hundreds of times as fast:
 
     >>> index = tribox.Index(utm)
     >>> index.list((557820, 5108010, 700), (557821, 5108011, 701))
@@ -23,13 +23,13 @@ Triangles that are asked about many boxes belong in an Index, whose answers are 
     >>> numbers[start[1]:start[2]]
     array([1], dtype=uint32)
 
-The triangles of a box are a mesh of their own, with the numbers of its faces and vertices, by which attributes are looked up:
+crop() makes a mesh of the triangles in a box, with their original numbers, by which attributes can be looked up:
 
     >>> part = tribox.crop(utm, (557820, 5108010, 700), (557821, 5108011, 701))
     >>> part.faces, part.face_numbers
     (array([[0, 1, 2]], dtype=uint32), array([0]))
 
-Cells come as Voxels, an array of bool that knows its grid. The grid is laid around the mesh, or given:
+voxelize() returns Voxels, an array of bool that knows its grid. The grid is laid around the mesh, or given:
 
     >>> voxels = tribox.voxelize(triangles, cell=0.1)
     >>> voxels.shape, voxels.sum(), voxels.grid.size
@@ -43,7 +43,8 @@ Cells come as Voxels, an array of bool that knows its grid. The grid is laid aro
     >>> voxels.points()[:1]
     array([[0.05, 0.05, 0.05]])
 
-With ids they say which triangle is in a cell, the lowest of several. So what belongs to triangles comes to cells by a look-up:
+With ids they say which triangle is in a cell, the lowest of several. Attributes of triangles then become attributes of cells by a
+look-up:
 
     >>> voxels = tribox.voxelize(triangles, resolution=4, ids=True)
     >>> colours = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)    # of each triangle; of trimesh: mesh.visual.face_colors
@@ -52,29 +53,30 @@ With ids they say which triangle is in a cell, the lowest of several. So what be
     >>> colours[voxels.ids].shape, voxels.points().shape
     ((4, 3), (4, 3))
 
-Where its cells need not fit into memory a grid comes as bricks of 8 x 8 x 8 cells, those that are not empty:
+A grid that is too large for memory comes as bricks of 8 x 8 x 8 cells, only those that are not empty:
 
     >>> bricks = tribox.bricks(triangles, resolution=4096)
     >>> bricks.at.shape, bricks.bits.shape
     ((18532, 3), (18532, 8))
 
-Which triangles are in which cell: lists, one after another, in the order of voxels.cells():
+cell_lists() says which triangles are in which cell, in the order of voxels.cells():
 
     >>> lists = tribox.cell_lists(triangles, cell=0.1)
     >>> lists.cells[40], lists.triangles[lists.start[40]:lists.start[41]]
     (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
     >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
 
-Voxels and Bricks have save() for files, and Bricks.load reads those of bricks, also many parts as one. For many machines partition() sorts a mesh by tiles of the grid into a folder, of which each task maps
-what it needs: see Partition, and examples/engines, which run it with Dask, MPI and Slurm.
+Voxels and Bricks have save() for files; Bricks.load reads files of bricks, also many parts as one. For many machines partition()
+sorts a mesh by tiles of the grid into a folder, of which each task maps what it needs: see Partition, and examples/engines, which
+run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A
-triangle with a NaN or an infinity overlaps nothing. Whatever is wrong with an argument is a tribox.Error. Calls release the
-interpreter's lock, so threads run at once.
+triangle with a NaN or an infinity overlaps nothing. A wrong argument raises a tribox.Error. Calls release the interpreter's lock,
+so threads run in parallel.
 
-The library is that in the wheel, or else the installed libtribox.so.1; the environment variable TRIBOX_LIBRARY may name another.
-All is typed; tribox.TrianglesLike is the type of what is taken for triangles.
+The library is the one in the wheel, or else the installed libtribox.so.1; the environment variable TRIBOX_LIBRARY may name another.
+Everything is typed; tribox.TrianglesLike is the type of what can be passed as triangles.
 """
 
 from ._around import grid_around

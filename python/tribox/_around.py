@@ -125,8 +125,8 @@ def grid_around(triangles: TrianglesLike, resolution: Optional[SupportsIndex] = 
     triangles: as for voxelize; those with a NaN or an infinity do not count. resolution: a whole number from 1 on. cell: the length
         of a cell, or three.
 
-    Its origin is the lower corner of the box around the triangles, and its planes reach the upper: with a resolution the cell is
-    that part of the longest side, or the next number with which they do. The program tribox chooses the same. Raises InputError
-    where no triangle is finite, or where all lie in one point and a resolution is given.
+    Its origin is the lower corner of the box around the triangles, and its planes reach the upper corner: with a resolution the
+    cell is that part of the longest side, or the next larger number for which they do. The program tribox chooses the same grid.
+    Raises InputError if no triangle is finite, or if all lie in one point and a resolution is given.
     """
     return grid_given(held(triangles), None, cell, resolution)

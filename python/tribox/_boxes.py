@@ -20,10 +20,10 @@ NO_BOX = 1, 1, 1, 0, 0, 0  # the empty box
 
 @dataclass(frozen=True, eq=False)
 class OrientedBox:
-    """The closed box of the points p with abs(axis[k] @ (p - center)) <= half[k], for k = 0, 1, 2: what an Index is asked about.
+    """The closed box of the points p with abs(axis[k] @ (p - center)) <= half[k], for k = 0, 1, 2, for an Index.
 
     center, half: three finite numbers each, in the unit of the triangles. axis: the three directions of the box, of shape (3, 3);
-    of length 1 where half is to be in that unit. They need not be orthonormal. All numbers are taken as the doubles that they are.
+    of length 1 if half is to be in that unit. They need not be orthonormal. All numbers are taken as doubles, without rounding.
     """
 
     center: Vector

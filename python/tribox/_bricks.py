@@ -33,10 +33,10 @@ class Bricks:
     """Bricks of 8 x 8 x 8 cells, those that are not empty. Brick n has the cells 8 * at[n] + (i, j, k), for i, j, k = 0 .. 7.
 
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.
-    shift: what was subtracted from the mesh, where a file says so. shard: (I, N) of bricks that are the I-th of N parts, which load
-    found in one file; None of others. ids: where they were asked for, or a file has them: uint32, for each cell that is set the
-    lowest number of a triangle that overlaps it, in the order of cells(); else None. inside: where cells have labels, which of bits
-    are inside, of its shape; else None.
+    shift: what was subtracted from the mesh, if the bricks come from a file that says so. shard: (I, N) if load read only the file
+    of part I of N; else None. ids: if they were wanted, or a file has them, uint32: for each set cell the lowest number of a
+    triangle that overlaps it, in the order of cells(); else None. inside: if cells have labels, which of bits are inside, in the
+    same shape; else None.
     """
 
     at: NDArray[np.uint32]
@@ -57,15 +57,15 @@ class Bricks:
 
             bricks = tribox.Bricks.load("big.*.npz")
 
-        path: of one file, which may be a part, as shard then says; or those of all parts of a whole, in any order, or a pattern of
-            their names: the bricks are those of a file that was written at once, in its order.
+        path: of one file, which may be a part, as shard then says; or the paths of all parts of a whole, in any order, or a pattern
+            of their names: the bricks are then those of a file written in one piece, in its order.
 
-        Raises InputError for what is not a file of bricks, and for parts that are missing, doubled, or of different wholes.
+        Raises InputError for a file that does not hold bricks, and for parts that are missing, given twice, or of different wholes.
         """
         return Bricks(*load_bricks(path))
 
     def cells(self) -> NDArray[np.int64]:
-        """The cells that are set, (i, j, k) each: an array of int64 of shape (m, 3), in the order of the bricks."""
+        """The set cells, (i, j, k) each: an array of int64 of shape (m, 3), in the order of the bricks."""
         brick, k, j, i = np.nonzero(bits_of_bricks(self.bits))
         return 8 * self.at[brick].astype(np.int64) + np.stack([i, j, k], 1)
 
@@ -182,10 +182,10 @@ def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: O
     """voxelize for grids whose cells need not fit into memory: Bricks, at and bits, of the cells that some triangle overlaps.
 
     triangles, grid, cell, resolution, threads, accuracy, axes, kernel: as for voxelize.
-    side: of the cubes of cells that are taken one at a time, the tiles, in cells, a multiple of 8. The bricks do not depend on it,
-        but their order: by the number of their tile, then by z, y and x.
-    tiles: (first, count) for these tiles, of tile_count(grid.size, side), alone: the share of a task or a machine.
-    ids: True for Bricks whose ids say of each cell the lowest number of a triangle that overlaps it, as voxelize has it.
+    side: in cells, of the tiles, the cubes of cells that are done one at a time; a multiple of 8. Bricks do not depend on it, only
+        their order does: by the number of their tile, then by z, y and x.
+    tiles: (first, count) for only these of the tile_count(grid.size, side) tiles: the share of a task or a machine.
+    ids: True for Bricks with ids: for each set cell the lowest number of a triangle that overlaps it, as in voxelize.
 
     Raises errors as voxelize does. Bricks take 76 bytes each; a surface has 64 to 69 cells in each, however fine the grid.
     """

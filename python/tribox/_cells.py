@@ -30,7 +30,7 @@ TILES_MAX = 1 << 22  # that triangles are listed by at once
 class CellLists:
     """The cells that some triangle overlaps, and for each of them all that do.
 
-    cells: (i, j, k) of each, uint32 of shape (m, 3). triangles: the numbers of triangles, uint32: cell n has those of
+    cells: (i, j, k) of each, uint32 of shape (m, 3). triangles: triangle numbers, uint32: cell n has
     triangles[start[n]:start[n + 1]], one or more, in rising order. start: m + 1 places, intp. grid: the Grid.
 
     triangles[start[:-1]] has the lowest number of each cell, np.diff(start) how many each has, and
@@ -112,11 +112,11 @@ def cell_lists(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cel
                axes: int = ALL, kernel: Optional[str] = None) -> CellLists:
     """Tells which triangles overlap which cell: CellLists, all triangles of each cell that has any.
 
-    triangles, grid, cell, resolution, threads, accuracy, axes, kernel: as for voxelize. At "exact" the cells are those that voxelize
-        sets, in the order of Voxels.cells(). At "fast" they are as at "conservative".
+    triangles, grid, cell, resolution, threads, accuracy, axes, kernel: as for voxelize. At "exact" the cells are those that
+        voxelize sets, in the order of Voxels.cells(). At "fast" they are as at "conservative".
 
-    The grid may be of any size: what takes memory is the answer, 28 bytes for each cell and 4 for each of its triangles and about as
-    much on the way, and 5 MB for each thread.
+    The grid may be of any size. Memory goes to the answer, 28 bytes for each cell and 4 for each of its triangles, about as much
+    again during the call, and 5 MB for each thread.
 
     Raises errors as voxelize does.
     """

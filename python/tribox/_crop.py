@@ -19,7 +19,7 @@ from ._typing import Accuracy, Region, TrianglesLike, Vector
 class Cropped:
     """Some triangles of a mesh: vertices, faces, face_numbers, vertex_numbers = tribox.crop(mesh, lo, hi).
 
-    What the mesh has for each face or vertex is a look-up away: colors[face_numbers], normals[vertex_numbers].
+    Attributes of faces and vertices are looked up by them: colors[face_numbers], normals[vertex_numbers].
     """
 
     vertices: NDArray[Any]
@@ -43,13 +43,13 @@ def crop(triangles: TrianglesLike, lo: Region, hi: Optional[Vector] = None, *, i
         >>> colors = mesh.visual.face_colors[part.face_numbers]
         >>> rest = tribox.crop(mesh, (0, 0, 0), (10, 10, 10), rest=True)
 
-    triangles: as for overlap, a mesh of another library among them.
+    triangles: as for overlap, meshes of other libraries included.
     lo, hi: as for overlap; or lo alone, an OrientedBox.
     inside: only those that lie wholly inside; not with an OrientedBox.
-    rest: all others in their place, so that each triangle is in one of the two.
+    rest: all other triangles instead, so that each triangle is in one of the two meshes.
 
-    Nothing is cut or merged: a triangle across the border is in the part, with all three corners. A vertex that is in no face of the
-    result is not in it. Other arguments and errors are as for overlap.
+    Nothing is cut or merged: a triangle across the border is in the part, with all three corners. A vertex that no face of the
+    result uses is left out. Other arguments and errors are as for overlap.
     """
     held_ = held(triangles)
     options: Dict[str, Any] = {"accuracy": accuracy, "axes": axes, "axis_order": axis_order, "kernel": kernel}

@@ -13,7 +13,7 @@ from ._masks import pointer_to
 
 
 class OpenMeshWarning(UserWarning):
-    """A mesh is certainly not closed: its inside is a matter of opinion."""
+    """A mesh is certainly not closed, so its inside is not well defined."""
 
 
 def fill_outside(held_, grid, words, scratch, solid):

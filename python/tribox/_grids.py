@@ -33,8 +33,8 @@ class Grid:
     origin: the lower corner of the first cell, three numbers. cell: the length of a cell, or three; both in the unit of the
         triangles. size: the cells on each axis, (nx, ny, nz).
 
-    Plane p of an axis lies at the double nearest to origin + p * cell. Raises InputError where numbers are not finite or not
-    positive, or where float64 cannot tell all planes apart.
+    Plane p of an axis lies at the double nearest to origin + p * cell. Raises InputError if numbers are not finite or not positive,
+    or if two planes round to the same double.
     """
 
     origin: Tuple[float, float, float]

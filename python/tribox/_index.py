@@ -1,4 +1,4 @@
-"""Triangles, box after box: a question costs what its answer and the border of the box cost, not the triangles."""
+"""An index for many boxes: a query takes time for its answer and the border of the box, not for all triangles."""
 
 from __future__ import annotations
 
@@ -30,20 +30,19 @@ BOXES_LEAST, PARTS_EACH = 128, 4  # boxes of float32 that threads share out, at 
 
 
 class Index:
-    """An index over triangles, for many questions about them: each costs what its answer costs, and not what all triangles do.
+    """An index over triangles, for many queries: each takes time for its answer, and not for all triangles.
 
     triangles: as for overlap, at most 2^32, of float32 or float64.
-    keep_order: False copies the triangles into an order in which near ones are near in number, which takes some 100 ns and 40 bytes
-        for each, of float64 76, 16 more on the way, and makes questions fastest. True leaves them as they come: a Soup is then read
-        where it lies and must not change; others are copied.
+    keep_order: False copies the triangles into an order in which near ones are near in number, which makes queries fastest. It
+        takes some 100 ns and 40 bytes for each triangle (76 of float64), and 16 more while it is made. True keeps their order: a
+        Soup is then read where it lies and must not change; others are copied.
 
     threads: how many may share the work of making it. None for one on each processor. The Index does not depend on it.
 
-    Answers are those of tribox.overlap, exact about the numbers that the triangles and boxes have, and have the numbers that the
-    triangles have in the array, Mesh or Soup. A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an
-    OrientedBox. accuracy, axes, axis_order and kernel are as for overlap; axes must include AXES_BOX, and "fast" may report
-    triangles more. Threads may ask one Index at once. It can be pickled, and copied by the module copy; len() is the number of
-    triangles. Errors are those of overlap.
+    Answers are those of tribox.overlap, exact about the numbers given, and use the numbers that the triangles have in the array,
+    Mesh or Soup. A box is lo and hi, three numbers each, or lo alone of shape (2, 3), or an OrientedBox. accuracy, axes, axis_order
+    and kernel are as for overlap; axes must include AXES_BOX, and "fast" may report more triangles. Threads may query one Index at
+    the same time. It can be pickled, and copied by the module copy; len() is the number of triangles. Errors are those of overlap.
     """
 
     _held: Union[Mesh, Soup]
@@ -137,7 +136,7 @@ class Index:
              kernel: Optional[str] = None) -> NDArray[np.uint32]:
         """The numbers of the triangles that overlap the box: an array of uint32.
 
-        They come in the order of the index, which is ascending with keep_order=True alone.
+        They are in the order of the index, which is ascending only with keep_order=True.
         """
         return self._list(self._question(lo, hi, accuracy, axes, axis_order, kernel))
 

@@ -33,16 +33,16 @@ def overlap(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, 
     """Tests every triangle against the closed box from lo to hi. Returns an array of n bool.
 
     triangles: an array of shape (n, 3, 3): triangle, vertex, axis; a Mesh, a mesh of another library, a tuple (vertices, faces), or
-        a Soup. float32 and float64 are read in place. One with a NaN or an infinity overlaps nothing.
-    lo, hi: three finite numbers each, x, y, z, in the unit of the triangles, taken as the doubles that they are; or lo alone, of
+        a Soup. float32 and float64 are read in place. A triangle with a NaN or an infinity overlaps nothing.
+    lo, hi: three finite numbers each, x, y, z, in the unit of the triangles, taken as doubles without rounding; or lo alone, of
         shape (2, 3), as trimesh's bounds. lo > hi on an axis makes the empty box, which nothing overlaps.
     accuracy: "exact", "conservative" or "fast". axes: a union of AXES_BOX, AXES_PLANE and AXES_EDGES.
-    axis_order: of the groups of axes, such as 132; 0: found as it goes. It changes no answer. kernel: a name, such as "avx2".
+    axis_order: of the groups of axes, such as 132; with 0 the call chooses. It changes no answer. kernel: a name, such as "avx2".
     packed: returns uint64 words instead; bit i % 64 of word i // 64 is triangle i.
     out: an array to write to and return: n bool, or uint64 words for packed bits.
 
-    Raises InputError (a ValueError), InputTypeError (a TypeError) or BadIndexError (an IndexError): which argument is wrong, how,
-    and what to give. Nothing is written to out then.
+    Raises InputError (a ValueError), InputTypeError (a TypeError) or BadIndexError (an IndexError), which say which argument is
+    wrong, how, and what to give. Nothing is written to out then.
     """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, axis_order, kernel)
     count = held_.struct.count
@@ -67,7 +67,7 @@ def find(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, wha
          accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0, kernel: Optional[str] = None) -> Optional[int]:
     """The number of the first triangle that overlaps the box, or with what="miss" of the first that does not; None without one.
 
-    Most of what follows it is not tested. Other arguments and errors are as for overlap.
+    Most triangles after it are not tested. Other arguments and errors are as for overlap.
     """
     held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, axis_order, kernel)
     if what not in WHATS:
@@ -108,7 +108,7 @@ def overlap_oriented(triangles: TrianglesLike, center: Vector, half: Vector, axi
     """overlap for the oriented box of the points p with abs(axis[k] @ (p - center)) <= half[k], for k = 0, 1, 2.
 
     center, half, axis: as for OrientedBox.
-    axes: AXES_ALL, or AXES_BOX; where accuracy is not "exact" any others, too.
+    axes: AXES_ALL or AXES_BOX; any others, too, if accuracy is not "exact".
 
     Other arguments and errors are as for overlap.
     """
@@ -133,7 +133,7 @@ def overlap_boxes(triangle: Frame, lo: Boxes, hi: Optional[Boxes] = None, *, acc
     lo, hi: the corners of m boxes, arrays of shape (m, 3), or (3, m) where m is not 3; or lo alone, of shape (m, 2, 3). A box that
         is not finite overlaps nothing, nor does a triangle that is not.
 
-    Boxes of numbers that float32 cannot hold take a call each, of a microsecond; else thousands of boxes take as long. Other
+    Boxes with numbers that float32 cannot hold take a call of a microsecond each, as long as thousands of other boxes. Other
     arguments and errors are as for overlap.
     """
     one, options = np.array([three_times_three("triangle", triangle)]), options_of(accuracy, axes, axis_order, kernel)

@@ -40,12 +40,11 @@ SHARES_MAX = (1 << 31) - 1
 class Partition:
     """The folder of a partition, which tribox.partition or the program's `tribox partition` wrote, mapped into memory.
 
-    grid: its Grid. side: of a tile, in cells. tile_count: tiles of the grid. numbers: those that have triangles, in
-    rising order; all others are empty. work: about how many nanoseconds each of these takes. shift: what was subtracted from the
-    mesh.
+    grid: its Grid. side: of a tile, in cells. tile_count: tiles of the grid. numbers: the tiles that have triangles, in rising
+    order; all others are empty. work: about how many nanoseconds each of these takes. shift: what was subtracted from the mesh.
 
-    Only what is asked for is read. It can be pickled, as the name of the folder, and threads may ask one at once. Opening it checks
-    the index; check() the triangles.
+    Only what is needed is read. It can be pickled, as the name of the folder, and threads may use one at the same time. Opening it
+    checks the index; check() checks the triangles.
     """
 
     def __init__(self, folder: Union[str, "os.PathLike[str]"]) -> None:
@@ -228,9 +227,9 @@ def partition(triangles: TrianglesLike, folder: Union[str, "os.PathLike[str]"], 
     """Sorts triangles by the tiles of a grid into a new folder, which tasks and machines map: returns its Partition.
 
     triangles, grid, cell, resolution: as for voxelize. side: of the tiles, in cells, a multiple of 8.
-    folder: must not exist (FileExistsError). It appears when all of it is written, or not at all.
+    folder: must not exist (FileExistsError). It appears when it is complete, or not at all.
 
-    A triangle takes 36 bytes, of float64 72, for each tile that it is in. The program tribox takes the folder in place of a mesh.
+    A triangle takes 36 bytes (72 of float64) for each tile that it is in. The program tribox takes the folder in place of a mesh.
     """
     held_, options = held(triangles), options_of("exact", ALL, 0, None)
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))

@@ -67,10 +67,10 @@ class Mesh:
     `triangles` (Open3D), `points` and `faces` (PyVista), or `points` and `cells_dict` (meshio). It also takes a tuple (vertices,
     faces), an array of shape (n, 3, 3), and nested lists of such a shape. Every call takes all of these in place of a Mesh.
 
-    Coordinates are in whatever unit those of boxes and grids are in. A triangle with a NaN or an infinity overlaps nothing.
+    Coordinates are in the unit of boxes and grids. A triangle with a NaN or an infinity overlaps nothing.
 
-    Raises InputError, InputTypeError or BadIndexError where vertices or faces cannot be taken. Indices that are read in place are
-    looked at by the calls.
+    Raises InputError, InputTypeError or BadIndexError if vertices or faces cannot be taken. Indices that are read in place are
+    checked by each call.
     """
 
     __slots__ = "_vertices", "_faces", "struct"
@@ -179,7 +179,7 @@ class Soup:
 
     @classmethod
     def of(cls, triangles: TrianglesLike) -> Soup:
-        """A copy of triangles in any form as streams: for triangles of float32 that are asked about many times.
+        """A copy of triangles in any form as streams: for float32 triangles that are used in many calls.
 
         Nothing is rounded: float64 that float32 cannot hold is an error.
         """

@@ -69,34 +69,34 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
              thin: bool = False, fill: Optional[Fill] = None, labels: bool = False, threads: Optional[SupportsIndex] = 1,
              accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, into: Optional[Voxels] = None,
              ids: bool = False) -> Voxels:
-    """Tells which cells of a grid some triangle overlaps, the surface alone: Voxels, an array of bool that knows its grid.
+    """Tells which cells of a grid some triangle overlaps, only the surface: Voxels, an array of bool that knows its grid.
 
-        voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of that length; cell=(x, y, z) where they are no cubes
-        voxelize(mesh, resolution=256)   a grid around the mesh, of cubes, so many of them along its longest side
+        voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of that length; cell=(x, y, z) if they are no cubes
+        voxelize(mesh, resolution=256)   a grid around the mesh, of cubes, that many along its longest side
         voxelize(mesh, grid)             tribox.Grid(origin, cell, size), or (origin, cell, size)
 
     triangles: as for overlap; one with a NaN or an infinity sets no cell.
-    window: ((i, j, k), (ni, nj, nk)) for the ni x nj x nk cells from cell (i, j, k) on alone, with the same exact answers as for
-        the whole: for tasks, and for grids of any size, as only the bits of the window take memory, 16 GiB at most.
-    layers: (first, count) for these layers along z alone.
+    window: ((i, j, k), (ni, nj, nk)) for only the ni x nj x nk cells from cell (i, j, k) on, with the same exact answers as for the
+        whole grid: for tasks, and for grids of any size, as only the bits of the window take memory, at most 16 GiB.
+    layers: (first, count) for only these layers along z.
     thin: about half of these cells: those in which some triangle crosses a line through the middle along x, y or z. A flat surface
-        is then a cell thick, and still does not leak: ways across faces of cells do not lead through it, those across edges may.
-        Exact, and of all axes.
-    fill: "outside" sets every cell, too, that cannot be reached from outside the grid through faces of cells that are clear;
-        "parity" those from whose middle a ray along x crosses the triangles an odd number of times, which holes of a mesh do not
-        empty, and warns (OpenMeshWarning) where the mesh is certainly not closed; "middles" those alone, without the cells of the
-        surface, which is how VTK's stencils and PyVista voxelize. For whole grids.
-    labels: with fill, the cells of the surface and those inside are told apart: voxels.labels() are 1 and 2, voxels.inside the
-        cells inside alone, and files have labels. Not with into.
-    threads: how many may share the work, where that gains time: with many triangles, or with many cells and few triangles; never
+        is then one cell thick, and still does not leak: no path across faces of cells leads through it, but one across edges may.
+        Exact, with all axes.
+    fill: "outside" also sets every cell that cannot be reached from outside the grid across faces of clear cells; "parity" also
+        those from whose middle a ray along x crosses the triangles an odd number of times, so that a hole does not empty the inside,
+        and warns (OpenMeshWarning) if the mesh is certainly not closed; "middles" sets only those, without the cells of the
+        surface, as VTK's stencils and PyVista do. Whole grids only.
+    labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
+        cells inside, and files have labels. Not with into.
+    threads: how many may share the work, where that saves time: with many triangles, or with many cells and few triangles; never
         more than there are processors. None for one on each processor. The answers do not depend on it.
     into: Voxels of the same grid and window, to which the cells are added, and which are returned.
-    ids: True for Voxels whose ids say which triangle: of each cell that is set the lowest number of one that overlaps it, in the
-        order of cells(). A look-up makes them colours, materials, parts: face_colors[voxels.ids]. Of the surface alone, without
-        fill and into. It takes twice to three times as long, and four bytes a cell for some layers at a time.
+    ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of one that overlaps it, in
+        the order of cells(). A look-up turns them into colours, materials, parts: face_colors[voxels.ids]. Only for the surface,
+        without fill and into. It takes two to three times as long, and four bytes a cell for some layers at a time.
     accuracy, axes, kernel: as for overlap.
 
-    Raises errors as overlap does: also for a grid whose planes float64 cannot tell apart, and for one that needs more than 16 GiB.
+    Raises errors as overlap does; also for a grid in which two planes round to the same double, and for one that needs over 16 GiB.
     """
     held_, options, threads, fill_call = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads), fill_of(fill)
     chosen = grid_given(held_, grid, cell, resolution)

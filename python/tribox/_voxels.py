@@ -23,17 +23,18 @@ from ._typing import Window
 class Voxels(NDArrayOperatorsMixin):
     """Cells of a grid, as an array of bool of shape (nz, ny, nx) that knows its grid: voxels[k, j, i] is cell (i, j, k).
 
-    Whatever is done with such an array can be done with Voxels, without a copy: np.asarray(voxels), voxels[3], voxels.sum(),
-    ~voxels, voxels.any(axis=0), np.argwhere(voxels), and so on. It cannot be written to; np.array(voxels) is a copy that can.
+    Voxels can be used like such an array, without a copy: np.asarray(voxels), voxels[3], voxels.sum(), ~voxels, voxels.any(axis=0),
+    np.argwhere(voxels), and so on. They are read-only; np.array(voxels) is a copy that can be written to.
 
-    grid: the Grid. window: (first, size) of its cells that are here, which may be some of them.
+    grid: the Grid. window: (first, size) of the cells of the grid that are here, which may be only some.
     words: the cells in memory, uint64 of shape (nz, ny, words): bit i % 64 of word i // 64 of a row is cell i along x. Bools, eight
-        times as large, are made when they are first asked for.
+        times as large, are made when first needed.
 
-    inside: after voxelize(..., labels=True) the cells that are inside, Voxels too, and None of others; then labels() is an array
-        of 1 for cells of the surface, 2 for those inside, and 0.
+    inside: after voxelize(..., labels=True) the cells inside, also as Voxels; else None. labels() is then an array of 1 for cells
+        of the surface, 2 for those inside, and 0.
 
-    Voxels(cells, grid) makes them of an array of bool, or of such words; Voxels(cells, grid, window) of some of the grid's cells.
+    Voxels(cells, grid) makes them from an array of bool, or from such words; Voxels(cells, grid, window) from some of the grid's
+    cells.
 
     As a VoxelGrid of trimesh:
 
@@ -197,11 +198,11 @@ class Voxels(NDArrayOperatorsMixin):
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a file as the program tribox does: by the ending of its name, of kind .npz, .npy, .nrrd or .vti.
 
-        .npz: bricks, the grid, and nothing for empty bricks: numpy.load(path) has at, bits, origin, cell, size and shift. .npy: an
-        array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window have .npy alone. Labels are
-        inside, the bits of cells that are, in .npz, and uint8 in the others.
+        .npz: the grid and the bricks that are not empty: numpy.load(path) has at, bits, origin, cell, size and shift. .npy: an
+        array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window can only be .npy. Labels are
+        the array inside, with the bits of the cells inside, in .npz, and uint8 in the others.
 
-        Raises InputError for other kinds, and OSError where the file cannot be written.
+        Raises InputError for other kinds, and OSError if the file cannot be written.
         """
         save_voxels(self, os.fspath(path))
 
