@@ -83,8 +83,8 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
         is then one cell thick, and still does not leak: no path across faces of cells leads through it, but one across edges may.
         Exact, with all axes.
     fill: "outside" also sets every cell that cannot be reached from outside the grid across faces of clear cells; "parity" also
-        those from whose middle a ray along x crosses the triangles an odd number of times, so that a hole does not empty the inside,
-        and warns (OpenMeshWarning) if the mesh is certainly not closed; "middles" sets only those, without the cells of the
+        those from whose middle a ray along x crosses the triangles an odd number of times, so that a hole does not empty the
+        inside, and warns (OpenMeshWarning) if the mesh is certainly not closed; "middles" sets only those, without the cells of the
         surface, as VTK's stencils and PyVista do. Whole grids only.
     labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
         cells inside, and files have labels. Not with into.
