@@ -110,7 +110,7 @@ TRIBOX_API tribox_status tribox_fill_parity_window(const tribox_soup *soup, cons
                                                    const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside,
                                                    size_t *odd_rows);
 
-/** tribox_fill_parity_window for a mesh of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_fill_parity_window for a mesh of floats or doubles. Returns what that does, and mesh errors as tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_fill_parity_window(const tribox_mesh *mesh, const tribox_grid *grid,
                                                         const tribox_window *window, const uint64_t *occupied, void *scratch,
                                                         uint64_t *solid, size_t *inside, size_t *odd_rows);
