@@ -117,12 +117,12 @@ typedef struct tribox_mesh {
 /** The result of a call. Anything but TRIBOX_OK means that nothing was written, except bricks that a sink was handed. */
 typedef enum tribox_status {
     TRIBOX_OK = 0,       /* the call succeeded */
-    TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size makes no sense */
+    TRIBOX_BAD_ARGUMENT, /* a required pointer is NULL, or a count, range, stride or index size is not allowed */
     TRIBOX_BAD_BOX,      /* a bound of the box, or a number of the oriented box, is NaN or infinite */
-    TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or so fine that two planes round to one number */
+    TRIBOX_BAD_GRID,     /* the grid is not finite, not positive, too large, or so fine that two planes are one number */
     TRIBOX_BAD_OPTION,   /* an option is unknown, or not available in this call; or a reserved number is not zero */
     TRIBOX_NO_KERNEL,    /* the kernel's name is unknown, or this processor cannot run it */
-    TRIBOX_BAD_VERTEX,   /* a mesh names a vertex that it does not have (tribox_mesh_bad_vertices), or a list such a triangle */
+    TRIBOX_BAD_VERTEX,   /* a mesh refers to a vertex (tribox_mesh_bad_vertices), or a list to a triangle, that does not exist */
     TRIBOX_STOPPED       /* a sink ended the call: the bricks that it was handed are right, the rest are missing */
 } tribox_status;
 

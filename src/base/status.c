@@ -12,17 +12,17 @@ const char *tribox_status_text(tribox_status status)
     case TRIBOX_OK:
         return "success";
     case TRIBOX_BAD_ARGUMENT:
-        return "an argument is NULL or not allowed: the comment on the function says what is";
+        return "an argument is NULL or not allowed; see the comment on the function";
     case TRIBOX_BAD_BOX:
         return "a bound of the box is NaN or infinite";
     case TRIBOX_BAD_GRID:
-        return "the grid is not finite, not positive, too large, or finer than its numbers can tell";
+        return "the grid is not finite, not positive, too large, or so fine that two planes are one number";
     case TRIBOX_BAD_OPTION:
         return "an option is unknown, not available in this call, or reserved and not zero";
     case TRIBOX_NO_KERNEL:
         return "unknown kernel name, or a kernel that this processor cannot run";
     case TRIBOX_BAD_VERTEX:
-        return "the mesh names a vertex that it does not have, or a list a triangle";
+        return "the mesh refers to a vertex, or a list to a triangle, that does not exist";
     case TRIBOX_STOPPED:
         return "the sink ended the call";
     }
