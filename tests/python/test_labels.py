@@ -2,6 +2,7 @@
 
 import os
 import pickle
+import sys
 import tempfile
 import unittest
 import warnings
@@ -26,32 +27,6 @@ def turned(pick, around=40, across=20, tube=0.37):
     points, faces = torus(around, across, tube)
     turn = np.linalg.qr(pick.normal(size=(3, 3)))[0]
     return (points @ turn).astype(np.float32), faces
-
-
-def stencil(points, faces, grid):
-    """The cells by VTK's vtkPolyDataToImageStencil, which samples middles."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-    from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-    from vtkmodules.vtkImagingStencil import vtkImageStencilToImage, vtkPolyDataToImageStencil
-    mesh, corners, polygons = vtkPolyData(), vtkPoints(), vtkCellArray()
-    corners.SetData(numpy_to_vtk(points, deep=1))
-    numbers = np.concatenate([np.full((len(faces), 1), 3), faces], 1).astype(np.int64).ravel()
-    polygons.SetCells(len(faces), numpy_to_vtkIdTypeArray(numbers, deep=1))
-    mesh.SetPoints(corners)
-    mesh.SetPolys(polygons)
-    cut, image = vtkPolyDataToImageStencil(), vtkImageStencilToImage()
-    cut.SetInputData(mesh)
-    cut.SetTolerance(0)
-    cut.SetOutputOrigin([origin + cell / 2 for origin, cell in zip(grid.origin, grid.cell)])
-    cut.SetOutputSpacing(grid.cell)
-    cut.SetOutputWholeExtent([n for size in grid.size for n in (0, size - 1)])
-    image.SetInputConnection(cut.GetOutputPort())
-    image.SetInsideValue(1)
-    image.SetOutsideValue(0)
-    image.SetOutputScalarTypeToUnsignedChar()
-    image.Update()
-    return vtk_to_numpy(image.GetOutput().GetPointData().GetScalars()).reshape(grid.size[::-1]).astype(bool)
 
 
 class Labels(cases.TestCase):
@@ -171,10 +146,12 @@ class Middles(cases.TestCase):
 
     def test_vtk(self):
         """Equal cell by cell on closed meshes."""
+        sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench", "peers"))
         try:
-            import vtkmodules.vtkImagingStencil  # noqa: F401
+            import peer_vtk
         except ImportError:
             self.skipTest("no VTK")
+        from asked import Task
         pick = np.random.default_rng(cases.seed())
         for round_ in range(30):
             points, faces = turned(pick, int(pick.integers(5, 50)), int(pick.integers(4, 30)))
@@ -182,7 +159,8 @@ class Middles(cases.TestCase):
             grid = tribox.Grid(pick.uniform(-1.5, -1, 3), cell, np.ceil(2.2 / cell).astype(int))
             found = tribox.voxelize(tribox.Mesh(points, faces), grid, fill="middles")
             self.assertGreater(found.sum(), 100)
-            self.assert_same(np.asarray(found), stencil(points, faces, grid), f"round {round_}")
+            call, answer = peer_vtk.stencil(Task(points, faces, grid))
+            self.assert_same(np.asarray(found), answer(call()), f"round {round_}")
 
 
 if __name__ == "__main__":

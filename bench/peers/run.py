@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""tribox beside other libraries that are here: how many times as long they take, and how far their answers agree.
+
+Each peer and question is asked in a process of its own, on one processor, in turns with tribox; the least of the rounds counts.
+"""
+
+import argparse
+import itertools
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+
+import programs
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PEERS = {
+    "vtk": "apt install python3-vtk9",
+    "openvdb": "apt install python3-openvdb",
+    "open3d": "apt install python3-open3d",
+    "bvh": "npm install --prefix DIR three three-mesh-bvh, and set NODE_PATH=DIR/node_modules",
+}
+CELLS = "surface", "middles"  # questions about cells
+
+
+def options():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name, default, text in (
+            ("--build", "", "a build of tribox, for its module and programs; else the installed module"),
+            ("--cells", "128,256,1024", "along the longest side; without it 128,256,1024"),
+            ("--peers", ",".join([*PEERS, "programs"]), "some of " + ", ".join([*PEERS, "programs"])),
+            ("--questions", None, "some of surface, middles, index, boxes, crop, crop inside"),
+            ("--rounds", 5, "at the most; fewer where they take more than a tenth of the limit"),
+            ("--limit", 60, "seconds until a peer is ended; without it 60"),
+            ("--json", None, "a file for all figures")):
+        parser.add_argument(name, default=default, type=type(default) if default else str, help=text)
+    parser.add_argument("meshes", metavar="MESH", nargs="*", help="a binary PLY file of triangles; else the knot of bench/voxels")
+    o = parser.parse_args()
+    o.cells, o.peers = sorted(map(int, o.cells.split(","))), o.peers.split(",")
+    o.questions = o.questions.split(",") if o.questions else None
+    if o.build:
+        module = os.path.join(os.path.abspath(o.build), "python")
+        os.environ["TRIBOX_LIBRARY"] = os.path.join(os.path.abspath(o.build), "src", "libtribox.so.0")
+        os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [module, os.environ.get("PYTHONPATH")]))
+    return o
+
+
+def child(limit, *words):
+    """What it says, whatever becomes of it. The limit is from tribox's answer to the peer's."""
+    values, timer = {}, None
+    with tempfile.TemporaryFile("w+") as err:
+        process = subprocess.Popen([sys.executable, "-B", os.path.join(HERE, "one.py"), *map(str, words)], stdout=subprocess.PIPE,
+                                   stderr=err, text=True, start_new_session=True)
+        for text in process.stdout:
+            values.update(json.loads(text) if text.startswith("{") else {})
+            if "ours" in values and not timer:
+                timer = threading.Timer(limit, os.killpg, (process.pid, signal.SIGKILL))
+                timer.start()
+            elif "theirs" in values:
+                timer.cancel()
+        code = process.wait()
+        if timer:
+            timer.cancel()
+        err.seek(0)
+        if code == -signal.SIGKILL and "ours" in values and "theirs" not in values:
+            values.update(theirs=[limit] * 2, is_over=True)
+        elif code:
+            values["failed"] = f"ended by signal {-code}" if code < 0 else err.read().strip().rpartition("\n")[2]
+    return values
+
+
+def answers(peer, questions, path, o):
+    """Rows of one peer about one mesh. What took too long is not asked in more cells."""
+    for question in (q for q in questions if not o.questions or q in o.questions):
+        for cells in o.cells if question in CELLS else [0]:
+            row = child(o.limit, peer, question, path, cells, o.rounds, o.limit / 10)
+            row = {"peer": row.pop("name", peer), "question": question, "cells": cells, **row}
+            yield row
+            if row.get("is_over") or "failed" in row:
+                break
+
+
+def factor(row):
+    """Of processor times; of those by the clock where that is all that is known."""
+    clock = bool(row.get("is_over"))
+    return row["theirs"][clock] / row["ours"][clock]
+
+
+def agreement(rows):
+    rows = [row for row in rows if "of" in row]
+    of, missed, extra, unlike = (sum(row.get(name, 0) for row in rows) for name in ("of", "missed", "extra", "unlike"))
+    if not rows:
+        return ""
+    if unlike:
+        return f"{unlike:,} of {of:,} differ"
+    return f"{missed:,} missed, {extra:,} extra of {of:,}" if missed or extra else f"the same {of:,}"
+
+
+def short(number):
+    return f"{number:,.0f}" if number >= 100 else f"{number:.3g}"
+
+
+def bound(number, is_over):
+    return ("> " if is_over else "") + short(number)
+
+
+def line(row):
+    head = f"{row['mesh']:16} {row['peer']:34} {row.get('way', ''):28} {row['question']:20} {row['cells'] or '':>5}"
+    if "theirs" not in row:
+        return f"{head}  {row.get('skipped') or row['failed']}"
+    times = [bound(number, row.get("is_over")) for number in (1e3 * row["theirs"][0], factor(row))]
+    return head + "{:>10} {:>10} {:>10}  ".format(short(1e3 * row["ours"][0]), *times) + agreement([row])
+
+
+def table(rows):
+    """A row for each peer, question and number of cells, over the meshes."""
+    groups = {}
+    for row in rows:
+        if "theirs" in row:
+            groups.setdefault((row["peer"], row["way"].partition(",")[0], row["question"], row["cells"] or ""), []).append(row)
+    yield "| peer | way | question | cells | times tribox: least, mean, most | agreement |"
+    yield "|---|---|---|---:|---:|---|"
+    for key, of in groups.items():
+        of.sort(key=factor)
+        mean, is_over = math.exp(sum(math.log(factor(row)) for row in of) / len(of)), any(row.get("is_over") for row in of)
+        spread = bound(factor(of[0]), of[0].get("is_over")), bound(mean, is_over), bound(factor(of[-1]), is_over)
+        yield f"| {' | '.join(map(str, key))} | {', '.join(spread)} | {agreement(of)} |"
+
+
+def head(kernel):
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        yield "processor  " + re.search(r"(?<=model name\t: ).*|$", file.read())[0] + f"; kernel {kernel}"
+    yield "commit     " + subprocess.getoutput(f"git -C '{HERE}' describe --always --dirty")
+    yield "command    bench/peers/run.py " + " ".join(re.sub(r"^/.*/", "", word) for word in sys.argv[1:])
+    yield "limits     processor time; one thread on one processor; the least of some rounds, in turns; a process for each row"
+
+
+def knot(folder):
+    path = os.path.join(folder, "knot.obj")
+    with open(path, "w", encoding="utf-8") as file:
+        subprocess.run([sys.executable, os.path.join(HERE, "..", "voxels", "knot.py")], stdout=file, check=True)
+    return path
+
+
+def main():
+    o, rows, here, kernel = options(), [], {}, None
+    for peer in (p for p in o.peers if p != "programs"):
+        said = child(o.limit, peer)
+        if "questions" in said:
+            here[peer], kernel = said["questions"], said["kernel"]
+        elif "absent" in said:
+            print(f"{peer}: not here ({said['absent']}): {PEERS[peer]}")
+        else:
+            return f"{peer}: {said['failed']}"
+    built = programs.PROGRAMS if "programs" in o.peers else {}
+    for program in [p for p in built if not o.build or not os.path.exists(os.path.join(o.build, p))]:
+        print(f"{program}: not here: {programs.SETUP}")
+        built = {name: call for name, call in built.items() if name != program}
+    print(*head(kernel), "\nmilliseconds of tribox, of the peer, how many times as long, and how the answers differ\n", sep="\n")
+    with tempfile.TemporaryDirectory() as folder:
+        for path in o.meshes or [knot(folder)]:
+            for row in itertools.chain(*(answers(peer, questions, path, o) for peer, questions in here.items()),
+                                       *(call(o.build, path, o.cells) for call in built.values())):
+                rows.append({"mesh": os.path.basename(path), **row})
+                print(line(rows[-1]), flush=True)
+    print("", *table(rows), sep="\n")
+    if o.json:
+        with open(o.json, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
+    return any("failed" in row for row in rows)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
