@@ -24,7 +24,7 @@ tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap t
 tribox_soup_sort tribox_soup_gather tribox_mesh_sort
 tribox_grid_cell tribox_voxelize tribox_voxelize_ids tribox_tile_lists tribox_cell_lists tribox_bricks_bytes tribox_bricks sink_taker
 tribox_mesh_voxelize tribox_mesh_voxelize_ids tribox_mesh_tile_lists tribox_mesh_cell_lists tribox_mesh_bricks
-tribox_fill_bytes tribox_fill_outside tribox_fill_parity tribox_mesh_fill_parity
+tribox_voxelize_thin tribox_mesh_voxelize_thin tribox_fill_bytes tribox_fill_outside tribox_fill_parity tribox_mesh_fill_parity
 END
 
 # The kernel, and what hands pairs from one of its stages to the next, are compiled for speed. The rest, which is four times as

@@ -70,6 +70,8 @@ export interface VoxelizeOptions extends Options {
     readonly into?: Voxels;
     /** Also says which triangle: see Voxels.ids. Not with `into`. */
     readonly ids?: boolean;
+    /** About half of these cells: a flat surface is a cell thick, and closed across faces alone. Exact, of all axes. Not with `ids`. */
+    readonly thin?: boolean;
 }
 
 export interface Overlap {

@@ -223,6 +223,12 @@ static void answer_cells(const question *q)
     memset(cells, 0, sizeof cells);
     need(tribox_mesh_voxelize(&q->mesh, &q->grid, NULL, NULL, cells, NULL));
     write_words("meshCells", cells, sizeof cells);
+    memset(cells, 0, sizeof cells);
+    need(tribox_voxelize_thin(&q->soup, &q->grid, NULL, NULL, cells, NULL));
+    write_words("thin", cells, sizeof cells);
+    memset(some, 0, sizeof some);
+    need(tribox_mesh_voxelize_thin(&q->mesh, &q->grid, &window, NULL, some, NULL));
+    write_words("meshThinWindow", some, tribox_window_words(window.size) * sizeof *some);
     answer_tiles(q);
 }
 

@@ -210,6 +210,7 @@ function eachGrid(check) {
 test('voxels', () => eachGrid((question, { soup, grid, what }) => {
     const voxels = soup.voxelize(grid), { size } = voxels;
     expectWords(voxels.bits, question.cells, what);
+    expectWords(soup.voxelize(grid, { thin: true }).bits, question.thin, what);
     const set = [];
     for (let k = 0; k < size[2]; k++)
         for (let j = 0; j < size[1]; j++)
@@ -228,6 +229,7 @@ test('voxels of doubles, and of windows', () => eachGrid((question, { grid, coun
     expectWords(some.bits, question.meshWindow, what);
     assert.deepEqual(some.box(3, 2, 1), voxels.box(8, 3, 3), what);
     const into = tribox.voxels(grid, window);
+    expectWords(mesh.voxelize(into, { into, thin: true }).bits, question.meshThinWindow, what);
     expectWords(mesh.voxelize(into, { into }).bits, question.meshWindow, what);
     into.free();
 })));
@@ -321,6 +323,8 @@ test('ids and lists say what they do not take', () => {
     const soup = tribox.soup({ positions: new Float32Array(9) }), grid = { origin: [0, 0, 0], cell: 1, size: [4, 4, 4] };
     const index = soup.index(), into = tribox.voxels(grid);
     assert.throws(() => soup.voxelize(grid, { into, ids: true }), /^TypeError: options.ids and options.into/);
+    assert.throws(() => soup.voxelize(grid, { thin: true, ids: true }), /^TypeError: options.ids and options.thin/);
+    assert.throws(() => soup.voxelize(grid, { thin: true, accuracy: 'fast' }), /^TriboxError: tribox_voxelize_thin: an option/);
     assert.equal(soup.voxelize(grid).ids, null);
     assert.throws(() => soup.cellLists(grid, { window: { first: [2, 0, 0], size: [3, 1, 1] } }), /^RangeError: window/);
     assert.throws(() => soup.cellLists(grid, { ids: true }), /^TypeError: options.ids is unknown/);

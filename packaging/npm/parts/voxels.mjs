@@ -148,13 +148,20 @@ export function cellLists(memory, triangles, numbers, options) {
 }
 
 export function voxelize(memory, triangles, numbers, options) {
-    checkKeys(options, [...optionKeys, 'into', 'window', 'ids']);
+    checkKeys(options, [...optionKeys, 'into', 'window', 'ids', 'thin']);
     void triangles.address;
     const { into } = options ?? {}, { grid, window } = placeFor(memory, triangles, numbers, options?.window);
-    const work = (address) => triangles.call(memory, 'voxelize', memory.grid(grid), memory.window(window), memory.options(options),
-        address, 0);
+    const work = (address) => {
+        const about = [memory.grid(grid), memory.window(window), memory.options(options), address, 0];
+        if (options?.thin)
+            triangles.call(memory, 'voxelize_thin', ...about);
+        else
+            triangles.call(memory, 'voxelize', ...about);
+    };
     if (into !== undefined && options.ids)
         throw new TypeError('options.ids and options.into exclude each other: ids are of new voxels');
+    if (options?.thin && options.ids)
+        throw new TypeError('options.ids and options.thin exclude each other: ids are of all triangles that overlap a cell');
     if (into !== undefined) {
         checkInto(into, grid, window);
         work(into.addressFor(memory, 'options.into'));
