@@ -58,9 +58,9 @@ make_npm() {
 
 make_windows() {
     meson setup "$work/windows" --cross-file tests/cross/windows.ini -Dprefix=/ -Dtests=disabled -Dbench=disabled -Dtools=enabled \
-        -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-Wl,--no-insert-timestamp
+        -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-Wl,--no-insert-timestamp,-s
     meson compile -C "$work/windows"
-    meson install -C "$work/windows" --no-rebuild --quiet --strip --destdir "$work/$name-windows-x64"
+    meson install -C "$work/windows" --no-rebuild --quiet --destdir "$work/$name-windows-x64"
     cp LICENSE "$work/$name-windows-x64"
     find "$work/$name-windows-x64" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
     (cd "$work" && find "$name-windows-x64" -type f | sort | xargs python3 -m zipfile -c "$out/$name-windows-x64.zip")
