@@ -55,5 +55,5 @@ packaging/symbols.sh >"$work/symbols"
 library arm64 aarch64
 library x86_64 x86
 # shellcheck disable=SC2046
-compile arm64 '' $(find tools -name '*.c' ! -name '*windows*' ! -name wide_text.c | xargs grep -LE '<(zlib|png|assimp/.*)\.h>')
+compile arm64 '' $(find tools -name '*.c' ! -name '*windows*' ! -name wide_text.c -exec grep -LE '<(zlib|png|assimp/.*)\.h>' {} +)
 echo 'the program: compiled'
