@@ -26,7 +26,7 @@ MODULES = sorted(os.path.basename(file) for file in glob.glob(os.path.join(ROOT,
 KEPT = "PATH", "HOME", "LANG", "TMPDIR"  # of the environment; what helps the tests of the build tree would hide faults here
 sys.path.insert(0, os.path.join(ROOT, "python"))
 
-from making.library import PROCESSORS, VERSION, Compiler  # noqa: E402
+from making.library import VERSION, Compiler  # noqa: E402
 
 
 def environment(**more):
