@@ -58,7 +58,7 @@ make_npm() {
 
 make_windows() {
     meson setup "$work/windows" --cross-file tests/cross/windows.ini -Dprefix=/ -Dtests=disabled -Dbench=disabled -Dtools=enabled \
-        -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-Wl,--no-insert-timestamp,-s
+        -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-s
     meson compile -C "$work/windows"
     meson install -C "$work/windows" --no-rebuild --quiet --destdir "$work/$name-windows-x64"
     cp LICENSE "$work/$name-windows-x64"

@@ -93,5 +93,7 @@ class Compiler:
             objects = list(pool.map(compile_one, sources))
         path = os.path.join(os.path.abspath(folder), self.library)
         needs = [] if self.processor in PROCESSORS else ["-lm"]  # to set the rounding mode
+        # GNU ld makes the base of a DLL of its path, and each build has another.
+        needs += ["-Wl,--disable-auto-image-base"] if self.is_windows else []
         self.run("-shared", "-s", *self.extra, *objects, *needs, "-o", path)
         return path
