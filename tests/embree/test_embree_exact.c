@@ -77,27 +77,28 @@ static void check_source(const struct source *from, const struct frame *in, cons
     model_free(&d.model);
 }
 
-static void check_frame(const struct frame *in, uint64_t seed)
+static void check_frame(const struct frame *in, const arguments *args)
 {
+    const int finest = arguments_are_short(args) ? 2 * FINEST : FINEST;
     data_set_print_heading();
     for (size_t k = 0; k < sizeof sources / sizeof sources[0]; k++) {
-        for (int h = FINEST; in->has_all_grids && h <= COARSEST; h *= 2)
-            check_source(&sources[k], in, (const int[3]){h, h, h}, seed);
-        check_source(&sources[k], in, (const int[3]){1, 4, 2}, seed);
+        for (int h = finest; in->has_all_grids && h <= COARSEST; h *= 2)
+            check_source(&sources[k], in, (const int[3]){h, h, h}, args->seed);
+        check_source(&sources[k], in, (const int[3]){1, 4, 2}, args->seed);
     }
 }
 
-static void test_integers(void **state) { check_frame(&frames[0], *(uint64_t *)*state); }
-static void test_shifted(void **state) { check_frame(&frames[1], *(uint64_t *)*state); }
-static void test_scaled(void **state) { check_frame(&frames[2], *(uint64_t *)*state); }
+static void test_integers(void **state) { check_frame(&frames[0], *state); }
+static void test_shifted(void **state) { check_frame(&frames[1], *state); }
+static void test_scaled(void **state) { check_frame(&frames[2], *state); }
 
 int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
     if (!embree_is_usable())
         return SKIPPED;
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_integers, &args.seed),
-                                       cmocka_unit_test_prestate(test_shifted, &args.seed),
-                                       cmocka_unit_test_prestate(test_scaled, &args.seed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_integers, &args),
+                                       cmocka_unit_test_prestate(test_shifted, &args),
+                                       cmocka_unit_test_prestate(test_scaled, &args)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
