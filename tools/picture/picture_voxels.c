@@ -32,10 +32,9 @@ typedef struct drawing {
     unsigned char curve[CURVE + 1]; /* from linear light to bytes */
     unsigned char *pixels;
     int columns, rows;
-    void (*work)(struct drawing *, int);
-    progress *bar;        /* NULL where work takes but a moment */
-    pthread_mutex_t lock; /* of what follows, and of bar */
-    int next, works;
+    progress *bar;
+    pthread_mutex_t lock; /* of bar, and of what follows */
+    int done;             /* rows */
 } drawing;
 
 static float ramp(float lo, float hi, float x)
@@ -154,41 +153,22 @@ static void draw_pixel(const drawing *d, int column, int row, vec paper, unsigne
         pixel[c] = d->curve[(int)(least(sum.at[c], 1) * CURVE)];
 }
 
-static void draw_row(drawing *d, int row)
+static void draw_row(void *data, size_t n)
 {
+    drawing *const d = data;
+    const int row = (int)n;
     const vec paper = mixed(paper_low, paper_high, ramp(0.1f, 1, 1 - (float)row / (float)d->rows));
     for (int column = 0; column < d->columns; column++)
-        draw_pixel(d, column, row, paper, d->pixels + 3 * ((size_t)row * (size_t)d->columns + (size_t)column));
-}
-
-static void cast_light(drawing *d, int n) { picture_lights_cast(&d->lights, &d->faces, n); }
-
-static int take(drawing *d)
-{
+        draw_pixel(d, column, row, paper, d->pixels + 3 * (n * (size_t)d->columns + (size_t)column));
     pthread_mutex_lock(&d->lock);
-    const int n = d->next++;
-    if (d->bar)
-        progress_tell(d->bar, fmin((double)n / d->works, 1));
+    progress_tell(d->bar, (double)++d->done / d->rows);
     pthread_mutex_unlock(&d->lock);
-    return n;
 }
 
-static void take_work(void *data, unsigned thread)
+static void cast_light(void *data, size_t n)
 {
-    drawing *d = data;
-    (void)thread;
-    for (int n; (n = take(d)) < d->works;)
-        d->work(d, n);
-}
-
-static void work_with(drawing *d, unsigned threads, int works, void (*work)(drawing *, int))
-{
-    d->next = 0;
-    d->works = works;
-    d->work = work;
-    pthread_mutex_init(&d->lock, NULL);
-    crew_run(threads, take_work, d);
-    pthread_mutex_destroy(&d->lock);
+    drawing *const d = data;
+    picture_lights_cast(&d->lights, &d->faces, (int)n);
 }
 
 /* The corner of the occupied cells: bit a of n chooses the side on axis a. */
@@ -255,7 +235,7 @@ uint64_t picture_memory(const tribox_grid *grid, const picture_look *look)
 
 bool picture_draw(const voxels *v, const picture_look *look, unsigned threads, unsigned char *pixels, progress *bar)
 {
-    drawing d = {.pixels = pixels, .columns = (int)look->size[0], .rows = (int)look->size[1]};
+    drawing d = {.pixels = pixels, .columns = (int)look->size[0], .rows = (int)look->size[1], .bar = bar};
     if (!picture_faces_make(v, &d.faces))
         return false;
     d.colours = picture_colours_of(v, d.faces.factor);
@@ -265,9 +245,10 @@ bool picture_draw(const voxels *v, const picture_look *look, unsigned threads, u
     if (is_drawn) {
         place_all(&d, look, maps);
         picture_view_draw(&d.view, &d.faces, d.seen);
-        work_with(&d, threads, PICTURE_LIGHTS, cast_light);
-        d.bar = bar;
-        work_with(&d, threads, d.rows, draw_row);
+        crew_each(threads, PICTURE_LIGHTS, cast_light, &d);
+        pthread_mutex_init(&d.lock, NULL);
+        crew_each(threads, look->size[1], draw_row, &d);
+        pthread_mutex_destroy(&d.lock);
     }
     free(maps);
     free(d.seen);
