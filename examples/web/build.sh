@@ -8,6 +8,26 @@ if test $# -ne 1; then
 fi
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
+cc=${WASM_CC:-clang-19}
+
+# lacks PACKAGE COMMAND...: names the package unless the command succeeds.
+missing=
+lacks() {
+    package=$1
+    shift
+    "$@" >/dev/null 2>&1 || missing="$missing $package"
+}
+lacks nodejs command -v node
+lacks npm command -v npm
+lacks "$cc" command -v "$cc"
+lacks lld-19 command -v wasm-ld-19
+lacks wasi-libc test -e /usr/include/wasm32-wasi/stdio.h
+lacks libclang-rt-19-dev-wasm32 test -e /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
+if test -n "$missing"; then
+    echo "build.sh: packages are missing: apt-get install$missing" >&2
+    exit 1
+fi
+
 mkdir -p "$(dirname "$1")"
 out=$(realpath "$1")
 if test -z "${BUILD:-}"; then
@@ -18,8 +38,6 @@ mkdir -p "$BUILD"
 cd "$BUILD"
 cp "$here/package.json" .
 npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline
-test -n "${TRIBOX:-}" || {
-    sh "$root/packaging/npm/build.sh" tribox "$here/paper.c" paper_overlap
-    TRIBOX=tribox
-}
-node "$here/bundle.mjs" "$TRIBOX" "$out"
+sh "$root/packaging/npm/build.sh" tribox "$here/paper.c" paper_overlap
+sh "$here/read/build.sh" read.wasm
+node "$here/bundle.mjs" tribox read.wasm "$out"

@@ -1,9 +1,10 @@
-// bundle.mjs - makes one HTML file of the page, in a folder with node_modules: bundle.mjs FOLDER-OF-NPM-PACKAGE OUT.html
+// bundle.mjs - makes one HTML file of the page, in a folder with node_modules: bundle.mjs FOLDER-OF-NPM-PACKAGE READ.wasm OUT.html
+// TRIBOX_SOURCE and TRIBOX_DOCUMENTS are the addresses that it links to: the checkout beside the page and its README.md by default.
 import { mkdir, readFile, rename, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
+import { dirname, join, relative, resolve } from 'node:path';
 
-const [tribox, out] = process.argv.slice(2);
+const [tribox, read, out] = process.argv.slice(2);
 const here = import.meta.dirname,
     modules = resolve('node_modules');
 const { build } = createRequire(join(modules, 'x'))('esbuild');
@@ -37,10 +38,14 @@ async function bundle(entry, parts = {}) {
 }
 
 const worker = await bundle('src/worker.js');
-const wasm = (await readFile(join(tribox, 'tribox.wasm'))).toString('base64');
-const script = await bundle('src/main.js', { worker, wasm });
+const maker = await bundle('src/maker.js');
+const [wasm, readWasm] = await Promise.all([join(tribox, 'tribox.wasm'), read].map((path) => readFile(path, 'base64')));
+const script = await bundle('src/main.js', { worker, maker, wasm, read: readWasm });
+const checkout = relative(dirname(resolve(out)), resolve(here, '../..')) || '.';
 const style = (await bundle('style.css')).trim();
 const page = (await readFile(join(here, 'index.html'), 'utf8'))
+    .replace('built:source', () => process.env.TRIBOX_SOURCE ?? `${checkout}/`)
+    .replace('built:documents', () => process.env.TRIBOX_DOCUMENTS ?? `${checkout}/README.md`)
     .replace('/* built:style */', () => style)
     .replace('/* built:script */', () => script.replaceAll('</script', '<\\/script'));
 

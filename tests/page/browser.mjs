@@ -26,8 +26,8 @@ const errors = [];
 
 const hasAnswered = () => document.getElementById('command').textContent || !document.getElementById('message').hidden;
 
-/** A page of its own that has answered about the mesh it begins with. */
-export async function openPage({ options = SMALL, query = '?scene=coarse', url = fileUrl } = {}) {
+/** A page of its own that has answered about the mesh it begins with. prepare: run in it first. */
+export async function openPage({ options = SMALL, query = '?scene=coarse', url = fileUrl, prepare } = {}) {
     browser ??= await chromium.launch({ executablePath, args: ['--no-sandbox'] });
     const context = await browser.newContext(options),
         page = await context.newPage();
@@ -35,6 +35,7 @@ export async function openPage({ options = SMALL, query = '?scene=coarse', url =
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     page.on('pageerror', (error) => errors.push(error.stack));
     open.push(context);
+    if (prepare) await page.addInitScript(prepare);
     await page.goto(url + query);
     await page.waitForFunction(hasAnswered);
     return page;

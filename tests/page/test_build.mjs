@@ -1,7 +1,7 @@
-// test_build.mjs - scripts that install packages say why where there is no network.
+// test_build.mjs - scripts that install packages say why where there is no network, and which programs are missing.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
 import { folder } from './meshes.mjs';
 
@@ -23,4 +23,20 @@ export async function withoutNetwork() {
         assert.equal(status, 1, script);
         assert.match(stderr, /ECONNREFUSED/, script);
     }
+}
+
+/** In a line: with none of the programs, and with some. */
+export function withoutPackages() {
+    const PATH = mkdtempSync(join(folder, 'path-'));
+    const lineOf = () => {
+        const page = join(PATH, 'page.html'),
+            { status, stderr } = spawnSync('/bin/sh', [join(root, 'examples/web/build.sh'), page], { encoding: 'utf8', env: { PATH } });
+        assert.equal(status, 1);
+        return stderr;
+    };
+    const link = (name) => symlinkSync(execFileSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).trim(), join(PATH, name));
+    link('dirname');
+    assert.equal(lineOf(), 'build.sh: packages are missing: apt-get install nodejs npm clang-19 lld-19\n');
+    for (const name of ['node', 'npm', 'wasm-ld-19']) link(name);
+    assert.equal(lineOf(), 'build.sh: packages are missing: apt-get install clang-19\n');
 }

@@ -50,19 +50,21 @@ export async function measureEndsAtLoad() {
 export async function latestMeshStays() {
     const page = await usualPage();
     await page.evaluate(() => {
-        const { arrayBuffer } = Blob.prototype;
-        Blob.prototype.arrayBuffer = async function () {
-            Blob.prototype.arrayBuffer = arrayBuffer;
-            await new Promise((go) => (window.readOn = go));
-            return arrayBuffer.call(this);
+        const { postMessage } = Worker.prototype;
+        Worker.prototype.postMessage = function (...all) {
+            if (all[0].what !== 'read') return postMessage.apply(this, all);
+            Worker.prototype.postMessage = postMessage;
+            window.readOn = () => postMessage.apply(this, all);
         };
     });
     await dropFile(page, 'slow.stl', stlBytes(small));
     await page.waitForFunction(() => window.readOn);
+    assert.match(await page.textContent('#progress'), /^Reading slow\.stl: \d+ %$/);
     const chosen = await answerAfter(page, () => page.selectOption('#scene', 'ties'));
     await page.evaluate(() => window.readOn());
     await settled(page);
     await page.waitForTimeout(300);
     assert.equal((await answerOf(page)).command, chosen.command);
     assert.equal(await page.inputValue('#scene'), 'ties');
+    assert.ok(await page.isHidden('#progress'));
 }

@@ -1,7 +1,7 @@
 // chart.js - nanoseconds a triangle as bars, in a list that reads as well without them.
 import { three, whole } from './numbers.js';
 
-const WORDS = { paper: "the paper's", fast: 'fast', conservative: 'conservative', exact: 'exact' };
+const WORDS = { paper: "the paper's", exact: 'tribox' };
 
 function bar({ name, ns }, paper, most) {
     const word = document.createElement('dt'),
@@ -19,10 +19,13 @@ function bar({ name, ns }, paper, most) {
     return [word, value];
 }
 
+/** How many times as fast as the paper's. */
+export const factorOf = ({ rows }) => rows[0].ns / rows[1].ns;
+
 export function drawChart(to, { rows, rounds, triangles }, kernel) {
     const list = document.createElement('dl'),
         note = document.createElement('p');
-    const paper = rows.find((row) => row.name === 'paper').ns,
+    const [{ ns: paper }] = rows,
         most = Math.max(...rows.map((row) => row.ns));
     list.className = 'bars';
     list.append(...rows.flatMap((row) => bar(row, paper, most)));

@@ -1,18 +1,21 @@
 // engine.js - the Workers as one: deals a mesh out, asks each about its part, joins their answers.
+import makerSource from 'built:maker';
 import workerSource from 'built:worker';
 import { joinBits, setBits } from './bits.js';
 
-const url = URL.createObjectURL(new Blob([workerSource], { type: 'text/javascript' }));
+const urlOf = (source) => URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
+const workerUrl = urlOf(workerSource),
+    makerUrl = urlOf(makerSource);
 
 /** One Worker, whose answers are promises. */
 class Hand {
-    constructor() {
+    constructor(url) {
         this.worker = new Worker(url, { name: 'tribox' });
         this.waiting = new Map();
         this.next = 0;
         this.worker.onmessage = ({ data: { id, answer, news, error } }) => {
             const asked = this.waiting.get(id);
-            if (news) return asked.onNews?.(news);
+            if (news !== undefined) return asked.onNews?.(news);
             this.waiting.delete(id);
             if (error) asked.fail(new Error(error));
             else asked.done(answer);
@@ -32,7 +35,26 @@ class Hand {
     }
 }
 
+/** A mesh, made in a Worker that ends with it. */
+export async function makeMesh(what, question, onNews) {
+    const hand = new Hand(makerUrl);
+    try {
+        return await hand.ask(what, question, { onNews });
+    } finally {
+        hand.worker.terminate();
+    }
+}
+
 const sum = (answers, name) => answers.reduce((total, answer) => total + answer[name], 0);
+
+/** Each Worker has an index of its own. */
+const joinVisits = (all) => ({
+    nodes: all.flatMap(({ nodes }) => Array.from(nodes)),
+    words: all.flatMap(({ words }) => Array.from(words)),
+    roots: all.length,
+    ofNodes: sum(all, 'ofNodes'),
+    ofWords: sum(all, 'ofWords'),
+});
 const longest = (answers) => Math.max(...answers.map((answer) => answer.milliseconds));
 
 export class Engine {
@@ -40,7 +62,7 @@ export class Engine {
     static async start(bytes, workers) {
         const engine = new Engine();
         const module = await WebAssembly.compile(bytes);
-        engine.hands = Array.from({ length: workers }, () => new Hand());
+        engine.hands = Array.from({ length: workers }, () => new Hand(workerUrl));
         const [{ kernel }] = await Promise.all(engine.hands.map((hand) => hand.ask('open', { module })));
         engine.kernel = kernel;
         return engine;
@@ -85,6 +107,7 @@ export class Engine {
             mask: join('mask'),
             inside: join('inside'),
             unlike: answers[0].unlike && join('unlike'),
+            visits: answers[0].visits && joinVisits(answers.map((answer) => answer.visits)),
             overlapping: sum(answers, 'overlapping'),
             insides: sum(answers, 'insides'),
             undecided: sum(answers, 'undecided'),

@@ -1,5 +1,6 @@
 // library.js - tribox over one part of a mesh, in one instance of the wasm.
 import { load } from 'tribox';
+import { visitsOf } from './visits.js';
 
 const GROUPS = [
     [1, 'box'],
@@ -62,6 +63,13 @@ export class Library {
                 const triangle = ids[32 * w + 31 - Math.clz32(left & -left)];
                 to[triangle >>> 5] |= 1 << (triangle & 31);
             }
+    }
+
+    /** What askIndex comes by. */
+    visits(box) {
+        const { memory } = this.tribox,
+            [nodes] = new Uint32Array(memory.buffer, this.index.address, 1);
+        return visitsOf(new Float32Array(memory.buffer, nodes), this.count, box);
     }
 
     /** What EXACT answers: words that the next call overwrites. */

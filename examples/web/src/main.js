@@ -1,29 +1,41 @@
 // main.js - starts the page, and hands on what is done to it.
+import readerWasm from 'built:read';
 import wasm from 'built:wasm';
 import { makeChoice } from './choices.js';
 import { takeDrops } from './drop.js';
-import { Engine } from './engine.js';
+import { Engine, makeMesh } from './engine.js';
+import { readGlb } from './glb.js';
 import { Motion } from './motion.js';
 import { Page } from './page.js';
 import { Panel } from './panel.js';
-import { readMesh } from './readers/read.js';
 import { scenes } from './scenes/scenes.js';
+import { Story } from './story/story.js';
 import { startTheme } from './theme.js';
 import { addBoxKeys } from './view/box_keys.js';
 import { BoxView } from './view/box_view.js';
 import { Cells } from './view/cells.js';
+import { Corners } from './view/corners.js';
+import { NodeBoxes } from './view/node_boxes.js';
 import { Stage } from './view/stage.js';
 import { Triangles } from './view/triangles.js';
 
 const element = (id) => document.getElementById(id);
 const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
-const given = new URLSearchParams(location.search); // ?workers=1, ?scene=million
+const given = new URLSearchParams(location.search); // ?workers=1; ?scene=million opens the console; ?step=3
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
-function startView(onMove) {
-    const stage = new Stage(element('canvas'), isStill),
-        view = { stage, triangles: new Triangles(stage), cells: new Cells(stage), box: new BoxView(stage, onMove) };
+function startView(onBox, onCorner) {
+    const stage = new Stage(element('canvas'), isStill);
+    document.body.classList.toggle('is-blind', stage.isBlind);
+    const view = {
+        stage,
+        triangles: new Triangles(stage),
+        cells: new Cells(stage),
+        nodes: new NodeBoxes(stage),
+        corners: new Corners(stage, onCorner),
+        box: new BoxView(stage, onBox),
+    };
     stage.addOrbit();
     addBoxKeys(
         stage,
@@ -31,7 +43,7 @@ function startView(onMove) {
         makeChoice(element('mode'), (mode) => view.box.setMode(mode)),
     );
     startTheme(element('theme'), (colours) => {
-        for (const painted of [view.triangles, view.cells, view.box]) painted.paint(colours);
+        for (const painted of [view.triangles, view.cells, view.nodes, view.corners, view.box]) painted.paint(colours);
     });
     return view;
 }
@@ -43,27 +55,55 @@ async function showMade(page, panel, make) {
     const mine = ++wishes,
         isLatest = () => mine === wishes;
     panel.busy(true);
-    await new Promise((go) => setTimeout(go));
     try {
-        const mesh = await make();
+        const mesh = await make((text) => isLatest() && panel.progress(text));
         if (!isLatest()) return;
         await page.show(mesh);
         if (isLatest()) panel.clearMessage('file');
     } catch (error) {
         if (isLatest()) panel.say('file', error.message);
     } finally {
-        if (isLatest()) panel.busy(false);
+        if (isLatest()) {
+            panel.busy(false);
+            panel.progress('');
+        }
     }
 }
 
-function sceneNamed(panel, name) {
-    panel.showScene(name);
-    const { make, box } = scenes[name];
-    return { box, triangles: make(), up: 'z' };
+/** How a scene, or a file, becomes a mesh. */
+function makersOf(page, panel) {
+    const { most } = page.view.stage.budget,
+        reader = WebAssembly.compile(bytesOf(readerWasm)),
+        files = new Map();
+    const isGlb = (file) => /\.glb$/i.test(file.name);
+    const readFile = async (file, say) => {
+        const onNews = (share) => say(`Reading ${file.name}: ${Math.floor(100 * share)} %`);
+        onNews(0);
+        const mesh = isGlb(file)
+            ? await makeMesh('place', { mesh: await readGlb(file), most })
+            : await makeMesh('read', { file, reader: await reader, most }, onNews);
+        files.set(file.name, file);
+        panel.addFile(file.name);
+        return mesh;
+    };
+    return {
+        showFile: (file) => showMade(page, panel, (say) => readFile(file, say)),
+        showScene(name) {
+            if (name.startsWith('file:')) return this.showFile(files.get(name.slice(5)));
+            panel.showScene(name);
+            return showMade(page, panel, async () => ({ ...(await makeMesh('make', { scene: name, most })), ...boxOf(name) }));
+        },
+    };
 }
 
-function listen(page, panel, motion) {
-    const showFile = (file) => showMade(page, panel, () => readMesh(file));
+const boxOf = (name) => ({ box: scenes[name].box });
+
+function listen(page, panel, motion, story) {
+    const makers = makersOf(page, panel);
+    const showFile = (file) => {
+        story.close();
+        return makers.showFile(file);
+    };
     panel.onTest = () => {
         page.ask();
         page.voxelize();
@@ -71,7 +111,7 @@ function listen(page, panel, motion) {
     panel.onCells = page.voxelize;
     panel.onMeasure = () => page.measure();
     panel.onFile = showFile;
-    panel.onScene = (name) => showMade(page, panel, () => sceneNamed(panel, name));
+    panel.onScene = (name) => makers.showScene(name);
     panel.onNumbers = (text) => {
         motion.stop();
         return page.placeText(text);
@@ -88,17 +128,25 @@ async function start() {
     try {
         const workers = Number(given.get('workers')) || Math.min(2, navigator.hardwareConcurrency || 1);
         const starting = Engine.start(bytesOf(wasm), workers);
-        let page = null;
-        const motion = new Motion(element('play'), (moved) => page?.mesh && page.placeBox(moved(page.mesh.box)));
-        const view = startView(() => {
-            motion.stop();
-            page?.boxMoved();
-        });
+        let page = null,
+            story = null;
+        const motion = new Motion(element('play'), (moved) => page?.mesh && page.placeBox(moved(page.mesh.box, page.halfLengths())));
+        const view = startView(
+            () => {
+                motion.stop();
+                page?.boxMoved();
+            },
+            (triangle) => story?.reshape(triangle),
+        );
         page = new Page(panel, await starting, view);
-        listen(page, panel, motion);
-        await panel.onScene(scenes[given.get('scene')] ? given.get('scene') : 'knot');
+        story = new Story(page, panel, isStill ? null : motion);
+        listen(page, panel, motion, story);
+        if (scenes[given.get('scene')]) {
+            story.close();
+            await panel.onScene(given.get('scene'));
+        } else await story.open(Number(given.get('step')) || 0);
     } catch (error) {
-        panel.say('start', `The page does not start: ${error.message}. It needs WebGL 2 and WebAssembly with SIMD.`);
+        panel.say('start', `The page does not start: ${error.message}. It needs WebAssembly with SIMD.`);
     }
 }
 

@@ -30,3 +30,13 @@ export function frameOf({ lo, hi }) {
     const scale = Math.hypot(...lo.map((l, a) => hi[a] / 2 - l / 2)) / ROUNDNESS;
     return { middle, scale: Number.isFinite(scale) && scale > 0 ? scale : 1 };
 }
+
+/** Where the view has them; what is not finite is at 0. */
+export function placesOf(triangles, { middle, scale }) {
+    const places = new Float32Array(triangles.length);
+    for (let i = 0; i < places.length; i++) {
+        const place = (triangles[i] - middle[i % 3]) / scale;
+        places[i] = Number.isFinite(place) ? place : 0;
+    }
+    return places;
+}

@@ -6,7 +6,16 @@ export class Motion {
         this.button = button;
         this.place = place;
         this.time = 0;
-        button.addEventListener('click', () => (this.isRunning ? this.stop() : this.run()));
+        this.isForbidden = false; // by who pressed Stop
+        button.addEventListener('click', () => {
+            this.isForbidden = Boolean(this.isRunning);
+            if (this.isRunning) this.stop();
+            else this.run();
+        });
+    }
+
+    runUntilTouched() {
+        if (!this.isForbidden && !this.isRunning) this.run();
     }
 
     run() {
@@ -17,7 +26,7 @@ export class Motion {
             if (!this.isRunning) return;
             this.time += Math.min(now - before, 100) / 1000;
             before = now;
-            this.place((box) => this.moved(box));
+            this.place((...box) => this.moved(...box));
             requestAnimationFrame(step);
         };
         requestAnimationFrame(step);
@@ -33,9 +42,10 @@ export class Motion {
         this.button.textContent = this.isRunning ? 'Stop' : 'Play';
     }
 
-    moved({ center, half }) {
+    /** half: the size that the box has, however far it began with it. */
+    moved({ center, half: first }, half) {
         const waves = [0.61, 0.83, 0.47],
-            reach = Math.max(...half) * 1.3;
+            reach = Math.max(...first) * 1.3;
         return { center: center.map((c, a) => c + reach * Math.sin(waves[a] * this.time)), half };
     }
 }

@@ -1,9 +1,9 @@
 // page.js - what is on the page, and what it does: shows a mesh, asks about the box, marks cells, measures.
 import { allowedTest } from './allowed.js';
 import { boxOfPose, boxOfText, poseBox } from './box.js';
-import { drawChart } from './chart.js';
+import { drawChart, factorOf } from './chart.js';
 import { latest } from './latest.js';
-import { boundsOf, frameOf } from './mesh.js';
+import { placesOf } from './mesh.js';
 
 const REST_MS = 150;
 
@@ -15,18 +15,23 @@ function boxFor({ lo, hi }) {
 }
 
 export class Page {
-    /** view: the stage, and on it triangles, cells and box. */
+    /** view: the stage, and on it triangles, cells, box and nodes. */
     constructor(panel, engine, view) {
         Object.assign(this, { panel, engine, view });
-        this.mesh = null; // name, triangles, up, box, bounds, frame
+        this.mesh = null; // name, triangles, up, box, and what maker.js adds
         this.typed = null; // a box as typed, until the pose changes
         const say = (about) => (error) => (error ? panel.say(about, error.message) : panel.clearMessage(about));
         this.ask = latest(() => this.mesh && this.answer(), say('ask'));
+        this.reload = latest(() => this.mesh && this.loadAgain(), say('ask'));
         this.voxelize = latest(() => this.mesh && this.markCells(), say('cells'));
     }
 
     box() {
         return this.typed ?? boxOfPose(this.view.box.pose, this.mesh.frame);
+    }
+
+    halfLengths() {
+        return this.view.box.pose.scale.toArray().map((h) => h * this.mesh.frame.scale);
     }
 
     async answer() {
@@ -38,8 +43,11 @@ export class Page {
         const answer = await this.engine.ask(question);
         if (mesh !== this.mesh) return;
         view.triangles.classify(answer);
+        view.nodes.show(answer.visits, mesh.frame);
+        view.cells.colour(box.turned ? null : box, mesh.frame);
         view.triangles.mark(panel.showAnswer(answer, question, mesh, this.engine));
         panel.noteTest(note);
+        this.onAnswer?.(answer, mesh);
         this.settle(question);
     }
 
@@ -55,16 +63,25 @@ export class Page {
     async markCells() {
         const { mesh, panel, view } = this,
             isWanted = panel.wantsCells();
-        view.triangles.mesh.visible = !isWanted;
+        view.triangles.visible = !isWanted;
         if (!isWanted) {
             view.cells.hide();
             return panel.hideCells();
         }
-        const resolution = panel.resolution(),
-            test = { accuracy: panel.test().accuracy, axes: 7, order: 0 };
-        const { grid, bits, milliseconds } = await this.engine.voxelize(mesh.bounds, resolution, test);
+        const resolution = panel.resolution();
+        const asked = await this.voxelsAt(resolution);
+        let shown = asked;
+        while (shown.faces && !shown.at.length) shown = await this.voxelsAt(Math.floor(0.8 * shown.resolution));
         if (mesh !== this.mesh) return;
-        panel.showCells({ ...view.cells.show(grid, bits, mesh), grid, resolution, milliseconds });
+        view.cells.show(shown.grid, shown.at, mesh);
+        panel.showCells({ ...asked, resolution, drawnAt: shown.resolution });
+    }
+
+    /** The cells of this mesh, and their faces. */
+    async voxelsAt(resolution) {
+        const test = { accuracy: this.panel.test().accuracy, axes: 7, order: 0 };
+        const { grid, bits, milliseconds } = await this.engine.voxelize(this.mesh.bounds, resolution, test);
+        return { resolution, grid, milliseconds, ...this.view.cells.facesOf(grid, bits) };
     }
 
     boxMoved() {
@@ -93,17 +110,33 @@ export class Page {
         this.placeBox(this.mesh.box);
     }
 
+    /** next: what maker.js returns, and a box or none. */
     async show(next) {
-        const bounds = boundsOf(next.triangles);
-        if (!(bounds.lo[0] <= bounds.hi[0])) {
-            throw new Error(`${next.name}: none of its triangles has finite coordinates. Export it again.`);
+        this.isLoading = true;
+        try {
+            await this.engine.load(next.triangles);
+        } finally {
+            this.isLoading = false;
         }
-        await this.engine.load(next.triangles);
-        this.mesh = { ...next, bounds, frame: frameOf(bounds), box: next.box ?? boxFor(bounds) };
-        this.view.triangles.show(this.mesh.triangles, this.mesh.frame);
+        this.mesh = { ...next, box: next.box ?? boxFor(next.bounds) };
+        this.view.triangles.show(next);
         this.panel.showMesh(this.mesh);
         this.reset();
         this.voxelize();
+    }
+
+    /** The triangles of the mesh have moved: as many, in the frame that they have. */
+    reshape(triangles) {
+        if (this.isLoading || !this.mesh) return;
+        this.mesh.triangles = triangles;
+        this.view.triangles.move(placesOf(triangles, this.mesh.frame));
+        this.reload();
+    }
+
+    async loadAgain() {
+        if (this.isLoading) return;
+        await this.engine.load(this.mesh.triangles);
+        await this.ask();
     }
 
     async measure() {
@@ -114,6 +147,7 @@ export class Page {
             if (box.turned) throw new Error('The paper takes upright boxes. Press Reset, or type one.');
             const result = await engine.measure({ box, axes: panel.test().axes }, ({ stage }) => panel.measuring(`${stage}…`));
             drawChart(panel.chart, result, engine.kernel);
+            panel.showFactor(factorOf(result));
         } catch (error) {
             panel.chartNote(error.message);
         } finally {

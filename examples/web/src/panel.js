@@ -16,13 +16,16 @@ const NOTES = {
     fast: 'Single precision: errs either way within rounding of contact.',
 };
 
+/** Of a file in the list of meshes. */
+const fileValue = (name) => `file:${name}`;
+
 export class Panel {
     constructor() {
         this.messages = new Map();
         this.chart = element('chart');
         for (const [name, { title }] of Object.entries(scenes)) element('scene').add(new Option(title, name));
         this.accuracy = 'exact';
-        makeChoice(element('accuracy'), (accuracy) => {
+        this.chooseAccuracy = makeChoice(element('accuracy'), (accuracy) => {
             this.accuracy = accuracy;
             this.testChanged();
         });
@@ -73,6 +76,11 @@ export class Panel {
         this.onCells();
     }
 
+    setResolution(cells) {
+        element('resolution').value = cells;
+        this.resolutionChanged();
+    }
+
     showNumbers(text) {
         element('numbers').value = text;
         element('numbers').removeAttribute('aria-invalid');
@@ -93,6 +101,17 @@ export class Panel {
     test() {
         const axes = this.axisBoxes().reduce((sum, box) => sum + (box.checked ? Number(box.value) : 0), 0);
         return { accuracy: this.accuracy, axes, order: Number(element('order').value) };
+    }
+
+    /** What a step of the story asks. */
+    choose({ accuracy = 'exact', byIndex = false, cells = false, resolution = 64 }) {
+        for (const box of this.axisBoxes()) box.checked = true;
+        element('order').value = '0';
+        element('by-index').checked = byIndex;
+        element('cells').checked = cells;
+        element('resolution').value = resolution;
+        this.chooseAccuracy(accuracy);
+        this.onCells();
     }
 
     isByIndex() {
@@ -133,14 +152,32 @@ export class Panel {
         element('scene').value = name;
     }
 
-    showMesh({ name, triangles, bounds }) {
-        const left = bounds.notFinite
-            ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.`
-            : '';
-        if (name) element('scene').value = '';
+    showMesh({ name, triangles, sample, bounds }) {
+        const count = triangles.length / 9,
+            left = bounds.notFinite ? ` ${whole(bounds.notFinite)} have coordinates that are not finite, and overlap nothing.` : '';
+        const drawn = sample ? ` Drawn: ${whole(sample.numbers.length)} in place of all, and those that straddle.` : '';
+        if (name) element('scene').value = fileValue(name);
         element('mesh-note').textContent =
-            `${name ? `${name}: ${whole(triangles.length / 9)} triangles.` : ''}${left} ` +
+            `${name ? `${name}: ${whole(count)} triangles.` : ''}${left}${drawn} ` +
             'Or drop a file: .stl, .obj, .ply, .off, .glb. It stays on this machine.';
+        this.showFactor(0);
+    }
+
+    /** Files that were read are in the list of meshes, too. */
+    addFile(name) {
+        const list = element('scene');
+        if (![...list.options].some(({ value }) => value === fileValue(name))) list.add(new Option(name, fileValue(name)));
+    }
+
+    /** text: empty for none. */
+    progress(text) {
+        element('progress').textContent = text;
+        element('progress').hidden = !text;
+    }
+
+    /** How many times as fast as the paper's; 0 where that was not measured. */
+    showFactor(factor) {
+        element('factor').textContent = factor ? `${factor.toFixed(factor < 10 ? 1 : 0)} × the paper’s` : '';
     }
 
     /** Returns the triangles that are answered unlike EXACT. */
@@ -163,8 +200,8 @@ export class Panel {
 
     showTime(ms, byIndex, { workers, count, kernel }) {
         element('time').value = milliseconds(ms);
-        const rate = byIndex ? 'by the index' : `${three((1e6 * ms) / count)} ns a triangle`;
-        element('rate').textContent = `${rate}, ${kernel}${workers > 1 ? `, ${workers} threads` : ''}`;
+        const rate = byIndex ? 'by the index, ' : count > 1000 ? `${three((1e6 * ms) / count)} ns a triangle, ` : '';
+        element('rate').textContent = `${rate}${kernel}${workers > 1 ? `, ${workers} threads` : ''}`;
     }
 
     listUnlike(unlike, accuracy) {
@@ -188,9 +225,9 @@ export class Panel {
         this.speaking = setTimeout(() => (element('spoken').textContent = text), SPEAK_AFTER);
     }
 
-    showCells({ count, drawn, grid, resolution, milliseconds: ms }) {
-        const cut = drawn < count ? ` The first ${whole(drawn)} are drawn: more would be slow.` : '';
-        element('cells-note').textContent = `${whole(count)} of ${grid.size.join(' × ')} cells in ${milliseconds(ms)}.${cut}`;
+    showCells({ count, grid, resolution, drawnAt, milliseconds: ms }) {
+        const coarser = drawnAt < resolution ? ` Drawn at ${drawnAt}: so many faces would be slow here.` : '';
+        element('cells-note').textContent = `${whole(count)} of ${grid.size.join(' × ')} cells in ${milliseconds(ms)}.${coarser}`;
         element('resolution-value').value = resolution;
     }
 

@@ -3,6 +3,7 @@ import { countBits } from './bits.js';
 import { breathe } from './breathe.js';
 import { Library } from './library.js';
 import { measure } from './measure.js';
+import { serve } from './serve.js';
 
 let library = null;
 
@@ -22,7 +23,8 @@ function time(call) {
     return passed / calls;
 }
 
-const answers = {
+serve(
+    {
     async open({ module }) {
         library = await Library.open(module);
         return { kernel: library.kernel };
@@ -43,8 +45,9 @@ const answers = {
         const mask = library.mask.words.slice(),
             inside = library.insideMask.words.slice();
         const unlike = test.accuracy === 'exact' ? null : library.askExact(box, test).slice();
+        const visits = byIndex && !box.turned ? library.visits(box) : null;
         if (unlike) for (let i = 0; i < mask.length; i++) unlike[i] ^= mask[i];
-        return { mask, inside, unlike, milliseconds, undecided, overlapping: countBits(mask), insides: countBits(inside) };
+        return { mask, inside, unlike, visits, milliseconds, undecided, overlapping: countBits(mask), insides: countBits(inside) };
     },
 
     /** The least time of the same question, once the browser has compiled its best; null if another question came. */
@@ -64,17 +67,6 @@ const answers = {
     voxelize: ({ bounds, resolution, test }) => library.voxelize(bounds, resolution, test),
 
     measure: ({ box, axes }, say) => measure(library, box, axes, say),
-};
-
-const buffersOf = (answer) =>
-    ['mask', 'inside', 'unlike', 'bits'].filter((name) => answer[name]).map((name) => answer[name].buffer);
-
-self.onmessage = async ({ data }) => {
-    asked++;
-    try {
-        const answer = await answers[data.what](data, (news) => self.postMessage({ id: data.id, news }));
-        self.postMessage({ id: data.id, answer }, buffersOf(answer));
-    } catch (error) {
-        self.postMessage({ id: data.id, error: error.message });
-    }
-};
+},
+() => asked++,
+);

@@ -18,9 +18,9 @@ export function paperScene(count) {
 
 /**
  * Triangles that come within rounding of contact with the cube from -1 to 1: the line between two vertices passes through an
- * edge of it, as nearly as floats can, and the third vertex lies beyond. FAST cannot tell on which side.
+ * edge of it, as nearly as floats can, and the third vertex lies beyond. FAST cannot tell on which side. size: 1 for small ones.
  */
-export function tiesScene(count) {
+export function tiesScene(count, size = 1) {
     const random = generator(7),
         triangles = new Float32Array(9 * count);
     for (let i = 0; i < count; i++) {
@@ -31,7 +31,7 @@ export function tiesScene(count) {
             sc = random() < 0.5 ? -1 : 1;
         const at = 2 * random() - 1; // where on the edge
         const slope = 0.2 + random(),
-            length = 0.06 + 0.1 * random(),
+            length = size * (0.06 + 0.1 * random()),
             rise = (random() - 0.5) * length;
         const place = (v, along, db, dc) => {
             triangles[9 * i + 3 * v + axis] = at + along;

@@ -1,17 +1,32 @@
 // scenes.js - the meshes that the page has without a file, and the box that each begins with.
-import { knot } from './knot.js';
+import { coarseKnot, knot } from './knot.js';
 import { paperScene, tiesScene } from './random.js';
 
 const KNOT_BOX = { center: [1.2, 0.4, 0], half: [1, 1, 1] };
 
+const knotOf = (rings, corners) => ({ make: () => knot(rings, corners), coarse: (room) => coarseKnot(rings, corners, room), box: KNOT_BOX });
+
+/** frame: what the view makes 0 and 1, if not by the mesh. */
 export const scenes = {
-    knot: { title: 'Knot, 200,000 triangles', make: () => knot(1000, 100), box: KNOT_BOX },
-    million: { title: 'Knot, 1,000,000 triangles', make: () => knot(2500, 200), box: KNOT_BOX },
-    coarse: { title: 'Knot, 10,000 triangles', make: () => knot(250, 20), box: KNOT_BOX },
+    some: { title: 'Knot, 8,000 triangles', ...knotOf(250, 16) },
+    coarse: { title: 'Knot, 10,000 triangles', ...knotOf(250, 20) },
+    knot: { title: 'Knot, 200,000 triangles', ...knotOf(1000, 100) },
+    million: { title: 'Knot, 1,000,000 triangles', ...knotOf(2500, 200) },
     paper: {
         title: "The paper's: 100,000 at random",
         make: () => paperScene(100000),
         box: { center: [0, 0, 0], half: [0.5, 0.5, 0.5] },
     },
     ties: { title: 'Ties: 600 that graze the box', make: () => tiesScene(600), box: { center: [0, 0, 0], half: [1, 1, 1] } },
+    grazing: {
+        title: 'Ties: 30 large ones',
+        make: () => tiesScene(30, 5),
+        box: { center: [0, 0, 0], half: [1, 1, 1] },
+    },
+    one: {
+        title: 'One triangle',
+        make: () => Float32Array.of(0.5, 1.125, 1.625, -0.75, -1.625, 1.25, 1.75, 0.375, 1), // apart on a11 alone
+        frame: { middle: [0, 0, 0], scale: 2.2 },
+        box: { center: [0, 0, 0], half: [1, 1, 1] },
+    },
 };

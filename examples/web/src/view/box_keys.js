@@ -6,7 +6,7 @@ const STEP = 0.02,
     ANGLE = Math.PI / 36,
     GROWTH = 1.05;
 
-const ARROWS = {
+export const ARROWS = {
     ArrowLeft: ['right', -1],
     ArrowRight: ['right', 1],
     ArrowDown: ['up', -1],
@@ -16,7 +16,7 @@ const ARROWS = {
 };
 
 /** The axes of the scene that lie nearest to right, up and away as seen. */
-function axesSeen(camera) {
+export function axesSeen(camera) {
     const seen = { right: new Vector3(), up: new Vector3(), away: new Vector3() };
     camera.matrixWorld.extractBasis(seen.right, seen.up, seen.away);
     seen.away.negate();
@@ -47,7 +47,7 @@ export function addBoxKeys(stage, box, setMode) {
     };
     const modes = { m: 'translate', t: 'rotate', s: 'scale' };
     stage.canvas.addEventListener('keydown', (event) => {
-        if (event.ctrlKey || event.metaKey) return;
+        if (!box.isOn || event.ctrlKey || event.metaKey) return;
         const arrow = ARROWS[event.key],
             factor = event.altKey ? FINE : 1;
         if (arrow) (event.shiftKey ? turn : move)(...arrow, factor);

@@ -29,6 +29,7 @@ export class BoxView {
     constructor(stage, onChange) {
         this.stage = stage;
         this.onChange = onChange;
+        this.isOn = true;
         this.pose = new Object3D(); // unit cube from -1 to 1, so that its scale is half the lengths
         this.faces = new Mesh(
             new BoxGeometry(2, 2, 2),
@@ -74,6 +75,13 @@ export class BoxView {
         this.stage.scene.add(this.handles.getHelper());
     }
 
+    /** Whether it can be moved by hand. */
+    turnOn(isOn) {
+        this.isOn = this.handles.enabled = isOn;
+        this.handles.getHelper().visible = isOn;
+        this.stage.draw();
+    }
+
     /** "translate", "rotate" or "scale". */
     setMode(mode) {
         this.handles.setMode(mode);
@@ -104,7 +112,7 @@ export class BoxView {
         let pointer = null;
         canvas.addEventListener('pointerdown', (event) => {
             if (pointer !== null) return this.letGo(() => (pointer = null));
-            if (event.button !== 0 || this.handles.dragging || this.handles.axis) return;
+            if (!this.isOn || event.button !== 0 || this.handles.dragging || this.handles.axis) return;
             aim(event);
             const [hit] = ray.intersectObject(this.faces);
             if (!hit) return;

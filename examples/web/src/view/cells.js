@@ -1,73 +1,76 @@
-// cells.js - the cells of a voxelization as cubes, one instance each.
-import { BoxGeometry, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from 'three';
-import { listCells } from './cell_list.js';
+// cells.js - the cells of a voxelization by their faces, one instance each: those in the box in its colours.
+import { BufferAttribute, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from 'three';
+import { listFaces } from './face_list.js';
 import { setSrgb } from './triangles.js';
-
-/** What a phone still draws; more are counted, and not drawn. */
-const MOST_CELLS = 200000;
 
 /** By the axis that is up. */
 const LIGHT_FROM = { z: [0.14, -0.1, 0.28], y: [0.14, 0.28, 0.1] };
 
+/** position: a corner of the unit square. at: a cell, and which side of it. */
 const vertexShader = /* glsl */ `
-uniform vec3 origin, cell;
-in vec3 at;
-out vec3 seen, side;
-out vec3 place;
+uniform vec3 origin, cell, box_lo, box_hi, light_from;
+uniform vec3 cells_colour, straddling_colour, inside_colour;
+in uvec4 at;
+flat out vec3 colour;
+out vec2 place;
 void main() {
-    vec4 where = modelViewMatrix * vec4(origin + cell * (at + position), 1);
-    seen = where.xyz;
-    side = normal;
-    place = position;
-    gl_Position = projectionMatrix * where;
+    int axis = int(at.w) / 2, end = int(at.w) % 2;
+    place = end == 1 ? position.xy : position.yx; // seen from outside, corners go round one way
+    vec3 corner = vec3(end);
+    corner[(axis + 1) % 3] = place.x;
+    corner[(axis + 2) % 3] = place.y;
+    vec3 side = vec3(0);
+    side[axis] = float(2 * end - 1);
+    vec3 lo = origin + cell * vec3(at.xyz), hi = lo + cell;
+    bool is_apart = any(greaterThan(lo, box_hi)) || any(lessThan(hi, box_lo));
+    bool is_inside = all(greaterThanEqual(lo, box_lo)) && all(lessThanEqual(hi, box_hi));
+    colour = (is_apart ? cells_colour : is_inside ? inside_colour : straddling_colour) * (0.72 + dot(side, light_from));
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(lo + cell * corner, 1);
 }`;
 
 const fragmentShader = /* glsl */ `
-uniform vec3 colour, light_from;
-in vec3 seen, side, place;
+flat in vec3 colour;
+in vec2 place;
 out vec4 pixel;
 void main() {
-    float light = 0.72 + dot(side, light_from);
-    vec3 off = min(place, 1.0 - place) + abs(side); // of the two axes along the face
-    vec3 width = max(fwidth(place), vec3(1e-6));
-    vec3 near_edge = smoothstep(vec3(0), width * 1.2, off);
-    float edge = 1.0 - min(near_edge.x, min(near_edge.y, near_edge.z));
-    float size = 1.0 / max(width.x, max(width.y, width.z));
-    pixel = vec4(colour * light * (1.0 - 0.45 * edge * smoothstep(3.0, 10.0, size)), 1);
+    vec2 width = max(fwidth(place), vec2(1e-6));
+    vec2 near_edge = smoothstep(vec2(0), width * 1.2, min(place, 1.0 - place));
+    float edge = 1.0 - min(near_edge.x, near_edge.y);
+    float size = 1.0 / max(width.x, width.y);
+    pixel = vec4(colour * (1.0 - 0.45 * edge * smoothstep(3.0, 10.0, size)), 1);
 }`;
+
+const SQUARE = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
 
 export class Cells {
     constructor(stage) {
         this.stage = stage;
+        const vector = () => ({ value: new Vector3() }),
+            colour = () => ({ value: new Color() });
         this.uniforms = {
-            origin: { value: new Vector3() },
-            cell: { value: new Vector3() },
-            colour: { value: new Color() },
-            light_from: { value: new Vector3() },
+            ...{ origin: vector(), cell: vector(), box_lo: vector(), box_hi: vector(), light_from: vector() },
+            ...{ cells_colour: colour(), straddling_colour: colour(), inside_colour: colour() },
         };
         this.mesh = new Mesh(
             new InstancedBufferGeometry(),
-            new ShaderMaterial({
-                glslVersion: GLSL3,
-                uniforms: this.uniforms,
-                vertexShader,
-                fragmentShader,
-            }),
+            new ShaderMaterial({ glslVersion: GLSL3, uniforms: this.uniforms, vertexShader, fragmentShader }),
         );
         this.mesh.frustumCulled = false;
         this.mesh.visible = false;
         stage.scene.add(this.mesh);
     }
 
-    /** Draws the first cells of the grid, by layers from below. Returns how many there are, and how many are drawn. */
-    show(grid, bits, { up, frame: { middle, scale } }) {
-        const { at, count, drawn } = listCells(grid.size, bits, MOST_CELLS);
-        const unit = new BoxGeometry().translate(0.5, 0.5, 0.5),
-            geometry = new InstancedBufferGeometry();
-        geometry.index = unit.index;
-        for (const name of ['position', 'normal']) geometry.setAttribute(name, unit.getAttribute(name));
-        geometry.setAttribute('at', new InstancedBufferAttribute(at, 3));
-        geometry.instanceCount = drawn;
+    /** The faces that these cells show, and how many cells there are; more than are drawn are none. */
+    facesOf(grid, bits) {
+        return listFaces(grid.size, bits, this.stage.budget.most.triangles / 2);
+    }
+
+    show(grid, at, { up, frame: { middle, scale } }) {
+        const geometry = new InstancedBufferGeometry();
+        geometry.setIndex([0, 1, 2, 0, 2, 3]).setAttribute('position', new BufferAttribute(Float32Array.from(SQUARE), 3));
+        const numbers = new InstancedBufferAttribute(Uint32Array.from(at), 4);
+        geometry.setAttribute('at', numbers);
+        geometry.instanceCount = at.length / 4;
         this.mesh.geometry.dispose();
         this.mesh.geometry = geometry;
         this.uniforms.origin.value.fromArray(grid.origin.map((o, a) => (o - middle[a]) / scale));
@@ -75,7 +78,12 @@ export class Cells {
         this.uniforms.light_from.value.fromArray(LIGHT_FROM[up]);
         this.mesh.visible = true;
         this.stage.draw();
-        return { count, drawn };
+    }
+
+    /** box: null for one that is turned, which colours nothing. */
+    colour(box, { middle, scale }) {
+        for (const [name, end] of Object.entries({ box_lo: box?.lo, box_hi: box?.hi }))
+            this.uniforms[name].value.fromArray(end ? end.map((x, a) => (x - middle[a]) / scale) : [9, 9, 9]);
     }
 
     hide() {
@@ -84,6 +92,6 @@ export class Cells {
     }
 
     paint(colours) {
-        setSrgb(this.uniforms.colour.value, colours.cells);
+        for (const name of ['cells', 'straddling', 'inside']) setSrgb(this.uniforms[`${name}_colour`].value, colours[name]);
     }
 }

@@ -1,16 +1,30 @@
 // stage.js - the canvas, the camera and what turns it; draws when something has changed, and not otherwise.
 import { PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Budget, drawsInSoftware } from './budget.js';
 
 const UP = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 const FROM = { y: new Vector3(0.55, 0.5, 1), z: new Vector3(0.5, -1, 0.75) };
+const REST_MS = 250;
+
+/** Draws nothing, where there is no WebGL: all else goes on as if it did. */
+const blind = { setPixelRatio() {}, setSize() {}, render() {}, getPixelRatio: () => 1, getContext: () => null };
+
+function rendererOf(canvas, antialias) {
+    const context = canvas.getContext('webgl2', { antialias, powerPreference: 'high-performance' });
+    return context ? new WebGLRenderer({ canvas, context, alpha: true }) : blind;
+}
 
 export class Stage {
     constructor(canvas, isStill) {
         this.canvas = canvas;
         this.isStill = isStill; // whether motion is to be reduced
-        this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
-        this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+        const software = drawsInSoftware();
+        this.renderer = rendererOf(canvas, !software);
+        this.isBlind = this.renderer === blind;
+        this.budget = new Budget(this.renderer.getContext(), software);
+        this.finest = Math.min(devicePixelRatio, software ? 1 : 2);
+        this.renderer.setPixelRatio(this.finest);
         this.scene = new Scene();
         this.camera = new PerspectiveCamera(32, 1, 0.02, 60);
         this.beforeDraw = [];
@@ -36,7 +50,7 @@ export class Stage {
         this.camera.position
             .copy(FROM[up])
             .normalize()
-            .multiplyScalar(isWide ? 3.9 : 5.4);
+            .multiplyScalar(isWide ? 3.6 : 5);
         this.orbit.dispose();
         const { enableDamping, dampingFactor, minDistance, maxDistance } = this.orbit;
         this.orbit = Object.assign(new OrbitControls(this.camera, this.canvas), {
@@ -60,12 +74,29 @@ export class Stage {
         this.draw();
     }
 
-    draw() {
+    /** Pictures follow each other with as few pixels as it takes; the last of them is drawn again with more. */
+    draw(isLast = false) {
+        this.isLast = isLast && !this.isWanted;
         this.isWanted ??= requestAnimationFrame(() => {
             this.isWanted = null;
+            if (this.budget.isBusy()) return this.draw(this.isLast);
+            const ratio = this.finest * (this.isLast ? this.budget.shareAtRest : this.budget.share);
+            if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
             this.orbit.update(); // asks for another picture while it glides
             for (const listener of this.beforeDraw) listener();
             this.renderer.render(this.scene, this.camera);
+            this.budget.began(!this.isLast);
+            this.restLater();
         });
+    }
+
+    /** Once nothing has moved for a while, the picture is drawn with all the pixels that it can have. */
+    restLater() {
+        clearTimeout(this.resting);
+        this.resting = setTimeout(() => {
+            if (this.isWanted) return;
+            if (this.budget.isBusy()) this.restLater();
+            else if (this.budget.isUnsure || this.renderer.getPixelRatio() < this.finest * this.budget.shareAtRest) this.draw(true);
+        }, REST_MS);
     }
 }

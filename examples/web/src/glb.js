@@ -1,17 +1,26 @@
-// glb.js - GLB files by three's loader: all meshes of the scene, each where it stands. Textures are not read.
+// glb.js - GLB files by three's loader, as the program has libassimp for them: all meshes of the scene, each where it stands.
+// Textures are not read.
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { trianglesUnder } from './geometry.js';
 
 const MAGIC = 0x46546c67; // glTF
 
-export async function readGlb(buffer) {
-    const view = new DataView(buffer);
-    if (buffer.byteLength < 20 || view.getUint32(0, true) !== MAGIC)
+export async function readGlb(file) {
+    try {
+        const triangles = await trianglesIn(await file.arrayBuffer());
+        if (!triangles.length) throw new Error('holds no triangles');
+        return { name: file.name, triangles, up: 'y' };
+    } catch (error) {
+        throw new Error(`${file.name}: ${error.message}`);
+    }
+}
+
+async function trianglesIn(buffer) {
+    if (buffer.byteLength < 20 || new DataView(buffer).getUint32(0, true) !== MAGIC)
         throw new Error('does not begin as a GLB file. Export it as glTF binary.');
-    if (view.getUint32(8, true) > buffer.byteLength)
-        throw new Error(
-            `promises ${view.getUint32(8, true)} bytes and has ${buffer.byteLength}: the file is cut. Download it again.`,
-        );
+    const promised = new DataView(buffer).getUint32(8, true);
+    if (promised > buffer.byteLength)
+        throw new Error(`promises ${promised} bytes and has ${buffer.byteLength}: the file is cut. Download it again.`);
     const { scene } = await new GLTFLoader().parseAsync(withoutPictures(buffer), '');
     return trianglesUnder(scene);
 }

@@ -1,0 +1,143 @@
+// story.js - the pictures that one scrolls or clicks through, and the console that they hide.
+import { axesOf } from './axes.js';
+import { makeAxesView } from './axes_view.js';
+import { steps } from './steps.js';
+import { whole } from '../numbers.js';
+
+const element = (id) => document.getElementById(id);
+
+export class Story {
+    /** motion: null where boxes are to stay where they are. */
+    constructor(page, panel, motion) {
+        Object.assign(this, { page, panel, motion, isOpen: true, at: -1, scene: null });
+        this.scroller = element('steps');
+        this.articles = [...this.scroller.children];
+        this.dots = [...element('dots').querySelectorAll('button')];
+        this.showAxes = makeAxesView(element('axes'));
+        this.dots.forEach((dot, i) => dot.addEventListener('click', () => this.go(i)));
+        for (const [id, by] of [
+            ['back', -1],
+            ['next', 1],
+        ])
+            element(id).addEventListener('click', () => this.go(this.at + by));
+        element('console').addEventListener('click', () => (this.isOpen ? this.close() : this.open(this.at)));
+        this.scroller.addEventListener('scroll', () => this.scrolled(), { passive: true });
+        page.onAnswer = (answer, mesh) => this.answered(answer, mesh);
+        this.listen();
+    }
+
+    /** What is beside the sentences. */
+    listen() {
+        for (const slider of document.querySelectorAll('.box-size'))
+            slider.addEventListener('input', () => {
+                this.motion?.stop();
+                this.size(Number(slider.value));
+            });
+        element('slide').addEventListener('input', ({ target }) => this.page.view.corners.slide(Number(target.value)));
+        element('cells-slider').addEventListener('input', ({ target }) => this.panel.setResolution(target.value));
+        for (const choice of document.getElementsByName('rounding'))
+            choice.addEventListener('change', () => this.panel.chooseAccuracy(choice.value));
+    }
+
+    /** Of the box that the scene begins with, times a factor, where it is. */
+    size(factor) {
+        const { page } = this,
+            { pose } = page.view.box;
+        if (!page.mesh) return;
+        pose.scale.fromArray(page.mesh.box.half.map((h) => (factor * h) / page.mesh.frame.scale));
+        page.view.stage.draw();
+        page.boxMoved();
+    }
+
+    get step() {
+        return steps[this.at];
+    }
+
+    go(i) {
+        const to = Math.min(steps.length - 1, Math.max(0, i));
+        this.scroller.scrollTo({ top: this.articles[to].offsetTop, behavior: 'instant' });
+        this.enter(to);
+    }
+
+    scrolled() {
+        const { scrollTop, clientHeight } = this.scroller,
+            middle = scrollTop + clientHeight / 2;
+        const i = this.articles.findLastIndex((article) => article.offsetTop <= middle);
+        if (this.isOpen) this.enter(Math.max(0, i));
+    }
+
+    async open(i) {
+        this.isOpen = true;
+        document.body.classList.remove('has-console');
+        element('console').setAttribute('aria-pressed', false);
+        this.at = -1;
+        this.scene = null;
+        this.go(i);
+        await this.entering;
+    }
+
+    /** To the console: nothing moves that is not moved by hand. */
+    close() {
+        this.isOpen = false;
+        this.motion?.stop();
+        this.page.view.corners.show(null);
+        this.page.view.box.turnOn(true);
+        document.body.classList.add('has-console');
+        element('console').setAttribute('aria-pressed', true);
+    }
+
+    enter(i) {
+        if (i === this.at) return;
+        this.at = i;
+        this.dots.forEach((dot, d) => dot.setAttribute('aria-current', d === i ? 'step' : 'false'));
+        element('back').disabled = i === 0;
+        element('next').disabled = i === steps.length - 1;
+        this.entering = this.showStep(this.step);
+    }
+
+    async showStep(step) {
+        const { page, panel, motion } = this,
+            { view } = page;
+        motion?.stop();
+        panel.choose(step.test ?? {});
+        if (this.scene !== step.scene) {
+            this.scene = step.scene;
+            view.corners.show(null);
+            await panel.onScene(step.scene);
+        } else page.reset();
+        if (!this.isOpen || step !== this.step) return;
+        for (const slider of document.querySelectorAll('.box-size')) slider.value = step.size ?? 1;
+        if (step.size) this.size(step.size);
+        view.box.turnOn(!step.hasCorners);
+        view.corners.show(step.hasCorners ? page.mesh : null);
+        if (step.hasCorners) this.reshape(page.mesh.triangles);
+        if (step.moves) motion?.runUntilTouched();
+        if (step.isMeasured) await page.measure();
+    }
+
+    /** Of the one triangle. */
+    reshape(triangle) {
+        this.showAxes(axesOf(triangle));
+        this.page.reshape(triangle);
+    }
+
+    answered({ overlapping, visits, unlike }, mesh) {
+        if (!this.isOpen) return;
+        if (this.step?.hasCorners) {
+            const apart = axesOf(mesh.triangles).filter(({ gap }) => gap > 0).length;
+            element('verdict').textContent = overlapping
+                ? 'They overlap: no axis shows a gap.'
+                : `They are apart: ${apart === 1 ? 'one axis shows' : `${apart} axes show`} a gap.`;
+        }
+        if (visits) {
+            const looked = visits.roots + visits.nodes.length / 6;
+            element('visits').textContent =
+                `${whole(looked)} of ${whole(visits.ofNodes)} nodes looked at, ` +
+                `${whole(visits.words.length / 6)} of ${whole(visits.ofWords)} groups of 64 triangles tested.`;
+        }
+        if (this.step?.scene === 'grazing') {
+            const wrong = unlike ? Number(element('unlike').textContent) : 0;
+            element('ties-count').textContent = unlike ? `${wrong} of 30 are wrong: the pink ones.` : 'All 30 are right.';
+        }
+    }
+}
