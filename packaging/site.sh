@@ -24,7 +24,7 @@ chmod 755 "$work"
 mkdir "$work/site"
 
 if test -z "${PAGE+set}" && command -v node >/dev/null && command -v npm >/dev/null; then
-    sh "$root/examples/web/build.sh" "$work/page.html"
+    TRIBOX_SOURCE=${TRIBOX_SOURCE:-index.html} TRIBOX_DOCUMENTS=index.html sh "$root/examples/web/build.sh" "$work/page.html"
     PAGE=$work/page.html
 fi
 if test -n "${PAGE-}"; then

@@ -11,7 +11,6 @@ const SETTLED = 700;
 
 /** name: the ending is the format. */
 const pictures = [
-    ['page.jpg', DESK, 'knot', async () => {}],
     ['dark.png', DESK, 'knot', async () => {}],
     ['light.png', LIGHT, 'coarse', async () => {}],
     ['phone.png', PHONE, 'coarse', async () => {}],

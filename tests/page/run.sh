@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the page and looks at it in chromium: run.sh [measure | pictures FOLDER | PART...], PART as in test_PART.mjs.
+# Builds the page and looks at it in chromium: run.sh [measure | pictures FOLDER | film FOLDER | PART...], PART as in test_PART.mjs.
 # TRIBOX_PROGRAM is the program whose answers the page's have to be. BUILD is a folder to build in, kept for the next time;
 # PAGE, a page that is built already; CHROMIUM, the browser. Without a program that this takes, the exit code is 77.
 set -eu
@@ -24,6 +24,6 @@ cp "$here/package.json" .
 npm install --loglevel=error --no-audit --no-fund --no-package-lock --prefer-offline
 case ${1:-} in
 measure) PLAYWRIGHT=$PWD node "$here/measure.mjs" ;;
-pictures) shift && PLAYWRIGHT=$PWD node "$here/pictures.mjs" "$@" ;;
+pictures | film) part=$1 && shift && PLAYWRIGHT=$PWD node "$here/$part.mjs" "$@" ;;
 *) PLAYWRIGHT=$PWD node "$here/run.mjs" "$@" ;;
 esac

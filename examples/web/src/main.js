@@ -91,12 +91,13 @@ function makersOf(page, panel) {
         showScene(name) {
             if (name.startsWith('file:')) return this.showFile(files.get(name.slice(5)));
             panel.showScene(name);
-            return showMade(page, panel, async () => ({ ...(await makeMesh('make', { scene: name, most })), ...boxOf(name) }));
+            return showMade(page, panel, async (say) => {
+                say(`${scenes[name].title} …`);
+                return { ...(await makeMesh('make', { scene: name, most })), box: scenes[name].box };
+            });
         },
     };
 }
-
-const boxOf = (name) => ({ box: scenes[name].box });
 
 function listen(page, panel, motion, story) {
     const makers = makersOf(page, panel);

@@ -120,6 +120,7 @@ export class Page {
         }
         this.mesh = { ...next, box: next.box ?? boxFor(next.bounds) };
         this.view.triangles.show(next);
+        this.view.box.show();
         this.panel.showMesh(this.mesh);
         this.reset();
         this.voxelize();

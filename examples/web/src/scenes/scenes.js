@@ -26,7 +26,7 @@ export const scenes = {
     one: {
         title: 'One triangle',
         make: () => Float32Array.of(0.5, 1.125, 1.625, -0.75, -1.625, 1.25, 1.75, 0.375, 1), // apart on a11 alone
-        frame: { middle: [0, 0, 0], scale: 2.2 },
+        frame: { middle: [0, 0, 0], scale: 2.5 },
         box: { center: [0, 0, 0], half: [1, 1, 1] },
     },
 };

@@ -56,8 +56,10 @@ export class BoxView {
         );
         this.edges.renderOrder = this.hidden.renderOrder = 2;
         this.pose.add(this.faces, this.edges, this.hidden);
+        this.pose.visible = false;
         stage.scene.add(this.pose);
         this.addHandles();
+        this.handles.getHelper().visible = false;
         this.addDragging();
         stage.afterResize.push((width, height) => {
             for (const line of [this.edges, this.hidden]) line.material.resolution.set(width, height);
@@ -75,10 +77,16 @@ export class BoxView {
         this.stage.scene.add(this.handles.getHelper());
     }
 
+    /** Once there is something that it is about. */
+    show() {
+        this.pose.visible = true;
+        this.handles.getHelper().visible = this.isOn;
+    }
+
     /** Whether it can be moved by hand. */
     turnOn(isOn) {
         this.isOn = this.handles.enabled = isOn;
-        this.handles.getHelper().visible = isOn;
+        this.handles.getHelper().visible = isOn && this.pose.visible;
         this.stage.draw();
     }
 

@@ -2,8 +2,8 @@
 // where there is no graphics card.
 
 const SHARES = [1, 0.8, 0.65, 0.5, 0.4], // of the pixels along a side
-    SLOW_MS = 70,
-    QUICK_MS = 40,
+    SLOW_MS = 85,
+    QUICK_MS = 50,
     SLOW_FRAMES = 3, // in a row, before fewer pixels are drawn
     QUICK_FRAMES = 20, // and before more are, twice as many each time that it was too early
     MOST_MS = 100,

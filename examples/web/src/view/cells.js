@@ -1,12 +1,13 @@
-// cells.js - the cells of a voxelization by their faces, one instance each: those in the box in its colours.
-import { BufferAttribute, Color, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from 'three';
+// cells.js - the cells of a voxelization by their faces: those in the box in its colours. Without a graphics card instances would
+// take five times as long, each being a call of its own there.
+import { BufferAttribute, BufferGeometry, Color, GLSL3, IntType, Mesh, ShaderMaterial, Vector3 } from 'three';
 import { listFaces } from './face_list.js';
 import { setSrgb } from './triangles.js';
 
 /** By the axis that is up. */
 const LIGHT_FROM = { z: [0.14, -0.1, 0.28], y: [0.14, 0.28, 0.1] };
 
-/** position: a corner of the unit square. at: a cell, and which side of it. */
+/** Four vertices a face. at: a cell, and which side of it. */
 const vertexShader = /* glsl */ `
 uniform vec3 origin, cell, box_lo, box_hi, light_from;
 uniform vec3 cells_colour, straddling_colour, inside_colour;
@@ -15,7 +16,9 @@ flat out vec3 colour;
 out vec2 place;
 void main() {
     int axis = int(at.w) / 2, end = int(at.w) % 2;
-    place = end == 1 ? position.xy : position.yx; // seen from outside, corners go round one way
+    int turn = gl_VertexID % 4;
+    vec2 square = vec2(turn == 1 || turn == 2, turn > 1);
+    place = end == 1 ? square : square.yx; // seen from outside, corners go round one way
     vec3 corner = vec3(end);
     corner[(axis + 1) % 3] = place.x;
     corner[(axis + 2) % 3] = place.y;
@@ -40,7 +43,8 @@ void main() {
     pixel = vec4(colour * (1.0 - 0.45 * edge * smoothstep(3.0, 10.0, size)), 1);
 }`;
 
-const SQUARE = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
+const MOST_FACES = 1e6,
+    SQUARE = [0, 1, 2, 0, 2, 3];
 
 export class Cells {
     constructor(stage) {
@@ -52,7 +56,7 @@ export class Cells {
             ...{ cells_colour: colour(), straddling_colour: colour(), inside_colour: colour() },
         };
         this.mesh = new Mesh(
-            new InstancedBufferGeometry(),
+            new BufferGeometry(),
             new ShaderMaterial({ glslVersion: GLSL3, uniforms: this.uniforms, vertexShader, fragmentShader }),
         );
         this.mesh.frustumCulled = false;
@@ -62,15 +66,20 @@ export class Cells {
 
     /** The faces that these cells show, and how many cells there are; more than are drawn are none. */
     facesOf(grid, bits) {
-        return listFaces(grid.size, bits, this.stage.budget.most.triangles / 2);
+        return listFaces(grid.size, bits, Math.min(MOST_FACES, this.stage.budget.most.triangles / 2));
     }
 
     show(grid, at, { up, frame: { middle, scale } }) {
-        const geometry = new InstancedBufferGeometry();
-        geometry.setIndex([0, 1, 2, 0, 2, 3]).setAttribute('position', new BufferAttribute(Float32Array.from(SQUARE), 3));
-        const numbers = new InstancedBufferAttribute(Uint32Array.from(at), 4);
-        geometry.setAttribute('at', numbers);
-        geometry.instanceCount = at.length / 4;
+        const faces = at.length / 4,
+            ofVertices = new Uint16Array(4 * at.length),
+            corners = new Uint32Array(6 * faces);
+        for (let face = 0; face < faces; face++) {
+            const four = at.subarray(4 * face, 4 * face + 4);
+            for (let v = 0; v < 4; v++) ofVertices.set(four, 16 * face + 4 * v);
+            SQUARE.forEach((v, i) => (corners[6 * face + i] = 4 * face + v));
+        }
+        const numbers = Object.assign(new BufferAttribute(ofVertices, 4), { gpuType: IntType });
+        const geometry = new BufferGeometry().setAttribute('at', numbers).setIndex(new BufferAttribute(corners, 1));
         this.mesh.geometry.dispose();
         this.mesh.geometry = geometry;
         this.uniforms.origin.value.fromArray(grid.origin.map((o, a) => (o - middle[a]) / scale));
