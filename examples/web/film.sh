@@ -6,5 +6,6 @@ here=$(cd "$(dirname "$0")" && pwd)
 pictures=$(mktemp -d)
 trap 'rm -rf "$pictures"' EXIT
 sh "$here/../../tests/page/run.sh" film "$pictures"
+colours='palettegen=max_colors=64:stats_mode=diff' use='paletteuse=dither=none:diff_mode=rectangle'
 ffmpeg -v error -y -framerate 8 -i "$pictures/%03d.png" -filter_complex \
-    'scale=640:-1:flags=lanczos,split[a][b];[a]palettegen=max_colors=64:stats_mode=diff[c];[b][c]paletteuse=dither=none:diff_mode=rectangle' "$1"
+    "scale=640:-1:flags=lanczos,split[a][b];[a]$colours[c];[b][c]$use" "$1"

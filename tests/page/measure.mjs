@@ -1,4 +1,4 @@
-// measure.mjs - prints what an answer about a million triangles takes in this browser.
+// measure.mjs - prints what an answer about a million triangles takes in this browser, and pictures that follow each other.
 import { close, closePages, openPage } from './browser.mjs';
 
 const PATIENCE = 120000; // pictures of a million triangles take seconds without a graphics card
@@ -32,6 +32,32 @@ for (const workers of [1, 2]) {
     await page.waitForSelector('.bars', { state: 'attached' });
     const chart = await page.$$eval('.bars dt, .bars dd', (all) => all.map((e) => e.textContent).join(' '));
     console.log(`${workers} worker(s), chart: ${chart}`);
+    await closePages();
+}
+/** Milliseconds from picture to picture, for some seconds, sorted. */
+const frames = (page) =>
+    page.evaluate(
+        () =>
+            new Promise((done) => {
+                const times = [];
+                let before = performance.now();
+                const end = before + 5000;
+                const step = (now) => {
+                    times.push(Math.round(now - before));
+                    before = now;
+                    if (now < end) requestAnimationFrame(step);
+                    else done(times.slice(1).sort((a, b) => a - b));
+                };
+                requestAnimationFrame(step);
+            }),
+    );
+
+for (const query of ['?', '?step=2', '?step=3', '?step=5', '?scene=paper', '?scene=knot', '?scene=million']) {
+    const page = await openPage({ options: { viewport: { width: 1440, height: 900 } }, query });
+    if (query.startsWith('?scene')) await press(page, '#play');
+    await page.waitForTimeout(3000);
+    const times = await frames(page);
+    console.log(`${query}: ${times[times.length >> 1]} ms a picture, ${times[Math.floor(0.9 * times.length)]} at most of nine in ten`);
     await closePages();
 }
 await close();

@@ -185,8 +185,8 @@ export async function withoutWebgl() {
 /** What is drawn without a graphics card: of the paper's triangles, each of which covers a part of the picture, hundreds. */
 export async function budgetIsKept() {
     for (const [scene, most] of [
-        ['paper', 400],
-        ['million', 20000],
+        ['paper', 100],
+        ['million', 16000],
     ]) {
         const page = await openPage({ query: `?scene=${scene}`, options: SMALL });
         const [, drawn] = (await page.textContent('#mesh-note')).match(/Drawn: ([\d,]+) in place of all/);

@@ -13,7 +13,7 @@ const SPEAK_AFTER = 700;
 const NOTES = {
     exact: 'The true answer for every finite float.',
     conservative: 'Never misses an overlap; may report a triangle that comes within rounding of contact.',
-    fast: 'Single precision: errs either way within rounding of contact.',
+    fast: 'Single precision: errs either way within rounding of contact. Here it is hardly faster than exact.',
 };
 
 /** Of a file in the list of meshes. */

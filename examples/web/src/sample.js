@@ -1,7 +1,7 @@
 // sample.js - a few triangles in place of a mesh that is more than is drawn, each with the number of one of the mesh.
 
 /** How many triangles are drawn of those that have this area each, where the picture has 4. */
-export const roomFor = (area, { triangles, covers }) => Math.min(triangles, Math.max(300, Math.floor((4 * covers) / area)));
+export const roomFor = (area, { triangles, covers }) => Math.min(triangles, Math.max(100, Math.floor((4 * covers) / area)));
 
 /** The area of a triangle, on the average of some. */
 export function areaOf(places) {
