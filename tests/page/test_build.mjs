@@ -30,11 +30,13 @@ export function withoutPackages() {
     const PATH = mkdtempSync(join(folder, 'path-'));
     const lineOf = () => {
         const page = join(PATH, 'page.html'),
-            { status, stderr } = spawnSync('/bin/sh', [join(root, 'examples/web/build.sh'), page], { encoding: 'utf8', env: { PATH } });
+            script = join(root, 'examples/web/build.sh'),
+            { status, stderr } = spawnSync('/bin/sh', [script, page], { encoding: 'utf8', env: { PATH } });
         assert.equal(status, 1);
         return stderr;
     };
-    const link = (name) => symlinkSync(execFileSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).trim(), join(PATH, name));
+    const placeOf = (name) => execFileSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).trim();
+    const link = (name) => symlinkSync(placeOf(name), join(PATH, name));
     link('dirname');
     assert.equal(lineOf(), 'build.sh: packages are missing: apt-get install nodejs npm clang-19 lld-19\n');
     for (const name of ['node', 'npm', 'wasm-ld-19']) link(name);

@@ -159,7 +159,8 @@ export async function phone() {
     const page = await openPage({ query: '?step=1', options: { ...PHONE, reducedMotion: 'reduce' } });
     const wide = await page.$$eval('.story *, .stage *', (all) =>
         all
-            .filter((e) => e.checkVisibility() && !e.closest('svg, .visually-hidden, #axes') && e.getBoundingClientRect().right > 360.5)
+            .filter((e) => e.checkVisibility() && !e.closest('svg, .visually-hidden, #axes'))
+            .filter((e) => e.getBoundingClientRect().right > 360.5)
             .map((e) => e.id || e.className || e.tagName),
     );
     assert.deepEqual(wide, []);

@@ -131,7 +131,8 @@ async function start() {
         const starting = Engine.start(bytesOf(wasm), workers);
         let page = null,
             story = null;
-        const motion = new Motion(element('play'), (moved) => page?.mesh && page.placeBox(moved(page.mesh.box, page.halfLengths())));
+        const place = (moved) => page?.mesh && page.placeBox(moved(page.mesh.box, page.halfLengths()));
+        const motion = new Motion(element('play'), place);
         const view = startView(
             () => {
                 motion.stop();

@@ -1,4 +1,5 @@
-// read.js - a file as triangles of nine floats each, by the readers of the program; or an error that says what, where and what to do.
+// read.js - a file as triangles of nine floats each, by the readers of the program; or an error that says what, where and what to
+// do.
 
 /** Which axis is up is not written in most files: what programs that write them mostly mean. */
 const UP = { stl: 'z', obj: 'y', ply: 'y', off: 'z' };
@@ -48,7 +49,8 @@ function inPercents(say) {
 export async function readMesh(file, module, say) {
     const up = UP[endingOf(file.name)],
         { name } = file;
-    if (!up) throw new Error(`${name}: not a kind of file that this page reads. Export the mesh as .stl, .obj, .ply, .off or .glb.`);
+    if (!up)
+        throw new Error(`${name}: not a kind of file that this page reads. Export the mesh as .stl, .obj, .ply, .off or .glb.`);
     if (!file.size) throw new Error(`${name}: the file is empty. Export or download it again.`);
     const tell = inPercents(say);
     const reader = await WebAssembly.instantiate(module, {

@@ -1,4 +1,5 @@
-// visits.js - which nodes of an index a box comes by, told as the library does: by the bounds in the nodes (src/index/kernel_nodes.h).
+// visits.js - which nodes of an index a box comes by, told as the library does: by the bounds in the nodes
+// (src/index/kernel_nodes.h).
 
 const CHILDREN = 64,
     NODE_FLOATS = 400; // six rows of bounds, one of each child; then what is not needed here

@@ -4,7 +4,11 @@ import { paperScene, tiesScene } from './random.js';
 
 const KNOT_BOX = { center: [1.2, 0.4, 0], half: [1, 1, 1] };
 
-const knotOf = (rings, corners) => ({ make: () => knot(rings, corners), coarse: (room) => coarseKnot(rings, corners, room), box: KNOT_BOX });
+const knotOf = (rings, corners) => ({
+    make: () => knot(rings, corners),
+    coarse: (room) => coarseKnot(rings, corners, room),
+    box: KNOT_BOX,
+});
 
 /** frame: what the view makes 0 and 1, if not by the mesh. */
 export const scenes = {

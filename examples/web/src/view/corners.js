@@ -70,7 +70,8 @@ export class Corners {
         let pointer = null;
         const aim = (event) => {
             const { left, top, width, height } = canvas.getBoundingClientRect();
-            ray.setFromCamera(new Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height), camera);
+            const at = new Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height);
+            ray.setFromCamera(at, camera);
         };
         canvas.addEventListener('pointerdown', (event) => {
             if (!this.isOn || pointer !== null || event.button !== 0) return;
@@ -101,8 +102,9 @@ export class Corners {
         if (event.ctrlKey || event.metaKey) return;
         const arrow = ARROWS[event.key];
         if (arrow) {
-            const axis = axesSeen(this.stage.camera)[arrow[0]];
-            this.put(this.chosen, this.knobs[this.chosen].position.clone().addScaledVector(axis, (arrow[1] * STEP) / this.frame.scale));
+            const axis = axesSeen(this.stage.camera)[arrow[0]],
+                place = this.knobs[this.chosen].position.clone();
+            this.put(this.chosen, place.addScaledVector(axis, (arrow[1] * STEP) / this.frame.scale));
         } else if ('123'.includes(event.key)) this.chosen = Number(event.key) - 1;
         else return;
         event.preventDefault();
