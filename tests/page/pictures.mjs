@@ -9,8 +9,9 @@ const LIGHT = { ...DESK, colorScheme: 'light' },
     LIGHT_PHONE = { ...PHONE, colorScheme: 'light' };
 const SETTLED = 700;
 
-/** name: the ending is the format. */
+/** Name, window, scene or step of the story, what is done. */
 const pictures = [
+    ...[0, 1, 2, 3, 4, 5].map((step) => [`step${step}.png`, DESK, step, async () => {}]),
     ['dark.png', DESK, 'knot', async () => {}],
     ['light.png', LIGHT, 'coarse', async () => {}],
     ['phone.png', PHONE, 'coarse', async () => {}],
@@ -42,7 +43,7 @@ const pictures = [
 
 await mkdir(folder, { recursive: true });
 for (const [name, options, scene, act] of pictures) {
-    const page = await openPage({ options, query: `?scene=${scene}` });
+    const page = await openPage({ options, query: `?${typeof scene === 'number' ? 'step' : 'scene'}=${scene}` });
     await act(page);
     await settled(page);
     await page.waitForTimeout(SETTLED);

@@ -171,3 +171,21 @@ export async function realMeshes() {
         assertSame(answer, path);
     }
 }
+
+/** By their names, to be shown again. */
+export async function filesStayInTheList() {
+    const page = await usualPage(),
+        half = small.slice(0, 9 * 210);
+    const first = await answerAfter(page, () => dropFile(page, 'a.stl', stlBytes(small)));
+    assert.equal(await page.inputValue('#scene'), 'file:a.stl');
+    await answerAfter(page, () => dropFile(page, 'b.stl', stlBytes(half)));
+    await answerAfter(page, () => dropFile(page, 'a.stl', stlBytes(small)));
+    const names = await page.$$eval('#scene option', (all) => all.map(({ text }) => text).filter((text) => text.endsWith('.stl')));
+    assert.deepEqual(
+        names.filter((name) => name.length === 5),
+        ['a.stl', 'b.stl'],
+    );
+    await answerAfter(page, () => page.selectOption('#scene', 'file:b.stl'));
+    const again = await answerAfter(page, () => page.selectOption('#scene', 'file:a.stl'));
+    assert.deepEqual([again.straddling, again.inside], [first.straddling, first.inside]);
+}

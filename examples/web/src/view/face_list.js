@@ -1,11 +1,8 @@
 // face_list.js - the faces of cells that can be seen: between a cell that is set in the bits of a grid and one that is not.
 import { countBits } from '../bits.js';
 
-/** The sides of a cell: axis, and the end of it. */
-export const SIDES = [0, 1, 2].flatMap((axis) => [0, 1].map((end) => ({ axis, end })));
-
 /**
- * Four numbers a face, the cell and its side; and how many cells are set. Rows along x are whole pairs of words: 32 cells at once
+ * Four numbers a face, the cell and its side, 2 * axis + end; and how many cells are set. Rows along x are whole pairs of words: 32 cells at once
  * are compared with their neighbours. room: where there are more faces, none are listed, but counted.
  */
 export function listFaces([, rows, layers], bits, room) {
