@@ -2,8 +2,8 @@
 import { countBits } from '../bits.js';
 
 /**
- * Four numbers a face, the cell and its side, 2 * axis + end; and how many cells are set. Rows along x are whole pairs of words: 32 cells at once
- * are compared with their neighbours. room: where there are more faces, none are listed, but counted.
+ * Four numbers a face, the cell and its side, 2 * axis + end; and how many cells are set. Rows along x are whole pairs of words: 32
+ * cells at once are compared with their neighbours. room: where there are more faces, none are listed, but counted.
  */
 export function listFaces([, rows, layers], bits, room) {
     const rowWords = bits.length / rows / layers,
