@@ -61,9 +61,10 @@ make_windows() {
         -Dopenvdb=disabled -Dpython=disabled -Doptimization="${OPTIMIZATION:-3}" -Dc_link_args=-s
     meson compile -C "$work/windows"
     meson install -C "$work/windows" --no-rebuild --quiet --destdir "$work/$name-windows-x64"
+    rm -r "$work/$name-windows-x64/share" # manual pages, and completion for shells that are not there
     cp LICENSE "$work/$name-windows-x64"
     find "$work/$name-windows-x64" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
-    (cd "$work" && find "$name-windows-x64" -type f | sort | xargs python3 -m zipfile -c "$out/$name-windows-x64.zip")
+    (cd "$work" && python3 -m zipfile -c "$out/$name-windows-x64.zip" "$name-windows-x64")
 }
 
 make_site() {

@@ -55,6 +55,14 @@ if ! diff -r one two; then
 fi
 (cd one && sha256sum -c --quiet SHA256SUMS)
 test "$(ls one)" = "$({ sed 's/.*  //' one/SHA256SUMS; echo SHA256SUMS; } | sort)" || { echo 'SHA256SUMS does not name all' >&2; exit 1; }
+case " $* " in
+*' windows '*)
+    python3 -m zipfile -l "one/$name-windows-x64.zip" >listed
+    for file in bin/tribox.exe bin/libtribox-${version%%.*}.dll lib/libtribox.dll.a include/tribox.h LICENSE; do
+        grep -q "^$name-windows-x64/$file " listed || { echo "the zip has no $file" >&2; exit 1; }
+    done
+    ;;
+esac
 
 mkdir unpacked
 tar -x -C unpacked -f "one/$name.tar.xz"
