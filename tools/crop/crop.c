@@ -118,16 +118,21 @@ static void note_empty(const crop_files *f, int side, const crop_counts *counts)
                     side == CROP_PART ? "none is in the box" : "all are in the box");
 }
 
-/* Both or neither, if a signal comes; none is put off while a reader is slow. */
-static int keep(crop_files *f, int code)
+static int flush(const crop_files *f)
 {
-    for (int s = 0; !code && s < CROP_SIDES; s++)
-        if (f->out[s].stream)
-            fflush(f->out[s].stream);
+    for (int s = 0; s < CROP_SIDES; s++)
+        if (f->out[s].stream && fflush(f->out[s].stream))
+            return file_out_failure(&f->out[s]);
+    return EXIT_CODE_OK;
+}
+
+/* Both or neither, if a signal comes; none is put off while a reader is slow. */
+static int keep(crop_files *f)
+{
+    int code = flush(f);
     interrupt_hold();
     for (int s = 0; !code && s < CROP_SIDES; s++)
         code = file_out_keep(&f->out[s]);
-    crop_files_drop(f);
     if (!code)
         interrupt_advise("the faces are written, what is said of them is not");
     interrupt_release();
@@ -149,5 +154,7 @@ int crop_write(crop_files *f, const crop_choice *choice, crop_counts counts[CROP
         if (!code)
             note_empty(f, s, &counts[s]);
     }
-    return keep(f, code);
+    code = code ? code : keep(f);
+    crop_files_drop(f);
+    return code;
 }

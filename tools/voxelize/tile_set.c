@@ -179,7 +179,7 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
     tile_room *const room = calloc(1, sizeof *room);
     if (!room)
         return NULL;
-    room->scratch = malloc((set->task.has_ids ? tribox_bricks_ids_bytes : tribox_bricks_bytes)(set->tile));
+    room->scratch = malloc(set->task.has_ids ? tribox_bricks_ids_bytes(set->tile) : tribox_bricks_bytes(set->tile));
     if (room->scratch && (!set->from || make_list(set, from, to, room)))
         return room;
     tile_room_free(room);

@@ -56,8 +56,8 @@ tile_room *tile_room_new(const tile_set *set, size_t from, size_t to);
 void tile_room_free(tile_room *room);
 
 /*
- * tribox_bricks, or tribox_bricks_ids, for the tiles of records from .. to - 1, which are within those that the room is for. TRIBOX_BAD_VERTEX:
- * the triangles of the partition are damaged.
+ * tribox_bricks, or tribox_bricks_ids, for the tiles of records from .. to - 1, which are within those that the room is for.
+ * TRIBOX_BAD_VERTEX: the triangles of the partition are damaged.
  */
 tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tile_sink *sink,
                            tribox_report *report);
