@@ -21,7 +21,10 @@ def places_in(triangles, points):
 
 
 def colours_of(voxels, triangles, coordinates, pixels):
-    """The colour of each set cell. coordinates: (n, 3, 2), u and v of each corner; pixels: (height, width, 3), whose first row is v = 1."""
+    """The colour of each set cell.
+
+    coordinates: (n, 3, 2), u and v of each corner. pixels: (height, width, 3), whose first row is v = 1.
+    """
     places = places_in(triangles[voxels.ids].astype(float), voxels.points())
     u, v = np.einsum("nc,ncd->dn", places, coordinates[voxels.ids]) % 1
     return pixels[((1 - v) * pixels.shape[0]).astype(int) % pixels.shape[0], (u * pixels.shape[1]).astype(int)]
@@ -49,7 +52,8 @@ def write_points(path, points, colours):
     cells["at"], cells["colour"] = points, colours
     names = "".join(f"property float {n}\n" for n in "xyz") + "".join(f"property uchar {n}\n" for n in ("red", "green", "blue"))
     with open(path, "wb") as file:
-        file.write(f"ply\nformat binary_little_endian 1.0\nelement vertex {len(cells)}\n{names}end_header\n".encode() + cells.tobytes())
+        file.write(f"ply\nformat binary_little_endian 1.0\nelement vertex {len(cells)}\n{names}end_header\n".encode())
+        file.write(cells.tobytes())
 
 
 if __name__ == "__main__":

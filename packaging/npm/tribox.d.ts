@@ -70,7 +70,7 @@ export interface VoxelizeOptions extends Options {
     readonly into?: Voxels;
     /** Also says which triangle: see Voxels.ids. Not with `into`. */
     readonly ids?: boolean;
-    /** About half of these cells: a flat surface is a cell thick, and closed across faces alone. Exact, of all axes. Not with `ids`. */
+    /** About half of these cells: a flat surface is a cell thick, and closed across faces. Exact, of all axes. Not with `ids`. */
     readonly thin?: boolean;
 }
 
