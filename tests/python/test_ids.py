@@ -142,6 +142,12 @@ class TextureTests(cases.TestCase):
         self.assertGreater(len(expected), 3000)
         self.assert_same(found[is_clear], expected.astype(np.uint8))
 
+    def test_places(self):
+        """Each corner has its own, off the plane too; outside none is negative."""
+        triangles = np.array([[(0, 0, 0), (4, 0, 0), (0, 8, 0)]] * 2, float)
+        points = np.array([(1, 4, 3), (-4, 4, 0)], float)  # a quarter of b and half of c; on the edge from a to c
+        self.assertEqual(self.texture.places_in(triangles, points).tolist(), [[0.25, 0.25, 0.5], [0.75, 0, 0.25]])
+
     def test_thin(self):
         """Segments and points have a colour too, that of their first corner."""
         triangles = np.array([[(0, 0, 0), (4, 0, 0), (2, 0, 0)], [(1, 2, 3)] * 3], np.float32)
