@@ -30,8 +30,8 @@ set rmargin at screen 770 / width
 set tmargin at screen 1 - 62 / height
 set bmargin at screen 48 / height
 set logscale x
-set xrange [0.25 : 32]
-set xtics ("0.3" 0.3, "0.5" 0.5, "1" 1, "2" 2, "5" 5, "10" 10, "20" 20)
+set xrange [0.25 : 64]
+set xtics ("0.3" 0.3, "0.5" 0.5, "1" 1, "2" 2, "5" 5, "10" 10, "20" 20, "50" 50)
 set yrange [-0.7 : lines - 0.3]
 set ytics () scale 0
 set xlabel "nanoseconds per triangle" offset 0, 0.4
