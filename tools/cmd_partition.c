@@ -22,6 +22,7 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "exist yet. MESH is as for 'tribox overlap'; several meshes are taken as one, and so are several\n"
                            "partitions of one grid. Binary .stl, .ply, .f32 and .f64 may be larger than memory.\n"
                            "\n" GRID_HELP "  -o, --out FOLDER        where the sorted triangles go\n"
+                           "      --ids               keep the numbers of the triangles, for 'tribox voxelize FOLDER --ids'\n"
                            "  -m, --memory SIZE       bytes, or 512M, 1G, to use for sorting; default: half of what is free\n"
                            "  -t, --threads T         1 to 256; default: one for each processor. The result is the same\n"
                            "  -j, --json              print the summary as a JSON object\n"
@@ -33,10 +34,11 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "  parallel tribox voxelize big.tiles --shard {}/64 -o big.{}.part ::: $(seq 64)\n"
                            "  tribox merge big.*.part -o big.npz\n";
 
-enum { OPTION_OUT = GRID_END, OPTION_MEMORY, OPTION_THREADS, OPTION_JSON, OPTION_QUIET };
+enum { OPTION_OUT = GRID_END, OPTION_IDS, OPTION_MEMORY, OPTION_THREADS, OPTION_JSON, OPTION_QUIET };
 
 static const option_entry options[] = {GRID_ENTRIES(0),
                                        [OPTION_OUT] = {"out", 'o', true},
+                                       [OPTION_IDS] = {"ids", 0, false},
                                        [OPTION_MEMORY] = {"memory", 'm', true},
                                        [OPTION_THREADS] = {"threads", 't', true},
                                        [OPTION_JSON] = {"json", 'j', false},
@@ -53,6 +55,9 @@ static int take(void *request, int which, const char *value)
         return EXIT_CODE_OK;
     case OPTION_OUT:
         r->out_path = value;
+        return EXIT_CODE_OK;
+    case OPTION_IDS:
+        r->has_ids = true;
         return EXIT_CODE_OK;
     case OPTION_MEMORY:
         return memory_read(value, &r->memory) ? EXIT_CODE_OK
@@ -77,6 +82,8 @@ static int check_partitions(const partition_request *r, const options_found *fou
         if (options_has(found, which))
             return message_usage("%s is a folder, so a partition, which has its grid: leave out --%s", r->from.mesh_path,
                                  options[which].name);
+    if (r->has_ids)
+        return message_usage("%s is a folder, so a partition, which has ids or has none: leave out --ids", r->from.mesh_path);
     return EXIT_CODE_OK;
 }
 

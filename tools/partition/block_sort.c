@@ -10,9 +10,9 @@
 
 enum { NUMBERS = 9 };
 
-bool block_sort_open(block_sort *b, const pieces *all, const tribox_grid *grid, uint32_t tile)
+bool block_sort_open(block_sort *b, const pieces *all, const tribox_grid *grid, uint32_t tile, bool has_numbers)
 {
-    *b = (block_sort){.position_bytes = all->write_bytes, .tile = tile};
+    *b = (block_sort){.position_bytes = all->write_bytes, .tile = tile, .has_numbers = has_numbers};
     b->positions = malloc(all->block * pieces_room(all));
     b->share = malloc(all->block * sizeof *b->share);
     b->starts = malloc((tribox_tile_count(grid->size, tile) + 1) * sizeof *b->starts);
@@ -104,14 +104,21 @@ static unsigned char *gather(const block_sort *b, size_t from, size_t to, unsign
     return at;
 }
 
-static tribox_status make_run(block_sort *b, const tribox_tiles *tiles)
+static void set_numbers(const block_sort *b, uint64_t first, size_t places, uint32_t *numbers)
+{
+    for (size_t p = 0; p < places; p++)
+        numbers[p] = (uint32_t)(first + b->list[p]);
+}
+
+static tribox_status make_run(block_sort *b, const tribox_tiles *tiles, uint64_t first)
 {
     size_t filled = 0, r = 0;
     const size_t places = b->starts[tiles->count];
     for (size_t i = 0; i < tiles->count; i++)
         filled += b->starts[i] < b->starts[i + 1];
-    const size_t bytes = filled * sizeof(partition_tile) + places * NUMBERS * b->position_bytes;
-    b->run_bytes = (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t) * sizeof(uint64_t); /* runs begin at whole words of a file */
+    const size_t each = NUMBERS * b->position_bytes, bytes = filled * sizeof(partition_tile) + places * each;
+    const size_t all = bytes + (b->has_numbers ? places * sizeof(uint32_t) : 0);
+    b->run_bytes = (all + sizeof(uint64_t) - 1) / sizeof(uint64_t) * sizeof(uint64_t); /* runs begin at whole words of a file */
     unsigned char *const room = calloc(b->run_bytes ? b->run_bytes : 1, 1);
     if (!room)
         return MESSAGE_NO_MEMORY;
@@ -124,11 +131,17 @@ static tribox_status make_run(block_sort *b, const tribox_tiles *tiles)
             records[r] = (partition_tile){.tile = tiles->first + i, .first = b->starts[i]};
             at = gather(b, b->starts[i], b->starts[i + 1], at, &records[r++].work);
         }
+    if (b->has_numbers) {
+        uint32_t *const numbers = (void *)(room + bytes);
+        set_numbers(b, first, places, numbers);
+        b->run.numbers = numbers;
+    }
     return TRIBOX_OK;
 }
 
-tribox_status block_sort_run(block_sort *b, const tribox_grid *grid, size_t count, const tribox_box *bounds)
+tribox_status block_sort_run(block_sort *b, const tribox_grid *grid, const piece_block *block, const tribox_box *bounds)
 {
+    const size_t count = block->count;
     const tribox_mesh triangles = {
         .positions = b->positions, .vertices = 3 * count, .count = count, .position_bytes = b->position_bytes};
     const bool is_empty = bounds->lo[0] > bounds->hi[0];
@@ -140,5 +153,5 @@ tribox_status block_sort_run(block_sort *b, const tribox_grid *grid, size_t coun
     if (status)
         return status;
     share_work(b, grid, count, b->starts[tiles.count]);
-    return make_run(b, &tiles);
+    return make_run(b, &tiles, block->number);
 }

@@ -7,6 +7,7 @@
 typedef struct block_sort {
     unsigned position_bytes;
     uint32_t tile;   /* cells along a side */
+    bool has_numbers;
     void *positions; /* of the block, nine numbers a triangle */
     size_t *starts;  /* of the lists of the tiles that the block may be in */
     uint32_t *list;  /* as long as was needed until now */
@@ -17,10 +18,10 @@ typedef struct block_sort {
 } block_sort;
 
 /* False where there is no memory; block_sort_close may follow in any case. */
-bool block_sort_open(block_sort *b, const pieces *all, const tribox_grid *grid, uint32_t tile);
+bool block_sort_open(block_sort *b, const pieces *all, const tribox_grid *grid, uint32_t tile, bool has_numbers);
 void block_sort_close(block_sort *b);
 
-/* Makes a run of the first `count` triangles in positions, whose bounds are these. MESSAGE_NO_MEMORY where there is none. */
-tribox_status block_sort_run(block_sort *b, const tribox_grid *grid, size_t count, const tribox_box *bounds);
+/* Makes a run of a block, whose triangles are in positions and whose bounds are these. MESSAGE_NO_MEMORY where there is none. */
+tribox_status block_sort_run(block_sort *b, const tribox_grid *grid, const piece_block *block, const tribox_box *bounds);
 
 #endif

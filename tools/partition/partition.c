@@ -46,10 +46,19 @@ const void *partition_triangles(const partition *p, size_t record)
     return (const unsigned char *)p->triangles.bytes + p->tiles[record].first * triangle_bytes(p);
 }
 
+const uint32_t *partition_numbers(const partition *p, size_t record)
+{
+    return p->header.number_bytes ? (const uint32_t *)p->numbers.bytes + p->tiles[record].first : NULL;
+}
+
 bool partition_is_sound(const partition *p, size_t record)
 {
-    const size_t size = partition_count(p, record) * triangle_bytes(p);
-    return checksum_bytes(CHECKSUM_EMPTY, partition_triangles(p, record), size) == p->tiles[record].checksum;
+    const size_t count = partition_count(p, record);
+    const uint32_t *const numbers = partition_numbers(p, record);
+    uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, partition_triangles(p, record), count * triangle_bytes(p));
+    if (numbers)
+        sum += checksum_bytes(CHECKSUM_EMPTY, numbers, count * sizeof *numbers);
+    return sum == p->tiles[record].checksum;
 }
 
 static int refuse(const partition *p, const char *why)
@@ -81,7 +90,8 @@ static bool is_header_sound(const partition_header *header)
 {
     enum { TILE_MOST = 1024, BRICK = 8 };
     const voxels v = partition_voxels(header);
-    return header->tile && header->tile <= TILE_MOST && header->tile % BRICK == 0 && !header->reserved &&
+    return header->tile && header->tile <= TILE_MOST && header->tile % BRICK == 0 &&
+           (!header->number_bytes || (header->number_bytes == sizeof(uint32_t) && header->triangles <= INT32_MAX)) &&
            is_size(header->position_bytes) && header->record_bytes == sizeof(partition_tile) &&
            isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && voxels_are_served(&v.grid, NULL);
 }
@@ -125,6 +135,8 @@ static int check_records(const partition *p)
     if (first != p->header.places || p->header.places != p->triangles.size / triangle_bytes(p) ||
         p->triangles.size % triangle_bytes(p))
         return refuse(p, "its triangles are not as many as its index says");
+    if (p->header.number_bytes && p->numbers.size != p->header.places * sizeof(uint32_t))
+        return refuse(p, "its numbers are not as many as its index says");
     return EXIT_CODE_OK;
 }
 
@@ -136,6 +148,8 @@ int partition_open(partition *p, const char *path)
         code = check_header(p);
     if (!code)
         code = map_file(p, "triangles", &p->triangles);
+    if (!code && p->header.number_bytes)
+        code = map_file(p, "numbers", &p->numbers);
     if (!code)
         code = check_records(p);
     if (code)
@@ -154,4 +168,5 @@ void partition_close(partition *p)
     p->piece_count = 0;
     file_map_close(&p->index);
     file_map_close(&p->triangles);
+    file_map_close(&p->numbers);
 }

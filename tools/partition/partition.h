@@ -1,11 +1,12 @@
 /*
  * partition.h - a mesh sorted by the tiles of a grid, as a folder that shards map and read what is theirs of.
  *
- * The folder holds two files, in the byte order of the machine that wrote them:
+ * The folder holds two files, or with numbers three, in the byte order of the machine that wrote them:
  *   index      partition_header, 168 bytes, then a partition_tile, 32 bytes, for every tile that has triangles, by rising tile.
  *   triangles  nine numbers a triangle, x, y and z of its three vertices, floats or doubles as position_bytes says, and nothing
  *              else: the triangles of the first record, those of the second, and so on. A triangle is in the file once for each
  *              tile that it is in. The triangles of a tile are in the order of the mesh.
+ *   numbers    if there: for each of these triangles its number in the mesh, from 0, as uint32.
  * A tile has every triangle that touches the box of its cells, as tribox_tile_lists states it, and may have others that come
  * close.
  * Tile (i, j, k) has the number (k * nj + j) * ni + i, where ni and nj are size[0] and size[1] divided by `tile` and rounded up.
@@ -27,7 +28,7 @@ typedef struct partition_header {
     double origin[3], cell[3]; /*  24, 48: of the grid */
     double shift[3];           /*  72: what was subtracted from the mesh; zeros for nothing */
     uint32_t size[3];          /*  96: cells of the grid */
-    uint32_t reserved;         /* 108: 0 */
+    uint32_t number_bytes;     /* 108: 4: there is the file of numbers; 0: there is none */
     uint32_t position_bytes;   /* 112: 4: the triangles are of floats, 8: of doubles */
     uint32_t record_bytes;     /* 116: of a partition_tile */
     uint64_t triangles;        /* 120: of the mesh */
@@ -43,18 +44,18 @@ typedef struct partition_tile {
     uint64_t tile;     /*  0: its number */
     uint64_t first;    /*  8: the place of its first triangle in the file */
     uint64_t work;     /* 16: about how many nanoseconds it takes: what shards share evenly: tile_set_shard */
-    uint64_t checksum; /* 24: of its triangles' bytes */
+    uint64_t checksum; /* 24: of its triangles' bytes, plus that of its numbers' bytes if there are some */
 } partition_tile;
 
 #define PARTITION_MAGIC "tribox tiles 2\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
-/* One that is open, its two files mapped; or several of one grid, taken as that of all their meshes. */
+/* One that is open, its files mapped; or several of one grid, taken as that of all their meshes. */
 typedef struct partition {
     const char *path; /* of the folder, or of the first */
     partition_header header;
     const partition_tile *tiles; /* header.records of them */
-    file_map index, triangles;
+    file_map index, triangles, numbers;
     struct partition *pieces; /* NULL for one, whose files these are */
     size_t piece_count;
     partition_tile *own_tiles; /* of several, without checksums */
@@ -73,6 +74,9 @@ int partition_open_all(partition *p, const char *const *paths, size_t count);
 /* Refuses partitions that do not fit together. Returns an exit_code. */
 int partition_check_alike(const partition *pieces, size_t count);
 
+/* Refuses more triangles than ids can number. Returns an exit_code. */
+int partition_check_numbers(const char *name, uint64_t triangles);
+
 /* What the headers of pieces say of all their meshes together; records, places and checksum are left open. */
 partition_header partition_header_of_all(const partition *pieces, size_t count);
 
@@ -82,12 +86,13 @@ voxels partition_voxels(const partition_header *header);
 /* How many triangles record `record` has, and, of one partition, where they are. */
 size_t partition_count(const partition *p, size_t record);
 const void *partition_triangles(const partition *p, size_t record);
+const uint32_t *partition_numbers(const partition *p, size_t record); /* NULL where it has none */
 
 /* Whether they are those that were written. */
 bool partition_is_sound(const partition *p, size_t record);
 
-/* Copies the triangles of a record of several partitions. False where some are not those that were written. */
-bool partition_gather(const partition *p, size_t record, void *to);
+/* Copies the triangles of a record of several partitions, and, if not NULL, their numbers. False where some are not those that were written. */
+bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers);
 
 /* The path of a partition, or of one of several, with triangles that are not those that were written. */
 const char *partition_damaged(const partition *p);

@@ -1,4 +1,5 @@
 /* partition_join.c - several partitions of one grid, made apart, as the partition of all their meshes. */
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,10 +19,20 @@ static int check_pair(const partition *a, const partition *b)
                                   : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
                                   : one->tile != other->tile                            ? "size of tiles"
                                                                                         : NULL;
+    if (!differing && one->number_bytes != other->number_bytes)
+        return message_failure("%s has the numbers of its triangles and %s has none; make both with --ids, or neither",
+                               one->number_bytes ? a->path : b->path, one->number_bytes ? b->path : a->path);
     return !differing ? EXIT_CODE_OK
                       : message_failure("%s and %s do not fit together: they differ in the %s; make them with the same --origin, "
                                         "--cell, --size and --shift",
                                         a->path, b->path, differing);
+}
+
+int partition_check_numbers(const char *name, uint64_t triangles)
+{
+    return triangles <= INT32_MAX ? EXIT_CODE_OK
+                                  : message_failure("%s: %" PRIu64 " triangles are too many for ids, which are int32: leave out --ids",
+                                                    name, triangles);
 }
 
 int partition_check_alike(const partition *pieces, size_t count)
@@ -29,6 +40,8 @@ int partition_check_alike(const partition *pieces, size_t count)
     int code = EXIT_CODE_OK;
     for (size_t i = 1; i < count && !code; i++)
         code = check_pair(&pieces[0], &pieces[i]);
+    if (!code && pieces[0].header.number_bytes)
+        code = partition_check_numbers("the partitions", partition_header_of_all(pieces, count).triangles);
     return code;
 }
 
@@ -131,6 +144,15 @@ int partition_open_all(partition *p, const char *const *paths, size_t count)
     return code;
 }
 
+/* They count on from piece to piece. */
+static uint32_t *put_numbers(const partition *piece, size_t record, uint64_t before, uint32_t *to)
+{
+    const uint32_t *const from = partition_numbers(piece, record);
+    for (size_t t = 0; t < partition_count(piece, record); t++)
+        *to++ = (uint32_t)(before + from[t]);
+    return to;
+}
+
 static unsigned char *put(const partition *piece, size_t record, unsigned position_bytes, unsigned char *to)
 {
     const size_t numbers = NUMBERS * partition_count(piece, record);
@@ -148,10 +170,11 @@ static unsigned char *put(const partition *piece, size_t record, unsigned positi
     return to + numbers * sizeof(double);
 }
 
-bool partition_gather(const partition *p, size_t record, void *to)
+bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers)
 {
     unsigned char *at = to;
-    for (size_t i = 0; i < p->piece_count; i++) {
+    uint64_t before = 0;
+    for (size_t i = 0; i < p->piece_count; before += p->pieces[i++].header.triangles) {
         const partition *const piece = &p->pieces[i];
         const size_t r = find_record(piece, p->tiles[record].tile);
         if (r == piece->header.records)
@@ -159,6 +182,7 @@ bool partition_gather(const partition *p, size_t record, void *to)
         if (!partition_is_sound(piece, r))
             return false;
         at = put(piece, r, p->header.position_bytes, at);
+        numbers = numbers ? put_numbers(piece, r, before, numbers) : NULL;
     }
     return true;
 }

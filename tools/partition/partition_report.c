@@ -22,6 +22,8 @@ static void print_summary(const partition_answer *a)
     printf("tiles        %" PRIu64 " of %u cells along a side, of %zu in the grid\n", h->records, h->tile,
            tribox_tile_count(h->size, h->tile));
     printf("sorted       %" PRIu64 " triangles, %.3f for each of the mesh\n", h->places, (double)h->places / (double)h->triangles);
+    if (h->number_bytes)
+        puts("ids          the number of each triangle");
     printf("time         %.3f s with %" PRIu32 " thread%s, %.1f ns a triangle\nwritten      %s\n", a->seconds, a->r->threads,
            a->r->threads == 1 ? "" : "s", 1e9 * a->seconds / (double)h->triangles, a->r->out_path);
 }
@@ -41,6 +43,8 @@ static void print_json(const partition_answer *a)
     json_whole(&j, "tiles", tribox_tile_count(h->size, h->tile));
     json_whole(&j, "filled_tiles", h->records);
     json_whole(&j, "sorted", h->places);
+    if (h->number_bytes)
+        json_bool(&j, "ids", true);
     json_whole(&j, "spilled_bytes", a->spilled);
     json_whole(&j, "threads", a->r->threads);
     json_number(&j, "seconds", 6, a->seconds);

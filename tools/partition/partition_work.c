@@ -25,6 +25,7 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
                             .byte_order = PARTITION_BYTE_ORDER,
                             .tile = tile,
                             .position_bytes = position_bytes,
+                            .number_bytes = a->r->has_ids ? sizeof(uint32_t) : 0,
                             .record_bytes = sizeof(partition_tile),
                             .triangles = found->triangles,
                             .mesh_checksum = found->checksum,
@@ -63,10 +64,11 @@ static int sort_blocks(partition_answer *a, const pieces *all, tile_runs *runs, 
 static int sort_pieces(partition_answer *a, const pieces *all, folder_out *out)
 {
     tile_runs runs;
-    const uint32_t side = tile_set_side(a->cells.grid.size, false);
+    const bool has_ids = a->r->has_ids;
+    const uint32_t side = tile_set_side(a->cells.grid.size, has_ids);
     if (!side)
         return tile_set_refuse_size(a->cells.grid.size);
-    int code = tile_runs_start(&runs, &a->cells.grid, side, all->blocks, memory_of(a->r));
+    int code = tile_runs_start(&runs, &a->cells.grid, side, has_ids, all->blocks, memory_of(a->r));
     if (!code)
         code = sort_blocks(a, all, &runs, out);
     tile_runs_free(&runs);
@@ -104,9 +106,11 @@ static int work_on_pieces(partition_answer *a, pieces *all)
 {
     folder_out out;
     pieces_divide(all, tile_runs_block(all, memory_of(a->r), a->r->threads));
-    int code = survey(a, all);
+    int code = a->r->has_ids ? partition_check_numbers(name_of(a->r), all->triangles) : EXIT_CODE_OK;
     if (!code)
-        code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES);
+        code = survey(a, all);
+    if (!code)
+        code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->r->has_ids));
     if (code)
         return code;
     code = sort_pieces(a, all, &out);
@@ -130,9 +134,12 @@ static int work_on_meshes(partition_answer *a)
 static int join(partition_answer *a, const partition *those, folder_out *out)
 {
     tile_runs runs;
-    int code = tile_runs_start(&runs, &a->cells.grid, a->header.tile, a->r->count, memory_of(a->r));
-    for (size_t i = 0; i < a->r->count && !code; i++)
-        tile_runs_take(&runs, i, &those[i]);
+    uint64_t before = 0;
+    int code = tile_runs_start(&runs, &a->cells.grid, a->header.tile, a->header.number_bytes, a->r->count, memory_of(a->r));
+    for (size_t i = 0; i < a->r->count && !code; i++) {
+        tile_runs_take(&runs, i, &those[i], before);
+        before += those[i].header.triangles;
+    }
     if (!code)
         code = write_runs(a, &runs, out);
     tile_runs_free(&runs);
@@ -148,7 +155,7 @@ static int join_pieces(partition_answer *a, const partition *those)
     a->header = partition_header_of_all(those, a->r->count);
     a->cells = partition_voxels(&a->header);
     a->is_shifted = voxels_are_shifted(&a->cells);
-    code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES);
+    code = folder_out_open(&out, a->r->out_path, PARTITION_NAMES(a->header.number_bytes));
     if (code)
         return code;
     code = join(a, those, &out);

@@ -11,6 +11,7 @@ typedef struct partition_request {
     uint32_t threads;
     uint64_t memory; /* bytes; 0: a share of what there is */
     const char *out_path;
+    bool has_ids; /* triangles keep their numbers */
     bool wants_json, is_quiet;
 } partition_request;
 

@@ -27,7 +27,7 @@ typedef struct writing {
     progress bar;
     pthread_mutex_t lock; /* of what follows */
     size_t next;          /* record */
-    uint64_t done;        /* bytes */
+    uint64_t done;        /* triangles */
     int reason;           /* errno of the first write that failed */
     bool lacks_memory;
     const tile_run *damaged;
@@ -49,18 +49,24 @@ static bool take(writing *w, size_t *from, size_t *to)
     return *from < *to;
 }
 
+static bool write_at(FILE *file, uint64_t at, const void *bytes, size_t size)
+{
+    return !fseeko(file, (off_t)at, SEEK_SET) && fwrite(bytes, 1, size, file) == size;
+}
+
 /* The system takes one write to a file at a time anyway. */
-static bool put(void *data, uint64_t at, const void *bytes, size_t size)
+static bool put(void *data, uint64_t first, size_t count, const tile_window *from)
 {
     writing *const w = data;
-    FILE *const file = w->out->file[1];
+    const size_t each = from->triangle_bytes, number = sizeof *from->numbers;
     pthread_mutex_lock(&w->lock);
     errno = 0;
-    const bool is_written = !w->reason && !fseeko(file, (off_t)at, SEEK_SET) && fwrite(bytes, 1, size, file) == size;
+    const bool is_written = !w->reason && write_at(w->out->file[1], first * each, from->bytes, count * each) &&
+                            (!from->numbers || write_at(w->out->file[2], first * number, from->numbers, count * number));
     if (!is_written && !w->reason)
         w->reason = errno ? errno : EIO;
-    w->done += size;
-    progress_tell(&w->bar, (double)w->done / (double)(w->header->places * triangle_bytes(w)));
+    w->done += count;
+    progress_tell(&w->bar, (double)w->done / (double)w->header->places);
     pthread_mutex_unlock(&w->lock);
     return is_written;
 }
@@ -82,7 +88,11 @@ static void work(void *data, unsigned thread)
     window.bytes = malloc(w->room * window.triangle_bytes);
     window.at = malloc(w->room * sizeof *window.at);
     window.read = malloc(w->room * window.triangle_bytes);
-    if (!window.bytes || !window.at || !window.read)
+    if (w->header->number_bytes) {
+        window.numbers = malloc(w->room * sizeof *window.numbers);
+        window.numbers_read = malloc(w->room * sizeof *window.numbers);
+    }
+    if (!window.bytes || !window.at || !window.read || (w->header->number_bytes && (!window.numbers || !window.numbers_read)))
         fail(w, true, NULL, 0);
     for (size_t from, to; take(w, &from, &to);) {
         const tile_run *damaged;
@@ -92,6 +102,8 @@ static void work(void *data, unsigned thread)
     free(window.bytes);
     free(window.at);
     free(window.read);
+    free(window.numbers);
+    free(window.numbers_read);
 }
 
 /* NULL where there is no memory. */
@@ -144,7 +156,8 @@ static int write_triangles(writing *w, unsigned threads, bool is_quiet)
 int partition_write(folder_out *out, tile_runs *runs, unsigned threads, bool is_quiet, partition_header *header)
 {
     enum { LEAST = 64 };
-    const uint64_t each = 2 * NUMBERS * header->position_bytes + sizeof(uint64_t), room = runs->memory / 4 / threads / each;
+    const uint64_t each = 2 * (NUMBERS * header->position_bytes + header->number_bytes) + sizeof(uint64_t);
+    const uint64_t room = runs->memory / 4 / threads / each;
     writing w = {.out = out, .runs = runs, .header = header, .room = room < LEAST ? LEAST : (size_t)room / 2 * 2};
     int code = check_counts(runs);
     if (code)
@@ -155,6 +168,8 @@ int partition_write(folder_out *out, tile_runs *runs, unsigned threads, bool is_
     const uint64_t share = header->places / 4 / threads / 2 * 2; /* so that all threads have something to do */
     w.room = share < LEAST ? LEAST : share < w.room ? (size_t)share : w.room;
     setvbuf(out->file[1], NULL, _IONBF, 0);
+    if (header->number_bytes)
+        setvbuf(out->file[2], NULL, _IONBF, 0);
     code = write_triangles(&w, threads, is_quiet);
     if (!code)
         write_index(out, header, w.records);

@@ -4,8 +4,8 @@
 
 #include "tile_runs.h"
 
-/* In the order of folder_out's files. */
-#define PARTITION_NAMES ((const char *const[FOLDER_FILES]){"index", "triangles"})
+/* In the order of folder_out's files; the last is left out where triangles have no numbers. */
+#define PARTITION_NAMES(has_numbers) ((const char *const[FOLDER_FILES]){"index", "triangles", (has_numbers) ? "numbers" : NULL})
 
 /*
  * Writes both files by so many threads; the folder is still to be kept. header: all but records, places and checksum, which are found here. Returns an exit_code.

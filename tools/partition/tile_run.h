@@ -14,18 +14,20 @@ typedef struct tile_run {
     size_t count;
     uint64_t places;                /* triangles */
     const unsigned char *triangles; /* NULL in a file */
+    const uint32_t *numbers;        /* of these triangles; NULL where there are none, and in a file */
+    uint64_t before;                /* what is added to them */
     unsigned position_bytes;
     const partition *from; /* NULL, or a partition whose run this is, with work and checksums as there */
     void *room;            /* NULL, or what tiles and triangles lie in */
-    struct run_file *file; /* else the file, and where in its two streams */
-    uint64_t tiles_at, triangles_at;
+    struct run_file *file; /* else the file, and where in its streams */
+    uint64_t tiles_at, triangles_at, numbers_at;
 } tile_run;
 
 /* Of one thread. The tiles are apart, as they are looked at over and over: pages of a map among triangles would be dear. */
 typedef struct run_file {
-    FILE *tiles, *triangles;
-    uint64_t tiles_written, triangles_written; /* bytes */
-    file_map map;                              /* of the tiles */
+    FILE *tiles, *triangles, *numbers;
+    uint64_t tiles_written, triangles_written, numbers_written; /* bytes */
+    file_map map;                                               /* of the tiles */
     pthread_mutex_t reading;
 } run_file;
 
@@ -41,8 +43,8 @@ bool run_file_put(run_file *file, const folder_out *out, tile_run *run);
 bool run_file_map(run_file *file);
 void run_file_find(tile_run *run);
 
-/* Reads triangles of a run that is in a file. False with errno. */
-bool run_file_read(const tile_run *run, uint64_t first, size_t count, void *to);
+/* Reads triangles of a run that is in a file, and, if not NULL, their numbers. False with errno. */
+bool run_file_read(const tile_run *run, uint64_t first, size_t count, void *to, uint32_t *numbers);
 
 void run_file_close(run_file *file);
 

@@ -13,9 +13,10 @@
 #include "console/progress.h"
 #include "voxelize/tile_work.h"
 
-int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, size_t count, uint64_t memory)
+int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, bool has_numbers, size_t count, uint64_t memory)
 {
-    *r = (tile_runs){.grid = grid, .tile = tile, .tiles = tribox_tile_count(grid->size, tile), .memory = memory};
+    const size_t tiles = tribox_tile_count(grid->size, tile);
+    *r = (tile_runs){.grid = grid, .tile = tile, .tiles = tiles, .has_numbers = has_numbers, .memory = memory};
     r->runs = calloc(count ? count : 1, sizeof *r->runs);
     r->counts = calloc(r->tiles, sizeof *r->counts);
     r->work = calloc(r->tiles, sizeof *r->work);
@@ -41,7 +42,7 @@ void tile_runs_free(tile_runs *r)
 
 size_t tile_runs_block(const pieces *all, uint64_t memory, unsigned threads)
 {
-    enum { LEAST = 64, MOST = 1 << 18, BESIDE = 24 }; /* bytes of lists and entries a triangle */
+    enum { LEAST = 64, MOST = 1 << 18, BESIDE = 28 }; /* bytes of lists, entries and numbers a triangle */
     const uint64_t each = pieces_room(all) + 9 * all->read_bytes + BESIDE, block = memory / 4 / threads / each;
     return block < LEAST ? LEAST : block > MOST ? MOST : (size_t)block;
 }
@@ -118,7 +119,7 @@ static void do_block(sorting *s, block_sort *b, const piece_block *block, size_t
         return;
     }
     const tally found = tally_of_block(s->all, block, b->positions, true);
-    const tribox_status status = block_sort_run(b, s->runs->grid, block->count, &found.bounds);
+    const tribox_status status = block_sort_run(b, s->runs->grid, block, &found.bounds);
     if (status) {
         fail(s, status == MESSAGE_NO_MEMORY ? TROUBLE_MEMORY : TROUBLE_STATUS, (int)status, NULL);
     } else if (!keep(s, b, number, &found)) {
@@ -137,7 +138,7 @@ static void work(void *data, unsigned thread)
     block_sort b;
     piece_block block;
     size_t number;
-    if (!block_sort_open(&b, s->all, s->runs->grid, s->runs->tile))
+    if (!block_sort_open(&b, s->all, s->runs->grid, s->runs->tile, s->runs->has_numbers))
         fail(s, TROUBLE_MEMORY, 0, NULL);
     while (take_block(s, &block, &number))
         do_block(s, &b, &block, number, thread);
@@ -185,12 +186,14 @@ int tile_runs_sort(tile_runs *r, const pieces *all, unsigned threads, bool is_qu
     return code ? code : map_files(r, out);
 }
 
-void tile_runs_take(tile_runs *r, size_t number, const partition *p)
+void tile_runs_take(tile_runs *r, size_t number, const partition *p, uint64_t before)
 {
     r->runs[number] = (tile_run){.tiles = p->tiles,
                                  .count = (size_t)p->header.records,
                                  .places = p->header.places,
                                  .triangles = p->triangles.bytes,
+                                 .numbers = p->header.number_bytes ? p->numbers.bytes : NULL,
+                                 .before = before,
                                  .position_bytes = p->header.position_bytes,
                                  .from = p};
     add_run(r, &r->runs[number]);

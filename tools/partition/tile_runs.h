@@ -10,6 +10,7 @@ typedef struct tile_runs {
     const tribox_grid *grid;
     uint32_t tile;   /* cells along a side */
     size_t tiles;    /* of the grid */
+    bool has_numbers;
     uint64_t memory; /* bytes that runs, and what it takes to make and to write them, may take */
     tile_run *runs;
     size_t count;
@@ -19,8 +20,8 @@ typedef struct tile_runs {
     uint64_t spilled; /* bytes */
 } tile_runs;
 
-/* Room for so many runs. Returns an exit_code; tile_runs_free may follow in any case. */
-int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, size_t count, uint64_t memory);
+/* Room for so many runs; has_numbers: of triangles, as partitions say. Returns an exit_code; tile_runs_free may follow in any case. */
+int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, bool has_numbers, size_t count, uint64_t memory);
 void tile_runs_free(tile_runs *r);
 
 /* The triangles of a block so that as many threads may each have one, and their runs: at least a few. */
@@ -32,7 +33,7 @@ size_t tile_runs_block(const pieces *all, uint64_t memory, unsigned threads);
  */
 int tile_runs_sort(tile_runs *r, const pieces *all, unsigned threads, bool is_quiet, folder_out *out, tally *found);
 
-/* A partition is a run as it lies there. */
-void tile_runs_take(tile_runs *r, size_t number, const partition *p);
+/* A partition is a run as it lies there; before: the triangles of those before it. */
+void tile_runs_take(tile_runs *r, size_t number, const partition *p, uint64_t before);
 
 #endif

@@ -10,12 +10,13 @@ typedef struct tile_window {
     size_t triangle_bytes;   /* there */
     size_t room;             /* triangles that `bytes` holds, an even number */
     unsigned char *bytes;
-    unsigned char *read; /* as large, for those of a run in a file */
+    unsigned char *read;               /* as large, for those of a run in a file */
+    uint32_t *numbers, *numbers_read;  /* the same of numbers; NULL without */
     uint64_t *at;        /* where the next triangle of each record goes */
 } tile_window;
 
-/* Writes bytes to their place in the file. False where that fails. */
-typedef bool tile_window_sink(void *data, uint64_t at, const void *bytes, size_t size);
+/* Writes triangles, and numbers if there are some, to their place: that of triangle `first`. False where that fails. */
+typedef bool tile_window_sink(void *data, uint64_t first, size_t count, const tile_window *w);
 
 /*
  * Writes the triangles of records from .. to - 1, which end at place `end` of the file, and sets their checksums. They fit into the

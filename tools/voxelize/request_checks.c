@@ -128,8 +128,7 @@ static const struct lack {
     int option;
     const char *line;
 } lacks[] = {{OPTION_THIN, "is for tiles: --thin"},
-             {OPTION_COLOURS, "lacks the colours of its mesh: --colours"},
-             {OPTION_IDS, "lacks the numbers of its triangles: --ids"}};
+             {OPTION_COLOURS, "lacks the colours of its mesh: --colours"}};
 
 static int check_conflicts(const voxelize_request *r, const options_found *found)
 {

@@ -151,6 +151,7 @@ struct tile_room {
     size_t most;                    /* triangles of a partition at once */
     uint32_t *list;                 /* 0, 1, 2, ... */
     unsigned char *gathered;        /* of several partitions: so many */
+    uint32_t *numbers;              /* theirs, where they are asked for */
     size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
 };
 
@@ -171,7 +172,9 @@ static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *ro
         room->list[i] = (uint32_t)i;
     if (set->from->pieces)
         room->gathered = malloc(room->most * triangle_bytes(set));
-    return room->list && (room->gathered || !set->from->pieces);
+    if (set->from->pieces && set->task.has_ids)
+        room->numbers = malloc(room->most * sizeof *room->numbers);
+    return room->list && (!set->from->pieces || (room->gathered && (room->numbers || !set->task.has_ids)));
 }
 
 tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
@@ -193,6 +196,7 @@ void tile_room_free(tile_room *room)
     free(room->scratch);
     free(room->list);
     free(room->gathered);
+    free(room->numbers);
     free(room);
 }
 
@@ -202,14 +206,22 @@ static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
     return sink->take(sink->data, at, bits, NULL);
 }
 
+/* The sink of bricks with ids, which are places in a batch of a partition where that has numbers. */
+typedef struct ids_taker {
+    const tile_sink *sink;
+    const uint32_t *numbers;
+} ids_taker;
+
 static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
 {
-    const tile_sink *const sink = data;
+    const ids_taker *const taker = data;
     uint32_t of_cells[512], *to = of_cells;
     for (unsigned k = 0; k < 8; k++)
-        for (uint64_t word = bits[k]; word; word &= word - 1)
-            *to++ = ids[64 * k + lowest_bit(word)];
-    return sink->take(sink->data, at, bits, of_cells);
+        for (uint64_t word = bits[k]; word; word &= word - 1) {
+            const uint32_t id = ids[64 * k + lowest_bit(word)];
+            *to++ = taker->numbers ? taker->numbers[id] : id;
+        }
+    return taker->sink->take(taker->sink->data, at, bits, of_cells);
 }
 
 /* Some tiles of a mesh in memory. */
@@ -220,7 +232,8 @@ static tribox_status run_lists(const tile_set *set, const tribox_tiles *tiles, v
     const size_t *const starts = set->starts + tiles->first;
     tile_sink own = *to;
     const tribox_sink sink = {take_brick, &own};
-    const tribox_ids_sink ids = {take_ids, &own};
+    ids_taker taker = {.sink = to};
+    const tribox_ids_sink ids = {take_ids, &taker};
     if (set->task.has_ids)
         return t->soup ? tribox_bricks_ids(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report)
                        : tribox_mesh_bricks_ids(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report);
@@ -264,14 +277,16 @@ static void set_starts(const tile_set *set, const batch *b, size_t *starts)
 static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
 {
     unsigned char *at = room->gathered;
+    uint32_t *numbers = room->numbers;
     bool is_sound = true;
     for (size_t r = b->from; r < b->to && is_sound; r++) {
         if (!set->from->pieces) {
             is_sound = partition_is_sound(set->from, r);
             continue;
         }
-        is_sound = partition_gather(set->from, r, at);
+        is_sound = partition_gather(set->from, r, at, numbers);
         at += tile_set_triangles(set, r) * triangle_bytes(set);
+        numbers += numbers ? tile_set_triangles(set, r) : 0;
     }
     return is_sound;
 }
@@ -283,6 +298,11 @@ static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *r
     set_starts(set, b, room->starts);
     if (!check_batch(set, b, room))
         return TRIBOX_BAD_VERTEX;
+    if (set->task.has_ids) {
+        ids_taker taker = {to, room->numbers ? room->numbers : partition_numbers(set->from, b->from)};
+        return tribox_mesh_bricks_ids(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options,
+                                      room->scratch, &(tribox_ids_sink){take_ids, &taker}, report);
+    }
     return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
                               &(tribox_sink){take_brick, &own}, report);
 }

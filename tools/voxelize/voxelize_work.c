@@ -126,9 +126,9 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
     a->triangles = m->triangles;
     a->not_finite = m->not_finite;
     a->is_double = m->is_double;
-    if (r->result.options.has_ids && m->triangles > INT32_MAX)
-        return message_failure("%s: %zu triangles are too many for ids, which are int32: leave out --ids", name, m->triangles);
-    const int code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
+    int code = r->result.options.has_ids ? partition_check_numbers(name, m->triangles) : EXIT_CODE_OK;
+    if (!code)
+        code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
     return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
 }
 
@@ -179,7 +179,11 @@ static int work_on_partition(const voxelize_request *r, voxelize_answer *a)
     a->not_finite = (size_t)p.header.not_finite;
     a->is_double = p.header.position_bytes == sizeof(double);
     a->is_shifted = voxels_are_shifted(&in.cells);
-    code = open_files(r, &in, a);
+    if (r->result.options.has_ids && !p.header.number_bytes)
+        code = message_failure("%s: has no numbers of its triangles; make it with 'tribox partition --ids', or leave out --ids",
+                               p.path);
+    if (!code)
+        code = open_files(r, &in, a);
     partition_close(&p);
     return code;
 }

@@ -42,7 +42,7 @@ int folder_out_failure(const folder_out *out, int reason)
 
 static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
 {
-    for (int i = 0; i < FOLDER_FILES; i++) {
+    for (int i = 0; i < FOLDER_FILES && names[i]; i++) {
         out->name[i] = within(out->beside, names[i]);
         if (!out->name[i])
             return message_failure("%s: out of memory", out->path);
@@ -101,7 +101,7 @@ int folder_out_open(folder_out *out, const char *path, const char *const names[F
 
 static void forget(folder_out *out)
 {
-    for (int i = 0; i < FOLDER_FILES; i++) {
+    for (int i = 0; i < FOLDER_FILES && out->name[i]; i++) {
         interrupt_forget(out->name[i]);
         free(out->name[i]);
     }
@@ -113,7 +113,7 @@ static void forget(folder_out *out)
 int folder_out_keep(folder_out *out)
 {
     int reason = 0;
-    for (int i = 0; i < FOLDER_FILES; i++) {
+    for (int i = 0; i < FOLDER_FILES && out->file[i]; i++) {
         errno = ferror(out->file[i]) ? errno : 0; /* that of the write that failed */
         const bool is_lost = ferror(out->file[i]) || fflush(out->file[i]);
         reason = reason || !is_lost ? reason : errno ? errno : EIO;

@@ -4,17 +4,17 @@
 
 #include <stdio.h>
 
-enum { FOLDER_FILES = 2 };
+enum { FOLDER_FILES = 3 }; /* at most */
 
 /* Until it is kept the folder is ".tribox-" and six letters beside its place; a run that is killed leaves that there. */
 typedef struct folder_out {
     const char *path; /* as it was given */
     char *beside;
-    FILE *file[FOLDER_FILES];
+    FILE *file[FOLDER_FILES]; /* NULL: there is no such file */
     char *name[FOLDER_FILES]; /* in `beside` */
 } folder_out;
 
-/* Makes it, with these files. What stands under the name already is refused. Returns an exit_code. */
+/* Makes it, with files of these names, up to the first NULL. What stands under the name already is refused. Returns an exit_code. */
 int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES]);
 
 /* Writes out all that is pending and gives the folder its name. Returns an exit_code; on failure nothing is left. */
