@@ -183,13 +183,106 @@ class Ids(support.TestCase):
                 ("leave out --ids", ("--count",)), ("leave out --fill", ("--fill", "outside", "-o", "x.npz")),
                 ("leave out --thin", ("--thin", "-o", "x.npz")), ("run it for each", ("--colours", "-o", "x.npz")),
                 ("--ids and --vdb-grid exclude each other", ("--vdb-grid", "mask", "-o", "x.vdb")),
-                ("a .part holds none; write .npz, which", ("--shard", "1/2", "-o", "x.part")),
                 *(("--ids: .%s holds none; write .npz" % word, ("--out-format", word, "-o", "x"))
                   for word in ("cells", "binvox", "vox", "ply", "obj", "glb"))):
             self.fail_with(2, pattern, "voxelize", self.mesh, *GRID, "--ids", *options)
         self.succeed("partition", self.mesh, *GRID, "-q", "-o", self.path("tiles"))
-        self.fail_with(2, "is a partition, which lacks the numbers of its triangles: --ids needs the mesh itself", "voxelize",
-                       self.path("tiles"), "--ids", "-o", "x.npz")
+        self.succeed("partition", self.mesh, *GRID, "--ids", "-q", "-o", self.path("numbered"))
+        tiles, numbered = self.path("tiles"), self.path("numbered")
+        self.fail_with(1, "tiles: has no numbers of its triangles; make it with 'tribox partition --ids'", "voxelize", tiles, "--ids",
+                       "-o", self.path("x.npz"))
+        for command in (("voxelize", "--ids"), ("partition",)):
+            self.fail_with(1, "numbered has the numbers of its triangles and .*tiles has none; make both with --ids, or neither",
+                           command[0], tiles, numbered, *command[1:], "-o", self.path("x.npz"))
+        self.fail_with(2, "which has ids or has none: leave out --ids", "partition", numbered, "--ids", "-o", self.path("x"))
+
+    def whole(self, ending, *options):
+        """The file of one process about the mesh."""
+        out = self.path("whole" + ending)
+        self.done("voxelize", self.mesh, *GRID, "--ids", *options, "-q", "-o", out)
+        return volumes.read(out)
+
+    def done(self, *arguments):
+        """Warnings aside, as of triangles that are not finite."""
+        result = support.run(*arguments)
+        self.assertEqual((result.code, result.stdout), (0, ""), result.stderr)
+
+    def numbered(self, name, triangles, *options):
+        """The partition of some triangles."""
+        mesh, out = self.write(name + ".f32", meshes.pack_floats(triangles)), self.path(name)
+        self.done("partition", mesh, *GRID, "--ids", "-q", *options, "-o", out)
+        return out
+
+    def test_partitions(self):
+        """Sorted in any memory, in pieces, and joined, triangles have the numbers that they have in the mesh."""
+        pieces = [scene()[:37], scene()[37:38], [((NAN, 0, 0),) * 3] * 5, scene()[38:]]
+        self.mesh = self.write("mesh.f32", meshes.pack_floats(sum(pieces, [])))
+        with_nan = {cell: n + (n >= 38) * 5 for cell, n in truth().items()}
+        small, parts = ("--memory", "1K", "--threads", "3"), []
+        for name, triangles in zip("abcd", pieces):
+            if name == "c":  # a mesh of nothing else is refused: it goes with its neighbour
+                continue
+            parts.append(self.numbered(name, triangles if name != "d" else pieces[2] + triangles, *(small if name == "d" else ())))
+        joined, files = self.path("joined"), [self.path(name + ".f32") for name in "abd"]
+        self.done("partition", *parts, *small, "-q", "-o", joined)
+        self.done("partition", *files, *GRID, "--ids", *small, "-q", "-o", self.path("all"))
+        expected = self.whole(".npz")
+        self.assertEqual(read_npz(self.path("whole.npz")), with_nan)
+        for given in parts, [joined], [self.path("all")], [self.numbered("mesh", sum(pieces, []), *small)]:
+            for threads in "1", "3":
+                out = self.path("x.npz")
+                self.done("voxelize", *given, "--ids", "-q", "-t", threads, "-o", out)
+                self.assertEqual(volumes.read(out), expected, (given, threads))
+        self.assertEqual(*(volumes.read(os.path.join(self.path(name), "numbers")) for name in ("joined", "all")))
+
+    def test_damaged_numbers(self):
+        folder, other = self.numbered("tiles", scene()), self.numbered("other", scene()[:9])
+        path = os.path.join(folder, "numbers")
+        octets = bytearray(volumes.read(path))
+        for changed, why in ((octets[:-4], "its numbers are not as many as its index says"),
+                             (bytes(a ^ (n == 77) for n, a in enumerate(octets)), "the checksum of its triangles does not match")):
+            with open(path, "wb") as file:
+                file.write(changed)
+            for command in (("voxelize", "--ids"), ("voxelize",), ("partition", other)):
+                self.fail_with(1, "tiles: damaged: " + why, command[0], folder, *command[1:], "-o", self.path("x.npz"))
+
+    def parts(self, mesh, count, *options):
+        """The .part files of all shards."""
+        names = [self.path("%d.part" % shard) for shard in range(1, count + 1)]
+        for shard, name in enumerate(names, 1):
+            self.succeed("voxelize", mesh, *options, "--ids", "-q", "--shard", "%d/%d" % (shard, count), "-o", name)
+        return names
+
+    def test_merge(self):
+        """Parts of a mesh and of a partition are the same files, and become what one process writes, in every format."""
+        folder = self.numbered("tiles", scene())
+        for count in 1, 3:
+            expected = list(map(volumes.read, self.parts(self.mesh, count, *GRID)))
+            names = self.parts(folder, count)
+            self.assertEqual(list(map(volumes.read, names)), expected)
+            for ending in READERS:
+                if ending == ".vdb" and not support.has_openvdb():
+                    continue
+                for options in ((), ("-t", "1"), ("--deflate",))[:3 if ending == ".npz" else 1]:
+                    out = self.path("merged" + ending)
+                    self.succeed("merge", *names[::-1], "-q", *options, "-o", out)
+                    deflate = [option for option in options if option == "--deflate"]
+                    whole = self.whole(ending, *deflate)
+                    if ending == ".vdb":  # with a number of its own
+                        self.assertEqual(READERS[ending](out), truth())
+                    else:
+                        self.assertEqual(volumes.read(out), whole, (ending, options))
+        self.fail_with(1, "1.part: has ids, and .glb holds none: write .npz", "merge", *names, "-o", self.path("x.glb"))
+        self.fail_with(1, "has ids, a grid of whole numbers: leave out --vdb-grid", "merge", *names, "--vdb-grid", "mask",
+                       "-o", self.path("x.vdb"))
+        octets = volumes.read(names[1])
+        self.succeed("voxelize", folder, "-q", "--shard", "2/3", "-o", names[1])
+        self.fail_with(1, "they differ in the ids: some have none", "merge", *names, "-o", self.path("x.npz"))
+        for changed, why in ((octets[:-40], "do not fit its number of bricks"),
+                             (octets[:400] + bytes([octets[400] ^ 1]) + octets[401:], "damaged")):
+            with open(names[1], "wb") as file:
+                file.write(changed)
+            self.fail_with(1, "2.part: .*" + why, "merge", *names, "-o", self.path("x.npz"))
 
 
 if __name__ == "__main__":

@@ -50,12 +50,13 @@ typedef struct merging {
     const merge_request *r;
     voxels cells;
     brick_out out;
+    bool has_ids;    /* of set cells */
     uint64_t *words; /* for the picture; NULL for none */
     progress bar;
     uint64_t all, done; /* bricks */
 } merging;
 
-static int take_brick(void *data, const part_brick *brick)
+static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
 {
     enum { TELL_EACH = 4096 };
     merging *const m = data;
@@ -63,6 +64,7 @@ static int take_brick(void *data, const part_brick *brick)
         bricks_lay(&m->cells.grid, m->words, brick->at, brick->bits);
     if (++m->done % TELL_EACH == 0)
         progress_tell(&m->bar, (double)m->done / (double)m->all);
+    m->out.ids = ids;
     return brick_out_put(&m->out, brick->at, brick->bits);
 }
 
@@ -97,7 +99,9 @@ static int write_bricks(merging *m, const part *parts, size_t count, file_out *o
     const result_request *const result = &m->r->result;
     if (has_places(m))
         return write_places(m, parts, count, out);
-    int code = brick_out_open(&m->out, result->format, &result->options, out, &m->cells);
+    volume_options how = result->options;
+    how.has_ids = m->has_ids;
+    int code = brick_out_open(&m->out, result->format, &how, out, &m->cells);
     if (code)
         return code;
     m->out.threads = m->r->threads;
@@ -159,18 +163,34 @@ static int write_files(merging *m, const part *parts, size_t count)
     return code;
 }
 
+/* Ids are not dropped without a word. */
+static int check_ids(const merge_request *r, const part *parts)
+{
+    const volume_format *const format = r->result.format;
+    if (!parts[0].header.whole.id_bytes)
+        return EXIT_CODE_OK;
+    if (r->result.options.is_mask)
+        return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
+    return volume_takes_ids(format)
+               ? EXIT_CODE_OK
+               : message_failure("%s: has ids, and .%s holds none: write " VOLUME_WITH_IDS ", or run the shards without --ids",
+                                 parts[0].path, format->word);
+}
+
 static int merge(const merge_request *r, part *parts, size_t count)
 {
     int code = part_join(parts, count);
     if (code)
         return code;
-    merging m = {.r = r, .cells = part_voxels(&parts[0].header.whole)};
+    const part_whole *const whole = &parts[0].header.whole;
+    merging m = {.r = r, .cells = part_voxels(whole), .has_ids = whole->id_bytes};
     uint64_t occupied = 0;
     for (size_t i = 0; i < count; i++) {
         m.all += parts[i].end.bricks;
         occupied += parts[i].end.cells;
     }
-    if (r->result.format->check_grid)
+    code = check_ids(r, parts);
+    if (!code && r->result.format->check_grid)
         code = r->result.format->check_grid(r->result.out_path, &m.cells.grid);
     if (!code)
         code = take_words(&m);

@@ -12,6 +12,9 @@ enum { NUMBERS = 9 };
 static int check_pair(const partition *a, const partition *b)
 {
     const partition_header *const one = &a->header, *const other = &b->header;
+    if (one->number_bytes != other->number_bytes)
+        return message_failure("%s has the numbers of its triangles and %s has none; make both with --ids, or neither",
+                               one->number_bytes ? a->path : b->path, one->number_bytes ? b->path : a->path);
     const bool has_other_grid = memcmp(one->origin, other->origin, sizeof one->origin) ||
                                 memcmp(one->cell, other->cell, sizeof one->cell) ||
                                 memcmp(one->size, other->size, sizeof one->size);
@@ -19,9 +22,6 @@ static int check_pair(const partition *a, const partition *b)
                                   : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
                                   : one->tile != other->tile                            ? "size of tiles"
                                                                                         : NULL;
-    if (!differing && one->number_bytes != other->number_bytes)
-        return message_failure("%s has the numbers of its triangles and %s has none; make both with --ids, or neither",
-                               one->number_bytes ? a->path : b->path, one->number_bytes ? b->path : a->path);
     return !differing ? EXIT_CODE_OK
                       : message_failure("%s and %s do not fit together: they differ in the %s; make them with the same --origin, "
                                         "--cell, --size and --shift",

@@ -80,9 +80,7 @@ static int check_format(const voxelize_request *r)
         return message_usage("--labels: %s holds no labels; write " VOLUME_LABELLED ", or give --inside-only", format->word);
     if (r->has_colours && format->colours == VOLUME_NO_COLOURS)
         return message_usage("--colours: .%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz", format->word);
-    if (r->result.options.has_ids && !format)
-        return message_usage("--ids: a .part holds none; write .npz, which tribox.Bricks.load of Python joins");
-    if (r->result.options.has_ids && !volume_takes_ids(format))
+    if (r->result.options.has_ids && !r->is_part && !volume_takes_ids(format))
         return message_usage("--ids: .%s holds none; write " VOLUME_WITH_IDS, format->word);
     return EXIT_CODE_OK;
 }

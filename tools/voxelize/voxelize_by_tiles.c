@@ -30,7 +30,7 @@ static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8], 
         g->code = brick_out_put(g->file, at, bits);
     }
     if (g->part)
-        part_put(g->part, at, bits);
+        part_put(g->part, at, bits, ids);
     if (g->words)
         bricks_lay(&g->cells->grid, g->words, at, bits);
     return g->code || (g->part && g->part->reason);
@@ -58,6 +58,7 @@ static part_header header_of(const tile_job *j)
                                     .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
                                     .position_bytes = m ? (m->is_double ? sizeof(double) : sizeof(float)) : p->position_bytes,
                                     .tile = j->set->tile,
+                                    .id_bytes = r->result.options.has_ids ? sizeof(uint32_t) : 0,
                                     .triangles = m ? m->triangles : p->triangles,
                                     .mesh_checksum = m ? part_mesh_checksum(m) : p->mesh_checksum},
                           .from = j->from_tile,

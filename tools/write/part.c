@@ -73,13 +73,15 @@ part_writer part_start(FILE *to, const part_header *header)
     return w;
 }
 
-void part_put(part_writer *w, const uint32_t at[3], const uint64_t bits[8])
+void part_put(part_writer *w, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     part_brick brick = {.at = {at[0], at[1], at[2]}, .cells = (uint32_t)voxels_count(bits, 8)};
     memcpy(brick.bits, bits, sizeof brick.bits);
     w->end.bricks++;
     w->end.cells += brick.cells;
     put(w, &brick, sizeof brick);
+    if (ids)
+        put(w, ids, brick.cells * sizeof *ids);
 }
 
 void part_finish(part_writer *w)

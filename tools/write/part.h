@@ -15,7 +15,7 @@ typedef struct part_whole {
     uint32_t size[3];
     uint32_t shards;
     uint32_t accuracy, axes; /* as in tribox_options */
-    uint32_t reserved;       /* 0 */
+    uint32_t id_bytes;       /* 4: cells have ids; 0: they have none */
     uint32_t position_bytes; /* 4: the mesh is one of floats, 8: of doubles */
     uint32_t tile;           /* cells along a side of a tile */
     uint32_t brick_bytes;    /* of a part_brick */
@@ -32,7 +32,7 @@ typedef struct part_header {
     uint64_t from, to; /* the tiles from .. to - 1 are what it holds */
 } part_header;
 
-/* A brick as a tribox_sink is handed it, in the order of tribox_bricks. */
+/* A brick as a tribox_sink is handed it, in the order of tribox_bricks; if cells have ids, those of its set cells as uint32 follow. */
 typedef struct part_brick {
     uint32_t at[3];
     uint32_t cells; /* that are set */
@@ -68,7 +68,7 @@ typedef struct part_writer {
 } part_writer;
 
 part_writer part_start(FILE *to, const part_header *header);
-void part_put(part_writer *w, const uint32_t at[3], const uint64_t bits[8]);
+void part_put(part_writer *w, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids);
 void part_finish(part_writer *w);
 
 /* A part that is there: what its first and last bytes say. */
@@ -84,8 +84,8 @@ int part_open(part *p, const char *path);
 /* Sorts the parts by their shards and refuses them where they are not the parts of one whole, each once. Returns an exit_code. */
 int part_join(part *parts, size_t count);
 
-/* Takes a brick. Returns an exit_code, which ends the reading. */
-typedef int part_take(void *data, const part_brick *brick);
+/* Takes a brick and the ids of its set cells; NULL where they have none. Returns an exit_code, which ends the reading. */
+typedef int part_take(void *data, const part_brick *brick, const uint32_t *ids);
 
 /* Reads a part to its end, in little memory, and refuses one that is damaged: what was taken until then is void. */
 int part_read(const part *p, part_take *take, void *data);

@@ -30,6 +30,7 @@ static int check_alike(const part *a, const part *b)
                                 ? "mesh"
                             : one->accuracy != other->accuracy ? "accuracy"
                             : one->axes != other->axes         ? "choice of axes"
+                            : one->id_bytes != other->id_bytes ? "ids: some have none"
                             : one->tile != other->tile         ? "size of tiles"
                                                                : NULL;
     return differing ? message_failure("%s and %s do not fit together: they differ in the %s", a->path, b->path, differing)

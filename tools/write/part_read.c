@@ -19,7 +19,8 @@ static bool is_sound(const part_header *header)
     const part_whole *const whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
     const voxels v = part_voxels(whole);
-    return header->shard && header->shard <= whole->shards && whole->axes && !whole->reserved && is_size(whole->position_bytes) &&
+    return header->shard && header->shard <= whole->shards && whole->axes && (!whole->id_bytes || whole->id_bytes == sizeof(uint32_t)) &&
+           is_size(whole->position_bytes) &&
            isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && whole->brick_bytes == sizeof(part_brick) && whole->tile &&
            whole->tile <= TILE_MOST && whole->tile % BRICK == 0 && voxels_are_served(&v.grid, &options) &&
            header->from <= header->to && header->to <= tribox_tile_count(whole->size, whole->tile);
@@ -68,8 +69,8 @@ static int read_ends(part *p, FILE *file)
     if (!named_file_about_open(file, &about) || about.size < sizeof p->header + sizeof p->end ||
         fseeko(file, (off_t)(about.size - sizeof p->end), SEEK_SET) || fread(&p->end, sizeof p->end, 1, file) != 1)
         return refuse(p, "it ends early");
-    const uint64_t size = about.size - sizeof p->header - sizeof p->end;
-    if (size % sizeof(part_brick) || size / sizeof(part_brick) != p->end.bricks)
+    const uint64_t size = about.size - sizeof p->header - sizeof p->end, ids = p->end.cells * p->header.whole.id_bytes;
+    if (p->end.cells > size || ids > size || (size - ids) % sizeof(part_brick) || (size - ids) / sizeof(part_brick) != p->end.bricks)
         return message_failure("%s: damaged: it has %llu bytes, which do not fit its number of bricks; run shard %u of %u again",
                                p->path, (unsigned long long)about.size, p->header.shard, p->header.whole.shards);
     return EXIT_CODE_OK;
@@ -175,10 +176,29 @@ static int take_block(reading *r, const part_brick *bricks, size_t count, part_t
     for (size_t i = 0; i < count && !code; i++) {
         const char *const why = check_brick(&r->p->header, &bricks[i], &r->here);
         r->cells += bricks[i].cells;
-        code = why ? refuse(r->p, why) : take(data, &bricks[i]);
+        code = why ? refuse(r->p, why) : take(data, &bricks[i], NULL);
     }
     r->left -= count;
     return code;
+}
+
+static int take_with_ids(reading *r, FILE *file, part_take *take, void *data)
+{
+    part_brick brick;
+    uint32_t ids[512];
+    if (fread(&brick, sizeof brick, 1, file) != 1)
+        return refuse(r->p, "it ends early");
+    const char *const why = check_brick(&r->p->header, &brick, &r->here);
+    if (why)
+        return refuse(r->p, why);
+    if (brick.cells != voxels_count(brick.bits, 8))
+        return refuse(r->p, "its cells are not as many as it says");
+    if (fread(ids, sizeof *ids, brick.cells, file) != brick.cells)
+        return refuse(r->p, "it ends early");
+    r->sum = checksum_bytes(checksum_bytes(r->sum, &brick, sizeof brick), ids, brick.cells * sizeof *ids);
+    r->cells += brick.cells;
+    r->left--;
+    return take(data, &brick, ids);
 }
 
 static int read_bricks(reading *r, FILE *file, part_brick *block, part_take *take, void *data)
@@ -188,6 +208,8 @@ static int read_bricks(reading *r, FILE *file, part_brick *block, part_take *tak
     if (fread(&header, sizeof header, 1, file) != 1 || memcmp(&header, &r->p->header, sizeof header))
         return refuse(r->p, "it has changed meanwhile");
     r->sum = checksum_bytes(r->sum, &header, sizeof header);
+    while (r->left && !code && r->p->header.whole.id_bytes)
+        code = take_with_ids(r, file, take, data);
     while (r->left && !code) {
         const size_t wanted = r->left < BLOCK ? (size_t)r->left : BLOCK;
         code = fread(block, sizeof *block, wanted, file) == wanted ? take_block(r, block, wanted, take, data)
@@ -208,7 +230,7 @@ int part_read(const part *p, part_take *take, void *data)
     part_brick *const block = file ? malloc(BLOCK * sizeof *block) : NULL;
     int code = EXIT_CODE_FAILURE;
     if (block) {
-        setvbuf(file, NULL, _IONBF, 0);
+        setvbuf(file, NULL, p->header.whole.id_bytes ? _IOFBF : _IONBF, p->header.whole.id_bytes ? BLOCK * sizeof *block : 0);
         code = read_bricks(&r, file, block, take, data);
     } else if (file) {
         message_failure("out of memory for %s", p->path);

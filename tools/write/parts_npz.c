@@ -5,15 +5,19 @@
 #include <errno.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/crew.h"
 #include "console/message.h"
 #include "npz_members.h"
 #include "read/little.h"
 
-enum { AT_BYTES = 12, BITS_BYTES = 64, BLOCK = 4096 };
-enum { BITS, AT, ARRAYS };
-static const int row_bytes[ARRAYS] = {BITS_BYTES, AT_BYTES};
+enum { AT_BYTES = 12, BITS_BYTES = 64, ID_BYTES = 4, BRICK_CELLS = 512, BLOCK = 4096, IDS_BLOCK = 1 << 18 };
+enum { BITS, AT, IDS, ARRAYS };
+static const struct {
+    const char *name, *type;
+    int columns, row_bytes;
+} arrays[ARRAYS] = {{"bits.npy", "<u8", 8, BITS_BYTES}, {"at.npy", "<u4", 3, AT_BYTES}, {"ids.npy", "<u4", 0, ID_BYTES}};
 
 typedef struct part_sums {
     uint32_t crc[ARRAYS];
@@ -24,7 +28,8 @@ typedef struct joining {
     file_out *out;
     const part *parts;
     size_t count;
-    uint64_t bricks;        /* of all parts */
+    int arrays;             /* all, or those but for ids */
+    uint64_t rows[ARRAYS];  /* of all parts: bricks, and cells for ids */
     uint64_t start[ARRAYS]; /* where in the file the rows begin */
     part_sums *sums;
     progress *bar;
@@ -37,10 +42,10 @@ typedef struct joining {
 /* A part that is being read. */
 typedef struct rows {
     joining *j;
-    uint64_t place; /* of the first waiting brick among all */
+    uint64_t place[ARRAYS]; /* of the first waiting row among all */
     part_sums sums;
-    size_t waiting;
-    unsigned char at[BLOCK][AT_BYTES], bits[BLOCK][BITS_BYTES];
+    size_t waiting[ARRAYS];
+    unsigned char at[BLOCK][AT_BYTES], bits[BLOCK][BITS_BYTES], ids[IDS_BLOCK][ID_BYTES];
 } rows;
 
 /* The lock is held. */
@@ -56,41 +61,55 @@ static void write_at(joining *j, uint64_t at, const void *bytes, size_t size)
 static int write_waiting(rows *r)
 {
     joining *const j = r->j;
-    const void *const bytes[ARRAYS] = {r->bits, r->at};
-    for (int a = 0; a < ARRAYS; a++)
-        r->sums.crc[a] = zip_crc(r->sums.crc[a], bytes[a], r->waiting * (size_t)row_bytes[a]);
+    const void *const bytes[ARRAYS] = {r->bits, r->at, r->ids};
+    for (int a = 0; a < j->arrays; a++)
+        r->sums.crc[a] = zip_crc(r->sums.crc[a], bytes[a], r->waiting[a] * (size_t)arrays[a].row_bytes);
     pthread_mutex_lock(&j->lock);
-    for (int a = 0; a < ARRAYS; a++)
-        write_at(j, j->start[a] + r->place * (uint64_t)row_bytes[a], bytes[a], r->waiting * (size_t)row_bytes[a]);
-    j->done += r->waiting;
-    progress_tell(j->bar, (double)j->done / (double)j->bricks);
+    for (int a = 0; a < j->arrays; a++)
+        write_at(j, j->start[a] + r->place[a] * (uint64_t)arrays[a].row_bytes, bytes[a],
+                 r->waiting[a] * (size_t)arrays[a].row_bytes);
+    j->done += r->waiting[BITS];
+    progress_tell(j->bar, (double)j->done / (double)j->rows[BITS]);
     const int code = j->code;
     pthread_mutex_unlock(&j->lock);
-    r->place += r->waiting;
-    r->waiting = 0;
+    for (int a = 0; a < j->arrays; a++) {
+        r->place[a] += r->waiting[a];
+        r->waiting[a] = 0;
+    }
     return code;
 }
 
-static int take_brick(void *data, const part_brick *brick)
+static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
 {
     rows *const r = data;
+    const size_t row = r->waiting[BITS];
     for (int a = 0; a < 3; a++)
-        little_put32(r->at[r->waiting] + 4 * a, brick->at[a]);
+        little_put32(r->at[row] + 4 * a, brick->at[a]);
     for (int k = 0; k < 8; k++)
-        little_put64(r->bits[r->waiting] + 8 * k, brick->bits[k]);
-    return ++r->waiting < BLOCK ? EXIT_CODE_OK : write_waiting(r);
+        little_put64(r->bits[row] + 8 * k, brick->bits[k]);
+    for (uint32_t n = 0; ids && n < brick->cells; n++)
+        little_put32(r->ids[r->waiting[IDS]++], ids[n]);
+    r->waiting[BITS] = r->waiting[AT] = row + 1;
+    return row + 1 < BLOCK && r->waiting[IDS] + BRICK_CELLS <= IDS_BLOCK ? EXIT_CODE_OK : write_waiting(r);
 }
 
-/* Which part is next, and its first place. False where none is left. */
-static bool take_part(joining *j, size_t *number, uint64_t *place)
+static void add_rows(const part *p, uint64_t to[ARRAYS])
+{
+    to[BITS] += p->end.bricks;
+    to[AT] += p->end.bricks;
+    to[IDS] += p->end.cells;
+}
+
+/* Which part is next, and its first places. False where none is left. */
+static bool take_part(joining *j, size_t *number, uint64_t place[ARRAYS])
 {
     pthread_mutex_lock(&j->lock);
     const bool is_left = !j->code && j->next < j->count;
     *number = is_left ? j->next++ : j->next;
     pthread_mutex_unlock(&j->lock);
-    *place = 0;
+    memset(place, 0, ARRAYS * sizeof *place);
     for (size_t i = 0; i < *number; i++)
-        *place += j->parts[i].end.bricks;
+        add_rows(&j->parts[i], place);
     return is_left;
 }
 
@@ -109,10 +128,9 @@ static void work(void *data, unsigned thread)
     (void)thread;
     if (!r)
         fail(j, message_failure("out of memory to read the parts"));
-    for (uint64_t place; take_part(j, &number, &place);) {
+    while (r && take_part(j, &number, r->place)) {
         r->j = j;
-        r->place = place;
-        r->sums = (part_sums){{0, 0}};
+        r->sums = (part_sums){{0}};
         int code = part_read(&j->parts[number], take_brick, r);
         if (!code)
             code = write_waiting(r);
@@ -123,14 +141,16 @@ static void work(void *data, unsigned thread)
     free(r);
 }
 
+static uint64_t bytes_of(int array, uint64_t count) { return count * (uint64_t)arrays[array].row_bytes; }
+
 /* Leaves room for an array whose rows come later. */
-static void skip_rows(joining *j, zip_out *zip, int array, const char *name, const char *type)
+static void skip_rows(joining *j, zip_out *zip, int array)
 {
     unsigned char header[NPY_HEADER];
-    zip_begin_member(zip, name);
+    zip_begin_member(zip, arrays[array].name);
     j->start[array] = zip->written;
-    zip_skip(zip, j->bricks * (uint64_t)row_bytes[array]);
-    npz_rows(header, type, j->bricks, array == AT ? 3 : 8);
+    zip_skip(zip, bytes_of(array, j->rows[array]));
+    npz_rows(header, arrays[array].type, j->rows[array], arrays[array].columns);
     zip_end_member(zip, header);
 }
 
@@ -138,10 +158,13 @@ static void set_sums(const joining *j, zip_out *zip, int array)
 {
     uint32_t crc = 0;
     unsigned char header[NPY_HEADER];
-    npz_rows(header, array == AT ? "<u4" : "<u8", j->bricks, array == AT ? 3 : 8);
-    for (size_t i = 0; i < j->count; i++)
-        crc = zip_crc_of_both(crc, j->sums[i].crc[array], j->parts[i].end.bricks * (uint64_t)row_bytes[array]);
-    zip_set_crc(zip, (unsigned)array, header, crc, j->bricks * (uint64_t)row_bytes[array]);
+    npz_rows(header, arrays[array].type, j->rows[array], arrays[array].columns);
+    for (size_t i = 0; i < j->count; i++) {
+        uint64_t of_part[ARRAYS] = {0};
+        add_rows(&j->parts[i], of_part);
+        crc = zip_crc_of_both(crc, j->sums[i].crc[array], bytes_of(array, of_part[array]));
+    }
+    zip_set_crc(zip, (unsigned)array, header, crc, bytes_of(array, j->rows[array]));
 }
 
 static int join(joining *j, const voxels *v, unsigned threads)
@@ -149,13 +172,13 @@ static int join(joining *j, const voxels *v, unsigned threads)
     zip_out zip;
     setvbuf(j->out->stream, NULL, _IONBF, 0);
     zip_begin(&zip, j->out->stream, NULL);
-    skip_rows(j, &zip, BITS, "bits.npy", "<u8");
-    skip_rows(j, &zip, AT, "at.npy", "<u4");
+    for (int a = 0; a < j->arrays; a++)
+        skip_rows(j, &zip, a);
     crew_run(threads < j->count ? threads : (unsigned)j->count, work, j);
     if (j->code)
         return j->reason ? (errno = j->reason, file_out_failure(j->out)) : j->code;
-    set_sums(j, &zip, BITS);
-    set_sums(j, &zip, AT);
+    for (int a = 0; a < j->arrays; a++)
+        set_sums(j, &zip, a);
     zip_skip(&zip, 0);
     npz_add_grid(&zip, v);
     zip_end(&zip);
@@ -167,8 +190,9 @@ int parts_npz_write(file_out *out, const part *parts, size_t count, const voxels
     joining j = {.out = out, .parts = parts, .count = count, .bar = bar, .sums = calloc(count, sizeof *j.sums)};
     if (!j.sums)
         return message_failure("%s: out of memory", out->path);
+    j.arrays = parts[0].header.whole.id_bytes ? ARRAYS : IDS;
     for (size_t i = 0; i < count; i++)
-        j.bricks += parts[i].end.bricks;
+        add_rows(&parts[i], j.rows);
     pthread_mutex_init(&j.lock, NULL);
     const int code = join(&j, v, threads);
     pthread_mutex_destroy(&j.lock);
