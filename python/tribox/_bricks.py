@@ -156,7 +156,7 @@ def bricks_of(lists, tiling, options, threads):
 
 
 def bricks_with_ids(listed, tiling, options, threads):
-    """Those of a Listed, tile by tile, with the ids of their cells."""
+    """Those of a Listed, or of what has its ids() too, tile by tile, with the ids of their cells."""
     first, size = tiling.windows(listed.numbers)
 
     def work(n):
@@ -167,8 +167,7 @@ def bricks_with_ids(listed, tiling, options, threads):
         ids = set_with_ids(listed.of(place), tiling.struct, *window, options, own)
         words[:nz, :ny] = own
         at, bits = cut(words[None], np.zeros((1, 3), np.int64))
-        numbers = listed.list[slice(*listed.starts[place:place + 2].tolist())]
-        return (at + first[n] // 8).astype(NUMBER), bits, numbers[brick_ids(ids, at, bits)]
+        return (at + first[n] // 8).astype(NUMBER), bits, listed.ids(place)[brick_ids(ids, at, bits)]
 
     parts = in_threads(threads, work, range(len(listed.numbers)))
     whole = joined([part[:2] for part in parts], tiling.grid)

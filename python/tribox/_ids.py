@@ -16,9 +16,9 @@ AT_ONCE = 1 << 25  # cells, of four bytes each: more layers are taken in turn
 TRIANGLES_MAX = 0xFFFFFFFF
 
 
-def check_ids(held_):
-    if held_.struct.count > TRIANGLES_MAX:
-        raise InputError(f"{held_.struct.count} triangles have no ids of 32 bits; give less than 2^32")
+def check_ids(held_, most=TRIANGLES_MAX):
+    if held_.struct.count > most:
+        raise InputError(f"{held_.struct.count} triangles are too many for ids; give at most {most}")
 
 
 def set_with_ids(held_, grid, first, size, options, words):

@@ -14,24 +14,26 @@ from numpy.typing import NDArray
 from ._around import grid_given
 from ._arguments import options_of, range_of, whole
 from ._bounds import point
-from ._bricks import Bricks, bricks_of
+from ._bricks import Bricks, bricks_of, bricks_with_ids
 from ._checksum import checksum, checksums
 from ._errors import InputError, shown
 from ._grids import Grid
-from ._masks import WORD, row_words
+from ._ids import check_ids, set_with_ids
+from ._masks import WORD, bools, row_words
 from ._overlap import ALL
 from ._threads import threads_of
-from ._tiles import Listed, Tiling, set_tile, side_of
+from ._tiles import NUMBER, Listed, Tiling, set_tile, side_of
 from ._triangles import Mesh, by_number, held, is_double
 from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
 from ._voxels import Voxels
 
 MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 2\n", 0x01020304, 8
 HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("origin", "f8", 3), ("cell", "f8", 3),
-                   ("shift", "f8", 3), ("size", "u4", 3), ("reserved", "u4"), ("position_bytes", "u4"), ("record_bytes", "u4"),
+                   ("shift", "f8", 3), ("size", "u4", 3), ("number_bytes", "u4"), ("position_bytes", "u4"), ("record_bytes", "u4"),
                    ("triangles", "u8"), ("mesh_checksum", "u8"), ("not_finite", "u8"), ("records", "u8"), ("places", "u8"),
                    ("checksum", "u8")])
 RECORD = np.dtype([("tile", "u8"), ("first", "u8"), ("work", "u8"), ("checksum", "u8")])
+NUMBERED_MAX = (1 << 31) - 1  # triangles of a mesh that numbers are kept of: ids of the program are int32
 TILE_COST, PLACE_COST, CELL_COST = 20000, 60, 10  # nanoseconds, roughly: only their ratios matter
 BLOCK = 1 << 20  # triangles that are written at once
 SHARES_MAX = (1 << 31) - 1
@@ -42,6 +44,7 @@ class Partition:
 
     grid: its Grid. side: of a tile, in cells. tile_count: tiles of the grid. numbers: the tiles that have triangles, in rising
     order; all others are empty. work: about how many nanoseconds each of these takes. shift: what was subtracted from the mesh.
+    has_ids: whether the numbers of the triangles in the mesh are kept, as ids ask for.
 
     Only what is needed is read. It can be pickled, as the name of the folder, and threads may use one at the same time. Opening it
     checks the index; check() checks the triangles.
@@ -59,7 +62,10 @@ class Partition:
         self._ends = np.append(records["first"], header["places"])[1:].astype(np.int64)
         self._starts = records["first"].astype(np.int64)
         kind = np.dtype(f"f{header['position_bytes']}")
-        self._map = self._triangles(kind, int(header["places"]))
+        places = int(header["places"])
+        self._map = self._mapped("triangles", kind, (places, 3, 3))
+        self.has_ids = bool(header["number_bytes"])
+        self._ids = self._mapped("numbers", NUMBER, (places,)) if self.has_ids else None
         self._tiling = Tiling(self.grid, self.side)
         self.tile_count = self._tiling.count
 
@@ -82,11 +88,11 @@ class Partition:
             raise self._damaged("damaged: the checksum of its index does not match")
         return header, np.frombuffer(octets, RECORD, offset=HEADER.itemsize)
 
-    def _triangles(self, kind, places):
-        path = os.path.join(self.folder, "triangles")
-        if os.path.getsize(path) != places * 9 * kind.itemsize:
-            raise self._damaged("damaged: its triangles are not as many as its index says")
-        return np.memmap(path, kind, "r", shape=(places, 3, 3)) if places else np.empty((0, 3, 3), kind)
+    def _mapped(self, name, kind, shape):
+        path = os.path.join(self.folder, name)
+        if os.path.getsize(path) != np.prod(shape) * kind.itemsize:
+            raise self._damaged(f"damaged: its {name} are not as many as its index says")
+        return np.memmap(path, kind, "r", shape=shape) if shape[0] else np.empty(shape, kind)
 
     def __reduce__(self):
         return Partition, (self.folder,)
@@ -121,29 +127,47 @@ class Partition:
 
     def triangles(self, number: SupportsIndex) -> NDArray[Any]:
         """The triangles of a tile, and some that come close: an array of shape (n, 3, 3), which is read as it is used."""
-        place = self._place(number)
-        return self._map[:0] if place is None else self._map[self._starts[place]:self._ends[place]]
+        return self._map[self._slice(self._place(number))]
+
+    def ids(self, number: SupportsIndex) -> NDArray[np.uint32]:
+        """The numbers of these triangles in the mesh, rising. InputError if they were not kept: partition(..., ids=True)."""
+        self._check_ids(True)
+        return self._ids[self._slice(self._place(number))]
+
+    def _slice(self, place):
+        """Where the triangles of a tile are."""
+        return slice(0) if place is None else slice(int(self._starts[place]), int(self._ends[place]))
+
+    def _check_ids(self, ids):
+        if ids and not self.has_ids:
+            raise InputError(f"{self.folder}: has no numbers of its triangles; make it with ids=True, or leave out ids")
 
     def window(self, number: SupportsIndex) -> Tuple[Tuple[int, int, int], Tuple[int, int, int]]:
         """The cells of a tile, as the window of tribox.voxelize: (first, size)."""
         self._place(number)
         return self._tiling.window(int(number))
 
-    def voxelize(self, number: SupportsIndex, *, accuracy: Accuracy = "exact", axes: int = ALL,
-                 kernel: Optional[str] = None) -> Voxels:
+    def voxelize(self, number: SupportsIndex, *, accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None,
+                 ids: bool = False) -> Voxels:
         """The cells of a tile: tribox.voxelize of the mesh with window=self.window(number)."""
         options = options_of(accuracy, axes, 0, kernel)
+        self._check_ids(ids)
         place, (first, size) = self._place(number), self.window(number)
         words = np.zeros((size[2], size[1], row_words(size[0])), WORD)
-        if place is not None:
-            set_tile(Mapped(self, [place]).of(place), self._tiling.struct, first, size, options, words)
-        return Voxels(words, self.grid, (first, size))
+        task, found = (self._tiling.struct, first, size, options, words), np.empty(0, NUMBER)
+        if place is not None and ids:
+            found = self._ids[self._slice(place)][set_with_ids(Mapped(self, [place]).of(place), *task)[bools(words, size[0])]]
+        elif place is not None:
+            set_tile(Mapped(self, [place]).of(place), *task)
+        voxels = Voxels(words, self.grid, (first, size))
+        return voxels._with_ids(found) if ids else voxels
 
     def bricks(self, tiles: Optional[Range] = None, *, threads: Optional[SupportsIndex] = 1, accuracy: Accuracy = "exact",
-               axes: int = ALL, kernel: Optional[str] = None) -> Bricks:
+               axes: int = ALL, kernel: Optional[str] = None, ids: bool = False) -> Bricks:
         """tribox.bricks of the mesh and the grid. tiles: (first, count), such as one of shares()."""
         options, threads = options_of(accuracy, axes, 0, kernel), threads_of(threads)
-        return bricks_of(Mapped(self, np.arange(*self._places(tiles))), self._tiling, options, threads)
+        self._check_ids(ids)
+        return (bricks_with_ids if ids else bricks_of)(Mapped(self, np.arange(*self._places(tiles))), self._tiling, options, threads)
 
     def check(self, tiles: Optional[Range] = None) -> None:
         """Reads the triangles of tiles (first, count), by default all, and raises an InputError if they are not those written."""
@@ -151,6 +175,8 @@ class Partition:
         halves = self._map.reshape(-1).view(np.uint32)
         each = halves.size // max(1, len(self._map))
         found = checksums(halves, each * self._starts[first:end], each * self._ends[first:end])
+        if self.has_ids:
+            found += checksums(self._ids, self._starts[first:end], self._ends[first:end])
         wrong = np.flatnonzero(found != self._checksums[first:end])
         if len(wrong):
             raise self._damaged(f"damaged: the checksum of tile {self.numbers[first + wrong[0]]} does not match")
@@ -163,8 +189,10 @@ class Mapped:
         self.partition, self.places, self.numbers = partition_, places, partition_.numbers[places]
 
     def of(self, place):
-        start, end = int(self.partition._starts[place]), int(self.partition._ends[place])
-        return Mesh(self.partition._map[start:end])
+        return Mesh(self.partition._map[self.partition._slice(place)])
+
+    def ids(self, place):
+        return self.partition._ids[self.partition._slice(place)]
 
 
 def work_of(triangles, grid):
@@ -186,8 +214,8 @@ def not_finite(held_):
     return count, int.from_bytes(digest.digest(), "little")
 
 
-def write_triangles(file, lists, held_, tiling):
-    """Writes the triangles of all tiles; returns their records."""
+def write_triangles(file, lists, held_, tiling, ids):
+    """Writes the triangles of all tiles; returns their records. ids: of their numbers too, which are those of the lists."""
     counts = np.diff(lists.starts)[lists.places].astype(np.int64)
     records = np.zeros(len(counts), RECORD)
     records["tile"], records["first"] = lists.numbers, np.cumsum(counts) - counts
@@ -205,15 +233,19 @@ def write_triangles(file, lists, held_, tiling):
         halves = triangles.reshape(-1).view(np.uint32)
         places = (begins - begins[0]) * (halves.size // len(triangles))
         records["checksum"][start:end] = checksums(halves, places, np.append(places[1:], halves.size))
+        if ids:
+            begins -= begins[0]
+            records["checksum"][start:end] += checksums(numbers, begins, np.append(begins[1:], len(numbers)))
         start = end
     return records
 
 
-def write_index(file, held_, tiling, lists, records):
+def write_index(file, held_, tiling, lists, records, ids):
     header = np.zeros((), HEADER)
     grid, (broken, digest) = tiling.grid, not_finite(held_)
     given = dict(magic=MAGIC, byte_order=BYTE_ORDER, tile=tiling.side, origin=grid.origin, cell=grid.cell, size=grid.size,
                  position_bytes=8 if is_double(held_) else 4, record_bytes=RECORD.itemsize,
+                 number_bytes=NUMBER.itemsize * bool(ids),
                  triangles=held_.struct.count, mesh_checksum=digest, not_finite=broken, records=len(records),
                  places=len(lists.list))
     for name, value in given.items():
@@ -223,27 +255,33 @@ def write_index(file, held_, tiling, lists, records):
 
 
 def partition(triangles: TrianglesLike, folder: Union[str, "os.PathLike[str]"], grid: Optional[GridLike] = None, *,
-              cell: Optional[Cell] = None, resolution: Optional[SupportsIndex] = None, side: SupportsIndex = 128) -> Partition:
+              cell: Optional[Cell] = None, resolution: Optional[SupportsIndex] = None, side: SupportsIndex = 128,
+              ids: bool = False) -> Partition:
     """Sorts triangles by the tiles of a grid into a new folder, which tasks and machines map: returns its Partition.
 
     triangles, grid, cell, resolution: as for voxelize. side: of the tiles, in cells, a multiple of 8.
     folder: must not exist (FileExistsError). It appears when it is complete, or not at all.
+    ids: True to keep the numbers of the triangles, for voxelize and bricks with ids.
 
-    A triangle takes 36 bytes (72 of float64) for each tile that it is in. The program tribox takes the folder in place of a mesh.
+    A triangle takes 36 bytes (72 of float64; 4 more with ids) for each tile that it is in. The program tribox takes the folder in place of a mesh.
     """
     held_, options = held(triangles), options_of("exact", ALL, 0, None)
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
     folder = os.path.abspath(os.fspath(folder))
     if os.path.lexists(folder):
         raise FileExistsError(f"folder = {shown(folder)} exists; remove it, or give another")
+    if ids:
+        check_ids(held_, NUMBERED_MAX)
     lists = Listed(held_, tiling, 0, tiling.count, options)
     draft = os.path.join(os.path.dirname(folder), f".tribox-{secrets.token_hex(8)}")
     os.mkdir(draft)
     try:
         with open(os.path.join(draft, "triangles"), "wb") as file:
-            records = write_triangles(file, lists, held_, tiling)
+            records = write_triangles(file, lists, held_, tiling, ids)
+        if ids:
+            lists.list.tofile(os.path.join(draft, "numbers"))
         with open(os.path.join(draft, "index"), "wb") as file:
-            write_index(file, held_, tiling, lists, records)
+            write_index(file, held_, tiling, lists, records, ids)
         os.rename(draft, folder)
     finally:
         shutil.rmtree(draft, ignore_errors=True)

@@ -146,6 +146,51 @@ class PartitionTests(cases.TestCase):
                     self.assert_equal(tribox.Bricks(file["at"], file["bits"], partition.grid), partition.bricks())
                     self.assertEqual(tuple(file["size"]), grid[2])
 
+    def assert_ids(self, bricks, expected):
+        self.assert_equal(bricks, expected)
+        self.assert_same(bricks.ids, expected.ids)
+
+    def test_ids(self):
+        """Those of the mesh, whole, by shares and by tiles; blocks and threads make no difference."""
+        for form, grid in self.variants():
+            expected = tribox.bricks(form, grid, side=16, ids=True)
+            with mock.patch("tribox._partition.BLOCK", 50):
+                partition = self.new(form, grid, side=16, ids=True)
+            partition.check()
+            self.assertTrue(partition.has_ids)
+            self.assert_ids(partition.bricks(ids=True), expected)
+            self.assert_ids(partition.bricks(ids=True, threads=3), expected)
+            self.assert_same(np.concatenate([partition.bricks(share, ids=True).ids for share in partition.shares(7)]), expected.ids)
+            for number in (0, *partition.numbers[::9].tolist()):
+                self.assert_same(partition.voxelize(number, ids=True).ids,
+                                 tribox.voxelize(form, grid, window=partition.window(number), ids=True).ids)
+                self.assertEqual(len(partition.ids(number)), len(partition.triangles(number)))
+            self.assert_equal(partition.bricks(), self.new(form, grid, side=16).bricks())
+        plain = self.new(self.triangles, FLOATS)
+        for call, arguments in ((plain.ids, (0,)), (plain.bricks, ()), (plain.voxelize, (0,))):
+            self.refuse(tribox.InputError, None, "has no numbers of its triangles; make it with ids=True, or leave out ids",
+                        call, *arguments, **({} if call == plain.ids else {"ids": True}))
+        path = Path(partition.folder, "numbers")
+        octets = path.read_bytes()
+        path.write_bytes(octets[:-1] + bytes([octets[-1] ^ 1]))
+        self.refuse(tribox.InputError, None, "the checksum of tile .* does not match", tribox.Partition(partition.folder).check)
+        path.write_bytes(octets[:-4])
+        self.refuse(tribox.InputError, None, "its numbers are not as many as its index says", tribox.Partition, partition.folder)
+
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_ids_and_program(self):
+        """Each reads those of the other."""
+        Path(self.folder, "mesh.f32").write_bytes(self.triangles.tobytes())
+        place = [f"--{name}={','.join(map(repr, numbers))}" for name, numbers in zip(("origin", "cell", "size"), FLOATS)]
+        self.program("partition", "mesh.f32", *place, "--ids", "-o", "by_program")
+        by_program = tribox.Partition(os.path.join(self.folder, "by_program"))
+        by_program.check()
+        expected = tribox.bricks(self.triangles, FLOATS, side=by_program.side, ids=True)
+        self.assert_ids(by_program.bricks(ids=True), expected)
+        partition = self.new(self.triangles, FLOATS, side=by_program.side, ids=True)
+        self.program("voxelize", partition.folder, "--ids", "-o", "ids.npz")
+        self.assert_ids(tribox.Bricks.load(os.path.join(self.folder, "ids.npz")), expected)
+
     @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
     def test_hashes(self):
         """Parts of the program's partition merge with those of the mesh; those of tribox.partition, as FORMATS says, do not."""

@@ -69,8 +69,10 @@ static int read_ends(part *p, FILE *file)
     if (!named_file_about_open(file, &about) || about.size < sizeof p->header + sizeof p->end ||
         fseeko(file, (off_t)(about.size - sizeof p->end), SEEK_SET) || fread(&p->end, sizeof p->end, 1, file) != 1)
         return refuse(p, "it ends early");
-    const uint64_t size = about.size - sizeof p->header - sizeof p->end, ids = p->end.cells * p->header.whole.id_bytes;
-    if (p->end.cells > size || ids > size || (size - ids) % sizeof(part_brick) || (size - ids) / sizeof(part_brick) != p->end.bricks)
+    const uint64_t size = about.size - sizeof p->header - sizeof p->end, id_bytes = p->header.whole.id_bytes;
+    const bool has_room = !id_bytes || p->end.cells <= size / id_bytes;
+    const uint64_t bricks = has_room ? size - p->end.cells * id_bytes : 0;
+    if (!has_room || bricks % sizeof(part_brick) || bricks / sizeof(part_brick) != p->end.bricks)
         return message_failure("%s: damaged: it has %llu bytes, which do not fit its number of bricks; run shard %u of %u again",
                                p->path, (unsigned long long)about.size, p->header.shard, p->header.whole.shards);
     return EXIT_CODE_OK;
