@@ -1,6 +1,7 @@
-"""A mesh into a file of bricks, with MPI: mpirun -n 4 python3 -m mpi4py mpi_bricks.py MESH RESOLUTION OUT.npy
+"""A mesh into a file of bricks, with MPI: mpirun -n 4 python3 -m mpi4py mpi_bricks.py MESH RESOLUTION OUT.npy [--ids]
 
-OUT.npy has 76 bytes a brick: numpy.load(OUT.npy)["at"] and ["bits"] are as those of tribox.bricks, in the same order.
+OUT.npy has 76 bytes a brick: numpy.load(OUT.npy)["at"] and ["bits"] are as those of tribox.bricks, in the same order. With --ids
+["ids"] has the lowest triangle of each of a brick's cells, -1 of those that are not set.
 
 Each rank reads its piece of the mesh and sorts it by tiles; then all exchange triangles, so that each has those of its own tiles,
 of about equal work; it writes their bricks after those of the ranks before it, in one collective write. OUT.npy appears when all
@@ -19,7 +20,8 @@ import pieces
 import tribox
 from mpi4py import MPI
 
-BRICK = np.dtype([("at", "<u4", 3), ("bits", "<u8", 8)])
+BRICK = [("at", "<u4", 3), ("bits", "<u8", 8)]
+IDS = ("ids", "<i4", (8, 8, 8))  # k, j, i
 
 
 def record(size):
@@ -35,56 +37,74 @@ def owners(world, part):
     return numbers, ((np.cumsum(work) - work / 2) * world.size // max(1, work.sum())).astype(int)
 
 
-def exchange(world, part, numbers, owner):
-    """The triangles of this rank's tiles, of all ranks."""
-    tiles = [part.triangles(number) for number in part.numbers.tolist()]
-    send = np.concatenate([part.triangles(0)[:0], *tiles])  # by tile, so by rank
+def exchange(world, part, of_tile, numbers, owner):
+    """The triangles, or what else of_tile gives of each, of this rank's tiles, of all ranks."""
+    tiles = [of_tile(number) for number in part.numbers.tolist()]
+    send = np.concatenate([of_tile(0)[:0], *tiles])  # by tile, so by rank
     counts = np.bincount(owner[np.searchsorted(numbers, part.numbers)], list(map(len, tiles)), world.size).astype(int)
     received = np.array(world.alltoall(counts.tolist()))
-    triangles, kind = np.empty((received.sum(), 3, 3), send.dtype), record(9 * send.itemsize)
-    world.Alltoallv([send, counts, np.cumsum(counts) - counts, kind], [triangles, received, np.cumsum(received) - received, kind])
-    return triangles
+    found, kind = np.empty((received.sum(), *send.shape[1:]), send.dtype), record(send.itemsize * int(np.prod(send.shape[1:])))
+    world.Alltoallv([send, counts, np.cumsum(counts) - counts, kind], [found, received, np.cumsum(received) - received, kind])
+    return found
 
 
-def npy_header(count):
+def exchange_numbered(world, part, *owned):
+    """The same in the order of the mesh, each once, and their numbers in the mesh."""
+    before = np.uint32(world.exscan(part.triangle_count) or 0)
+    triangles = exchange(world, part, part.triangles, *owned)
+    numbers, first = np.unique(exchange(world, part, lambda tile: part.ids(tile) + before, *owned), return_index=True)
+    return triangles[first], numbers
+
+
+def records_of(bricks, numbers):
+    """Bricks as they are written. numbers: None, or of the triangles that they are of."""
+    records = np.empty(len(bricks.at), BRICK + [IDS] * (numbers is not None))
+    records["at"], records["bits"] = bricks.at, bricks.bits
+    if numbers is not None:
+        cells = np.unpackbits(records["bits"].view(np.uint8).reshape(-1, 8, 8, 1), -1, bitorder="little").astype(bool)
+        records["ids"] = -1
+        records["ids"][cells] = numbers[bricks.ids]
+    return records
+
+
+def npy_header(kind, count):
     """What stands before the bricks in a .npy file."""
     header = io.BytesIO()
-    np.lib.format.write_array_header_1_0(header, dict(descr=BRICK.descr, fortran_order=False, shape=(count,)))
+    np.lib.format.write_array_header_1_0(header, dict(descr=kind.descr, fortran_order=False, shape=(count,)))
     return header.getvalue()
 
 
 def write(world, path, records):
     """Writes the records of all ranks, one rank after the other; returns how many they are."""
     before, count = world.exscan(len(records)) or 0, world.allreduce(len(records))
-    header = npy_header(count)
+    header, size = npy_header(records.dtype, count), records.itemsize
     file = MPI.File.Open(world, path, MPI.MODE_CREATE | MPI.MODE_WRONLY)
-    file.Set_size(len(header) + count * BRICK.itemsize)
+    file.Set_size(len(header) + count * size)
     if world.rank == 0:
         file.Write_at(0, header)
-    file.Write_at_all(len(header) + before * BRICK.itemsize, [records, len(records), record(BRICK.itemsize)])
+    file.Write_at_all(len(header) + before * size, [records, len(records), record(size)])
     file.Close()
     return count
 
 
 def main():
-    mesh, resolution, out = sys.argv[1:]
+    (mesh, resolution, out), ids = sys.argv[1:4], sys.argv[4:] == ["--ids"]
     world, jobs = MPI.COMM_WORLD, out + ".jobs"
     if os.path.exists(out):
         sys.exit(f"{out} exists")
     if world.rank == 0:
-        pieces.take_up(jobs, mesh, resolution, world.size, "ranks")
+        pieces.take_up(jobs, mesh, resolution, world.size, "ranks", *sys.argv[4:])
     world.Barrier()
     piece = pieces.read(mesh, world.rank + 1, world.size)
     grid = pieces.grid(world.allgather(pieces.bounds(piece)), int(resolution))
-    part = pieces.sort(piece, f"{jobs}/{world.rank + 1}.tiles", grid)
+    part = pieces.sort(piece, f"{jobs}/{world.rank + 1}.tiles", grid, ids)
     part.check()
     numbers, owner = owners(world, part)
     mine = numbers[owner == world.rank]
     tiles = (int(mine[0]), int(mine[-1] - mine[0] + 1)) if len(mine) else (0, 0)
-    bricks = tribox.bricks(exchange(world, part, numbers, owner), grid, tiles=tiles)
-    records = np.empty(len(bricks.at), BRICK)
-    records["at"], records["bits"] = bricks.at, bricks.bits
-    count = write(world, f"{jobs}/bricks", records)
+    owned = numbers, owner
+    triangles, of_mesh = exchange_numbered(world, part, *owned) if ids else (exchange(world, part, part.triangles, *owned), None)
+    count = write(world, f"{jobs}/bricks", records_of(tribox.bricks(triangles, grid, tiles=tiles, ids=ids), of_mesh))
     world.Barrier()
     if world.rank == 0:
         os.rename(f"{jobs}/bricks", out)

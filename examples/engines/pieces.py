@@ -97,11 +97,11 @@ def put(path, octets):
     os.replace(draft, path)
 
 
-def sort(triangles, folder, grid_):
-    """The Partition of a piece, which is made unless it is there."""
+def sort(triangles, folder, grid_, ids=False):
+    """The Partition of a piece, which is made unless it is there. ids: its triangles keep their numbers in the piece."""
     try:
         if not os.path.exists(folder):
-            return tribox.partition(triangles, folder, grid_)
+            return tribox.partition(triangles, folder, grid_, ids=ids)
     except OSError:  # as where the same task runs twice and the other was first
         if not os.path.exists(folder):
             raise

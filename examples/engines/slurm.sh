@@ -2,21 +2,21 @@
 # A mesh into bricks on a Slurm cluster. Three arrays of N jobs: each cuts its piece out of the mesh; sorts it by tiles; voxelizes
 # its share of the tiles, from all pieces. Then one job merges. Each starts when all of those before have succeeded.
 #
-#     sh slurm.sh MESH RESOLUTION N OUT.npz
+#     sh slurm.sh MESH RESOLUTION N OUT.npz [--ids]
 #
-# MESH is a binary .stl or .ply, .f32 or .f64. OUT.npz.jobs, on a file system that all nodes see, holds what the jobs read and
+# MESH is a binary .stl or .ply, .f32 or .f64. With --ids OUT.npz has the lowest triangle of each cell too. OUT.npz.jobs, on a file system that all nodes see, holds what the jobs read and
 # write, and their logs. A job whose program a signal ends is queued again, three times; where one fails, those that wait for it are
 # cancelled, and the run ends with an error. The same command again goes on: it leaves out the jobs whose files are there, as a file
 # has its name only when it is whole. Another command is refused, for those files are none of its own.
 #
 # OUT_SECONDS: how long OUT.npz may take to be seen here when the jobs have ended, 60 by default.
 set -eu
-mesh=$(realpath "$1") resolution=$2 n=$3 out=$4 jobs=$4.jobs here=$(realpath "$(dirname "$0")")
-export mesh resolution n out jobs here
+mesh=$(realpath "$1") resolution=$2 n=$3 out=$4 jobs=$4.jobs ids=${5-} here=$(realpath "$(dirname "$0")")
+export mesh resolution n out jobs ids here
 test ! -e "$out" || { echo "$out exists" >&2; exit 2; }
 mkdir -p "$jobs"
 
-command="$mesh $(stat -Lc '%s %y' "$mesh") $resolution $n"
+command="$mesh $(stat -Lc '%s %y' "$mesh") $resolution $n${ids:+ $ids}"
 test -e "$jobs/command" || printf '%s\n' "$command" >"$jobs/command"
 test "$(cat "$jobs/command")" = "$command" || {
     echo "$jobs is of another command, $(cat "$jobs/command"): repeat that one, remove $jobs, or give another OUT" >&2

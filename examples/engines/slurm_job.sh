@@ -8,16 +8,22 @@ sort() {
     test -e "$jobs/$i.tiles" || {
         grid=$(python3 "$here/pieces.py" grid "$resolution" "$jobs"/*.bounds) || return
         # shellcheck disable=SC2086
-        tribox partition "$jobs/$i".f?? $grid --threads "$threads" --quiet -o "$jobs/$i.tiles" || test -e "$jobs/$i.tiles" || return
+        tribox partition "$jobs/$i".f?? $grid $ids --threads "$threads" --quiet -o "$jobs/$i.tiles" || test -e "$jobs/$i.tiles" || return
     }
     rm -f "$jobs/$i".f??
+}
+
+# The partitions in the order of the pieces: triangles are numbered from one to the next.
+in_order() {
+    for k in $(seq "$n"); do echo "$jobs/$k.tiles"; done
 }
 
 run() {
     case $1 in
     cut) python3 "$here/pieces.py" cut "$mesh" "$i/$n" "$jobs" ;;
     sort) sort ;;
-    voxelize) tribox voxelize "$jobs"/*.tiles --shard "$i/$n" --threads "$threads" --quiet -o "$jobs/$i.part" ;;
+    # shellcheck disable=SC2046,SC2086
+    voxelize) tribox voxelize $(in_order) $ids --shard "$i/$n" --threads "$threads" --quiet -o "$jobs/$i.part" ;;
     merge) tribox merge "$jobs"/*.part --quiet -o "$out" ;;
     esac
 }

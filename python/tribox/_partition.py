@@ -44,7 +44,7 @@ class Partition:
 
     grid: its Grid. side: of a tile, in cells. tile_count: tiles of the grid. numbers: the tiles that have triangles, in rising
     order; all others are empty. work: about how many nanoseconds each of these takes. shift: what was subtracted from the mesh.
-    has_ids: whether the numbers of the triangles in the mesh are kept, as ids ask for.
+    triangle_count: of the mesh. has_ids: whether the numbers of its triangles are kept, as ids ask for.
 
     Only what is needed is read. It can be pickled, as the name of the folder, and threads may use one at the same time. Opening it
     checks the index; check() checks the triangles.
@@ -62,7 +62,7 @@ class Partition:
         self._ends = np.append(records["first"], header["places"])[1:].astype(np.int64)
         self._starts = records["first"].astype(np.int64)
         kind = np.dtype(f"f{header['position_bytes']}")
-        places = int(header["places"])
+        places, self.triangle_count = int(header["places"]), int(header["triangles"])
         self._map = self._mapped("triangles", kind, (places, 3, 3))
         self.has_ids = bool(header["number_bytes"])
         self._ids = self._mapped("numbers", NUMBER, (places,)) if self.has_ids else None

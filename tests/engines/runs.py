@@ -66,7 +66,15 @@ class Case:
 
     @functools.cached_property
     def bricks(self):
-        return tribox.bricks(self.mesh, self.grid)
+        return tribox.bricks(self.mesh, self.grid, ids=True)
+
+    @functools.cached_property
+    def ids(self):
+        """Of all cells, -1 where there is none."""
+        voxels = tribox.voxelize(self.mesh, self.grid, ids=True)
+        cells = np.full(voxels.shape, -1, np.int32)
+        cells[np.array(voxels)] = voxels.ids
+        return cells
 
 
 def same_bricks(bricks, expected):
@@ -88,6 +96,7 @@ class Engine:
     """An example as a command: where its answer appears, and which processes do its work."""
 
     needs, environment, numbers = {}, {}, (2,)  # numbers: of workers, to try
+    has_ids = False
     path_first = os.path.dirname(sys.executable)  # where python3 is this one
     owns_workers = True  # they are processes that the command starts
 
@@ -141,14 +150,15 @@ class Dask(Engine):
 
     def command(self, limit):
         return [sys.executable, os.path.join(EXAMPLES, "dask_zarr.py"), self.case.path, str(self.case.resolution), self.path,
-                "--workers", str(self.workers), "--pieces", str(self.pieces), "--timeout", str(limit)]
+                "--workers", str(self.workers), "--pieces", str(self.pieces), "--timeout", str(limit),
+                *["--ids"] * self.has_ids]
 
     def told(self):
         return self.case.resolution, self.pieces
 
     def is_right(self):
         import zarr
-        return np.array_equal(zarr.open(self.path, mode="r")[:], self.case.words)
+        return np.array_equal(zarr.open(self.path, mode="r")[:], self.case.ids if self.has_ids else self.case.words)
 
 
 class Mpi(Engine):
@@ -160,14 +170,19 @@ class Mpi(Engine):
 
     def command(self, limit):
         return ["mpirun", "--timeout", str(limit), "-n", str(self.workers), sys.executable, "-m", "mpi4py",
-                os.path.join(EXAMPLES, "mpi_bricks.py"), self.case.path, str(self.case.resolution), self.path]
+                os.path.join(EXAMPLES, "mpi_bricks.py"), self.case.path, str(self.case.resolution), self.path,
+                *["--ids"] * self.has_ids]
 
     def told(self):
         return self.case.resolution, self.workers, "ranks"
 
     def is_right(self):
-        bricks = np.load(self.path)
-        return np.array_equal(bricks["at"], self.case.bricks.at) and np.array_equal(bricks["bits"], self.case.bricks.bits)
+        bricks, expected = np.load(self.path), self.case.bricks
+        if self.has_ids:
+            at, (brick, k, j, i) = expected.cells().T, np.nonzero(bricks["ids"] >= 0)
+            if not np.array_equal(bricks["ids"][brick, k, j, i], self.case.ids[at[2], at[1], at[0]]):
+                return False
+        return np.array_equal(bricks["at"], expected.at) and np.array_equal(bricks["bits"], expected.bits)
 
 
 class Slurm(Engine):
@@ -209,11 +224,14 @@ class Slurm(Engine):
 
     def command(self, limit):
         return ["timeout", str(limit), "sh", os.path.join(EXAMPLES, "slurm.sh"), self.case.path, str(self.case.resolution),
-                str(self.workers), self.path]
+                str(self.workers), self.path, *["--ids"] * self.has_ids]
 
     def is_right(self):
-        bricks = np.load(self.path)
-        return same_bricks(tribox.Bricks(bricks["at"], bricks["bits"], self.case.grid), self.case.bricks)
+        bricks = tribox.Bricks.load(self.path)
+        if self.has_ids:
+            expected = tribox.bricks(self.case.mesh, self.case.grid, side=64, ids=True)  # as the program's tiles
+            return all(np.array_equal(getattr(bricks, name), getattr(expected, name)) for name in ("at", "bits", "ids"))
+        return same_bricks(bricks, self.case.bricks)
 
 
 ENGINES = {engine.name: engine for engine in (Dask, Mpi, Slurm)}

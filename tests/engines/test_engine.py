@@ -48,6 +48,13 @@ class Engines(unittest.TestCase):
             self.assertEqual(how, "right", said)
             self.assertEqual(self.left(), [self.engine.out])
 
+    def test_ids(self):
+        """The lowest triangle of each cell is that of one process."""
+        self.engine.has_ids = True
+        self.addCleanup(setattr, self.engine, "has_ids", False)
+        how, _, said = self.run_once()
+        self.assertEqual(how, "right", said)
+
     def test_there_already(self):
         """What there is under the name is not touched."""
         os.mkdir(self.engine.path)
