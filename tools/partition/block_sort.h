@@ -6,7 +6,7 @@
 
 typedef struct block_sort {
     unsigned position_bytes;
-    uint32_t tile;   /* cells along a side */
+    uint32_t tile; /* cells along a side */
     bool has_numbers;
     void *positions; /* of the block, nine numbers a triangle */
     size_t *starts;  /* of the lists of the tiles that the block may be in */

@@ -30,9 +30,10 @@ static int check_pair(const partition *a, const partition *b)
 
 int partition_check_numbers(const char *name, uint64_t triangles)
 {
-    return triangles <= INT32_MAX ? EXIT_CODE_OK
-                                  : message_failure("%s: %" PRIu64 " triangles are too many for ids, which are int32: leave out --ids",
-                                                    name, triangles);
+    return triangles <= INT32_MAX
+               ? EXIT_CODE_OK
+               : message_failure("%s: %" PRIu64 " triangles are too many for ids, which are int32: leave out --ids", name,
+                                 triangles);
 }
 
 int partition_check_alike(const partition *pieces, size_t count)

@@ -46,8 +46,7 @@ bool run_file_put(run_file *file, const folder_out *out, tile_run *run)
     file->numbers_written += run->numbers ? run->places * sizeof *run->numbers : 0;
     return fwrite(run->tiles, sizeof *run->tiles, run->count, file->tiles) == run->count &&
            fwrite(run->triangles, bytes, (size_t)run->places, file->triangles) == run->places &&
-           (!run->numbers ||
-            fwrite(run->numbers, sizeof *run->numbers, (size_t)run->places, file->numbers) == run->places);
+           (!run->numbers || fwrite(run->numbers, sizeof *run->numbers, (size_t)run->places, file->numbers) == run->places);
 }
 
 bool run_file_map(run_file *file) { return file_map_of_stream(&file->map, file->tiles); }

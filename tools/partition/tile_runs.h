@@ -8,8 +8,8 @@
 
 typedef struct tile_runs {
     const tribox_grid *grid;
-    uint32_t tile;   /* cells along a side */
-    size_t tiles;    /* of the grid */
+    uint32_t tile; /* cells along a side */
+    size_t tiles;  /* of the grid */
     bool has_numbers;
     uint64_t memory; /* bytes that runs, and what it takes to make and to write them, may take */
     tile_run *runs;

@@ -10,9 +10,9 @@ typedef struct tile_window {
     size_t triangle_bytes;   /* there */
     size_t room;             /* triangles that `bytes` holds, an even number */
     unsigned char *bytes;
-    unsigned char *read;               /* as large, for those of a run in a file */
-    uint32_t *numbers, *numbers_read;  /* the same of numbers; NULL without */
-    uint64_t *at;        /* where the next triangle of each record goes */
+    unsigned char *read;              /* as large, for those of a run in a file */
+    uint32_t *numbers, *numbers_read; /* the same of numbers; NULL without */
+    uint64_t *at;                     /* where the next triangle of each record goes */
 } tile_window;
 
 /* Writes triangles, and numbers if there are some, to their place: that of triangle `first`. False where that fails. */

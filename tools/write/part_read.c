@@ -19,8 +19,8 @@ static bool is_sound(const part_header *header)
     const part_whole *const whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
     const voxels v = part_voxels(whole);
-    return header->shard && header->shard <= whole->shards && whole->axes && (!whole->id_bytes || whole->id_bytes == sizeof(uint32_t)) &&
-           is_size(whole->position_bytes) &&
+    return header->shard && header->shard <= whole->shards && whole->axes &&
+           (!whole->id_bytes || whole->id_bytes == sizeof(uint32_t)) && is_size(whole->position_bytes) &&
            isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && whole->brick_bytes == sizeof(part_brick) && whole->tile &&
            whole->tile <= TILE_MOST && whole->tile % BRICK == 0 && voxels_are_served(&v.grid, &options) &&
            header->from <= header->to && header->to <= tribox_tile_count(whole->size, whole->tile);

@@ -1,0 +1,190 @@
+/* tile_room.c - hands tiles to the library: of a mesh, or of partitions, whose triangles are checked before. */
+#include <stdlib.h>
+
+#include "tile_set.h"
+#include "write/lowest_bit.h"
+
+/* Tiles of a partition go to the library some at a time, as each call clears the scratch. */
+enum { BATCH_TRIANGLES = 4096, BATCH_TILES = 256 };
+
+struct tile_room {
+    void *scratch;
+    size_t most;                    /* triangles of a partition at once */
+    uint32_t *list;                 /* 0, 1, 2, ... */
+    unsigned char *gathered;        /* of several partitions: so many */
+    uint32_t *numbers;              /* theirs, where they are asked for */
+    size_t starts[BATCH_TILES + 1]; /* of the tiles of a batch */
+};
+
+static size_t triangle_bytes(const tile_set *set)
+{
+    enum { NUMBERS = 9 };
+    return NUMBERS * (size_t)set->from->header.position_bytes;
+}
+
+static bool make_list(const tile_set *set, size_t from, size_t to, tile_room *room)
+{
+    room->most = BATCH_TRIANGLES;
+    for (size_t r = from; r < to; r++)
+        if (tile_set_triangles(set, r) > room->most)
+            room->most = tile_set_triangles(set, r);
+    room->list = malloc(room->most * sizeof *room->list);
+    for (size_t i = 0; room->list && i < room->most; i++)
+        room->list[i] = (uint32_t)i;
+    if (set->from->pieces)
+        room->gathered = malloc(room->most * triangle_bytes(set));
+    if (set->from->pieces && set->task.has_ids)
+        room->numbers = malloc(room->most * sizeof *room->numbers);
+    return room->list && (!set->from->pieces || (room->gathered && (room->numbers || !set->task.has_ids)));
+}
+
+tile_room *tile_room_new(const tile_set *set, size_t from, size_t to)
+{
+    tile_room *const room = calloc(1, sizeof *room);
+    if (!room)
+        return NULL;
+    room->scratch = malloc(set->task.has_ids ? tribox_bricks_ids_bytes(set->tile) : tribox_bricks_bytes(set->tile));
+    if (room->scratch && (!set->from || make_list(set, from, to, room)))
+        return room;
+    tile_room_free(room);
+    return NULL;
+}
+
+void tile_room_free(tile_room *room)
+{
+    if (!room)
+        return;
+    free(room->scratch);
+    free(room->list);
+    free(room->gathered);
+    free(room->numbers);
+    free(room);
+}
+
+static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8])
+{
+    const tile_sink *const sink = data;
+    return sink->take(sink->data, at, bits, NULL);
+}
+
+/* The sink of bricks with ids, which are places in a batch of a partition where that has numbers. */
+typedef struct ids_taker {
+    const tile_sink *sink;
+    const uint32_t *numbers;
+} ids_taker;
+
+static int take_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
+{
+    const ids_taker *const taker = data;
+    uint32_t of_cells[512], *to = of_cells;
+    for (unsigned k = 0; k < 8; k++)
+        for (uint64_t word = bits[k]; word; word &= word - 1) {
+            const uint32_t id = ids[64 * k + lowest_bit(word)];
+            *to++ = taker->numbers ? taker->numbers[id] : id;
+        }
+    return taker->sink->take(taker->sink->data, at, bits, of_cells);
+}
+
+/* Some tiles of a mesh in memory. */
+static tribox_status run_lists(const tile_set *set, const tribox_tiles *tiles, void *scratch, const tile_sink *to,
+                               tribox_report *report)
+{
+    const voxel_task *const t = &set->task;
+    const size_t *const starts = set->starts + tiles->first;
+    tile_sink own = *to;
+    const tribox_sink sink = {take_brick, &own};
+    ids_taker taker = {.sink = to};
+    const tribox_ids_sink ids = {take_ids, &taker};
+    if (set->task.has_ids)
+        return t->soup ? tribox_bricks_ids(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report)
+                       : tribox_mesh_bricks_ids(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &ids, report);
+    return t->soup ? tribox_bricks(t->soup, &t->grid, tiles, starts, set->list, t->options, scratch, &sink, report)
+                   : tribox_mesh_bricks(t->mesh, &t->grid, tiles, starts, set->list, t->options, scratch, &sink, report);
+}
+
+/* Records from .. to - 1 of a partition, whose triangles lie one after the other. */
+typedef struct batch {
+    size_t from, to;
+    size_t first, end; /* tiles */
+    tribox_mesh mesh;
+} batch;
+
+static batch take_batch(const tile_set *set, size_t from, size_t to, const tile_room *room)
+{
+    batch b = {.from = from, .to = from, .first = (size_t)set->records[from].tile};
+    while (b.to < to && set->records[b.to].tile - b.first < BATCH_TILES &&
+           b.mesh.count + tile_set_triangles(set, b.to) <= room->most)
+        b.mesh.count += tile_set_triangles(set, b.to++);
+    b.end = (size_t)set->records[b.to - 1].tile + 1;
+    b.mesh.positions = set->from->pieces ? room->gathered : partition_triangles(set->from, from);
+    b.mesh.vertices = 3 * b.mesh.count;
+    b.mesh.position_bytes = set->from->header.position_bytes;
+    return b;
+}
+
+/* Where the list of each tile begins, among those of the batch. */
+static void set_starts(const tile_set *set, const batch *b, size_t *starts)
+{
+    size_t r = b->from, before = 0;
+    for (size_t t = b->first; t < b->end; t++) {
+        starts[t - b->first] = before;
+        if (set->records[r].tile == t)
+            before += tile_set_triangles(set, r++);
+    }
+    starts[b->end - b->first] = before;
+}
+
+/* Whether all triangles are what they were; those of several partitions are gathered. */
+static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
+{
+    unsigned char *at = room->gathered;
+    uint32_t *numbers = room->numbers;
+    bool is_sound = true;
+    for (size_t r = b->from; r < b->to && is_sound; r++) {
+        if (!set->from->pieces) {
+            is_sound = partition_is_sound(set->from, r);
+            continue;
+        }
+        is_sound = partition_gather(set->from, r, at, numbers);
+        at += tile_set_triangles(set, r) * triangle_bytes(set);
+        numbers += numbers ? tile_set_triangles(set, r) : 0;
+    }
+    return is_sound;
+}
+
+static tribox_status run_batch(const tile_set *set, const batch *b, tile_room *room, const tile_sink *to, tribox_report *report)
+{
+    const tribox_tiles tiles = {set->tile, b->first, b->end - b->first};
+    tile_sink own = *to;
+    set_starts(set, b, room->starts);
+    if (!check_batch(set, b, room))
+        return TRIBOX_BAD_VERTEX;
+    if (set->task.has_ids) {
+        ids_taker taker = {to, room->numbers ? room->numbers : partition_numbers(set->from, b->from)};
+        return tribox_mesh_bricks_ids(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
+                                      &(tribox_ids_sink){take_ids, &taker}, report);
+    }
+    return tribox_mesh_bricks(&b->mesh, &set->task.grid, &tiles, room->starts, room->list, set->task.options, room->scratch,
+                              &(tribox_sink){take_brick, &own}, report);
+}
+
+tribox_status tile_set_run(const tile_set *set, size_t from, size_t to, tile_room *room, const tile_sink *sink,
+                           tribox_report *report)
+{
+    tribox_status status = TRIBOX_OK;
+    *report = (tribox_report){0, 0};
+    if (from == to)
+        return TRIBOX_OK;
+    if (!set->from) {
+        const size_t first = (size_t)set->records[from].tile, last = (size_t)set->records[to - 1].tile;
+        return run_lists(set, &(tribox_tiles){set->tile, first, last - first + 1}, room->scratch, sink, report);
+    }
+    for (batch b = {.to = from}; !status && b.to < to;) {
+        tribox_report one = {0, 0};
+        b = take_batch(set, b.to, to, room);
+        status = run_batch(set, &b, room, sink, &one);
+        report->overlapping += one.overlapping;
+        report->undecided += one.undecided;
+    }
+    return status;
+}
