@@ -118,8 +118,8 @@ static void read_boxes(bytes b)
 }
 
 /* Files in a folder of their own, rewritten for each input. */
-enum { PARTS = 2, INDEX = PARTS, TRIANGLES, FILES };
-static const char *const names[FILES] = {"a.stl", "a.part", "index", "triangles"};
+enum { PARTS = 2, INDEX = PARTS, TRIANGLES, NUMBERS, FILES };
+static const char *const names[FILES] = {"a.stl", "a.part", "index", "triangles", "numbers"};
 static char folder[64], file_name[FILES][80];
 
 static void remove_files(void)
@@ -155,7 +155,7 @@ typedef struct part_bricks {
 } part_bricks;
 
 /* Every brick has a place in the grid, and no cell of it is beyond. */
-static int take_brick(void *data, const part_brick *brick)
+static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
 {
     part_bricks *const read = data;
     const uint32_t *const size = read->p->header.whole.size;
@@ -167,6 +167,7 @@ static int take_brick(void *data, const part_brick *brick)
             const bool is_inside = cell[0] < size[0] && cell[1] < size[1] && cell[2] < size[2];
             ensure(is_inside || !(brick->bits[k] >> b & 1), "a cell is outside the grid");
         }
+    ensure(!ids == !read->p->header.whole.id_bytes, "ids are there where there are none, or are not");
     read->bricks++;
     read->cells += brick->cells;
     return EXIT_CODE_OK;
@@ -181,6 +182,22 @@ static void read_part(const part *p)
     ensure(code || (read.bricks == p->end.bricks && read.cells == p->end.cells), "a part is not what it says");
 }
 
+/* What the end of a part says whose bricks have ids: these are taken by themselves, and an odd number of them is padded. */
+static uint64_t sum_of_ids(const uint8_t *from, size_t size, part_end *end)
+{
+    uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, from, sizeof(part_header));
+    part_brick brick;
+    end->bricks = end->cells = 0;
+    for (size_t at = sizeof(part_header); at + sizeof brick <= size; end->bricks++) {
+        memcpy(&brick, from + at, sizeof brick);
+        const size_t ids = at + sizeof brick, left = size - ids, cells = brick.cells <= left / 4 ? brick.cells : left / 4;
+        sum = checksum_bytes(checksum_bytes(sum, from + at, sizeof brick), from + ids, 4 * cells);
+        end->cells += cells;
+        at = ids + 4 * cells;
+    }
+    return checksum_bytes(sum, end, offsetof(part_end, checksum));
+}
+
 /* With the end that its bytes ask for, or nothing after it would ever be read. */
 static const char *write_part(int i, bytes b)
 {
@@ -191,9 +208,15 @@ static const char *write_part(int i, bytes b)
     ensure(copy, "no memory");
     memcpy(copy, b.first, b.size);
     memcpy(&end, last, sizeof end);
-    end.bricks = (b.size - sizeof(part_header) - sizeof end) / sizeof(part_brick);
-    memcpy(last, &end, sizeof end);
-    end.checksum = checksum_bytes(CHECKSUM_EMPTY, copy, b.size - sizeof end.checksum);
+    part_header header;
+    memcpy(&header, copy, sizeof header);
+    if (header.whole.id_bytes == 4) {
+        end.checksum = sum_of_ids(copy, b.size - sizeof end, &end);
+    } else {
+        end.bricks = (b.size - sizeof(part_header) - sizeof end) / sizeof(part_brick);
+        memcpy(last, &end, sizeof end);
+        end.checksum = checksum_bytes(CHECKSUM_EMPTY, copy, b.size - sizeof end.checksum);
+    }
     memcpy(last, &end, sizeof end);
     const char *const name = write_file(i, (bytes){copy, b.size});
     free(copy);
@@ -230,10 +253,10 @@ static void read_tiles(const partition *p)
     ensure(sound <= p->header.records && count == p->header.places, "a partition has %zu triangles", count);
 }
 
-/* With the checksum that its bytes ask for. */
-static void write_index(bytes b)
+/* With the checksum that its bytes ask for. Returns how many numbers there are to be. */
+static size_t write_index(bytes b)
 {
-    partition_header header;
+    partition_header header = {.number_bytes = 0};
     uint8_t *const copy = malloc(b.size + 1);
     ensure(copy, "no memory");
     memcpy(copy, b.first, b.size);
@@ -245,14 +268,17 @@ static void write_index(bytes b)
     }
     write_file(INDEX, (bytes){copy, b.size});
     free(copy);
+    return header.number_bytes && header.places < 1000 ? (size_t)header.places : 0;
 }
 
-/* The first byte is the size of the index, in units of 8 bytes; the triangles follow. */
+/* The first byte is the size of the index, in units of 8 bytes; the triangles follow. All numbers are 0. */
 static void read_partition(bytes b)
 {
     const size_t cut = b.size && 1 + b.first[0] * 8u < b.size ? 1 + b.first[0] * 8u : b.size;
     partition p;
-    write_index((bytes){b.first + (b.size > 0), cut - (b.size > 0)});
+    static const uint32_t zeros[1000];
+    const size_t numbers = write_index((bytes){b.first + (b.size > 0), cut - (b.size > 0)});
+    write_file(NUMBERS, (bytes){(const uint8_t *)zeros, numbers * sizeof *zeros});
     write_file(TRIANGLES, (bytes){b.first + cut, b.size - cut});
     const int code = partition_open(&p, folder);
     lines_fit("partition_open", code);

@@ -323,7 +323,7 @@ def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), m
     return (magic.ljust(16, b"\0") +
             struct.pack("<2I9d10I4Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, tile, 80, 12, 34,
                         first, end) +
-            b"".join(struct.pack("<4I8Q", *at, n, *bits) for at, n, bits in cells) +
+            b"".join(struct.pack("<4I8Q", *at, n, *bits) + bytes(numbers[0] * n) for at, n, bits in cells) +
             struct.pack("<3Q", len(cells), sum(n for at, n, bits in cells), 0))
 
 
@@ -392,7 +392,7 @@ def part_files():
     single = {"whole": whole, "one_of_two": half, "more_shards_than_tiles": part(2, 20), "cut": whole[:-1], "long": whole + b"\0",
               "header_cut": whole[:160], "no_end": whole[:180], "shard_0": part(0, 1, tiles=(0, 9)),
               "huge": part(size=(2**31, 64, 1), bricks=()), "magic": part(magic=b"tribox part 4\n"),
-              "doubles": part(numbers=(0, 8)), "three_bytes": part(numbers=(3, 4)), "tile_of_12": part(tile=12), "no_tile": part(tile=0),
+              "doubles": part(numbers=(0, 8)), "three_bytes": part(numbers=(3, 4)), "ids": part(numbers=(4, 4)), "ids_cut": part(numbers=(4, 4))[:-5], "tile_of_12": part(tile=12), "no_tile": part(tile=0),
               "out_of_order": part(bricks=(LAST_BRICK, FIRST_BRICK)), "twice": part(bricks=(FIRST_BRICK, FIRST_BRICK)),
               "one_tile": part(tile=128, tiles=(0, 1)), "other_tiles": part(tiles=(5, 9)), "too_many_tiles": part(tiles=(0, 10)),
               "backwards": part(tiles=(5, 3)), "stray_x": part(bricks=(((8, 0, 0), [0x40] + [0] * 7),)),
@@ -406,7 +406,7 @@ def part_files():
 def partition_files():
     whole = partition()
     return {"whole": whole, "empty": partition(records=(), places=0), "doubles": partition(numbers=(0, 8)),
-            "floats_in_doubles": partition(numbers=(8, 4)), "doubles_in_floats": partition(numbers=(4, 8)), "cut": whole[:-1],
+            "numbers": partition(numbers=(4, 4)), "number_bytes": partition(numbers=(8, 4)), "doubles_in_floats": partition(numbers=(4, 8)), "cut": whole[:-1],
             "no_triangles": whole[:233], "header_cut": b"\x12" + whole[1:], "tile_of_12": partition(tile=12),
             "backwards": partition(records=((1, 0, 5, 0), (0, 1, 7, 0))), "same_tile": partition(records=((1, 0, 5, 0), (1, 1, 7, 0))),
             "beyond_tiles": partition(records=((0, 0, 5, 0), (2, 1, 7, 0))), "no_place": partition(records=((0, 0, 5, 0), (1, 0, 7, 0))),
