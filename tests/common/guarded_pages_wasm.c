@@ -1,4 +1,7 @@
-/* guarded_pages_wasm.c - where no page can be protected: memory at the end of all that there is; the engine says itself what went wrong. */
+/*
+ * guarded_pages_wasm.c - where no page can be protected: memory at the end of all that there is; the engine says itself what went
+ * wrong.
+ */
 #include "guarded_pages.h"
 
 #include <stdint.h>

@@ -109,7 +109,10 @@ static void put_axis(room *r, int number)
                 mpz_sub(r->gap, r->u[1][turn ? b : a], r->u[0][turn ? b : a]);
                 mpz_sub(r->term, r->u[2][turn ? a : b], r->u[0][turn ? a : b]);
                 mpz_mul(r->gap, r->gap, r->term);
-                (turn ? mpz_sub : mpz_add)(r->axis[i], r->axis[i], r->gap);
+                if (turn)
+                    mpz_sub(r->axis[i], r->axis[i], r->gap);
+                else
+                    mpz_add(r->axis[i], r->axis[i], r->gap);
             }
             allow(r, a, b, i);
         }

@@ -60,8 +60,10 @@ static inline size_t stack_touched(void *(*run)(void *), void *data)
 }
 #endif
 
-/* Whether what is measured counts: instrumented code, and code that is not optimised, takes more, but not where vectors live outside
-   of memory. */
+/*
+ * Whether what is measured counts: instrumented code, and code that is not optimised, takes more, but not where vectors live
+ * outside of memory.
+ */
 static inline bool is_ordinary_build(void)
 {
 #if defined(__wasm__)

@@ -142,7 +142,10 @@ static void draw_vanishing(random_source *r, pair_f64 *p)
 /* Ordinary numbers beside what rounding leaves where zero is meant. */
 static void draw_noise(random_source *r, pair_f64 *p)
 {
-    (random_int(r, 2) ? draw_touching_edge : draw_near_tie)(r, p);
+    if (random_int(r, 2))
+        draw_touching_edge(r, p);
+    else
+        draw_near_tie(r, p);
     for (int n = random_int_between(r, 1, 5); n; n--)
         p->u[random_int(r, 3)][random_int(r, 3)] = ldexp(random_double(r, -1, 1), -random_int_between(r, 50, 180));
 }

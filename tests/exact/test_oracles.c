@@ -129,7 +129,9 @@ static bool is_sum_exact(double a, double b, double *sum)
     return a - (*sum - part) == 0 && b - part == 0;
 }
 
-/* Oriented boxes, about a box of the same axes as the others', whose bounds are the doubles about its centre; and each stage alone. */
+/*
+ * Oriented boxes, about a box of the same axes as the others', whose bounds are the doubles about its centre; and each stage alone.
+ */
 static void check_oriented(const origin *where, const pair_f32 *pair, unsigned axes)
 {
     tribox_oriented_pair oriented = {.box.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

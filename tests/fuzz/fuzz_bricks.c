@@ -150,7 +150,7 @@ static void check_bricks(fuzz_case *q, const tribox_options *o, bool has_ids)
     status_fits("tribox_tile_lists", 0, tribox_tile_lists(&q->soup, &q->grid, &all, o, starts, list));
     for (size_t t = 0; t < tiles; t++)
         check_list(q, t, list + starts[t], starts[t + 1] - starts[t], o->accuracy == TRIBOX_EXACT);
-    void *const scratch = tight_memory((has_ids ? tribox_bricks_ids_bytes : tribox_bricks_bytes)(q->tile), 0);
+    void *const scratch = tight_memory(has_ids ? tribox_bricks_ids_bytes(q->tile) : tribox_bricks_bytes(q->tile), 0);
     memset(q->taken, 0, sizeof q->taken);
     q->cells = q->bricks = 0;
     const tribox_status status =

@@ -1,7 +1,7 @@
 /*
- * fuzz_meshes.c - whole files of meshes, the fast way and the one that knows every spelling: what the first reads the second reads as
- * well, and both make the same mesh.
- * The first byte chooses the name's ending, the threads and whether numbers stay doubles, the second how long the parts of a text are.
+ * fuzz_meshes.c - whole files of meshes, the fast way and the one that knows every spelling: what the first reads the second reads
+ * as well, and both make the same mesh. The first byte chooses the name's ending, the threads and whether numbers stay doubles, the
+ * second how long the parts of a text are.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>

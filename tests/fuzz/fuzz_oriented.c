@@ -1,6 +1,6 @@
 /*
- * fuzz_oriented.c - tribox_overlap_oriented and tribox_mesh_overlap_oriented: triangles and an oriented box, of any three axes; floats,
- * or doubles next to them, at any scale.
+ * fuzz_oriented.c - tribox_overlap_oriented and tribox_mesh_overlap_oriented: triangles and an oriented box, of any three axes;
+ * floats, or doubles next to them, at any scale.
  */
 #include <math.h>
 #include <stdio.h>

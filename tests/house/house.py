@@ -98,7 +98,7 @@ for text in re.findall(r"^\| \**`([\w/]+\.h)`", read("src/kernel/README.md"), re
 
 # A branch is an if, and lines fit a screen.
 for name in FILES:
-    if re.match(r"(src|include)/.*\.[ch]$", name):
+    if re.search(r"\.(c|h|cc)$", name):
         for number, line in enumerate(read(name).splitlines(), 1):
             if re.search(r"\? [\w>.-]+ : [\w>.-]+\)\(", line):
                 fail(f"{name}:{number}: (c ? f : g)(x) is not found by grep; write an if")

@@ -1,5 +1,6 @@
 /*
- * test_index_environment.c - the caller's rounding mode, flush-to-zero and traps change no byte of an index and no answer, and come back
+ * test_index_environment.c - the caller's rounding mode, flush-to-zero and traps change no byte of an index and no answer, and come
+ * back
  * as they were: on errors too.
  */
 #include <setjmp.h>

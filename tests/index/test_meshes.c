@@ -1,6 +1,6 @@
 /*
- * test_meshes.c - an index over a mesh answers as tribox_mesh_overlap does, bit by bit: floats and doubles, in every layout, anywhere;
- * its bytes do not hang on layout and kernel; what is apart or inside is not read; a mesh that has changed since is safe.
+ * test_meshes.c - an index over a mesh answers as tribox_mesh_overlap does, bit by bit: floats and doubles, in every layout,
+ * anywhere; its bytes do not hang on layout and kernel; what is apart or inside is not read; a mesh that has changed since is safe.
  */
 #include <math.h>
 #include <setjmp.h>

@@ -332,7 +332,10 @@ static void draw_scaled_frame(random_source *r, oriented_batch *batch)
     scale(batch, positions, random_int(r, 2) ? 0 : random_int_between(r, -most - positions / 2, most - positions / 2) / 2);
 }
 
-/* Axes or positions, of which only doubles are, among subnormal floats, and the others large: rounding moves them, and products show it. */
+/*
+ * Axes or positions, of which only doubles are, among subnormal floats, and the others large: rounding moves them, and products
+ * show it.
+ */
 static void scale_apart(random_source *r, oriented_batch *batch)
 {
     const int small = random_int_between(r, -148, -130), large = random_int_between(r, 30, 110);

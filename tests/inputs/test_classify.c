@@ -254,8 +254,10 @@ static void test_each_comparison(void **state)
             pair_list q = {.count = COUNT * spread, .box = box};
             for (int s = 0; s < SOUP_STREAMS; s++) {
                 q.stream[s] = numbers.stream[s];
-                for (size_t i = 0; i < q.count; i++)
-                    numbers.stream[s][i] = random_sign_of_zero(&r, random_int(&r, 2) ? (float)box->lo[s / 3] : (float)box->hi[s / 3]);
+                for (size_t i = 0; i < q.count; i++) {
+                    const double bound = random_int(&r, 2) ? box->lo[s / 3] : box->hi[s / 3];
+                    numbers.stream[s][i] = random_sign_of_zero(&r, (float)bound);
+                }
             }
             for (size_t c = 0; c < 18 * KINDS; c++) {
                 const size_t s = c % 9, side = c / 9 % 2, kind = c / 18;

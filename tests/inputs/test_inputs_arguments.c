@@ -1,4 +1,6 @@
-/* test_inputs_arguments.c - bad input of every kind to calls about meshes, any and all, inside, oriented boxes; nothing is written. */
+/*
+ * test_inputs_arguments.c - bad input of every kind to calls about meshes, any and all, inside, oriented boxes; nothing is written.
+ */
 #include <limits.h>
 #include <math.h>
 #include <setjmp.h>

@@ -1,5 +1,6 @@
 /*
- * test_inputs_environment.c - the caller's rounding mode, flush-to-zero and traps change no answer of the calls about meshes, any and all,
+ * test_inputs_environment.c - the caller's rounding mode, flush-to-zero and traps change no answer of the calls about meshes, any
+ * and all,
  * inside and oriented boxes, and come back as they were: on errors too.
  */
 #include <math.h>

@@ -59,7 +59,10 @@ pair_list draw_distinct_lanes(random_source *r, bool is_soup, drawn_numbers *num
     memcpy(numbers->triangle, through_origin, sizeof numbers->triangle);
     for (size_t i = 0; i < DRAWN_MAX; i += SCENE_TRIANGLES) {
         scene_batch batch;
-        (i / SCENE_TRIANGLES % 2 ? draw_paper : draw_eighths)(r, &batch);
+        if (i / SCENE_TRIANGLES % 2)
+            draw_paper(r, &batch);
+        else
+            draw_eighths(r, &batch);
         numbers->box = batch.box;
         for (size_t k = 0; k < SCENE_TRIANGLES && i + k < DRAWN_MAX; k++) {
             put_triangle(numbers, i + k, batch.u[k]);

@@ -111,7 +111,8 @@ static void test_refusals(void **state)
                 box.hi[(axis + 1) % 3] = k & 1 ? 1 : -1;
                 q.box = &box;
                 const unsigned set = setting(k);
-                snprintf(doing, sizeof doing, "tribox_overlap with bound %#llx under setting %#x", (unsigned long long)bounds[b], set);
+                const unsigned long long bound = bounds[b];
+                snprintf(doing, sizeof doing, "tribox_overlap with bound %#llx under setting %#x", bound, set);
                 uint64_t mask[WORDS];
                 environment_set(set);
                 const tribox_status status = pair_list_overlap(&q, NULL, mask, NULL);

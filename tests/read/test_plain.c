@@ -1,6 +1,6 @@
 /*
- * test_plain.c - whatever the fast way reads, the way that knows every spelling reads as well, and both make the same mesh, bit for bit:
- * for any number of threads, and parts of a text that begin at any byte.
+ * test_plain.c - whatever the fast way reads, the way that knows every spelling reads as well, and both make the same mesh, bit for
+ * bit: for any number of threads, and parts of a text that begin at any byte.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <setjmp.h>

@@ -20,7 +20,10 @@ static bool expected[ORACLE_CELLS], is_inside[ORACLE_CELLS], is_odd[ORACLE_CELLS
 
 static size_t cell_of(const uint32_t size[3], const size_t at[3]) { return (at[2] * size[1] + at[1]) * size[0] + at[0]; }
 
-/* The lines along an axis, one triangle at a time, which crosses each once at the most: between which planes, the lowest moved down? */
+/*
+ * The lines along an axis, one triangle at a time, which crosses each once at the most: between which planes, the lowest moved
+ * down?
+ */
 static void expect_along(const fill_case *c, int along)
 {
     static crossing_case one, mirrored;

@@ -121,7 +121,9 @@ static void test_windows(void **state)
     }
 }
 
-/* Windows that leave the grid are refused; those without cells have none inside, and of grids beyond one call windows are filled. */
+/*
+ * Windows that leave the grid are refused; those without cells have none inside, and of grids beyond one call windows are filled.
+ */
 static void test_limits(void **state)
 {
     (void)state;

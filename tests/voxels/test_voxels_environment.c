@@ -1,6 +1,6 @@
 /*
- * test_voxels_environment.c - the caller's rounding mode, flush-to-zero and traps change no bit of a voxelization and no cell of a grid,
- * and come back as they were, on refusals too.
+ * test_voxels_environment.c - the caller's rounding mode, flush-to-zero and traps change no bit of a voxelization and no cell of a
+ * grid, and come back as they were, on refusals too.
  */
 #include "occupancy.h"
 

@@ -22,7 +22,9 @@ typedef struct cell_colours {
     palette palette;  /* of them, for formats that have one; else empty */
 } cell_colours;
 
-/* Takes bricks and colours, memory for free(), and finds their places in a grid of so many cells. False where there is no memory. */
+/*
+ * Takes bricks and colours, memory for free(), and finds their places in a grid of so many cells. False where there is no memory.
+ */
 bool cell_colours_place(cell_colours *c, const uint32_t cells[3]);
 
 /* The colours of a brick that is there. */

@@ -13,9 +13,9 @@ typedef struct palette {
 } palette;
 
 /*
- * Up to PALETTE_MAX colours stay as they are. More are divided by median cuts of their cubes: the box of cubes with the most cells is
- * cut in two of about as many across its longest side, until there are PALETTE_MAX; a box has the mean colour of its cells. False
- * where there is no memory. palette_free may follow in any case.
+ * Up to PALETTE_MAX colours stay as they are. More are divided by median cuts of their cubes: the box of cubes with the most cells
+ * is cut in two of about as many across its longest side, until there are PALETTE_MAX; a box has the mean colour of its cells.
+ * False where there is no memory. palette_free may follow in any case.
  */
 bool palette_make(const rgb *colours, uint64_t cells, palette *p);
 

@@ -6,8 +6,8 @@
 
 /*
  * Calls work(data, 0), and work(data, 1) to work(data, threads - 1) on threads of their own, and returns when all have returned.
- * threads: from 1 to THREADS_MAX, other values count as the nearest of these. Where the system starts fewer, those alone are called:
- * a work takes what there is to do from what they share, as long as there is any.
+ * threads: from 1 to THREADS_MAX, other values count as the nearest of these. Where the system starts fewer, those alone are
+ * called: a work takes what there is to do from what they share, as long as there is any.
  */
 void crew_run(unsigned threads, void (*work)(void *data, unsigned thread), void *data);
 

@@ -4,7 +4,9 @@
 
 #include <stddef.h>
 
-/* Zeros, from a multiple of 64 bytes on; NULL where there is no memory. A page is taken when it is first touched, by that thread. */
+/*
+ * Zeros, from a multiple of 64 bytes on; NULL where there is no memory. A page is taken when it is first touched, by that thread.
+ */
 void *pages_take(size_t bytes);
 
 /* bytes: as they were taken. room: NULL for none. */

@@ -20,7 +20,10 @@ static void *map(size_t bytes)
     return room == MAP_FAILED ? NULL : room;
 }
 
-/* The system maps where it likes: what stands before the border and after the end is given back, or not asked for where it is scarce. */
+/*
+ * The system maps where it likes: what stands before the border and after the end is given back, or not asked for where it is
+ * scarce.
+ */
 static void *map_on_border(size_t bytes)
 {
     unsigned char *const start = map(bytes + LARGE_PAGE);

@@ -153,8 +153,10 @@ static void walk_element(ply_map *m, const ply_element *e, bool is_writing)
             m->f->c->is_changed = true;
             return;
         }
-        if (e->kind == PLY_FACES)
-            (is_writing ? put_face : mark_face)(m, e, &r);
+        if (e->kind == PLY_FACES && is_writing)
+            put_face(m, e, &r);
+        else if (e->kind == PLY_FACES)
+            mark_face(m, e, &r);
         else if (is_writing && e->kind == PLY_VERTICES)
             put_vertex(m, n, &r);
         else if (is_writing && !is_left_out)

@@ -109,8 +109,10 @@ static void walk_element(ply_text *t, const ply_element *e, bool is_writing)
         record r;
         if (!find_record(&t->words, e, &r))
             t->f->c->is_changed = true;
+        else if (e->kind == PLY_FACES && is_writing)
+            put_face(t, &r);
         else if (e->kind == PLY_FACES)
-            (is_writing ? put_face : mark_face)(t, &r);
+            mark_face(t, &r);
         else if (is_writing)
             put_other(t, e, n, &r);
     }

@@ -22,8 +22,8 @@ bool named_file_about(const char *path, file_about *about);
 bool named_file_about_open(FILE *stream, file_about *about);
 
 /*
- * Reads from an offset of a regular file, wherever the stream stands; several threads may at once. *got is less than bytes where the
- * file ends. False with errno.
+ * Reads from an offset of a regular file, wherever the stream stands; several threads may at once. *got is less than bytes where
+ * the file ends. False with errno.
  */
 bool named_file_read_at(FILE *stream, uint64_t offset, void *to, size_t bytes, size_t *got);
 

@@ -1,6 +1,6 @@
 /*
- * beam.h - the tiles of a grid in rows along x, which follow each other in the order of tiles: what is filled at a time. Two ways of
- * filling have what is here in common.
+ * beam.h - the tiles of a grid in rows along x, which follow each other in the order of tiles: what is filled at a time. Two ways
+ * of filling have what is here in common.
  */
 #ifndef BEAM_H
 #define BEAM_H

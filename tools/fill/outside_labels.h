@@ -31,8 +31,8 @@ void outside_labels_free(outside_labels *o);
 size_t outside_face_cells(const tribox_window *w, int face);
 
 /*
- * Adds a record's tile: its faces, of which those that are kept are taken over and NULL then. One thread at a time. False where there
- * is no memory, or no number is left.
+ * Adds a record's tile: its faces, of which those that are kept are taken over and NULL then. One thread at a time. False where
+ * there is no memory, or no number is left.
  */
 bool outside_labels_add(outside_labels *o, size_t record, uint32_t *faces[6], uint32_t count);
 

@@ -91,7 +91,9 @@ const uint32_t *partition_numbers(const partition *p, size_t record); /* NULL wh
 /* Whether they are those that were written. */
 bool partition_is_sound(const partition *p, size_t record);
 
-/* Copies the triangles of a record of several partitions, and their numbers if not NULL. False where some are not what was written. */
+/*
+ * Copies the triangles of a record of several partitions, and their numbers if not NULL. False where some are not what was written.
+ */
 bool partition_gather(const partition *p, size_t record, void *to, uint32_t *numbers);
 
 /* The path of a partition, or of one of several, with triangles that are not those that were written. */

@@ -56,6 +56,9 @@ int partition_report(const partition_answer *a)
 {
     if (a->r->is_quiet)
         return EXIT_CODE_OK;
-    (a->r->wants_json ? print_json : print_summary)(a);
+    if (a->r->wants_json)
+        print_json(a);
+    else
+        print_summary(a);
     return output_flush();
 }

@@ -184,7 +184,7 @@ int partition_work(const partition_request *r)
 {
     partition_answer a = {.r = r};
     const double start = clock_seconds();
-    const int code = (partition_is_folder(r->paths[0]) ? work_on_partitions : work_on_meshes)(&a);
+    const int code = partition_is_folder(r->paths[0]) ? work_on_partitions(&a) : work_on_meshes(&a);
     a.seconds = clock_seconds() - start;
     return code ? code : partition_report(&a);
 }

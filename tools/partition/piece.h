@@ -1,4 +1,7 @@
-/* piece.h - meshes that are read in pieces, one after the other as one mesh: files of triangles and PLY from the disk, others from memory. */
+/*
+ * piece.h - meshes that are read in pieces, one after the other as one mesh: files of triangles and PLY from the disk, others from
+ * memory.
+ */
 #ifndef PIECE_H
 #define PIECE_H
 
@@ -47,8 +50,8 @@ piece_block pieces_block(const pieces *all, size_t number);
 size_t pieces_room(const pieces *all);
 
 /*
- * Reads a block as nine numbers a triangle of all->write_bytes each, shifted, into such a room. False with errno where the file cannot
- * be read; pieces_refuse then says so.
+ * Reads a block as nine numbers a triangle of all->write_bytes each, shifted, into such a room. False with errno where the file
+ * cannot be read; pieces_refuse then says so.
  */
 bool pieces_read(const pieces *all, const piece_block *block, void *positions);
 int pieces_refuse(const piece *p, int reason);

@@ -1,4 +1,6 @@
-/* ply_piece.c - maps a PLY file, finds every so many faces where they begin, and cuts polygons as the reader of whole files does. */
+/*
+ * ply_piece.c - maps a PLY file, finds every so many faces where they begin, and cuts polygons as the reader of whole files does.
+ */
 #include "ply_piece.h"
 
 #include <stdlib.h>

@@ -21,7 +21,9 @@ typedef struct ply_piece {
 ply_piece ply_piece_open(const char *path, bool is_wide);
 void ply_piece_close(ply_piece *p);
 
-/* Triangles first .. first + count - 1, nine numbers each, floats or doubles. False where there is no memory, or the file changed. */
+/*
+ * Triangles first .. first + count - 1, nine numbers each, floats or doubles. False where there is no memory, or the file changed.
+ */
 bool ply_piece_read(const ply_piece *p, uint64_t first, size_t count, void *positions);
 
 #endif

@@ -20,7 +20,9 @@ typedef struct tile_runs {
     uint64_t spilled; /* bytes */
 } tile_runs;
 
-/* Room for so many runs; has_numbers: of triangles, as partitions say. Returns an exit_code; tile_runs_free may follow in any case. */
+/*
+ * Room for so many runs; has_numbers: of triangles, as partitions say. Returns an exit_code; tile_runs_free may follow in any case.
+ */
 int tile_runs_start(tile_runs *r, const tribox_grid *grid, uint32_t tile, bool has_numbers, size_t count, uint64_t memory);
 void tile_runs_free(tile_runs *r);
 

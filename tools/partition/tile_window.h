@@ -20,8 +20,8 @@ typedef bool tile_window_sink(void *data, uint64_t first, size_t count, const ti
 
 /*
  * Writes the triangles of records from .. to - 1, which end at place `end` of the file, and sets their checksums. They fit into the
- * room unless it is one record. Returns false where the sink does; with *damaged where those of a run are not what they were, else with
- * errno where they cannot be read.
+ * room unless it is one record. Returns false where the sink does; with *damaged where those of a run are not what they were, else
+ * with errno where they cannot be read.
  */
 bool tile_window_write(tile_window *w, size_t from, size_t to, uint64_t end, tile_window_sink *sink, void *data,
                        const tile_run **damaged);

@@ -33,8 +33,8 @@ typedef struct mesh {
  * Reads a mesh file: PLY, OFF, OBJ, STL and raw triangles here, others by libassimp. Coordinates are those of the file, bit for bit
  * where it holds floats or doubles, otherwise the nearest. libassimp may be an ulp of float off, and applies the transforms of
  * scenes. format: in place of the name, also of a stream, for which the memory grows; "-" is stdin.
- * threads: that work on it, 1 to THREADS_MAX; the mesh is the same for any number. Returns an exit_code; a file without a triangle is
- * a failure. On success mesh_free gives the memory back.
+ * threads: that work on it, 1 to THREADS_MAX; the mesh is the same for any number. Returns an exit_code; a file without a triangle
+ * is a failure. On success mesh_free gives the memory back.
  */
 int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m);
 

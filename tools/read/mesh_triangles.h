@@ -4,7 +4,9 @@
 
 #include "mesh.h"
 
-/* Reads all of an open file into an empty mesh, a regular one by threads. Returns an exit_code; mesh_free may follow in any case. */
+/*
+ * Reads all of an open file into an empty mesh, a regular one by threads. Returns an exit_code; mesh_free may follow in any case.
+ */
 int mesh_read_triangles(triangle_file *file, unsigned threads, mesh *m);
 
 #endif

@@ -1,4 +1,7 @@
-/* plain_ply_binary.c - binary PLY files of triangles: threads take blocks of vertices in turn, then of faces, to be stored or handed over. */
+/*
+ * plain_ply_binary.c - binary PLY files of triangles: threads take blocks of vertices in turn, then of faces, to be stored or
+ * handed over.
+ */
 #include <pthread.h>
 #include <stdlib.h>
 
@@ -12,8 +15,8 @@
 #include "vertex_extremes.h"
 
 /*
- * Vertices or faces: of a block, at least and at most, and for each of which a thread takes less time to start than to read them, or
- * to read them and hand them over.
+ * Vertices or faces: of a block, at least and at most, and for each of which a thread takes less time to start than to read them,
+ * or to read them and hand them over.
  */
 enum { BLOCK_LEAST = 512, BLOCK = 4096, BLOCKS_EACH = 8, STARTED = 1 << 16, STARTED_TAKEN = 1 << 14 };
 

@@ -1,4 +1,6 @@
-/* plain_ply_text.c - PLY files as text: a line for each vertex, then a line for each face that begins with the list of its corners. */
+/*
+ * plain_ply_text.c - PLY files as text: a line for each vertex, then a line for each face that begins with the list of its corners.
+ */
 #include "plain_ply.h"
 #include "text_parts.h"
 #include "text_pieces.h"

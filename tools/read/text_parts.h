@@ -27,8 +27,8 @@ typedef bool text_work(void *data, unsigned thread, text_part *part);
 size_t text_parts_count(const plain_file *file, uint64_t from);
 
 /*
- * What parts do in the order in which they are in the file: nothing, so that no thread waits for another; or their lines are counted
- * before the work; or the work passes them on, each by text_part_await and text_part_pass.
+ * What parts do in the order in which they are in the file: nothing, so that no thread waits for another; or their lines are
+ * counted before the work; or the work passes them on, each by text_part_await and text_part_pass.
  */
 typedef enum text_order { TEXT_ANY_ORDER, TEXT_COUNTED, TEXT_IN_ORDER } text_order;
 

@@ -6,8 +6,8 @@
 #include <stddef.h>
 
 /*
- * Calls work(data, thread, turn) for each turn from 0 to count - 1, rising, from as many threads. After one has returned false no more are
- * begun. Returns whether all returned true.
+ * Calls work(data, thread, turn) for each turn from 0 to count - 1, rising, from as many threads. After one has returned false no
+ * more are begun. Returns whether all returned true.
  */
 bool turns_run(unsigned threads, size_t count, bool (*work)(void *data, unsigned thread, size_t turn), void *data);
 

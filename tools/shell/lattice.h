@@ -1,9 +1,9 @@
 /*
  * lattice.h - the points of the grid, where planes of three axes meet, and the vertices of the surface that lie in them.
  *
- * A point is marked where a rectangle has a corner. Vertices are numbered by their points, x fastest; a point in which fans of faces
- * touch has a vertex for each fan, those after the first numbered behind all points. So are vertices in the middle of an edge: two
- * set cells that touch in an edge and hold together around both of its ends would otherwise have that edge twice.
+ * A point is marked where a rectangle has a corner. Vertices are numbered by their points, x fastest; a point in which fans of
+ * faces touch has a vertex for each fan, those after the first numbered behind all points. So are vertices in the middle of an
+ * edge: two set cells that touch in an edge and hold together around both of its ends would otherwise have that edge twice.
  */
 #ifndef LATTICE_H
 #define LATTICE_H

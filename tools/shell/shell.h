@@ -24,7 +24,8 @@ uint64_t shell_bytes(const tribox_grid *grid);
 
 /*
  * Finds vertices, which points.vertices tells, and counts triangles, unless there are more vertices than the most. cells: one slab
- * with the whole grid, and to stay. tell: as below; told of 0 to 1 of this. Returns false without memory; shell_free is due in any case.
+ * with the whole grid, and to stay. tell: as below; told of 0 to 1 of this. Returns false without memory; shell_free is due in any
+ * case.
  */
 bool shell_make(shell *s, const voxels *cells, bool (*tell)(void *data, double done), void *data);
 void shell_free(shell *s);

@@ -1,4 +1,6 @@
-/* coloured_cells.c - tiles by threads, whose bricks come in one order, with the ids of their cells: colours are looked up by these. */
+/*
+ * coloured_cells.c - tiles by threads, whose bricks come in one order, with the ids of their cells: colours are looked up by these.
+ */
 #define _POSIX_C_SOURCE 200809L
 #include "coloured_cells.h"
 

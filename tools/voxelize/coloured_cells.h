@@ -8,8 +8,8 @@
 #include "tile_set.h"
 
 /*
- * task: with ids. words: of the whole grid, all 0. The colours are the same for any number of threads. Returns an exit_code; on success
- * cell_colours_free gives the memory back.
+ * task: with ids. words: of the whole grid, all 0. The colours are the same for any number of threads. Returns an exit_code; on
+ * success cell_colours_free gives the memory back.
  */
 int coloured_cells_make(const voxel_task *task, const mesh_colours *colours, unsigned threads, uint64_t *words, cell_colours *cells,
                         progress *bar, tribox_report *report);

@@ -24,9 +24,9 @@ tribox_status voxelize_in_threads(const voxel_task *task, uint32_t first, uint32
                                   tribox_report *report, void (*progress)(void *data, double done), void *data);
 
 /*
- * Who gets layers as soon as they are done: from any of the threads, from several at once, each layer once. The words are the thread's
- * own and gone when it returns. False ends the work, which then returns TRIBOX_STOPPED. begin: whether a thread besides the calling one
- * has what it takes; else it leaves the layers to others.
+ * Who gets layers as soon as they are done: from any of the threads, from several at once, each layer once. The words are the
+ * thread's own and gone when it returns. False ends the work, which then returns TRIBOX_STOPPED. begin: whether a thread besides
+ * the calling one has what it takes; else it leaves the layers to others.
  */
 typedef struct layers_taker {
     bool (*begin)(void *data, unsigned thread);

@@ -11,9 +11,9 @@
 #include "layers_work.h"
 
 /*
- * A slab skips blocks of triangles that do not reach it: neighbours in a mesh lie side by side, so that few blocks are in two slabs.
- * Runs of blocks go to the library WINDOW triangles at a time, so that progress is reported meanwhile; a gap of GAP blocks between
- * two of them costs no more than a call. Bounds are found a step of blocks at a time.
+ * A slab skips blocks of triangles that do not reach it: neighbours in a mesh lie side by side, so that few blocks are in two
+ * slabs. Runs of blocks go to the library WINDOW triangles at a time, so that progress is reported meanwhile; a gap of GAP blocks
+ * between two of them costs no more than a call. Bounds are found a step of blocks at a time.
  */
 enum { EACH = 2, SLABS_MAX = EACH * THREADS_MAX, GAP = 4, STEP = 64, WINDOW = 1 << 17 };
 

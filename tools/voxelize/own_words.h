@@ -19,7 +19,10 @@ typedef struct own_words {
 /* The words of a thread, which it alone asks for; NULL where there is no memory. */
 uint64_t *own_words_of(own_words *w, unsigned thread);
 
-/* Puts a strip of the words together, of which there are so many. Returns how many cells the other threads add to those of thread 0. */
+/*
+ * Puts a strip of the words together, of which there are so many. Returns how many cells the other threads add to those of thread
+ * 0.
+ */
 size_t own_words_strips(const own_words *w);
 size_t own_words_join(const own_words *w, size_t strip);
 

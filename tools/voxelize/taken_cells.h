@@ -22,7 +22,9 @@ typedef struct taken_cells {
     tribox_report report;
 } taken_cells;
 
-/* Whether the request may do without a stored mesh: the taker may then be given to a reader. taken_cells_free is due in any case. */
+/*
+ * Whether the request may do without a stored mesh: the taker may then be given to a reader. taken_cells_free is due in any case.
+ */
 bool taken_cells_start(const voxelize_request *r, taken_cells *t, mesh_taker *taker);
 
 /*

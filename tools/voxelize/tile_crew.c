@@ -170,7 +170,10 @@ static void work(void *data, unsigned thread)
     crew *const c = data;
     tile_room *const room = thread ? tile_room_new(c->set, c->from, c->to) : c->room;
     for (share s; room && take_share(c, &s);)
-        (c->is_direct ? run_at_once : run_in_turn)(c, &s, room);
+        if (c->is_direct)
+            run_at_once(c, &s, room);
+        else
+            run_in_turn(c, &s, room);
     if (thread)
         tile_room_free(room);
 }

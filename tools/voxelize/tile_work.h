@@ -10,8 +10,8 @@
 enum { TILE_WORK = 62000 };
 
 /*
- * What a triangle costs in each of `tiles` tiles that it is in, of this side: whole, so that the sum of a tile is the same in whatever
- * order its triangles are met. u: x, y, z of each vertex.
+ * What a triangle costs in each of `tiles` tiles that it is in, of this side: whole, so that the sum of a tile is the same in
+ * whatever order its triangles are met. u: x, y, z of each vertex.
  */
 uint64_t tile_work_of(const tribox_grid *grid, uint32_t side, const double u[9], uint32_t tiles);
 

@@ -49,12 +49,12 @@ tribox_status voxel_task_run(const voxel_task *task, size_t start, size_t count,
     const tribox_window window = {{0, 0, first}, {task->grid.size[0], task->grid.size[1], layers}};
     if (task->soup) {
         const tribox_soup part = part_of_soup(task->soup, start, count);
-        return (task->is_thin ? tribox_voxelize_thin : tribox_voxelize)(&part, &task->grid, &window, task->options, occupied,
-                                                                        report);
+        return task->is_thin ? tribox_voxelize_thin(&part, &task->grid, &window, task->options, occupied, report)
+                             : tribox_voxelize(&part, &task->grid, &window, task->options, occupied, report);
     }
     const tribox_mesh part = part_of_mesh(task->mesh, start, count);
-    return (task->is_thin ? tribox_mesh_voxelize_thin : tribox_mesh_voxelize)(&part, &task->grid, &window, task->options, occupied,
-                                                                              report);
+    return task->is_thin ? tribox_mesh_voxelize_thin(&part, &task->grid, &window, task->options, occupied, report)
+                         : tribox_mesh_voxelize(&part, &task->grid, &window, task->options, occupied, report);
 }
 
 tribox_status voxel_task_lists(const voxel_task *task, size_t first, size_t count, const tribox_tiles *tiles,

@@ -16,8 +16,8 @@
 #include "write/voxels_room.h"
 
 /*
- * What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. Where the inside is asked
- * for it takes the place of the surface.
+ * What the work is about. The words are the cells of the surface, and in `solid` those that it encloses too. Where the inside is
+ * asked for it takes the place of the surface.
  */
 typedef struct whole {
     const voxelize_request *r;

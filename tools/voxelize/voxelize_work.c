@@ -75,7 +75,7 @@ static int answer(const voxelize_request *r, const voxelize_input *in, voxelize_
     volume_note_shift(r->result.format, r->result.out_path, &in->cells);
     if (takes_layers(r, in, files))
         return voxelize_apart(r, in, files, a);
-    return (takes_whole(r, in) ? voxelize_whole : voxelize_by_tiles)(r, in, files, a);
+    return takes_whole(r, in) ? voxelize_whole(r, in, files, a) : voxelize_by_tiles(r, in, files, a);
 }
 
 /* What a run that is interrupted says. */

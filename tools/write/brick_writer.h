@@ -33,7 +33,10 @@ extern const brick_writer bricks_vdb;
 void bricks_begin_vdb(void);
 int bricks_check_vdb(const char *path, const tribox_grid *grid);
 
-/* The surface of the cells as a mesh: Stanford's polygons, Wavefront's text, glTF's binary. The checks refuse what memory does not hold. */
+/*
+ * The surface of the cells as a mesh: Stanford's polygons, Wavefront's text, glTF's binary. The checks refuse what memory does not
+ * hold.
+ */
 extern const brick_writer bricks_ply, bricks_obj, bricks_glb;
 int bricks_check_shell(const char *path, const tribox_grid *grid);
 int bricks_check_glb(const char *path, const tribox_grid *grid);

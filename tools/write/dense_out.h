@@ -29,9 +29,9 @@ void dense_room_free(dense_room *room);
 void dense_start(dense_out *d, const volume_frame *frame, const file_out *file, const voxels *v);
 
 /*
- * Writes layers, the words of which these are, and of those inside, NULL without labels: several threads may at once, each with a room of its own, each layer once and in any
- * order where the file has places; elsewhere one thread, in order. False, and nothing is written,
- * after a failure.
+ * Writes layers, the words of which these are, and of those inside, NULL without labels: several threads may at once, each with a
+ * room of its own, each layer once and in any order where the file has places; elsewhere one thread, in order. False, and nothing
+ * is written, after a failure.
  */
 bool dense_put(dense_out *d, dense_room *room, uint32_t first, uint32_t layers, const uint64_t *words, const uint64_t *inside);
 

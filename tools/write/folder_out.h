@@ -14,7 +14,9 @@ typedef struct folder_out {
     char *name[FOLDER_FILES]; /* in `beside` */
 } folder_out;
 
-/* Makes it, with files of these names, up to the first NULL. What stands under the name already is refused. Returns an exit_code. */
+/*
+ * Makes it, with files of these names, up to the first NULL. What stands under the name already is refused. Returns an exit_code.
+ */
 int folder_out_open(folder_out *out, const char *path, const char *const names[FOLDER_FILES]);
 
 /* Writes out all that is pending and gives the folder its name. Returns an exit_code; on failure nothing is left. */

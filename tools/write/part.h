@@ -32,7 +32,9 @@ typedef struct part_header {
     uint64_t from, to; /* the tiles from .. to - 1 are what it holds */
 } part_header;
 
-/* A brick as a tribox_sink is handed it, in the order of tribox_bricks; if cells have ids, those of its set cells as uint32 follow. */
+/*
+ * A brick as a tribox_sink is handed it, in the order of tribox_bricks; if cells have ids, those of its set cells as uint32 follow.
+ */
 typedef struct part_brick {
     uint32_t at[3];
     uint32_t cells; /* that are set */

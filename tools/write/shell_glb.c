@@ -2,8 +2,8 @@
  * shell_glb.c - a shell as binary glTF 2.0: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
  *
  * Positions are floats there. They count cells, which is exact; the node scales them by the lengths of a cell and moves them to the
- * origin. There are no normals, so that readers shade each triangle flat. Colours are those of vertices, linear as glTF has them, with
- * a matte material, as the one that readers have without is a metal.
+ * origin. There are no normals, so that readers shade each triangle flat. Colours are those of vertices, linear as glTF has them,
+ * with a matte material, as the one that readers have without is a metal.
  */
 #include <inttypes.h>
 #include <math.h>

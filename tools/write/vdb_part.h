@@ -28,9 +28,9 @@ typedef struct vdb_part {
     void *(*make)(const vdb_grid *grid, char *reason);
 
     /*
-     * Each returns whether it did it. put: a brick as a tribox_sink gets it; inside: which of its cells are, for labels; values: red,
-     * green and blue of its set cells as floats, or their ids as int32_t, in the order of the bits, where there are some. can_seek: of
-     * the stream, which is at its start.
+     * Each returns whether it did it. put: a brick as a tribox_sink gets it; inside: which of its cells are, for labels; values:
+     * red, green and blue of its set cells as floats, or their ids as int32_t, in the order of the bits, where there are some.
+     * can_seek: of the stream, which is at its start.
      */
     int (*put)(void *tree, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const void *values, char *reason);
     int (*write)(void *tree, FILE *to, int can_seek, char *reason);

@@ -28,8 +28,8 @@ bool vdb_process_try(vdb_process *p, const vdb_grid *grid, char *reason);
 bool vdb_process_open(vdb_process *p, const vdb_grid *grid, FILE *to, bool can_seek, char *reason);
 
 /*
- * A brick as a tribox_sink gets it; inside: which of its cells are, NULL but for a grid of labels; values: as for a vdb_part, of its
- * `cells` set cells, where the grid has colours or ids, else 0 of them. False if it fails.
+ * A brick as a tribox_sink gets it; inside: which of its cells are, NULL but for a grid of labels; values: as for a vdb_part, of
+ * its `cells` set cells, where the grid has colours or ids, else 0 of them. False if it fails.
  */
 bool vdb_process_put(vdb_process *p, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const void *values,
                      uint32_t cells, char *reason);
