@@ -1,10 +1,12 @@
 """The colours of cells: tribox voxelize --colours, from each way in which meshes have them into each file that holds them."""
 
+import base64
 import functools
 import json
 import os
 import random
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -93,6 +95,71 @@ class Meshes(Colours):
             lines[len(self.vertices) + n] = " ".join(words[:4] + list(rows[n % 4]) + words[7:])
         self.check("range.ply", head + "end_header\n" + "\n".join(lines) + "\n",
                    [expected[n % 4] for n in range(len(self.corners))], "faces")
+
+    def gltf(self, materials, own=None):
+        """A file whose triangle n has material n % len(materials), and whose corners have colours `own`, as floats of light."""
+        document, data = meshes.gltf_document(self.triangles, [{}])
+        count, primitives = len(materials), []
+        if own:
+            document["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": 12 * len(own)})
+            document["accessors"].append({"bufferView": 2, "componentType": 5126, "count": len(own), "type": "VEC3"})
+            data += b"".join(struct.pack("<3f", *map(coloured.linear, colour)) for colour in own)
+        for n, material in enumerate(materials):
+            corners = [c for triangle in self.corners[n::count] for c in triangle]
+            document["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": 4 * len(corners)})
+            document["accessors"].append({"bufferView": len(document["bufferViews"]) - 1, "componentType": 5125,
+                                          "count": len(corners), "type": "SCALAR"})
+            data += struct.pack("<%dI" % len(corners), *corners)
+            primitives.append({"attributes": {"POSITION": 0, **({"COLOR_0": 2} if own else {})},
+                               "indices": len(document["accessors"]) - 1, **({} if material is None else {"material": n})})
+        document["materials"] = [{"name": "m%d" % n, **(material or {})} for n, material in enumerate(materials)]
+        document["meshes"] = [{"primitives": primitives}]
+        document["textures"], document["images"] = [{"source": 0}], [{"uri": "none.png"}]
+        document["buffers"] = [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]
+        order = [n for k in range(count) for n in range(k, len(self.triangles), count)]
+        return json.dumps(document).encode(), order
+
+    def check_gltf(self, name, content, order, colours, whose):
+        """Its triangles come primitive by primitive."""
+        lowest = coloured.lowest([self.triangles[n] for n in order], ABOUT)
+        out, found = self.voxelize(self.write(name, content), "cells.vox")
+        self.assertEqual(coloured.read_vox(out), {cell: colours[order[number]] for cell, number in lowest.items()}, name)
+        self.assertEqual(found["colours"], whose, name)
+
+    @staticmethod
+    def base(colour, **more):
+        return {"pbrMetallicRoughness": {"baseColorFactor": [*map(coloured.linear, colour), 1], **more}}
+
+    def test_gltf(self):
+        """Light becomes bytes; materials and colours of vertices are multiplied; textures are said to be left out."""
+        if not support.has_libassimp():
+            self.skipTest("built without libassimp")
+        three = pick_colours(3, SEED + 2)
+        content, order = self.gltf(list(map(self.base, three)))
+        count = len(self.triangles)
+        self.check_gltf("materials.gltf", content, order, [three[n % 3] for n in range(count)], "materials")
+        each = [colour for colour in self.colours for _ in range(3)]
+        content, order = self.gltf([None], each)
+        self.check_gltf("vertices.gltf", content, order, self.colours, "vertices")
+        content, order = self.gltf([self.base((255, 0, 255)), self.base((255, 255, 255))], each)
+        self.check_gltf("both.gltf", content, order, [(c[0], c[1] if n % 2 else 0, c[2]) for n, c in enumerate(self.colours)], "vertices")
+        content, _ = self.gltf([self.base(three[0]), self.base((255, 255, 255), baseColorTexture={"index": 0})])
+        mesh, out = self.write("texture.gltf", content), self.path("x.vox")
+        self.succeed_with_note("%d of %d triangles have a texture, which is not read: they are grey" % (count // 2, count), "voxelize",
+                               mesh, *GRID, "--colours", "-q", "-o", out)
+        self.assertTrue(set(coloured.read_vox(out).values()) <= {three[0], coloured.GREY})
+        content, _ = self.gltf([self.base((255, 255, 255), baseColorTexture={"index": 0})])
+        self.fail_with(1, "has no colours: .*not of textures", "voxelize", self.write("only.gltf", content), *GRID, "--colours", "-o", out)
+
+    def test_own_glb(self):
+        """What is written is read again: the cells of a mesh of cells have their colours."""
+        if not support.has_libassimp():
+            self.skipTest("built without libassimp")
+        mesh = self.write("mesh.ply", coloured.ply(self.vertices, self.corners, face_colours=self.colours))
+        glb, _ = self.voxelize(mesh, "cells.glb")
+        again, found = self.voxelize(glb, "again.vox")
+        self.assertEqual(found["colours"], "vertices")
+        self.assertTrue(set(coloured.read_vox(again).values()) <= set(self.colours))
 
     def test_polygons(self):
         """A polygon has one colour, also where its corners have some; lines and points have none."""

@@ -18,6 +18,7 @@ typedef struct mesh_colours {
  *
  * PLY, OFF: that of the face; where faces have none, the mean of the colours of its corners.
  * OBJ: the mean of its corners, where all of them have one, `v X Y Z R G B`; else Kd of its material; else grey.
+ * What libassimp reads: the same of glTF and its like, the colour of the corners times that of the material.
  * Whole numbers go to 255, those of 16 bits to 65535, others to 1.
  *
  * triangles: of the mesh, as it was read before. Returns an exit_code; a mesh without colours is a failure. On success

@@ -12,3 +12,11 @@ rgb_curve rgb_curve_make(void)
     }
     return curve;
 }
+
+rgb rgb_of_light(const double light[3])
+{
+    double number[3];
+    for (int c = 0; c < 3; c++)
+        number[c] = light[c] <= 0.0031308 ? 12.92 * light[c] : 1.055 * pow(light[c], 1 / 2.4) - 0.055;
+    return rgb_of(number, 1);
+}

@@ -23,6 +23,9 @@ static inline rgb rgb_of(const double number[3], double most)
     return colour;
 }
 
+/* Light, each from 0 to 1, as the nearest bytes of sRGB. */
+rgb rgb_of_light(const double light[3]);
+
 /* Each byte of sRGB as light, from 0 to 1. */
 typedef struct rgb_curve {
     float light[256];

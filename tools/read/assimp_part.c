@@ -1,10 +1,13 @@
 /* assimp_part.c - the part of the program that reads what libassimp can read, without any of its clean-up. */
 #include <assimp/cimport.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "assimp_part.h"
 
@@ -112,6 +115,82 @@ static void put_triangles(const struct aiMesh *part, const transform *place, voi
     }
 }
 
+/* The colours of triangles: where they go, and how many have come. */
+typedef struct colouring {
+    const struct aiScene *scene;
+    float (*of)[3];
+    size_t done;
+    assimp_colours found;
+} colouring;
+
+static bool has_texture(const struct aiMaterial *m)
+{
+    return aiGetMaterialTextureCount(m, aiTextureType_DIFFUSE) || aiGetMaterialTextureCount(m, aiTextureType_BASE_COLOR);
+}
+
+/* What libassimp makes up for a mesh that names no material is none: by its name, or in glTF white without one. */
+static bool is_made_up(const struct aiMaterial *m, const struct aiColor4D *colour)
+{
+    struct aiString name = {0, ""};
+    const bool has_name = aiGetMaterialString(m, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS && name.length;
+    return has_name ? !strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) : colour->r == 1 && colour->g == 1 && colour->b == 1;
+}
+
+/* Stays white where there is none. */
+static bool find_material(const struct aiMaterial *m, struct aiColor4D *colour)
+{
+    const struct aiColor4D white = *colour;
+    const bool is_there = (aiGetMaterialColor(m, AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
+                           aiGetMaterialColor(m, AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) &&
+                          !is_made_up(m, colour);
+    if (!is_there)
+        *colour = white;
+    return is_there;
+}
+
+static void colour_triangle(const struct aiColor4D *of_corners, const struct aiFace *face, const struct aiColor4D *base, float *to)
+{
+    const float factor[3] = {base->r, base->g, base->b};
+    for (int c = 0; c < 3; c++)
+        to[c] = factor[c];
+    for (int c = 0; c < 3 && of_corners; c++) {
+        double sum = 0;
+        for (int v = 0; v < 3; v++) {
+            const struct aiColor4D *const own = &of_corners[face->mIndices[v]];
+            sum += (double)(c == 0 ? own->r : c == 1 ? own->g : own->b);
+        }
+        to[c] = (float)(sum / 3 * (double)factor[c]);
+    }
+}
+
+static void put_colours(const struct aiMesh *part, const transform *place, void *context)
+{
+    colouring *const to = context;
+    const struct aiMaterial *const material = to->scene->mMaterials[part->mMaterialIndex];
+    const struct aiColor4D *const of_corners = part->mColors[0];
+    struct aiColor4D base = {1, 1, 1, 1};
+    const bool has_material = find_material(material, &base), is_textured = has_texture(material);
+    (void)place;
+    for (unsigned i = 0; i < part->mNumFaces; i++) {
+        if (part->mFaces[i].mNumIndices != 3)
+            continue;
+        float *const own = to->of[to->done++];
+        own[0] = own[1] = own[2] = NAN;
+        if (!is_textured && (of_corners || has_material))
+            colour_triangle(of_corners, &part->mFaces[i], &base, own);
+        to->found.textured += is_textured;
+        to->found.of_vertices += !is_textured && of_corners;
+        to->found.of_materials += !is_textured && !of_corners && has_material;
+    }
+}
+
+static assimp_colours colour_scene(const void *scene, float (*of)[3])
+{
+    colouring to = {.scene = scene, .of = of};
+    walk(scene, put_colours, &to);
+    return to.found;
+}
+
 static bool check_indices(const struct aiScene *scene, char *reason)
 {
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
@@ -164,11 +243,8 @@ static const void *open_scene(const char *path, assimp_counts *counts, char *rea
     return cut(scene, counts, reason) ? scene : NULL;
 }
 
-static void put_scene(const void *scene, size_t triangles, float *to)
-{
-    walk(scene, put_triangles, &(streams){to, triangles, 0});
-}
+static void put_scene(const void *scene, size_t triangles, float *to) { walk(scene, put_triangles, &(streams){to, triangles, 0}); }
 
 static void close_scene(const void *scene) { aiReleaseImport(scene); }
 
-__attribute__((visibility("default"))) const assimp_part tribox_assimp_part = {open_scene, put_scene, close_scene};
+__attribute__((visibility("default"))) const assimp_part tribox_assimp_part = {open_scene, put_scene, colour_scene, close_scene};

@@ -13,12 +13,24 @@ typedef struct assimp_counts {
 /* Room for why a file cannot be read. */
 enum { ASSIMP_REASON = 300 };
 
+/* What triangles have for colours. */
+typedef struct assimp_colours {
+    size_t of_vertices, of_materials; /* so many have them from there, or from both */
+    size_t textured;                  /* so many have a texture, and so none that is known here */
+} assimp_colours;
+
 typedef struct assimp_part {
     /* The scene in a file, and what is in it; NULL if it fails, with the reason. */
     const void *(*open)(const char *path, assimp_counts *counts, char *reason);
 
     /* Writes its triangles, so many, as nine streams, one after another: x of the three vertices, then y, then z. */
     void (*put)(const void *scene, size_t triangles, float *streams);
+
+    /*
+     * Writes red, green and blue of each of its triangles, 1 the most: the mean of its corners where vertices have colours, times that
+     * of its material if there is one. NaN where it has none.
+     */
+    assimp_colours (*colour)(const void *scene, float (*of)[3]);
 
     void (*close)(const void *scene);
 } assimp_part;

@@ -17,17 +17,42 @@ static const assimp_part *load(void)
     return library ? dlsym(library, ASSIMP_PART_SYMBOL) : NULL;
 }
 
+/* NULL after a line. */
+static const void *open_scene(const char *path, const assimp_part **part, assimp_counts *counts)
+{
+    char reason[ASSIMP_REASON];
+    *part = load();
+    if (!*part) {
+        message_failure("%s: not a PLY, OFF, OBJ, STL, .f32 or .f64 file, and what reads others cannot be loaded: %s", path,
+                        dlerror());
+        return NULL;
+    }
+    const void *const scene = (*part)->open(path, counts, reason);
+    if (!scene)
+        message_failure("%s: %s", path, reason);
+    return scene;
+}
+
+int read_colours_by_assimp(const char *path, size_t triangles, float (*of)[3], assimp_colours *found)
+{
+    const assimp_part *part;
+    assimp_counts counts;
+    const void *const scene = open_scene(path, &part, &counts);
+    if (!scene)
+        return EXIT_CODE_FAILURE;
+    if (counts.triangles == triangles)
+        *found = part->colour(scene, of);
+    part->close(scene);
+    return counts.triangles == triangles ? EXIT_CODE_OK : message_failure("%s: has changed while it was read", path);
+}
+
 int read_by_assimp(const char *path, mesh *m)
 {
-    const assimp_part *const part = load();
-    if (!part)
-        return message_failure("%s: not a PLY, OFF, OBJ, STL, .f32 or .f64 file, and what reads others cannot be loaded: %s", path,
-                               dlerror());
+    const assimp_part *part;
     assimp_counts counts;
-    char reason[ASSIMP_REASON];
-    const void *const scene = part->open(path, &counts, reason);
+    const void *const scene = open_scene(path, &part, &counts);
     if (!scene)
-        return message_failure("%s: %s", path, reason);
+        return EXIT_CODE_FAILURE;
     m->left_out = counts.points_and_lines;
     m->uncut = counts.uncut;
     const int code = mesh_make_room(path, counts.triangles, m);
