@@ -586,7 +586,8 @@ TRIBOX_API tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tri
  *   UINT32_MAX.
  * occupied: as for tribox_voxelize. Cells whose bits are set before the call have ids: those that calls before it wrote.
  * ids: one for each cell of the window, cell (i, j, k) at ids[(k * size[1] + j) * size[0] + i], without a gap after a row. Written
- *   only where bits are set, so they need not be cleared; an id where the bit is clear means nothing.
+ *   only where bits are set, so they need not be cleared; an id where the bit is clear means nothing. Where they do not fit the
+ *   caches each set cell waits for memory: tribox_bricks_ids takes tiles that do.
  *
  * Threads that own some layers of the grid own the ids of these layers. Other arguments are as for tribox_voxelize.
  *
