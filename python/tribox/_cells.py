@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _c
 from ._around import grid_given
 from ._arguments import check, options_of
+from ._errors import InputError
 from ._ffi import ffi
 from ._grids import Grid, struct_of
 from ._library import lib
@@ -24,6 +25,7 @@ from ._voxels import middles
 
 SIDE = 32  # cells of a window along each axis, at most: its starts fit into a cache
 TILES_MAX = 1 << 22  # that triangles are listed by at once
+NUMBERS_MAX, BLOCK = 1 << 32, 1 << 18  # of triangles in the answer at most; that are measured at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +101,20 @@ def in_order(cells, counts, triangles):
     return cells[order], start, triangles[places]
 
 
+def check_size(held_, grid):
+    """Refuses an answer that no memory holds. A triangle within the grid is in no fewer cells than its shadow has squares."""
+    low, least = np.array(grid.origin), 0.0
+    high = low + np.multiply(grid.cell, grid.size)
+    for first in range(0, held_.struct.count, BLOCK):
+        corners = by_number(held_, slice(first, first + BLOCK)).astype(float)
+        corners = corners[((corners >= low) & (corners <= high)).all((1, 2))] / grid.cell
+        shadows = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).max(1, initial=0) / 2
+        least += shadows.sum()
+    if least > NUMBERS_MAX:
+        raise InputError(f"the answer would have at least {least:.3g} numbers of triangles, and can have {NUMBERS_MAX:.3g} at most; "
+                         "give larger cells, or a grid around a part of the mesh")
+
+
 def side_for(size):
     """Of the tiles that triangles are listed by first, so that there are not too many."""
     side = SIDE
@@ -118,12 +134,13 @@ def cell_lists(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cel
     The grid may be of any size. Memory goes to the answer, 28 bytes for each cell and 4 for each of its triangles, about as much
     again during the call, and 5 MB for each thread.
 
-    Raises errors as voxelize does.
+    Raises errors as voxelize does; also where the answer would have more than 2^32 numbers of triangles.
     """
     held_, threads_ = held(triangles), threads_of(threads)
     chosen = grid_given(held_, grid, cell, resolution)
     lister, tiling = Lister(chosen, accuracy, axes, kernel), Tiling(chosen, side_for(chosen.size))
     lists = Listed(held_, tiling, 0, tiling.count, options_of("exact", axes, 0, kernel), threads_)
+    check_size(held_, chosen)
     firsts, sizes = tiling.windows(lists.numbers)
 
     def work(n):

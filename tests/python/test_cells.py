@@ -37,6 +37,20 @@ class CellTests(cases.TestCase):
         for name in ("cells", "start", "triangles"):
             self.assert_same(getattr(lists, name), getattr(expected, name))
 
+    def test_too_large(self):
+        """Refused before the work; the bound is never more than the answer has."""
+        triangle = np.array([[[0, 0, 0], [2, 0, 0], [0, 2, 0]]], np.float32)
+        self.refuse(tribox.InputError, None, "at least 2e.12 numbers of triangles, and can have 4.29e.09 at most; give larger cells",
+                    tribox.cell_lists, triangle, resolution=2000000)
+        for triangles in (self.triangles, self.triangles.astype(float)):
+            for name, grid in GRIDS.items():
+                count = len(tribox.cell_lists(triangles, grid).triangles)
+                with mock.patch("tribox._cells.NUMBERS_MAX", count), mock.patch("tribox._cells.BLOCK", 7):
+                    tribox.cell_lists(triangles, grid)
+        flat = np.array([[[0, 0, 1], [64, 0, 1], [0, 64, 1]]], np.float32)
+        with mock.patch("tribox._cells.NUMBERS_MAX", 2047):
+            self.refuse(tribox.InputError, None, "at least 2.05e.03 numbers", tribox.cell_lists, flat, ((0, 0, 0), (1, 1, 1), (64, 64, 2)))
+
     def test_by_cell(self):
         for grid in GRIDS.values():
             for form in cases.forms(self.triangles):

@@ -10,6 +10,13 @@ export const OPTIONS_BYTES = 32, GRID_BYTES = 64;
 // sbrk of wasi-libc takes a signed number.
 const BYTES_MAX = 2 ** 31 - 2 ** 20;
 
+/** A number of bytes as people read it. */
+function inUnits(bytes) {
+    const units = ['MiB', 'GiB', 'TiB', 'PiB', 'EiB'], power = Math.floor(Math.log2(bytes / 2 ** 20) / 10);
+    const n = Math.max(0, Math.min(power, units.length - 1));
+    return `${Number((bytes / 2 ** (20 + 10 * n)).toPrecision(3))} ${units[n]}`;
+}
+
 export class Memory {
     #small;
 
@@ -46,7 +53,7 @@ export class Memory {
     take(bytes, what) {
         const address = bytes > BYTES_MAX ? 0 : this.exports.malloc(Math.max(bytes, 1)) >>> 0;
         if (!address)
-            throw new TriboxError(`out of memory: ${what} would take ${(bytes / 2 ** 20).toFixed(1)} MiB; free() what is no longer ` +
+            throw new TriboxError(`out of memory: ${what} would take ${inUnits(bytes)}; free() what is no longer ` +
                 'needed, or ask for less (4 GiB in all, 2 GiB at once)');
         return address;
     }
