@@ -1,6 +1,6 @@
 /*
- * ids.c - what does it cost to know the triangle of each cell? A window at once, in memory that is new and in memory that is not, and
- * bricks, tile by tile. CPU time.
+ * ids.c - what does it cost to know the triangle of each cell? A window at once, in memory that is new and in memory that is not,
+ * and bricks, tile by tile. CPU time.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>

@@ -27,8 +27,8 @@ typedef struct assimp_part {
     void (*put)(const void *scene, size_t triangles, float *streams);
 
     /*
-     * Writes red, green and blue of each of its triangles, 1 the most: the mean of its corners where vertices have colours, times that
-     * of its material if there is one. NaN where it has none.
+     * Writes red, green and blue of each of its triangles, 1 the most: the mean of its corners where vertices have colours, times
+     * that of its material if there is one. NaN where it has none.
      */
     assimp_colours (*colour)(const void *scene, float (*of)[3]);
 
