@@ -2,6 +2,7 @@
 #include "read/mesh.h"
 
 #include "console/message.h"
+#include "read/readers.h"
 
 int mesh_read(const char *path, mesh *m) { return mesh_read_as(path, TRIANGLES_OTHER, 1, m); }
 
@@ -27,4 +28,10 @@ int mesh_to_floats(const char *path, const double origin[3], mesh *m)
 {
     (void)m;
     return message_failure("%s: no mesh to be rounded about %g", path, origin[0]);
+}
+
+int read_colours_by_assimp(const char *path, size_t triangles, float (*of)[3], struct assimp_colours *found)
+{
+    (void)of, (void)found;
+    return message_failure("%s: no colours of %zu triangles", path, triangles);
 }
