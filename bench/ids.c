@@ -43,7 +43,7 @@ static double processor_time(void)
 static void keep_least(double *least, double from)
 {
     const double seconds = processor_time() - from;
-    *least = *least && *least < seconds ? *least : seconds;
+    *least = *least > 0 && *least < seconds ? *least : seconds;
 }
 
 static int take(void *cells, const uint32_t at[3], const uint64_t bits[8])
