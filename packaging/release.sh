@@ -1,6 +1,5 @@
 #!/bin/sh
 # Makes all that is published of a version, from its tag alone and bit for bit again: packaging/release.sh TAG FOLDER, a new one.
-# But for the Debian package of the program (tribox_*.deb and its symbols), which still differs.
 # PARTS are those that are made, all by default: source debian wheels npm windows site. They take what tests/run.sh and .ci/run
 # install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS and PAGE are those of debian.sh and site.sh.
 set -eu
