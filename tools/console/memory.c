@@ -1,7 +1,8 @@
-/* memory.c - sizes of memory for people to read. */
+/* memory.c - sizes of memory for people to read, and lists that grow by doubling. */
 #include "memory.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 bool memory_read(const char *text, uint64_t *bytes)
@@ -29,4 +30,16 @@ const char *memory_text(uint64_t bytes, char text[16])
         size /= 1024;
     snprintf(text, 16, unit && size < 100 ? "%.1f %s" : "%.0f %s", size, units[unit]);
     return text;
+}
+
+void *memory_grow(void *list, size_t needed, size_t *room, size_t size)
+{
+    enum { LEAST = 1024 };
+    if (list && needed <= *room)
+        return list;
+    const size_t twice = 2 * (*room > LEAST / 2 ? *room : LEAST / 2), wanted = needed > twice ? needed : twice;
+    void *const larger = wanted <= SIZE_MAX / size ? realloc(list, wanted * size) : NULL;
+    if (larger)
+        *room = wanted;
+    return larger;
 }

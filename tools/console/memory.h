@@ -1,8 +1,9 @@
-/* memory.h - how much memory is available. */
+/* memory.h - how much memory is available, and lists that grow. */
 #ifndef MEMORY_H
 #define MEMORY_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 /* Bytes that this process can still take without swapping; UINT64_MAX where neither the system nor a limit says. */
@@ -13,5 +14,11 @@ bool memory_read(const char *text, uint64_t *bytes);
 
 /* Writes bytes for people to read, "12.5 GiB". Returns text. */
 const char *memory_text(uint64_t bytes, char text[16]);
+
+/*
+ * A list with room for `needed` things of `size` bytes, of which it had room for *room: itself, or a larger one in its place. NULL
+ * without memory; the list stays then.
+ */
+void *memory_grow(void *list, size_t needed, size_t *room, size_t size);
 
 #endif

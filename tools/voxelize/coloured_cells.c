@@ -4,9 +4,9 @@
 #define _POSIX_C_SOURCE 200809L
 #include "coloured_cells.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+#include "console/memory.h"
 #include "console/message.h"
 #include "tile_crew.h"
 #include "write/brick_cutter.h"
@@ -19,28 +19,14 @@ typedef struct colouring {
     size_t room, cells_room;
 } colouring;
 
-static bool grow(void **list, uint64_t needed, size_t *room, size_t size)
-{
-    if (needed <= *room)
-        return true;
-    const size_t more = (size_t)needed > 2 * *room ? (size_t)needed : 2 * *room;
-    void *const grown = realloc(*list, more * size);
-    if (!grown)
-        return false;
-    *list = grown;
-    *room = more;
-    return true;
-}
-
 static bool make_room(colouring *c, uint64_t cells)
 {
     cell_colours *const to = c->to;
-    void *bricks = to->bricks, *of = to->of;
-    const bool has_room =
-        grow(&bricks, to->count + 1, &c->room, sizeof *to->bricks) && grow(&of, to->cells + cells, &c->cells_room, sizeof *to->of);
-    to->bricks = bricks;
-    to->of = of;
-    return has_room;
+    void *const bricks = memory_grow(to->bricks, to->count + 1, &c->room, sizeof *to->bricks);
+    to->bricks = bricks ? bricks : to->bricks;
+    void *const of = bricks ? memory_grow(to->of, (size_t)(to->cells + cells), &c->cells_room, sizeof *to->of) : NULL;
+    to->of = of ? of : to->of;
+    return of;
 }
 
 static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)

@@ -4,23 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/memory.h"
 #include "write/voxels.h"
-
-/* Room for `more` things of `size` bytes; NULL where there is no memory, and what was there stays. */
-static void *grow(void *list, size_t count, size_t more, size_t *room, size_t size)
-{
-    if (list && count + more <= *room)
-        return list;
-    const size_t grown = 2 * (*room > 512 ? *room : 512);
-    void *const larger = realloc(list, grown * size);
-    if (larger)
-        *room = grown;
-    return larger;
-}
 
 static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
 {
-    uint32_t *const grown = grow(k->ids, k->ids_count, cells, &k->ids_room, sizeof *ids);
+    uint32_t *const grown = memory_grow(k->ids, k->ids_count + cells, &k->ids_room, sizeof *ids);
     if (!grown)
         return false;
     k->ids = grown;
@@ -32,7 +21,7 @@ static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
 int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
 {
     kept_bricks *const k = kept;
-    kept_brick *const grown = grow(k->bricks, k->count, 1, &k->room, sizeof *grown);
+    kept_brick *const grown = memory_grow(k->bricks, k->count + 1, &k->room, sizeof *grown);
     if (!grown)
         return 1;
     k->bricks = grown;
