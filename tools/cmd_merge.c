@@ -15,7 +15,7 @@ static const char help[] =
     "\n"
     "Usage: tribox merge PART... -o FILE [OPTION...]\n"
     "\n"
-    "PART... are the files that 'tribox voxelize --shard I/N' wrote for all shards, in any order. The\n"
+    "PART... are the .part files of 'tribox voxelize --shard I/N' for all shards, in any order. The\n"
     "result is that of a voxelization in one piece, bit for bit. If FILE is sparse, little memory is\n"
     "needed. For .npz without --deflate threads read several parts at once.\n"
     "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP

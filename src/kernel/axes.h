@@ -14,7 +14,8 @@
  *   h     half lengths of the box       s->H[a] = 2 h_a = hi - lo
  *   f_j   edges v_(j+1) - v_j           s->f[j][a], from u, not from v: nothing is lost far from the origin
  *   n     f_0 x f_1                     s->n[a]
- *   p_j   projections of the triangle   P_j = V_ja f_jb - V_jb f_ja, the projection of edge j along e_i, doubled: side_of
+ *   p_j   projections of the vertices   on the axis of edge j, doubled: j and j + 1 are at -P_j, P_j = V_ja f_jb - V_jb f_ja, the
+ *                                       third at -P_j + 2 n_i: side_of
  *   r     radius of the box             edge_slack, plane_slack: doubled likewise
  *
  * Every axis but the box normals answers with a slack: the reach of the box less the distance of the triangle, in doubled units.

@@ -30,7 +30,9 @@ static int check_header(const char *path, const part_header *header)
 {
     static const char magic[sizeof header->magic] = PART_MAGIC, any_version[] = "tribox part ";
     if (memcmp(header->magic, any_version, sizeof any_version - 1))
-        return message_failure("%s: not a part file; give the .part files that tribox voxelize --shard wrote", path);
+        return message_failure("%s: not a part file; give the .part files that tribox voxelize --shard wrote (shards as .npz are "
+                               "read as one by tribox.Bricks.load of Python)",
+                               path);
     if (memcmp(header->magic, magic, sizeof magic))
         return message_failure("%s: damaged, or written by another version of tribox; run that shard again", path);
     if (header->byte_order != PART_BYTE_ORDER)
