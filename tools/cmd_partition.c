@@ -80,8 +80,9 @@ static int check_partitions(const partition_request *r, const options_found *fou
 {
     for (int which = 0; which < GRID_END; which++)
         if (options_has(found, which))
-            return message_usage("%s is a folder, so a partition, which has its grid: leave out --%s", r->from.mesh_path,
-                                 options[which].name);
+            return message_usage(
+                "%s is a folder, so a partition, which has its grid: leave out --%s; or give meshes by their names",
+                r->from.mesh_path, options[which].name);
     if (r->has_ids)
         return message_usage("%s is a folder, so a partition, which has ids or has none: leave out --ids", r->from.mesh_path);
     return EXIT_CODE_OK;

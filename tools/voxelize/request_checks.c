@@ -13,8 +13,9 @@ static int check_partition(const voxelize_request *r, const options_found *found
 {
     for (int which = OPTION_GRID; which < OPTION_GRID + GRID_END; which++)
         if (options_has(found, which))
-            return message_usage("%s is a folder, so a partition, which has its grid: leave out --%s", r->from.mesh_path,
-                                 options[which].name);
+            return message_usage(
+                "%s is a folder, so a partition, which has its grid: leave out --%s; or give meshes by their names",
+                r->from.mesh_path, options[which].name);
     if (r->test.axes && r->test.axes != TRIBOX_AXES_ALL)
         return message_usage("%s is a partition, which is for all axes: leave out --axes", r->from.mesh_path);
     if (r->fill == FILL_PARITY || r->fill == FILL_MIDDLES)
@@ -125,8 +126,7 @@ static const struct conflict {
 static const struct lack {
     int option;
     const char *line;
-} lacks[] = {{OPTION_THIN, "is for tiles: --thin"},
-             {OPTION_COLOURS, "lacks the colours of its mesh: --colours"}};
+} lacks[] = {{OPTION_THIN, "is for tiles: --thin"}, {OPTION_COLOURS, "lacks the colours of its mesh: --colours"}};
 
 static int check_conflicts(const voxelize_request *r, const options_found *found)
 {
