@@ -263,7 +263,8 @@ def partition(triangles: TrianglesLike, folder: Union[str, "os.PathLike[str]"], 
     folder: must not exist (FileExistsError). It appears when it is complete, or not at all.
     ids: True to keep the numbers of the triangles, for voxelize and bricks with ids.
 
-    A triangle takes 36 bytes (72 of float64; 4 more with ids) for each tile that it is in. The program tribox takes the folder in place of a mesh.
+    A triangle takes 36 bytes (72 of float64; 4 more with ids) for each tile that it is in. The program tribox takes the folder in
+    place of a mesh.
     """
     held_, options = held(triangles), options_of("exact", ALL, 0, None)
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
