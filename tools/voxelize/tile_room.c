@@ -147,7 +147,8 @@ static bool check_batch(const tile_set *set, const batch *b, tile_room *room)
         }
         is_sound = partition_gather(set->from, r, at, numbers);
         at += tile_set_triangles(set, r) * triangle_bytes(set);
-        numbers += numbers ? tile_set_triangles(set, r) : 0;
+        if (numbers)
+            numbers += tile_set_triangles(set, r);
     }
     return is_sound;
 }

@@ -82,7 +82,7 @@ export function gridAround(memory, bounds, given) {
 
 /** The numbers of a grid {origin, cell, size}. Leaves open whether the library serves it. */
 export function readGrid(grid) {
-    if (!isObject(grid) || grid.cell === undefined)
+    if (!isObject(grid) || !('cell' in grid))
         throw new TypeError(`grid = ${shown(grid)}: give {resolution}, {cell}, or {origin, cell, size}`);
     const cell = readCell(grid.cell), size = vector(grid.size, 'grid.size');
     size.forEach((cells, a) => whole(cells, `grid.size[${a}]`, 1, SIZE_MAX));
