@@ -23,7 +23,8 @@ TRIBOX_INLINE uint32_t *ids_of_half(const tribox_cell_ids *ids, uint32_t half)
 
 /*
  * Leaves in the place of each half what it was before. Fetching ahead pays where the grid is larger than a cache, and costs where
- * it is not. Of ids it pays always, as there are 32 times as many bytes. `first` is the id of triangle 0.
+ * it is not. Of ids it pays always, as there are 32 times as many bytes: two lines of a cache for a half. `first` is the id of
+ * triangle 0.
  */
 TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far, const tribox_cell_ids *ids, uint32_t first)
 {
@@ -33,8 +34,11 @@ TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far,
         uint32_t before;
         if (is_far)
             tribox_will_write(half_at(occupied, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
-        if (ids)
-            tribox_will_write(ids_of_half(ids, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]));
+        if (ids) {
+            uint32_t *const next = ids_of_half(ids, (uint32_t)w->half[n + TRIBOX_WRITES_AHEAD]);
+            tribox_will_write(next);
+            tribox_will_write(next + 16);
+        }
         memcpy(&before, at, sizeof before);
         const uint32_t after = before | (uint32_t)w->bits[n];
         memcpy(at, &after, sizeof after);
