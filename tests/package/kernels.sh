@@ -31,6 +31,19 @@ for names in scalar sse2,avx512; do
     rm -r "$work/meson"
 done
 
+# A project that sets them has them from the first configuration on.
+mkdir "$work/project"
+cat >"$work/project/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.16)
+project(app C)
+set(TRIBOX_KERNELS sse2)
+add_subdirectory("$root" tribox)
+END
+if cmake --version | grep -Eq ' (3\.(2[1-9]|[3-9][0-9])|[4-9]\.)'; then # older ones take what is in the cache
+    cmake -S "$work/project" -B "$work/project/build" >/dev/null
+    ! grep -rq avx2 "$work/project/build/tribox" || { echo 'set(TRIBOX_KERNELS sse2) is ignored' >&2; exit 1; }
+fi
+
 # Quickly rather than fast, as on other processors.
 mkdir -p "$folder"
 cd "$folder"

@@ -166,10 +166,11 @@ static void colour_triangle(const struct aiColor4D *of_corners, const struct aiF
 static void put_colours(const struct aiMesh *part, const transform *place, void *context)
 {
     colouring *const to = context;
-    const struct aiMaterial *const material = to->scene->mMaterials[part->mMaterialIndex];
+    const bool is_there = part->mMaterialIndex < to->scene->mNumMaterials;
+    const struct aiMaterial *const material = is_there ? to->scene->mMaterials[part->mMaterialIndex] : NULL;
     const struct aiColor4D *const of_corners = part->mColors[0];
     struct aiColor4D base = {1, 1, 1, 1};
-    const bool has_material = find_material(material, &base), is_textured = has_texture(material);
+    const bool has_material = is_there && find_material(material, &base), is_textured = is_there && has_texture(material);
     (void)place;
     for (unsigned i = 0; i < part->mNumFaces; i++) {
         if (part->mFaces[i].mNumIndices != 3)
