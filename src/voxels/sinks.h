@@ -66,6 +66,7 @@ typedef struct tribox_voxel_sinks {
     size_t row_words;
     int32_t row_halves, layer_halves; /* modulo 2^32, as halves are counted */
     bool is_far;                      /* from the nearer caches: more than 1 MiB of bits */
+    bool is_counted;                  /* how many cells are newly set */
     tribox_cell_ids ids;
     tribox_writes writes;
     tribox_queue queue[TRIBOX_CLASSES];

@@ -25,7 +25,7 @@ static bool has_whole_layers(const tribox_grid *grid, const tribox_window *windo
 }
 
 static void set_window(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
-                       const cells_out *out)
+                       const cells_out *out, bool is_counted)
 {
     if (has_whole_layers(grid, window)) {
         const tribox_window whole = tribox_whole_window(grid);
@@ -34,6 +34,7 @@ static void set_window(tribox_voxels *v, const tribox_triangles *triangles, cons
     } else {
         tribox_voxels_begin(v, triangles, grid, window, out->occupied);
     }
+    v->sinks.is_counted = is_counted;
     if (out->ids)
         tribox_voxels_ask_ids(v, out->ids, out->first);
     if (window->size[0] && window->size[1] && window->size[2])
@@ -59,7 +60,7 @@ static tribox_status voxelize(const tribox_triangles *triangles, const tribox_gr
         status = TRIBOX_BAD_VERTEX;
     if (!status) {
         const tribox_accuracy accuracy = v->plan.accuracy;
-        set_window(v, triangles, grid, &asked, out);
+        set_window(v, triangles, grid, &asked, out, report);
         v->plan.accuracy = accuracy;
         tribox_plan_report(&v->plan, v->counts, report);
     }

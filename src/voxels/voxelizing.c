@@ -8,6 +8,7 @@ void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, co
     if (triangles->are_doubles && v->plan.accuracy == TRIBOX_FAST)
         v->plan.accuracy = TRIBOX_CONSERVATIVE;
     tribox_voxel_window_make(&v->window, grid, window, triangles, v->plan.axes);
+    v->sinks.is_counted = false;
     tribox_voxels_empty_sinks(v, occupied);
 }
 

@@ -26,7 +26,8 @@ TRIBOX_INLINE uint32_t *ids_of_half(const tribox_cell_ids *ids, uint32_t half)
  * it is not. Of ids it pays always, as there are 32 times as many bytes: two lines of a cache for a half. `first` is the id of
  * triangle 0.
  */
-TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far, const tribox_cell_ids *ids, uint32_t first)
+TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far, bool is_counted, const tribox_cell_ids *ids,
+                              uint32_t first)
 {
     const unsigned count = w->count;
     for (unsigned n = 0; n < count; n++) {
@@ -44,7 +45,8 @@ TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far,
         memcpy(at, &after, sizeof after);
         if (ids)
             tribox_lower_ids(ids_of_half(ids, (uint32_t)w->half[n]), before, (uint32_t)w->bits[n], first + (uint32_t)w->number[n]);
-        w->half[n] = (int32_t)before;
+        if (is_counted)
+            w->half[n] = (int32_t)before;
     }
 }
 
@@ -71,12 +73,17 @@ TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
     for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
         w->half[w->count + n] = w->half[w->count - 1];
     if (v->sinks.ids.of)
-        write_each(w, v->sinks.occupied, true, &v->sinks.ids, tribox_voxels_id(v, 0));
+        write_each(w, v->sinks.occupied, true, true, &v->sinks.ids, tribox_voxels_id(v, 0));
+    else if (v->sinks.is_counted && v->sinks.is_far)
+        write_each(w, v->sinks.occupied, true, true, NULL, 0);
+    else if (v->sinks.is_counted)
+        write_each(w, v->sinks.occupied, false, true, NULL, 0);
     else if (v->sinks.is_far)
-        write_each(w, v->sinks.occupied, true, NULL, 0);
+        write_each(w, v->sinks.occupied, true, false, NULL, 0);
     else
-        write_each(w, v->sinks.occupied, false, NULL, 0);
-    v->counts.overlapping += count_written(w);
+        write_each(w, v->sinks.occupied, false, false, NULL, 0);
+    if (v->sinks.is_counted)
+        v->counts.overlapping += count_written(w);
     w->count = 0;
 }
 
