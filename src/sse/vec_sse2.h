@@ -160,7 +160,11 @@ TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return _mm_and_ps(a, b); }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return _mm_andnot_ps(b, a); }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return (uint64_t)(unsigned)_mm_movemask_ps(a); }
 /* A table of nibbles. */
-TRIBOX_INLINE unsigned m_count(vmask a) { return (unsigned)(UINT64_C(0x4332322132212110) >> 4 * m_bits(a)) & 15; }
+TRIBOX_INLINE unsigned m_count(vmask a)
+{
+    static const uint8_t count[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+    return count[m_bits(a)];
+}
 TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))); }
 
 /*
@@ -171,8 +175,9 @@ TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128i a)
 {
     static const struct {
         int32_t low, high, place;
-    } by[8] = {{32, 32, 0}, {0, 32, 1}, {32, 32, 1}, {0, 32, 2}, {32, 0, 0}, {0, 0, 1}, {32, 0, 1}, {0, 0, 2}};
-    const uint64_t first = m_bits(m) & 7;
+    } by[16] = {{32, 32, 0}, {0, 32, 1}, {32, 32, 1}, {0, 32, 2}, {32, 0, 0}, {0, 0, 1}, {32, 0, 1}, {0, 0, 2},
+                {32, 32, 0}, {0, 32, 1}, {32, 32, 1}, {0, 32, 2}, {32, 0, 0}, {0, 0, 1}, {32, 0, 1}, {0, 0, 2}};
+    const uint64_t first = m_bits(m);
     const __m128i high = _mm_srl_epi64(a, _mm_cvtsi32_si128(by[first].high));
     _mm_storel_epi64((__m128i *)p, _mm_srl_epi64(a, _mm_cvtsi32_si128(by[first].low)));
     _mm_storeh_pi((__m64 *)((float *)p + by[first].place), _mm_castsi128_ps(high));
