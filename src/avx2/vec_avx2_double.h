@@ -36,6 +36,7 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm256_max_pd(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm256_xor_pd(a, _mm256_and_pd(_mm256_set1_pd(-0.0), sign)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm256_or_pd(a, m); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm256_blendv_pd(b, a, m); }
 
 TRIBOX_INLINE vmask m_all(void) { return _mm256_castsi256_pd(_mm256_set1_epi32(-1)); }

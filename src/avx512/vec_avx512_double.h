@@ -43,6 +43,7 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
     return avx512_double(_mm512_xor_si512(avx512_bits(a), _mm512_and_si512(avx512_minus_zero(), avx512_bits(sign))));
 }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm512_mask_mov_pd(a, m, _mm512_set1_pd((double)NAN)); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm512_mask_mov_pd(b, m, a); }
 
 TRIBOX_INLINE vmask m_all(void) { return (vmask)0xff; }

@@ -70,7 +70,7 @@ TRIBOX_INLINE shadow_axis shadow_axis_of(const lane_places *q, const lane_places
 }
 
 /*
- * Limits on cells: one more than places, so that cutting off the fraction rounds up; infinite where there are none. Of the three
+ * Limits on cells: one more than places, so that cutting off the fraction rounds up; NaN where there are none. Of the three
  * edges at most two are upper and at most two lower; one may fill both places (PROOFS.md 7.5).
  */
 typedef struct shadow_limit {
@@ -83,6 +83,12 @@ typedef struct shadow_limits {
 TRIBOX_INLINE shadow_limit select_limit(vmask m, const shadow_limit *a, const shadow_limit *b)
 {
     return (shadow_limit){v_select(m, a->slope, b->slope), v_select(m, a->maybe, b->maybe), v_select(m, a->certain, b->certain)};
+}
+
+/* NaN, which `narrow` leaves out. */
+TRIBOX_INLINE shadow_limit drop_limit(vmask m, const shadow_limit *a)
+{
+    return (shadow_limit){a->slope, v_drop(m, a->maybe), v_drop(m, a->certain)};
 }
 
 /* Those of edge j: an upper one where m_q > 0, a lower one where m_q < 0. */
@@ -102,9 +108,8 @@ TRIBOX_INLINE edge_limits limits_of_edge(const lane_places *q, const lane_places
 
 TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p, vnum bound_scale, vmask asked)
 {
-    const vnum zero = v_splat(0), most = v_splat(INFINITY), least = v_splat(-INFINITY);
+    const vnum zero = v_splat(0);
     const vnum n = shadow_normal(q, p), error = v_mul(bound_scale, shadow_error(q, p));
-    const shadow_limit no_upper = {zero, most, most}, no_lower = {zero, least, least};
     edge_limits edge[3];
     vmask is_upper[3], is_lower[3];
     for (int j = 0; j < 3; j++) {
@@ -113,8 +118,8 @@ TRIBOX_INLINE shadow_limits limits_of(const lane_places *q, const lane_places *p
         is_upper[j] = m_and(is_asked, v_gt(edge[j].m_q, zero));
         is_lower[j] = m_and(is_asked, v_gt(zero, edge[j].m_q));
     }
-    const shadow_limit third_upper = select_limit(is_upper[2], &edge[2].upper, &no_upper);
-    const shadow_limit third_lower = select_limit(is_lower[2], &edge[2].lower, &no_lower);
+    const shadow_limit third_upper = drop_limit(m_not(is_upper[2]), &edge[2].upper);
+    const shadow_limit third_lower = drop_limit(m_not(is_lower[2]), &edge[2].lower);
     shadow_limits limits;
     for (int j = 0; j < 2; j++) {
         limits.upper[j] = select_limit(is_upper[j], &edge[j].upper, &third_upper);
@@ -152,16 +157,16 @@ TRIBOX_INLINE lane_run whole_run(vnum cells)
     return (lane_run){half, last, half, last};
 }
 
-/* What the limits leave of a run in row p. */
+/* What the limits leave of a run in row p. The run is the second operand, as that is what a NaN leaves. */
 TRIBOX_INLINE void narrow(lane_run *run, const shadow_limits *limits, vnum p, bool is_exact)
 {
     for (int j = 0; j < 2; j++) {
         const shadow_limit *const upper = &limits->upper[j], *const lower = &limits->lower[j];
-        run->end_maybe = v_min(run->end_maybe, v_fma(upper->slope, p, upper->maybe));
-        run->first_maybe = v_max(run->first_maybe, v_fma(lower->slope, p, lower->maybe));
+        run->end_maybe = v_min(v_fma(upper->slope, p, upper->maybe), run->end_maybe);
+        run->first_maybe = v_max(v_fma(lower->slope, p, lower->maybe), run->first_maybe);
         if (is_exact) {
-            run->end_certain = v_min(run->end_certain, v_fma(upper->slope, p, upper->certain));
-            run->first_certain = v_max(run->first_certain, v_fma(lower->slope, p, lower->certain));
+            run->end_certain = v_min(v_fma(upper->slope, p, upper->certain), run->end_certain);
+            run->first_certain = v_max(v_fma(lower->slope, p, lower->certain), run->first_certain);
         }
     }
 }

@@ -43,6 +43,7 @@ TRIBOX_INLINE vnum v_flip(vnum a, vnum sign)
     return neon_number(veorq_u64(neon_bits(a), vandq_u64(neon_bits(sign), vdupq_n_u64(UINT64_C(1) << 63))));
 }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return vcgtq_f64(a, b); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return neon_number(vorrq_u64(neon_bits(a), m)); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return vbslq_f64(m, a, b); }
 
 TRIBOX_INLINE vmask m_all(void) { return vdupq_n_u64(UINT64_MAX); }

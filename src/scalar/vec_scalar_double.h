@@ -34,6 +34,7 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return a > b ? a : b; }
 TRIBOX_INLINE vnum v_abs(vnum a) { return fabs(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return signbit(sign) ? -a : a; }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return a > b; }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return m ? (double)NAN : a; }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return m ? a : b; }
 
 TRIBOX_INLINE vmask m_all(void) { return true; }

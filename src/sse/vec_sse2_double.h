@@ -36,6 +36,7 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return _mm_max_pd(a, b); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return _mm_xor_pd(a, _mm_and_pd(_mm_set1_pd(-0.0), sign)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return _mm_cmpgt_pd(a, b); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return _mm_or_pd(a, m); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
 
 TRIBOX_INLINE vmask m_all(void) { return _mm_castsi128_pd(_mm_set1_epi32(-1)); }

@@ -37,6 +37,7 @@ TRIBOX_INLINE vnum v_max(vnum a, vnum b) { return wasm_f64x2_pmax(b, a); }
 TRIBOX_INLINE vnum v_abs(vnum a) { return wasm_f64x2_abs(a); }
 TRIBOX_INLINE vnum v_flip(vnum a, vnum sign) { return wasm_v128_xor(a, wasm_v128_and(wasm_f64x2_const_splat(-0.0), sign)); }
 TRIBOX_INLINE vmask v_gt(vnum a, vnum b) { return wasm_f64x2_gt(a, b); }
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a) { return wasm_v128_or(a, m); }
 TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b) { return wasm_v128_bitselect(a, b, m); }
 
 TRIBOX_INLINE vmask m_all(void) { return wasm_i64x2_const_splat(-1); }

@@ -423,6 +423,12 @@ TRIBOX_INLINE vnum v_select(vmask m, vnum a, vnum b)
     COUNT_MUST(m && count_is_constant(count_of(b)) && (count_is_zero(count_of(b)) || isinf(count_of(b)->x)));
     return a;
 }
+/* What stays is counted, as of v_gt. */
+TRIBOX_INLINE vnum v_drop(vmask m, vnum a)
+{
+    (void)m;
+    return a;
+}
 TRIBOX_INLINE vmask m_all(void) { return true; }
 TRIBOX_INLINE vmask m_none(void) { return false; }
 TRIBOX_INLINE vmask m_not(vmask a) { return !a; }

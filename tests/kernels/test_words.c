@@ -97,10 +97,8 @@ static lane_number number_of(number_word word, lane_number first, lane_number a,
         return a;
     case V_SELECT:
         return b > c ? a : b;
-#if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return b > c ? NAN : a;
-#endif
     case NUMBER_WORDS:
         break;
     }
@@ -143,12 +141,9 @@ static bool mask_of(mask_word word, lane_number a, lane_number b, lane_number c)
 }
 
 static const char *const number_names[NUMBER_WORDS] = {
-    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",     [V_SUB] = "v_sub",       [V_MUL] = "v_mul", [V_DIV] = "v_div",
-    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",     [V_MIN] = "v_min",       [V_MAX] = "v_max", [V_ABS] = "v_abs",
-    [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select",
-#if !defined(LANES_OF_DOUBLE)
-    [V_DROP] = "v_drop",
-#endif
+    [V_SPLAT] = "v_splat", [V_ADD] = "v_add",     [V_SUB] = "v_sub",       [V_MUL] = "v_mul",   [V_DIV] = "v_div",
+    [V_FMA] = "v_fma",     [V_FMS] = "v_fms",     [V_MIN] = "v_min",       [V_MAX] = "v_max",   [V_ABS] = "v_abs",
+    [V_FLIP] = "v_flip",   [V_WRITE] = "v_write", [V_SELECT] = "v_select", [V_DROP] = "v_drop",
 };
 
 static const char *const mask_names[MASK_WORDS] = {
@@ -162,11 +157,7 @@ static const char *const mask_names[MASK_WORDS] = {
 /* The payload of a NaN that an operation makes is nobody's promise; the words that only move bits keep every one. */
 static bool may_change_payload(number_word word)
 {
-#if !defined(LANES_OF_DOUBLE)
-    if (word == V_DROP)
-        return true;
-#endif
-    return (word >= V_ADD && word <= V_FMS) || word == V_FLIP;
+    return (word >= V_ADD && word <= V_FMS) || word == V_FLIP || word == V_DROP;
 }
 
 static void check_numbers(number_word word, const lane_number *a, const lane_number *b, const lane_number *c)

@@ -61,10 +61,8 @@ static vnum number_of(number_word word, lane_number first, vnum a, vnum b, vnum 
         return copied(a);
     case V_SELECT:
         return v_select(v_gt(b, c), a, b);
-#if !defined(LANES_OF_DOUBLE)
     case V_DROP:
         return v_drop(v_gt(b, c), a);
-#endif
     case NUMBER_WORDS:
         break;
     }

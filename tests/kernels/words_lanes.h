@@ -33,9 +33,7 @@ typedef enum number_word {
     V_FLIP,   /* by the sign of b */
     V_WRITE,  /* a, written and read */
     V_SELECT, /* a where b > c, else b */
-#if !defined(LANES_OF_DOUBLE)
-    V_DROP, /* NaN where b > c, else a */
-#endif
+    V_DROP,   /* NaN where b > c, else a */
     NUMBER_WORDS
 } number_word;
 
