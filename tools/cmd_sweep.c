@@ -18,6 +18,7 @@
 #include "console/output.h"
 #include "console/terminal.h"
 #include "files/named_file.h"
+#include "read/mesh_kind.h"
 #include "read/mesh_shift.h"
 #include "sweep/sweep_advice.h"
 #include "sweep/sweep_chart.h"
@@ -95,6 +96,16 @@ static int take_wish(request *r, sweep_kind kind, const char *value)
                                   : numbers_read_whole(value, "--grid", CELLS_ALONG_MOST, &r->wish.along);
 }
 
+/* A name without an ending may be a device, or a pipe. */
+static int take_chart(request *r, const char *path)
+{
+    const char *const ending = strrchr(path + named_file_folder(path), '.');
+    r->chart_path = path;
+    if (ending && !mesh_kind_has_ending(path, ".svg"))
+        return message_usage("--chart: '%s' would be an SVG all the same; name it .svg", path);
+    return EXIT_CODE_OK;
+}
+
 static int take(void *context, int which, const char *value)
 {
     request *const r = context;
@@ -119,8 +130,7 @@ static int take(void *context, int which, const char *value)
         r->wants_json = true;
         return EXIT_CODE_OK;
     default:
-        r->chart_path = value;
-        return EXIT_CODE_OK;
+        return take_chart(r, value);
     }
 }
 

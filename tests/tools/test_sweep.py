@@ -211,6 +211,10 @@ class Wrong(support.TestCase):
         mesh = self.write("mesh.ply", meshes.ply_binary([((0, 0, 0), (1, 0, 0), (0, 1, 0))]))
         chart = os.path.join(self.folder, "no", "c.svg")
         self.fail_with(1, "--chart: cannot write '.*': No such file", "sweep", mesh, "--chart", chart)
+        for name in ("c.png", "c.svg.pdf", "."):
+            self.fail_with(2, "--chart: '.*' would be an SVG all the same; name it .svg", "sweep", mesh, "--chart",
+                           os.path.join(self.folder, name))
+            self.assertFalse(os.path.isfile(os.path.join(self.folder, name)))
 
     def test_lost_output(self):
         if not os.path.exists("/dev/full"):

@@ -233,6 +233,8 @@ class Fills(Tiles):
                                       "voxelize", mesh, *grid, "--fill", "parity", "--json", "-o", self.path("a.npz"))
         self.assertGreater(json.loads(text)["odd_rows"], 0)
         self.assertEqual(self.voxelize(mesh, *grid, "--fill", "outside", "--count")["inside"], 0)
+        self.assertIn("inside       0 cells (outside; the surface is open by a cell or more, or encloses none)\n",
+                      self.succeed("voxelize", mesh, *grid, "--fill", "outside", "--count"))
 
     def cells(self, *arguments):
         """The file of coordinates, and its cells as the words of the grid."""

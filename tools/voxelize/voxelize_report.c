@@ -76,8 +76,11 @@ static const char *cells_word(const voxelize_answer *a)
     return words[a->has_no_surface ? FILL_CELLS_INSIDE : a->filled];
 }
 
+/* Nothing inside is mostly no closed surface, of which parity says as much by its odd rows. */
 static const char *cells_note(const voxelize_answer *a)
 {
+    if (!a->inside && !a->has_rows)
+        return "; the surface is open by a cell or more, or encloses none";
     static const char *const notes[] = {
         [FILL_CELLS_ALL] = "", [FILL_CELLS_LABELLED] = "; label 2, the surface 1", [FILL_CELLS_INSIDE] = "; alone in the file"};
     return notes[a->filled];
