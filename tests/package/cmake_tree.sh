@@ -53,9 +53,11 @@ install() {
 
 build FetchContent -DFETCHED="file://$work/repository" -DTAG="v$version"
 right tribox static
+cmake --install "$work/build" --prefix "$work/none" >/dev/null
+test ! -e "$work/none" || die "$name: is installed with the project, which did not ask for it"
 grep -q 'Building C object _deps/' "$work/log" || die "FetchContent: nothing was compiled"
 test "$(git -C "$work/build/_deps/tribox-src" rev-list --count HEAD)" = 1 || die "FetchContent: the history is fetched"
-build add_subdirectory -DFETCHED= -DADDED="$work/build/_deps/tribox-src"
+build add_subdirectory -DTRIBOX_INSTALL=ON -DFETCHED= -DADDED="$work/build/_deps/tribox-src"
 right tribox static
 ! grep 'Building C object _deps/' "$work/log" || die "add_subdirectory: compiled again"
 build_digests "$work/masks" "$root" "$work/build/_deps/tribox-build/libtribox.a" $CC
