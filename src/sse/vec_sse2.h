@@ -169,7 +169,7 @@ TRIBOX_INLINE vmask m_has_bits(vint a) { return m_not(_mm_castsi128_ps(_mm_cmpeq
 
 /*
  * Pairs of lanes: the second is moved down where the first is not of m, and the high pair goes to the place where those of m in the
- * low one end. So for each set of the first three: by how many bits each pair is moved, and that place.
+ * low one end. So for each set, whose fourth lane changes neither: by how many bits each pair is moved, and that place.
  */
 TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128i a)
 {
@@ -177,10 +177,10 @@ TRIBOX_INLINE void sse2_pack(void *p, vmask m, __m128i a)
         int32_t low, high, place;
     } by[16] = {{32, 32, 0}, {0, 32, 1}, {32, 32, 1}, {0, 32, 2}, {32, 0, 0}, {0, 0, 1}, {32, 0, 1}, {0, 0, 2},
                 {32, 32, 0}, {0, 32, 1}, {32, 32, 1}, {0, 32, 2}, {32, 0, 0}, {0, 0, 1}, {32, 0, 1}, {0, 0, 2}};
-    const uint64_t first = m_bits(m);
-    const __m128i high = _mm_srl_epi64(a, _mm_cvtsi32_si128(by[first].high));
-    _mm_storel_epi64((__m128i *)p, _mm_srl_epi64(a, _mm_cvtsi32_si128(by[first].low)));
-    _mm_storeh_pi((__m64 *)((float *)p + by[first].place), _mm_castsi128_ps(high));
+    const uint64_t set = m_bits(m);
+    const __m128i high = _mm_srl_epi64(a, _mm_cvtsi32_si128(by[set].high));
+    _mm_storel_epi64((__m128i *)p, _mm_srl_epi64(a, _mm_cvtsi32_si128(by[set].low)));
+    _mm_storeh_pi((__m64 *)((float *)p + by[set].place), _mm_castsi128_ps(high));
 }
 TRIBOX_INLINE void v_pack(float *p, vmask m, vnum a) { sse2_pack(p, m, _mm_castps_si128(a)); }
 TRIBOX_INLINE void i_pack(int32_t *p, vmask m, vint a) { sse2_pack(p, m, a); }
