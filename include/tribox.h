@@ -552,7 +552,7 @@ TRIBOX_API size_t tribox_window_words(const uint32_t size[3]);
  *   (i, j, k) of the window, which is cell (first[0] + i, first[1] + j, first[2] + k) of the grid, is bit i % 64 of
  *   occupied[(k * size[1] + j) * W + i / 64]. Layer k alone begins at occupied + k * size[1] * W.
  * options: NULL for the defaults; the order of the axes is ignored here.
- * report: overlapping counts the cells newly set; NULL if not wanted, which spares the counting, up to 4 % of the time.
+ * report: overlapping counts the cells newly set; NULL if not wanted, which spares the counting.
  *
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except that
  * axis sets without TRIBOX_AXES_BOX test every triangle against every cell of the window. Many triangles in one call are faster

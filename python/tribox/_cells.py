@@ -140,7 +140,7 @@ def cell_lists(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cel
     chosen = grid_given(held_, grid, cell, resolution)
     lister, tiling = Lister(chosen, accuracy, axes, kernel), Tiling(chosen, side_for(chosen.size))
     lists = Listed(held_, tiling, 0, tiling.count, options_of("exact", axes, 0, kernel), threads_)
-    if len(lists.list) * tiling.side ** 2 > NUMBERS_MAX:  # which shadows cannot exceed
+    if len(lists.list) * tiling.side ** 2 > NUMBERS_MAX:  # as many as check_size can count at most
         check_size(held_, chosen)
     firsts, sizes = tiling.windows(lists.numbers)
 
