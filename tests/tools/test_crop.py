@@ -395,11 +395,11 @@ class Refusals(Crop):
                 mesh = self.write(name, write(meshes.lattice_triangles(count, SEED)))
                 self.there = sorted(os.listdir(self.folder))
                 ending = os.path.splitext(name)[1]
-                self.refuse(1, "(x|y)%s: cannot write all of it: File too large; nothing was kept" % ending, "--box",
+                self.refuse(1, "(x|y)%s: cannot write all of it: File too large; nothing of it was kept" % ending, "--box",
                             support.UNIT_BOX, "-o", self.path("x" + ending), "--rest", self.path("y" + ending), mesh=mesh,
                             limit=(resource.RLIMIT_FSIZE, limit))
         mesh = self.write("a.ply", meshes.ply_binary(meshes.lattice_triangles(300, SEED)))
-        self.refuse(1, "y.ply: cannot write all of it: File too large; nothing was kept", "--box", "8,8,8,9,9,9", "-o",
+        self.refuse(1, "y.ply: cannot write all of it: File too large; nothing of it was kept", "--box", "8,8,8,9,9,9", "-o",
                     self.path("x.ply"), "--rest", self.path("y.ply"), limit=(resource.RLIMIT_FSIZE, 2000), mesh=mesh)
         if os.path.exists("/dev/full"):
             with open("/dev/full", "wb") as full:

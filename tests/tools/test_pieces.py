@@ -258,7 +258,7 @@ class Failures(Pieces):
         """In the files of runs, the triangles and the index."""
         for memory in ("1G", "3000"):
             for limit in (500, 5000, 30000):
-                self.refuse(1, "x: cannot write all of it: File too large; nothing was kept", "partition", self.mesh, *GRID, "-m", memory,
+                self.refuse(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh, *GRID, "-m", memory,
                             "-o", self.path("x"), limit=(resource.RLIMIT_FSIZE, limit))
 
     def test_no_triangles(self):

@@ -335,7 +335,7 @@ class Refusals(Tiles):
         self.refuse(1, "tiles: is there already; remove it, or give another name", "partition", self.mesh, "-r", "9", "-o",
                     self.path("tiles"))
         self.refuse(1, "none/x: cannot write there: No such file", "partition", self.mesh, "-r", "9", "-o", self.path("none/x"))
-        self.refuse(1, "x: cannot write all of it: File too large; nothing was kept", "partition", self.mesh, *GRID, "-o",
+        self.refuse(1, "x: cannot write all of it: File too large; nothing of it was kept", "partition", self.mesh, *GRID, "-o",
                     self.path("x"), limit=(resource.RLIMIT_FSIZE, 1000))
         self.refuse(1, "x.npz: cannot write all of it: File too large", "voxelize", self.path("tiles"), "-o", self.path("x.npz"),
                     limit=(resource.RLIMIT_FSIZE, 1000))

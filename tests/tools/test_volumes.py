@@ -202,7 +202,7 @@ class Places(Volumes):
             self.assertEqual(done.returncode, 1)
             self.assert_one_line(done.stderr.decode(), "cannot write the output: No space left on device")
             for limit in (100, 20000):
-                self.fail_with(1, "x.npy: cannot write all of it: File too large; nothing was kept", "voxelize", self.mesh, *grid,
+                self.fail_with(1, "x.npy: cannot write all of it: File too large; nothing of it was kept", "voxelize", self.mesh, *grid,
                                "--out-format", word, "-o", self.path("x.npy"), limit=(resource.RLIMIT_FSIZE, limit))
                 self.assertEqual(os.listdir(self.folder), ["mesh.ply"])
 
@@ -241,7 +241,7 @@ class Places(Volumes):
                 self.succeed("voxelize", self.mesh, *grid, "-q", "-o", self.path("x"), "-t", count)
                 self.assertEqual(volumes.read(self.path("x")) == done.stdout, True, (word, count))
                 os.remove(self.path("x"))
-                self.fail_with(1, "x.npy: cannot write all of it: File too large; nothing was kept", "voxelize", self.mesh, *grid,
+                self.fail_with(1, "x.npy: cannot write all of it: File too large; nothing of it was kept", "voxelize", self.mesh, *grid,
                                "-t", count, "-o", self.path("x.npy"), limit=(resource.RLIMIT_FSIZE, len(done.stdout) // 2))
                 self.assertEqual(os.listdir(self.folder), ["mesh.ply"])
 

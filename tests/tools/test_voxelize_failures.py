@@ -115,7 +115,7 @@ class NothingHalfWritten(Failures):
         limit = (resource.RLIMIT_FSIZE, 2000)
         for ending in ("npy", "raw", "binvox", "vox"):
             for command in (("voxelize", self.mesh, "--resolution", "40"), ("merge", self.part)):
-                self.refuse(1, r"x\.%s: cannot write all of it: File too large; nothing was kept" % ending, *command,
+                self.refuse(1, r"x\.%s: cannot write all of it: File too large; nothing of it was kept" % ending, *command,
                           "-o", self.path("x." + ending), limit=limit)
         self.refuse(1, "x.part: cannot write all of it: File too large", "voxelize", self.mesh, "--resolution", "40", "--shard", "1/1",
                   "-o", self.path("x.part"), limit=limit)
@@ -233,7 +233,7 @@ class NothingHalfWritten(Failures):
             self.succeed("voxelize", self.mesh, "--resolution", "4", "--quiet", "-o", path)
             self.assertTrue(os.path.isfile(path))
             self.there = sorted(self.there + [os.path.basename(path)])
-        self.refuse(1, "x.npy: cannot write all of it: File name too long; nothing was kept", "voxelize", self.mesh, "--resolution", "4",
+        self.refuse(1, "x.npy: cannot write all of it: File name too long; nothing of it was kept", "voxelize", self.mesh, "--resolution", "4",
                     "-o", self.path("x" * (longest - 3) + ".npy"))
 
     def test_links(self):

@@ -171,7 +171,7 @@ int ply_header_read(const char *path, const whole_file *file, ply_header *h)
             return refuse_line(path, line);
     }
     if (!words_is(&w, "end_header"))
-        return REFUSE("%s: truncated: the PLY header does not end", path);
+        return REFUSE("%s: truncated: the PLY header does not end; write it again", path);
     if (!has_format)
         return REFUSE("%s: not a sound PLY file: its header does not say which format it has", path);
     /* One line end follows. Where lines end in CR alone, the first value may begin with the byte of LF. */

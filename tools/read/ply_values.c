@@ -40,14 +40,16 @@ int ply_values_begin(ply_values *v, const ply_element *e)
     const uint64_t left = v->format == PLY_ASCII ? (uint64_t)(v->words.end - v->words.at) + 1 : (uint64_t)(v->end - v->at);
     if (!e->count || e->count <= left / least_size(v, e))
         return EXIT_CODE_OK;
-    return message_failure("%s: truncated: the header promises %" PRIu64 " of '%.*s', the file has bytes for %" PRIu64 " at most",
+    return message_failure("%s: truncated: the header promises %" PRIu64 " of '%.*s', the file has bytes for %" PRIu64
+                           " at most; write it again",
                            v->path, e->count, e->name_length, e->name, left / least_size(v, e));
 }
 
 static int refuse_end(const ply_values *v)
 {
-    return message_failure("%s: truncated: the header promises %" PRIu64 " of '%.*s', the file ends in number %" PRIu64, v->path,
-                           v->element->count, v->element->name_length, v->element->name, v->number + 1);
+    return message_failure("%s: truncated: the header promises %" PRIu64 " of '%.*s', the file ends in number %" PRIu64
+                           "; write it again",
+                           v->path, v->element->count, v->element->name_length, v->element->name, v->number + 1);
 }
 
 static int refuse_word(const ply_values *v)

@@ -28,12 +28,13 @@ static int read_counts(words *w, uint64_t *vertices, uint64_t *faces)
     if (words_next(w) && words_is(w, "BINARY"))
         return message_failure("%s: is binary, and only OFF as text is read; save it as text", w->path);
     if (!words_whole(w, vertices) || !words_next(w) || !words_whole(w, faces))
-        return message_failure("%s: truncated, or not text: no counts of vertices and faces after 'OFF'", w->path);
+        return message_failure("%s: truncated, or not text: no counts of vertices and faces after 'OFF'; write it again as text",
+                               w->path);
     words_skip_line(w);
     const uint64_t bytes = (uint64_t)(w->end - w->at) + 1; /* the last line may lack its end */
     if (*vertices > bytes / VERTEX_BYTES_MIN || *faces > bytes / FACE_BYTES_MIN)
         return message_failure("%s: truncated: %" PRIu64 " vertices and %" PRIu64
-                               " faces promised, more than the file has bytes for",
+                               " faces promised, more than the file has bytes for; write it again",
                                w->path, *vertices, *faces);
     return EXIT_CODE_OK;
 }
@@ -55,7 +56,8 @@ static int read_face(words *w, uint64_t number, indexed_mesh *m)
     if (!words_next(w) || !words_whole(w, &corners))
         return words_refuse(w, "the number of vertices of a face");
     if (corners > (uint64_t)(w->end - w->at) / 2)
-        return message_failure("%s: truncated: face %" PRIu64 " has fewer than its %" PRIu64 " vertices", w->path, number, corners);
+        return message_failure("%s: truncated: face %" PRIu64 " has fewer than its %" PRIu64 " vertices; write it again", w->path,
+                               number, corners);
     int code = indexed_mesh_reserve_face(w->path, corners, m);
     for (uint64_t i = 0; !code && i < corners; i++) {
         if (!words_next_on_line(w) || !words_whole(w, &index))

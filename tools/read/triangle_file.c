@@ -112,8 +112,9 @@ static int open_stl(triangle_file *file, bool is_given)
     if (is_text(header, got) && file->size != due)
         return leave_text(file, is_given);
     if (got < sizeof header)
-        return message_failure("%s: truncated, or not an STL file: it has %zu bytes, but the header alone of a binary one has %d",
-                               file->name, got, STL_HEADER);
+        return message_failure(
+            "%s: truncated, or not an STL file: it has %zu bytes, but the header alone of a binary one has %d; write it again",
+            file->name, got, STL_HEADER);
     return file->is_sized && file->size != due ? refuse_stl_size(file, due) : EXIT_CODE_OK;
 }
 

@@ -114,7 +114,7 @@ int words_shown(const words *w) { return w->length < SHOWN_MAX ? (int)w->length 
 int words_refuse(const words *w, const char *due)
 {
     if (words_is_cut(w))
-        return message_failure("%s: truncated: the file ends where %s should follow", w->path, due);
+        return message_failure("%s: truncated: the file ends where %s should follow; write it again", w->path, due);
     if (!w->length)
         return message_failure("%s: damaged: line %" PRIu64 " ends where %s should follow", w->path, words_line(w), due);
     return message_failure("%s: damaged: line %" PRIu64 " has '%.*s' where %s should be", w->path, words_line(w), words_shown(w),

@@ -81,7 +81,7 @@ static int fail(const file_out *out, int reason)
     const char *const why = strerror(reason ? reason : EIO);
     if (file_out_is_stdout(out->path))
         return message_failure("cannot write the output: %s", why);
-    return message_failure("%s: cannot write all of it: %s; nothing was kept", out->path, why);
+    return message_failure("%s: cannot write all of it: %s; nothing of it was kept", out->path, why);
 }
 
 int file_out_failure(const file_out *out) { return fail(out, errno); }

@@ -37,7 +37,7 @@ static char *within(const char *folder, const char *name)
 
 int folder_out_failure(const folder_out *out, int reason)
 {
-    return message_failure("%s: cannot write all of it: %s; nothing was kept", out->path, strerror(reason ? reason : EIO));
+    return message_failure("%s: cannot write all of it: %s; nothing of it was kept", out->path, strerror(reason ? reason : EIO));
 }
 
 static int make_files(folder_out *out, const char *const names[FOLDER_FILES])
