@@ -27,7 +27,7 @@ $cc -I"$root/include" "$package/consumer/consumer.c" "$folder/src/libtribox.a" -
 "$here/wine.sh" "$folder" "$work/by_meson.exe" kernels >"$work/kernels"
 
 # shellcheck disable=SC2086
-cmake -S "$package/consumer" -B "$work/added" $toolchain -DLANGUAGES=C -DADDED="$root" -DBUILD_SHARED_LIBS=ON
+cmake -S "$package/consumer" -B "$work/added" $toolchain -DLANGUAGES=C -DADDED="$root" -DBUILD_SHARED_LIBS=ON -DTRIBOX_INSTALL=ON
 cmake --build "$work/added" --parallel 2
 dll=$work/added/_deps/tribox-build/libtribox-1.dll
 runs added "$dll"
