@@ -34,20 +34,26 @@ static inline uint64_t digits_join(uint64_t values)
     return (values * 10000 + (values >> 32)) & UINT64_C(0xFFFFFFFF);
 }
 
-/* Appends digits to a number, up to where it ends, which it returns; of more than 19 the number is of no use. */
+static inline unsigned digits_value(char c) { return (unsigned char)(c - '0'); }
+
+/*
+ * Appends digits to a number, up to where it ends, which it returns; of more than 19 the number is of no use. Most numbers have one
+ * before the point, and few after the first eight: those are read one by one.
+ */
 static inline const char *digits_scan(const char *text, uint64_t *number)
 {
     static const uint32_t tens[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
-    for (;;) {
+    if (digits_value(text[0]) < 10 && digits_value(text[1]) < 10) {
         const uint64_t values = digits_load(text) ^ UINT64_C(0x3030303030303030);
         const unsigned count = digits_leading(values);
-        if (!count)
-            return text;
         *number = *number * (count < 8 ? tens[count] : 100000000) + digits_join(values << (64 - 8 * count));
         text += count;
         if (count < 8)
             return text;
     }
+    for (; digits_value(*text) < 10; text++)
+        *number = *number * 10 + digits_value(*text);
+    return text;
 }
 
 #endif

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""reading.py PROGRAM[,PROGRAM] MESH: what reading a mesh takes, in each format that libassimp writes of it, beside libassimp's readers.
+
+Least processor time and wall time of a whole `tribox overlap` with one thread and a box that nothing touches; of libassimp from
+the file to its triangles."""
+import ctypes
+import ctypes.util
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+
+ROUNDS = int(os.environ.get("ROUNDS", "9"))
+FORMATS = (("plyb", "binary.ply"), ("ply", "text.ply"), ("obj", "mesh.obj"), ("stlb", "binary.stl"), ("stl", "text.stl"))
+NOWHERE = "1e30,1e30,1e30,2e30,2e30,2e30"
+TRIANGULATE, JOIN = 0x8, 0x2  # aiProcess_Triangulate, aiProcess_JoinIdenticalVertices
+
+assimp = ctypes.CDLL(ctypes.util.find_library("assimp") or "libassimp.so.5")
+assimp.aiImportFile.restype = ctypes.c_void_p
+assimp.aiImportFile.argtypes = ctypes.c_char_p, ctypes.c_uint
+assimp.aiReleaseImport.argtypes = (ctypes.c_void_p,)
+assimp.aiExportScene.argtypes = ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_uint
+
+
+def by_program(program, path):
+    """Processor and wall time in milliseconds."""
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    subprocess.run([program, "overlap", path, "--box", NOWHERE, "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
+    wall, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1e3 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime), 1e3 * wall
+
+
+def import_once(path):
+    before, start = time.process_time(), time.monotonic()
+    assert assimp.aiImportFile(path.encode(), TRIANGULATE), path
+    print(1e3 * (time.process_time() - before), 1e3 * (time.monotonic() - start))
+
+
+def by_assimp(path):
+    """The same, in a process of its own."""
+    return tuple(map(float, subprocess.check_output([sys.executable, __file__, "--import", path]).split()))
+
+
+def main():
+    if sys.argv[1] == "--import":
+        return import_once(sys.argv[2])
+    programs, mesh = sys.argv[1].split(","), sys.argv[2]
+    print("| format | MB |" + " %s: processor, wall ms |" * len(programs + [0]) % (*programs, "libassimp"))
+    print("|---|---:|" + "---:|" * len(programs + [0]))
+    with tempfile.TemporaryDirectory() as folder:
+        scene = assimp.aiImportFile(mesh.encode(), TRIANGULATE | JOIN)
+        assert scene, mesh
+        for word, name in FORMATS:
+            assert assimp.aiExportScene(scene, word.encode(), os.path.join(folder, name).encode(), 0) == 0, word
+        assimp.aiReleaseImport(scene)
+        for _, name in FORMATS:
+            path = os.path.join(folder, name)
+            times = [[] for _ in programs + [0]]
+            for _ in range(ROUNDS):
+                for program, taken in zip(programs, times):
+                    taken.append(by_program(program, path))
+                times[-1].append(by_assimp(path))
+            least = [tuple(map(min, zip(*taken))) for taken in times]
+            print("| %s | %.0f |" % (name, os.path.getsize(path) / 1e6) + "".join(" %.0f, %.0f |" % pair for pair in least), flush=True)
+
+
+main()
