@@ -126,9 +126,9 @@ static bool is_hit_by(const tribox_query *from, walk_kind kind, uint64_t *open)
 
 static void print_pair(const whole_pair *p, walk_kind kind, bool is_miss)
 {
-    const char *const form = kind.is_local ? "doubles" : kind.is_soup ? "soup" : "boxes";
-    printf("a wrong %s of sequence %u, %s%s, in units of %g:\n", is_miss ? "miss" : "overlap", kind.sequence, form,
-           kind.looks_again ? ", second look" : "", STEP);
+    const char *const form = kind & WALKS_LOCAL ? "doubles" : kind & WALKS_SOUP ? "soup" : "boxes";
+    printf("a wrong %s of sequence %u, %s%s, in units of %g:\n", is_miss ? "miss" : "overlap", groups_of(kind), form,
+           kind & LOOKS_AGAIN ? ", second look" : "", STEP);
     for (int a = 0; a < 3; a++)
         small_print_axis((char)('x' + a), &p->of[a]);
 }
@@ -141,7 +141,8 @@ static void try_pair(small_input *input, const whole_pair *p, const apart *is, u
         (is->by[1] && is_box_asked) || (is->by[2] && sequence_has(sequence, 2)) || (is->by[3] && sequence_has(sequence, 3));
     input->soups.box = &input->box[is_box_asked];
     for (int again = 0; again < (is_box_asked && sequence != 1 ? 2 : 1); again++) {
-        const walk_kind kind = {sequence, TRIBOX_BY_MARGIN, is_soup, SMALL_IS_NEAR, SMALL_IS_NEAR, again};
+        const walk_kind kind = sequence | WALKS_BY_MARGIN | (is_soup ? WALKS_SOUP : 0) | (again ? LOOKS_AGAIN : 0) |
+                               (SMALL_IS_NEAR ? WALKS_MESH | WALKS_LOCAL : 0);
         uint64_t open;
         const bool is_hit = is_hit_by(SMALL_IS_NEAR ? &input->meshes : is_soup ? &input->soups : &input->triangles, kind, &open);
         tally->pairs++;

@@ -27,36 +27,48 @@ TRIBOX_INLINE bool has_several(uint64_t bits)
     return bits & (bits - 1);
 }
 
-/*
- * Two loops, so that scenes without ties keep fewer numbers: from the first run that leaves several lanes undecided, the rest of
- * the walk takes the second look of ties.h. It changes no answer: a slower stage would decide the same (PROOFS.md 5.3).
- */
-TRIBOX_INLINE void walk_words(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
-                              walk_kind kind)
+/* Whether the rest of a walk takes the second look of ties.h, from the first run on that leaves several lanes undecided. */
+TRIBOX_INLINE bool may_look_again(walk_kind kind)
 {
-    const bool has_second_look = kind.decides == TRIBOX_BY_MARGIN && sequence_has(kind.sequence, 1) && kind.sequence != 1;
-    walk_kind looks_again = kind;
+    return !(kind & (WALKS_BY_SIGN | LOOKS_AGAIN)) && sequence_has(groups_of(kind), 1) && groups_of(kind) != 1;
+}
+
+/* Pairs 64 * word + done to before 64 * word + count, or to that run. Returns how many are done. */
+TRIBOX_INLINE size_t walk_words(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
+                                uint64_t *undecided, walk_kind kind)
+{
     const size_t start = 64 * word, end = start + count;
-    size_t done = 0;
     packet_run run;
     lane_pairs p;
-    looks_again.looks_again = true;
     start_pairs(&p, from, kind);
     for (; done < count; done += run.pairs) {
         uint64_t run_open;
         run = run_of_packets(start + done, end, 64);
         const uint64_t run_hit = walk_run(&p, from, &run, kind, &run_open);
-        if (has_second_look && has_several(run_open))
+        if (may_look_again(kind) && has_several(run_open))
             break;
         put_run(&hit[done / 64], done % 64, run_hit, &run);
         put_run(&undecided[done / 64], done % 64, run_open, &run);
     }
-    for (; has_second_look && done < count; done += run.pairs) {
-        uint64_t run_open;
-        run = run_of_packets(start + done, end, 64);
-        put_run(&hit[done / 64], done % 64, walk_run(&p, from, &run, looks_again, &run_open), &run);
-        put_run(&undecided[done / 64], done % 64, run_open, &run);
-    }
+    return done;
+}
+
+TRIBOX_INLINE void walk_all_BY_SIGN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
+                                    walk_kind kind)
+{
+    walk_words(from, word, 0, count, hit, undecided, kind | WALKS_BY_SIGN);
+}
+
+/*
+ * Two loops, so that scenes without ties keep fewer numbers. It changes no answer: a slower stage would decide the same
+ * (PROOFS.md 5.3).
+ */
+TRIBOX_INLINE void walk_all_BY_MARGIN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
+                                      walk_kind kind)
+{
+    const size_t done = walk_words(from, word, 0, count, hit, undecided, kind);
+    if (may_look_again(kind))
+        walk_words(from, word, done, count, hit, undecided, kind | LOOKS_AGAIN);
 }
 
 /*
@@ -67,28 +79,24 @@ TRIBOX_INLINE void walk_words(const tribox_query *from, size_t word, size_t coun
     static void walk_##by##_##groups(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided) \
     { \
         if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            walk_words(pairs, word, count, hit, undecided, \
-                       (walk_kind){.sequence = groups, .decides = TRIBOX_##by, .is_soup = true}); \
+            walk_all_##by(pairs, word, count, hit, undecided, groups | WALKS_SOUP); \
         else if (groups > 99 && pairs->corners) \
-            walk_words(pairs, word, count, hit, undecided, \
-                       (walk_kind){.sequence = groups, .decides = TRIBOX_##by, .is_soup = true, .is_mesh = true}); \
+            walk_all_##by(pairs, word, count, hit, undecided, groups | WALKS_SOUP | WALKS_MESH); \
         else \
-            walk_words(pairs, word, count, hit, undecided, (walk_kind){.sequence = groups, .decides = TRIBOX_##by}); \
+            walk_all_##by(pairs, word, count, hit, undecided, groups); \
     }
 #define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 
 static void walk_local_box(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
-    walk_words(pairs, word, count, hit, undecided,
-               (walk_kind){.sequence = 1, .decides = TRIBOX_BY_MARGIN, .is_soup = true, .is_mesh = true, .is_local = true});
+    walk_all_BY_MARGIN(pairs, word, count, hit, undecided, 1 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL);
 }
 
 /* In one order: reading doubles takes as long as what another could save. */
 static void walk_local_all(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
-    walk_words(pairs, word, count, hit, undecided,
-               (walk_kind){.sequence = 132, .decides = TRIBOX_BY_MARGIN, .is_soup = true, .is_mesh = true, .is_local = true});
+    walk_all_BY_MARGIN(pairs, word, count, hit, undecided, 132 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL);
 }
 
 #define ENTRY(decides, sequence) [TRIBOX_##decides][TRIBOX_SEQUENCE_##sequence] = walk_##decides##_##sequence,

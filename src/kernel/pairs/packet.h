@@ -30,15 +30,21 @@ TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
     return m_andnot(m_and(v_gt(infinite, v_abs(lo)), v_gt(infinite, v_abs(hi))), v_gt(lo, hi));
 }
 
-/* What a walk is compiled for: constants of an instance. */
-typedef struct walk_kind {
-    unsigned sequence;
-    tribox_walk_kind decides;
-    bool is_soup;     /* triangles and one box; else one triangle and boxes */
-    bool is_mesh;     /* these triangles are corners */
-    bool is_local;    /* of doubles, relative to the box (local.h) */
-    bool looks_again; /* with the second look of ties.h, for which more numbers have to be kept */
-} walk_kind;
+/*
+ * What a walk is compiled for, a constant of each instance: its sequence and these bits. In one number, as compilers fold a number
+ * while they inline, and a structure only later: kernels take half as long to compile.
+ */
+typedef uint32_t walk_kind;
+enum {
+    WALKS_BY_MARGIN = 0,
+    WALKS_BY_SIGN = 1 << 10,
+    WALKS_SOUP = 1 << 11,  /* triangles and one box; else one triangle and boxes */
+    WALKS_MESH = 1 << 12,  /* these triangles are corners */
+    WALKS_LOCAL = 1 << 13, /* of doubles, relative to the box (local.h) */
+    LOOKS_AGAIN = 1 << 14  /* with the second look of ties.h, for which more numbers have to be kept */
+};
+
+TRIBOX_INLINE unsigned groups_of(walk_kind kind) { return kind & 1023; }
 
 /* A packet of pairs. The one box, or the one triangle, of a walk is set once. */
 typedef struct lane_pairs {
@@ -50,11 +56,11 @@ typedef struct lane_pairs {
 
 TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kind kind)
 {
-    if (kind.is_soup) {
+    if (kind & WALKS_SOUP) {
         splat_box(&p->box, from->box);
-        if (kind.is_local)
+        if (kind & WALKS_LOCAL)
             local_box_at_zero(&p->box);
-        p->margin = kind.is_local && sequence_has(kind.sequence, 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
+        p->margin = kind & WALKS_LOCAL && sequence_has(groups_of(kind), 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
     } else {
         splat_triangle(&p->t, from->triangle);
     }
@@ -88,10 +94,10 @@ TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
 TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
                                  lane_shape *s)
 {
-    if (kind.is_mesh) {
+    if (kind & WALKS_MESH) {
         if (a == 0)
-            load_corners(&p->t, from->corners, at, kind.is_local);
-    } else if (kind.is_soup) {
+            load_corners(&p->t, from->corners, at, kind & WALKS_LOCAL);
+    } else if (kind & WALKS_SOUP) {
         const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
             p->t.u[j][a] = v_load(stream[j] + at);
@@ -101,11 +107,11 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t
         set_bounds(&p->box, a, lo, hi);
     }
     shape_axis(s, &p->t, &p->box, a);
-    if (kind.looks_again)
+    if (kind & LOOKS_AGAIN)
         drop_zero_lengths(s, a);
-    if (kind.is_local)
+    if (kind & WALKS_LOCAL)
         p->clear = a == 0 ? is_clear(&p->t, &p->box, a) : m_and(p->clear, is_clear(&p->t, &p->box, a));
-    return is_box_first(kind.sequence) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
+    return is_box_first(groups_of(kind)) ? left & ~m_bits(apart_on_box_normal(&p->t, &p->box, a)) : left;
 }
 
 TRIBOX_INLINE vmask apart_on_box_normals(const lane_pairs *p)
@@ -115,19 +121,16 @@ TRIBOX_INLINE vmask apart_on_box_normals(const lane_pairs *p)
 }
 
 /* One number for several slacks: the least or, for FAST, any that is negative if one is, as -0 would be (PROOFS.md 10). */
-TRIBOX_INLINE vnum worst_of(vnum a, vnum b, tribox_walk_kind decides)
-{
-    return decides == TRIBOX_BY_SIGN ? v_either(a, b) : v_min(a, b);
-}
+TRIBOX_INLINE vnum worst_of(vnum a, vnum b, walk_kind kind) { return kind & WALKS_BY_SIGN ? v_either(a, b) : v_min(a, b); }
 
 /* The worst of the slacks along e_i and of `worst`, which is that of the projections before it. */
 TRIBOX_INLINE vnum worst_edge_along(const lane_shape *s, int i, vnum worst, walk_kind kind)
 {
-    const edge_slacks slack = edge_slacks_along(s, i, sequence_has(kind.sequence, 1));
-    if (kind.looks_again)
+    const edge_slacks slack = edge_slacks_along(s, i, sequence_has(groups_of(kind), 1));
+    if (kind & LOOKS_AGAIN)
         return least_number(&slack, i == 0 ? v_splat(INFINITY) : worst);
-    const vnum along = worst_of(worst_of(slack.of[0], slack.of[1], kind.decides), slack.of[2], kind.decides);
-    return i == 0 ? along : worst_of(worst, along, kind.decides);
+    const vnum along = worst_of(worst_of(slack.of[0], slack.of[1], kind), slack.of[2], kind);
+    return i == 0 ? along : worst_of(worst, along, kind);
 }
 
 TRIBOX_INLINE vnum worst_edge(const lane_shape *s, walk_kind kind)
@@ -140,7 +143,7 @@ TRIBOX_INLINE vnum worst_edge(const lane_shape *s, walk_kind kind)
 
 TRIBOX_INLINE vnum plane_slack_for(const lane_shape *s, vnum slack, walk_kind kind)
 {
-    return kind.looks_again ? plane_slack_not_redundant(s, slack) : slack;
+    return kind & LOOKS_AGAIN ? plane_slack_not_redundant(s, slack) : slack;
 }
 
 /*
@@ -193,7 +196,7 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned
         d = joint.d;
         slack = v_either(joint.edges, joint.plane);
     } else if (stage == 3) {
-        d = sequence_has(kind.sequence, 2) ? plane_distance(s) : d;
+        d = sequence_has(groups_of(kind), 2) ? plane_distance(s) : d;
         slack = worst_edge(s, kind);
     } else if (stage == 2) {
         d = plane_distance(s);
@@ -212,7 +215,7 @@ TRIBOX_INLINE uint64_t left_by_sign(const lane_pairs *p, lane_shape *s, unsigned
 TRIBOX_INLINE uint64_t left_by_margin(const lane_pairs *p, const lane_shape *s, unsigned group, bool is_first, walk_kind kind,
                                       uint64_t left, lane_margin *margin, vmask *certain)
 {
-    const bool is_box_asked = sequence_has(kind.sequence, 1);
+    const bool is_box_asked = sequence_has(groups_of(kind), 1);
     if (group == 1)
         return left & ~m_bits(apart_on_box_normals(p));
     if (group != 2 && group != 3)
@@ -243,7 +246,7 @@ TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_marg
                                         walk_kind kind, uint64_t left)
 {
     const uint64_t hit = left & m_bits(m_and(certain, margin->is_valid));
-    const bool needs_extents = sequence_has(kind.sequence, 1) && sequence_has(kind.sequence, 3);
+    const bool needs_extents = sequence_has(groups_of(kind), 1) && sequence_has(groups_of(kind), 3);
     if (!needs_extents || !(hit & ~m_bits(v_gt(v_splat(0), box->least)))) /* at most 0: no extent matters (PROOFS.md 5.2) */
         return hit;
     return hit & m_bits(are_extents_certifiable(s, box));
@@ -252,13 +255,13 @@ TRIBOX_INLINE uint64_t certain_overlaps(const lane_shape *s, const lane_box_marg
 /* Doubles: not where a box normal is in doubt. */
 TRIBOX_INLINE vmask clear_of(const lane_pairs *p, vmask certain, walk_kind kind)
 {
-    return kind.is_local ? m_and(certain, p->clear) : certain;
+    return kind & WALKS_LOCAL ? m_and(certain, p->clear) : certain;
 }
 
 /* Where slacks beyond their margins alone make a hit: extents do not matter or, near a box at zero, are large. */
 TRIBOX_INLINE vmask needs_no_more(const lane_pairs *p, const lane_shape *s, walk_kind kind)
 {
-    if (!kind.is_local)
+    if (!(kind & WALKS_LOCAL))
         return v_gt(v_splat(0), p->margin.least);
     return m_and(p->clear, v_gt(lane_min3(extent_sum(s, 0), extent_sum(s, 1), extent_sum(s, 2)), p->margin.least));
 }
@@ -267,14 +270,14 @@ TRIBOX_INLINE vmask needs_no_more(const lane_pairs *p, const lane_shape *s, walk
 TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left, uint64_t *undecided)
 {
     vmask finite = m_all();
-    left = left_by_sign(p, s, stage_at(kind.sequence, 0), kind, left, &finite);
-    if (has_stage_after(kind.sequence, 0) && !left)
+    left = left_by_sign(p, s, stage_at(groups_of(kind), 0), kind, left, &finite);
+    if (has_stage_after(groups_of(kind), 0) && !left)
         return 0;
-    left = left_by_sign(p, s, stage_at(kind.sequence, 1), kind, left, &finite);
-    if (has_stage_after(kind.sequence, 1) && !left)
+    left = left_by_sign(p, s, stage_at(groups_of(kind), 1), kind, left, &finite);
+    if (has_stage_after(groups_of(kind), 1) && !left)
         return 0;
-    left = left_by_sign(p, s, stage_at(kind.sequence, 2), kind, left, &finite);
-    if (!sequence_has(kind.sequence, 2))
+    left = left_by_sign(p, s, stage_at(groups_of(kind), 2), kind, left, &finite);
+    if (!sequence_has(groups_of(kind), 2))
         finite = is_finite_sum(&p->t);
     *undecided = left & ~m_bits(finite);
     return left & m_bits(finite);
@@ -284,17 +287,18 @@ TRIBOX_INLINE uint64_t overlaps_by_sign(const lane_pairs *p, lane_shape *s, walk
 TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape *s, walk_kind kind, uint64_t left,
                                           uint64_t *undecided)
 {
-    const unsigned first = stage_at(kind.sequence, 0), second = stage_at(kind.sequence, 1), third = stage_at(kind.sequence, 2);
+    const unsigned first = stage_at(groups_of(kind), 0), second = stage_at(groups_of(kind), 1),
+                   third = stage_at(groups_of(kind), 2);
     lane_margin margin;
     vmask certain = m_all();
     left = left_by_margin(p, s, first, true, kind, left, &margin, &certain);
-    if (has_stage_after(kind.sequence, 0) && !left)
+    if (has_stage_after(groups_of(kind), 0) && !left)
         return 0;
     left = left_by_margin(p, s, second, first < 2, kind, left, &margin, &certain);
-    if (has_stage_after(kind.sequence, 1) && !left)
+    if (has_stage_after(groups_of(kind), 1) && !left)
         return 0;
     left = left_by_margin(p, s, third, first < 2 && second < 2, kind, left, &margin, &certain);
-    if (kind.sequence == 1)
+    if (groups_of(kind) == 1)
         margin = margin_of(s, &p->margin, true);
     const uint64_t hit = certain_overlaps(s, &p->margin, &margin, clear_of(p, certain, kind), kind, left);
     *undecided = left & ~hit;
@@ -309,7 +313,7 @@ TRIBOX_INLINE uint64_t overlaps_by_margin(const lane_pairs *p, const lane_shape 
 TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape *s, walk_kind kind, uint64_t left,
                                                 uint64_t *undecided)
 {
-    const bool is_box_asked = sequence_has(kind.sequence, 1);
+    const bool is_box_asked = sequence_has(groups_of(kind), 1);
     const vnum zero = v_splat(0);
     const joint_slacks slack = joint_slacks_of(s, kind);
     const lane_margin margin = margin_of(s, &p->margin, is_box_asked);
@@ -317,9 +321,9 @@ TRIBOX_INLINE uint64_t overlaps_by_joint_margin(const lane_pairs *p, lane_shape 
     vmask decided = m_and(m_and(margin.is_valid, v_gt(v_abs(slack.edges), margin.edges)), v_gt(v_abs(slack.plane), margin.plane));
     if (is_box_asked)
         decided = m_and(decided, m_or(apart, needs_no_more(p, s, kind)));
-    if (is_box_asked && !is_box_first(kind.sequence))
+    if (is_box_asked && !is_box_first(groups_of(kind)))
         left &= ~m_bits(apart_on_box_normals(p));
-    if (!kind.looks_again && !(left & ~m_bits(decided)))
+    if (!(kind & LOOKS_AGAIN) && !(left & ~m_bits(decided)))
         return left & ~m_bits(apart);
     const vmask beyond = m_or(v_gt(zero, v_add(slack.edges, margin.edges)), v_gt(zero, v_add(slack.plane, margin.plane)));
     const vmask certain = m_and(v_gt(slack.edges, margin.edges), v_gt(slack.plane, margin.plane));
@@ -343,12 +347,12 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_query *from, size_t at
     left = load_axis(p, from, at, 2, kind, left, &s);
     if (!left)
         return 0;
-    const bool is_joint = has_joint_stage(kind.sequence);
+    const bool is_joint = has_joint_stage(groups_of(kind));
     if (!is_joint)
         shape_normal(&s);
-    if (kind.decides == TRIBOX_BY_SIGN)
+    if (kind & WALKS_BY_SIGN)
         return overlaps_by_sign(p, &s, kind, left, undecided);
-    if (!kind.is_soup)
+    if (!(kind & WALKS_SOUP))
         p->margin = box_margin_of(&p->box);
     return is_joint ? overlaps_by_joint_margin(p, &s, kind, left, undecided) : overlaps_by_margin(p, &s, kind, left, undecided);
 }

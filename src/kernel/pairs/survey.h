@@ -53,9 +53,9 @@ TRIBOX_INLINE uint64_t survey_packet(lane_pairs *p, const tribox_query *from, si
         }
     }
     shape_normal(&s);
-    if (kind.decides == TRIBOX_BY_SIGN)
+    if (kind & WALKS_BY_SIGN)
         return survey_by_sign(p, &s, kind, packet, left, seen, undecided);
-    if (!kind.is_soup)
+    if (!(kind & WALKS_SOUP))
         p->margin = box_margin_of(&p->box);
     return survey_by_margin(p, &s, kind, packet, left, seen, undecided);
 }
@@ -77,22 +77,14 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_query *from, size_t word, walk_k
 }
 
 /* With the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed. */
-#define SURVEY(by) \
+#define SURVEY(by, looks) \
     static uint64_t survey_##by(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided) \
     { \
-        const bool looks_again = TRIBOX_##by == TRIBOX_BY_MARGIN; \
         if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            return survey_word(pairs, word, \
-                               (walk_kind){.sequence = 123, .decides = TRIBOX_##by, .is_soup = true, .looks_again = looks_again}, \
-                               seen, undecided); \
+            return survey_word(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP, seen, undecided); \
         if (pairs->corners) \
-            return survey_word( \
-                pairs, word, \
-                (walk_kind){ \
-                    .sequence = 123, .decides = TRIBOX_##by, .is_soup = true, .is_mesh = true, .looks_again = looks_again}, \
-                seen, undecided); \
-        return survey_word(pairs, word, (walk_kind){.sequence = 123, .decides = TRIBOX_##by, .looks_again = looks_again}, seen, \
-                           undecided); \
+            return survey_word(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP | WALKS_MESH, seen, undecided); \
+        return survey_word(pairs, word, 123 | WALKS_##by | looks, seen, undecided); \
     }
-SURVEY(BY_MARGIN)
-SURVEY(BY_SIGN)
+SURVEY(BY_MARGIN, LOOKS_AGAIN)
+SURVEY(BY_SIGN, 0)
