@@ -4,6 +4,7 @@ Each reader returns vertices (x, y, z) and triangles of three numbers of vertice
 """
 
 import collections
+import functools
 import itertools
 import json
 import struct
@@ -81,13 +82,17 @@ def faces(cells):
     return count
 
 
-def groups(cells):
-    """How many groups there are of few cells that hang together by faces."""
-    left, count = set(cells), 0
+STEPS = tuple((1 << n, step) for n, step in enumerate(itertools.product((-1, 0, 1), repeat=3)))
+
+
+@functools.lru_cache(None)
+def groups(near):
+    """How many groups there are, which hang together by faces, of cells around a part of them: a bit of STEPS for each."""
+    left, count = {step for bit, step in STEPS if near & bit}, 0
     while left:
         count, reached = count + 1, [left.pop()]
         for cell in reached:
-            beside = {other for other in left if sum(abs(a - b) for a, b in zip(cell, other)) == 1}
+            beside = {other for other in left if sum(abs(a - b) for a, b in zip(cell, other)) == 2}
             left -= beside
             reached.extend(beside)
     return count
@@ -96,10 +101,10 @@ def groups(cells):
 def euler(cells):
     """Of the surface: twice that of the body, of cells with their faces, edges and points; an edge or a point in which groups of
     cells touch is each group's own."""
-    around = collections.defaultdict(set)  # each part of a cell, in halves of its side
-    for cell in cells:
-        for step in itertools.product((-1, 0, 1), repeat=3):
-            around[tuple(2 * x + d for x, d in zip(cell, step))].add(cell)
+    around = collections.defaultdict(int)  # each part of a cell, in halves of its side
+    for x, y, z in cells:
+        for bit, (i, j, k) in STEPS:
+            around[2 * x + i, 2 * y + j, 2 * z + k] |= bit
     body = 0
     for part, near in around.items():
         sides = sum(x % 2 for x in part)  # 0 in the cell, 1 in a face, 2 in an edge, 3 in a point

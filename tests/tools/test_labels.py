@@ -19,13 +19,17 @@ SHELL = (cube((-1.7, -0.3, -1.45), (1.7, 1.91, 1.4)) + cube((-1.2, -0.1, -1.1), 
 BY_TILES = ("--accuracy", "conservative")  # which small grids in one piece are not; no face here is near a plane of the grid
 
 
+FROM_DIGITS = bytes.maketrans(b"01", b"\0\1")
+OF_BYTE = [bytes(n >> i & 1 for i in range(8)) for n in range(256)]
+
+
 def bits_of(words, size):
     """The cells of rows of words, as bytes 0 and 1."""
     row = (size[0] + 63) // 64 * 8
     cells = bytearray()
     for n in range(size[1] * size[2]):
         number = int.from_bytes(words[n * row:(n + 1) * row], "little")
-        cells += bytes(number >> i & 1 for i in range(size[0]))
+        cells += format(number, "0%db" % (8 * row))[:-size[0] - 1:-1].encode().translate(FROM_DIGITS)
     return bytes(cells)
 
 
@@ -36,16 +40,15 @@ def npy_of(data):
 
 
 def cells_of_bricks(at, rows, size):
-    """Bytes 0 and 1 of bricks in little-endian words."""
+    """The same of bricks, a byte for eight cells."""
     cells = bytearray(size[0] * size[1] * size[2])
     for n in range(len(at) // 12):
         corner = [8 * x for x in struct.unpack_from("<3I", at, 12 * n)]
-        for k, word in enumerate(struct.unpack_from("<8Q", rows, 64 * n)):
-            while word:
-                bit = (word & -word).bit_length() - 1
-                word &= word - 1
-                i, j = corner[0] + bit % 8, corner[1] + bit // 8
-                cells[((corner[2] + k) * size[1] + j) * size[0] + i] = 1
+        wide = min(8, size[0] - corner[0])
+        for place in range(64):  # a row of eight cells
+            if rows[64 * n + place]:
+                first = ((corner[2] + place // 8) * size[1] + corner[1] + place % 8) * size[0] + corner[0]
+                cells[first:first + wide] = OF_BYTE[rows[64 * n + place]][:wide]
     return bytes(cells)
 
 

@@ -237,9 +237,12 @@ class Fills(Tiles):
                       self.succeed("voxelize", mesh, *grid, "--fill", "outside", "--count"))
 
     def cells(self, *arguments):
-        """The file of coordinates, and its cells as the words of the grid."""
+        """The summary, and the file of coordinates."""
         found = self.voxelize(*arguments, "--out-format", "cells", "-o", self.path("solid.npy"))
-        data = volumes.read(self.path("solid.npy"))
+        return found, volumes.read(self.path("solid.npy"))
+
+    def bits_of(self, found, data):
+        """Its cells as the words of the grid."""
         size = found["grid"]["size"]
         row = (size[0] + 63) // 64 * 8
         bits = bytearray(row * size[1] * size[2])
@@ -247,7 +250,7 @@ class Fills(Tiles):
         numbers = struct.unpack("<%di" % (3 * count), data[len(data) - 12 * count:])
         for i, j, k in zip(numbers[::3], numbers[1::3], numbers[2::3]):
             bits[(k * size[1] + j) * row + i // 8] |= 1 << i % 8
-        return found, data, bits
+        return bits
 
     def check_whole(self, mesh, grid, fill):
         """Tile by tile there are the cells of the whole, in one order for any number of threads."""
@@ -255,14 +258,14 @@ class Fills(Tiles):
         self.assertEqual(self.dense(mesh, grid, "--fill", fill, "--threads", "1")[1], dense)
         files = []
         for threads in "13":
-            found, data, bits = self.cells(mesh, *grid, "--fill", fill, "--threads", threads)
-            self.assertEqual(bits, dense, (grid, fill))
+            found, data = self.cells(mesh, *grid, "--fill", fill, "--threads", threads)
             for member in ("occupied", "inside", "odd_rows", "undecided"):
                 self.assertEqual(found.get(member), whole.get(member), (grid, fill))
             counted = self.voxelize(mesh, *grid, "--fill", fill, "--threads", threads, "--count")
             self.assertEqual([counted[m] for m in ("inside", "bricks")], [found[m] for m in ("inside", "bricks")])
             files.append(data)
         self.assertEqual(files[0], files[1])
+        self.assertEqual(self.bits_of(found, data), dense, (grid, fill))
         return whole, dense
 
     def test_tiles(self):
