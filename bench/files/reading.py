@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""reading.py PROGRAM[,PROGRAM] MESH: what reading a mesh takes, in each format that libassimp writes of it, beside libassimp's readers.
+"""reading.py PROGRAM[,PROGRAM] MESH: what it takes to read a mesh, in each format that libassimp writes, beside libassimp.
 
 Least processor time and wall time of a whole `tribox overlap` with one thread and a box that nothing touches; of libassimp from
 the file to its triangles."""
@@ -44,11 +44,14 @@ def by_assimp(path):
 
 
 def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
     if sys.argv[1] == "--import":
         return import_once(sys.argv[2])
     programs, mesh = sys.argv[1].split(","), sys.argv[2]
-    print("| format | MB |" + " %s: processor, wall ms |" * len(programs + [0]) % (*programs, "libassimp"))
-    print("|---|---:|" + "---:|" * len(programs + [0]))
+    ways = [(by_program, program) for program in programs] + [(by_assimp,)]
+    print("| format | MB |" + "".join(" %s: processor, wall ms |" % name for name in (*programs, "libassimp")))
+    print("|---|---:|" + "---:|" * len(ways))
     with tempfile.TemporaryDirectory() as folder:
         scene = assimp.aiImportFile(mesh.encode(), TRIANGULATE | JOIN)
         assert scene, mesh
@@ -57,13 +60,12 @@ def main():
         assimp.aiReleaseImport(scene)
         for _, name in FORMATS:
             path = os.path.join(folder, name)
-            times = [[] for _ in programs + [0]]
+            times = [[] for _ in ways]
             for _ in range(ROUNDS):
-                for program, taken in zip(programs, times):
-                    taken.append(by_program(program, path))
-                times[-1].append(by_assimp(path))
-            least = [tuple(map(min, zip(*taken))) for taken in times]
-            print("| %s | %.0f |" % (name, os.path.getsize(path) / 1e6) + "".join(" %.0f, %.0f |" % pair for pair in least), flush=True)
+                for (way, *program), taken in zip(ways, times):
+                    taken.append(way(*program, path))
+            print("| %s | %.0f |" % (name, os.path.getsize(path) / 1e6) +
+                  "".join(" %.0f, %.0f |" % tuple(map(min, zip(*taken))) for taken in times), flush=True)
 
 
 main()

@@ -106,7 +106,7 @@ static int write_all(crop *c, const crop_files *f)
     if (code)
         return code;
     if (c->is_changed || (!c->failed && c->next != c->choice.triangles))
-        return message_failure("%s: has changed while it was read; nothing of it was kept", c->path);
+        return message_failure("%s: has changed while it was read; nothing was kept", c->path);
     errno = c->reason;
     return c->failed ? file_out_failure(&f->out[c->failed - 1]) : EXIT_CODE_OK;
 }
