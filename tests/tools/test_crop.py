@@ -117,7 +117,7 @@ class Formats(Crop):
 
     def test_large_records(self):
         """Of more bytes than any buffer; the header is as long."""
-        scene = faces.Scene(SEED)
+        scene = faces.Scene(SEED, triangles=20, polygons=4)
         schema = [("vertex", None, [*XYZ, *(("v%d" % k, "double") for k in range(300))]),
                   ("face", None, [*(("f%d" % k, "uint") for k in range(600)), *CORNERS])]
         for form in ("ascii", "binary_big_endian"):

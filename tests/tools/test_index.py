@@ -76,7 +76,10 @@ class Index(support.TestCase):
     def test_threads(self):
         """Of so many triangles that threads share the order and the index; those without a place come last in it."""
         pick = random.Random(7)
-        numbers = array.array("f", (pick.uniform(-2, 2) for _ in range(9 * 40001)))
+        numbers = array.array("f", ())
+        for _ in range(40001):
+            place = [pick.uniform(-2, 2) for _ in range(3)]
+            numbers.extend(place[n % 3] + pick.uniform(-0.1, 0.1) for n in range(9))
         numbers[9 * 33000] = float("nan")
         doubles = array.array("d", numbers)
         doubles[1] += 1e-12

@@ -164,7 +164,7 @@ class Ply(Pieces):
         mapped = self.write("mapped.ply", self.ply(*how))
         self.pick.setstate(state)
         whole = self.write("whole.ply", self.ply(*how, "element nothing 0\nproperty int nothing\n"))
-        for options in (GRID, ("-r", "300"), ("-r", "300", "--shift", "0.5,0.25,1"))[:3 if how[2] == "i" else 1]:
+        for options in (GRID, ("-r", "300"), ("-r", "300", "--shift", "0.5,0.25,1"))[:3 if how[1:3] == ("f", "i") else 1]:
             expected = self.partition(whole, *options)[0]
             for memory, threads in (("1", "3"), ("30K", "2"), ("1G", "1")):
                 self.assertEqual(self.partition(mapped, *options, "-m", memory, "-t", threads)[0], expected, how[:4])
@@ -172,11 +172,11 @@ class Ply(Pieces):
     def test_every_layout(self):
         faces = [[self.pick.randrange(250) for _ in range(self.pick.choice((0, 1, 2, 3, 3, 3, 3, 3, 4, 5, 9)))] for _ in range(9000)]
         for order, number, index, count in itertools.product("<>", "fd", "BHiI", "Bi"):
-            self.check(order, number, index, count, faces if (number, count) == ("f", "B") else faces[:700])
+            self.check(order, number, index, count, faces if (number, index, count) == ("f", "i", "B") else faces[:700])
 
     def test_polygons(self):
         """Many corners, of which blocks cut some in the middle."""
-        self.check("<", "f", "i", "i", [[self.pick.randrange(250) for _ in range(n)] for n in (3, 300, 3, 1000, 4, 90)] * 3)
+        self.check("<", "f", "i", "i", [[self.pick.randrange(250) for _ in range(n)] for n in (3, 300, 3, 1000, 4, 90)])
 
     def test_refused(self):
         """What is wrong is said as of any PLY file."""

@@ -87,7 +87,7 @@ class Surface(Shells):
             self.check(size, cells, name)
 
     def test_random_cells(self):
-        for n, (size, cells) in enumerate(random_scenes(40)):
+        for n, (size, cells) in enumerate(random_scenes(24)):
             self.check(size, cells, n)
 
     def test_faces_are_merged(self):
@@ -153,7 +153,7 @@ class Ways(Shells):
         super().setUp()
         self.mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(24, seed=9)))
 
-    GRID = ("--cell", "0.015625", "--origin=-2,-2,-2", "--size", "257,256,200")
+    GRID = ("--cell", "0.015625,0.03125,0.0625", "--origin=-2,-2,-2", "--size", "257,130,63")
 
     def test_threads_and_parts(self):
         """The same bytes by any number of threads, and of parts."""

@@ -313,7 +313,7 @@ class LittleMemory(Failures):
         for name, *arguments in (("x.npz", self.mesh, *grid), ("x.npz", self.tiles), ("x.part", self.mesh, *grid, "--shard", "1/2"),
                                  ("x.raw", self.mesh, *grid), ("x.raw", self.mesh, *grid, "--fill", "outside")):
             whole = self.write_within(1 << 40, name, *arguments)
-            for limit in range(least, least + self.SPAN, 4 * self.MIB):
+            for limit in range(least, least + self.SPAN, 6 * self.MIB):
                 alone = self.write_within(limit, name, *arguments, "-t", "1")
                 if alone:
                     self.assertEqual(alone, whole, (name, limit))
@@ -325,7 +325,7 @@ class LittleMemory(Failures):
         """OpenVDB starts threads and may end the process that it is in: that is a line here, and no file is left."""
         support.skip_without_openvdb(self)
         wholes = set()
-        for limit in [1 << 40, *range(self.least(), self.least() + 2 * self.SPAN, 6 * self.MIB)]:
+        for limit in [1 << 40, *range(self.least(), self.least() + 2 * self.SPAN, 9 * self.MIB)]:
             written = self.write_within(limit, "x.vdb", self.mesh, "-r", "100", "-t", "2",
                                         pattern=r"x\.vdb: .*(memory|failed|cannot).*; write \.npz$")
             if written:
