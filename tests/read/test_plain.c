@@ -51,7 +51,7 @@ static void check(const char *name, const char *text, size_t size, due how)
     for (int is_wide = 0; is_wide < 2; is_wide++) {
         mesh slow = {.coordinates = NULL};
         const int code = mesh_read_slowly(path, is_wide, 1, &slow);
-        for (size_t part = 1; part <= size + 1; part += 1 + part / 97)
+        for (size_t part = 1; part <= size + 1; part += 1 + part / 31)
             for (int t = 0; t < 3; t++)
                 if (compare(&slow, code, is_wide, threads[t], part) != (how == FAST) && how != EITHER)
                     fail_msg("%s: %u threads and parts of %zu bytes: read %s\n%.300s", path, threads[t], part,

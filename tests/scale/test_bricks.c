@@ -12,31 +12,25 @@
 #include "common/float_environment.h"
 #include "common/guard.h"
 
-enum { PAIRS = 100000, ROUNDS = 1000, FEW_ROUNDS = 100 };
+enum { PAIRS = 100000, ROUNDS = 600, FEW_ROUNDS = 100 };
 
 static tile_case drawn;
 static uint64_t expected[CASE_WORDS], occupied[CASE_WORDS], other[CASE_WORDS];
 
 static const uint32_t tiles[] = {8, 16, 24, 64, 128, 1024};
 
-/* Memory for a call, at an odd place, with nothing behind it. */
-typedef struct scratch {
-    guarded pages;
-    void *bytes;
-} scratch;
+enum { TILES = sizeof tiles / sizeof tiles[0] };
 
-static scratch make_scratch(uint32_t tile, size_t offset)
+/* Returns memory for the calls of this round, with nothing behind it, as the round before with such tiles has left it. */
+static void *draw(random_source *r, size_t round)
 {
-    const size_t bytes = tribox_bricks_bytes(tile) + offset;
-    scratch s = {.pages = guarded_make(bytes)};
-    s.bytes = guarded_tail(s.pages, bytes - offset);
-    return s;
-}
-
-static void draw(random_source *r, size_t round)
-{
-    tile_case_draw(r, tiles[round % (sizeof tiles / sizeof tiles[0])], &drawn);
+    static guarded scratch[TILES];
+    guarded *const pages = &scratch[round % TILES];
+    tile_case_draw(r, tiles[round % TILES], &drawn);
     tile_case_tell(&drawn, doing, sizeof doing);
+    if (!pages->first)
+        *pages = guarded_make(tribox_bricks_bytes(drawn.tile));
+    return guarded_tail(*pages, tribox_bricks_bytes(drawn.tile));
 }
 
 /* The bricks of a share into `to`; the cells that the report counts. */
@@ -72,23 +66,21 @@ static void test_dense(void **state)
     catch_faults();
     random_source r = random_named(args->seed, "bricks");
     for (size_t round = 0; round < arguments_rounds(args, PAIRS / ROUNDS); round++) {
-        draw(&r, round);
+        void *const scratch = draw(&r, round);
         const size_t count = tile_case_tiles(&drawn);
         const tile_lists lists = tile_case_lists(&drawn, 0, count);
-        const scratch s = make_scratch(drawn.tile, (size_t)random_int(&r, 64));
         size_t sum = 0;
         expect_dense(&drawn);
         memset(occupied, 0, sizeof occupied);
-        const size_t cells = take_share(&drawn, 0, count, &lists, s.bytes, occupied);
+        const size_t cells = take_share(&drawn, 0, count, &lists, scratch, occupied);
         check_bits(&drawn);
         memset(other, 0, sizeof other);
         for (size_t from = 0, to; from < count; from = to) {
             to = from + 1 + (size_t)random_int(&r, (int)(count - from));
-            sum += take_share(&drawn, from, to, &lists, s.bytes, other);
+            sum += take_share(&drawn, from, to, &lists, scratch, other);
         }
         assert_int_equal(sum, cells);
         assert_memory_equal(other, occupied, sizeof other);
-        guarded_free(s.pages);
         tile_lists_free(lists);
     }
 }
@@ -100,24 +92,22 @@ static void test_stops(void **state)
     catch_faults();
     random_source r = random_named(args->seed, "stops");
     for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
-        draw(&r, round);
+        void *const scratch = draw(&r, round);
         const size_t count = tile_case_tiles(&drawn);
         const tile_lists lists = tile_case_lists(&drawn, 0, count);
-        const scratch s = make_scratch(drawn.tile, 0);
         brick_book whole = brick_book_open(&drawn, NULL), book = whole;
         tribox_report report = {0, 0};
         assert_int_equal(
-            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, &(tribox_sink){brick_book_take, &whole}, &report),
+            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, scratch, &(tribox_sink){brick_book_take, &whole}, &report),
             TRIBOX_OK);
         if (whole.bricks) {
             book.most = 1 + (size_t)random_int(&r, (int)whole.bricks);
-            assert_int_equal(tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes,
+            assert_int_equal(tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, scratch,
                                               &(tribox_sink){brick_book_take, &book}, &report),
                              TRIBOX_STOPPED);
             assert_int_equal(book.bricks, book.most);
             assert_int_equal(report.overlapping, book.cells);
         }
-        guarded_free(s.pages);
         tile_lists_free(lists);
     }
 }
@@ -130,12 +120,11 @@ static void test_environment(void **state)
     catch_faults();
     random_source r = random_named(args->seed, "environment");
     for (size_t round = 0; round < arguments_rounds(args, PAIRS / FEW_ROUNDS); round++) {
-        draw(&r, round);
+        void *const scratch = draw(&r, round);
         const size_t count = tile_case_tiles(&drawn);
         const tile_lists lists = tile_case_lists(&drawn, 0, count);
-        const scratch s = make_scratch(drawn.tile, 0);
         memset(expected, 0, sizeof expected);
-        take_share(&drawn, 0, count, &lists, s.bytes, expected);
+        take_share(&drawn, 0, count, &lists, scratch, expected);
         const unsigned set = setting((unsigned)random_int(&r, SETTINGS));
         brick_book book = brick_book_open(&drawn, occupied);
         tribox_report report = {0, 0};
@@ -144,14 +133,13 @@ static void test_environment(void **state)
         environment_set(set);
         const tribox_status counted = tile_case_count(&drawn, 0, count, lists.starts);
         const tribox_status status =
-            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, s.bytes, &(tribox_sink){brick_book_take, &book}, &report);
+            tile_case_bricks(&drawn, 0, count, lists.starts, lists.list, scratch, &(tribox_sink){brick_book_take, &book}, &report);
         const unsigned left = environment_get();
         environment_set(normal);
         assert_int_equal(counted, TRIBOX_OK);
         assert_int_equal(status, TRIBOX_OK);
         assert_int_equal(left, set);
         assert_memory_equal(occupied, expected, sizeof occupied);
-        guarded_free(s.pages);
         tile_lists_free(lists);
     }
 }

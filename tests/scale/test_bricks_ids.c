@@ -9,7 +9,7 @@
 #include "common/arguments.h"
 #include "common/guard.h"
 
-enum { PAIRS = 100000, ROUNDS = 1000, IDS = 64 * CASE_WORDS };
+enum { PAIRS = 100000, ROUNDS = 600, IDS = 64 * CASE_WORDS };
 
 static tile_case drawn;
 static uint64_t occupied[CASE_WORDS], plain[CASE_WORDS], dense_bits[CASE_WORDS];

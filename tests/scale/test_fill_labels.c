@@ -60,13 +60,24 @@ static size_t parts_of(void) { return (size_t)cut.along[0] * cut.along[1] * cut.
 
 static size_t row_words(const part *p) { return (p->size[0] + 63) / 64; }
 
+/* Pages for so many bytes: those that are there, from an earlier round, if they do. */
+static void *take_pages(guarded *g, size_t bytes)
+{
+    if (g->size < bytes) {
+        if (g->first)
+            guarded_free(*g);
+        *g = guarded_make(bytes);
+    }
+    return guarded_tail(*g, bytes);
+}
+
 /* With bits of any kind past the end of each row. */
 static void set_words(random_source *r, part *p)
 {
     const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
-    p->words = guarded_make(bytes);
+    uint64_t *const words = take_pages(&p->words, bytes);
+    guarded_read_only(p->words, false);
     p->is_empty = true;
-    uint64_t *const words = guarded_tail(p->words, bytes);
     for (uint32_t k = 0; k < p->size[2]; k++)
         for (uint32_t j = 0; j < p->size[1]; j++)
             for (uint32_t i = 0; i < 64 * row_words(p); i++) {
@@ -90,13 +101,12 @@ static size_t face_cells(const part *p, int face) { return (size_t)p->size[face 
 static void label(random_source *r, part *p)
 {
     const size_t bytes = tribox_fill_labels_bytes(p->size);
-    p->scratch = guarded_make(bytes);
+    void *const scratch = take_pages(&p->scratch, bytes);
+    guarded_read_only(p->scratch, false);
     memset(p->scratch.first, random_int(r, 256), p->scratch.size);
-    for (int face = 0; face < 6; face++) {
-        p->face_pages[face] = guarded_make(face_cells(p, face) * sizeof(uint32_t));
-        p->faces[face] = guarded_tail(p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
-    }
-    assert_int_equal(tribox_fill_labels(p->size, words_of(p), guarded_tail(p->scratch, bytes), p->faces, &p->labels), TRIBOX_OK);
+    for (int face = 0; face < 6; face++)
+        p->faces[face] = take_pages(&p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
+    assert_int_equal(tribox_fill_labels(p->size, words_of(p), scratch, p->faces, &p->labels), TRIBOX_OK);
     p->from = cut.labels;
     cut.labels += p->labels;
 }
@@ -161,7 +171,7 @@ static size_t fill_part(part *p)
     const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
     for (uint32_t n = 0; n < p->labels; n++)
         outside[n / 64] |= (uint64_t)(tribox_fill_root(cut.parents, p->from + n) == tribox_fill_root(cut.parents, 0)) << n % 64;
-    p->solid = guarded_make(bytes);
+    take_pages(&p->solid, bytes);
     memset(p->solid.first, 0x5a, p->solid.size);
     guarded_read_only(p->scratch, true);
     assert_int_equal(tribox_fill_labelled(p->size, words_of(p), guarded_tail(p->scratch, tribox_fill_labels_bytes(p->size)),
@@ -185,15 +195,6 @@ static void check_part(const part *p)
             }
 }
 
-static void free_part(part *p)
-{
-    guarded_free(p->words);
-    guarded_free(p->solid);
-    guarded_free(p->scratch);
-    for (int face = 0; face < 6; face++)
-        guarded_free(p->face_pages[face]);
-}
-
 static void check_drawn(random_source *r)
 {
     const size_t reached = fill_search(&drawn, is_reached);
@@ -205,7 +206,6 @@ static void check_drawn(random_source *r)
     for (size_t n = 0; n < parts_of(); n++) {
         inside += fill_part(&cut.parts[n]);
         check_part(&cut.parts[n]);
-        free_part(&cut.parts[n]);
     }
     free(cut.parents);
     if (inside != free_cells - reached)
