@@ -61,7 +61,8 @@ def joined(bricks):
 class TestCase(unittest.TestCase):
     def assert_same(self, answer, expected, message=None):
         self.assertEqual((answer.dtype, answer.shape), (expected.dtype, expected.shape), message)
-        np.testing.assert_array_equal(answer, expected, message or "")
+        if not np.array_equal(answer, expected):  # many times as quick, and that says where
+            np.testing.assert_array_equal(answer, expected, message or "")
 
     def refuse(self, error, status, pattern, call, *arguments, **keywords):
         """The call raises this kind of error, with this status of the library and a message that matches."""

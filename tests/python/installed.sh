@@ -19,7 +19,7 @@ ask() {
 
 unset TRIBOX_LIBRARY
 (export LD_LIBRARY_PATH="$libdir"; ask "$@")
-(export TRIBOX_LIBRARY="$libdir/libtribox.so.1"; ask "$@")
+(export TRIBOX_LIBRARY="$libdir/libtribox.so.1"; ask "$1")
 
 if "$PYTHON" -B -c 'import tribox' 2>"$work/error"; then
     echo "a libtribox of this machine's own was found without either" >&2

@@ -70,11 +70,10 @@ class CellTests(cases.TestCase):
         """In windows of a few cells, and cut out of larger tiles."""
         for grid in GRIDS.values():
             expected = tribox.cell_lists(self.triangles, grid)
-            for side in (1, 2, 5):
-                for most in (1, 4, 1000):
-                    with mock.patch("tribox._cells.SIDE", side), mock.patch("tribox._cells.TILES_MAX", most):
-                        for form in cases.forms(self.triangles):
-                            self.assert_equal(tribox.cell_lists(form, grid), expected)
+            for side, most in (1, 1), (1, 1000), (2, 4), (5, 1), (5, 1000):
+                with mock.patch("tribox._cells.SIDE", side), mock.patch("tribox._cells.TILES_MAX", most):
+                    for form in cases.forms(self.triangles):
+                        self.assert_equal(tribox.cell_lists(form, grid), expected)
 
     def test_threads(self):
         grid = (-2, -1.5, -1), 0.05, (131, 50, 33)
