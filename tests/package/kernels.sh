@@ -48,11 +48,13 @@ fi
 mkdir -p "$folder"
 cd "$folder"
 test -f build.ninja || "$MESON" setup . "$root" --werror -Dbuildtype=plain -Doptimization=1 -Dc_args=-U__OPTIMIZE__ -Dkernels=avx2 \
-    -Dbench=disabled -Dtools=enabled -Dembree=disabled -Dassimp=disabled -Dopenvdb=disabled -Dpython=disabled
+    -Dbench=disabled -Dtools=disabled -Dembree=disabled -Dpython=disabled
 python3 "$here/same_flags.py" . "$root" -DTRIBOX_KERNELS=avx2 -DCMAKE_C_FLAGS=-U__OPTIMIZE__
 "$MESON" test --print-errorlogs 'masks in short' dispatch exactness
-"$MESON" compile tribox:executable >/dev/null
-tools/tribox info --json >"$work/info"
-python3 -c 'import json, sys; kernels = json.load(sys.stdin)["kernels"]; sys.exit(kernels[-1] != "scalar" or kernels[:-1] not in ([], ["avx2"]))' \
-    <"$work/info" || { cat "$work/info" >&2; exit 1; }
-echo 'kernels: right'
+"$MESON" compile tribox:static_library >/dev/null
+${CC:-cc} -I"$root/include" "$here/consumer/consumer.c" src/libtribox.a -lm -o consumer
+./consumer kernels | tr '\n' ' ' >"$work/kernels"
+case $(cat "$work/kernels") in
+'avx2 scalar ' | 'scalar ') echo 'kernels: right' ;;
+*) cat "$work/kernels" >&2 && exit 1 ;;
+esac
