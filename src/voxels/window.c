@@ -60,13 +60,13 @@ static bool make_float(tribox_voxel_window *w)
     bool fits = true;
     for (int a = 0; a < 3; a++) {
         f->origin[a] = w->doubles ? 0 : (float)w->lattice.origin[a];
+        const bool is_float = !w->doubles && f->origin[a] == w->lattice.origin[a];
         const double off = w->doubles ? 0 : (f->origin[a] - w->lattice.origin[a]) * w->lattice.per_cell[a];
         f->per_cell[a] = (float)w->lattice.per_cell[a];
         f->size[a] = (float)w->size[a];
         f->off[a] = (float)off;
         f->off_middle[a] = (float)(off - 0.5);
-        f->cell[a] =
-            !w->doubles && off == 0 && has_float_planes(f->origin[a], w->planes.cell[a], f->size[a]) ? (float)w->planes.cell[a] : 0;
+        f->cell[a] = is_float && has_float_planes(f->origin[a], w->planes.cell[a], f->size[a]) ? (float)w->planes.cell[a] : 0;
         f->error[a] = (float)(w->lattice.error[a] + 0x1.4p-21 * magnitude(off)) * 1.001f;
         f->doubt[a] = f->error[a] + (f->size[a] + 1) * 0x1.4p-22f;
         fits &= w->size[a] <= 1 << 20 && f->per_cell[a] >= 0x1p-100f && f->per_cell[a] <= 0x1p100f && f->doubt[a] < 0.5f;

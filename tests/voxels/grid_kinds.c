@@ -65,13 +65,15 @@ static void draw_dyadic(random_source *r, tribox_grid *grid)
     }
 }
 
-/* Planes that are nearly floats: from a float of many bits, or in steps that float rounds. */
+/* Planes that are nearly floats: from a float of many bits, from next to zero, or in steps that float rounds. */
 static void draw_nearly_dyadic(random_source *r, tribox_grid *grid)
 {
     draw_dyadic(r, grid);
     for (int a = 0; a < 3; a++)
         if (random_int(r, 2))
             grid->origin[a] = nearest_float(random_double(r, -50, 20));
+        else if (random_int(r, 3) == 0)
+            grid->origin[a] = ldexp(random_int(r, 2) ? 1 : -1, random_int(r, 2) ? -1074 : -random_int_between(r, 140, 1074));
         else
             grid->cell[a] *= 1 + ldexp(random_int(r, 2) ? 1 : -1, -random_int_between(r, 26, 50));
 }
