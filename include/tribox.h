@@ -51,7 +51,7 @@ extern "C" {
  * A closed axis-aligned box. Index: 0 is x, 1 is y, 2 is z. lo == hi makes it a rectangle, a segment or a point; lo > hi on any
  * axis makes it the empty box, which nothing overlaps.
  *
- * Bounds are doubles even where triangles are floats: 0.1 means the double 0.1, and no bound is rounded to float.
+ * Bounds are doubles even if triangles are floats: 0.1 means the double 0.1, and no bound is rounded to float.
  */
 typedef struct tribox_box {
     double lo[3]; /* the lower bound on each axis, part of the box */
@@ -60,12 +60,12 @@ typedef struct tribox_box {
 
 /**
  * A closed oriented box: the points p with |axis[k] . (p - center)| <= half[k] for k = 0, 1, 2. Index of axis: first which axis,
- * then its x, y, z. The formula is taken literally for the doubles given. The axes need not be orthonormal, which rounded numbers
- * hardly ever are, and may even be sheared. A negative half length makes it the empty box.
+ * then its x, y, z. The formula is taken literally for the doubles given. The axes need not be orthonormal (rounded numbers hardly
+ * ever are) and may even be sheared. A negative half length makes it the empty box.
  */
 typedef struct tribox_oriented_box {
     double center[3];  /* in the same unit of length as the triangles */
-    double half[3];    /* half the length along each axis, in units of that axis: a length where the axes are unit vectors */
+    double half[3];    /* half the length along each axis, in units of that axis: a length if the axes are unit vectors */
     double axis[3][3]; /* axis[k]: the direction of axis k */
 } tribox_oriented_box;
 
@@ -80,8 +80,8 @@ typedef struct tribox_boxes {
 } tribox_boxes;
 
 /**
- * A triangle soup (triangles that share no vertices) as nine streams (structure of arrays). Index: vertex first, then triangle.
- * Each stream has `count` floats, at any alignment; it may be NULL when count is 0.
+ * A triangle soup: nine streams (structure of arrays). Index: vertex first, then triangle. Each stream has `count` floats, at any
+ * alignment; it may be NULL when count is 0. An array of triangles of nine numbers is no soup but a tribox_mesh without indices.
  */
 typedef struct tribox_soup {
     const float *x[3]; /* x[v][i]: the x of vertex v (0, 1, 2) of triangle i */
@@ -95,18 +95,18 @@ typedef struct tribox_soup {
  * triangle. Vertex v of triangle i is vertex number indices[3 * i + v], or number 3 * i + v without indices. Zero-initialise fields
  * that you do not set.
  *
- * For a matrix whose columns are x, y and z, axis_stride is the size of a column in bytes, and the stride is position_bytes, which
- * is then also what 0 stands for.
+ * For a matrix whose columns are x, y and z, axis_stride is the size of a column in bytes. The stride is then position_bytes, and 0
+ * stands for that. An axis_stride of position_bytes means what 0 means, and then a stride of 0 stands for 12, or 24 for doubles.
  */
 typedef struct tribox_mesh {
     const void *positions;   /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
-    size_t stride;           /* bytes from one vertex to the next: at least 12, or 24 for doubles; 0 stands for the least */
+    size_t stride;           /* bytes from one vertex to the next: at least 12, or 24 for doubles; 0 if there are no gaps */
     size_t vertices;         /* how many vertices there are; nothing after the z of the last is read */
     const void *indices;     /* 3 * count vertex numbers, at any alignment; NULL for 0, 1, 2, 3, ... */
-    unsigned index_bytes;    /* 2 for uint16_t, 4 for uint32_t; ignored where indices is NULL */
+    unsigned index_bytes;    /* 2 for uint16_t, 4 for uint32_t; ignored if indices is NULL */
     size_t count;            /* triangles */
     unsigned position_bytes; /* 4, or 0, for positions of float; 8 for double */
-    size_t axis_stride;      /* bytes from the x of a vertex to its y, and from y to z; 0 where the three follow each other */
+    size_t axis_stride;      /* bytes from x to y, and from y to z: at least position_bytes, or 0 if the three follow each other */
     uint32_t reserved[4];    /* zero, or TRIBOX_BAD_ARGUMENT */
 } tribox_mesh;
 
@@ -133,17 +133,19 @@ TRIBOX_API const char *tribox_version(void);
 TRIBOX_API const char *tribox_status_text(tribox_status status);
 
 /**
- * How accurate an answer has to be. CONSERVATIVE and FAST err only within rounding of contact: where, on some axis, the projections
- * of triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a,
- * and m_a the greatest distance on it of a point of the triangle from a point of the box. As dot products with the axis, that is
- * less than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, and for the triangle's normal less
- * than 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y); or less than 2^-64, where products or lengths underflow.
+ * How accurate an answer has to be. CONSERVATIVE and FAST err only within rounding of contact: if, on some axis, the projections of
+ * triangle and box are apart, or overlap, by less than single precision can tell. Let F_a be the triangle's extent on axis a, and
+ * m_a the greatest distance on that axis of a point of the triangle from a point of the box. The projections are dot products with
+ * the axis. They may be wrong by less than 2^-19 (F_a m_b + F_b m_a) for a cross product of edges in the plane of axes a and b, by
+ * less than 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y) for the triangle's normal, and by less than 2^-64 if products or
+ * lengths underflow.
  *
- * That promises little where such an axis is short: the normal of a segment or sliver, and the axes of an edge far shorter than the
- * others. Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: up to
- * a third of random segments, hardly any of the triangles up to 2^20 times as long as high. Use EXACT or CONSERVATIVE for thinner
- * ones. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST there, but then also reports wider
- * triangles that only the plane separates.
+ * The guarantee is weak if the axis is short: the normal of a segment or sliver, or an axis of an edge far shorter than the others.
+ * Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: most of the
+ * segments that are much longer than the box, and some of the slivers that are more than 2^16 times as long as high, or 2^16 / k
+ * times if they are k times as long as a side of the box. Use EXACT or CONSERVATIVE for these, and EXACT where triangles lie in
+ * faces of boxes: in rounded coordinates FAST misses many of those contacts. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE
+ * costs hardly more than FAST about slivers, but then also reports wider triangles that only the plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
@@ -153,7 +155,7 @@ typedef enum tribox_accuracy {
 
 /**
  * The paper's three groups of axes (section 2, its bullets 1, 2 and 3): 3 box normals, 1 triangle plane, 9 edge cross products.
- * With some groups left out a call answers "no chosen axis separates": that is cheaper and never misses, but reports more.
+ * A call without some of the groups answers "no chosen axis separates": cheaper, and it never misses, but it reports more.
  */
 enum {
     TRIBOX_AXES_BOX = 1,   /* bullet 1: the triangle's bounding box against the box */
@@ -201,12 +203,13 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tribox_overlap for an oriented box. As in the paper (section 2) the triangles are moved into the frame of the box, in blocks, and
  * tested there.
  *
- * EXACT is the true answer about the box given by these doubles, for every finite input: wherever rounding of the move could change
- * the answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST
+ * EXACT is the true answer about the box given by these doubles, for every finite input: if rounding of the move could change the
+ * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by the most that the move can have rounded. FAST
  * moves and tests in single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and
  * slivers as tribox_overlap does, including those that the move makes thin. A triangle that is outside along one axis of the box is
- * mostly rejected while it is moved. Flat boxes (a half length of zero) are slow at EXACT: every overlap is left to the last stage,
- * which takes half a microsecond each, or some microseconds where it needs integers.
+ * mostly rejected while it is moved. EXACT leaves every triangle that lies in a face of the box to the last stage, and every
+ * overlap with a flat box (a half length of zero). That takes half a microsecond each, or ten and more if it needs integers, so a
+ * turned box that stands on the floor of a model can take many times as long as one just above it.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is
@@ -224,8 +227,8 @@ typedef enum tribox_find_what {
 } tribox_find_what;
 
 /**
- * Finds the first triangle of a soup that overlaps the box, or the first that misses it. Triangles after its block of some thousand
- * are not tested.
+ * Finds the first triangle of a soup that overlaps the box, or the first that misses it. The search ends with its block of some
+ * thousand triangles.
  *
  * triangle: receives the triangle's number, or soup->count if there is none.
  *
@@ -238,8 +241,8 @@ TRIBOX_API tribox_status tribox_find(const tribox_soup *soup, const tribox_box *
 /**
  * Divides the triangles of a soup into those that miss the box (bit clear in both masks), straddle its border (set in mask alone)
  * and lie wholly inside (set in both), as tree builders need. A triangle is inside if its three vertices are in the closed box.
- * That part is exact at every accuracy, and a triangle that is inside overlaps. FAST may answer parts of the soup as EXACT does,
- * where that costs no more.
+ * That part is exact at every accuracy, and a triangle that is inside overlaps. FAST may answer parts of the soup as EXACT does, if
+ * that costs no more.
  *
  * inside: tribox_mask_words(soup->count) words, all of them written; NULL if not wanted.
  *
@@ -258,13 +261,13 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
  *
  * mesh: read from where it lies, in blocks that fit the cache.
  * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count. For floats the same bits as for the
- *   nine streams of the triangles, at every accuracy. For doubles, and floats with an axis_stride, FAST is the same as
- *   CONSERVATIVE: it never misses, and reports too much only within the bounds of tribox_accuracy, for doubles with 2^-47 in place
- *   of 2^-19; all axes or TRIBOX_AXES_BOX alone are fast, other sets take the second stage for every triangle that the box normals
- *   leave; and the order of the axes is ignored.
+ *   nine streams of the triangles, at every accuracy. For doubles, and floats with an axis_stride other than position_bytes, FAST
+ *   is the same as CONSERVATIVE: it never misses, and reports too much only within the bounds of tribox_accuracy, for doubles with
+ *   2^-47 in place of 2^-19. The order of the axes is then ignored, and only all axes or TRIBOX_AXES_BOX alone are fast: other sets
+ *   take the second stage for every triangle that the box normals leave.
  *
- * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also where a size or a stride of the mesh is not allowed, or a reserved
- * number not zero; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
+ * Returns what tribox_overlap does; TRIBOX_BAD_ARGUMENT also if a size or a stride of the mesh is not allowed, or a reserved number
+ * is not zero; TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_overlap(const tribox_mesh *mesh, const tribox_box *box, const tribox_options *options,
                                              uint64_t *mask, tribox_report *report);
@@ -279,8 +282,8 @@ TRIBOX_API tribox_status tribox_mesh_classify(const tribox_mesh *mesh, const tri
 /**
  * tribox_overlap_oriented for a mesh as it is. EXACT is the true answer about its numbers, for every finite double and every finite
  * box. For floats the bits are those of the nine streams of the triangles, at every accuracy. Doubles are rounded to float relative
- * to the center of the box, so no distance from the origin makes an answer slower or less accurate; where a product of their
- * distance and an axis is beyond 2^97, and where float is too narrow for the box, every pair takes the last stage.
+ * to the center of the box, so no distance from the origin makes an answer slower or less accurate. If a product of their distance
+ * and an axis is beyond 2^97, or float is too narrow for the box, every pair takes the last stage.
  *
  * Other arguments and the returned status are as for tribox_overlap_oriented and tribox_mesh_overlap.
  */
@@ -299,8 +302,12 @@ TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_
 /* ============================================================================================================================== */
 
 /**
- * Tests one triangle against many boxes: the inner loop of octree and grid builders.
+ * Tests one triangle against many boxes, of any sizes and at any places.
  * Bit i % 64 of mask[i / 64] is set if the triangle overlaps box i; bits past count are zero.
+ *
+ * A call pays from some eight boxes on, so to divide an octree by it, a triangle and eight children a call, gains little. For the
+ * cells of a grid tribox_voxelize is many times as fast, and for the leaves of an octree tribox_bricks, which hands out the cells
+ * that are not empty: nodes above them follow from their numbers.
  *
  * triangle: triangle[3 * v + a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
  * boxes: six streams of boxes->count floats. A box that is empty, or has a NaN or infinite bound, overlaps nothing. This is not an
@@ -322,8 +329,8 @@ TRIBOX_API tribox_status tribox_overlap_boxes(const float triangle[9], const tri
  * that you provide. A query then takes time for its answer and for the border of the box, not for all triangles. Answers are those
  * of tribox_overlap or tribox_mesh_overlap, bit for bit, and for doubles exact about the doubles.
  *
- * It pays where triangles that are near in number are near in space, which tribox_soup_sort and tribox_mesh_sort bring about. In
- * any other order answers are the same, and hardly slower than without an index.
+ * It pays if triangles that are near in number are near in space, as tribox_soup_sort and tribox_mesh_sort order them. Any other
+ * order gives the same answers, at worst at about the speed of no index.
  *
  * The nodes may be copied, mapped, or written to a file for the same version of the library and byte order: they hold no addresses.
  * Whatever they contain, nothing is read outside them and the triangles. That also holds if the triangles have changed since: one
@@ -374,7 +381,7 @@ enum { TRIBOX_INDEX_BLOCK = 4096 };
  * index, options: as for tribox_index_build.
  * nodes: of an index over as many triangles.
  *
- * Returns what tribox_index_build does, but TRIBOX_BAD_VERTEX only for the blocks that are read; TRIBOX_BAD_ARGUMENT also where
+ * Returns what tribox_index_build does, but TRIBOX_BAD_VERTEX only for the blocks that are read; TRIBOX_BAD_ARGUMENT also if
  * first + count exceeds the count of triangles.
  */
 TRIBOX_API tribox_status tribox_index_update(const tribox_index *index, size_t first, size_t count, const tribox_options *options,
@@ -394,8 +401,8 @@ TRIBOX_API tribox_status tribox_index_update(const tribox_index *index, size_t f
  *   least.
  *
  * Other arguments and the returned status are as for tribox_overlap, tribox_mesh_overlap or tribox_overlap_oriented, except that
- * vertices are not checked again; TRIBOX_BAD_ARGUMENT also where tribox_index_build returns it, or where region does not have
- * exactly one box; TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
+ * vertices are not checked again; TRIBOX_BAD_ARGUMENT also if tribox_index_build returns it, or if region does not have exactly one
+ * box; TRIBOX_BAD_OPTION also without TRIBOX_AXES_BOX.
  */
 TRIBOX_API tribox_status tribox_index_overlap(const tribox_index *index, const tribox_region *region, const tribox_options *options,
                                               uint64_t *mask, tribox_report *report);
@@ -473,7 +480,7 @@ TRIBOX_API tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *ord
 TRIBOX_API tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
 /**
- * tribox_soup_sort for a mesh, whose doubles are taken relative to its first vertex; TRIBOX_BAD_ARGUMENT also where
+ * tribox_soup_sort for a mesh, whose doubles are taken relative to its first vertex; TRIBOX_BAD_ARGUMENT also if
  * tribox_mesh_overlap returns it, TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *order, void *scratch);
@@ -487,7 +494,7 @@ TRIBOX_API tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *ord
  *   are, NaN and infinity included.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup or a stream of a non-empty soup is NULL; order or a stream that is written is NULL
- * where count > 0; first + count exceeds the address space) or TRIBOX_BAD_VERTEX (these places of order name a triangle that the
+ * and count > 0; first + count exceeds the address space) or TRIBOX_BAD_VERTEX (these places of order name a triangle that the
  * soup does not have).
  */
 TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint32_t *order, size_t first, size_t count,
@@ -497,7 +504,7 @@ TRIBOX_API tribox_status tribox_soup_gather(const tribox_soup *soup, const uint3
  * tribox_soup_gather for a mesh: from its triangles as they are to ordered streams, relative to an origin as in
  * tribox_mesh_to_soup.
  *
- * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also where tribox_mesh_to_soup does, TRIBOX_BAD_VERTEX also if one of
+ * Returns what tribox_soup_gather does; TRIBOX_BAD_ARGUMENT also if tribox_mesh_to_soup does, TRIBOX_BAD_VERTEX also if one of
  * these triangles refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const double origin[3], const uint32_t *order, size_t first,
@@ -510,7 +517,9 @@ TRIBOX_API tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const doubl
 /**
  * A grid of size[0] x size[1] x size[2] closed cells, which need not be cubes. Index: 0 is x, 1 is y, 2 is z.
  * Plane p of axis a lies at the double nearest to origin[a] + p * cell[a], rounded once (C's fma), for triangles of floats and of
- * doubles. The cells on both sides share that very number, so no surface can slip between them.
+ * doubles. The cells on both sides share that very number, so no surface can slip between them. If a cell is a power of two and the
+ * origin a multiple of it, planes less than 2^53 cells from zero are not rounded (they are whole numbers of cells), so they are the
+ * bounds that an octree finds by halving.
  *
  * Origin and planes must be finite, cells and sizes greater than zero, and no two planes of an axis the same double; otherwise
  * TRIBOX_BAD_GRID. A grid may have any number of cells; one call writes at most 2^31 words.
@@ -598,7 +607,7 @@ TRIBOX_API tribox_status tribox_voxelize_ids(const tribox_soup *soup, uint32_t f
                                              const tribox_window *window, const tribox_options *options, uint64_t *occupied,
                                              uint32_t *ids, tribox_report *report);
 
-/** tribox_voxelize_ids for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_voxelize_ids for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_voxelize_ids(const tribox_mesh *mesh, uint32_t first, const tribox_grid *grid,
                                                   const tribox_window *window, const tribox_options *options, uint64_t *occupied,
                                                   uint32_t *ids, tribox_report *report);
@@ -626,7 +635,7 @@ TRIBOX_API tribox_status tribox_mesh_voxelize_ids(const tribox_mesh *mesh, uint3
 TRIBOX_API tribox_status tribox_voxelize_thin(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
                                               const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
-/** tribox_voxelize_thin for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_voxelize_thin for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_voxelize_thin(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
                                                    const tribox_options *options, uint64_t *occupied, tribox_report *report);
 
@@ -674,7 +683,7 @@ TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
 TRIBOX_API tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                            const tribox_options *options, size_t *starts, uint32_t *list);
 
-/** tribox_tile_lists for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_tile_lists for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
@@ -695,7 +704,7 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
 TRIBOX_API tribox_status tribox_cell_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,
                                            const tribox_options *options, size_t *starts, uint32_t *list);
 
-/** tribox_cell_lists for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_cell_lists for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_cell_lists(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_window *window,
                                                 const tribox_options *options, size_t *starts, uint32_t *list);
 
@@ -771,7 +780,7 @@ TRIBOX_API tribox_status tribox_bricks_ids(const tribox_soup *soup, const tribox
                                            const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
                                            const tribox_ids_sink *sink, tribox_report *report);
 
-/** tribox_bricks_ids for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_bricks. */
+/** tribox_bricks_ids for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_bricks. */
 TRIBOX_API tribox_status tribox_mesh_bricks_ids(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
                                                 const size_t *starts, const uint32_t *list, const tribox_options *options,
                                                 void *scratch, const tribox_ids_sink *sink, tribox_report *report);
@@ -818,7 +827,7 @@ TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint6
 TRIBOX_API tribox_status tribox_fill_parity(const tribox_soup *soup, const tribox_grid *grid, const uint64_t *occupied,
                                             void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows);
 
-/** tribox_fill_parity for a mesh, of floats or doubles. Returns what it does, and errors of meshes as tribox_mesh_voxelize. */
+/** tribox_fill_parity for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_voxelize. */
 TRIBOX_API tribox_status tribox_mesh_fill_parity(const tribox_mesh *mesh, const tribox_grid *grid, const uint64_t *occupied,
                                                  void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows);
 
@@ -876,7 +885,7 @@ TRIBOX_API size_t tribox_mesh_bad_vertices(const tribox_mesh *mesh, size_t *firs
  * options: only the kernel matters; NULL for the best.
  * x, y, z: three streams each, of `count` floats, at any alignment. Numbers beyond the range of float become infinite.
  *
- * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_mesh_overlap; a NULL stream where count > 0; origin is not finite; first +
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (as tribox_mesh_overlap; a NULL stream and count > 0; origin is not finite; first +
  * count exceeds mesh->count), TRIBOX_BAD_VERTEX (only the indices of these triangles are checked) or TRIBOX_NO_KERNEL.
  */
 TRIBOX_API tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count,

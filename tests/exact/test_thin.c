@@ -122,7 +122,7 @@ static void test_exact_and_conservative_find_all(void **state)
     check_accuracy(&drawn, "thin", TRIBOX_CONSERVATIVE, truth);
 }
 
-/* FAST: up to 2^12 times as long as high, the normal is good enough for everything that reaches into the middle. */
+/* FAST: up to 2^12 times as long as high and 7 times as long as the box (2^16 / k in the manual), the normal is good enough. */
 static void test_fast_finds_slivers(void **state)
 {
     random_source r = source_of("slivers", state);
@@ -156,7 +156,7 @@ static size_t count_lost(const thin *t, const char *kernel)
     return lost;
 }
 
-/* FAST: of segments that go there and back it may lose a third, as the manual says, and not the half. */
+/* FAST: of segments that go there and back it may lose most in small boxes, in this one a third, and not the half. */
 static void test_fast_loses_a_third_of_segments(void **state)
 {
     const char *kernels[KERNELS_MAX];
