@@ -5,7 +5,8 @@
  *     cc -std=c11 -O2 octree.c $(pkg-config --cflags --libs tribox) -o octree && ./octree
  *
  * ./octree NAME.f32 LEVELS takes triangles of your own, nine floats each. Lists cost each triangle a test at every level. The index
- * is told a box and answers with what is in it, so that only the border of a node is tested.
+ * is told a box and answers with what is in it, so that only the border of a node is tested; but it has to be made first. Who wants
+ * only cells makes neither: tribox_bricks gives those of the lowest level, and the levels above are their numbers shifted.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -263,7 +264,7 @@ static bool report(octree *by_lists, octree *by_index, double lists_ms, double o
     for (int d = 0; d < by_index->levels; d++)
         printf("%5d %7zu %7zu %20zu\n", d, by_index->nodes[d], by_index->leaves[d], by_index->references[d]);
     printf("by lists %.1f ms, by the index %.1f ms: %.1f times as fast\n", lists_ms, index_ms, lists_ms / index_ms);
-    printf("order, streams and index, made before: %.1f ms\n", order_ms);
+    printf("with order, streams and index, made before in %.1f ms: %.1f times\n", order_ms, lists_ms / (order_ms + index_ms));
     puts(is_right ? "the same triangles in every leaf" : "THE LEAVES DIFFER");
     return is_right;
 }

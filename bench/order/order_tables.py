@@ -24,7 +24,7 @@ class Rows:
 
 
 def times(rows, kernel):
-    """The nanoseconds of the fastest fixed order, and each order's time over it, process by process."""
+    """The nanoseconds of the fixed order with the least median, and each order's time over it, process by process."""
     orders = ORDERS if kernel == "paper" else (DEFAULT, *ORDERS)
     lines = []
     for scene in rows.scenes:
@@ -32,7 +32,7 @@ def times(rows, kernel):
         ratios = ["%.2f" % rows.get(scene, kernel, order)["to_best"] for order in orders]
         lines.append([scene, "%.1f %%" % (100 * best["hit_rate"]), "%.2f" % best["ns"], *ratios])
     head = ["the default" if order == DEFAULT else str(order) for order in orders]
-    return table(["scene", "overlap", "fastest order: ns", *head], lines)
+    return table(["scene", "overlap", "least median: ns", *head], lines)
 
 
 def left(rows):
