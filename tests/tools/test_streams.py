@@ -393,7 +393,8 @@ class Memory(support.TestCase):
         os.truncate(path, 36 * 3000000)
         answer = json.loads(self.succeed("overlap", path, "--box", support.UNIT_BOX, "--json", limit=self.limit))
         self.assertEqual((answer["triangles"], answer["overlapping"]), (3000000, 3000000))
-        self.fail_with(1, "zeros.f32: out of memory for 3000000 triangles", "overlap", path, "--boxes", "-", limit=self.limit)
+        self.fail_with(1, "zeros.f32: out of memory for 3000000 triangles; to voxelize it, sort it first: tribox partition .*zeros.f32 -o "
+                       "NAME.tiles, with the same grid", "overlap", path, "--boxes", "-", limit=self.limit)
 
 
 if __name__ == "__main__":

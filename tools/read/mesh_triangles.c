@@ -61,19 +61,32 @@ static void read_blocks(void *data, unsigned thread)
     pthread_mutex_unlock(&r->lock);
 }
 
+/* A partition is made of such files piece by piece, so it needs no room for all triangles. */
+static int lacks_room(const triangle_file *file)
+{
+    return message_failure("%s: out of memory for %" PRIu64 " triangles; to voxelize it, sort it first: tribox partition %s -o "
+                           "NAME.tiles, with the same grid",
+                           file->name, file->promised, file->name);
+}
+
+static int make_floats(const triangle_file *file, mesh *m)
+{
+    return !file->promised ? mesh_make_room(file->name, 0, m) : mesh_take_room(file->promised, m) ? EXIT_CODE_OK : lacks_room(file);
+}
+
 static int make_doubles(const triangle_file *file, mesh *m)
 {
     const uint64_t count = file->promised;
     double *const positions = count <= SIZE_MAX / sizeof(double[9]) ? malloc((size_t)count * sizeof(double[9]) + 1) : NULL;
     if (!positions)
-        return message_failure("%s: out of memory for %" PRIu64 " triangles", file->name, count);
+        return lacks_room(file);
     mesh_set_doubles(positions, 3 * (size_t)count, NULL, (size_t)count, m);
     return EXIT_CODE_OK;
 }
 
 static int read_sized(triangle_file *file, unsigned threads, mesh *m)
 {
-    const int code = file->format == TRIANGLES_F64 ? make_doubles(file, m) : mesh_make_room(file->name, file->promised, m);
+    const int code = file->format == TRIANGLES_F64 ? make_doubles(file, m) : make_floats(file, m);
     reading r = {.m = m, .file = file, .code = code, .look = mesh_look_none()};
     if (code)
         return code;
