@@ -14,7 +14,7 @@ are raise an error that says which argument it is and what to do.
     >>> tribox.overlap(utm, (557820, 5108010, 700), (557821, 5108011, 701))
     array([ True, False])
 
-For many boxes about the same triangles make an Index, which gives the same answers hundreds of times as fast:
+For many boxes about the same triangles make an Index, which gives the same answers, up to hundreds of times as fast:
 
     >>> index = tribox.Index(utm)
     >>> index.list((557820, 5108010, 700), (557821, 5108011, 701))
@@ -72,8 +72,8 @@ run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A
-triangle with a NaN or an infinity overlaps nothing. A wrong argument raises a tribox.Error. Calls release the interpreter's lock,
-so threads run in parallel.
+triangle with a NaN or an infinity overlaps nothing. A wrong argument raises a tribox.Error. Calls use one thread if `threads` does
+not say otherwise, and release the interpreter's lock, so threads of yours run in parallel.
 
 The library is the one in the wheel, or else the installed libtribox.so.1; the environment variable TRIBOX_LIBRARY may name another.
 Everything is typed; tribox.TrianglesLike is the type of what can be passed as triangles.

@@ -69,7 +69,7 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
              thin: bool = False, fill: Optional[Fill] = None, labels: bool = False, threads: Optional[SupportsIndex] = 1,
              accuracy: Accuracy = "exact", axes: int = ALL, kernel: Optional[str] = None, into: Optional[Voxels] = None,
              ids: bool = False) -> Voxels:
-    """Tells which cells of a grid some triangle overlaps, only the surface: Voxels, an array of bool that knows its grid.
+    """Marks the cells of a grid that some triangle overlaps, only the surface: returns Voxels, a boolean array with its grid.
 
         voxelize(mesh, cell=0.05)        a grid around the mesh, of cells of that length; cell=(x, y, z) if they are no cubes
         voxelize(mesh, resolution=256)   a grid around the mesh, of cubes, that many along its longest side
@@ -88,8 +88,8 @@ def voxelize(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell:
         surface, as VTK's stencils and PyVista do. Whole grids only.
     labels: with fill, tells the cells of the surface from those inside: voxels.labels() are 1 and 2, voxels.inside has only the
         cells inside, and files have labels. Not with into.
-    threads: how many may share the work, where that saves time: with many triangles, or with many cells and few triangles; never
-        more than there are processors. None for one on each processor. The answers do not depend on it.
+    threads: how many may share the work, if that saves time: with many triangles, or with many cells and few triangles; never more
+        than there are processors. None for one on each processor. The answers do not depend on it.
     into: Voxels of the same grid and window, to which the cells are added, and which are returned.
     ids: True for Voxels whose ids say which triangle is in a cell: for each set cell the lowest number of one that overlaps it, in
         the order of cells(). A look-up turns them into colours, materials, parts: face_colors[voxels.ids]. Only for the surface,
