@@ -16,6 +16,9 @@ void interrupt_release(void);
 /* In a process that was forked between the two: signals end it as they would any, and what was watched is left to its parent. */
 void interrupt_leave(void);
 
+/* Does the same at once, of any thread and in a handler too, says this line, and ends the program as after a failure. */
+_Noreturn void interrupt_fail(const char *line);
+
 /* What the line says after "interrupted: "; by default that nothing was written. */
 void interrupt_advise(const char *advice);
 

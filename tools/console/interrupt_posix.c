@@ -36,25 +36,47 @@ static bool is_put_off(int number)
     return true;
 }
 
+static void say(const char *text)
+{
+    if (write(STDERR_FILENO, text, strlen(text)) < 0)
+        return; /* to whom? */
+}
+
 /* Nothing but what a handler may call. Signals often come twice, the second perhaps to another thread, which waits for the end. */
-static void clean(int number)
+static void remove_watched(void)
 {
     static atomic_flag is_cleaning = ATOMIC_FLAG_INIT;
-    const int reason = errno;
-    if (is_put_off(number))
-        return;
     while (atomic_flag_test_and_set(&is_cleaning))
         pause();
     for (int i = WATCHED_MOST; i-- > 0;)
         if (watched[i] && unlink(watched[i]))
             rmdir(watched[i]);
-    if (isatty(STDERR_FILENO) && write(STDERR_FILENO, "\n", 1) < 0)
-        errno = reason;
-    if (write(STDERR_FILENO, line, strlen(line)) < 0)
-        errno = reason;
+    if (isatty(STDERR_FILENO))
+        say("\n");
+}
+
+static void clean(int number)
+{
+    const int reason = errno;
+    if (is_put_off(number))
+        return;
+    remove_watched();
+    say(line);
     signal(number, SIG_DFL);
     raise(number);
     errno = reason;
+}
+
+/* It cannot be put off: who makes a file now is waited for. */
+void interrupt_fail(const char *text)
+{
+    while (atomic_fetch_add(&cleaning, 1), atomic_load(&holding)) {
+        atomic_fetch_sub(&cleaning, 1);
+        sched_yield();
+    }
+    remove_watched();
+    say(text);
+    _exit(EXIT_CODE_FAILURE);
 }
 
 static void start(void)

@@ -95,6 +95,13 @@ static int write_faces(crop *c, const crop_files *f)
     return writers[f->kind](c);
 }
 
+/* Between two readings, too. */
+static bool has_changed(const crop_files *f)
+{
+    file_about now;
+    return !named_file_about(f->mesh_path, &now) || now.size != f->mesh.size || now.changed != f->mesh.changed;
+}
+
 static int write_all(crop *c, const crop_files *f)
 {
     int code = f->format == TRIANGLES_OTHER ? write_faces(c, f) : write_records(c, f);
@@ -105,7 +112,7 @@ static int write_all(crop *c, const crop_files *f)
     }
     if (code)
         return code;
-    if (c->is_changed || (!c->failed && c->next != c->choice.triangles))
+    if (c->is_changed || has_changed(f) || (!c->failed && c->next != c->choice.triangles))
         return message_failure("%s: has changed while it was read; nothing was kept", c->path);
     errno = c->reason;
     return c->failed ? file_out_failure(&f->out[c->failed - 1]) : EXIT_CODE_OK;

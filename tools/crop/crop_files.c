@@ -33,16 +33,15 @@ static int find_format(triangle_format given, crop_files *f)
                            f->mesh_path);
 }
 
-static int check_mesh(const char *path)
+static int check_mesh(const char *path, file_about *about)
 {
-    file_about about;
-    if (!named_file_about(path, &about))
+    if (!named_file_about(path, about))
         return message_failure("%s: cannot open the mesh file: %s", path, strerror(errno));
-    if (about.kind == FILE_KIND_FOLDER)
+    if (about->kind == FILE_KIND_FOLDER)
         return message_failure("%s: is a directory; give a mesh file", path);
-    if (about.kind != FILE_KIND_REGULAR)
+    if (about->kind != FILE_KIND_REGULAR)
         return message_failure("%s: is not a regular file, and -o and --rest read the mesh twice; save it as a file first", path);
-    return about.size ? EXIT_CODE_OK : message_failure("%s: the file is empty", path);
+    return about->size ? EXIT_CODE_OK : message_failure("%s: the file is empty", path);
 }
 
 static int check_path(const crop_files *f, crop_side side, const char *path)
@@ -74,7 +73,7 @@ static int check_paths(const crop_files *f, const char *const paths[CROP_SIDES])
 int crop_files_open(const char *mesh_path, triangle_format format, const char *const paths[CROP_SIDES], crop_files *f)
 {
     *f = (crop_files){.mesh_path = mesh_path, .kind = MESH_OTHER};
-    int code = check_mesh(mesh_path);
+    int code = check_mesh(mesh_path, &f->mesh);
     if (!code)
         code = find_format(format, f);
     if (!code)

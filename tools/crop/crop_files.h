@@ -2,6 +2,7 @@
 #ifndef CROP_FILES_H
 #define CROP_FILES_H
 
+#include "files/named_file.h"
 #include "read/mesh_kind.h"
 #include "read/triangle_file.h"
 #include "write/file_out.h"
@@ -11,6 +12,7 @@ typedef enum crop_side { CROP_PART, CROP_REST, CROP_SIDES } crop_side;
 
 typedef struct crop_files {
     const char *mesh_path;
+    file_about mesh;        /* as it was before it was read */
     triangle_format format; /* of the mesh, as it was found: OTHER where `kind` says it */
     mesh_kind kind;
     file_out out[CROP_SIDES]; /* without a stream where it is not wanted */

@@ -24,7 +24,7 @@ static bool map_open(file_map *map, FILE *stream)
 
 file_map_result file_map_open(file_map *map, const char *path)
 {
-    *map = (file_map){NULL, 0};
+    *map = (file_map){.bytes = NULL};
     FILE *const stream = named_file_open(path, "rb");
     if (!stream)
         return FILE_MAP_NOT_OPENED;
@@ -35,7 +35,7 @@ file_map_result file_map_open(file_map *map, const char *path)
 
 bool file_map_of_stream(file_map *map, FILE *stream)
 {
-    *map = (file_map){NULL, 0};
+    *map = (file_map){.bytes = NULL};
     return map_open(map, stream);
 }
 
@@ -43,5 +43,5 @@ void file_map_close(file_map *map)
 {
     if (map->bytes)
         UnmapViewOfFile(map->bytes);
-    *map = (file_map){NULL, 0};
+    *map = (file_map){.bytes = NULL};
 }

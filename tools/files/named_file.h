@@ -11,7 +11,8 @@ typedef enum file_kind { FILE_KIND_REGULAR, FILE_KIND_FOLDER, FILE_KIND_OTHER } 
 
 typedef struct file_about {
     file_kind kind;
-    uint64_t size; /* of a regular file */
+    uint64_t size;    /* of a regular file */
+    uint64_t changed; /* when it was, in a measure of the system's own */
 } file_about;
 
 /* Mode "rb" or "wb". NULL with errno. */

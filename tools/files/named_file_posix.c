@@ -12,6 +12,12 @@ FILE *named_file_open(const char *path, const char *mode) { return fopen(path, m
 
 static void tell(const struct stat *found, file_about *about)
 {
+#ifdef __APPLE__
+    const long fraction = found->st_mtimensec;
+#else
+    const long fraction = found->st_mtim.tv_nsec;
+#endif
+    about->changed = (uint64_t)found->st_mtime * 1000000000 + (uint64_t)fraction;
     about->kind = S_ISREG(found->st_mode) ? FILE_KIND_REGULAR : S_ISDIR(found->st_mode) ? FILE_KIND_FOLDER : FILE_KIND_OTHER;
     about->size = about->kind == FILE_KIND_REGULAR ? (uint64_t)found->st_size : 0;
 }

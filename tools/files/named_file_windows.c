@@ -19,13 +19,14 @@ FILE *named_file_open(const char *path, const char *mode)
 static bool describe(HANDLE file, file_about *about)
 {
     BY_HANDLE_FILE_INFORMATION found;
-    *about = (file_about){FILE_KIND_OTHER, 0};
+    *about = (file_about){.kind = FILE_KIND_OTHER};
     if (GetFileType(file) != FILE_TYPE_DISK)
         return true;
     if (!GetFileInformationByHandle(file, &found))
         return windows_file_failed();
     about->kind = found.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY ? FILE_KIND_FOLDER : FILE_KIND_REGULAR;
     about->size = (uint64_t)found.nFileSizeHigh << 32 | found.nFileSizeLow;
+    about->changed = (uint64_t)found.ftLastWriteTime.dwHighDateTime << 32 | found.ftLastWriteTime.dwLowDateTime;
     return true;
 }
 
