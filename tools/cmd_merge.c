@@ -46,7 +46,7 @@ static int check_request(merge_request *r, const options_found *found)
         return message_usage("no parts given");
     if (!r->result.out_path)
         return message_usage("no output given; give -o FILE");
-    return result_check(&r->result, found, false);
+    return result_check(&r->result, found, false, "part", r->parts, r->count);
 }
 
 int cmd_merge(int count, char **words)

@@ -1,4 +1,4 @@
-"""Where the answer goes: full and closed outputs, and locales with a decimal comma."""
+"""Where the answer goes: full and closed outputs, files that get in each other's way, and locales with a decimal comma."""
 
 import json
 import os
@@ -7,9 +7,11 @@ import re
 import shutil
 import struct
 import subprocess
+import time
 
 import meshes
 import support
+import volumes
 
 
 class Output(support.TestCase):
@@ -44,6 +46,106 @@ class Output(support.TestCase):
             done = subprocess.run([support.program(), "overlap", self.mesh, "--boxes", boxes], stdout=full, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 1)
         self.assert_one_line(done.stderr.decode(), "cannot write the output: ")
+
+
+WAYS = {"itself": lambda path, _: path, "folder": lambda path, _: os.path.join(os.path.dirname(path), ".", os.path.basename(path)),
+        "hard": lambda path, link: os.link(path, link) or link, "symbolic": lambda path, link: os.symlink(path, link) or link}
+
+
+class Pairs(support.TestCase):
+    """Files that get in each other's way."""
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def contents(self):
+        paths = [os.path.join(folder, name) for folder, _, names in os.walk(self.folder) for name in names]
+        return {path: volumes.read(path) for path in paths}
+
+    def commands(self):
+        """Each with what it reads and its options for files."""
+        triangles, cells = meshes.lattice_triangles(40, seed=1), ("-o", "--preview")
+        mesh, stream = self.write("m.ply", meshes.ply_binary(triangles)), self.write("s.f32", meshes.pack_floats(triangles))
+        obj = self.write("m.obj", b"mtllib m.mtl\nusemtl a\n" + meshes.obj(triangles))
+        materials, tiles, grid = self.write("m.mtl", "newmtl a\nKd 1 0 0\n"), self.path("tiles"), ("-r", "20")
+        parts, raw = [self.path("1.part"), self.path("2.part")], ("--out-format", "raw")
+        self.succeed("partition", mesh, *grid, "--ids", "-q", "-o", tiles)
+        for n, part in enumerate(parts, 1):
+            self.succeed("voxelize", mesh, *grid, "--shard", "%d/2" % n, "-q", "-o", part)
+        yield ("overlap", mesh, "--box", support.UNIT_BOX), [mesh], ("-o", "--rest")
+        yield ("voxelize", mesh, *grid, *raw), [mesh], cells
+        yield ("voxelize", "-", "--format", "f32", *grid, *raw), [stream], cells
+        yield ("voxelize", obj, "--colours", *grid, "--out-format", "vox"), [obj, materials], cells[:1]
+        yield ("voxelize", tiles, *raw), [self.path("tiles", name) for name in ("index", "triangles", "numbers")], cells
+        yield ("merge", *parts, *raw), parts, cells
+
+    def refuse(self, pattern, one, command, *options):
+        """Under every name that the file can have, the last word of the options."""
+        before = self.contents()
+        for way, give in WAYS.items():
+            if way == "hard" and os.path.dirname(one) != self.folder:
+                continue  # a partition does not lose its own name of the file
+            link = self.path("link" + os.path.splitext(one)[1])
+            with open(self.stdin, "rb") as stdin:
+                done = subprocess.run([support.program(), *command, *options, give(one, link)], stdin=stdin, capture_output=True)
+            self.assertEqual(done.returncode, 2, (command, options, done.stderr))
+            self.assert_one_line(done.stderr.decode(), pattern)
+            if os.path.lexists(link):
+                os.remove(link)
+            self.assertEqual(self.contents(), before)
+
+    def test_pairs(self):
+        """No command writes over what it reads, nor two of its files as one."""
+        for command, reads, options in self.commands():
+            self.stdin, ending = reads[0], ".ply" if options[-1] == "--rest" else ".png"
+            old = self.write("old" + ending, "what was there")
+            for one in reads:
+                for option in options:
+                    first = () if option == "-o" else ("-o", self.path("x.ply"))
+                    self.refuse("is the (mesh|part|file of its materials) itself|is in .*, which is read", one, command, *first, option)
+            if len(options) == 2:
+                self.refuse("-o and %s are one file, '.*'; give two names" % options[1], old, command, "-o", old, options[1])
+
+    def test_both_or_neither(self):
+        """The last name cannot be given: it is too long."""
+        mesh, part, rest = (self.write("m.ply", meshes.ply_binary(meshes.lattice_triangles(40, seed=1))), self.path("part.ply"),
+                            self.path("x" * (os.pathconf(self.folder, "PC_NAME_MAX") - 3) + ".ply"))
+        for before in (None, "what was there"):
+            if before:
+                self.write("part.ply", before)
+            there = self.contents()
+            self.fail_with(1, "x.ply: cannot write all of it: File name too long; nothing of it was kept", "overlap", mesh, "--box",
+                           support.UNIT_BOX, "-o", part, "--rest", rest)
+            self.assertEqual(self.contents(), there)
+        self.succeed("overlap", mesh, "--box", support.UNIT_BOX, "-o", part, "--rest", self.path("rest.ply"))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["m.ply", "part.ply", "rest.ply"])
+
+    def change(self, command, path, change):
+        """Changes a file while the program waits for somebody to read more of what it writes."""
+        there = sorted(os.listdir(self.folder))
+        process = subprocess.Popen([support.program(), *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process.stdout.read(1000)
+        time.sleep(0.1)
+        change(path)
+        _, error = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1, error)
+        self.assert_one_line(error.decode(), os.path.basename(path) + ": has changed while it was read; nothing was kept$")
+        self.assertEqual(sorted(os.listdir(self.folder)), there)
+
+    def test_changed_meshes(self):
+        """Cut, as most programs begin to save, or of another time."""
+        triangles = meshes.lattice_triangles(6000, seed=1)
+        for name, write in (("m.ply", meshes.ply_binary), ("t.ply", meshes.ply_ascii), ("m.obj", meshes.obj), ("m.off", meshes.off),
+                            ("m.stl", meshes.stl_binary), ("t.stl", meshes.stl_ascii), ("m.f32", meshes.pack_floats)):
+            for change in (lambda path: os.utime(path, (0, 0)), lambda path: os.truncate(path, 0)):
+                mesh = self.write(name, write(triangles))
+                self.change(("overlap", mesh, "--box=-9,-9,-9,9,9,9", "-o", "-", "--rest", self.path("x" + name[1:])), mesh, change)
+
+    def test_changed_partitions(self):
+        mesh, tiles = self.write("m.ply", meshes.ply_binary(meshes.lattice_triangles(300, seed=1))), self.path("tiles")
+        self.succeed("partition", mesh, "-r", "600", "-q", "-o", tiles)
+        self.change(("voxelize", tiles, "-t", "1", "-o", "-", "--shard", "1/1"), self.path("tiles", "triangles"),
+                    lambda path: os.truncate(path, 0))
 
 
 class Json(support.TestCase):

@@ -106,8 +106,10 @@ static bool take_library(obj *o, const char *name, size_t length, bool has_to)
     }
     const bool is_there = named_file_about(path, &about) && about.kind == FILE_KIND_REGULAR && about.size;
     if (is_there)
+        o->code = file_out_check(o->f->outputs, "file of its materials", (const char *const[]){path}, 1);
+    if (is_there && !o->code)
         o->code = materials_read(&o->materials, path);
-    else if (has_to)
+    if (!is_there && has_to)
         message_say("warning: %s: its materials '%s' are no file that can be read: their faces are grey", o->f->path, path);
     free(path);
     return is_there;

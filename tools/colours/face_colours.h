@@ -7,6 +7,7 @@
 
 typedef struct face_colours {
     const char *path; /* of the mesh */
+    const file_out_names *outputs;
     mesh_colours *to;
     size_t next;     /* triangle */
     size_t coloured; /* of those before it: not grey for want of a colour */

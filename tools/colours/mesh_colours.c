@@ -71,7 +71,8 @@ static bool has_no_colours(const char *path, mesh_kind kind)
            mesh_kind_has_ending(path, ".f64");
 }
 
-int mesh_colours_read(const char *path, triangle_format format, size_t triangles, mesh_colours *colours)
+int mesh_colours_read(const char *path, triangle_format format, size_t triangles, const file_out_names *outputs,
+                      mesh_colours *colours)
 {
     const mesh_kind kind = format == TRIANGLES_OTHER ? mesh_kind_of(path) : MESH_OTHER;
     *colours = (mesh_colours){.triangles = triangles, .from = "vertices"};
@@ -80,7 +81,7 @@ int mesh_colours_read(const char *path, triangle_format format, size_t triangles
     colours->of = malloc(triangles * sizeof *colours->of);
     if (!colours->of)
         return message_failure("%s: out of memory for the colours of %zu triangles", path, triangles);
-    face_colours f = {.path = path, .to = colours};
+    face_colours f = {.path = path, .outputs = outputs, .to = colours};
     const int code = kind == MESH_OTHER ? read_others(&f) : read_faces(&f, kind);
     if (code)
         mesh_colours_free(colours);

@@ -125,21 +125,11 @@ static void note_empty(const crop_files *f, int side, const crop_counts *counts)
                     side == CROP_PART ? "none is in the box" : "all are in the box");
 }
 
-static int flush(const crop_files *f)
-{
-    for (int s = 0; s < CROP_SIDES; s++)
-        if (f->out[s].stream && fflush(f->out[s].stream))
-            return file_out_failure(&f->out[s]);
-    return EXIT_CODE_OK;
-}
-
-/* Both or neither, if a signal comes; none is put off while a reader is slow. */
+/* Both or neither. */
 static int keep(crop_files *f)
 {
-    int code = flush(f);
     interrupt_hold();
-    for (int s = 0; !code && s < CROP_SIDES; s++)
-        code = file_out_keep(&f->out[s]);
+    const int code = file_out_keep_both(&f->out[CROP_PART], &f->out[CROP_REST]);
     if (!code)
         interrupt_advise("the faces are written, what is said of them is not");
     interrupt_release();

@@ -53,8 +53,6 @@ static int check_path(const crop_files *f, crop_side side, const char *path)
         return message_usage("%s: '%s' does not end in %s, and faces are written in the format of the mesh, as they were; give it "
                              "that ending, or convert the mesh first",
                              options[side], path, ending);
-    if (named_file_is_same(path, f->mesh_path))
-        return message_usage("%s: '%s' is the mesh itself; give another name", options[side], path);
     return EXIT_CODE_OK;
 }
 
@@ -65,9 +63,8 @@ static int check_paths(const crop_files *f, const char *const paths[CROP_SIDES])
         if (code)
             return code;
     }
-    if (!paths[CROP_PART] || !paths[CROP_REST] || !named_file_is_same(paths[CROP_PART], paths[CROP_REST]))
-        return EXIT_CODE_OK;
-    return message_usage("-o and --rest are one file, '%s'; give two names", paths[CROP_REST]);
+    const file_out_names names = {{options[CROP_PART], options[CROP_REST]}, {paths[CROP_PART], paths[CROP_REST]}};
+    return file_out_check(&names, "mesh", &f->mesh_path, 1);
 }
 
 int crop_files_open(const char *mesh_path, triangle_format format, const char *const paths[CROP_SIDES], crop_files *f)

@@ -96,7 +96,7 @@ static int check_output(voxelize_request *r, const options_found *found)
         return message_usage("-o: '%s' is the name of a part, which needs --shard", out);
     result_guess_up(&r->result, r->from.mesh_path);
     r->is_part = r->has_shard && (is_stdout ? !r->result.format : part_is_name(out));
-    int code = result_check(&r->result, found, r->is_part);
+    int code = result_check(&r->result, found, r->is_part, "mesh", r->paths, r->count);
     if (!code)
         code = check_format(r);
     if (!code && r->has_shard && !r->is_part && strcmp(r->result.format->word, "npz"))

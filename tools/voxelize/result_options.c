@@ -98,7 +98,13 @@ static int check_format(const result_request *r, const options_found *found)
     return EXIT_CODE_OK;
 }
 
-int result_check(result_request *r, const options_found *found, bool takes_part)
+file_out_names result_names(const result_request *r)
+{
+    return (file_out_names){{"-o", "--preview"}, {r->out_path, r->preview_path}};
+}
+
+int result_check(result_request *r, const options_found *found, bool takes_part, const char *what, const char *const *read,
+                 size_t count)
 {
     const bool has_look =
         options_has(found, RESULT_UP) || options_has(found, RESULT_VIEW) || options_has(found, RESULT_PICTURE_SIZE);
@@ -116,5 +122,7 @@ int result_check(result_request *r, const options_found *found, bool takes_part)
         r->format = volume_format_of(r->out_path);
     if ((!takes_part && !r->format) || check_format(r, found))
         return EXIT_CODE_USAGE;
-    return preview_check(r->preview_path, "--preview");
+    const file_out_names names = result_names(r);
+    const int code = file_out_check(&names, what, read, count);
+    return code ? code : preview_check(r->preview_path, "--preview");
 }

@@ -67,7 +67,14 @@ void result_guess_up(result_request *r, const char *mesh_path);
 /* Which axis is up, and why, for the summary. */
 const char *result_up(const result_request *r);
 
-/* Checks that the options fit together and finds the format; takes_part: whether the file is a part. Returns an exit_code. */
-int result_check(result_request *r, const options_found *found, bool takes_part);
+/* The names of its files. */
+file_out_names result_names(const result_request *r);
+
+/*
+ * Checks that the options fit together and that no file is one of those that are read, and finds the format. takes_part: whether
+ * the file is a part. what: the word for what is read. Returns an exit_code.
+ */
+int result_check(result_request *r, const options_found *found, bool takes_part, const char *what, const char *const *read,
+                 size_t count);
 
 #endif

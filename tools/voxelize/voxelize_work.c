@@ -108,7 +108,8 @@ static int open_files(const voxelize_request *r, const voxelize_input *in, voxel
 static int work_on_colours(const voxelize_request *r, voxelize_input *in, voxelize_answer *a)
 {
     mesh_colours colours;
-    int code = mesh_colours_read(r->from.mesh_path, r->from.format, in->mesh->triangles, &colours);
+    const file_out_names names = result_names(&r->result);
+    int code = mesh_colours_read(r->from.mesh_path, r->from.format, in->mesh->triangles, &names, &colours);
     if (code)
         return code;
     in->colours = &colours;

@@ -12,6 +12,45 @@
 
 bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
 
+static bool is_file(const char *path) { return path && !file_out_is_stdout(path); }
+
+/* Whether the file that is written would be one of this folder. */
+static bool is_within(const char *path, const char *folder)
+{
+    char *const target = new_file_target(path);
+    const size_t length = target ? named_file_folder(target) : 0;
+    if (length)
+        target[length] = '\0';
+    const bool is_in = target && named_file_is_same(length ? target : ".", folder);
+    free(target);
+    return is_in;
+}
+
+static int check_name(const char *option, const char *path, const char *what, const char *read)
+{
+    file_about about;
+    const char *const from = file_out_is_stdout(read) ? "/dev/stdin" : read;
+    if (!named_file_about(from, &about))
+        return EXIT_CODE_OK; /* which its reader says */
+    if (about.kind == FILE_KIND_FOLDER && is_within(path, from))
+        return message_usage("%s: '%s' is in %s, which is read; give another name", option, path, read);
+    return about.kind == FILE_KIND_REGULAR && named_file_is_same(path, from)
+               ? message_usage("%s: '%s' is the %s itself; give another name", option, path, what)
+               : EXIT_CODE_OK;
+}
+
+int file_out_check(const file_out_names *names, const char *what, const char *const *read, size_t count)
+{
+    const char *const one = names->path[0], *const other = names->path[1];
+    for (int n = 0; n < FILE_OUT_NAMES; n++)
+        for (size_t r = 0; r < count && is_file(names->path[n]); r++)
+            if (check_name(names->option[n], names->path[n], what, read[r]))
+                return EXIT_CODE_USAGE;
+    return is_file(one) && is_file(other) && named_file_is_same(one, other)
+               ? message_usage("%s and %s are one file, '%s'; give two names", names->option[0], names->option[1], other)
+               : EXIT_CODE_OK;
+}
+
 static int find_target(file_out *out)
 {
     file_about about;
@@ -25,20 +64,23 @@ static int find_target(file_out *out)
 }
 
 /* A name of its own in the target's folder: one made from the target's name could be too long. */
-static int name_beside(file_out *out)
+static char *name_beside(const char *target)
 {
     static const char name[] = ".tribox-XXXXXX";
-    const size_t folder = named_file_folder(out->target);
-    out->beside = malloc(folder + sizeof name);
-    if (!out->beside)
-        return message_failure("%s: out of memory", out->path);
-    memcpy(out->beside, out->target, folder);
-    memcpy(out->beside + folder, name, sizeof name);
-    return EXIT_CODE_OK;
+    const size_t folder = named_file_folder(target);
+    char *const beside = malloc(folder + sizeof name);
+    if (beside) {
+        memcpy(beside, target, folder);
+        memcpy(beside + folder, name, sizeof name);
+    }
+    return beside;
 }
 
 static int make_beside(file_out *out)
 {
+    out->beside = name_beside(out->target);
+    if (!out->beside)
+        return message_failure("%s: out of memory", out->path);
     interrupt_hold();
     out->stream = new_file_open(out->beside);
     const int reason = errno;
@@ -68,8 +110,6 @@ int file_out_open(file_out *out, const char *path)
     }
     int code = find_target(out);
     if (!code)
-        code = name_beside(out);
-    if (!code)
         code = make_beside(out);
     if (code)
         forget(out);
@@ -86,36 +126,93 @@ static int fail(const file_out *out, int reason)
 
 int file_out_failure(const file_out *out) { return fail(out, errno); }
 
-int file_out_keep(file_out *out)
+/* Writes out all that is pending. On failure nothing is left. */
+static int complete(file_out *out)
 {
     if (!out->stream)
         return EXIT_CODE_OK;
     errno = ferror(out->stream) ? errno : 0; /* that of the write that failed */
-    const bool is_lost = ferror(out->stream) || fflush(out->stream);
+    bool is_lost = ferror(out->stream) || fflush(out->stream);
     int reason = is_lost ? errno : 0;
-    if (out->stream == stdout) {
-        const int code = is_lost ? fail(out, reason) : EXIT_CODE_OK;
-        forget(out);
-        return code;
-    }
-    if ((fclose(out->stream) || (!is_lost && !new_file_rename(out->beside, out->target))) && !reason)
+    if (out->stream != stdout && fclose(out->stream) && !is_lost) {
+        is_lost = true;
         reason = errno;
-    int code = EXIT_CODE_OK;
-    if (is_lost || reason) {
-        new_file_remove(out->beside);
-        code = fail(out, reason);
     }
-    forget(out);
+    out->stream = NULL;
+    const int code = is_lost ? fail(out, reason) : EXIT_CODE_OK;
+    if (code)
+        file_out_drop(out);
+    return code;
+}
+
+/* What has been completed. */
+static bool give_name(const file_out *out) { return !out->beside || new_file_rename(out->beside, out->target); }
+
+int file_out_keep(file_out *out)
+{
+    int code = complete(out);
+    if (!code && !give_name(out))
+        code = fail(out, errno);
+    file_out_drop(out); /* what has its name is no longer beside it */
+    return code;
+}
+
+/* Gives what has the name of `out` another. False with errno. */
+static bool set_aside(const file_out *out, char *aside)
+{
+    FILE *const place = new_file_open(aside);
+    if (!place)
+        return false;
+    fclose(place);
+    if (new_file_rename(out->target, aside))
+        return true;
+    const int reason = errno;
+    new_file_remove(aside);
+    errno = reason;
+    return false;
+}
+
+/* aside: a name for what has that of `one`; NULL where nothing has it. */
+static int name_both(const file_out *one, const file_out *other, char *aside)
+{
+    if (aside && !set_aside(one, aside))
+        return fail(one, errno);
+    const bool is_named = give_name(one);
+    if (is_named && give_name(other)) {
+        if (aside)
+            new_file_remove(aside);
+        return EXIT_CODE_OK;
+    }
+    const int code = fail(is_named ? other : one, errno);
+    if (aside)
+        new_file_rename(aside, one->target);
+    else if (is_named)
+        new_file_remove(one->target);
+    return code;
+}
+
+int file_out_keep_both(file_out *one, file_out *other)
+{
+    int code = complete(one);
+    if (!code)
+        code = complete(other);
+    const bool is_over = one->beside && other->beside && named_file_is_there(one->target);
+    char *const aside = !code && is_over ? name_beside(one->target) : NULL;
+    if (!code && is_over && !aside)
+        code = message_failure("%s: out of memory", one->path);
+    if (!code)
+        code = name_both(one, other, aside);
+    free(aside);
+    file_out_drop(one); /* what has its name is no longer beside it */
+    file_out_drop(other);
     return code;
 }
 
 void file_out_drop(file_out *out)
 {
-    if (!out->stream)
-        return;
-    if (out->stream != stdout) {
+    if (out->stream && out->stream != stdout)
         fclose(out->stream);
+    if (out->beside)
         new_file_remove(out->beside);
-    }
     forget(out);
 }

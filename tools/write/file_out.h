@@ -10,13 +10,25 @@
  * and whatever stood under the name as it was. Where the name is a symbolic link, the file that it leads to is written.
  */
 typedef struct file_out {
-    FILE *stream;     /* NULL when nothing is open */
+    FILE *stream;     /* NULL when nothing is open, or all of it has been written */
     const char *path; /* as it was given */
     char *target, *beside;
 } file_out;
 
 /* "-", which is written as it comes. */
 bool file_out_is_stdout(const char *path);
+
+/* The names that a command writes, and the options that give them; NULL for none. */
+enum { FILE_OUT_NAMES = 2 };
+typedef struct file_out_names {
+    const char *option[FILE_OUT_NAMES], *path[FILE_OUT_NAMES];
+} file_out_names;
+
+/*
+ * Refuses two names of one file, by whatever links, and the name of a file that is read, or of one in a folder that is. what: the
+ * word for those that are read. Returns an exit_code.
+ */
+int file_out_check(const file_out_names *names, const char *what, const char *const *read, size_t count);
 
 /* Returns an exit_code. A path of NULL opens nothing, and the other calls then do nothing. */
 int file_out_open(file_out *out, const char *path);
@@ -26,6 +38,9 @@ int file_out_failure(const file_out *out);
 
 /* Writes out all that is pending and gives the file its name. Returns an exit_code; on failure nothing is left. */
 int file_out_keep(file_out *out);
+
+/* The same of two files: both get their names, or neither, and what had them stays. */
+int file_out_keep_both(file_out *one, file_out *other);
 
 /* Removes what has been written, if it has not been kept. */
 void file_out_drop(file_out *out);
