@@ -21,6 +21,15 @@ def checksum(octets):
     return go_on(EMPTY, np.frombuffer(octets, np.uint64).tolist())
 
 
+def checksums_of_rows(words):
+    """Of each row of an array of uint64."""
+    totals = np.full(len(words), EMPTY, np.uint64)
+    for column in words.T:
+        totals = (totals ^ column) * np.uint64(PRIME)
+        totals ^= totals >> np.uint64(32)
+    return totals
+
+
 def words_of(halves, at, ends):
     """The words that begin at these places of an array of uint32; a zero fills one that ends after its first half."""
     has_high = at + 1 < ends

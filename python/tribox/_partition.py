@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import secrets
 import shutil
@@ -15,7 +14,7 @@ from ._around import grid_given
 from ._arguments import options_of, range_of, whole
 from ._bounds import point
 from ._bricks import Bricks, bricks_of, bricks_with_ids
-from ._checksum import checksum, checksums
+from ._checksum import checksum, checksums, checksums_of_rows
 from ._errors import InputError, shown
 from ._grids import Grid
 from ._ids import check_ids, set_with_ids
@@ -27,10 +26,10 @@ from ._triangles import Mesh, by_number, held, is_double
 from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
 from ._voxels import Voxels
 
-MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 2\n", 0x01020304, 8
+MAGIC, BYTE_ORDER, HASH_BYTES = b"tribox tiles 3\n", 0x01020304, 8
 HEADER = np.dtype([("magic", "S16"), ("byte_order", "u4"), ("tile", "u4"), ("origin", "f8", 3), ("cell", "f8", 3),
                    ("shift", "f8", 3), ("size", "u4", 3), ("number_bytes", "u4"), ("position_bytes", "u4"), ("record_bytes", "u4"),
-                   ("triangles", "u8"), ("mesh_checksum", "u8"), ("not_finite", "u8"), ("records", "u8"), ("places", "u8"),
+                   ("triangles", "u8"), ("sums", "u8", 2), ("not_finite", "u8"), ("records", "u8"), ("places", "u8"),
                    ("checksum", "u8")])
 RECORD = np.dtype([("tile", "u8"), ("first", "u8"), ("work", "u8"), ("checksum", "u8")])
 NUMBERED_MAX = (1 << 31) - 1  # triangles of a mesh that numbers are kept of: ids of the program are int32
@@ -204,14 +203,16 @@ def work_of(triangles, grid):
     return np.where(np.isfinite(work), work, 0)
 
 
-def not_finite(held_):
-    """How many triangles have a coordinate that is not finite, and a hash of all coordinates."""
-    count, digest = 0, hashlib.blake2b(digest_size=HASH_BYTES)
+def sums_of(held_):
+    """How many triangles have a coordinate that is not finite; the sum of the checksums of the others, and with their numbers."""
+    count, sums = 0, np.zeros(2, np.uint64)
     for first in range(0, held_.struct.count, BLOCK):
-        triangles = by_number(held_, slice(first, first + BLOCK))
-        count += int((~np.isfinite(triangles).all((1, 2))).sum())
-        digest.update(triangles)
-    return count, int.from_bytes(digest.digest(), "little")
+        triangles = by_number(held_, slice(first, first + BLOCK)).astype(float).reshape(-1, 9)
+        finite = np.isfinite(triangles).all(1)
+        each = checksums_of_rows(triangles.view(np.uint64)) * finite
+        sums += each.sum(dtype=np.uint64), (each * np.arange(first, first + len(each), dtype=np.uint64)).sum(dtype=np.uint64)
+        count += int((~finite).sum())
+    return count, sums
 
 
 def write_triangles(file, lists, held_, tiling, ids):
@@ -242,11 +243,11 @@ def write_triangles(file, lists, held_, tiling, ids):
 
 def write_index(file, held_, tiling, lists, records, ids):
     header = np.zeros((), HEADER)
-    grid, (broken, digest) = tiling.grid, not_finite(held_)
+    grid, (broken, sums) = tiling.grid, sums_of(held_)
     given = dict(magic=MAGIC, byte_order=BYTE_ORDER, tile=tiling.side, origin=grid.origin, cell=grid.cell, size=grid.size,
                  position_bytes=8 if is_double(held_) else 4, record_bytes=RECORD.itemsize,
                  number_bytes=NUMBER.itemsize * bool(ids),
-                 triangles=held_.struct.count, mesh_checksum=digest, not_finite=broken, records=len(records),
+                 triangles=held_.struct.count, sums=sums, not_finite=broken, records=len(records),
                  places=len(lists.list))
     for name, value in given.items():
         header[name] = value

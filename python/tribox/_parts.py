@@ -15,8 +15,10 @@ from ._tiles import tile_count
 
 KINDS = dict(at=("<u4", (-1, 3)), bits=("<u8", (-1, 8)), inside=("<u8", (-1, 8)), origin=("<f8", (3,)), cell=("<f8", (3,)),
              size=("<u4", (3,)), shift=("<f8", (3,)), ids=("<u4", (-1,)))
-PART_KINDS = dict(shard=("<u4", (2,)), tiles=("<u8", (2,)), whole=("<u8", (6,)))
-WHOLE = (("mesh", slice(0, 3)), ("accuracy", 3), ("choice of axes", 4), ("size of tiles", 5))
+PART_KINDS = dict(shard=("<u4", (2,)), tiles=("<u8", (2,)), whole=("<u8", (7,)))
+WHOLE = (("mesh", slice(0, 2)), ("mesh", 3), ("accuracy", 4), ("choice of axes", 5), ("size of tiles", 6))
+ORDER = ("order of the triangles, whose numbers the ids are: run the shards with one file of the mesh, and with partitions in one "
+         "order")
 SHOWN_SHARDS = 20
 
 
@@ -28,6 +30,7 @@ class Part:
     at: Any
     grid: Grid
     shift: Tuple[float, ...]
+    has_ids: bool
     shard: Optional[Tuple[int, ...]] = None
     tiles: Optional[Tuple[int, ...]] = None
     whole: Optional[Tuple[int, ...]] = None
@@ -56,7 +59,7 @@ def part_of(path):
     def take(file):
         at, origin, cell, size, shift = (array(path, file, name, KINDS) for name in ("at", "origin", "cell", "size", "shift"))
         place = [tuple(array(path, file, name, PART_KINDS).tolist()) for name in PART_KINDS] if "shard" in file.files else []
-        return Part(path, at, Grid(origin, cell, size), tuple(shift.tolist()), *place)
+        return Part(path, at, Grid(origin, cell, size), tuple(shift.tolist()), "ids" in file.files, *place)
 
     part = read(path, take)
     if part.shard and not 1 <= part.shard[0] <= part.shard[1]:
@@ -93,6 +96,8 @@ def check_alike(one, other):
     pairs = [("grid", one.grid, other.grid), ("shift", one.shift, other.shift),
              ("number of shards", one.shard[1], other.shard[1])]
     pairs += [(name, one.whole[at], other.whole[at]) for name, at in WHOLE]
+    pairs += [("ids: some have none", one.has_ids, other.has_ids)]
+    pairs += [(ORDER, one.whole[2], other.whole[2])] if one.has_ids else []
     for name, first, second in pairs:
         if first != second:
             raise InputError(f"{one.path} and {other.path} do not fit together: they differ in the {name}")
@@ -117,12 +122,12 @@ def check_complete(parts):
         if part.tiles[0] != end:
             raise InputError(f"{part.path} begins with tile {part.tiles[0]} in place of {end}: it was cut otherwise than the "
                              "others")
-    if ends[-1] != tile_count(parts[0].grid.size, parts[0].whole[5]):
+    if ends[-1] != tile_count(parts[0].grid.size, parts[0].whole[6]):
         raise InputError(f"{parts[-1].path} ends before the last tile: it was cut otherwise than the others")
 
 
 def joined(parts):
-    """at, bits and ids of all, with room for the bits of one part beside them. ids: None unless each part has them."""
+    """at, bits and ids of all, with room for the bits of one part beside them."""
     at = np.concatenate([part.at for part in parts])
     bits, ids, start = np.empty((len(at), 8), np.uint64), [], 0
     for part in parts:
@@ -130,7 +135,7 @@ def joined(parts):
         own[:] = bits_of(part)
         ids.append(ids_of(part.path, own))
         start += len(part.at)
-    return at, bits, None if any(one is None for one in ids) else np.concatenate(ids)
+    return at, bits, np.concatenate(ids) if parts[0].has_ids else None
 
 
 def paths_of(path):

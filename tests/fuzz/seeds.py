@@ -315,22 +315,22 @@ def ply(form, line_end=b"\n", vertices=3, faces=1):
 FIRST_BRICK, LAST_BRICK = ((0, 0, 0), [1] + [0] * 7), ((8, 0, 0), [0x3f] + [0] * 7)
 
 
-def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), magic=b"tribox part 5\n", numbers=(0, 4), tile=8, tiles=None):
+def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), magic=b"tribox part 6\n", numbers=(0, 4), tile=8, tiles=None):
     """Of a row of tiles of one brick each, of which every shard has as many."""
     count = (size[0] + 7) // 8
     first, end = tiles or (count * (shard - 1) // shards, count * shard // shards)
     cells = [(at, sum(bin(word).count("1") for word in bits), bits) for at, bits in bricks if first <= at[0] < end or tiles]
     return (magic.ljust(16, b"\0") +
-            struct.pack("<2I9d10I4Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, tile, 80, 12, 34,
+            struct.pack("<2I9d10I5Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, tile, 80, 12, 34, 56,
                         first, end) +
             b"".join(struct.pack("<4I8Q", *at, n, *bits) + bytes(numbers[0] * n) for at, n, bits in cells) +
             struct.pack("<3Q", len(cells), sum(n for at, n, bits in cells), 0))
 
 
 def partition(records=((0, 0, 5, 0), (1, 1, 7, 0)), places=3, tile=64, numbers=(0, 4), size=(100, 50, 50), record_bytes=32,
-              magic=b"tribox tiles 2\n"):
+              magic=b"tribox tiles 3\n"):
     index = (magic.ljust(16, b"\0") +
-             struct.pack("<2I9d6I6Q", 0x01020304, tile, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, *numbers, record_bytes, 2, 34, 0, len(records),
+             struct.pack("<2I9d6I7Q", 0x01020304, tile, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, *numbers, record_bytes, 2, 34, 56, 0, len(records),
                          places, 0) + b"".join(struct.pack("<4Q", *record) for record in records))
     return bytes([len(index) // 8]) + index + struct.pack("<9%s" % "fd"[numbers[1] == 8], *range(9)) * places
 

@@ -59,8 +59,11 @@ class Parts(cases.TestCase):
             self.assert_whole(found, whole)
             self.assert_same(found.ids, whole.ids)
         mixed = [self.part(1, 2, "--ids", name="m"), self.part(2, 2, name="m")]
-        with self.assertRaisesRegex(tribox.InputError, "differ in the size of tiles"):
-            tribox.Bricks.load(mixed)
+        self.refuse_load("differ in the size of tiles", mixed)
+        (self.folder / "back.f32").write_bytes(triangles[::-1].tobytes())
+        back = self.part(2, 2, "--ids", name="b", mesh="back.f32")
+        self.refuse_load("differ in the order of the triangles, whose numbers the ids are: run the shards", [mixed[0], back])
+        tribox.Bricks.load([self.part(1, 2, name="n"), self.part(2, 2, name="n", mesh="back.f32")])
 
     def test_any_number(self):
         whole = self.whole()
@@ -86,10 +89,10 @@ class Parts(cases.TestCase):
             self.assertEqual([file["shard"].tolist() for file in files], [[shard, 5] for shard in range(1, 6)])
             self.assertEqual([file["tiles"][0] for file in files[1:]], [file["tiles"][1] for file in files[:-1]])
             self.assertEqual((files[0]["tiles"][0], files[4]["tiles"][1]), (0, 4 * 3 * 2))
-            mesh_hash = files[0]["whole"][1]
+            sums = files[0]["whole"][1:3]
             for file in files:
                 self.assertEqual(set(file.files), set(whole.files) | PLACE)
-                self.assertEqual(file["whole"].tolist(), [12, mesh_hash, 4, 0, tribox.AXES_ALL, 128])
+                self.assertEqual(file["whole"].tolist(), [12, *sums, 4, 0, tribox.AXES_ALL, 128])
                 tile = file["at"].astype(int) // 16 @ [1, 4, 12]
                 self.assertTrue(((tile >= file["tiles"][0]) & (tile < file["tiles"][1])).all())
                 file.close()
@@ -156,7 +159,7 @@ class Parts(cases.TestCase):
                          [first, self.changed(second, tiles=tiles - np.array([0, 1], "<u8"))])
         for shard in ((0, 2), (3, 2)):
             self.refuse_load("damaged: shard . of 2", [first, self.changed(second, shard=np.array(shard, "<u4"))])
-        self.refuse_load("its whole is uint64 of shape", self.changed(second, whole=np.zeros(5, "<u8")))
+        self.refuse_load("its whole is uint64 of shape", self.changed(second, whole=np.zeros(6, "<u8")))
         self.refuse_load("its at is float64", self.changed(second, at=np.zeros((3, 3))))
         self.refuse_load(r"its bits is uint64 of shape \(3,\)", self.changed(second, bits=np.zeros(3, "<u8")))
         self.refuse_load("damaged: .* places of 1 bricks", self.changed(second, bits=np.zeros((1, 8), "<u8")))

@@ -286,6 +286,22 @@ class Ids(support.TestCase):
                 file.write(changed)
             self.fail_with(1, "2.part: .*" + why, "merge", *names, "-o", self.path("x.npz"))
 
+    def test_order(self):
+        """Shards of one mesh in two orders have other ids: of its triangles, of those that are not finite, and of partitions."""
+        nan, mesh = ((NAN, 0, 0),) * 3, scene()
+        orders = [mesh, mesh[::-1], [mesh[1], mesh[0], *mesh[2:]], [nan, *mesh], [*mesh[:9], nan, *mesh[9:]]]
+        files = [(self.write("%d.f32" % n, meshes.pack_floats(order)), *GRID) for n, order in enumerate(orders)]
+        tiles = [self.numbered("%d.tiles" % n, order) for n, order in enumerate((mesh[:9], mesh[9:]))]
+        for one, other in (files[0], files[1]), (files[0], files[2]), (files[3], files[4]), (tiles, tiles[::-1]):
+            for ids, second, is_sound in (("--ids",), one, True), ((), other, True), (("--ids",), other, False):
+                for shard, source in (1, one), (2, second):
+                    self.done("voxelize", *source, *ids, "-q", "--shard", "%d/2" % shard, "-o", self.path("%d.part" % shard))
+                merge = ("merge", self.path("1.part"), self.path("2.part"), "-q", "-o", self.path("x.npz"))
+                if is_sound:
+                    self.succeed(*merge)
+                else:
+                    self.fail_with(1, "differ in the order of the triangles, whose numbers the ids are: run the shards with one", *merge)
+
 
 if __name__ == "__main__":
     support.main()

@@ -81,7 +81,7 @@ class Folders(Pieces):
         (index, triangles), found, _ = self.partition(self.mesh, *GRID, "-m", "9000")
         self.assertEqual(found["not_finite"], sum(any(c != c or abs(c) > 9 for v in u for c in v) for u in self.triangles))
         of = {struct.pack("<9f", *itertools.chain(*u)): n for n, u in enumerate(self.triangles)}
-        records = [struct.unpack_from("<4Q", index, at) for at in range(168, len(index), 32)]
+        records = [struct.unpack_from("<4Q", index, at) for at in range(176, len(index), 32)]
         places = [record[1] for record in records] + [len(triangles) // 36]
         self.assertEqual(places[-1], found["sorted"])
         for (tile, first, _, _), end in zip(records, places[1:]):

@@ -12,7 +12,7 @@ import volumes
 
 SIZE = (390, 270, 140)  # 4 x 3 x 2 tiles, the last of each axis cut
 GRID = ("--cell", "0.0101,0.0145,0.029", "--origin", "-2,-2,-2", "--size", "%d,%d,%d" % SIZE)
-HEADER, BRICK, END = 168, 80, 24
+HEADER, BRICK, END = 176, 80, 24
 
 
 class Shards(support.TestCase):

@@ -354,7 +354,7 @@ class Refusals(Tiles):
     def test_damaged_partition(self):
         self.refuse(1, "is no partition|no partition: ", "voxelize", self.folder, "--count")
         index, triangles = (volumes.read(self.path("tiles/" + name)) for name in ("index", "triangles"))
-        for at in [*range(0, 168, 7), *range(168, len(index), 5)]:
+        for at in [*range(0, 176, 7), *range(176, len(index), 5)]:
             flipped = bytearray(index)
             flipped[at] ^= 1 << at % 8
             self.write("tiles/index", bytes(flipped))

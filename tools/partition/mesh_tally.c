@@ -27,7 +27,7 @@ void tally_add(tally *to, const tally *from)
     to->triangles += from->triangles;
     to->not_finite += from->not_finite;
     to->first_not_finite = from->first_not_finite < to->first_not_finite ? from->first_not_finite : to->first_not_finite;
-    to->checksum += from->checksum;
+    mesh_sums_add(&to->sums, &from->sums, 0); /* numbered through */
     to->fits_float &= from->fits_float;
 }
 
@@ -60,15 +60,15 @@ static bool fits(const double u[9])
     return is_float;
 }
 
-tally tally_of_block(const pieces *all, const piece_block *block, const void *positions, bool has_checksum)
+tally tally_of_block(const pieces *all, const piece_block *block, const void *positions, bool has_sums)
 {
     const bool is_double = all->write_bytes == sizeof(double);
     tally t = tally_of_none();
     for (size_t i = 0; i < block->count; i++) {
         double u[9];
         pieces_triangle(all, positions, i, u);
-        if (add_triangle(&t, block->number + i, u) && has_checksum)
-            t.checksum += part_triangle_checksum(u);
+        if (add_triangle(&t, block->number + i, u) && has_sums)
+            mesh_sums_add(&t.sums, &(mesh_sums){part_triangle_checksum(u), 0}, block->number + i);
         t.fits_float &= !is_double || fits(u);
     }
     t.triangles = block->count;

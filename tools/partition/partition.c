@@ -12,7 +12,7 @@
 #include "files/named_file.h"
 #include "write/checksum.h"
 
-_Static_assert(sizeof(partition_header) == 168 && sizeof(partition_tile) == 32,
+_Static_assert(sizeof(partition_header) == 176 && sizeof(partition_tile) == 32,
                "these are a file format: they have no padding and do not change");
 
 enum { PATH_BYTES = 4096, TRIANGLE_NUMBERS = 9 };

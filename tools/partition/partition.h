@@ -2,7 +2,7 @@
  * partition.h - a mesh sorted by the tiles of a grid, as a folder that shards map and read what is theirs of.
  *
  * The folder holds two files, or with numbers three, in the byte order of the machine that wrote them:
- *   index      partition_header, 168 bytes, then a partition_tile, 32 bytes, for every tile that has triangles, by rising tile.
+ *   index      partition_header, 176 bytes, then a partition_tile, 32 bytes, for every tile that has triangles, by rising tile.
  *   triangles  nine numbers a triangle, x, y and z of its three vertices, floats or doubles as position_bytes says, and nothing
  *              else: the triangles of the first record, those of the second, and so on. A triangle is in the file once for each
  *              tile that it is in. The triangles of a tile are in the order of the mesh.
@@ -18,6 +18,7 @@
 
 #include "files/file_map.h"
 #include "tribox.h"
+#include "write/checksum.h"
 #include "write/voxels.h"
 
 /* The first bytes of the index. */
@@ -32,11 +33,11 @@ typedef struct partition_header {
     uint32_t position_bytes;   /* 112: 4: the triangles are of floats, 8: of doubles */
     uint32_t record_bytes;     /* 116: of a partition_tile */
     uint64_t triangles;        /* 120: of the mesh */
-    uint64_t mesh_checksum;    /* 128: of their coordinates, which the parts of one whole have in common */
-    uint64_t not_finite;       /* 136: how many of them have a NaN or infinite coordinate */
-    uint64_t records;          /* 144: tiles that have triangles */
-    uint64_t places;           /* 152: triangles of all tiles together: what is in the file */
-    uint64_t checksum;         /* 160: of the 160 bytes before it and of the records after it: checksum.h */
+    mesh_sums sums;            /* 128: of them, which the parts of one whole have in common */
+    uint64_t not_finite;       /* 144: how many of them have a NaN or infinite coordinate */
+    uint64_t records;          /* 152: tiles that have triangles */
+    uint64_t places;           /* 160: triangles of all tiles together: what is in the file */
+    uint64_t checksum;         /* 168: of the 168 bytes before it and of the records after it: checksum.h */
 } partition_header;
 
 /* A tile. Its triangles end where those of the next record begin, or at places. */
@@ -47,7 +48,7 @@ typedef struct partition_tile {
     uint64_t checksum; /* 24: of its triangles' bytes, plus that of its numbers' bytes if there are some */
 } partition_tile;
 
-#define PARTITION_MAGIC "tribox tiles 2\n"
+#define PARTITION_MAGIC "tribox tiles 3\n"
 enum { PARTITION_BYTE_ORDER = 0x01020304 };
 
 /* One that is open, its files mapped; or several of one grid, taken as that of all their meshes. */

@@ -51,9 +51,9 @@ partition_header partition_header_of_all(const partition *pieces, size_t count)
     partition_header all = pieces[0].header;
     for (size_t i = 1; i < count; i++) {
         const partition_header *const one = &pieces[i].header;
+        mesh_sums_add(&all.sums, &one->sums, all.triangles);
         all.triangles += one->triangles;
         all.not_finite += one->not_finite;
-        all.mesh_checksum += one->mesh_checksum;
         all.position_bytes = one->position_bytes > all.position_bytes ? one->position_bytes : all.position_bytes;
     }
     return all;

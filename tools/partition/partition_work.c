@@ -28,7 +28,7 @@ static void fill_header(partition_answer *a, uint32_t tile, unsigned position_by
                             .number_bytes = a->r->has_ids ? sizeof(uint32_t) : 0,
                             .record_bytes = sizeof(partition_tile),
                             .triangles = found->triangles,
-                            .mesh_checksum = found->checksum,
+                            .sums = found->sums,
                             .not_finite = found->not_finite};
     memcpy(h->origin, a->cells.grid.origin, sizeof h->origin);
     memcpy(h->cell, a->cells.grid.cell, sizeof h->cell);

@@ -60,7 +60,7 @@ static part_header header_of(const tile_job *j)
                                     .tile = j->set->tile,
                                     .id_bytes = r->result.options.has_ids ? sizeof(uint32_t) : 0,
                                     .triangles = m ? m->triangles : p->triangles,
-                                    .mesh_checksum = m ? part_mesh_checksum(m) : p->mesh_checksum},
+                                    .sums = m ? mesh_sums_of(m) : p->sums},
                           .from = j->from_tile,
                           .to = j->to_tile};
     part_set_grid(&header.whole, &j->in->cells);

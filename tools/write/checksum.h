@@ -27,4 +27,19 @@ static inline uint64_t checksum_bytes(uint64_t sum, const void *bytes, size_t si
     return sum;
 }
 
+/*
+ * What tells meshes apart: the sum of the checksums of the triangles, and the sum of each checksum times the triangle's number from
+ * 0, which tells orders apart. Both are linear, so that those of pieces give those of all.
+ */
+typedef struct mesh_sums {
+    uint64_t coordinates, order;
+} mesh_sums;
+
+/* Adds those of a piece, whose first triangle has the number `first`. */
+static inline void mesh_sums_add(mesh_sums *to, const mesh_sums *of, uint64_t first)
+{
+    to->coordinates += of->coordinates;
+    to->order += of->order + first * of->coordinates;
+}
+
 #endif

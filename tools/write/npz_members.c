@@ -51,8 +51,9 @@ void npz_add_grid(zip_out *zip, const voxels *v)
 void npz_add_part(zip_out *zip, const part_header *header)
 {
     const part_whole *const whole = &header->whole;
-    const uint64_t of[] = {whole->triangles, whole->mesh_checksum, whole->position_bytes,
-                           whole->accuracy,  whole->axes,          whole->tile};
+    const uint64_t of[] = {
+        whole->triangles, whole->sums.coordinates, whole->sums.order, whole->position_bytes, whole->accuracy, whole->axes,
+        whole->tile};
     unsigned char shard[8], tiles[16], bytes[sizeof of];
     little_put32(shard, header->shard);
     little_put32(shard + 4, whole->shards);
@@ -62,5 +63,5 @@ void npz_add_part(zip_out *zip, const part_header *header)
         little_put64(bytes + 8 * n, of[n]);
     add_row(zip, "shard.npy", "<u4", "(2,)", shard, sizeof shard);
     add_row(zip, "tiles.npy", "<u8", "(2,)", tiles, sizeof tiles);
-    add_row(zip, "whole.npy", "<u8", "(6,)", bytes, sizeof bytes);
+    add_row(zip, "whole.npy", "<u8", "(7,)", bytes, sizeof bytes);
 }

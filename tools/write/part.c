@@ -5,9 +5,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "checksum.h"
-
-_Static_assert(sizeof(part_header) == 168 && sizeof(part_brick) == 80 && sizeof(part_end) == 24,
+_Static_assert(sizeof(part_header) == 176 && sizeof(part_brick) == 80 && sizeof(part_end) == 24,
                "these are a file format: they have no padding and do not change");
 
 bool part_is_name(const char *path)
@@ -43,15 +41,15 @@ uint64_t part_triangle_checksum(const double u[9])
     return zero == 0 ? checksum_bytes(CHECKSUM_EMPTY, u, sizeof(double[9])) : 0;
 }
 
-uint64_t part_mesh_checksum(const mesh *m)
+mesh_sums mesh_sums_of(const mesh *m)
 {
-    uint64_t sum = 0;
+    mesh_sums sums = {0, 0};
     double u[9];
     for (size_t t = 0; t < m->triangles; t++) {
         mesh_triangle(m, t, u);
-        sum += part_triangle_checksum(u);
+        mesh_sums_add(&sums, &(mesh_sums){part_triangle_checksum(u), 0}, t);
     }
-    return sum;
+    return sums;
 }
 
 static void write_bytes(part_writer *w, const void *bytes, size_t size)

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "checksum.h"
 #include "read/mesh.h"
 #include "voxels.h"
 
@@ -20,7 +21,7 @@ typedef struct part_whole {
     uint32_t tile;           /* cells along a side of a tile */
     uint32_t brick_bytes;    /* of a part_brick */
     uint64_t triangles;
-    uint64_t mesh_checksum; /* of their coordinates */
+    mesh_sums sums;
 } part_whole;
 
 /* The first bytes of a part, in the byte order of the machine that wrote it; bricks and an end follow. See tribox(1), FORMATS. */
@@ -47,7 +48,7 @@ typedef struct part_end {
     uint64_t checksum; /* of all that stands before it */
 } part_end;
 
-#define PART_MAGIC "tribox part 5\n"
+#define PART_MAGIC "tribox part 6\n"
 enum { PART_BYTE_ORDER = 0x01020304 };
 
 bool part_is_name(const char *path);
@@ -59,8 +60,7 @@ voxels part_voxels(const part_whole *whole);
 /* A checksum of the nine numbers of a triangle, as doubles; 0 of one that is not finite. */
 uint64_t part_triangle_checksum(const double u[9]);
 
-/* A hash of the coordinates: the sum of the checksums of the triangles, so that those of the pieces of a mesh add up to its own. */
-uint64_t part_mesh_checksum(const mesh *m);
+mesh_sums mesh_sums_of(const mesh *m);
 
 /* A part that is being written. */
 typedef struct part_writer {

@@ -21,18 +21,21 @@ static bool has_other_grid(const part_whole *one, const part_whole *other)
 
 static int check_alike(const part *a, const part *b)
 {
+    static const char order[] = "order of the triangles, whose numbers the ids are: run the shards with one file of the mesh, and "
+                                "with partitions in one order";
     const part_whole *one = &a->header.whole, *other = &b->header.whole;
     const char *differing = has_other_grid(one, other)                            ? "grid"
                             : memcmp(one->shift, other->shift, sizeof one->shift) ? "shift"
                             : one->shards != other->shards                        ? "number of shards"
                             : one->position_bytes != other->position_bytes || one->triangles != other->triangles ||
-                                    one->mesh_checksum != other->mesh_checksum
+                                    one->sums.coordinates != other->sums.coordinates
                                 ? "mesh"
-                            : one->accuracy != other->accuracy ? "accuracy"
-                            : one->axes != other->axes         ? "choice of axes"
-                            : one->id_bytes != other->id_bytes ? "ids: some have none"
-                            : one->tile != other->tile         ? "size of tiles"
-                                                               : NULL;
+                            : one->accuracy != other->accuracy                      ? "accuracy"
+                            : one->axes != other->axes                              ? "choice of axes"
+                            : one->id_bytes != other->id_bytes                      ? "ids: some have none"
+                            : one->tile != other->tile                              ? "size of tiles"
+                            : one->id_bytes && one->sums.order != other->sums.order ? order
+                                                                                    : NULL;
     return differing ? message_failure("%s and %s do not fit together: they differ in the %s", a->path, b->path, differing)
                      : EXIT_CODE_OK;
 }
