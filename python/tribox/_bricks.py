@@ -60,7 +60,8 @@ class Bricks:
         path: of one file, which may be a part, as shard then says; or the paths of all parts of a whole, in any order, or a pattern
             of their names: the bricks are then those of a file written in one piece, in its order.
 
-        Raises InputError for a file that does not hold bricks, and for parts that are missing, given twice, or of different wholes.
+        Raises InputError for a file that does not hold bricks or is damaged, and for parts that are missing, given twice, or of
+        different wholes: with ids also where the triangles of the mesh come in another order.
         """
         return Bricks(*load_bricks(path))
 
@@ -74,7 +75,7 @@ class Bricks:
         return middles(self.grid, self.cells())
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes a .npz file, as the program tribox does and Voxels.save describes it; InputError for names of other kinds."""
+        """Writes a .npz file, as Voxels.save describes it; InputError for names of other kinds."""
         save_bricks(self, os.fspath(path))
 
 
@@ -110,15 +111,15 @@ def bricks_in(voxels):
         layers = voxels.words[k:k + 8]
         parts.append(cut(padded(layers), np.array([[0, 0, k // 8]])))
         at, bits = parts[-1]
-        if voxels.ids is not None:
-            in_cells = cells_of_ids(voxels.ids[start:], bools(layers, voxels.shape[2]))
+        if voxels._ids is not None:
+            in_cells = cells_of_ids(voxels._ids[start:], bools(layers, voxels.shape[2]))
             ids.append(brick_ids(in_cells, at - np.array([0, 0, k // 8], NUMBER), bits))
             start += len(ids[-1])
         if voxels.inside is not None:
             i, j, _ = at.T
             insides.append(bits_at(little(padded(voxels.inside.words[k:k + 8])), 0 * i, i, j, 0 * i))
     return replace(joined(parts, voxels.grid),
-                   ids=None if voxels.ids is None else np.concatenate([np.empty(0, NUMBER), *ids]),
+                   ids=None if voxels._ids is None else np.concatenate([np.empty(0, NUMBER), *ids]),
                    inside=None if voxels.inside is None else np.concatenate([np.empty((0, 8), WORD), *insides]))
 
 

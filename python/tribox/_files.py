@@ -1,11 +1,21 @@
 """Files of cells, as the program tribox writes them."""
 
 import os
+import secrets
+from collections import namedtuple
+from contextlib import suppress
 
 import numpy as np
 
 from ._errors import InputError, shown
 from ._masks import bools, labels_of
+
+
+Kind = namedtuple("Kind", "name dtype nrrd vtk range remark")
+OCCUPIED = Kind("occupied", "|b1", "uint8", "UInt8", ' RangeMin="0" RangeMax="1"', "")
+LABELS = Kind("label", "|u1", "uint8", "UInt8", ' RangeMin="0" RangeMax="2"', ": 1, and that it encloses: 2")
+IDS = Kind("id", "<i4", "int32\nendian: little", "Int32", "", ": the number of the lowest triangle, else -1")
+IDS_MAX = (1 << 31) - 1
 
 
 def decimal(number):
@@ -19,28 +29,41 @@ def point(numbers, between):
     return between.join(map(decimal, numbers))
 
 
-def write_bytes(file, voxels):
-    """A byte a cell, layer by layer."""
-    inside = voxels.inside
-    for k, layer in enumerate(voxels.words):
-        nx = voxels.shape[2]
-        file.write((bools(layer, nx) if inside is None else labels_of(layer, inside.words[k], nx)).tobytes())
+def write_cells(file, voxels):
+    """A byte a cell, or with ids four, layer by layer."""
+    inside, ids, nx = voxels.inside, voxels._ids, voxels.shape[2]
+    for k, words in enumerate(voxels.words):
+        cells = bools(words, nx)
+        if ids is not None:
+            numbers, count = np.full(cells.shape, -1, IDS.dtype), np.count_nonzero(cells)
+            numbers[cells], ids, cells = ids[:count], ids[count:], numbers
+        elif inside is not None:
+            cells = labels_of(words, inside.words[k], nx)
+        file.write(cells.tobytes())
+
+
+def kind_of(voxels):
+    """What the cells hold in dense files."""
+    if voxels._ids is None:
+        return OCCUPIED if voxels.inside is None else LABELS
+    if len(voxels._ids) and voxels._ids.max() > IDS_MAX:
+        raise InputError(f"ids up to {voxels._ids.max()} do not fit int32, as dense files have them; give a name that ends in .npz")
+    return IDS
 
 
 def write_npy(file, voxels):
-    np.lib.format.write_array_header_1_0(file, dict(descr="|b1" if voxels.inside is None else "|u1", fortran_order=False, shape=voxels.shape))
-    write_bytes(file, voxels)
+    np.lib.format.write_array_header_1_0(file, dict(descr=kind_of(voxels).dtype, fortran_order=False, shape=voxels.shape))
+    write_cells(file, voxels)
 
 
 def write_nrrd(file, voxels):
-    grid = voxels.grid
+    grid, kind = voxels.grid, kind_of(voxels)
     x, y, z = grid.cell
     directions = " ".join(f"({point(row, ',')})" for row in ((x, 0, 0), (0, y, 0), (0, 0, z)))
     middle = point((start + cell / 2 for start, cell in zip(grid.origin, grid.cell)), ",")
-    labels = "" if voxels.inside is None else ": 1, and that it encloses: 2"
     file.write(f"""NRRD0004
-# cells of a grid that a mesh overlaps{labels}, by tribox
-type: uint8
+# cells of a grid that a mesh overlaps{kind.remark}, by tribox
+type: {kind.nrrd}
 dimension: 3
 space dimension: 3
 sizes: {' '.join(map(str, grid.size))}
@@ -51,26 +74,25 @@ encoding: raw
 space origin: ({middle})
 
 """.encode("ascii"))
-    write_bytes(file, voxels)
+    write_cells(file, voxels)
 
 
 def write_vti(file, voxels):
-    grid = voxels.grid
+    grid, kind = voxels.grid, kind_of(voxels)
     extent = " ".join(f"0 {size}" for size in grid.size)
-    name, most = ("occupied", 1) if voxels.inside is None else ("label", 2)
     file.write(f"""<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <ImageData WholeExtent="{extent}" Origin="{point(grid.origin, ' ')}" Spacing="{point(grid.cell, ' ')}">
     <Piece Extent="{extent}">
-      <CellData Scalars="{name}">
-        <DataArray type="UInt8" Name="{name}" format="appended" RangeMin="0" RangeMax="{most}" offset="0"/>
+      <CellData Scalars="{kind.name}">
+        <DataArray type="{kind.vtk}" Name="{kind.name}" format="appended"{kind.range} offset="0"/>
       </CellData>
     </Piece>
   </ImageData>
   <AppendedData encoding="raw">
    _""".encode("ascii"))
-    file.write(np.array(np.prod(grid.size, dtype=np.uint64), "<u8").tobytes())
-    write_bytes(file, voxels)
+    file.write(np.array(np.prod(grid.size, dtype=np.uint64) * np.dtype(kind.dtype).itemsize, "<u8").tobytes())
+    write_cells(file, voxels)
     file.write(b"\n  </AppendedData>\n</VTKFile>\n")
 
 
@@ -99,16 +121,28 @@ def ending_of(path, endings):
     return ending
 
 
+def write_new(path, write, what):
+    """Beside the name until it is complete, so that what was there stays if it cannot be; where links lead to."""
+    target = os.path.realpath(path)
+    draft = os.path.join(os.path.dirname(target), f".tribox-{secrets.token_hex(8)}")
+    try:
+        with open(draft, "xb") as file:
+            write(file, what)
+        os.replace(draft, target)
+    except BaseException:
+        with suppress(OSError):
+            os.remove(draft)
+        raise
+
+
 def save_voxels(voxels, path):
     ending = ending_of(path, WRITERS)
     if ending != ".npy" and voxels.window[1] != voxels.grid.size:
         raise InputError(f"path = {shown(path)}; these are the cells {voxels.window} of a grid of {voxels.grid.sides()}, and files "
                          "but .npy hold whole grids; voxelize without a window, or give a name that ends in .npy")
-    with open(path, "wb") as file:
-        WRITERS[ending](file, voxels)
+    write_new(path, WRITERS[ending], voxels)
 
 
 def save_bricks(bricks, path):
     ending_of(path, (".npz",))
-    with open(path, "wb") as file:
-        write_bricks(file, bricks)
+    write_new(path, write_bricks, bricks)

@@ -84,8 +84,10 @@ class Voxels(NDArrayOperatorsMixin):
         return words
 
     @property
-    def ids(self) -> Optional[NDArray[np.uint32]]:
-        """Of voxelize(..., ids=True): the lowest number of a triangle for each cell that is set, in the order of cells()."""
+    def ids(self) -> NDArray[np.uint32]:
+        """The lowest number of a triangle for each cell that is set, in the order of cells(). Without them an InputError."""
+        if self._ids is None:
+            raise InputError("these Voxels have no ids; voxelize(..., ids=True) makes some that have")
         return self._ids
 
     @property
@@ -196,13 +198,14 @@ class Voxels(NDArrayOperatorsMixin):
         return middles(self.grid, self.cells())
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes a file as the program tribox does: by the ending of its name, of kind .npz, .npy, .nrrd or .vti.
+        """Writes a file by the ending of its name, of kind .npz, .npy, .nrrd or .vti, as the program tribox does.
 
         .npz: the grid and the bricks that are not empty: numpy.load(path) has at, bits, origin, cell, size and shift. .npy: an
         array of bool, without the grid. .nrrd: for 3D Slicer. .vti: for ParaView. Cells of a window can only be .npy. Labels are
-        the array inside, with the bits of the cells inside, in .npz, and uint8 in the others.
+        the array inside, with the bits of the cells inside, in .npz, and uint8 in the others. Ids are the array ids in .npz, and in
+        the others int32 of all cells, -1 where none is set.
 
-        Raises InputError for other kinds, and OSError if the file cannot be written.
+        Raises InputError for other kinds, and OSError if the file cannot be written: what had the name before is then still there.
         """
         save_voxels(self, os.fspath(path))
 

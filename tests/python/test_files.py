@@ -2,10 +2,12 @@
 
 import os
 import re
+import resource
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 import tribox
@@ -95,6 +97,8 @@ class Files(cases.TestCase):
         mesh = triangles + (5e6, 0.1, 0)
         for options, way in ((("--cell", "0.01,1e-7,1e9"), dict(cell=(0.01, 1e-7, 1e9))),
                              (("--cell", "0.05,1e-6,3e8", "--fill", "outside"), dict(cell=(0.05, 1e-6, 3e8), fill="outside")),
+                             (("--resolution", "9", "--ids"), dict(resolution=9, ids=True)),
+                             (("-r", "9", "--fill", "outside", "--labels"), dict(resolution=9, fill="outside", labels=True)),
                              (("--resolution", "9"), dict(resolution=9))):
             voxels = tribox.voxelize(mesh, **way)
             for ending in (".npy", ".nrrd", ".vti", ".npz"):
@@ -108,10 +112,34 @@ class Files(cases.TestCase):
                 with np.load(path) as one, np.load(ours) as other:
                     self.assertEqual(set(one.files), set(other.files))
                     orders = [np.lexsort(file["at"].T) for file in (one, other)]
-                    for name in one.files:
-                        arrays = [file[name][order] if name in ("at", "bits") else file[name]
+                    ids = [{(*cell, id) for cell, id in zip(bricks.cells().tolist(), () if bricks.ids is None else bricks.ids.tolist())}
+                           for bricks in map(tribox.Bricks.load, (path, ours))]
+                    self.assertEqual(*ids)
+                    for name in set(one.files) - {"ids"}:
+                        arrays = [file[name][order] if name in ("at", "bits", "inside") else file[name]
                                   for file, order in zip((one, other), orders)]
                         self.assert_same(*arrays, name)
+
+    def test_whole_or_as_it_was(self):
+        """Where a write fails, or the user ends it, what had the name is still there and nothing else; links stay links."""
+        old, hard = Path(self.folder, "old"), resource.getrlimit(resource.RLIMIT_FSIZE)[1]
+        mesh = cases.lattice(40)
+        voxels, bricks = tribox.voxelize(mesh, resolution=40, ids=True), tribox.bricks(mesh, resolution=40)
+        for thing, ending in ((voxels, ".npz"), (voxels, ".npy"), (voxels, ".nrrd"), (voxels, ".vti"), (bricks, ".npz")):
+            path = Path(self.folder, "x" + ending)
+            old.write_bytes(b"what was there")
+            path.symlink_to(old)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (5000, hard))
+            try:
+                self.assertRaises(OSError, thing.save, path)
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, (hard, hard))
+            with mock.patch("os.replace", side_effect=KeyboardInterrupt):
+                self.assertRaises(KeyboardInterrupt, thing.save, path)
+            self.assertEqual((sorted(os.listdir(self.folder)), old.read_bytes()), (["old", path.name], b"what was there"))
+            thing.save(path)
+            self.assertTrue(path.is_symlink() and old.stat().st_size > 5000)
+            path.unlink()
 
     def test_refused(self):
         voxels, refuse = next(self.voxels()), self.refuse
@@ -120,6 +148,9 @@ class Files(cases.TestCase):
             refuse(tribox.InputError, None, r"^path = .*end in \.npz, \.npy, \.nrrd, \.vti; .* tribox voxelize MESH -o FILE",
                    voxels.save, path)
             refuse(tribox.InputError, None, r"^path = .*end in \.npz;", bricks.save, path)
+        far = tribox.voxelize(cases.lattice(9), GRIDS["tenths"], ids=True)
+        far._with_ids(far.ids + np.uint32(1 << 31))
+        refuse(tribox.InputError, None, "^ids up to 21474836.* do not fit int32", far.save, os.path.join(self.folder, "x.npy"))
         part = tribox.voxelize(cases.lattice(9), GRIDS["tenths"], layers=(0, 2))
         for ending in (".npz", ".nrrd", ".vti"):
             path = os.path.join(self.folder, "x" + ending)

@@ -101,7 +101,6 @@ class IdTests(cases.TestCase):
         self.assertEqual(len(tribox.voxelize(self.triangles[:0], grid, ids=True).ids), 0)
         self.assertEqual(len(tribox.bricks(self.triangles[:0], grid, ids=True).ids), 0)
         self.assertEqual(len(tribox.voxelize(self.triangles, grid, window=((1, 1, 1), (0, 2, 2)), ids=True).ids), 0)
-        self.assertIsNone(tribox.voxelize(self.triangles, grid).ids)
 
     def test_refused(self):
         grid = GRIDS["small"]
@@ -116,7 +115,9 @@ class IdTests(cases.TestCase):
             tribox.voxelize(tribox.Mesh(vertices, faces), grid, ids=True)
         kept = tribox.voxelize(self.triangles, grid, ids=True)
         tribox.voxelize(self.triangles, grid, into=kept)
-        self.assertIsNone(kept.ids)
+        for none in (kept, tribox.voxelize(self.triangles, grid)):
+            with self.assertRaisesRegex(tribox.InputError, r"^these Voxels have no ids; voxelize\(..., ids=True\) makes some"):
+                none.ids
 
 
 class TextureTests(cases.TestCase):
