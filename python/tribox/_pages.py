@@ -18,7 +18,10 @@ CAN_MAP = hasattr(mmap, "MADV_HUGEPAGE")
 def mapped(count):
     """So many words of fresh pages, which are clear. They are given back with the last array that looks at them."""
     octets = -(-8 * count // LARGE_PAGE) * LARGE_PAGE
-    pages = mmap.mmap(-1, octets + LARGE_PAGE, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+    try:
+        pages = mmap.mmap(-1, octets + LARGE_PAGE, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+    except OSError as error:
+        raise MemoryError(f"no memory for {octets} bytes of cells") from error
     words = np.frombuffer(pages, WORD)
     start = -words.ctypes.data % LARGE_PAGE
     try:

@@ -1,9 +1,8 @@
 """Bricks.load: files of bricks, and those of all parts of one whole as one."""
 
+import errno
 import glob
 import os
-import zipfile
-import zlib
 from dataclasses import dataclass
 from typing import Any, Optional, Tuple
 
@@ -46,13 +45,16 @@ def array(path, file, name, kinds):
 
 def read(path, take):
     """What take makes of the arrays of a file."""
-    try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            return take(file)
-    except InputError:
-        raise
-    except (KeyError, ValueError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
-        raise InputError(f"{path}: not a .npz file of bricks, or a damaged one: {error}") from error
+    with open(path, "rb") as stream:
+        try:
+            with np.load(stream, allow_pickle=False) as file:
+                return take(file)
+        except (InputError, MemoryError):
+            raise
+        except Exception as error:  # of NumPy, zipfile and zlib, whatever the damage is, a place before the file's beginning too
+            if isinstance(error, OSError) and error.errno not in (None, errno.EINVAL):
+                raise
+            raise InputError(f"{path}: not a .npz file of bricks, or a damaged one: {error}") from error
 
 
 def part_of(path):

@@ -168,9 +168,16 @@ class Parts(cases.TestCase):
         flipped[200] ^= 4
         np.save(self.folder / "array.npy", np.zeros(3))
         np.savez(self.folder / "other.npz", x=np.zeros(3))
-        for name, content in (("short.npz", data[:-50]), ("flipped.npz", flipped), ("text.npz", b"x\n"), ("none.npz", b"")):
+        encrypted, newer = bytearray(data), bytearray(data)
+        for at in [n for n in range(len(data) - 4) if data[n:n + 4] in (b"PK\3\4", b"PK\1\2")]:
+            is_member = data[at:at + 4] == b"PK\3\4"
+            encrypted[at + 8 - 2 * is_member] |= 1
+            newer[at + 6 - 2 * is_member] = 181
+        contents = {"short.npz": data[:-50], "flipped.npz": flipped, "text.npz": b"x\n", "none.npz": b"", "encrypted.npz": encrypted,
+                    "newer.npz": newer}
+        for name, content in contents.items():
             (self.folder / name).write_bytes(content)
-        for name in ("short.npz", "flipped.npz", "text.npz", "none.npz", "array.npy", "other.npz"):
+        for name in (*contents, "array.npy", "other.npz"):
             self.refuse_load(f"{name}: not a .npz file of bricks", str(self.folder / name))
 
 
