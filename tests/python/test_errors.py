@@ -1,10 +1,12 @@
 """Every error is a tribox.Error that says what is wrong, where, and what to do; and nothing is written."""
 
+import errno
 import os
 import pickle
 import subprocess
 import sys
 import tempfile
+from unittest import mock
 
 import numpy as np
 import tribox
@@ -163,6 +165,11 @@ class Errors(cases.TestCase):
                 refuse(InputError, None, r"^out has shape .*; give \((70|2),\)", tribox.overlap, form, LO, HI, out=out)
             for out in (read_only, np.zeros(4, np.uint64)[::2]):
                 refuse(InputError, None, "^out is read-only, or not contiguous", tribox.overlap, form, LO, HI, out=out)
+
+    def test_no_memory(self):
+        """Of large cells, whose pages are mapped, as of small ones."""
+        with mock.patch("mmap.mmap", side_effect=OSError(errno.ENOMEM, "Cannot allocate memory")):
+            self.assertRaises(MemoryError, tribox.voxelize, self.triangles, ((0, 0, 0), 1, (4096, 4096, 4096)))
 
     def test_nothing_is_written(self):
         vertices, faces = cases.shared_vertices(np.resize(self.triangles, (70000, 3, 3)), np.uint32)

@@ -14,7 +14,7 @@ bool file_out_is_stdout(const char *path) { return !strcmp(path, "-"); }
 
 static bool is_file(const char *path) { return path && !file_out_is_stdout(path); }
 
-/* Whether the file that is written would be one of this folder. */
+/* Whether the file that is written over is one of this folder. */
 static bool is_within(const char *path, const char *folder)
 {
     char *const target = new_file_target(path);
@@ -32,7 +32,7 @@ static int check_name(const char *option, const char *path, const char *what, co
     const char *const from = file_out_is_stdout(read) ? "/dev/stdin" : read;
     if (!named_file_about(from, &about))
         return EXIT_CODE_OK; /* which its reader says */
-    if (about.kind == FILE_KIND_FOLDER && is_within(path, from))
+    if (about.kind == FILE_KIND_FOLDER && named_file_is_there(path) && is_within(path, from))
         return message_usage("%s: '%s' is in %s, which is read; give another name", option, path, read);
     return about.kind == FILE_KIND_REGULAR && named_file_is_same(path, from)
                ? message_usage("%s: '%s' is the %s itself; give another name", option, path, what)

@@ -25,7 +25,7 @@ typedef struct file_out_names {
 } file_out_names;
 
 /*
- * Refuses two names of one file, by whatever links, and the name of a file that is read, or of one in a folder that is. what: the
+ * Refuses two names of one file, by whatever links, and the name of a file that is read, or that is in a folder that is. what: the
  * word for those that are read. Returns an exit_code.
  */
 int file_out_check(const file_out_names *names, const char *what, const char *const *read, size_t count);
