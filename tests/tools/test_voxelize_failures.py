@@ -152,18 +152,12 @@ class NothingHalfWritten(Failures):
         return set(os.listdir(self.folder)) - set(self.there), error.decode()
 
     def test_interrupted(self):
-        """Nothing stands under the name; what the name was before stays, and the unfinished file is gone."""
-        left, error = self.interrupt(signal.SIGTERM)
-        self.assertEqual(left, set())
-        self.assert_one_line(error, "^tribox voxelize: interrupted: nothing was written; run it again$")
-        self.assertEqual(volumes.read(self.path("big.npy")), b"what was there")
-
-    def test_interrupted_twice(self):
-        """At once, as programs with a limit of time do it: to the child and to its group."""
-        for _ in range(20):
-            left, error = self.interrupt(signal.SIGTERM, times=2)
+        """Once, or twice at once as programs with a limit of time do it, to the child and its group: what the name was before stays."""
+        for times in (1, *[2] * 20):
+            left, error = self.interrupt(signal.SIGTERM, times)
             self.assertEqual(left, set())
             self.assert_one_line(error, "^tribox voxelize: interrupted: nothing was written; run it again$")
+            self.assertEqual(volumes.read(self.path("big.npy")), b"what was there")
 
     def has_file(self, child):
         """Whether the process has the file that it writes."""
