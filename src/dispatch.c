@@ -2,10 +2,6 @@
 #include "dispatch.h"
 #include "base/relaxed.h"
 
-#if defined(__AVX__)
-#error "compile dispatch.c for the baseline of the architecture: it decides whether anything wider may run"
-#endif
-
 /* Of those in kernels.txt, these are in this build. */
 extern const tribox_kernel tribox_kernel_scalar, tribox_kernel_sse2, tribox_kernel_avx2, tribox_kernel_avx512, tribox_kernel_neon,
     tribox_kernel_wasm128;

@@ -1,6 +1,7 @@
 """The library inside the package: its files, its flags, and one compiler call for each file. Needs neither meson nor CMake.
 
-CC names the compiler, gcc or clang, which may be a cross compiler; CFLAGS go after the flags that are here.
+CC names the compiler, gcc or clang, which may be a cross compiler; CFLAGS go after the flags that are here, and before those of all
+files in kernels.txt.
 """
 
 import os
@@ -13,8 +14,10 @@ from glob import glob
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 PROCESSORS = {"x86_64": "x86", "aarch64": "aarch64", "arm64": "aarch64"}  # those of wheels, and what kernels.txt calls them
 with open(os.path.join(ROOT, "src", "kernels.txt"), encoding="ascii") as lines:
-    KERNELS = re.findall(r"(?m)^(\w+) (\w+) (\w+):(.*)$", lines.read())
-COMMON = ["-std=c11", "-O3", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
+    LINES = lines.read()
+KERNELS = re.findall(r"(?m)^(\w+) (\w+) (\w+):(.*)$", LINES)
+ALL = re.search(r"(?m)^all:(.*)$", LINES).group(1).split()
+COMMON = ["-std=c11", "-O3", "-fvisibility=hidden", "-Iinclude", "-Isrc"]
 MANYLINUX = "manylinux_2_17_"  # as old a C library as any that NumPy is made for; tests/python/test_wheel.py proves it
 
 with open(os.path.join(ROOT, "include", "tribox.h"), encoding="ascii") as header:
@@ -71,7 +74,7 @@ class Compiler:
         of_kernels = ["-mstackrealign"] if is_clang else ["-Wa,-muse-unaligned-vector-move"] if self.is_windows else []
         flags = {room: core for room in rooms(ROOT)}
         flags.update({folder: of_kernels + own.split() for _, folder, _, own in kernels})
-        return {os.path.relpath(source, ROOT): [*COMMON, *position, *own, *self.extra]
+        return {os.path.relpath(source, ROOT): [*COMMON, *position, *own, *self.extra, *ALL]
                 for folder, own in flags.items() for source in glob(os.path.join(ROOT, "src", folder, "*.c"))}
 
     def run(self, *arguments):

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "compiler.h"
+
 /* How many words have a bit for each of `count` things. */
 static inline size_t tribox_words_of(size_t count) { return count / 64 + (count % 64 != 0); }
 

@@ -5,16 +5,20 @@
 #include <float.h>
 #include <stdint.h>
 
-#if defined(__FAST_MATH__)
-#error "tribox cannot be compiled with -ffast-math: its answers rest on IEEE arithmetic"
+/* The flags of all files in kernels.txt undo what is refused here, as the last ones. */
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(__ASSOCIATIVE_MATH__) || \
+    defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "tribox cannot be compiled with -ffast-math or parts of it: its answers rest on IEEE arithmetic; add -fno-fast-math"
 #endif
+_Static_assert(sizeof 1.0 == sizeof(double), "tribox cannot be compiled with -fsingle-precision-constant");
 /* 16 is gcc's method for gnu11 on processors with FP16: only types narrower than float are widened. */
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
 #error "tribox needs float arithmetic in float (FLT_EVAL_METHOD 0 or 16); on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
-/* No FMA but by a vocabulary's word: what -ffp-contract=off says, which these compilers do not know by that name. */
-#if defined(_MSC_VER) && defined(__clang__)
+/* What the flags say, to compilers that are given others, or that tell of no part of fast math but the finite one. */
+#if defined(__clang__)
+#pragma float_control(precise, on)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)

@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "compiler.h"
+
 static inline bool tribox_is_finite(float number)
 {
     uint32_t bits;

@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "compiler.h"
+
 /* The float above a number that is not infinite, but for -infinity; infinite above the greatest. */
 static inline float tribox_float_above(float number)
 {

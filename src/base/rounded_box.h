@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 
+#include "compiler.h"
 #include "tribox.h"
 
 /* Infinite bounds stand for those that no float is beyond. */

@@ -14,6 +14,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/compiler.h"
+
 enum { ACCUMULATOR_DIGITS = 66 * ACCUMULATOR_FACTORS, ACCUMULATOR_LEAST = -1074 };
 
 /* Digits may be of any size and sign until the sum is read. */

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/compiler.h"
+
 /*
  * One question: does this triangle, u[j][a] axis a of vertex j, overlap this box? Floats are asked about as the doubles that they
  * are.

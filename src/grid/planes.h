@@ -7,6 +7,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/compiler.h"
+
 typedef struct tribox_planes {
     double origin[3], cell[3]; /* those of the grid */
     double first[3];           /* the number of the window's first plane among those of the grid */

@@ -77,6 +77,20 @@ for name in SOURCES:
         if include in VOCABULARIES and include != room:
             fail(f"src/{name}: knows an instruction set")
 
+# Whatever computes asks the compiler for arithmetic as it is written; two files only count.
+def reach_file(name, seen):
+    seen.add(name)
+    for include in re.findall(r'(?m)^\s*#\s*include "(.*)"', read("src/" + name)):
+        for file in (os.path.join(os.path.dirname(name), include), include):
+            if file in SOURCES and file not in seen:
+                reach_file(file, seen)
+    return seen
+
+
+for name in SOURCES:
+    if name.endswith(".c") and name not in ("base/status.c", "tiles/tiles.c") and "base/compiler.h" not in reach_file(name, set()):
+        fail(f"src/{name}: does not include base/compiler.h, not even through others")
+
 # No static name stands in two files: what a backtrace or grep shows is one thing. Words of a vocabulary are meant to be alike.
 WORDS = re.compile(r"src/(scalar|sse|avx2|avx512|neon|wasm)/|num_\w+\.h|exact_(short|long)\.c")
 defined = collections.defaultdict(set)

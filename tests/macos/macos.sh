@@ -28,7 +28,7 @@ compile() {
     mkdir -p "$work/$processor"
     printf '%s\n' "$@" | xargs -P 2 -I FILE sh -c 'exec clang-19 --target="$0-apple-macos11" -isysroot "$2" -isystem "$2/headers" \
         -std=c11 -U__OPTIMIZE__ -D_DARWIN_C_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wno-enum-float-conversion -Werror \
-        -ffp-contract=off -fvisibility=hidden -Iinclude -Isrc -Itools $3 -c "$1" -o "$2/$0/$(echo "$1" | tr / -).o"' \
+        $(sed -n s/^all://p src/kernels.txt) -fvisibility=hidden -Iinclude -Isrc -Itools $3 -c "$1" -o "$2/$0/$(echo "$1" | tr / -).o"' \
         "$processor" FILE "$work" "$own"
 }
 

@@ -7,6 +7,7 @@ test "$(uname -m)" = x86_64 || { echo 'the kernels that are named here are those
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export CC="${CC##* }"
+. "$here/digests.sh"
 
 # refuses NAMES COMMAND...: and says which there are
 refuses() {
@@ -51,6 +52,13 @@ test -f build.ninja || "$MESON" setup . "$root" --werror -Dbuildtype=plain -Dopt
     -Dbench=disabled -Dtools=disabled -Dembree=disabled -Dpython=disabled
 python3 "$here/same_flags.py" . "$root" -DTRIBOX_KERNELS=avx2 -DCMAKE_C_FLAGS=-U__OPTIMIZE__
 "$MESON" test --print-errorlogs 'masks in short' dispatch exactness
+
+# A project of fast math has right answers.
+cmake -S "$root" -B "$work/fast" -DTRIBOX_KERNELS=scalar -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_C_FLAGS='-O1 -U__OPTIMIZE__ -ffast-math -fno-finite-math-only' >/dev/null
+cmake --build "$work/fast" --parallel 2 >/dev/null
+build_digests "$work/masks" "$root" "$work/fast/libtribox.a" "${CC:-cc}"
+"$work/masks" "$root/tests/cross/masks.txt" --short
 "$MESON" compile tribox:static_library >/dev/null
 ${CC:-cc} -I"$root/include" "$here/consumer/consumer.c" src/libtribox.a -lm -o consumer
 ./consumer kernels | tr '\n' ' ' >"$work/kernels"

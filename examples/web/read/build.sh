@@ -18,7 +18,7 @@ command -v ccache >/dev/null && cc="ccache $cc"
         ! -name mesh_shift.c ! -name mesh_warn.c
 } | awk '{ printf "%03d.o %s\n", NR, $0 }' |
     xargs -P "$(nproc)" -L 1 sh -c '
-        $3 -std=c11 -O2 -ffp-contract=off -fvisibility=hidden -ffunction-sections -Wall -Wextra -Werror -isystem "$1" \
+        $3 -std=c11 -O2 -fvisibility=hidden -ffunction-sections -Wall -Wextra -Werror -isystem "$1" \
             -I"$2/include" -I"$2/src" -I"$2/tools" -c "$6" -o "$4/$5"' sh "$here" "$root" "$cc" "$work"
 $cc -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,-O2 -Wl,--stack-first -Wl,-z,stack-size=262144 \
     -Wl,--export=malloc "$work"/*.o -o "$work/read.wasm"
