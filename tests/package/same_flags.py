@@ -17,7 +17,9 @@ SHOWN = 5
 
 
 def flags_of_files(build, source):
-    """Of every file below source, the flags that make its code: {file: {flag}}."""
+    """Of every file below source, the flags that make its code: {file: {flag}}. Those of all files come last."""
+    with open(os.path.join(source, 'kernels.txt')) as file:
+        last = re.search('(?m)^all:(.*)$', file.read()).group(1).split()
     with open(os.path.join(build, 'compile_commands.json')) as file:
         commands = json.load(file)
     files = {}
@@ -28,6 +30,8 @@ def flags_of_files(build, source):
             words = shlex.split(command['command'])
             heeded = '-[mf]|-Wa,|-std=' + ('|-DTRIBOX_[A-Z0-9]*$' if path.endswith('dispatch.c') else '')
             flags = {word for word in words if re.match(heeded, word) and not re.fullmatch(IGNORED, word)}
+            if [word for word in words if re.match('-[fmO]', word)][-len(last):] != last:
+                sys.exit(f'{path}: a flag comes after {" ".join(last)}')
             levels = [word for word in words if re.match('-O', word)]
             files[os.path.relpath(path, source)] = flags | set(levels[-1:])
     return files
