@@ -816,7 +816,8 @@ TRIBOX_API tribox_status tribox_fill_outside(const uint32_t size[3], const uint6
  * mesh encloses twice is outside. Where the mesh is open, there are streaks along x: see odd_rows, and examples/insides for
  * pictures.
  *
- * soup, grid: those of the surface. The middle of a cell lies at the double nearest to the middle of its planes.
+ * soup, grid: those of the surface. The middle of a cell lies at the double nearest to the middle of its planes, and where there is
+ *   no double between these, at the lower one.
  * occupied, scratch, solid, inside: as for tribox_fill_outside, for the words of the grid. With no bit of occupied set, solid has
  *   the cells whose middles are inside the mesh, as in programs that voxelize by sampling middles (the centre rule).
  * odd_rows: receives how many rows of cells along x have an odd number of crossings in all; if any has, the mesh is certainly not

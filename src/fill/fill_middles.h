@@ -45,11 +45,14 @@ static inline tribox_middles tribox_middles_of(const tribox_grid *grid, const tr
     return m;
 }
 
-/* The double nearest to the mean: rounded once, as a sum is exact where its half is subnormal (PROOFS.md 15.2). */
+/*
+ * The double nearest to the mean, rounded once, as a sum is exact where its half is subnormal. Of neighbouring doubles it is the
+ * lower one: a middle on the upper plane is moved out of its cell (PROOFS.md 15.2, 15.7).
+ */
 static inline double tribox_mean(double lo, double hi)
 {
-    const double sum = lo + hi;
-    return tribox_is_finite_double(sum) ? sum / 2 : lo / 2 + hi / 2;
+    const double sum = lo + hi, mean = tribox_is_finite_double(sum) ? sum / 2 : lo / 2 + hi / 2;
+    return mean < hi ? mean : lo;
 }
 
 static inline double tribox_middle(const tribox_middles *m, int a, int64_t cell)

@@ -27,7 +27,8 @@ static void set_middles(fill_case *c)
     for (int a = 0; a < 3; a++)
         for (uint32_t n = 0; n < c->at.size[a]; n++) {
             const double lo = plane_at(c, a, n), hi = plane_at(c, a, n + 1);
-            c->at.middle[a][n] = isfinite(lo + hi) ? (lo + hi) / 2 : lo / 2 + hi / 2;
+            const double mean = isfinite(lo + hi) ? (lo + hi) / 2 : lo / 2 + hi / 2;
+            c->at.middle[a][n] = mean < hi ? mean : lo;
         }
 }
 
@@ -51,6 +52,7 @@ static const scene scenes[] = {
     {"unit cells of doubles", true, 0, 1, 200, true, 0},
     {"doubles far away", true, 0x1p46, 0x1p-3, 200, false, 0},
     {"doubles hardly finer than cells", true, 0x1p51, 0.6, 200, false, 0},
+    {"doubles as fine as cells", true, 0x1p52, 1, 200, true, 0},
     {"doubles of any length", true, 0, 0x1p-200, 1100, false, 400},
     {"tiny doubles", true, 0, 0x1p-1040, 1100, false, 0},
     {"huge doubles", true, 0x1.8p1023, 0x1p1017, 1100, false, 0},

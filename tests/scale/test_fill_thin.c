@@ -215,6 +215,31 @@ static void test_environment(void **state)
     }
 }
 
+/* Tetrahedra with corners on planes that are neighbouring doubles, so that middles are planes. */
+static void test_neighbouring_planes(void **state)
+{
+    static const uint32_t corners[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
+    const tribox_grid grid = {{1, 1, 1}, {0x1p-52, 0x1p-52, 0x1p-52}, {3, 3, 3}};
+    random_source r = random_named(((const arguments *)*state)->seed, "fill thin neighbours");
+    memcpy(drawn.at.size, grid.size, sizeof grid.size);
+    for (int round = 0; round < 3000; round++) {
+        uint64_t thin[9] = {0}, inside[9], scratch[3];
+        double at[4][3];
+        for (int n = 0; n < 12; n++)
+            at[n / 3][n % 3] = 1 + random_int(&r, 4) * 0x1p-52;
+        const tribox_mesh mesh = {
+            .positions = at, .vertices = 4, .indices = corners, .index_bytes = 4, .count = 4, .position_bytes = 8};
+        assert_int_equal(tribox_mesh_fill_parity(&mesh, &grid, thin, scratch, inside, NULL, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_voxelize_thin(&mesh, &grid, NULL, NULL, thin, NULL), TRIBOX_OK);
+        for (size_t n = 0; n < 27; n++) {
+            expected[n] = thin[n / 3] >> n % 3 & 1;
+            is_inside[n] = inside[n / 3] >> n % 3 & 1;
+        }
+        snprintf(doing, sizeof doing, "tetrahedron %d", round);
+        check_leaks(&drawn);
+    }
+}
+
 /* The faces of a box on planes: one layer of cells each, the lower ones without and the upper ones within. */
 static void test_box(void **state)
 {
@@ -270,8 +295,8 @@ static void test_refused(void **state)
 int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_cells, &args),
-                                       cmocka_unit_test_prestate(test_environment, &args), cmocka_unit_test(test_box),
-                                       cmocka_unit_test(test_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(test_cells, &args), cmocka_unit_test_prestate(test_environment, &args),
+        cmocka_unit_test_prestate(test_neighbouring_planes, &args), cmocka_unit_test(test_box), cmocka_unit_test(test_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
