@@ -24,8 +24,10 @@ static void set_cell(void *taker, const int64_t at[3])
 void tribox_voxels_ask_blocks(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range)
 {
     asker asking = {v, triangle->number};
+    tribox_plan exact = v->plan;
+    exact.accuracy = TRIBOX_EXACT; /* else how blocks are cut would show: they end at the layers that are asked for */
     const tribox_blocks blocks = {
-        .plan = &v->plan, .plane = window_plane, .lattice = &v->window.planes, .take = set_cell, .taker = &asking};
+        .plan = &exact, .plane = window_plane, .lattice = &v->window.planes, .take = set_cell, .taker = &asking};
     const int64_t first = tribox_greatest(range->base[2], v->window.first_layer);
     const int64_t end = tribox_least(range->base[2] + range->cells[2], v->window.end_layer);
     const int64_t base[3] = {range->base[0], range->base[1], first}, cells[3] = {range->cells[0], range->cells[1], end - first};

@@ -100,6 +100,40 @@ static void test_slabs(void **state)
     }
 }
 
+/*
+ * In doubles of a spacing of half a cell along x, cells are asked in blocks. Edges along y and z pass cells within rounding: where
+ * that stays undecided for a cell, it may be decided for a block of them, and blocks end where layers do.
+ */
+static void test_blocks(void **state)
+{
+    static const double positions[][3][3] = {
+        {{0x1.0000000000002p+51, 0x1.ddd9d0e63a757p+0, 0x1.4be5d3b25c99cp+2},
+         {0x1.0000000000001p+51, 0x1.02bada9d4f2e7p+1, 0x1.978084b5e7283p+2},
+         {0x1.0000000000005p+51, 0x1.df52cf5220d55p-1, 0x1.379117153584p+0}},
+        {{0x1.0000000000001p+51, 0x1.32039c2b1e472p-3, 0x1.bc677db64ccebp+1},
+         {0x1.0000000000008p+51, 0x1.4dfe9edbedaebp+0, 0x1.88095eb7f64d5p+2},
+         {0x1.0000000000013p+51, -0x1.d491feefc3d7p-3, 0x1.8a417486f9698p+2}},
+        {{0x1.0000000000003p+51, -0x1.cb8b263115a55p-1, 0x1.941f4ef8e62d9p+2},
+         {0x1.000000000000bp+51, 0x1.4694f8cb1c159p+2, 0x1.e203b4d8b4b2dp+2},
+         {0x1.ffffffffffff7p+50, 0x1.3233fce3949ap-2, 0x1.db7327334dd78p+2}},
+    };
+    const tribox_grid grid = {{0x1p51, 0, 0}, {1, 0.625, 0.75}, {8, 7, 16}};
+    (void)state;
+    for (size_t t = 0; t < sizeof positions / sizeof positions[0]; t++)
+        for (size_t k = 0; tribox_kernel_list(k); k++) {
+            const tribox_mesh mesh = {.positions = positions[t], .vertices = 3, .count = 1, .position_bytes = 8};
+            const tribox_options options = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = tribox_kernel_list(k)};
+            memset(whole, 0, 7 * 16 * sizeof *whole);
+            memset(parts, 0, 7 * 16 * sizeof *parts);
+            assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, NULL, &options, whole, NULL), TRIBOX_OK);
+            for (uint32_t layer = 0; layer < 16; layer++)
+                assert_int_equal(tribox_mesh_voxelize(&mesh, &grid, &(tribox_window){{0, 0, layer}, {8, 7, 1}}, &options,
+                                                      parts + 7 * layer, NULL),
+                                 TRIBOX_OK);
+            assert_memory_equal(parts, whole, 7 * 16 * sizeof *parts);
+        }
+}
+
 typedef struct worker {
     pthread_t thread;
     const tribox_options *options;
@@ -153,7 +187,7 @@ static void test_threads(void **state)
 int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_threads, &args),
-                                       cmocka_unit_test_prestate(test_slabs, &args)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_threads, &args), cmocka_unit_test_prestate(test_slabs, &args),
+                                       cmocka_unit_test(test_blocks)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
