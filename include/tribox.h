@@ -678,7 +678,7 @@ TRIBOX_API size_t tribox_tile_count(const uint32_t size[3], uint32_t side);
  * list: starts[tiles->count] numbers, written; NULL to count.
  *
  * Returns what tribox_voxelize does; TRIBOX_BAD_ARGUMENT also if the side is 0, if the grid does not have all tiles of the share,
- * or if there are more than 2^32 triangles.
+ * or if there are more than 2^32 triangles; TRIBOX_BAD_GRID also if all lists together exceed the address space.
  */
 TRIBOX_API tribox_status tribox_tile_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
                                            const tribox_options *options, size_t *starts, uint32_t *list);

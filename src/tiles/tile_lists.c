@@ -143,14 +143,6 @@ static tribox_status list_part(const tribox_triangles *triangles, size_t first, 
     return list_in_window(triangles, first, count, grid, &whole, tiles, options, places, list);
 }
 
-/* Each list is counted in the number after its own; their sums are where lists begin. */
-static void sum_counts(size_t *starts, size_t tiles)
-{
-    starts[0] = 0;
-    for (size_t t = 0; t < tiles; t++)
-        starts[t + 1] += starts[t];
-}
-
 /* Every start has become its list's end, which is the start of the next. */
 static void put_back(size_t *starts, size_t tiles)
 {
@@ -164,12 +156,12 @@ tribox_status tribox_tiles_list(const tribox_triangles *triangles, const tribox_
     if (!grid || !tiles || !starts)
         return TRIBOX_BAD_ARGUMENT;
     const tribox_window whole = tribox_whole_window(grid);
-    const tribox_status status = list_in_window(triangles, 0, triangles->count, grid, window ? window : &whole, tiles, options,
-                                                list ? starts : starts + 1, list);
+    tribox_status status = list_in_window(triangles, 0, triangles->count, grid, window ? window : &whole, tiles, options,
+                                          list ? starts : starts + 1, list);
     if (!status && list)
         put_back(starts, tiles->count);
-    else if (!status)
-        sum_counts(starts, tiles->count);
+    else if (!status && !tribox_sum_counts(starts, tiles->count))
+        status = TRIBOX_BAD_GRID;
     return status;
 }
 

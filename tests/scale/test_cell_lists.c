@@ -5,6 +5,7 @@
 
 #include "common/arguments.h"
 #include "common/guard.h"
+#include "tiles/tiles.h"
 
 enum { ROUNDS = 400, ASKED = 60, FAR_ROUNDS = 200 };
 
@@ -196,6 +197,10 @@ static void test_refused(void **state)
     mesh.indices = NULL;
     assert_int_equal(tribox_mesh_cell_lists(&mesh, &grid, &none, NULL, starts, NULL), TRIBOX_OK);
     assert_int_equal(starts[0], 0);
+    for (size_t more = 0; more < 2; more++) { /* as many triangles as there are addresses for, and one more */
+        size_t counts[] = {9, SIZE_MAX / 8, SIZE_MAX / 8 + 1 + more, 0};
+        assert_int_equal(tribox_sum_counts(counts, 3), !more);
+    }
 }
 
 int main(int argc, char **argv)
