@@ -155,7 +155,7 @@ static int64_t planes_below(const tribox_planes *planes, int a, int64_t size, do
         at = is_below ? low + step : high - step;
         if (at <= low || at >= high)
             at = low + (high - low) / 2;
-        step *= 2;
+        step = step <= size ? 2 * step : step;
     }
     return high;
 }

@@ -1,6 +1,7 @@
 /* test_tiles.c - the triangles listed for each tile are those that overlap its box, float and double, in whole grids and shares. */
 #include "tile_case.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -253,6 +254,19 @@ static void test_long_row(void **state)
         }
 }
 
+/* Where a number less the origin overflows, the first guess at its cell is as far off as there are cells. */
+static void test_guess_far_off(void **state)
+{
+    (void)state;
+    static const double at[9] = {1e298, 0, 0, 1e298, 1, 0, 1e298, 0, 1};
+    static size_t starts[1025];
+    const tribox_mesh mesh = {.positions = at, .vertices = 3, .count = 1, .position_bytes = 8};
+    const tribox_grid grid = {{-DBL_MAX, 0, 0}, {0x1.00000000fffffp+993, 1, 1}, {UINT32_MAX, 1, 1}};
+    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &(tribox_tiles){1 << 22, 0, 1024}, NULL, starts, NULL), TRIBOX_OK);
+    for (size_t t = 0; t < 1024; t++)
+        assert_int_equal(starts[t + 1], t >= 511);
+}
+
 static void test_numbers_of_tiles(void **state)
 {
     (void)state;
@@ -277,6 +291,7 @@ int main(int argc, char **argv)
         cmocka_unit_test_prestate(test_shares, &args),
         cmocka_unit_test_prestate(test_few_of_many, &args),
         cmocka_unit_test(test_long_row),
+        cmocka_unit_test(test_guess_far_off),
         cmocka_unit_test_prestate(test_numbers_of_tiles, &args),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
