@@ -93,17 +93,16 @@ static void start_row(flood *f, size_t j, size_t k)
         extend(&f->next, k - 1);
 }
 
-/* A row that was noted: from the rows next to it. */
+/* A row that was noted: from the rows next to it. It is within the grid, as all of a row at its border is reached at once. */
 static void take_row(flood *f, size_t j, size_t k)
 {
     const size_t words = f->rows.words, row = k * f->lines + j, layer = f->lines * words;
     const uint64_t *const occupied = occupied_row(f, row);
     uint64_t *const solid = solid_row(f, row);
-    const uint64_t *const at[4] = {j ? solid - words : solid, j + 1 < f->lines ? solid + words : solid, k ? solid - layer : solid,
-                                   k + 1 < f->layers ? solid + layer : solid};
     f->noted[row / 64] &= ~(UINT64_C(1) << row % 64);
     f->inside -= tribox_row_left(words, occupied, solid);
-    tribox_row_take(words, occupied, at, solid);
+    tribox_row_take(words, occupied, solid - words, solid + words, solid - layer, k + 1 < f->layers ? solid + layer : solid - layer,
+                    solid);
     settle_row(f, row, true);
     note_neighbours(f, j, k);
 }

@@ -48,11 +48,10 @@ static inline bool tribox_row_start(size_t words, uint64_t last, const uint64_t 
     return left;
 }
 
-/* The same for a row that was started, and four rows. */
-static inline void tribox_row_take(size_t words, const uint64_t *restrict occupied, const uint64_t *const neighbour[4],
-                                   uint64_t *restrict solid)
+/* The same for a row that was started, and three or four rows: one may come twice, but not the row itself. */
+static inline void tribox_row_take(size_t words, const uint64_t *restrict occupied, const uint64_t *a, const uint64_t *b,
+                                   const uint64_t *c, const uint64_t *d, uint64_t *restrict solid)
 {
-    const uint64_t *const a = neighbour[0], *const b = neighbour[1], *const c = neighbour[2], *const d = neighbour[3];
     for (size_t w = 0; w < words; w++) {
         const uint64_t left = solid[w] & ~occupied[w];
         solid[w] &= ~tribox_spread_up(left & ~(a[w] & b[w] & c[w] & d[w]), left);
