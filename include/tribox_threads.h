@@ -129,7 +129,7 @@ TRIBOX_API size_t tribox_fill_labels_bytes(const uint32_t size[3]);
  *
  * size: of the part: (size[0] + 1) / 2 * size[1] * size[2] must be less than 2^31.
  * occupied: the words of the part, in the layout of a tribox_window.
- * scratch: tribox_fill_labels_bytes(size) bytes, at any alignment. tribox_fill_labelled needs its contents.
+ * scratch: tribox_fill_labels_bytes(size) bytes, at any alignment. tribox_fill_labelled needs its contents, which may be moved.
  * faces: labels 0 .. count - 1, and TRIBOX_NO_LABEL for occupied cells: faces[2 * a] of the cells that are first on axis a,
  *   faces[2 * a + 1] of those that are last. Cell (i, j, k) is number k * size[1] + j of the first two, k * size[0] + i of the next
  *   two, and j * size[0] + i of the last two. NULL for a face that is not wanted.
@@ -163,7 +163,7 @@ TRIBOX_API uint32_t tribox_fill_root(uint32_t *parents, uint32_t label);
  * The last step: fills the cells of a part that the outside does not reach.
  *
  * size, occupied: of the part, as for tribox_fill_labels.
- * scratch: as tribox_fill_labels left it for the same words; it is not changed.
+ * scratch: the bytes that tribox_fill_labels left for the same words, at any address; they are not changed.
  * outside: a mask with a bit for each label, set if it is joined with the outside.
  * solid: as many words as occupied, not overlapping it; written: the surface and its inside, with zeros past each row's last cell.
  * inside: receives how many cells were filled, without those occupied; NULL if not wanted.

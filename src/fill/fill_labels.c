@@ -183,6 +183,8 @@ tribox_status tribox_fill_labels(const uint32_t size[3], const uint64_t *occupie
             join_row(&r, j, k);
     *count = label_runs(&r);
     write_faces(&r, faces);
+    if (r.first != scratch)
+        memmove(scratch, r.first, (r.rows.count + 1 + r.first[r.rows.count]) * sizeof *r.first);
     return TRIBOX_OK;
 }
 

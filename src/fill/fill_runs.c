@@ -15,20 +15,21 @@ bool tribox_runs_are_served(const uint32_t size[3])
 size_t tribox_runs_bytes(const uint32_t size[3])
 {
     const uint64_t rows = (uint64_t)size[1] * size[2], most = most_runs_of(size[0]);
-    const uint64_t bytes = 2 * size[1] * most * sizeof(tribox_run) + (rows * most + rows + 1) * sizeof(uint32_t) + sizeof(uint64_t);
+    const uint64_t spans = 2 * (uint64_t)size[1] * most;
+    const uint64_t bytes = spans * sizeof(tribox_run) + (rows * most + rows + 2) * sizeof(uint32_t);
     return bytes > SIZE_MAX ? SIZE_MAX : (size_t)bytes;
 }
 
 tribox_runs tribox_runs_in(const uint32_t size[3], const uint64_t *occupied, void *scratch)
 {
-    const size_t off = (uintptr_t)scratch % sizeof(uint64_t);
+    const size_t off = (uintptr_t)scratch % sizeof(uint32_t);
     tribox_runs r = {.size = {size[0], size[1], size[2]},
                      .rows = tribox_rows_of(size),
                      .most = (size_t)most_runs_of(size[0]),
                      .occupied = occupied};
-    r.spans[0] = (tribox_run *)(void *)((char *)scratch + (off ? sizeof(uint64_t) - off : 0));
-    r.spans[1] = r.spans[0] + size[1] * r.most;
-    r.first = (uint32_t *)(void *)(r.spans[1] + size[1] * r.most);
+    r.first = (uint32_t *)(void *)((char *)scratch + (off ? sizeof(uint32_t) - off : 0));
     r.parents = r.first + r.rows.count + 1;
+    r.spans[0] = (tribox_run *)(void *)(r.parents + r.rows.count * r.most);
+    r.spans[1] = r.spans[0] + size[1] * r.most;
     return r;
 }

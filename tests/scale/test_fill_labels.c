@@ -24,6 +24,7 @@ typedef struct part {
     uint32_t from, labels; /* its labels among all */
     uint32_t *faces[6];
     guarded face_pages[6], words, solid, scratch;
+    uint32_t off;  /* of its scratch from an aligned place */
     bool is_empty; /* taken as one label, without a call */
 } part;
 
@@ -101,8 +102,8 @@ static size_t face_cells(const part *p, int face) { return (size_t)p->size[face 
 static void label(random_source *r, part *p)
 {
     const size_t bytes = tribox_fill_labels_bytes(p->size);
-    void *const scratch = take_pages(&p->scratch, bytes);
-    guarded_read_only(p->scratch, false);
+    p->off = random_int(r, 2) ? (uint32_t)random_int(r, 8) : 0;
+    void *const scratch = take_pages(&p->scratch, bytes + p->off);
     memset(p->scratch.first, random_int(r, 256), p->scratch.size);
     for (int face = 0; face < 6; face++)
         p->faces[face] = take_pages(&p->face_pages[face], face_cells(p, face) * sizeof(uint32_t));
@@ -164,8 +165,16 @@ static void join_all(random_source *r)
     }
 }
 
-static size_t fill_part(part *p)
+/* Scratch is moved to an address of another alignment, and cannot be written there. */
+static size_t fill_part(part *p, uint32_t off)
 {
+    static guarded moved;
+    const size_t scratch_bytes = tribox_fill_labels_bytes(p->size);
+    if (moved.first)
+        guarded_read_only(moved, false);
+    void *const scratch = take_pages(&moved, scratch_bytes + off);
+    memcpy(scratch, guarded_tail(p->scratch, scratch_bytes + p->off), scratch_bytes);
+    guarded_read_only(moved, true);
     uint64_t outside[WALLS_CELLS / 64 + 1] = {0};
     size_t inside = SIZE_MAX;
     const size_t bytes = row_words(p) * p->size[1] * p->size[2] * sizeof(uint64_t);
@@ -173,9 +182,7 @@ static size_t fill_part(part *p)
         outside[n / 64] |= (uint64_t)(tribox_fill_root(cut.parents, p->from + n) == tribox_fill_root(cut.parents, 0)) << n % 64;
     take_pages(&p->solid, bytes);
     memset(p->solid.first, 0x5a, p->solid.size);
-    guarded_read_only(p->scratch, true);
-    assert_int_equal(tribox_fill_labelled(p->size, words_of(p), guarded_tail(p->scratch, tribox_fill_labels_bytes(p->size)),
-                                          outside, guarded_tail(p->solid, bytes), &inside),
+    assert_int_equal(tribox_fill_labelled(p->size, words_of(p), scratch, outside, guarded_tail(p->solid, bytes), &inside),
                      TRIBOX_OK);
     return inside;
 }
@@ -204,7 +211,7 @@ static void check_drawn(random_source *r)
     label_all(r);
     join_all(r);
     for (size_t n = 0; n < parts_of(); n++) {
-        inside += fill_part(&cut.parts[n]);
+        inside += fill_part(&cut.parts[n], (uint32_t)random_int(r, 8));
         check_part(&cut.parts[n]);
     }
     free(cut.parents);
