@@ -31,16 +31,11 @@ static size_t fill_row(const tribox_rows *rows, const uint64_t *occupied, uint64
 
 static void fill_rows(const tribox_crossings *c, const uint64_t *occupied, size_t *inside, size_t *odd_rows)
 {
-    size_t filled = 0, odd = 0;
     for (size_t r = 0; r < c->rows.count; r++) {
         bool is_odd;
-        filled += fill_row(&c->rows, occupied + r * c->rows.words, c->solid + r * c->rows.words, &is_odd);
-        odd += is_odd != (c->beyond[r / 64] >> r % 64 & 1);
+        *inside += fill_row(&c->rows, occupied + r * c->rows.words, c->solid + r * c->rows.words, &is_odd);
+        *odd_rows += is_odd != (c->beyond[r / 64] >> r % 64 & 1);
     }
-    if (inside)
-        *inside = filled;
-    if (odd_rows)
-        *odd_rows = odd;
 }
 
 static void start_crossings(tribox_crossings *c, const tribox_kernel *kernel, const tribox_grid *grid, const tribox_window *window,
@@ -73,9 +68,11 @@ static void fill_window(const tribox_triangles *triangles, const tribox_kernel *
                         size_t *odd_rows)
 {
     tribox_crossings c;
+    *inside = *odd_rows = 0;
+    if (!window->size[0] || !window->size[1] || !window->size[2])
+        return;
     start_crossings(&c, kernel, grid, window, solid, scratch);
-    if (window->size[0] && c.rows.count)
-        cross_all(&c, triangles);
+    cross_all(&c, triangles);
     fill_rows(&c, occupied, inside, odd_rows);
 }
 
@@ -83,6 +80,7 @@ static tribox_status fill_parity(const tribox_triangles *triangles, const tribox
                                  const uint64_t *occupied, void *scratch, uint64_t *solid, size_t *inside, size_t *odd_rows)
 {
     tribox_plan plan;
+    size_t filled, odd;
     if (!grid || !occupied || !scratch || !solid)
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(NULL, &plan);
@@ -94,7 +92,8 @@ static tribox_status fill_parity(const tribox_triangles *triangles, const tribox
     if (!status && !tribox_triangles_have_vertices(triangles, plan.kernel))
         status = TRIBOX_BAD_VERTEX;
     if (!status)
-        fill_window(triangles, plan.kernel, grid, &asked, occupied, scratch, solid, inside, odd_rows);
+        fill_window(triangles, plan.kernel, grid, &asked, occupied, scratch, solid, inside ? inside : &filled,
+                    odd_rows ? odd_rows : &odd);
     tribox_environment_leave(callers);
     return status;
 }

@@ -13,8 +13,10 @@ typedef struct cells_out {
 static bool have_addresses(const uint32_t size[3])
 {
     size_t left = PTRDIFF_MAX / sizeof(uint32_t);
+    if (!size[0] || !size[1] || !size[2])
+        return true;
     for (int a = 0; a < 3; a++)
-        left /= size[a] ? size[a] : 1;
+        left /= size[a];
     return left;
 }
 

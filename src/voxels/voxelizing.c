@@ -22,7 +22,8 @@ void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layer
 void tribox_voxels_ask_ids(tribox_voxels *v, uint32_t *ids, uint32_t first)
 {
     const uint32_t row_words = (uint32_t)v->sinks.row_words;
-    v->sinks.ids = (tribox_cell_ids){.of = ids, .first = first, .row_words = row_words, .gap = 64 * row_words - v->window.size[0]};
+    v->sinks.ids = (tribox_cell_ids){
+        .of = ids, .first = first, .row_words = row_words, .gap = (uint32_t)(64 * (uint64_t)row_words - v->window.size[0])};
     v->window.has_numbers = true;
 }
 

@@ -197,6 +197,9 @@ static void test_refused(void **state)
     assert_int_equal(tribox_mesh_voxelize_ids(&mesh, UINT32_MAX, &grid, NULL, NULL, occupied, ids, &report), TRIBOX_OK);
     for (int n = 0; n < 4; n++)
         assert_int_equal(ids[n], 7);
+    const tribox_grid vast = {{0, 0, 0}, {1, 1, 1}, {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
+    const tribox_window none = {{0, 0, 0}, {UINT32_MAX, UINT32_MAX, 0}};
+    assert_int_equal(tribox_voxelize_ids(&soup, 0, &vast, &none, NULL, occupied, ids, &report), TRIBOX_OK);
     assert_int_equal(tribox_voxelize_ids(&soup, UINT32_MAX - 3, &grid, NULL, NULL, occupied, ids, &report), TRIBOX_OK);
     assert_true(report.overlapping > 0 && ids[0] == UINT32_MAX - 3);
 }
