@@ -94,6 +94,14 @@ def with_openvdb_colours(path):
             "middle": grids["Cd"].transform.indexToWorld((0, 0, 0))}
 
 
+def with_openvdb_labels(path):
+    import pyopenvdb
+    grids = {grid.name: grid for grid in pyopenvdb.readAll(path)[0]}
+    assert sorted(grids) == ["inside", "tribox"] and grids["inside"].transform == grids["tribox"].transform
+    assert all(item.value for grid in grids.values() for item in grid.citerOnValues())
+    return {name: [item.min for item in grid.citerOnValues() if item.min == item.max] for name, grid in grids.items()}
+
+
 def with_vtk_colours(path):
     """The corners of each triangle, and its colour."""
     from vtkmodules.vtkIOPLY import vtkPLYReader

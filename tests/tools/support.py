@@ -9,6 +9,8 @@ import sys
 import tempfile
 import unittest
 
+DEBIAN = "/usr/bin/python3"
+FOREIGN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "foreign.py")
 UNIT_BOX = "-0.5,-0.5,-0.5,0.5,0.5,0.5"
 UNIT_ORIENTED = "0,0,0,0.5,0.5,0.5,1,0,0,0,1,0,0,0,1"
 
@@ -98,6 +100,17 @@ class TestCase(unittest.TestCase):
     def assert_one_line(self, stderr, pattern):
         self.assertRegex(stderr, pattern)
         self.assertRegex(stderr, r"\Atribox[^\n]*: [^\n]+\n\Z")
+
+    def foreign(self, program, *paths):
+        """What another program reads from these files (foreign.py), by Debian's Python, whose packages have it."""
+        if not os.path.exists(DEBIAN):
+            self.skipTest("no Python of Debian's")
+        done = subprocess.run([DEBIAN, "-B", FOREIGN, program, *paths], capture_output=True, timeout=120)
+        self.assertEqual((done.returncode, done.stderr.decode()), (0, ""))
+        found = json.loads(done.stdout)
+        if isinstance(found, str):
+            self.skipTest(found)
+        return found
 
     def overlap(self, mesh, box, *options):
         """The answer about one box as JSON, its list included."""

@@ -18,8 +18,6 @@ import volumes
 
 SEED = int(os.environ.get("TRIBOX_TEST_SEED", "1"))
 HERE = os.path.dirname(os.path.abspath(__file__))
-DEBIAN = "/usr/bin/python3"
-FOREIGN = os.path.join(HERE, "foreign.py")
 GRID = ("--cell", "0.5,0.75,0.5", "--origin=-2,-2.25,-2", "--size", "8,6,9")
 ABOUT = {"origin": [-2, -2.25, -2], "cell": [0.5, 0.75, 0.5], "size": [8, 6, 9]}
 
@@ -308,16 +306,6 @@ class Files(Colours):
         head = volumes.read(self.path("plain.ply")).split(b"end_header")[0].decode()
         self.assertIn("element face %d\n" % counts[0], head)
         self.assertGreater(counts[1], counts[0])
-
-    def foreign(self, program, *paths):
-        if not os.path.exists(DEBIAN):
-            self.skipTest("no Python of Debian's")
-        done = subprocess.run([DEBIAN, "-B", FOREIGN, program, *paths], capture_output=True, timeout=120)
-        self.assertEqual((done.returncode, done.stderr.decode()), (0, ""))
-        found = json.loads(done.stdout)
-        if isinstance(found, str):
-            self.skipTest(found)
-        return found
 
     def test_numpy(self):
         for options in ((), ("--deflate",)):

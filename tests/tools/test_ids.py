@@ -86,7 +86,7 @@ def read_dense(path):
 
 
 READERS = {".npz": read_npz, ".npy": read_dense, ".nrrd": read_dense, ".vti": read_dense, ".raw": read_dense,
-           ".vdb": lambda path: volumes.read_vdb_numbers(path, -1)}
+           ".vdb": volumes.read_vdb_numbers}
 
 
 class Ids(support.TestCase):

@@ -13,8 +13,6 @@ import meshes
 import support
 import volumes
 
-DEBIAN = "/usr/bin/python3"
-FOREIGN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "foreign.py")
 
 # Sizes around 8 and 64, more than 4096 in a row, one cell, none that is set, cells of three lengths, a shifted mesh.
 GRIDS = {
@@ -46,16 +44,6 @@ class Volumes(support.TestCase):
         found = json.loads(run("voxelize", self.mesh, "-o", self.path(name), "--json", *options))
         return volumes.read_npy(self.path(name))[1], found
 
-    def foreign(self, program, paths):
-        if not os.path.exists(DEBIAN):
-            self.skipTest("no Python of Debian's")
-        done = subprocess.run([DEBIAN, "-B", FOREIGN, program, *paths], capture_output=True, timeout=120)
-        self.assertEqual((done.returncode, done.stderr), (0, b""))
-        found = json.loads(done.stdout)
-        if isinstance(found, str):
-            self.skipTest(found)
-        return found
-
     def check_place(self, found, grid, shift):
         """The corner or the middle of the first cell, and the lengths, to the last bits of a double."""
         for a in range(3):
@@ -74,7 +62,7 @@ class Volumes(support.TestCase):
                 self.assertEqual(self.succeed(*words), "")
             else:
                 self.succeed_with_note("note: .* does not hold that its cells are shifted by 0.5,-1,2$", *words)
-        for (cells, answer), found, path in zip(expected, self.foreign(program, paths), paths):
+        for (cells, answer), found, path in zip(expected, self.foreign(program, *paths), paths):
             self.assertEqual(len(found["cells"]), answer["occupied"], path)
             self.assertEqual({tuple(cell) for cell in found["cells"]}, cells, path)
             self.assertEqual(found.get("active", len(cells)), len(cells), path)
@@ -131,7 +119,7 @@ class Readers(Volumes):
                                                            meshes.lattice_triangles(4, seed=3)]))
         self.succeed_with_note("note: .*small.vdb has lengths of the mesh times 1000, as OpenVDB takes no cells as small as these$",
                                "voxelize", small, "-r", "40", "-q", "-o", self.path("small.vdb"))
-        found, = self.foreign("openvdb", [self.path("small.vdb")])
+        found, = self.foreign("openvdb", self.path("small.vdb"))
         for a in range(3):
             self.assertTrue(volumes.is_close(found["middle"][a], 1000 * (found["begins"][a] + found["lengths"][a] / 2)))
             self.assertTrue(volumes.is_close(found["cell"][a], 1000 * found["lengths"][a]))
@@ -164,7 +152,7 @@ class Readers(Volumes):
         with open(self.path("pipe.vdb"), "wb") as file:
             subprocess.run([support.program(), "voxelize", self.mesh, *GRIDS["odd"], "--out-format", "vdb", "-o", "-"], stdout=file,
                            check=True, timeout=60)
-        found, = self.foreign("openvdb", [self.path("pipe.vdb")])
+        found, = self.foreign("openvdb", self.path("pipe.vdb"))
         self.assertEqual({tuple(cell) for cell in found["cells"]}, volumes.read_npy(self.path("dense.npy"))[1])
 
 class Places(Volumes):

@@ -131,9 +131,9 @@ def read_vdb_masks(path):
     return about, transform, set(cells)
 
 
-def read_vdb_numbers(path, background=0):
-    """OpenVDB 224, one Int32Grid. Returns the values of its active cells by their place."""
-    _, _, cells, data = read_vdb(path, "Tree_int32_5_4_3", "i", background)
+def read_vdb_numbers(path):
+    """OpenVDB 224, one Int32Grid of -1. Returns the values of its active cells by their place."""
+    _, _, cells, data = read_vdb(path, "Tree_int32_5_4_3", "i", -1)
     places = iter(cells)
     labels = {}
     while len(labels) < len(cells):

@@ -66,7 +66,7 @@ class tree
 {
   public:
     virtual ~tree() = default;
-    virtual void put(const openvdb::Coord &corner, const uint64_t words[8], const uint64_t inside[8]) = 0;
+    virtual void put(const openvdb::Coord &corner, const uint64_t words[8]) = 0;
     virtual openvdb::GridBase::Ptr base() const = 0;
 };
 
@@ -76,7 +76,7 @@ template <class Grid> class tree_of : public tree
     // Made by OpenVDB: to make one here, the compiler would have to translate all of it again.
     tree_of() : grid(std::static_pointer_cast<Grid>(openvdb::GridBase::createGrid(Grid::TreeType::treeType()))) {}
 
-    void put(const openvdb::Coord &corner, const uint64_t words[8], const uint64_t inside[8]) override
+    void put(const openvdb::Coord &corner, const uint64_t words[8]) override
     {
         using leaf_node = typename Grid::TreeType::LeafNodeType;
         typename leaf_node::NodeMaskType mask;
@@ -84,26 +84,18 @@ template <class Grid> class tree_of : public tree
             mask.template getWord<uint64_t>(i) = words[i];
         leaf_node *const leaf = grid->tree().touchLeaf(corner);
         leaf->setValueMask(mask);
-        set_values(*leaf, words, inside);
+        set_values(*leaf, words);
     }
 
     openvdb::GridBase::Ptr base() const override { return grid; }
 
   private:
     // The values of a mask are its active cells.
-    static void set_values(openvdb::MaskTree::LeafNodeType &, const uint64_t *, const uint64_t *) {}
+    static void set_values(openvdb::MaskTree::LeafNodeType &, const uint64_t *) {}
 
-    static void set_values(openvdb::BoolTree::LeafNodeType &leaf, const uint64_t words[8], const uint64_t *)
+    static void set_values(openvdb::BoolTree::LeafNodeType &leaf, const uint64_t words[8])
     {
         std::memcpy(leaf.buffer().data(), words, 8 * sizeof *words);
-    }
-
-    // Labels: 1, and 2 inside.
-    static void set_values(openvdb::Int32Tree::LeafNodeType &leaf, const uint64_t words[8], const uint64_t inside[8])
-    {
-        int32_t *const values = leaf.buffer().data();
-        for (int n = 0; n < 512; n++)
-            values[n] = static_cast<int32_t>((words[n / 64] >> n % 64 & 1) + (inside[n / 64] >> n % 64 & 1));
     }
 
     typename Grid::Ptr grid;
@@ -152,6 +144,7 @@ template <class Grid> class values_of : public values
 // What there is of a file.
 struct content {
     std::unique_ptr<tree> cells;          // nullptr: these have ids
+    std::unique_ptr<tree> inside;         // nullptr: no labels
     std::unique_ptr<values> cells_values; // nullptr: none
 };
 
@@ -200,13 +193,15 @@ void *make(const vdb_grid *grid, char *reason)
         std::unique_ptr<content> c(new content);
         if (grid->has_ids)
             c->cells_values.reset(new values_of<openvdb::Int32Grid>(-1));
-        else if (grid->has_labels)
-            c->cells.reset(new tree_of<openvdb::Int32Grid>);
         else if (grid->is_mask)
             c->cells.reset(new tree_of<openvdb::MaskGrid>);
         else
             c->cells.reset(new tree_of<openvdb::BoolGrid>);
         describe(*(grid->has_ids ? c->cells_values->base() : c->cells->base()), *grid, "tribox");
+        if (grid->has_labels) {
+            c->inside.reset(new tree_of<openvdb::BoolGrid>);
+            describe(*c->inside->base(), *grid, "inside");
+        }
         if (grid->has_colours) { // light from 0 to 1, as programs that render have it: inactive cells are black
             c->cells_values.reset(new values_of<openvdb::Vec3SGrid>(openvdb::Vec3s(0)));
             c->cells_values->base()->setVectorType(openvdb::VEC_INVARIANT);
@@ -220,14 +215,18 @@ void *make(const vdb_grid *grid, char *reason)
 int put(void *to, const uint32_t at[3], const uint64_t bits[8], const uint64_t *inside, const void *of_cells, char *reason)
 {
     return attempt(reason, [&] {
-        uint64_t words[8], inside_words[8] = {0};
+        uint64_t words[8], inside_words[8], any = 0;
         content *const c = static_cast<content *>(to);
         const openvdb::Coord corner(static_cast<int>(8 * at[0]), static_cast<int>(8 * at[1]), static_cast<int>(8 * at[2]));
         exchange(bits, words);
-        if (inside)
-            exchange(inside, inside_words);
         if (c->cells)
-            c->cells->put(corner, words, inside_words);
+            c->cells->put(corner, words);
+        for (int k = 0; inside && k < 8; k++)
+            any |= inside[k];
+        if (any) {
+            exchange(inside, inside_words);
+            c->inside->put(corner, inside_words);
+        }
         if (c->cells_values)
             c->cells_values->put(corner, bits, words, static_cast<const unsigned char *>(of_cells));
     });
@@ -243,6 +242,8 @@ int write(void *from, FILE *to, int can_seek, char *reason)
         openvdb::GridPtrVec grids;
         if (c->cells)
             grids.push_back(c->cells->base());
+        if (c->inside)
+            grids.push_back(c->inside->base());
         if (c->cells_values)
             grids.push_back(c->cells_values->base());
         archive().write_to(stream, grids, can_seek != 0);

@@ -15,7 +15,7 @@ typedef struct vdb_grid {
     uint32_t size[3];
     double unit;     /* the transform's lengths are these times it */
     int is_mask;     /* a MaskGrid in place of a BoolGrid */
-    int has_labels;  /* an Int32Grid, of 1 and of 2 where cells are inside */
+    int has_labels;  /* beside it another, "inside", of the cells that are */
     int has_colours; /* beside it a Vec3SGrid, "Cd" */
     int has_ids;     /* an Int32Grid of them, of -1 where no cell is set; without colours */
 } vdb_grid;
