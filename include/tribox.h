@@ -14,7 +14,7 @@
  *                 may make calls on the same input at once. Threads that share a mask should each own whole words of it.
  *   Environment   The caller's rounding mode and flush-to-zero setting change no answer and are restored on return.
  *   Memory        No alignment or padding is needed. Nothing is read outside the input or written outside the mask. Masks and
- *                 reports must not overlap the input or each other.
+ *                 reports must not overlap the input or each other. No call takes more than 96 KB of stack.
  *   Not promised  FAST and CONSERVATIVE masks may differ between kernels, tribox_report.undecided between kernels and versions.
  *                 EXACT masks never differ.
  */
@@ -550,9 +550,11 @@ TRIBOX_API size_t tribox_window_words(const uint32_t size[3]);
  * the surface is marked: a cell inside a closed mesh that no triangle overlaps stays clear.
  *
  * EXACT is by definition tribox_overlap of every triangle with every tribox_grid_cell, for every axis set. CONSERVATIVE sets a
- * superset of it: the extra cells miss their triangle by less than 2^-7 of a cell on some axis, and by more only where there are
- * more than 2^13 cells along an axis, or floats near the window are hardly finer than its cells. FAST uses the same limits without
- * error bounds, except for that of the plane, and may err as much either way. Triangles may lie partly or wholly outside the grid.
+ * superset of it: with all axes, with BOX, or with BOX and EDGES the extra cells miss their triangle by less than 2^-7 of a cell on
+ * some axis, and by more only where there are more than 2^13 cells along an axis, or floats near the window are hardly finer than
+ * its cells; with other sets of axes a triangle whose vertices are nearly on a line may set cells farther away. FAST uses the same
+ * limits without error bounds, except for that of the plane, and may err as much either way. Triangles may lie partly or wholly
+ * outside the grid.
  *
  * window: the cells that are wanted; NULL for the whole grid. EXACT gives the bits of the whole grid, and so do the others where
  *   the window is of whole layers, of a grid with at most 2^30 of them: for threads, each of which owns some layers. Other windows
@@ -565,7 +567,7 @@ TRIBOX_API size_t tribox_window_words(const uint32_t size[3]);
  *
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except that
  * axis sets without TRIBOX_AXES_BOX test every triangle against every cell of the window. Many triangles in one call are faster
- * than many calls, as small triangles are taken a packet at a time. Nothing is allocated; the call takes up to 96 KB of stack.
+ * than many calls, as small triangles are taken a packet at a time.
  *
  * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (a NULL pointer, count floats exceed the address space, or the window leaves the grid),
  * TRIBOX_BAD_GRID (also if there are more than 2^31 words to write: ask for windows), TRIBOX_BAD_OPTION or TRIBOX_NO_KERNEL.
@@ -726,8 +728,7 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t side);
  * the cells of tribox_voxelize; the others may differ from it within rounding of contact.
  *
  * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. Shares of the tiles together give the
- * bricks of the whole, so they may be spread over threads, tasks and machines. Tiles without triangles cost next to nothing. The
- * call takes as much stack as tribox_voxelize.
+ * bricks of the whole, so they may be spread over threads, tasks and machines. Tiles without triangles cost next to nothing.
  *
  * soup, grid: as for tribox_voxelize.
  * tiles: the share; its side is a multiple of 8, at most 1024.
@@ -762,8 +763,8 @@ typedef struct tribox_ids_sink {
 } tribox_ids_sink;
 
 /**
- * The bytes of scratch that tribox_bricks_ids needs for tiles of this side: those of tribox_bricks_bytes, and four for each cell of
- * a tile; SIZE_MAX if that overflows. Tiles of 64 cells a side, whose ids fit into 1 MiB, suit the caches.
+ * The bytes of scratch that tribox_bricks_ids needs for tiles of this side, most of them four for each cell of a tile; SIZE_MAX if
+ * that overflows. Tiles of 64 cells a side, whose ids fit into 1 MiB, suit the caches.
  */
 TRIBOX_API size_t tribox_bricks_ids_bytes(uint32_t side);
 

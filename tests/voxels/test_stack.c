@@ -1,5 +1,5 @@
 /*
- * test_stack.c - a voxelization, of floats or doubles, takes no more stack than the header says, on every kernel.
+ * test_stack.c - no call takes more stack than the header says, of floats or doubles, on every kernel.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <setjmp.h>
@@ -84,6 +84,12 @@ static int take_none(void *data, const uint32_t at[3], const uint64_t bits[8])
     return 0;
 }
 
+static int take_no_ids(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ids[512])
+{
+    (void)ids;
+    return take_none(data, at, bits);
+}
+
 static void *make_bricks(void *options)
 {
     const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
@@ -108,9 +114,79 @@ static void *make_mesh_bricks(void *options)
     return NULL;
 }
 
-static void check_stack(void *(*voxelize_by)(void *), const char *name, tribox_options *options)
+static void *make_bricks_of_ids(void *options)
 {
-    const size_t taken = stack_of(voxelize_by, options);
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    static unsigned char room[512 * 1024];
+    assert_true(tribox_bricks_ids_bytes(TILE) <= sizeof room);
+    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, list), TRIBOX_OK);
+    assert_int_equal(tribox_bricks_ids(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, starts, list, options, room,
+                                       &(tribox_ids_sink){take_no_ids, NULL}, NULL),
+                     TRIBOX_OK);
+    return NULL;
+}
+
+/* Without options, which these take but at EXACT. */
+static void *fill(void *options)
+{
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    static uint64_t solid[sizeof occupied / sizeof occupied[0]];
+    (void)options;
+    memset(occupied, 0, sizeof occupied);
+    assert_int_equal(tribox_voxelize_thin(&soup, &grid, NULL, NULL, occupied, NULL), TRIBOX_OK);
+    assert_true(tribox_fill_bytes(grid.size) <= sizeof scratch);
+    assert_int_equal(tribox_fill_outside(grid.size, occupied, scratch, solid, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_fill_parity(&soup, &grid, occupied, scratch, solid, NULL, NULL), TRIBOX_OK);
+    return NULL;
+}
+
+/* One box, upright and oriented, of triangles as they are, of an index and of an order. */
+static void *ask_box(const tribox_index *index, const tribox_options *options)
+{
+    static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
+    static const tribox_oriented_box turned = {{60, 60, 60}, {30, 20, 10}, {{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}};
+    static uint64_t mask[(TRIANGLES + 63) / 64];
+    size_t found;
+    assert_true(tribox_index_bytes(TRIANGLES) <= sizeof scratch && 16 * TRIANGLES <= sizeof scratch);
+    if (index->soup) {
+        assert_int_equal(tribox_overlap(index->soup, &box, options, mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_overlap_oriented(index->soup, &turned, options, mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_soup_sort(index->soup, list, scratch), TRIBOX_OK);
+    } else {
+        assert_int_equal(tribox_mesh_overlap(index->mesh, &box, options, mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_overlap_oriented(index->mesh, &turned, options, mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_sort(index->mesh, list, scratch), TRIBOX_OK);
+    }
+    assert_int_equal(tribox_index_build(index, options, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_index_list(index, &(tribox_region){.box = &box}, options, TRIANGLES, list, &found), TRIBOX_OK);
+    assert_int_equal(tribox_index_list(index, &(tribox_region){.oriented = &turned}, options, TRIANGLES, list, &found), TRIBOX_OK);
+    return NULL;
+}
+
+static void *ask_soup(void *options) { return ask_box(&(tribox_index){.soup = &soup, .nodes = scratch}, options); }
+
+static void *ask_mesh(void *options)
+{
+    const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
+    return ask_box(&(tribox_index){.mesh = &mesh, .nodes = scratch}, options);
+}
+
+static const struct {
+    const char *name;
+    void *(*run)(void *);
+} calls[] = {{"tribox_voxelize", voxelize},
+             {"tribox_mesh_voxelize", voxelize_mesh},
+             {"tribox_bricks", make_bricks},
+             {"tribox_mesh_bricks", make_mesh_bricks},
+             {"tribox_bricks_ids", make_bricks_of_ids},
+             {"thin surfaces and fills", fill},
+             {"boxes about a soup", ask_soup},
+             {"boxes about a mesh", ask_mesh}};
+
+static void check_stack(void *(*run)(void *), const char *name, tribox_options *options)
+{
+    const size_t taken = stack_of(run, options);
     if (taken > STATED)
         fail_msg("%s, %s, accuracy %d: %zu bytes of stack, %d are stated", name, options->kernel, (int)options->accuracy, taken,
                  STATED);
@@ -128,10 +204,8 @@ static void test_stack(void **state)
     for (int k = 0; k < kernel_count; k++)
         for (int accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++) {
             tribox_options options = {.accuracy = (tribox_accuracy)accuracy, .kernel = kernels[k]};
-            check_stack(voxelize, "tribox_voxelize", &options);
-            check_stack(voxelize_mesh, "tribox_mesh_voxelize", &options);
-            check_stack(make_bricks, "tribox_bricks", &options);
-            check_stack(make_mesh_bricks, "tribox_mesh_bricks", &options);
+            for (size_t n = 0; n < sizeof calls / sizeof calls[0]; n++)
+                check_stack(calls[n].run, calls[n].name, &options);
         }
 }
 
