@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 # shellcheck disable=SC2086
-packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user \
+packaging/packages.sh ${PACKAGES:-} gcc g++ libc6-dev meson ninja-build pkgconf cmake python3 qemu-user valgrind \
     libassimp-dev libpng-dev zlib1g-dev libopenvdb-dev \
     libcmocka-dev libgmp-dev libembree-dev libcgal-dev libmpfr-dev libbullet-dev \
     python3-numpy python3-cffi python3-cffi-backend mypy python3-dask python3-distributed python3-zarr \

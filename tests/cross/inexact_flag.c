@@ -1,6 +1,6 @@
 /*
  * inexact_flag.c - what inexact_flag.h says of sums, products and quotients that are exact, and of some that are not. Where the
- * flag is out of reach it may always say no.
+ * flag is out of reach it says the same of all.
  */
 #include <stdio.h>
 
@@ -50,7 +50,7 @@ int main(void)
         for (size_t k = 0; k < sizeof calculations / sizeof calculations[0]; k++) {
             const calculation *const c = &calculations[k];
             const bool kept = is_kept(c);
-            if (kept == c->is_exact || (!kept && !IS_IN_REACH))
+            if (kept == c->is_exact || (kept && !IS_IN_REACH))
                 continue;
             fprintf(stderr, "%s is %sexact, but inexact_flag.h says %s\n", c->text, c->is_exact ? "" : "not ", kept ? "yes" : "no");
             status = 1;

@@ -1,5 +1,5 @@
 /*
- * test_short_numbers.c - where the inexact flag is out of reach, doubles.h decides ties of short numbers, and none of them wrongly.
+ * test_short_numbers.c - where the inexact flag never rises, doubles.h decides ties of short numbers, and no pair wrongly.
  *
  * Triangles through a corner of their box, in whole numbers of all lengths, so that the plane or an edge axis touches it exactly;
  * then with a number moved by as little as it can be. Judged by integers.

@@ -4,7 +4,7 @@
  *
  * The processor's inexact flag shows for a whole packet at once that every slack is exact; then the signs decide ties as well. That
  * is for EXACT alone: CONSERVATIVE must give a pair the same answer whatever pairs share its packet (PROOFS.md 6.4). Where the flag
- * is out of reach, short numbers show it lane by lane (6.5). Either only saves time. Otherwise redundant axes are left out (2), and
+ * does not rise, short numbers show it lane by lane (6.5). Either only saves time. Otherwise redundant axes are left out (2), and
  * the rest are compared with the bounds of bounds.h (6.3).
  */
 
@@ -132,8 +132,20 @@ TRIBOX_INLINE vmask has_short_numbers(const lane_triangle *t, const lane_box *bo
     return m_and(is_zero(lost), is_tame(longest));
 }
 
+/* Whether the flag rises in this kernel's own arithmetic: a product and a sum that have to be rounded, fused or not. */
+TRIBOX_INLINE bool is_rounding_told(void)
+{
+    const volatile double odd = 1 + 0x1p-52;
+    tribox_exactness_watch();
+    const vnum a = v_splat(odd);
+    return !tribox_exactness_kept(m_bits(v_gt(v_fma(a, a, a), a)));
+}
+
+/* How packets of a batch are found to be exact. */
+typedef enum exactness { NOT_ASKED, BY_FLAG, BY_SHORT_NUMBERS } exactness;
+
 /* One packet of the batch, from pair `at`. */
-TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, bool is_exact)
+TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigned at, unsigned axes, exactness asked)
 {
     lane_triangle t;
     lane_box box;
@@ -149,8 +161,8 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     const lane_slacks slack = slacks_of(&s, axes);
     const uint64_t negative = m_bits(v_gt(v_splat(0), least_slack(&slack)));
     const uint64_t finite = m_bits(is_finite_triangle(&t));
-    uint64_t exact = tribox_exactness_kept(negative) && is_exact ? LANES_ALL : 0;
-    if (!TRIBOX_HAS_INEXACT_FLAG && is_exact)
+    uint64_t exact = tribox_exactness_kept(negative) && asked == BY_FLAG ? LANES_ALL : 0;
+    if (asked == BY_SHORT_NUMBERS)
         exact = m_bits(has_short_numbers(&t, &box));
     if (exact == LANES_ALL)
         return (tribox_verdict){finite & ~negative, 0, finite, 0};
@@ -165,9 +177,10 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
 tribox_in_double TRIBOX_SYMBOL(settle);
 tribox_verdict TRIBOX_SYMBOL(settle)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact)
 {
+    const exactness asked = !is_exact ? NOT_ASKED : is_rounding_told() ? BY_FLAG : BY_SHORT_NUMBERS;
     tribox_verdict all = {0, 0, 0, 0};
     for (unsigned at = 0; at < count; at += V_LANES) {
-        const tribox_verdict packet = packet_in_double(batch, at, axes, is_exact);
+        const tribox_verdict packet = packet_in_double(batch, at, axes, asked);
         all.overlapping |= packet.overlapping << at;
         all.undecided |= packet.undecided << at;
         all.finite |= packet.finite << at;
