@@ -6,7 +6,6 @@
  * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do.
  * What lies between is settled in integers from the numbers of the input (PROOFS.md 8.2).
  */
-#include <float.h>
 #include <string.h>
 
 #include "base/bits.h"
@@ -16,8 +15,8 @@
 #include "base/soup.h"
 
 /*
- * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Only
- * wild triangles have coordinates beyond the greatest float. False if nothing is left of it.
+ * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Halves are
+ * cut off where they reach farther from any middle than a float. False if nothing is left of it.
  */
 static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, int sign, tribox_rounded_box *rounded)
 {
@@ -26,9 +25,9 @@ static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved 
     for (int k = 0; k < 3; k++) {
         const double error = (double)moved->error[k] + q->frame.slack[k];
         const double half = (q->box->half[k] + sign * error) * (1 + sign * 0x1p-22);
-        const float reach = half < (double)FLT_MAX ? (float)half : FLT_MAX;
-        box.lo[k] = q->frame.middle[k] - (double)reach;
-        box.hi[k] = q->frame.middle[k] + (double)reach;
+        const double reach = half < 0x1p150 ? half : 0x1p150;
+        box.lo[k] = q->frame.middle[k] - reach;
+        box.hi[k] = q->frame.middle[k] + reach;
         is_left = is_left && reach >= 0;
     }
     if (is_left)

@@ -418,11 +418,30 @@ static void draw_ends_of_range(random_source *r, oriented_batch *batch)
             batch->box.center[a] = ends[random_int(r, 8)];
     if (!random_int(r, 4))
         batch->box.half[random_int(r, 3)] = fabs(ends[random_int(r, 8)]);
-    if (batch->form != ORIENTED_FLOATS && !random_int(r, 4))
+    if (batch->form != ORIENTED_FLOATS)
         batch->box.axis[random_int(r, 3)][random_int(r, 3)] = ends[random_int(r, 8)];
     for (int t = 0; t < ORIENTED_TRIANGLES; t++)
         for (int times = random_int(r, 5); times > 0; times--)
             batch->u[t][random_int(r, 3)][random_int(r, 3)] = of_triangle(batch, ends[random_int(r, 8)]);
+}
+
+/* An axis so long, and a center so far from any float, that the middle of the box lies at the end of floats in its frame as well. */
+static void move_middle(random_source *r, oriented_batch *batch)
+{
+    const int k = random_int(r, 3), a = random_int(r, 3), b = (a + 1) % 3;
+    memset(batch->box.axis, 0, sizeof batch->box.axis);
+    batch->box.center[a] = 0x1.8p127 + (random_int(r, 2) ? 1 : -1) * random_double(r, 1 - 0x1p-12, 1) * 0x1p103;
+    for (int i = 0; i < 3; i++) {
+        batch->box.axis[i][i] = 1;
+        batch->box.half[i] = ldexp(1, i == k ? random_int_between(r, 129, 131) : random_int_between(r, 120, 125));
+    }
+    batch->box.axis[k][a] = 0x1p25;
+    batch->box.axis[k][b] = random_double(r, 0, 1);
+    for (int t = 0; t < ORIENTED_TRIANGLES; t++)
+        for (int j = 0; j < 3; j++) {
+            batch->u[t][j][a] = 0x1.8p127;
+            batch->u[t][j][b] = of_triangle(batch, ldexp(random_double(r, -1, 1), 120));
+        }
 }
 
 /* Slabs and beams that end where floats do, or doubles. */
@@ -434,6 +453,8 @@ static void draw_endless(random_source *r, oriented_batch *batch)
         draw_whole(r, batch);
     for (int times = random_int_between(r, 1, 2); times > 0; times--)
         batch->box.half[random_int(r, 3)] = of_box(batch, random_int(r, 2) ? DBL_MAX : ldexp(1, random_int_between(r, 60, 200)));
+    if (batch->form == ORIENTED_TRIANGLES_OF_FLOATS)
+        move_middle(r, batch);
 }
 
 static double any_finite(random_source *r, bool is_float)
