@@ -7,6 +7,7 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
+#include "dispatch.h"
 #include "fences.h"
 #include "mesh_layout.h"
 #include "common/kernels_here.h"
@@ -276,6 +277,23 @@ static void test_garbage_count(void **state)
 }
 
 #if SIZE_MAX > 0xffffffffu
+/* Corners without indices whose numbers are those of vertices but for what 32 bits cut off: an index may lead to any triangle. */
+static void test_corners_beyond_32_bits(void **state)
+{
+    (void)state;
+    static const float positions[4 * 80];
+    for (unsigned bytes = 4; bytes <= 8; bytes += 4)
+        for (size_t first = ((size_t)1 << 32) / 3 - 1; first < ((size_t)1 << 32) / 3 + 2; first++) {
+            const tribox_mesh mesh = {
+                .positions = positions, .stride = 4 * bytes, .vertices = 40, .count = first + 9, .position_bytes = bytes};
+            for (int k = 0; k < kernels; k++) {
+                uint32_t offset[27];
+                tribox_corners corners;
+                assert_int_equal(tribox_kernel_find(names[k])->find_corners(&mesh, first, 9, offset, &corners), 3 * first + 26);
+            }
+        }
+}
+
 static size_t page_of(size_t byte, size_t page) { return byte / page * page; }
 
 /*
@@ -329,6 +347,12 @@ static void test_greatest_numbers(void **state)
     pages_release(all, bytes);
 }
 #else
+static void test_corners_beyond_32_bits(void **state)
+{
+    (void)state;
+    skip();
+}
+
 static void test_greatest_numbers(void **state)
 {
     (void)state;
@@ -342,9 +366,15 @@ int main(int argc, char **argv)
     kernels = kernels_here(names);
     fences = mesh_fences_make(args.seed);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_corner),      cmocka_unit_test(test_edges_of_blocks), cmocka_unit_test(test_many),
-        cmocka_unit_test(test_too_few_vertices), cmocka_unit_test(test_no_vertices),     cmocka_unit_test(test_greatest_numbers),
-        cmocka_unit_test(test_garbage_count),    cmocka_unit_test(test_very_many),
+        cmocka_unit_test(test_each_corner),
+        cmocka_unit_test(test_edges_of_blocks),
+        cmocka_unit_test(test_many),
+        cmocka_unit_test(test_too_few_vertices),
+        cmocka_unit_test(test_no_vertices),
+        cmocka_unit_test(test_greatest_numbers),
+        cmocka_unit_test(test_garbage_count),
+        cmocka_unit_test(test_very_many),
+        cmocka_unit_test(test_corners_beyond_32_bits),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     mesh_fences_free(fences);

@@ -56,7 +56,8 @@ static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, 
         return 3 * (first + count) - 1;
     }
     *corners = (tribox_corners){.offset = offset};
-    if (mesh->vertices < 2 || mesh->vertices > UINT32_MAX / mesh->stride)
+    const bool is_beyond = !mesh->indices && 3 * (first + count) > mesh->vertices; /* perhaps beyond 32 bits */
+    if (is_beyond || mesh->vertices < 2 || mesh->vertices > UINT32_MAX / mesh->stride)
         return find_vertices(mesh, first, count).greatest;
     const size_t greatest = !mesh->indices           ? find_offsets(mesh, 0, 3 * first, 3 * count, offset)
                             : mesh->index_bytes == 2 ? find_offsets(mesh, 2, 3 * first, 3 * count, offset)
