@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "finite.h"
+#include "float_at.h"
 
 static bool has_streams(const tribox_soup *soup)
 {
@@ -30,8 +31,9 @@ tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64])
 static bool is_triangle_finite(const tribox_soup *soup, size_t i)
 {
     for (int v = 0; v < 3; v++)
-        if (!tribox_is_finite(soup->x[v][i]) || !tribox_is_finite(soup->y[v][i]) || !tribox_is_finite(soup->z[v][i]))
-            return false;
+        for (int a = 0; a < 3; a++)
+            if (!tribox_is_finite(tribox_float_at(tribox_soup_axis(soup, a)[v] + i)))
+                return false;
     return true;
 }
 

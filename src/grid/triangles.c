@@ -1,6 +1,7 @@
 /* triangles.c - triangles of a soup or of a mesh, as streams of floats or as doubles. */
 #include "triangles.h"
 
+#include "base/float_at.h"
 #include "mesh/mesh_input.h"
 #include "mesh/mesh_streams.h"
 
@@ -61,7 +62,7 @@ static void read_soup(const tribox_soup *soup, size_t first, size_t count, doubl
     for (size_t n = 0; n < 9; n++) {
         const float *const from = tribox_soup_axis(soup, (int)n / 3)[n % 3] + first;
         for (size_t i = 0; i < count; i++)
-            to[n * step + i] = from[i];
+            to[n * step + i] = (double)tribox_float_at(from + i);
     }
 }
 

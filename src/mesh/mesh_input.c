@@ -1,7 +1,6 @@
 /* mesh_input.c - what every call checks of a mesh before it reads it, and the indices that refer to no vertex. */
 #include "mesh_input.h"
 
-#include "base/finite.h"
 #include "dispatch.h"
 #include "positions.h"
 #include "base/soup.h"
@@ -94,12 +93,10 @@ size_t tribox_mesh_not_finite(const tribox_mesh *mesh, size_t *first)
         bool is_there = true, is_finite = true;
         for (size_t v = 0; v < 3; v++) {
             const size_t vertex = tribox_vertex_number(&strided, bytes, 3 * i + v);
-            double u[3];
             is_there &= vertex < mesh->vertices;
             if (!is_there)
                 break;
-            tribox_position_read(&strided, vertex, u);
-            is_finite &= tribox_are_finite_doubles(u, 3);
+            is_finite &= tribox_position_is_finite(&strided, vertex);
         }
         const bool is_bad = is_there && !is_finite;
         found += is_bad;

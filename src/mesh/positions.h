@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "base/finite.h"
+#include "base/float_at.h"
 #include "tribox.h"
 
 static inline size_t tribox_position_bytes(const tribox_mesh *mesh)
@@ -23,13 +25,11 @@ static inline float tribox_local_number(const void *from, double from_origin)
 static inline double tribox_number_read(const tribox_mesh *mesh, const void *from)
 {
     double number;
-    float single;
     if (mesh->position_bytes == sizeof number) {
         memcpy(&number, from, sizeof number);
         return number;
     }
-    memcpy(&single, from, sizeof single);
-    return single;
+    return (double)tribox_float_at(from);
 }
 
 /* The position of a vertex, of either size and with any strides. */
@@ -38,6 +38,17 @@ static inline void tribox_position_read(const tribox_mesh *mesh, size_t vertex, 
     const char *from = (const char *)mesh->positions + vertex * mesh->stride;
     for (int a = 0; a < 3; a++, from += mesh->axis_stride)
         to[a] = tribox_number_read(mesh, from);
+}
+
+/* Whether that position is neither NaN nor infinite, from the bits of each number (base/finite.h). */
+static inline bool tribox_position_is_finite(const tribox_mesh *mesh, size_t vertex)
+{
+    const char *from = (const char *)mesh->positions + vertex * mesh->stride;
+    bool is_finite = true;
+    for (int a = 0; a < 3; a++, from += mesh->axis_stride)
+        is_finite &= mesh->position_bytes == sizeof(double) ? tribox_is_finite_double(tribox_number_read(mesh, from))
+                                                            : tribox_is_finite(tribox_float_at(from));
+    return is_finite;
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/bits.h"
+#include "base/float_at.h"
 #include "exact/oriented/oriented.h"
 #include "oriented_words.h"
 #include "pairs.h"
@@ -169,7 +170,7 @@ static void soup_triangle(const tribox_oriented_query *q, size_t i, double u[3][
 {
     for (int v = 0; v < 3; v++)
         for (int a = 0; a < 3; a++)
-            u[v][a] = (double)tribox_soup_axis(q->triangles, a)[v][i];
+            u[v][a] = (double)tribox_float_at(tribox_soup_axis(q->triangles, a)[v] + i);
 }
 
 void tribox_oriented_ask_soup(tribox_oriented_query *q, const tribox_soup *soup, const tribox_oriented_box *box, tribox_plan *plan)

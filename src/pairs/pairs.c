@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/bits.h"
+#include "base/float_at.h"
 #include "settle.h"
 #include "base/soup.h"
 
@@ -52,7 +53,7 @@ static void fill_batch(gathering *g, const tribox_query *p)
     }
     for (int k = 0; k < 15; k++)
         for (unsigned i = 0; i < g->count; i++)
-            g->batch.number[k][i] = stream[k] ? (double)stream[k][g->pair[i]] : constant[k];
+            g->batch.number[k][i] = stream[k] ? (double)tribox_float_at(stream[k] + g->pair[i]) : constant[k];
     for (size_t v = 0; p->corners && v < 3; v++)
         fill_vertex(g, p->corners, v);
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/bits.h"
+#include "base/float_at.h"
 #include "kernel.h"
 
 #define V_LANES 1
@@ -38,14 +39,14 @@ TRIBOX_INLINE float scalar_float(uint32_t bits)
 /* All bits or none. Of a choice by `?` compilers make a branch, which one lane cannot foresee. */
 TRIBOX_INLINE uint32_t scalar_ones(bool m) { return 0 - (uint32_t)m; }
 
-TRIBOX_INLINE vnum v_load(const float *p) { return *p; }
+TRIBOX_INLINE vnum v_load(const float *p) { return tribox_float_at(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
     (void)count;
-    return *p;
+    return v_load(p);
 }
 TRIBOX_INLINE vnum v_splat(float a) { return a; }
-TRIBOX_INLINE void v_write(float *p, vnum a) { *p = a; }
+TRIBOX_INLINE void v_write(void *p, vnum a) { memcpy(p, &a, sizeof a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return a - b; }
 TRIBOX_INLINE vnum v_mul(vnum a, vnum b) { return a * b; }
@@ -77,7 +78,7 @@ TRIBOX_INLINE vnum v_local(const void *p, const double *lo)
 TRIBOX_INLINE void v_transpose4(const void *const from[V_LANES], vnum to[4])
 {
     for (int k = 0; k < 4; k++)
-        memcpy(&to[k], (const float *)from[0] + k, sizeof *to);
+        to[k] = tribox_float_at((const float *)from[0] + k);
 }
 TRIBOX_INLINE void v_local_transpose4(const void *const from[V_LANES], const double lo[4], vnum to[4])
 {

@@ -1,6 +1,8 @@
 /* voxelizing.c - one voxelization: begun, given triangles of a soup or a mesh, and ended. */
 #include "voxelizing.h"
 
+#include "base/float_at.h"
+
 /* FAST would save error bounds alone, which cost little where triangles are of doubles. */
 void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
                          uint64_t *occupied)
@@ -33,7 +35,7 @@ static tribox_triangle triangle_at(const tribox_voxels *v, const tribox_soup *st
     if (v->window.doubles)
         return tribox_window_read_triangle(&v->window, number[i]);
     for (int n = 0; n < 9; n++)
-        triangle.u[n] = tribox_soup_axis(streams, n / 3)[n % 3][i];
+        triangle.u[n] = (double)tribox_float_at(tribox_soup_axis(streams, n / 3)[n % 3] + i);
     return triangle;
 }
 

@@ -58,6 +58,12 @@ static void streams(const asked *q, answers *out)
     out->status = tribox_mesh_to_soup(&q->mesh, NULL, 0, q->mesh.count, &q->options, to, to + 3, to + 6);
 }
 
+static void not_finite(const asked *q, answers *out)
+{
+    out->report.overlapping = tribox_mesh_not_finite(&q->mesh, &out->first);
+    out->report.undecided = tribox_soup_not_finite(&q->soup, NULL);
+}
+
 static void any(const asked *q, answers *out)
 {
     out->status = tribox_find(&q->soup, &q->box, &q->options, TRIBOX_FIRST_HIT, &out->first);
@@ -83,6 +89,18 @@ static void mesh_oriented(const asked *q, answers *out)
     out->status = tribox_mesh_overlap_oriented(&q->mesh, &q->oriented, &q->options, out->mask, &out->report);
 }
 
+/* A word for each row. Of cells for float, and of others; of thin surfaces. */
+static void cells(const asked *q, answers *out)
+{
+    const tribox_grid grid = {{-4, -4, -4}, {0.25, 2, 4}, {32, WORDS / 2, 2}},
+                      fine = {{0, 0, 0}, {1e-33, 2, 4}, {32, WORDS / 2, 2}};
+    memset(out->mask, 0, sizeof out->mask);
+    memset(out->inside, 0, sizeof out->inside);
+    out->status = tribox_voxelize(&q->soup, &grid, NULL, &q->options, out->mask, &out->report);
+    tribox_voxelize(&q->soup, &fine, NULL, &q->options, out->inside, &out->report);
+    tribox_voxelize_thin(&q->soup, &grid, NULL, &q->options, out->inside, &out->report);
+}
+
 static void lists(const asked *q, answers *out)
 {
     static const uint64_t mask[2] = {UINT64_C(0x8000000000000001), 6};
@@ -96,11 +114,13 @@ static const struct {
 } actions[] = {
     {indexed, "tribox_mesh_overlap"},
     {streams, "tribox_mesh_to_soup"},
+    {not_finite, "tribox_mesh_not_finite"},
     {any, "tribox_find"},
     {all, "tribox_find"},
     {classify, "tribox_classify"},
     {oriented, "tribox_overlap_oriented"},
     {mesh_oriented, "tribox_mesh_overlap_oriented"},
+    {cells, "tribox_voxelize"},
     {lists, "tribox_mask_indices"},
 };
 
@@ -139,7 +159,7 @@ static void check_kernels(asked *q, size_t first_action, size_t actions_end)
             }
 }
 
-enum { ORIENTED = 5, ACTIONS = sizeof actions / sizeof actions[0] };
+enum { ORIENTED = 6, ACTIONS = sizeof actions / sizeof actions[0] };
 
 /* The nine streams of a soup as one array of structures. */
 static tribox_mesh mesh_of(const tribox_soup *soup)
@@ -164,6 +184,47 @@ static void test_scenes(void **state)
         asked ask = {.soup = pair_list_soup(&q), .box = *q.box};
         ask.mesh = mesh_of(&ask.soup);
         check_kernels(&ask, 0, ORIENTED);
+    }
+}
+
+/* A byte past where floats lie, streams and vertices alike: as misaligned as they can be. */
+static asked moved_by_a_byte(const asked *q)
+{
+    static unsigned char stream[9][1 + sizeof numbers.stream[0]], vertex[1 + 36 * DRAWN_MAX];
+    asked odd = *q;
+    for (int s = 0; s < 9; s++) {
+        const float **const of = s < 3 ? odd.soup.x : s < 6 ? odd.soup.y : odd.soup.z;
+        memcpy(stream[s] + 1, of[s % 3], q->soup.count * sizeof(float));
+        of[s % 3] = (const float *)(const void *)(stream[s] + 1);
+    }
+    memcpy(vertex + 1, q->mesh.positions, 36 * q->mesh.count);
+    odd.mesh.positions = vertex + 1;
+    return odd;
+}
+
+static void test_odd_addresses(void **state)
+{
+    (void)state;
+    static answers expected, got;
+    const char *names[KERNELS_MAX];
+    const int kernels = kernels_here(names);
+    oriented_draw(&oriented_scenes[0], ORIENTED_FLOATS, &(random_source){0}, &batch);
+    for (size_t i = 0; i < scene_count(); i += 3) {
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        const pair_list q = draw_pairs(&r, scene_at(i), true, &numbers);
+        asked ask = {.soup = pair_list_soup(&q), .box = *q.box, .oriented = batch.box};
+        ask.mesh = mesh_of(&ask.soup);
+        asked odd = moved_by_a_byte(&ask);
+        for (int k = 0; k < kernels; k++)
+            for (int n = 0; n < 3 * ACTIONS; n++) {
+                ask.options = odd.options = (tribox_options){.accuracy = (tribox_accuracy)(n % 3), .kernel = names[k]};
+                memset(&expected, 0xa5, sizeof expected);
+                memset(&got, 0xa5, sizeof got);
+                actions[n / 3].act(&ask, &expected);
+                actions[n / 3].act(&odd, &got);
+                if (memcmp(&got, &expected, sizeof got))
+                    fail_msg("%s at odd addresses, kernel %s: another answer", actions[n / 3].name, names[k]);
+            }
     }
 }
 
@@ -223,6 +284,7 @@ int main(int argc, char **argv)
     args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_odd_addresses),
         cmocka_unit_test(test_oriented),
         cmocka_unit_test(test_refusals),
     };
