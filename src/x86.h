@@ -74,8 +74,7 @@ static inline bool tribox_x86_runs_avx2(void)
  */
 static inline bool tribox_x86_runs_avx512(void)
 {
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx512f") && tribox_x86_has_bit_instructions();
+    return tribox_x86_runs_avx2() && __builtin_cpu_supports("avx512f");
 }
 
 #endif
