@@ -208,8 +208,8 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * moves and tests in single precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and
  * slivers as tribox_overlap does, including those that the move makes thin. A triangle that is outside along one axis of the box is
  * mostly rejected while it is moved. EXACT leaves every triangle that lies in a face of the box to the last stage, and every
- * overlap with a flat box (a half length of zero). That takes half a microsecond each, or ten and more if it needs integers, so a
- * turned box that stands on the floor of a model can take many times as long as one just above it.
+ * overlap with a flat box (a half length of zero). That takes half a microsecond each, or tens of microseconds, rarely hundreds, if it
+ * needs integers, so a turned box that stands on the floor of a model can take many times as long as one just above it.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is

@@ -1,7 +1,7 @@
 /*
- * inexact_flag.h - is the processor's sticky inexact flag still down, since the watch began? It rises where an operation rounds, but
- * not everywhere: Valgrind leaves it down, and where it is out of reach it counts as down. So whoever takes it for a proof has to
- * see it rise first (settle/doubles.h). The arithmetic to be watched stands between the two calls: it starts from memory, and what
+ * inexact_flag.h - is the processor's sticky inexact flag down since the watch began? It rises where an operation rounds, but not
+ * everywhere: Valgrind leaves it down, and where it is out of reach it counts as down. So whoever takes it for a proof has to see
+ * it rise first (settle/doubles.h). The arithmetic to be watched stands between the two calls: it starts from memory, and what
  * it comes to is the argument of the second, so that the compiler cannot move it out. TRIBOX_NO_INEXACT_FLAG puts the flag out of
  * reach, for tests.
  */

@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-#include "next_float.h"
+#include "floats.h"
 
 float tribox_float_from(double number)
 {
-    const float nearest = (float)number;
+    const float nearest = tribox_float_nearest(number);
     return (double)nearest < number ? tribox_float_above(nearest) : nearest;
 }
 

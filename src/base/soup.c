@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "finite.h"
-#include "float_at.h"
+#include "floats.h"
 
 static bool has_streams(const tribox_soup *soup)
 {

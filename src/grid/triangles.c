@@ -1,7 +1,7 @@
 /* triangles.c - triangles of a soup or of a mesh, as streams of floats or as doubles. */
 #include "triangles.h"
 
-#include "base/float_at.h"
+#include "base/floats.h"
 #include "mesh/mesh_input.h"
 #include "mesh/mesh_streams.h"
 

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "base/next_float.h"
+#include "base/floats.h"
 
 float tribox_number_seen(double number, double origin)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/finite.h"
-#include "base/float_at.h"
+#include "base/floats.h"
 #include "tribox.h"
 
 static inline size_t tribox_position_bytes(const tribox_mesh *mesh)

@@ -9,15 +9,15 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "base/float_at.h"
+#include "base/floats.h"
 #include "exact/oriented/oriented.h"
 #include "oriented_words.h"
 #include "pairs.h"
 #include "base/soup.h"
 
 /*
- * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Halves are
- * cut off where they reach farther from any middle than a float. False if nothing is left of it.
+ * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Halves
+ * are cut off where they reach farther from any middle than a float. False if nothing is left of it.
  */
 static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, int sign, tribox_rounded_box *rounded)
 {

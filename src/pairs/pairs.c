@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "base/float_at.h"
+#include "base/floats.h"
 #include "settle.h"
 #include "base/soup.h"
 

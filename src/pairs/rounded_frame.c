@@ -4,14 +4,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/floats.h"
 #include "base/rounded_box.h"
-
-/* By way of memory: gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
-static float nearest_float(double number)
-{
-    const volatile float nearest = (float)number;
-    return nearest;
-}
 
 /* What subtracting rounds off a difference (D. E. Knuth). */
 static double lost_by_difference(double from, double less)
@@ -23,7 +17,7 @@ static double lost_by_difference(double from, double less)
 /* A number of an axis. Rounded among subnormal floats it moves by 2^-150 at most. */
 static void round_number(double number, float *nearest, float *size)
 {
-    *nearest = nearest_float(number);
+    *nearest = tribox_float_nearest(number);
     *size = fabsf(*nearest);
     if ((double)*nearest != number && *size < FLT_MIN)
         *size = FLT_MIN;
@@ -60,7 +54,7 @@ void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bo
     double rest[3];
     for (int a = 0; a < 3; a++) {
         const double less = origin ? origin[a] : 0, difference = box->center[a] - less;
-        frame->center[a] = nearest_float(difference);
+        frame->center[a] = tribox_float_nearest(difference);
         rest[a] = (difference - (double)frame->center[a]) + lost_by_difference(box->center[a], less);
     }
     for (int k = 0; k < 3; k++) {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "base/float_at.h"
+#include "base/floats.h"
 #include "kernel.h"
 
 #define V_LANES 1

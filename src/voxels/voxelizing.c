@@ -1,7 +1,7 @@
 /* voxelizing.c - one voxelization: begun, given triangles of a soup or a mesh, and ended. */
 #include "voxelizing.h"
 
-#include "base/float_at.h"
+#include "base/floats.h"
 
 /* FAST would save error bounds alone, which cost little where triangles are of doubles. */
 void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,

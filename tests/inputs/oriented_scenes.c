@@ -425,7 +425,7 @@ static void draw_ends_of_range(random_source *r, oriented_batch *batch)
             batch->u[t][random_int(r, 3)][random_int(r, 3)] = of_triangle(batch, ends[random_int(r, 8)]);
 }
 
-/* An axis so long, and a center so far from any float, that the middle of the box lies at the end of floats in its frame as well. */
+/* An axis so long, and a center so far from any float, that in its frame the middle of the box lies at the end of floats too. */
 static void move_middle(random_source *r, oriented_batch *batch)
 {
     const int k = random_int(r, 3), a = random_int(r, 3), b = (a + 1) % 3;

@@ -1,0 +1,42 @@
+/* floats.h - the float at an address, the nearest to a number, and those beside one. */
+#ifndef TRIBOX_FLOATS_H
+#define TRIBOX_FLOATS_H
+
+#include <stdint.h>
+#include <string.h>
+
+#include "compiler.h"
+
+/* At any address, as the interface allows. To read it as one that is aligned is undefined, and faults on some 32-bit ARM. */
+static inline float tribox_float_at(const void *from)
+{
+    float number;
+    memcpy(&number, from, sizeof number);
+    return number;
+}
+
+/* By way of memory: gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
+static inline float tribox_float_nearest(double number)
+{
+    const volatile float nearest = (float)number;
+    return nearest;
+}
+
+/* The float above a number that is not infinite, but for -infinity; infinite above the greatest. */
+static inline float tribox_float_above(float number)
+{
+    int32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    bits = number > 0 ? bits + 1 : number < 0 ? bits - 1 : 1;
+    memcpy(&number, &bits, sizeof bits);
+    return number;
+}
+
+/* The float below a number that is not infinite, but for infinity. */
+static inline float tribox_float_below(float number)
+{
+    const float above = tribox_float_above(-number);
+    return -above;
+}
+
+#endif
