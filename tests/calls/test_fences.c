@@ -3,7 +3,9 @@
  * cannot be touched, those of the input in memory that cannot be written. And threads that ask at once, all of one input, get what one
  * alone gets.
  */
+#ifndef __wasm__
 #include <pthread.h>
+#endif
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -17,90 +19,71 @@
 static asked a;
 static outputs out, blank, expected;
 
-/* Arrays: the pointer to each, and its bytes; first the inputs. */
-#define AT(member, bytes) \
-    { \
-        offsetof(asked, member), bytes \
-    }
-#define STREAM(member) AT(member, COUNT * sizeof(float))
-#define STREAMS(member) STREAM(member[0]), STREAM(member[1]), STREAM(member[2])
-#define FACE(n) AT(face[n], ROWS * sizeof(uint32_t))
-static const struct place {
-    size_t at, bytes;
-} places[] = {
-    STREAMS(the_soup.x),
-    STREAMS(the_soup.y),
-    STREAMS(the_soup.z),
-    STREAMS(the_boxes.lo),
-    STREAMS(the_boxes.hi),
-    AT(the_mesh.positions, 0), /* of either width */
-    AT(the_mesh.indices, 3 * COUNT * sizeof(uint32_t)),
-    AT(the_soup_index.nodes, NODES),
-    AT(the_mesh_index.nodes, NODES),
-    AT(the_mesh_index.ids, COUNT * sizeof(uint32_t)),
-    AT(triangle, 9 * sizeof(float)),
-    AT(origin, 3 * sizeof(double)),
-    AT(size, 3 * sizeof(uint32_t)),
-    AT(order_in, COUNT * sizeof(uint32_t)),
-    AT(starts_in, (TILES + 1) * sizeof(size_t)),
-    AT(list_in, 0), /* as long as the last start says */
-    AT(surface, ROWS * sizeof(uint64_t)),
-    AT(mask_in, 2 * sizeof(uint64_t)),
-    AT(outside, 0), /* a bit for each label */
-    AT(side_a, ROWS * sizeof(uint32_t)),
-    AT(side_b, ROWS * sizeof(uint32_t)),
-    STREAMS(to),
-    STREAM(to[3]),
-    STREAM(to[4]),
-    STREAM(to[5]),
-    STREAM(to[6]),
-    STREAM(to[7]),
-    STREAM(to[8]),
-    FACE(0),
-    FACE(1),
-    FACE(2),
-    FACE(3),
-    FACE(4),
-    FACE(5),
-    AT(mask, 2 * sizeof(uint64_t)),
-    AT(inside, 2 * sizeof(uint64_t)),
-    AT(bits_out, 2 * sizeof(uint64_t)),
-    AT(occupied, ROWS * sizeof(uint64_t)),
-    AT(solid, ROWS * sizeof(uint64_t)),
-    AT(report, sizeof(tribox_report)),
-    AT(found, sizeof(size_t)),
-    AT(odd_rows, sizeof(size_t)),
-    AT(start, 0), /* of tiles, cells or boxes */
-    AT(places, 0),
-    AT(list, COUNT * sizeof(uint32_t)),
-    AT(order, COUNT * sizeof(uint32_t)),
-    AT(ids, CELLS * sizeof(uint32_t)),
-    AT(listed, 0),
-    AT(label_count, sizeof(uint32_t)),
-    AT(parents, 2 * ROWS * sizeof(uint32_t)),
-    AT(nodes, NODES),
-    AT(scratch, 0),
-    AT(runs, 0),
+/* Arrays: their bytes, 0 where these depend on the call, and the pointers to them, to which 0 is added. */
+#define AT(member) offsetof(asked, member)
+#define AT3(member) AT(member[0]), AT(member[1]), AT(member[2])
+static const struct {
+    bool is_input;
+    size_t bytes, at[16];
+} rows[] = {
+    {true, COUNT * sizeof(float), {AT3(the_soup.x), AT3(the_soup.y), AT3(the_soup.z), AT3(the_boxes.lo), AT3(the_boxes.hi)}},
+    {true, 3 * COUNT * sizeof(uint32_t), {AT(the_mesh.indices)}},
+    {true, NODES, {AT(the_soup_index.nodes), AT(the_mesh_index.nodes)}},
+    {true, COUNT * sizeof(uint32_t), {AT(the_mesh_index.ids), AT(order_in)}},
+    {true, 9 * sizeof(float), {AT(triangle)}},
+    {true, 3 * sizeof(double), {AT(origin)}},
+    {true, 3 * sizeof(uint32_t), {AT(size)}},
+    {true, (TILES + 1) * sizeof(size_t), {AT(starts_in)}},
+    {true, ROWS * sizeof(uint64_t), {AT(surface)}},
+    {true, 2 * sizeof(uint64_t), {AT(mask_in)}},
+    {true, ROWS * sizeof(uint32_t), {AT(side_a), AT(side_b)}},
+    {true, 0, {AT(the_mesh.positions), AT(list_in), AT(outside)}},
+    {false, COUNT * sizeof(float), {AT3(to), AT(to[3]), AT(to[4]), AT(to[5]), AT(to[6]), AT(to[7]), AT(to[8])}},
+    {false, ROWS * sizeof(uint32_t), {AT3(face), AT(face[3]), AT(face[4]), AT(face[5])}},
+    {false, 2 * sizeof(uint64_t), {AT(mask), AT(inside), AT(bits_out)}},
+    {false, ROWS * sizeof(uint64_t), {AT(occupied), AT(solid)}},
+    {false, sizeof(tribox_report), {AT(report)}},
+    {false, sizeof(size_t), {AT(found), AT(odd_rows)}},
+    {false, COUNT * sizeof(uint32_t), {AT(list), AT(order)}},
+    {false, CELLS * sizeof(uint32_t), {AT(ids)}},
+    {false, sizeof(uint32_t), {AT(label_count)}},
+    {false, 2 * ROWS * sizeof(uint32_t), {AT(parents)}},
+    {false, NODES, {AT(nodes)}},
+    {false, 0, {AT(start), AT(places), AT(listed), AT(scratch), AT(runs)}},
 };
-enum { INPUTS = 31, PLACES = sizeof places / sizeof places[0] };
 
-static void **pointer(size_t n) { return (void **)(void *)((char *)&a + places[n].at); }
+/* The same, one by one. */
+static struct place {
+    bool is_input;
+    size_t bytes, at;
+    guarded fence;
+} places[80];
+static size_t place_count;
+
+static void list_places(void)
+{
+    for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++)
+        for (const size_t *at = rows[r].at; *at; at++)
+            places[place_count++] = (struct place){rows[r].is_input, rows[r].bytes, *at, guarded_make(sizeof(outputs))};
+}
+
+static void **pointer(const struct place *p) { return (void **)(void *)((char *)&a + p->at); }
 
 /* How many bytes a place has in a call. */
-static size_t bytes_of(const call *c, size_t n)
+static size_t bytes_of(const call *c, const struct place *p)
 {
-    const size_t at = places[n].at;
-    if (places[n].bytes)
-        return places[n].bytes;
-    if (at == offsetof(asked, the_mesh.positions))
+    const size_t at = p->at;
+    if (p->bytes)
+        return p->bytes;
+    if (at == AT(the_mesh.positions))
         return 9 * COUNT * (a.the_mesh.position_bytes == 8 ? 8 : 4);
-    if (at == offsetof(asked, list_in) || at == offsetof(asked, listed))
+    if (at == AT(list_in) || at == AT(listed))
         return a.tile_starts[TILES] * sizeof(uint32_t);
-    if (at == offsetof(asked, outside))
+    if (at == AT(outside))
         return (a.out->labels + 63) / 64 * sizeof(uint64_t);
-    if (at == offsetof(asked, runs))
-        return tribox_fill_labels_bytes(a.the_grid.size);
-    if (at == offsetof(asked, places) || at == offsetof(asked, start))
+    if (at == AT(runs))
+        return (tribox_fill_labels_bytes(a.the_grid.size) + 7) / 8 * 8; /* aligned as before */
+    if (at == AT(places) || at == AT(start))
         return sizeof(size_t) * (call_takes(c, "uncounted") ? CELLS + 1u
                                  : call_takes(c, "boxes")   ? COUNT + 1u
                                  : call_takes(c, "range")   ? TILES
@@ -111,35 +94,32 @@ static size_t bytes_of(const call *c, size_t n)
                                      : tribox_fill_bytes(a.the_grid.size);
 }
 
-/* At the end of their pages, or at the start. Scratch is where it is aligned as the caller's. */
+/* At the end of their pages, or at the start. */
 static void ask_in_fences(const call *c, bool is_at_end)
 {
-    static guarded fences[PLACES];
-    void *from[PLACES];
     const asked before = a;
     snprintf(doing, sizeof doing, "%s %s between pages", c->function, c->about);
-    for (size_t n = 0; n < PLACES; n++) {
-        const size_t bytes = bytes_of(c, n);
-        fences[n] = fences[n].first ? fences[n] : guarded_make(sizeof(outputs));
-        from[n] = *pointer(n);
-        guarded_read_only(fences[n], false);
-        void *const to = is_at_end ? guarded_tail(fences[n], bytes) : fences[n].first;
-        memcpy(to, from[n], bytes);
-        guarded_read_only(fences[n], n < INPUTS);
-        *pointer(n) = to;
+    for (struct place *p = places; p < places + place_count; p++) {
+        const size_t bytes = bytes_of(c, p);
+        guarded_read_only(p->fence, false);
+        void *const to = is_at_end ? guarded_tail(p->fence, bytes) : p->fence.first;
+        memcpy(to, *pointer(p), bytes);
+        guarded_read_only(p->fence, p->is_input);
+        *pointer(p) = to;
     }
-    const tribox_status status = c->ask(&a);
-    assert_int_equal(status, TRIBOX_OK);
-    for (size_t n = INPUTS; n < PLACES; n++)
-        if (places[n].at != offsetof(asked, scratch) || call_takes(c, "sorted"))
-            memcpy(from[n], *pointer(n), bytes_of(c, n));
+    const asked fenced = a;
+    assert_int_equal(c->ask(&fenced), TRIBOX_OK);
     a = before;
+    for (const struct place *p = places; p < places + place_count; p++)
+        if (!p->is_input && (p->at != AT(scratch) || call_takes(c, "sorted")))
+            memcpy(*pointer(p), *(void *const *)(const void *)((const char *)&fenced + p->at), bytes_of(c, p));
 }
 
 static void test_fences(void **state)
 {
     (void)state;
     catch_faults();
+    list_places();
     for (int k = 0; k < 4; k++) {
         ask_rightly(k / 2 ? 8 : 4, &a, &out);
         outputs_prepare(&a, 0, &blank);
@@ -155,6 +135,7 @@ static void test_fences(void **state)
     }
 }
 
+#ifndef __wasm__
 typedef struct worker {
     pthread_t thread;
     asked a;
@@ -194,8 +175,15 @@ static void test_threads(void **state)
     }
 }
 
+#endif
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fences), cmocka_unit_test(test_threads)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_fences),
+#ifndef __wasm__
+        cmocka_unit_test(test_threads),
+#endif
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,101 +51,58 @@ static void ask(const call *c, tribox_status due, const char *what, int n)
         memcpy(&out, &poison, COMPARED);
 }
 
-/* Pointers that have to be there, and which calls need them; the first OPTIONAL need not be. */
+/* Pointers that have to be there, by the calls that need them; and those that need not be. */
 #define AT(member) offsetof(asked, member)
-static const struct {
-    size_t at;
+#define AT3(member) AT(member[0]), AT(member[1]), AT(member[2])
+static const struct needed {
     const char *of;
+    size_t at[16]; /* and 0 */
 } pointers[] = {
-    {AT(options), "-"},
-    {AT(window), "-"},
-    {AT(mask), "-"},
-    {AT(inside), "-"},
-    {AT(report), "-"},
-    {AT(odd_rows), "-"},
-    {AT(origin), "-"},
-    {AT(side_b), "-"},
-    {AT(face[0]), "-"},
-    {AT(face[3]), "-"},
-    {AT(face[5]), "-"},
-    {AT(the_mesh_index.ids), "-"},
-    {AT(the_mesh.indices), "-"},
-    {AT(soup), "soup any_soup"},
-    {AT(mesh), "mesh"},
-    {AT(box), "box"},
-    {AT(oriented), "oriented"},
-    {AT(boxes), "boxes"},
-    {AT(triangle), "triangle"},
-    {AT(soup_index), "in_soup"},
-    {AT(mesh_index), "in_mesh"},
-    {AT(the_soup_index.soup), "in_soup"},
-    {AT(the_mesh_index.mesh), "in_mesh"},
-    {AT(the_soup_index.nodes), "in_soup&asked"},
-    {AT(the_mesh_index.nodes), "in_mesh&asked"},
-    {AT(region), "region"},
-    {AT(turned), "turned"},
-    {AT(the_region.box), "region"},
-    {AT(the_turned.oriented), "turned"},
-    {AT(grid), "grid"},
-    {AT(tiles), "tiles"},
-    {AT(starts_in), "lists"},
-    {AT(list_in), "lists"},
-    {AT(sink), "sink"},
-    {AT(ids_sink), "ids_sink"},
-    {AT(the_sink.take), "sink"},
-    {AT(the_ids_sink.take), "ids_sink"},
-    {AT(size), "size"},
-    {AT(surface), "surface"},
-    {AT(order_in), "order_in"},
-    {AT(outside), "outside"},
-    {AT(faces), "faces"},
-    {AT(label_count), "faces"},
-    {AT(parents), "joins"},
-    {AT(side_a), "joins"},
-    {AT(x), "streams"},
-    {AT(y), "streams"},
-    {AT(z), "streams"},
-    {AT(to[0]), "streams"},
-    {AT(to[1]), "streams"},
-    {AT(to[2]), "streams"},
-    {AT(to[3]), "streams"},
-    {AT(to[4]), "streams"},
-    {AT(to[5]), "streams"},
-    {AT(to[6]), "streams"},
-    {AT(to[7]), "streams"},
-    {AT(to[8]), "streams"},
-    {AT(bits_out), "bits"},
-    {AT(list), "list"},
-    {AT(found), "found"},
-    {AT(start), "start"},
-    {AT(places), "places"},
-    {AT(order), "order"},
-    {AT(ids), "ids"},
-    {AT(occupied), "occupied"},
-    {AT(solid), "solid"},
-    {AT(nodes), "nodes"},
-    {AT(scratch), "scratch sorted"},
-    {AT(runs), "runs"},
-    {AT(the_mesh.positions), "mesh in_mesh"},
-    {AT(the_soup.x[0]), "soup in_soup any_soup"},
-    {AT(the_soup.x[1]), "soup in_soup any_soup"},
-    {AT(the_soup.x[2]), "soup in_soup any_soup"},
-    {AT(the_soup.y[0]), "soup in_soup any_soup"},
-    {AT(the_soup.y[1]), "soup in_soup any_soup"},
-    {AT(the_soup.y[2]), "soup in_soup any_soup"},
-    {AT(the_soup.z[0]), "soup in_soup any_soup"},
-    {AT(the_soup.z[1]), "soup in_soup any_soup"},
-    {AT(the_soup.z[2]), "soup in_soup any_soup"},
-    {AT(the_boxes.lo[0]), "boxes"},
-    {AT(the_boxes.lo[1]), "boxes"},
-    {AT(the_boxes.lo[2]), "boxes"},
-    {AT(the_boxes.hi[0]), "boxes"},
-    {AT(the_boxes.hi[1]), "boxes"},
-    {AT(the_boxes.hi[2]), "boxes"},
+    {"-",
+     {AT(options), AT(window), AT(mask), AT(inside), AT(report), AT(odd_rows), AT(origin), AT(side_b), AT(face[0]), AT(face[3]),
+      AT(face[5]), AT(the_mesh_index.ids), AT(the_mesh.indices)}},
+    {"soup any_soup", {AT(soup)}},
+    {"mesh", {AT(mesh)}},
+    {"box", {AT(box)}},
+    {"oriented", {AT(oriented)}},
+    {"boxes", {AT(boxes), AT3(the_boxes.lo), AT3(the_boxes.hi)}},
+    {"triangle", {AT(triangle)}},
+    {"in_soup", {AT(soup_index), AT(the_soup_index.soup)}},
+    {"in_mesh", {AT(mesh_index), AT(the_mesh_index.mesh)}},
+    {"in_soup&asked", {AT(the_soup_index.nodes)}},
+    {"in_mesh&asked", {AT(the_mesh_index.nodes)}},
+    {"region", {AT(region), AT(the_region.box)}},
+    {"turned", {AT(turned), AT(the_turned.oriented)}},
+    {"grid", {AT(grid)}},
+    {"tiles", {AT(tiles)}},
+    {"lists", {AT(starts_in), AT(list_in)}},
+    {"sink", {AT(sink), AT(the_sink.take)}},
+    {"ids_sink", {AT(ids_sink), AT(the_ids_sink.take)}},
+    {"size", {AT(size)}},
+    {"surface", {AT(surface)}},
+    {"order_in", {AT(order_in)}},
+    {"outside", {AT(outside)}},
+    {"faces", {AT(faces), AT(label_count)}},
+    {"joins", {AT(parents), AT(side_a)}},
+    {"streams", {AT(x), AT(y), AT(z), AT3(to), AT(to[3]), AT(to[4]), AT(to[5]), AT(to[6]), AT(to[7]), AT(to[8])}},
+    {"bits", {AT(bits_out)}},
+    {"list", {AT(list)}},
+    {"found", {AT(found)}},
+    {"start", {AT(start)}},
+    {"places", {AT(places)}},
+    {"order", {AT(order)}},
+    {"ids", {AT(ids)}},
+    {"occupied", {AT(occupied)}},
+    {"solid", {AT(solid)}},
+    {"nodes", {AT(nodes)}},
+    {"scratch sorted", {AT(scratch)}},
+    {"runs", {AT(runs)}},
+    {"mesh in_mesh", {AT(the_mesh.positions)}},
+    {"soup in_soup any_soup", {AT3(the_soup.x), AT3(the_soup.y), AT3(the_soup.z)}},
 };
-enum { OPTIONAL = 13, POINTERS = sizeof pointers / sizeof pointers[0] };
+enum { POINTERS = sizeof pointers / sizeof pointers[0] };
 
-static void take_away(int n) { memset((char *)&a + pointers[n].at, 0, sizeof(void *)); }
+static void take_away(size_t at) { memset((char *)&a + at, 0, sizeof(void *)); }
 
 static const double not_finite[] = {NAN, -NAN, INFINITY, -INFINITY};
 
@@ -484,24 +441,31 @@ static void ask_about_nothing(void)
     memset(a.tile_starts, 0, sizeof a.tile_starts);
 }
 
-/* All pointers, or all but those that need not be there; and triangles, or none. */
+/* Without one pointer, with and without those that need not be there. */
+static void ask_without(const call *c, const struct needed *p, size_t at, int way)
+{
+    const bool is_refused = call_takes(c, p->of);
+    for (int w = 0; w < 6; w++) {
+        if (!is_refused && w != way % 6)
+            continue;
+        begin(widths[w / 2]);
+        for (const size_t *other = pointers[0].at; w % 2 && *other; other++)
+            take_away(*other);
+        take_away(at);
+        ask(c, is_refused ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK, "without pointer", way);
+    }
+}
+
 static void test_needed(void **state)
 {
     (void)state;
     catch_faults();
-    for (size_t k = 0; k < call_count; k++)
-        for (int n = -1; n < POINTERS; n++)
-            for (int w = 0; w < 6; w++) {
-                const bool is_refused = n >= 0 && call_takes(&calls[k], pointers[n].of);
-                if (!is_refused && n > 0 && w != n % 6)
-                    continue;
-                begin(widths[w / 2]);
-                for (int m = 0; w % 2 && m < OPTIONAL; m++)
-                    take_away(m);
-                if (n >= 0)
-                    take_away(n);
-                ask(&calls[k], is_refused ? TRIBOX_BAD_ARGUMENT : TRIBOX_OK, "without pointer", n);
-            }
+    for (size_t k = 0; k < call_count; k++) {
+        int way = 0;
+        for (size_t n = 0; n < POINTERS; n++)
+            for (const size_t *at = pointers[n].at; *at; at++)
+                ask_without(&calls[k], &pointers[n], *at, way++);
+    }
 }
 
 static void test_nothing(void **state)

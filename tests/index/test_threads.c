@@ -1,4 +1,4 @@
-/* test_threads.c - threads that build an index in ranges, and threads that ask one, as one would; for the thread sanitizer. */
+/* test_threads.c - threads that build an index in ranges, as one would; for the thread sanitizer. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 #include "hostile.h"
 #include "stored_mesh.h"
 
-enum { COUNT = 40 * TRIBOX_INDEX_BLOCK + 77, WORDS = COUNT / 64 + 1, THREADS = 6, BOXES = 20 };
+enum { COUNT = 40 * TRIBOX_INDEX_BLOCK + 77, THREADS = 6 };
 
 static arguments args;
 static stored_soup stored;
@@ -41,12 +41,8 @@ static int free_all(void **state)
 typedef struct worker {
     pthread_t thread;
     size_t first, count; /* of triangles to build over */
-    int boxes;           /* to ask about */
-    tribox_box box[BOXES];
     tribox_options options;
     tribox_status status;
-    uint64_t mask[BOXES][WORDS];
-    size_t any[BOXES];
 } worker;
 
 static worker workers[THREADS];
@@ -109,55 +105,9 @@ static void test_build(void **state)
     }
 }
 
-static tribox_status ask_all(worker *w)
-{
-    for (int b = 0; b < w->boxes; b++) {
-        const tribox_status one =
-            tribox_index_overlap(&stored.index, &(tribox_region){.box = &w->box[b]}, &w->options, w->mask[b], NULL);
-        const tribox_status other = tribox_index_any(&stored.index, &(tribox_region){.box = &w->box[b]}, &w->options, &w->any[b]);
-        if (one || other)
-            return one ? one : other;
-    }
-    return TRIBOX_OK;
-}
-
-static void *ask(void *argument)
-{
-    worker *const w = argument;
-    w->status = ask_all(w);
-    return NULL;
-}
-
-static void test_ask(void **state)
-{
-    (void)state;
-    static worker alone;
-    random_source r = random_named(args.seed, "ask");
-    for (int is_mesh = 0; is_mesh < 2; is_mesh++) {
-        draw(&r, is_mesh);
-        stored_soup_build(&stored, NULL);
-        alone.boxes = arguments_are_short(&args) ? 4 : BOXES;
-        for (int b = 0; b < alone.boxes; b++) {
-            alone.box[b] = draw_box(&r, &stored);
-            if (is_mesh)
-                alone.box[b] = box_in_place(&r, &mesh.layout, &alone.box[b]);
-        }
-        assert_int_equal(ask_all(&alone), TRIBOX_OK);
-        for (int t = 0; t < THREADS; t++) {
-            workers[t].boxes = alone.boxes;
-            memcpy(workers[t].box, alone.box, sizeof alone.box);
-        }
-        run_all(ask);
-        for (int t = 0; t < THREADS; t++) {
-            assert_memory_equal(workers[t].mask, alone.mask, sizeof alone.mask);
-            assert_memory_equal(workers[t].any, alone.any, sizeof alone.any);
-        }
-    }
-}
-
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_build), cmocka_unit_test(test_ask)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_build)};
     return cmocka_run_group_tests(tests, make_all, free_all);
 }

@@ -26,7 +26,7 @@ import time
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
-SUITES = ("counts", "exact", "kernels", "voxels", "inputs", "index", "doubles", "scale", "read")
+SUITES = ("counts", "exact", "calls", "kernels", "voxels", "inputs", "index", "doubles", "scale", "read")
 SHORTENED = {"exact", "voxels", "index", "scale", "doubles", "shortened"}  # whose programs take --short: a tenth of the pairs
 ROOMS = ("src", os.path.join("tools", "read"), os.path.join("tools", "console"))
 SKIPPED = 77

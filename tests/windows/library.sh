@@ -33,6 +33,6 @@ prints_answers() {
 prints_answers -DTRIBOX_SHARED src/libtribox.dll.a
 prints_answers src/libtribox.a
 
-"$MESON" test --no-rebuild --print-errorlogs --suite kernels --no-suite shortened
-"$MESON" test --no-rebuild --print-errorlogs --logbase others 'masks in short' exactness 'inputs arguments' 'inputs bad_indices' \
-    'inputs any_all' 'index arguments' 'index threads' 'index order_digests' 'index gather' 'index room'
+"$MESON" test --no-rebuild --print-errorlogs --suite kernels --suite calls --no-suite shortened
+"$MESON" test --no-rebuild --print-errorlogs --logbase others 'masks in short' exactness 'calls environment' 'inputs bad_indices' \
+    'inputs any_all' 'index threads' 'index order_digests' 'index gather' 'index room'
