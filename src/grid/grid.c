@@ -121,10 +121,9 @@ static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
     return (low < 0 || is_run_rising(planes, a, 0, low, below)) && (high > size || is_run_rising(planes, a, high, size, above));
 }
 
+/* The last plane is finite only if the origin and the cell are. */
 bool tribox_grid_is_sound(const tribox_grid *grid)
 {
-    if (!tribox_are_finite_doubles(grid->origin, 3) || !tribox_are_finite_doubles(grid->cell, 3))
-        return false;
     const tribox_planes planes = tribox_planes_of(grid, NULL);
     for (int a = 0; a < 3; a++)
         if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_double(tribox_plane_at(&planes, a, grid->size[a])) ||

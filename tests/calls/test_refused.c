@@ -219,7 +219,12 @@ static void missing_vertex(int n)
     a.index[7 * n % (3 * COUNT)] = n % 2 ? 3 * COUNT : UINT32_MAX;
 }
 
-static void missing_last(int n) { a.the_mesh.indices = n ? a.the_mesh.indices : NULL, a.the_mesh.vertices--; }
+static void missing_last(int n)
+{
+    a.what = TRIBOX_FIRST_MISS;
+    a.the_mesh.indices = n ? a.the_mesh.indices : NULL;
+    a.the_mesh.vertices--;
+}
 
 static void missing_and_kernel(int n) { missing_vertex(n), a.the_options.kernel = "nope"; }
 
@@ -285,9 +290,17 @@ static void bad_unlisted(int n)
 
 static void grid_numbers(int n)
 {
-    static const double cells[] = {0, -1, NAN, INFINITY, 1e-30, -INFINITY};
+    static const double cells[] = {0, -1, NAN, INFINITY, 1e-30, -INFINITY, DBL_MAX / 4};
     a.the_grid.cell[n % 3] = cells[n / 3];
     a.the_grid.origin[n % 3] = 1;
+}
+
+/* Planes that fall, and no more than two. */
+static void grid_falls(int n)
+{
+    a.the_grid.size[n] = a.the_window.size[n] = 1;
+    a.the_grid.cell[n] = -8;
+    a.the_grid.origin[n] = 1;
 }
 
 static void grid_origin(int n) { a.the_grid.origin[n % 3] = (const double[]){NAN, INFINITY, -INFINITY, DBL_MAX}[n / 3]; }
@@ -395,6 +408,7 @@ static const struct fault {
     {"endless vertices", "mesh in_mesh", TRIBOX_BAD_ARGUMENT, 8, endless_vertices, NOTHING},
     {"missing vertex", "vertices&mesh vertices&in_mesh tested listed", TRIBOX_BAD_VERTEX, 43, missing_vertex, ALONE},
     {"missing last vertex", "vertices&mesh vertices&in_mesh", TRIBOX_BAD_VERTEX, 2, missing_last, ALONE},
+    {"missing last vertex of all", "listed tested", TRIBOX_BAD_VERTEX, 1, missing_last, ALONE},
     {"missing vertex and kernel", "vertices&mesh&test vertices&mesh&kernel vertices&in_mesh", TRIBOX_NO_KERNEL, 2,
      missing_and_kernel, ALONE},
     {"accuracy", "test", TRIBOX_BAD_OPTION, 6, accuracy, NOTHING},
@@ -411,7 +425,8 @@ static const struct fault {
     {"list", "lists", TRIBOX_BAD_VERTEX, 4, bad_list, 0},
     {"vertex of a listed triangle", "listed", TRIBOX_BAD_VERTEX, 6, bad_listed, ALONE},
     {"vertex of another triangle", "listed", TRIBOX_OK, 3, bad_unlisted, ALONE},
-    {"cell", "grid", TRIBOX_BAD_GRID, 18, grid_numbers, NOTHING},
+    {"cell", "grid", TRIBOX_BAD_GRID, 21, grid_numbers, NOTHING},
+    {"falling planes", "grid", TRIBOX_BAD_GRID, 3, grid_falls, ALONE | NOTHING},
     {"grid origin", "grid", TRIBOX_BAD_GRID, 12, grid_origin, NOTHING},
     {"grid size", "grid size surface", TRIBOX_BAD_GRID, 3, grid_size, NOTHING},
     {"grid words", "cells", TRIBOX_BAD_GRID, 12, grid_words, ALONE | NOTHING},
