@@ -9,7 +9,7 @@ static uint64_t most_runs_of(uint32_t cells) { return (uint64_t)cells / 2 + cell
 bool tribox_runs_are_served(const uint32_t size[3])
 {
     const uint64_t most = (UINT64_C(1) << 31) - 1, rows = (uint64_t)size[1] * size[2];
-    return tribox_fill_is_served(size) && rows <= most && most_runs_of(size[0]) <= most / rows;
+    return tribox_fill_is_served(size) && most_runs_of(size[0]) <= most / rows;
 }
 
 size_t tribox_runs_bytes(const uint32_t size[3])
