@@ -10,10 +10,9 @@
 #define FILLED " surface scratch solid cells"
 
 /*
- * S(function, of, what it takes, arguments) for those with a status: `vertices` where a mesh is refused that lacks one, `many` where
- * more than 2^32 triangles are, `cells` where a grid of too many words is. V(function, takes, where its value goes, arguments) for
- * others, T(function, takes, argument, status if there are any) for
- * those whose refusal is a count of nothing.
+ * S(function, of, what it takes, arguments) for those with a status: `vertices` where a mesh is refused that lacks one, `many`
+ * where more than 2^32 triangles are, `cells` where a grid of too many words is. V(function, takes, where its value goes,
+ * arguments) for others, T(function, takes, argument, status if there are any) for those whose refusal is a count of nothing.
  */
 #define EACH(S, V, T) \
     S(overlap, , "soup box test", a->soup, a->box, a->options, a->mask, a->report) \
@@ -177,14 +176,15 @@ static int take_ids(void *bricks, const uint32_t at[3], const uint64_t bits[8], 
     return (void)ids, take_brick(bricks, at, bits);
 }
 
-/* A fan through all tiles. */
+/* Small triangles all over the grid. */
 static void draw(asked *a)
 {
     for (int i = 0; i < COUNT; i++)
         for (int v = 0; v < 3; v++)
             for (int k = 0; k < 3; k++) {
-                const int at = v == 0 ? 1 : v == 1 ? SIDE - 1 : i * (k + 7) % SIDE;
-                a->corner[i][v][k] = a->floats[i][v][k] = a->number[3 * k + v][i] = (float)at + (float)(i + k) / 256;
+                const int places[3] = {i % SIDE, i / SIDE % SIDE, (5 * i + i / SIDE) % SIDE};
+                const float at = 0.75f * (float)places[k] + (v == k ? 2 : 0) + (float)(i + k) / 256;
+                a->corner[i][v][k] = a->floats[i][v][k] = a->number[3 * k + v][i] = at;
                 a->index[3 * i + v] = (uint32_t)(3 * i + v);
             }
     for (uint32_t i = 0; i < COUNT; i++)

@@ -1,6 +1,6 @@
 /*
- * test_environment.c - the caller's rounding mode, flush-to-zero, traps and sticky flags change nothing that any function writes, and
- * come back as they were, on errors too.
+ * test_environment.c - the caller's rounding mode, flush-to-zero, traps and sticky flags change nothing that any function writes,
+ * and come back as they were, on errors too.
  */
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /*
- * test_fences.c - no function reads beside its input or changes it, or writes beside its output: each array lies between pages that
- * cannot be touched, those of the input in memory that cannot be written. And threads that ask at once, all of one input, get what one
- * alone gets.
+ * test_fences.c - no function reads beside its input or changes it, or writes beside its output: each array lies between pages
+ * that cannot be touched, those of the input in memory that cannot be written. And threads that ask at once, all of one input, get
+ * what one alone gets.
  */
 #ifndef __wasm__
 #include <pthread.h>

@@ -1,6 +1,6 @@
 /*
- * test_refused.c - every function refuses every fault of what it takes, by the status that its manual names, and writes nothing; and
- * it does not mind faults of what it does not take.
+ * test_refused.c - every function refuses every fault of what it takes, by the status that its manual names, and writes nothing;
+ * and it does not mind faults of what it does not take.
  */
 #include <float.h>
 #include <limits.h>
@@ -224,6 +224,7 @@ static void missing_last(int n)
     a.what = TRIBOX_FIRST_MISS;
     a.the_mesh.indices = n ? a.the_mesh.indices : NULL;
     a.the_mesh.vertices--;
+    memset(a.numbers, 0, sizeof a.numbers); /* which no list names */
 }
 
 static void missing_and_kernel(int n) { missing_vertex(n), a.the_options.kernel = "nope"; }
@@ -367,8 +368,8 @@ static void many_runs(int n)
 }
 
 /*
- * For the calls that take some of these words. The others are right in spite of it, at least at first, or EVERY time; if it is ALONE
- * they are not asked. NOTHING: it is a fault of no triangles, too.
+ * For the calls that take some of these words. The others are right in spite of it, at least at first, or EVERY time; if it is
+ * ALONE they are not asked. NOTHING: it is a fault of no triangles, too.
  */
 enum { NOTHING = 1, ALONE = 2, EVERY = 4 };
 static const struct fault {
