@@ -245,12 +245,14 @@ void ask_follow(asked *a)
 
 void outputs_prepare(const asked *a, int byte, outputs *to)
 {
+    tribox_soup other = *a->soup; /* whose keys no call writes that starts an order */
+    memcpy(other.x, a->soup->y, sizeof other.x);
     memset(to, byte, sizeof *to);
     to->bricks = 0;
     memcpy(to->places, a->tile_starts, sizeof to->places);
     for (uint32_t n = 0; n < 2 * ROWS; n++)
         to->parents[n] = n / 2;
-    tribox_soup_sort_start(a->soup, 0, COUNT, to->scratch);
+    tribox_soup_sort_start(&other, 0, COUNT, to->scratch);
     tribox_fill_labels(a->the_grid.size, a->cells, to->runs, (uint32_t *const[6]){NULL}, &to->labels);
 }
 
