@@ -1,4 +1,7 @@
-/* test_rank.c - the key of a rank by counting bits, which no input is likely to need, is that by sorting, and that by samples. */
+/*
+ * test_rank.c - the key of a rank by counting bits, which no input is likely to need, is that by sorting, and that by samples; and
+ * samples find it, however many keys there are.
+ */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -49,9 +52,41 @@ static void test_ranks(void **state)
     }
 }
 
+/* Of random keys and of ordered ones, as many as limits and lists just hold, and so many that few are left in limits. */
+static void check_samples(random_source *r, size_t count, bool is_ordered)
+{
+    float *const many = malloc(count * sizeof *many);
+    uint32_t *const number = malloc(count * sizeof *number);
+    assert_true(many && number);
+    for (size_t i = 0; i < count; i++) {
+        many[i] = is_ordered ? (float)i : (float)random_double(r, -1, 1);
+        number[i] = (uint32_t)i;
+    }
+    for (size_t rank = count / 8; rank < count; rank += count / 3) {
+        key_list list;
+        place_key key;
+        assert_true(find_by_samples(many, number, count, rank, &list, &key));
+        demand_key(rank_by_bits(many, number, count, rank), image_of_key(key));
+    }
+    free(many);
+    free(number);
+}
+
+static void test_samples(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "samples");
+    const size_t most = args.pairs >= 10000000 ? 10000000 : 3000000; /* more with --long */
+    for (int is_ordered = 0; is_ordered < 2; is_ordered++) {
+        check_samples(&r, most, is_ordered);
+        for (size_t count = 18000; count < 30000; count += 1000)
+            check_samples(&r, count, is_ordered);
+    }
+}
+
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ranks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ranks), cmocka_unit_test(test_samples)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,8 +3,9 @@
  * After: a vocabulary. Needs: v_pack, i_pack.
  *
  * A key is a middle and a number, compared in this order; no two are the same. A large range of them is narrowed, by limits from a
- * sample, until it fits a list. Samples are drawn in the same way each time, and from everywhere, so that sorted, repeated and
- * periodic keys are not special. Should a range not narrow all the same, bits are counted.
+ * sample, until it fits a list. The first sample is drawn in the same way each time, and from everywhere, so that sorted, repeated
+ * and periodic keys are not special; the next ones are kept of the keys that are counted between the limits, however few of all
+ * keys these are. Should a range not narrow all the same, bits are counted.
  */
 
 enum { LISTED = 2048, FEW_KEYS = 16, ROUNDS_MOST = 8, SPLITS_MOST = 40 };
@@ -177,38 +178,49 @@ static void copy_list(key_list *list, const float *middle, const uint32_t *numbe
     list->count = count;
 }
 
-/* Lists the keys of a range, as far as they fit. Returns how many come before them; list->count: how many they are. */
-static size_t list_keys(const float *middle, const uint32_t *number, size_t count, const key_range *range, key_list *list)
+/* How many keys come before a range, and how many are in it. */
+typedef struct key_counts {
+    size_t before, inside;
+} key_counts;
+
+/* Counts the keys of a range, and lists them as far as they fit: all, or a packet's now and then, about one key of `every`. */
+static key_counts list_keys(const float *middle, const uint32_t *number, size_t count, const key_range *range, size_t every,
+                            key_list *list)
 {
-    size_t before = 0, inside = 0, at = 0;
+    key_counts keys = {0, 0};
+    size_t at = 0, listed = 0, next = 0;
     for (; at + V_LANES <= count; at += V_LANES) {
         const vmask is_less = is_before(middle + at, number + at, range->least);
         const vmask is_inside = m_not(m_or(is_less, is_after(middle + at, number + at, range->most)));
-        if (inside <= LISTED) {
-            v_pack(list->middle + inside, is_inside, v_load(middle + at));
-            i_pack((int32_t *)list->number + inside, is_inside, i_load((const int32_t *)number + at));
+        const size_t found = tribox_count_bits(m_bits(is_inside));
+        if (keys.inside >= next && listed <= LISTED) {
+            v_pack(list->middle + listed, is_inside, v_load(middle + at));
+            i_pack((int32_t *)list->number + listed, is_inside, i_load((const int32_t *)number + at));
+            listed += found;
+            next += found * every;
         }
-        before += tribox_count_bits(m_bits(is_less));
-        inside += tribox_count_bits(m_bits(is_inside));
+        keys.before += tribox_count_bits(m_bits(is_less));
+        keys.inside += found;
     }
     for (; at < count; at++) {
         const uint64_t image = image_of_key((place_key){middle[at], number[at]});
         const bool is_less = image<image_of_key(range->least), is_greater = image> image_of_key(range->most);
-        if (!is_less && !is_greater && inside < LISTED) {
-            list->middle[inside] = middle[at];
-            list->number[inside] = number[at];
+        if (!is_less && !is_greater && listed < LISTED) {
+            list->middle[listed] = middle[at];
+            list->number[listed++] = number[at];
         }
-        before += is_less;
-        inside += !is_less && !is_greater;
+        keys.before += is_less;
+        keys.inside += !is_less && !is_greater;
     }
-    list->count = inside;
-    return before;
+    list->count = listed < LISTED ? listed : LISTED;
+    return keys;
 }
 
-/* Lists up to `room` draws that are keys of the range. */
-static void draw_sample(const float *middle, const uint32_t *number, size_t count, const key_range *range, size_t room,
+/* Lists draws that are keys of the range, which has `inside`: more of them the more there are. */
+static void draw_sample(const float *middle, const uint32_t *number, size_t count, const key_range *range, size_t inside,
                         uint64_t *state, key_list *list)
 {
+    const size_t room = inside / 32 < 256 ? 256 : inside / 32 < LISTED ? inside / 32 : LISTED;
     const uint64_t least = image_of_key(range->least), most = image_of_key(range->most);
     size_t listed = 0;
     for (size_t draws = 16 * room; draws > 0 && listed < room; draws--) {
@@ -221,13 +233,19 @@ static void draw_sample(const float *middle, const uint32_t *number, size_t coun
     list->count = listed;
 }
 
+/* The least number whose square is not below another: how far the place of a key in a sample may be off. */
+static size_t slack_of_sample(size_t count)
+{
+    size_t slack = 1;
+    while (slack * slack < count)
+        slack++;
+    return slack;
+}
+
 /* Limits between which the key of rank `rank` among `inside` keys of the range most likely lies. The sample is spoilt. */
 static key_range narrowed(const key_range *range, key_list *sample, size_t rank, size_t inside)
 {
-    size_t slack = 1;
-    while (slack * slack < sample->count)
-        slack++;
-    const size_t at = (size_t)((double)rank / (double)inside * (double)sample->count);
+    const size_t at = (size_t)((double)rank / (double)inside * (double)sample->count), slack = slack_of_sample(sample->count);
     key_list copy;
     key_range limits = *range;
     copy_list(&copy, sample->middle, sample->number, sample->count);
@@ -238,39 +256,61 @@ static key_range narrowed(const key_range *range, key_list *sample, size_t rank,
     return limits;
 }
 
+/* One of how many keys between such limits to list: of all of them where they most likely fit, else of three quarters of a list. */
+static size_t spacing_between_limits(size_t inside, size_t sample)
+{
+    const size_t expected = sample ? inside / sample * (2 * slack_of_sample(sample) + 1) : inside, room = LISTED / 4 * 3;
+    return expected <= room ? 1 : expected / room + 1;
+}
+
+/* The key that has `rank` keys before it, of more than a list holds. False if the rounds are too few. */
+static bool find_by_samples(const float *middle, const uint32_t *number, size_t count, size_t rank, key_list *list, place_key *key)
+{
+    enum { SAMPLE_LEAST = 64 };
+    key_range range = {{-INFINITY, 0}, {INFINITY, UINT32_MAX}};
+    size_t before = 0, inside = count;
+    uint64_t state = 1;
+    list->count = 0;
+    for (int round = 0; round < ROUNDS_MOST; round++) {
+        key_range limits = range;
+        size_t every = 1;
+        if (inside > LISTED) {
+            if (list->count < SAMPLE_LEAST)
+                draw_sample(middle, number, count, &range, inside, &state, list);
+            every = spacing_between_limits(inside, list->count);
+            limits = narrowed(&range, list, rank - before, inside);
+        }
+        const key_counts keys = list_keys(middle, number, count, &limits, every, list);
+        if (keys.before <= rank && rank < keys.before + keys.inside) {
+            if (keys.inside == list->count) {
+                *key = rank_list(list, rank - keys.before);
+                return true;
+            }
+            range = limits;
+            before = keys.before;
+            inside = keys.inside;
+            continue;
+        }
+        if (rank < keys.before) {
+            range.most = limits.least;
+            inside = keys.before - before + 1;
+        } else {
+            range.least = limits.most;
+            inside += before + 1 - keys.before - keys.inside;
+            before = keys.before + keys.inside - 1;
+        }
+        list->count = 0; /* keys of another range */
+    }
+    return false;
+}
+
 /* The key that has `rank` keys before it. */
 static place_key key_of_rank(const float *middle, const uint32_t *number, size_t count, size_t rank)
 {
-    key_range range = {{-INFINITY, 0}, {INFINITY, UINT32_MAX}};
+    place_key key;
     key_list list;
-    size_t before = 0, inside = count;
-    uint64_t state = 1;
-    if (count <= LISTED) {
-        copy_list(&list, middle, number, count);
-        return rank_list(&list, rank);
-    }
-    for (int round = 0; round < ROUNDS_MOST; round++) {
-        key_range limits = range;
-        if (inside > LISTED) {
-            const size_t sample = inside / 32 < 256 ? 256 : inside / 32 < LISTED ? inside / 32 : LISTED;
-            draw_sample(middle, number, count, &range, sample, &state, &list);
-            limits = narrowed(&range, &list, rank - before, inside);
-        }
-        const size_t below = list_keys(middle, number, count, &limits, &list);
-        if (rank < below) {
-            range.most = limits.least;
-            inside = below - before + 1;
-        } else if (rank >= below + list.count) {
-            range.least = limits.most;
-            inside += before + 1 - below - list.count;
-            before = below + list.count - 1;
-        } else if (list.count <= LISTED)
-            return rank_list(&list, rank - below);
-        else {
-            range = limits;
-            before = below;
-            inside = list.count;
-        }
-    }
-    return rank_by_bits(middle, number, count, rank);
+    if (count > LISTED)
+        return find_by_samples(middle, number, count, rank, &list, &key) ? key : rank_by_bits(middle, number, count, rank);
+    copy_list(&list, middle, number, count);
+    return rank_list(&list, rank);
 }
