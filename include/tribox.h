@@ -480,8 +480,12 @@ TRIBOX_API tribox_status tribox_soup_sort(const tribox_soup *soup, uint32_t *ord
 TRIBOX_API tribox_status tribox_boxes_sort(const tribox_boxes *boxes, uint32_t *order, void *scratch);
 
 /**
- * tribox_soup_sort for a mesh, whose doubles are taken relative to its first vertex; TRIBOX_BAD_ARGUMENT also if
- * tribox_mesh_overlap returns it, TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
+ * tribox_soup_sort for a mesh. Floats have the order of the nine streams of the triangles. Doubles are rounded to float relative to
+ * the middle one of up to 64 vertices from all over the mesh, axis by axis, times a power of two if they lie very far apart or very
+ * close. So the order is as good far from zero, in any unit of length, and with a few triangles far from all others.
+ *
+ * Other arguments and the returned status are as for tribox_soup_sort; TRIBOX_BAD_ARGUMENT also if tribox_mesh_overlap returns it,
+ * TRIBOX_BAD_VERTEX if a triangle refers to a vertex that does not exist.
  */
 TRIBOX_API tribox_status tribox_mesh_sort(const tribox_mesh *mesh, uint32_t *order, void *scratch);
 

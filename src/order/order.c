@@ -7,6 +7,7 @@
 #include "sort_keys.h"
 
 #include <float.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/box.h"
@@ -15,6 +16,8 @@
 #include "base/finite.h"
 #include "mesh/mesh_input.h"
 #include "mesh/mesh_streams.h"
+#include "mesh/positions.h"
+#include "mesh/vertex_numbers.h"
 #include "base/soup.h"
 #include "tribox_threads.h"
 
@@ -54,29 +57,121 @@ static tribox_status start_boxes(const tribox_boxes *boxes, size_t first, size_t
     return TRIBOX_OK;
 }
 
-/* Doubles are seen from the first vertex, as far from zero floats would see them all in one place. False if they need not be. */
-static bool is_far_from_zero(const tribox_mesh *mesh, double origin[3])
+/*
+ * Doubles are seen from among them, as far from zero floats would see them all in one place; and by a power of two larger or
+ * smaller where they would see nothing.
+ */
+typedef struct sight {
+    double origin[3], scale;
+} sight;
+
+/* Positions that tell where a mesh is: the first vertex of triangles from all over it, whichever part of them is asked about. */
+enum { WITNESSES = 64 };
+typedef struct witnesses {
+    double position[3][WITNESSES];
+    size_t count;
+} witnesses;
+
+static void find_witnesses(const tribox_mesh *mesh, witnesses *found)
 {
-    if (tribox_position_bytes(mesh) != sizeof(double) || !mesh->count)
-        return false;
-    tribox_position_read(mesh, 0, origin);
-    return tribox_are_finite_doubles(origin, 3);
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    const uint64_t total = mesh->count, most = total < WITNESSES ? total : WITNESSES;
+    found->count = 0;
+    for (uint64_t k = 0; k < most; k++) {
+        const uint64_t within = k * UINT64_C(0x9e3779b97f4a7c15) % total; /* of no period that a mesh might have */
+        const size_t vertex = tribox_vertex_number(mesh, bytes, 3 * (size_t)((k * total + within) / most));
+        double u[3] = {INFINITY, 0, 0};
+        if (vertex < mesh->vertices)
+            tribox_position_read(mesh, vertex, u);
+        if (!tribox_are_finite_doubles(u, 3))
+            continue;
+        for (int a = 0; a < 3; a++)
+            found->position[a][found->count] = u[a];
+        found->count++;
+    }
 }
 
-/* By way of streams, block by block. */
+/* The one half way among numbers, one at least, which are put in order. */
+static double median_number(double *number, size_t count)
+{
+    for (size_t i = 1; i < count; i++) {
+        const double moved = number[i];
+        size_t k = i;
+        for (; k > 0 && moved < number[k - 1]; k--)
+            number[k] = number[k - 1];
+        number[k] = moved;
+    }
+    return number[count / 2];
+}
+
+static double greater_of(double a, double b) { return a > b ? a : b; }
+
+/* Medians, which no few witnesses far away can move: where the mesh is on each axis, and how far from there. */
+static sight find_sight(const tribox_mesh *mesh)
+{
+    sight s = {.scale = 1};
+    witnesses seen;
+    double distance[WITNESSES] = {0}, sorted[WITNESSES];
+    find_witnesses(mesh, &seen);
+    for (int a = 0; seen.count && a < 3; a++) {
+        memcpy(sorted, seen.position[a], sizeof sorted);
+        s.origin[a] = median_number(sorted, seen.count);
+        for (size_t k = 0; k < seen.count; k++)
+            distance[k] = greater_of(distance[k], fabs(seen.position[a][k] - s.origin[a])); /* infinite if that overflows */
+    }
+    const double usual = seen.count ? median_number(distance, seen.count) : 0;
+    while (usual * s.scale > 0x1p64 && s.scale > 0x1p-960)
+        s.scale *= 0x1p-64;
+    while (usual > 0 && usual * s.scale < 0x1p-64 && s.scale < 0x1p960)
+        s.scale *= 0x1p64;
+    return s;
+}
+
+/* A number as it is seen: one that is beyond the greatest float lies there, one that is not finite stays so. */
+static float number_seen(double number, double origin, double scale)
+{
+    const float seen = (float)((number - origin) * scale);
+    if (!tribox_are_finite_doubles(&number, 1))
+        return NAN;
+    return seen > FLT_MAX ? FLT_MAX : seen < -FLT_MAX ? -FLT_MAX : seen;
+}
+
+static void write_seen(const tribox_mesh *mesh, const sight *s, size_t first, size_t count, float *const to[9])
+{
+    for (size_t i = 0; i < count; i++) {
+        double u[3][3];
+        tribox_mesh_read_corners(mesh, 3 * (first + i), 3, u);
+        for (int k = 0; k < 9; k++)
+            to[k][i] = number_seen(u[k % 3][k / 3], s->origin[k / 3], s->scale);
+    }
+}
+
+static bool are_all_finite(const tribox_sort_keys *keys, size_t count)
+{
+    bool are = true;
+    for (size_t i = 0; i < count; i++)
+        are &= keys->middle[0][i] <= FLT_MAX;
+    return are;
+}
+
+/* By way of streams, block by block. The kernel writes doubles as they are seen but for a scale, and for what is beyond float. */
 static void find_middles_of_mesh(const tribox_mesh *mesh, const tribox_kernel *kernel, size_t first, size_t end, void *scratch)
 {
-    double origin[3];
+    const bool are_doubles = tribox_position_bytes(mesh) == sizeof(double);
+    const sight s = are_doubles ? find_sight(mesh) : (sight){.scale = 1};
     float streams[9][BLOCK], *to[9];
-    const bool is_local = is_far_from_zero(mesh, origin);
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
     for (; first < end; first += BLOCK) {
         const size_t count = end - first < BLOCK ? end - first : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_sort_keys keys = tribox_sort_keys_in(scratch, mesh->count, first);
-        tribox_mesh_write_soup(mesh, kernel, is_local ? origin : NULL, first, count, to);
+        tribox_mesh_write_soup(mesh, kernel, are_doubles ? s.origin : NULL, first, count, to);
         kernel->nodes->find_middles(&soup, NULL, 0, count, first, &keys);
+        if (are_doubles && (s.scale != 1 || !are_all_finite(&keys, count))) {
+            write_seen(mesh, &s, first, count, to);
+            kernel->nodes->find_middles(&soup, NULL, 0, count, first, &keys);
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 /*
  * test_order.c - the order of a soup is what the header says, on every kernel; boxes and meshes have the order of the soup that
- * they are; no input takes much longer than others.
+ * they are; doubles have as good a one wherever they are; no input takes much longer than others.
  */
+#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,6 +19,7 @@
 #include "base/environment.h"
 #include "order_kinds.h"
 #include "order/sort_keys.h"
+#include "tribox_threads.h"
 
 static arguments args;
 
@@ -118,6 +120,88 @@ static void test_boxes_and_meshes(void **state)
     }
 }
 
+/* Small triangles all over a cube, in random order: nine numbers each. */
+static void draw_cloud(random_source *r, size_t count, double (*u)[3][3])
+{
+    for (size_t i = 0; i < count; i++)
+        for (int a = 0; a < 3; a++) {
+            const double middle = random_double(r, 0, 1000);
+            for (int v = 0; v < 3; v++)
+                u[i][v][a] = middle + random_double(r, -1, 1);
+        }
+}
+
+static void sort_doubles(double (*u)[3][3], size_t count, uint32_t *order)
+{
+    static float scratch[4 * 20000];
+    const tribox_mesh mesh = {.positions = u, .vertices = 3 * count, .count = count, .position_bytes = 8};
+    uint32_t *const other = malloc(4 * count);
+    assert_true(other && sizeof scratch >= 16 * count);
+    assert_int_equal(tribox_mesh_sort(&mesh, order, scratch), TRIBOX_OK);
+    const size_t part = count / 3;
+    assert_int_equal(tribox_mesh_sort_start(&mesh, part, count - part, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_sort_start(&mesh, 0, part, scratch), TRIBOX_OK);
+    assert_int_equal(tribox_sort_finish(scratch, count, 0, count, other), TRIBOX_OK);
+    assert_memory_equal(other, order, 4 * count);
+    free(other);
+}
+
+/* What an order is worth: the sum of the sides of its words, without the triangles that are far away. */
+static double sides_of(double (*u)[3][3], size_t count, const uint32_t *order)
+{
+    double sum = 0;
+    for (size_t first = 0; first < count; first += 64)
+        for (int a = 0; a < 3; a++) {
+            double lo = 1000, hi = 0;
+            for (size_t i = first; i < count && i < first + 64; i++)
+                for (int v = 0; v < 3 && fabs(u[order[i]][v][a]) < 1e6; v++) {
+                    lo = fmin(lo, u[order[i]][v][a]);
+                    hi = fmax(hi, u[order[i]][v][a]);
+                }
+            sum += hi > lo ? hi - lo : 0;
+        }
+    return sum;
+}
+
+/* Neither strays nor the unit of length make the order of doubles worse. Finite ones come before all others. */
+static void test_doubles(void **state)
+{
+    enum { COUNT = 20000 };
+    static const struct {
+        size_t every;
+        double place;
+    } strays[] = {{COUNT, 1e12}, {COUNT, -1e300}, {5, 1e12}, {5, -1e40}, {7, DBL_MAX}};
+    static double u[COUNT][3][3], scaled[COUNT][3][3];
+    static uint32_t order[COUNT], other[COUNT];
+    (void)state;
+    random_source r = random_named(args.seed, "doubles");
+    draw_cloud(&r, COUNT, u);
+    sort_doubles(u, COUNT, order);
+    const double worth = sides_of(u, COUNT, order);
+    for (int bits = -1000; bits <= 1000; bits += 125) {
+        for (size_t k = 0; k < 9 * COUNT; k++)
+            (&scaled[0][0][0])[k] = ldexp((&u[0][0][0])[k], bits);
+        sort_doubles(scaled, COUNT, other);
+        assert_memory_equal(order, other, sizeof order);
+    }
+    for (size_t s = 0; s < sizeof strays / sizeof *strays; s++) {
+        memcpy(scaled, u, sizeof u);
+        for (size_t i = 0; i < COUNT; i += strays[s].every)
+            for (size_t k = 0; k < 9; k++)
+                (&scaled[i][0][0])[k] = strays[s].place;
+        sort_doubles(scaled, COUNT, other);
+        if (!(sides_of(scaled, COUNT, other) < 2 * worth))
+            fail_msg("1 of %zu triangles at %g: sides of words %g, without them %g", strays[s].every, strays[s].place,
+                     sides_of(scaled, COUNT, other), worth);
+    }
+    double few[4][3][3] = {{{0}}};
+    few[1][0][0] = -INFINITY;
+    few[2][1][1] = 1e40;
+    few[3][2][2] = -DBL_MAX;
+    sort_doubles(few, 4, order);
+    assert_int_equal(order[3], 1);
+}
+
 static double seconds_of(const order_room *room)
 {
     double least = INFINITY;
@@ -181,9 +265,9 @@ int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),     cmocka_unit_test(test_large),
-        cmocka_unit_test(test_time),      cmocka_unit_test(test_boxes_and_meshes),
-        cmocka_unit_test(test_arguments),
+        cmocka_unit_test(test_words),   cmocka_unit_test(test_large),
+        cmocka_unit_test(test_time),    cmocka_unit_test(test_boxes_and_meshes),
+        cmocka_unit_test(test_doubles), cmocka_unit_test(test_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,8 +138,10 @@ static void test_arguments(void **state)
     assert_int_equal(tribox_sort_finish(NULL, FEW, FEW, 0, NULL), TRIBOX_OK);
     order_room_free(&room);
     const float corner[3] = {1, 2, 3};
-    const uint16_t indices[6] = {0, 0, 1, 0, 0, 0};
-    const tribox_mesh mesh = {.positions = corner, .vertices = 1, .indices = indices, .index_bytes = 2, .count = 2};
+    const double vertex[3] = {1, 2, 3};
+    const uint32_t far_away[6] = {UINT32_MAX / 24, 0, 0, 0, 0, 0};
+    const tribox_mesh mesh = {
+        .positions = vertex, .vertices = 1, .indices = far_away, .index_bytes = 4, .count = 2, .position_bytes = 8};
     float scratch[8];
     assert_int_equal(tribox_mesh_sort_start(&mesh, 0, 1, scratch), TRIBOX_BAD_VERTEX);
     assert_int_equal(tribox_mesh_sort_start(&mesh, 1, 1, scratch), TRIBOX_OK);
