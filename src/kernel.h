@@ -166,7 +166,8 @@ typedef struct tribox_moved {
     float number[9][64 * TRIBOX_MOVED_WORDS]; /* the streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2 */
     uint64_t apart[TRIBOX_MOVED_WORDS];       /* certainly apart from the box on one of its axes */
     uint64_t wild[TRIBOX_MOVED_WORDS];        /* too far away for float, or not finite: the streams mean nothing */
-    float error[3];                           /* how far off the others can be on each axis */
+    uint64_t far[TRIBOX_MOVED_WORDS];         /* of the others those that reach beyond `near` of the frame */
+    float error[3];                           /* how far off those that are none of these can be on each axis */
 } tribox_moved;
 
 /* `count` triangles of a soup, from triangle `first` on, into the frame of the box: a whole packet at least. */

@@ -1,11 +1,14 @@
 /*
  * oriented.c - triangles and an oriented box: moved into the frame of the box block by block, and tested there.
  *
- * The move rounds: each coordinate in the frame is off by at most `error`, known for each axis and block (kernel/frame.h). So the
- * rounded triangle misses the box enlarged by the error only if the triangle misses the box, and overlaps the box diminished by the
- * error only if the triangle overlaps the box: for a common point is a mean of the vertices, and moves no farther than they do.
- * What lies between is settled in integers from the numbers of the input (PROOFS.md 8.2).
+ * The move rounds: each coordinate in the frame is off by at most `error` (kernel/frame.h), which is that of the triangles of a
+ * block that do not reach far from the box. Those that do are asked with others of their word that reach as far, so that none has
+ * the error of a neighbour that reaches farther. The rounded triangle misses the box enlarged by the error only if the triangle
+ * misses the box, and overlaps the box diminished by the error only if the triangle overlaps the box: for a common point is a mean
+ * of the vertices, and moves no farther than they do. What lies between is settled in integers from the numbers of the input
+ * (PROOFS.md 8.2).
  */
+#include <math.h>
 #include <string.h>
 
 #include "base/bits.h"
@@ -48,8 +51,8 @@ static bool overlaps_in_integers(const tribox_oriented_query *q, size_t i, size_
 }
 
 /* Words of the frame: the lanes that certainly overlap, and in *undecided those for the integers. */
-static void answer_exactly(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
-                           uint64_t *hit, uint64_t *undecided)
+static void answer_exactly(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t word,
+                           size_t words, uint64_t *hit, uint64_t *undecided)
 {
     tribox_plan *const plan = q->plan;
     uint64_t larger_hit[TRIBOX_MOVED_WORDS], larger_undecided[TRIBOX_MOVED_WORDS], unused[TRIBOX_MOVED_WORDS];
@@ -57,30 +60,112 @@ static void answer_exactly(const tribox_oriented_query *q, const tribox_moved *m
     const tribox_query pairs = {.soup = soup, .box = &box, .count = soup->count};
     memset(hit, 0, words * sizeof *hit);
     if (set_box_in_frame(q, moved, -1, &box))
-        tribox_pairs_walk_block(&pairs, plan, 0, words, hit, unused);
+        tribox_pairs_walk_block(&pairs, plan, word, words, hit, unused);
     set_box_in_frame(q, moved, 1, &box);
     plan->accuracy = TRIBOX_CONSERVATIVE;
-    tribox_pairs_walk_block(&pairs, plan, 0, words, larger_hit, larger_undecided);
+    tribox_pairs_walk_block(&pairs, plan, word, words, larger_hit, larger_undecided);
     plan->accuracy = TRIBOX_EXACT;
     for (size_t w = 0; w < words; w++)
-        undecided[w] = (larger_hit[w] | larger_undecided[w]) & ~hit[w] & ~moved->apart[w];
+        undecided[w] = (larger_hit[w] | larger_undecided[w]) & ~hit[w];
 }
 
 /*
  * The same where the frame's own answer will do: CONSERVATIVE about the larger box, FAST about the box, to err on both sides.
  * Returns how many were left to double.
  */
-static size_t answer_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t words,
-                              uint64_t *hit, uint64_t *undecided)
+static size_t answer_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t word,
+                              size_t words, const uint64_t *asked, uint64_t *hit, uint64_t *undecided)
 {
     tribox_rounded_box box;
     const tribox_query pairs = {.soup = soup, .box = &box, .count = soup->count};
     set_box_in_frame(q, moved, q->plan->accuracy == TRIBOX_CONSERVATIVE ? 1 : 0, &box);
-    tribox_pairs_walk_block(&pairs, q->plan, 0, words, hit, undecided);
+    tribox_pairs_walk_block(&pairs, q->plan, word, words, hit, undecided);
     for (size_t w = 0; w < words; w++)
-        undecided[w] &= ~(moved->apart[w] | moved->wild[w]);
-    const size_t settled = tribox_pairs_settle_block(&pairs, q->plan, 0, words, undecided, hit);
+        undecided[w] &= asked[w];
+    const size_t settled = tribox_pairs_settle_block(&pairs, q->plan, word, words, undecided, hit);
     memset(undecided, 0, words * sizeof *undecided);
+    return settled;
+}
+
+/* Of words word .. word + words - 1 the lanes that are asked, all within the error. Returns how many were left to double. */
+static size_t answer_lanes(const tribox_oriented_query *q, const tribox_moved *moved, const tribox_soup *soup, size_t word,
+                           size_t words, const uint64_t *asked, uint64_t *hit, uint64_t *undecided)
+{
+    size_t settled = 0;
+    if (q->plan->accuracy == TRIBOX_EXACT)
+        answer_exactly(q, moved, soup, word, words, hit, undecided);
+    else
+        settled = answer_in_frame(q, moved, soup, word, words, asked, hit, undecided);
+    for (size_t w = 0; w < words; w++) {
+        hit[w] &= asked[w];
+        undecided[w] &= asked[w];
+    }
+    return settled;
+}
+
+/* How far a triangle of the block reaches from the center of the frame on an axis of space. */
+static float reach_of(const tribox_oriented_query *q, const tribox_soup *block, size_t i)
+{
+    float most = 0;
+    for (int k = 0; k < 9; k++) {
+        const float distance = fabsf(tribox_soup_axis(block, k / 3)[k % 3][i] - q->frame.center[k / 3]);
+        most = distance > most ? distance : most;
+    }
+    return most;
+}
+
+/* Of far lanes of a word those that reach no farther than four times the least of them, and the error of all of these. */
+static uint64_t take_alike(const tribox_oriented_query *q, tribox_moved *moved, const tribox_soup *block, size_t word)
+{
+    float reach[64], least = INFINITY, most = 0;
+    uint64_t alike = 0;
+    for (uint64_t left = moved->far[word]; left; left &= left - 1) {
+        const unsigned lane = tribox_lowest_bit(left);
+        reach[lane] = reach_of(q, block, 64 * word + lane);
+        least = reach[lane] < least ? reach[lane] : least;
+    }
+    for (uint64_t left = moved->far[word]; left; left &= left - 1) {
+        const unsigned lane = tribox_lowest_bit(left);
+        const bool is_alike = reach[lane] <= 4 * least;
+        alike |= (uint64_t)is_alike << lane;
+        most = is_alike && reach[lane] > most ? reach[lane] : most;
+    }
+    for (int k = 0; k < 3; k++)
+        moved->error[k] = tribox_frame_error(&q->frame, k, most);
+    moved->far[word] &= ~alike;
+    return alike;
+}
+
+/* Whether the larger and the smaller box are so unlike that both together hardly decide anything. */
+static bool is_blurred(const tribox_oriented_query *q, const tribox_moved *moved)
+{
+    const double *const half = q->box->half;
+    const double most = half[0] > half[1] ? half[0] > half[2] ? half[0] : half[2] : half[1] > half[2] ? half[1] : half[2];
+    bool is = false;
+    for (int k = 0; k < 3; k++)
+        is |= (double)moved->error[k] > most / 256;
+    return is;
+}
+
+/* The words of a block: those that are not far together, then the others, word by word. FAST has no error, and asks all at once. */
+static size_t answer_moved(const tribox_oriented_query *q, const tribox_soup *block, tribox_moved *moved, const tribox_soup *soup,
+                           size_t words, uint64_t *hit, uint64_t *undecided)
+{
+    uint64_t near[TRIBOX_MOVED_WORDS];
+    for (size_t w = 0; w < words; w++) {
+        moved->far[w] = q->plan->accuracy == TRIBOX_FAST ? 0 : moved->far[w];
+        near[w] = ~(moved->apart[w] | moved->wild[w] | moved->far[w]);
+    }
+    size_t settled = answer_lanes(q, moved, soup, 0, words, near, hit, undecided);
+    for (size_t w = 0; w < words; w++)
+        while (moved->far[w]) {
+            const uint64_t alike = take_alike(q, moved, block, w);
+            uint64_t found = 0, left = alike;
+            if (q->plan->accuracy != TRIBOX_EXACT || !is_blurred(q, moved))
+                settled += answer_lanes(q, moved, soup, w, 1, &alike, &found, &left);
+            hit[w] |= found;
+            undecided[w] |= left;
+        }
     return settled;
 }
 
@@ -91,7 +176,6 @@ static size_t answer_in_frame(const tribox_oriented_query *q, const tribox_moved
 static size_t answer_oriented_block(const tribox_oriented_query *q, size_t first, size_t count, size_t unasked, uint64_t *hit)
 {
     const size_t words = tribox_words_of(count);
-    size_t settled = 0;
     tribox_streams room;
     tribox_moved moved;
     uint64_t undecided[TRIBOX_MOVED_WORDS];
@@ -99,20 +183,15 @@ static size_t answer_oriented_block(const tribox_oriented_query *q, size_t first
     q->plan->kernel->to_frame(&block, &q->frame, 0, count, &moved);
     for (size_t w = 0; w < unasked; w++) {
         moved.apart[w] = ~UINT64_C(0);
-        moved.wild[w] = 0;
+        moved.wild[w] = moved.far[w] = 0;
     }
     const tribox_soup frame = tribox_soup_of(&moved.number[0][0], 64 * TRIBOX_MOVED_WORDS, count);
-    if (q->plan->accuracy == TRIBOX_EXACT)
-        answer_exactly(q, &moved, &frame, words, hit, undecided);
-    else
-        settled = answer_in_frame(q, &moved, &frame, words, hit, undecided);
-    for (size_t w = 0; w < words; w++) {
-        hit[w] &= ~(moved.apart[w] | moved.wild[w]);
+    size_t settled = answer_moved(q, &block, &moved, &frame, words, hit, undecided);
+    for (size_t w = 0; w < words; w++)
         for (uint64_t left = undecided[w] | moved.wild[w]; left; left &= left - 1) {
             const unsigned lane = tribox_lowest_bit(left);
             hit[w] |= (uint64_t)overlaps_in_integers(q, first + 64 * w + lane, &settled) << lane;
         }
-    }
     return settled;
 }
 

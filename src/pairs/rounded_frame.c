@@ -49,9 +49,32 @@ static void round_axis(const tribox_oriented_box *box, int k, const double rest[
     frame->lost[k] = is_narrow ? INFINITY : are_rounded ? (float)(0x1p-149 * size) : 0;
 }
 
+/*
+ * 64 times the longest side of the box, but of sides beyond 1024 times the shortest that is there: their ends are as far as other
+ * triangles. Any number would do: it decides how near its own an error is, and the time.
+ */
+static float near_of(const tribox_oriented_box *box)
+{
+    double longest = 0, shortest = INFINITY;
+    for (int k = 0; k < 3; k++) {
+        const double x = fabs(box->axis[k][0]), y = fabs(box->axis[k][1]), z = fabs(box->axis[k][2]);
+        const double side = box->half[k] > 0 ? box->half[k] / (x > y ? x > z ? x : z : y > z ? y : z) : 0;
+        longest = side > longest ? side : longest;
+        shortest = side > 0 && side < shortest ? side : shortest;
+    }
+    return (float)(64 * (longest < 1024 * shortest ? longest : 1024 * shortest));
+}
+
+float tribox_frame_error(const tribox_rounded_frame *frame, int k, float reach)
+{
+    const double size = (double)frame->size[k][0] + (double)frame->size[k][1] + (double)frame->size[k][2];
+    return tribox_float_from(0x1p-21 * size * (double)reach + 0x1p-120 + (double)frame->lost[k]);
+}
+
 void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bool are_rounded, tribox_rounded_frame *frame)
 {
     double rest[3];
+    frame->near = near_of(box);
     for (int a = 0; a < 3; a++) {
         const double less = origin ? origin[a] : 0, difference = box->center[a] - less;
         frame->center[a] = tribox_float_nearest(difference);

@@ -20,6 +20,7 @@ typedef struct tribox_rounded_frame {
     float outer_lo[3], outer_hi[3], inner_lo[3], inner_hi[3];
     double middle[3]; /* and the half lengths to both sides of it */
     double slack[3];  /* how far off the middle and the bounds about it may be, together */
+    float near;       /* what reaches no farther from the center on any axis of space is asked with one error for all */
 } tribox_rounded_frame;
 
 /*
@@ -28,5 +29,8 @@ typedef struct tribox_rounded_frame {
  *   or, if are_rounded, the float nearest to p - origin in double, which is finite.
  */
 void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bool are_rounded, tribox_rounded_frame *frame);
+
+/* How far off on axis k a point can be that is moved into the frame, `reach` at most from the center on each axis of space. */
+float tribox_frame_error(const tribox_rounded_frame *frame, int k, float reach);
 
 #endif

@@ -407,6 +407,32 @@ static void test_faces(void **state)
     }
 }
 
+/* Triangles that reach far, among others: none is reported farther from contact because of another. */
+static void test_neighbours(void **state)
+{
+    (void)state;
+    catch_faults();
+    scene_name = "neighbours";
+    is_ordinary = true;
+    random_source r = random_named(args.seed, scene_name);
+    size_t unused = 0;
+    for (int round = 0; round < 12; round++) {
+        oriented_draw(&oriented_scenes[4], (oriented_form)(round % ORIENTED_FORMS), &r, &batch); /* the ordinary one */
+        batch.count = ORIENTED_TRIANGLES;
+        for (int t = random_int(&r, 20); t < ORIENTED_TRIANGLES; t += 20) {
+            const double far = ldexp(1, random_int_between(&r, 6, 40)), miss = random_int(&r, 2) ? far / 50 : 0;
+            for (int a = 0; a < 3; a++) { /* through the center but for what is rounded, or not */
+                double *const from[3] = {&batch.u[t][0][a], &batch.u[t][1][a], &batch.u[t][2][a]};
+                for (int j = 0; j < 3; j++)
+                    *from[j] = j < 2 ? far * random_double(&r, -1, 1) : 3 * (batch.box.center[a] + miss) - *from[0] - *from[1];
+                for (int j = 0; j < 3; j++)
+                    *from[j] = batch.form == ORIENTED_DOUBLES ? *from[j] : (double)(float)*from[j];
+            }
+        }
+        check_batch(&r, &unused, &unused);
+    }
+}
+
 /* Many blocks of whatever size: the triangles of a batch over and over, each time another one first. */
 static void check_large(const tribox_options *options, size_t count)
 {
@@ -494,7 +520,7 @@ int main(int argc, char **argv)
     kernels = kernels_here(names);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scenes),      cmocka_unit_test(test_empty_boxes), cmocka_unit_test(test_faces),
-        cmocka_unit_test(test_every_count), cmocka_unit_test(test_large),
+        cmocka_unit_test(test_every_count), cmocka_unit_test(test_large),       cmocka_unit_test(test_neighbours),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

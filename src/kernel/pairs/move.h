@@ -3,8 +3,8 @@
  * After: tail.h, axes.h, frame.h.
  */
 
-/* A packet moved, and in error[k] the bounds of its lanes. */
-TRIBOX_INLINE void move_packet(const tribox_soup *soup, const lane_frame *frame, size_t at, vnum q[3][3], vnum error[3])
+/* A packet moved, in error[k] the bounds of its lanes, and how far they reach on an axis of space. */
+TRIBOX_INLINE vnum move_packet(const tribox_soup *soup, const lane_frame *frame, size_t at, vnum q[3][3], vnum error[3])
 {
     vnum d[3][3], most[3];
     for (int a = 0; a < 3; a++) {
@@ -17,6 +17,7 @@ TRIBOX_INLINE void move_packet(const tribox_soup *soup, const lane_frame *frame,
         for (int j = 0; j < 3; j++)
             q[j][k] = dot3(frame->axis[k], d[j]);
     }
+    return lane_max3(most[0], most[1], most[2]);
 }
 
 static void to_frame(const tribox_soup *soup, const tribox_rounded_frame *box, size_t first, size_t count, tribox_moved *moved)
@@ -24,13 +25,14 @@ static void to_frame(const tribox_soup *soup, const tribox_rounded_frame *box, s
     lane_frame frame;
     packet_run run;
     vnum worst[3] = {v_splat(0), v_splat(0), v_splat(0)};
+    const vnum near = v_splat(box->near);
     splat_frame(&frame, box);
     for (size_t done = 0; done < count; done += run.pairs) {
         const size_t word = done / 64, lane = done % 64;
         vnum q[3][3], error[3];
         vmask apart = m_none(), tame = m_all();
         run = run_of_packets(done, count, V_LANES);
-        move_packet(soup, &frame, first + run.at, q, error);
+        const vmask far = v_gt(move_packet(soup, &frame, first + run.at, q, error), near);
         for (int k = 0; k < 3; k++) {
             for (int j = 0; j < 3; j++)
                 v_write(moved->number[3 * k + j] + run.at, q[j][k]);
@@ -39,9 +41,10 @@ static void to_frame(const tribox_soup *soup, const tribox_rounded_frame *box, s
             tame = m_and(tame, v_gt(v_splat(FRAME_LIMIT), error[k]));
         }
         for (int k = 0; k < 3; k++)
-            worst[k] = v_max(worst[k], v_select(m_andnot(tame, apart), error[k], v_splat(0)));
+            worst[k] = v_max(worst[k], v_select(m_andnot(tame, m_or(apart, far)), error[k], v_splat(0)));
         put_run(&moved->apart[word], lane, m_bits(m_and(apart, tame)), &run);
         put_run(&moved->wild[word], lane, m_bits(tame) ^ LANES_ALL, &run);
+        put_run(&moved->far[word], lane, m_bits(m_andnot(m_and(tame, far), apart)), &run);
     }
     for (int k = 0; k < 3; k++) {
         float lane[V_LANES];
