@@ -140,12 +140,13 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  * less than 2^-19 (F_x F_y m_z + F_y F_z m_x + F_z F_x m_y) for the triangle's normal, and by less than 2^-64 if products or
  * lengths underflow.
  *
- * The guarantee is weak if the axis is short: the normal of a segment or sliver, or an axis of an edge far shorter than the others.
- * Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: most of the
- * segments that are much longer than the box, and some of the slivers that are more than 2^16 times as long as high, or 2^16 / k
- * times if they are k times as long as a side of the box. Use EXACT or CONSERVATIVE for these, and EXACT where triangles lie in
- * faces of boxes: in rounded coordinates FAST misses many of those contacts. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE
- * costs hardly more than FAST about slivers, but then also reports wider triangles that only the plane separates.
+ * The guarantee is weak if the axis is short: the normal of a segment or sliver, or an axis of an edge far shorter than the
+ * others. Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: most
+ * of the segments that are much longer than the box, and some of the slivers that are more than 2^16 times as long as high, or
+ * 2^16 / k times if they are k times as long as a side of the box. Use EXACT or CONSERVATIVE for these, and EXACT if triangles lie
+ * in faces of boxes: in rounded coordinates, such as tenths, FAST is wrong about some of these contacts, and more often than the
+ * paper's test in float. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST about slivers, but
+ * then also reports wider triangles that only the plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
@@ -204,14 +205,14 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tested there.
  *
  * EXACT is the true answer about the box given by these doubles, for every finite input: if rounding of the move could change the
- * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by what the move can have rounded. So it also reports a
- * triangle that overlaps if each half length is greater by 2^-17 of |axis| * |p - center|, where p is its own farthest vertex, or by
- * 2^-12 of |axis| times the greatest half / |axis|; no other triangle of the call matters. FAST moves and tests in single precision;
- * add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and slivers as tribox_overlap does, including
- * those that the move makes thin. A triangle that is outside along one axis of the box is mostly rejected while it is moved. EXACT
- * leaves every triangle that lies in a face of the box to the last stage, and every overlap with a flat box (a half length of zero).
- * That takes half a microsecond each, or tens of microseconds, rarely hundreds, if it needs integers, so a turned box that stands on
- * the floor of a model can take many times as long as one just above it.
+ * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by what the move can have rounded. So it also reports
+ * a triangle that overlaps if each half length is greater by 2^-17 of |axis| * |p - center|, where p is its own farthest vertex,
+ * or by 2^-12 of |axis| times the greatest half / |axis|; no other triangle of the call matters. FAST moves and tests in single
+ * precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and slivers as tribox_overlap does,
+ * including those that the move makes thin. A triangle that is outside along one axis of the box is mostly rejected while it is
+ * moved. EXACT leaves every triangle that lies in a face of the box to the last stage, and every overlap with a flat box (a half
+ * length of zero). That takes half a microsecond each, or tens of microseconds, rarely hundreds, if it needs integers, so a turned
+ * box that stands on the floor of a model can take many times as long as one just above it.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is

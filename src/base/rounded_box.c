@@ -11,20 +11,37 @@ float tribox_float_from(double number)
     return (double)nearest < number ? tribox_float_above(nearest) : nearest;
 }
 
-void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_box *rounded)
+static void round_for_signs(const tribox_rounded_box *rounded, tribox_box_floats *fast)
 {
+    *fast = rounded->of;
+    for (int a = 0; a < 3; a++) {
+        const double lo = rounded->exact.lo[a], hi = rounded->exact.hi[a];
+        const float middle = (float)((lo + hi) / 2), below = (float)(lo - (double)middle), above = (float)(hi - (double)middle);
+        if ((double)below == lo - (double)middle && (double)above == hi - (double)middle) {
+            fast->origin[a] = middle;
+            fast->C[a] = below + above;
+        }
+        fast->H[a] += fast->H[a] * 0x1p-24f;
+    }
+}
+
+void tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded)
+{
+    tribox_box_floats *const of = &rounded->of;
     rounded->exact = *box;
     for (int a = 0; a < 3; a++) {
         const double lo = box->lo[a], hi = box->hi[a];
         const float l = tribox_float_from(lo), h = -tribox_float_from(-hi), origin = is_box_asked ? l : (float)lo;
         rounded->lo[a] = l;
         rounded->hi[a] = h;
-        rounded->origin[a] = origin;
+        of->origin[a] = origin;
         if ((double)l == lo && (double)h == hi) { /* of floats: rounded once */
-            rounded->H[a] = rounded->C[a] = fabsf(h - l);
+            of->H[a] = of->C[a] = fabsf(h - l);
         } else {
-            rounded->H[a] = (float)fabs(hi - lo);
-            rounded->C[a] = (float)((hi - (double)origin) + (lo - (double)origin));
+            of->H[a] = (float)fabs(hi - lo);
+            of->C[a] = (float)((hi - (double)origin) + (lo - (double)origin));
         }
     }
+    if (is_fast)
+        round_for_signs(rounded, &rounded->fast);
 }

@@ -10,20 +10,27 @@
 #include "compiler.h"
 #include "tribox.h"
 
+/* What V_0 is taken from, H and C: hi - lo and hi + lo - 2 origin, of the bounds themselves. */
+typedef struct tribox_box_floats {
+    float origin[3], H[3], C[3];
+} tribox_box_floats;
+
 /* Infinite bounds stand for those that no float is beyond. */
 typedef struct tribox_rounded_box {
     float lo[3], hi[3]; /* rounded inwards: no float lies between */
-    float origin[3];    /* that V_0 is taken from: lo, or the float next to the bound (tribox_box_round) */
-    float H[3];         /* hi - lo, of the bounds themselves */
-    float C[3];         /* hi + lo - 2 origin: H, less twice what rounding has moved lo by */
+    tribox_box_floats of, fast;
     tribox_box exact;
 } tribox_rounded_box;
 
 /*
- * Of a finite box, in the environment of environment.h. Where the box normals are not asked, the origin is the float nearest to lo:
- * then no vertex is nearer to the bound than the origin is.
+ * Of a finite box, in the environment of environment.h. The origin is lo; where the box normals are not asked, it is the float
+ * nearest to lo: then no vertex is nearer to the bound than the origin is.
+ *
+ * is_fast: what FAST takes, too. It trusts signs, and rounding alone has the sign of a tie. So its origin is the middle, from where
+ * less is lost of vertices near the box, if the bounds are floats from there as well; and its H is longer by what the product of a
+ * length and one edge can lose (PROOFS.md 10).
  */
-void tribox_box_round(const tribox_box *box, bool is_box_asked, tribox_rounded_box *rounded);
+void tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded);
 
 /* The least float that is not below a number: infinite if there is none. */
 float tribox_float_from(double number);

@@ -64,7 +64,7 @@ bool tribox_question_about(tribox_question *q, const tribox_box *box)
     if (tribox_box_is_empty(box))
         return false;
     if (!q->over.are_doubles) {
-        tribox_box_round(box, true, &q->rounded.box);
+        tribox_box_round(box, true, q->plan.accuracy == TRIBOX_FAST, &q->rounded.box);
         take_inner(&q->nodes, &q->rounded.box);
     }
     if (!q->over.soup && q->blocks.answer == tribox_mesh_answer_local)

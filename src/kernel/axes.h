@@ -38,8 +38,8 @@ typedef struct lane_triangle {
 /* A box in lanes. */
 typedef struct lane_box {
     vnum lo[3], hi[3];
-    vnum H[3]; /* |hi - lo|: +0, never -0, where both are zero */
-    vnum C[3]; /* hi + lo - 2 l, where V_0 is taken from l instead of lo; else H */
+    vnum H[3];            /* |hi - lo|: +0, never -0, where both are zero */
+    vnum origin[3], C[3]; /* what V_0 is taken from, and hi + lo - 2 origin: lo and H, unless a caller chooses another */
 } lane_box;
 
 /* What the axes share of a triangle and a box. */
@@ -59,7 +59,7 @@ TRIBOX_INLINE vnum lane_lost3(vnum a, vnum b, vnum c) { return v_add(v_add(v_sub
 
 TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
 {
-    box->lo[a] = lo;
+    box->lo[a] = box->origin[a] = lo;
     box->hi[a] = hi;
     box->H[a] = box->C[a] = v_abs(v_sub(hi, lo));
 }
@@ -68,7 +68,7 @@ TRIBOX_INLINE void set_bounds(lane_box *box, int a, vnum lo, vnum hi)
 TRIBOX_INLINE void shape_axis(lane_shape *s, const lane_triangle *t, const lane_box *box, int a)
 {
     s->H[a] = box->H[a];
-    s->V[a] = v_fms(v_splat(2), v_sub(t->u[0][a], box->lo[a]), box->C[a]);
+    s->V[a] = v_fms(v_splat(2), v_sub(t->u[0][a], box->origin[a]), box->C[a]);
     for (int j = 0; j < 3; j++) {
         s->f[j][a] = v_sub(t->u[(j + 1) % 3][a], t->u[j][a]);
         s->l[j][a] = v_abs(s->f[j][a]);

@@ -29,7 +29,7 @@ static tribox_report answer_streams(const tribox_mesh *mesh, size_t first, size_
 
 void tribox_float_box_make(const tribox_box *box, const tribox_plan *plan, tribox_float_box *rounded)
 {
-    tribox_box_round(box, plan->axes & TRIBOX_AXES_BOX, &rounded->box);
+    tribox_box_round(box, plan->axes & TRIBOX_AXES_BOX, plan->accuracy == TRIBOX_FAST, &rounded->box);
     rounded->pattern.origin = NULL;
     for (int k = 0; k < 3 * TRIBOX_LANES_MAX; k++) {
         rounded->pattern.lo[k] = rounded->box.lo[k % 3];

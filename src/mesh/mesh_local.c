@@ -26,8 +26,8 @@ void tribox_local_box_make(const tribox_box *box, const tribox_plan *plan, tribo
     local->walk = is_for_all ? TRIBOX_LOCAL_ALL : TRIBOX_LOCAL_BOX;
     local->are_hits_certain = is_for_all || plan->axes == TRIBOX_AXES_BOX;
     for (int a = 0; a < 3; a++) {
-        local->moved.lo[a] = local->moved.origin[a] = 0;
-        local->moved.hi[a] = local->moved.H[a] = (float)(box->hi[a] - box->lo[a]);
+        local->moved.lo[a] = local->moved.of.origin[a] = 0;
+        local->moved.hi[a] = local->moved.of.H[a] = (float)(box->hi[a] - box->lo[a]);
     }
     for (int k = 0; k < TRIBOX_LOCAL; k++) {
         local->origin[k] = box->lo[k % 3];

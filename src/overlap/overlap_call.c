@@ -38,7 +38,7 @@ tribox_status tribox_call_check(tribox_overlap_call *c, bool is_taken, const tri
 
 static void make_soup_query(tribox_overlap_call *c)
 {
-    tribox_box_round(c->box, c->plan.axes & TRIBOX_AXES_BOX, &c->rounded.box);
+    tribox_box_round(c->box, c->plan.axes & TRIBOX_AXES_BOX, c->plan.accuracy == TRIBOX_FAST, &c->rounded.box);
     c->pairs = (tribox_query){
         .soup = tribox_pad_triangles(c->soup, c->plan.kernel, &c->partial), .box = &c->rounded.box, .count = c->count};
 }

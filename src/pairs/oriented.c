@@ -35,7 +35,7 @@ static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved 
         is_left = is_left && reach >= 0;
     }
     if (is_left)
-        tribox_box_round(&box, q->plan->axes & TRIBOX_AXES_BOX, rounded);
+        tribox_box_round(&box, q->plan->axes & TRIBOX_AXES_BOX, q->plan->accuracy == TRIBOX_FAST, rounded);
     return is_left;
 }
 

@@ -70,7 +70,7 @@ static inline void set_axis(int a, const ray *r, axis_form form)
     truth.hi[a] = count_input(a, 2 * r->H - from, !form.is_relative);
     truth.lo[a] = form.has_doubles ? count_input(a, -from, !form.is_relative) : zero;
     if (form.has_doubles) {
-        box.lo[a] = zero;
+        box.lo[a] = box.origin[a] = zero;
         box.H[a] = given_length(a, 2 * r->H);
         box.C[a] = given_length(a, 2 * r->H - 2 * origin);
     } else {

@@ -59,8 +59,8 @@ static void put_near(small_input *to, const whole_pair *p)
         for (int j = 0; j < 3; j++)
             to->corner[3 * j + a] = (double)p->of[a].u[j] * STEP;
         to->near[a] = (double)p->of[a].lo * STEP;
-        to->box[1].origin[a] = 0;
-        to->box[1].hi[a] = to->box[1].H[a] = (float)small_rounded((double)(p->of[a].hi - p->of[a].lo) * STEP);
+        to->box[1].of.origin[a] = 0;
+        to->box[1].hi[a] = to->box[1].of.H[a] = (float)small_rounded((double)(p->of[a].hi - p->of[a].lo) * STEP);
     }
 }
 
@@ -77,9 +77,9 @@ static void put_box(tribox_rounded_box *to, const whole_pair *p, bool is_box_ask
         const double l = is_box_asked ? (double)float_from(lo) * STEP : small_rounded((double)lo * STEP);
         to->lo[a] = (float)((double)float_from(lo) * STEP);
         to->hi[a] = (float)((double)-float_from(-hi) * STEP);
-        to->origin[a] = (float)l;
-        to->H[a] = (float)small_rounded((double)(hi - lo) * STEP);
-        to->C[a] = SMALL_FORGETS_ORIGIN ? to->H[a] : (float)small_rounded((double)(hi + lo) * STEP - 2 * l);
+        to->of.origin[a] = (float)l;
+        to->of.H[a] = (float)small_rounded((double)(hi - lo) * STEP);
+        to->of.C[a] = SMALL_FORGETS_ORIGIN ? to->of.H[a] : (float)small_rounded((double)(hi + lo) * STEP - 2 * l);
     }
 }
 

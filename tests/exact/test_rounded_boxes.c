@@ -13,6 +13,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "base/rounded_box.h"
 #include "common/arguments.h"
 #include "common/ask.h"
 #include "common/contact.h"
@@ -236,6 +237,24 @@ static void ask(random_source *r, const beside_box *b, const char *kernel)
     }
 }
 
+/* What FAST takes: C says where its middle is, as far as floats can, and H is longer by one float or none. */
+static void check_fast_box(const tribox_box *box, bool is_box_asked)
+{
+    tribox_rounded_box rounded;
+    tribox_box_round(box, is_box_asked, true, &rounded);
+    for (int a = 0; a < 3; a++) {
+        const double lo = box->lo[a], hi = box->hi[a], middle = (double)rounded.fast.origin[a], least = (double)rounded.of.H[a];
+        const float H = rounded.fast.H[a];
+        const bool is_moved = rounded.fast.origin[a] != rounded.of.origin[a];
+        assert_true(!is_moved ||
+                    (fabs(middle - (lo + hi) / 2) <= 0x1p-24 * fabs(middle) + 0x1p-150 &&
+                     (double)nearest_float(hi - middle) == hi - middle && (double)nearest_float(lo - middle) == lo - middle));
+        assert_true(!is_moved || rounded.fast.C[a] == nearest_float((hi - middle) + (lo - middle)));
+        assert_true((double)H >= least && H <= nextafterf(rounded.of.H[a], INFINITY));
+        assert_true(!(least >= FLT_MIN) || (double)H >= least * (1 + 0x1p-24) * (1 - 0x1p-24));
+    }
+}
+
 static void boxes_of_doubles(void **state)
 {
     (void)state;
@@ -245,6 +264,9 @@ static void boxes_of_doubles(void **state)
     for (size_t pairs = 0; pairs < (size_t)args.pairs * PAIRS_EACH; pairs += TRIANGLES) {
         beside_box b;
         draw_case(&r, &b);
+        if (fabs(b.box.lo[0]) + fabs(b.box.lo[1]) + fabs(b.box.lo[2]) + fabs(b.box.hi[0]) + fabs(b.box.hi[1]) + fabs(b.box.hi[2]) <=
+            0x1p40)
+            check_fast_box(&b.box, pairs / TRIANGLES % 2);
         for (int k = 0; k < CALLS; k++)
             ask(&r, &b, kernels[random_int(&r, count)]);
     }

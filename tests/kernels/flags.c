@@ -41,7 +41,7 @@ int main(void)
         tribox_rounded_box rounded;
         for (int a = 0; a < 3; a++)
             box.hi[a] = (box.lo[a] = draw()) + fabs(draw()) * 0x1p-20;
-        tribox_box_round(&box, i % 2, &rounded);
+        tribox_box_round(&box, i % 2, true, &rounded);
         put(&rounded, sizeof rounded);
     }
     print("boxes");

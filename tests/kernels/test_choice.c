@@ -220,7 +220,7 @@ static void test_surveys(void **state)
             for (int a = 0; a < 3; a++)
                 box.hi[a] = box.lo[a] + drawn[i].size * (box.hi[a] - box.lo[a]);
             tribox_rounded_box rounded;
-            tribox_box_round(&box, true, &rounded);
+            tribox_box_round(&box, true, true, &rounded);
             for (size_t k = 0; k < tribox_kernel_count(); k++)
                 if (tribox_kernel_runs_here(k))
                     for (int kind = 0; kind < TRIBOX_WALK_KINDS; kind++)

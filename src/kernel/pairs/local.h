@@ -12,7 +12,7 @@
 TRIBOX_INLINE void local_box_at_zero(lane_box *box)
 {
     for (int a = 0; a < 3; a++) {
-        box->lo[a] = v_splat(0);
+        box->lo[a] = box->origin[a] = v_splat(0);
         box->C[a] = box->H[a];
     }
 }

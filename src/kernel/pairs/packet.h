@@ -16,10 +16,21 @@ TRIBOX_INLINE void splat_triangle(lane_triangle *t, const float triangle[9])
 TRIBOX_INLINE void splat_box(lane_box *box, const tribox_rounded_box *from)
 {
     for (int a = 0; a < 3; a++) {
-        box->lo[a] = v_splat(from->origin[a]); /* it is lo where that is compared */
+        box->lo[a] = box->origin[a] = v_splat(from->of.origin[a]); /* it is lo where that is compared */
         box->hi[a] = v_splat(from->hi[a]);
-        box->H[a] = v_splat(from->H[a]);
-        box->C[a] = v_splat(from->C[a]);
+        box->H[a] = v_splat(from->of.H[a]);
+        box->C[a] = v_splat(from->of.C[a]);
+    }
+}
+
+TRIBOX_INLINE void splat_fast_box(lane_box *box, const tribox_rounded_box *from)
+{
+    for (int a = 0; a < 3; a++) {
+        box->lo[a] = v_splat(from->lo[a]);
+        box->hi[a] = v_splat(from->hi[a]);
+        box->origin[a] = v_splat(from->fast.origin[a]);
+        box->H[a] = v_splat(from->fast.H[a]);
+        box->C[a] = v_splat(from->fast.C[a]);
     }
 }
 
@@ -57,7 +68,10 @@ typedef struct lane_pairs {
 TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kind kind)
 {
     if (kind & WALKS_SOUP) {
-        splat_box(&p->box, from->box);
+        if (kind & WALKS_BY_SIGN)
+            splat_fast_box(&p->box, from->box);
+        else
+            splat_box(&p->box, from->box);
         if (kind & WALKS_LOCAL)
             local_box_at_zero(&p->box);
         p->margin = kind & WALKS_LOCAL && sequence_has(groups_of(kind), 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
@@ -105,6 +119,8 @@ TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t
         const vnum lo = v_load(from->boxes->lo[a] + at), hi = v_load(from->boxes->hi[a] + at);
         left &= m_bits(has_points(lo, hi));
         set_bounds(&p->box, a, lo, hi);
+        if (kind & WALKS_BY_SIGN)
+            p->box.H[a] = v_fma(p->box.H[a], v_splat(V_UNIT), p->box.H[a]); /* as tribox_box_round */
     }
     shape_axis(s, &p->t, &p->box, a);
     if (kind & LOOKS_AGAIN)
