@@ -102,8 +102,11 @@ static void test_faces_on_tenths(void **state)
     random_source r = random_named(1, "tenths");
     for (int round = 0; round < 400; round++) {
         tribox_box box;
-        float triangle[3][3];
-        pair_list q[2] = {{.count = COUNT, .box = &box}, {.count = COUNT, .triangle = triangle}};
+        union {
+            float u[3][3];
+            const float of[3][3];
+        } triangle;
+        pair_list q[2] = {{.count = COUNT, .box = &box}, {.count = COUNT, .triangle = triangle.of}};
         const int axis = random_int(&r, 3), side = random_int(&r, 2);
         int lo[3];
         for (int a = 0; a < 3; a++) {
@@ -115,7 +118,7 @@ static void test_faces_on_tenths(void **state)
             for (int s = 0; s < 9; s++) {
                 const int a = s / 3;
                 coordinate[s][i] = a == axis ? (float)(side ? box.hi[a] : box.lo[a]) : (float)(lo[a] - 5 + random_int(&r, 16)) / 10;
-                triangle[s % 3][a] = coordinate[s][i];
+                triangle.u[s % 3][a] = coordinate[s][i];
                 if (s % 3 < 2)
                     bound[2 * a + s % 3][i] = (float)(s % 3 ? box.hi[a] : box.lo[a]);
             }
