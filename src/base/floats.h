@@ -1,4 +1,4 @@
-/* floats.h - the float at an address, the nearest to a number, and those beside one. */
+/* floats.h - the float at an address, the nearest to a number, those beside one, and what a difference rounds off. */
 #ifndef TRIBOX_FLOATS_H
 #define TRIBOX_FLOATS_H
 
@@ -37,6 +37,13 @@ static inline float tribox_float_below(float number)
 {
     const float above = tribox_float_above(-number);
     return -above;
+}
+
+/* What subtracting rounds off a difference, exactly (D. E. Knuth); NaN where the difference is not finite. */
+static inline double tribox_lost_by_difference(double from, double less)
+{
+    const double difference = from - less, of_less = from - difference, of_from = difference + of_less;
+    return (from - of_from) + (of_less - less);
 }
 
 #endif

@@ -7,13 +7,6 @@
 #include "base/floats.h"
 #include "base/rounded_box.h"
 
-/* What subtracting rounds off a difference (D. E. Knuth). */
-static double lost_by_difference(double from, double less)
-{
-    const double difference = from - less, of_less = from - difference, of_from = difference + of_less;
-    return (from - of_from) + (of_less - less);
-}
-
 /* A number of an axis. Rounded among subnormal floats it moves by 2^-150 at most. */
 static void round_number(double number, float *nearest, float *size)
 {
@@ -78,7 +71,7 @@ void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bo
     for (int a = 0; a < 3; a++) {
         const double less = origin ? origin[a] : 0, difference = box->center[a] - less;
         frame->center[a] = tribox_float_nearest(difference);
-        rest[a] = (difference - (double)frame->center[a]) + lost_by_difference(box->center[a], less);
+        rest[a] = (difference - (double)frame->center[a]) + tribox_lost_by_difference(box->center[a], less);
     }
     for (int k = 0; k < 3; k++) {
         round_axis(box, k, rest, are_rounded, frame);

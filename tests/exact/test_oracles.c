@@ -154,9 +154,6 @@ static void check_oriented(const origin *where, const pair_f32 *pair, unsigned a
     const bool overlaps = !((axes & TRIBOX_AXES_BOX) && is_apart) && tribox_exact_overlap(&straight, axes);
     check(where, "tribox_oriented_overlap", pair, axes, tribox_oriented_overlap(&oriented, axes), overlaps);
     check(where, "tribox_oriented_long", pair, axes, tribox_oriented_long(&oriented, axes), overlaps);
-    bool in_double;
-    if (tribox_oriented_in_double(&oriented, axes, &in_double))
-        check(where, "tribox_oriented_in_double", pair, axes, in_double, overlaps);
 }
 
 static void try_scene(const scene *s, const arguments *args, reached *count)

@@ -280,7 +280,6 @@ static void check_last_stages(void)
 {
     for (int i = 0; i < batch.count; i++) {
         tribox_oriented_pair pair = {.box = batch.box};
-        bool overlaps;
         memcpy(pair.u, batch.u[i], sizeof pair.u);
         if (!is_finite(batch.u[i]))
             continue;
@@ -288,8 +287,6 @@ static void check_last_stages(void)
         check_stage(i, "tribox_oriented_overlap", tribox_oriented_overlap(&pair, TRIBOX_AXES_BOX), bit_of(bounds, i));
         if (i % 4 == 0)
             check_stage(i, "tribox_oriented_long", tribox_oriented_long(&pair, TRIBOX_AXES_ALL), bit_of(overlapping, i));
-        if (tribox_oriented_in_double(&pair, TRIBOX_AXES_ALL, &overlaps))
-            check_stage(i, "tribox_oriented_in_double", overlaps, bit_of(overlapping, i));
     }
 }
 

@@ -92,10 +92,5 @@ bool tribox_oriented_overlap(const tribox_oriented_pair *pair, unsigned axes)
     if (integers.bits <= TRIBOX_INT128_BITS)
         return tribox_oriented_int128(&integers, axes);
 #endif
-    bool overlaps;
-    if (tribox_oriented_in_double(pair, axes, &overlaps))
-        return overlaps;
-    if (integers.bits <= TRIBOX_SHORT_BITS)
-        return tribox_oriented_short(&integers, axes);
-    return integers.bits <= TRIBOX_LIMBS_BITS ? tribox_oriented_limbs(&integers, axes) : tribox_oriented_long(pair, axes);
+    return tribox_oriented_long(pair, axes);
 }

@@ -35,17 +35,14 @@ typedef struct tribox_oriented_integers {
 } tribox_oriented_integers;
 
 /* What each width of integer can carry: 3 * bits + 8 for the plane's slack, with one to spare, and the sign (PROOFS.md 9.4). */
-enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39, TRIBOX_SHORT_BITS = 145, TRIBOX_LIMBS_BITS = 317 };
+enum { TRIBOX_INT64_BITS = 18, TRIBOX_INT128_BITS = 39 };
 
 bool tribox_oriented_int64(const tribox_oriented_integers *in, unsigned axes);
 #if defined(__SIZEOF_INT128__)
 bool tribox_oriented_int128(const tribox_oriented_integers *in, unsigned axes);
 #endif
-bool tribox_oriented_short(const tribox_oriented_integers *in, unsigned axes);
-bool tribox_oriented_limbs(const tribox_oriented_integers *in, unsigned axes);
 
-/* Without integers: any pair, sign by sign; and where no sign needs more, in double alone. False if one does. */
+/* Any pair, sign by sign: in double, or where rounding could turn one in a sum as long as it takes. */
 bool tribox_oriented_long(const tribox_oriented_pair *pair, unsigned axes);
-bool tribox_oriented_in_double(const tribox_oriented_pair *pair, unsigned axes, bool *overlaps);
 
 #endif

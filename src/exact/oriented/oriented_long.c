@@ -8,14 +8,14 @@
 typedef struct exact_points {
     exact_place length[3][3];    /* [j][k]: of edge j along axis k of the frame */
     exact_place beyond[3][3][2]; /* [j][k]: vertex j less the lower bound of the box, and less the upper one */
-    exact_precision *precision;
     int sign_of_n[3];
+    bool is_tame; /* of products of three places none underflows or overflows in double */
 } exact_points;
 
 static int sign_of_place(const exact_points *p, const exact_place *place)
 {
     const exact_product product = {{place}, false};
-    return sign_of_products(p->precision, &product, 1, 1);
+    return sign_of_products(p->is_tame, &product, 1, 1);
 }
 
 static int sign_of_length(const exact_points *p, int j, int a) { return sign_of_place(p, &p->length[j][a]); }
@@ -27,7 +27,7 @@ static int sign_of_side(const exact_points *p, int i, int j, int k, const int X[
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     const exact_product product[2] = {{{&p->length[j][b], &p->beyond[k][a][X[0] - TRIBOX_LO]}, false},
                                       {{&p->length[j][a], &p->beyond[k][b][X[1] - TRIBOX_LO]}, true}};
-    return sign_of_products(p->precision, product, 2, 2);
+    return sign_of_products(p->is_tame, product, 2, 2);
 }
 
 /* n_i as two products, f_0a f_1b - f_0b f_1a, each times what is given. */
@@ -43,7 +43,7 @@ static int sign_of_height(const exact_points *p, const int X[3])
     exact_product product[6];
     for (int i = 0; i < 3; i++)
         set_normal(&product[2 * i], p, i, &p->beyond[0][i][X[i] - TRIBOX_LO]);
-    return sign_of_products(p->precision, product, 6, 3);
+    return sign_of_products(p->is_tame, product, 6, 3);
 }
 
 #include "exact/sides.h"
@@ -89,11 +89,10 @@ static bool is_apart_on_axis(const exact_points *p, int k)
     return is_below || is_above;
 }
 
-static bool overlaps_by_signs(const tribox_oriented_pair *pair, unsigned axes, exact_precision *precision)
+static bool overlaps_by_signs(const tribox_oriented_pair *pair, bool is_tame, unsigned axes)
 {
     exact_points p;
-    p.precision = precision;
-    precision->is_tame = is_tame_pair(pair);
+    p.is_tame = is_tame;
     for (int k = 0; k < 3; k++) {
         set_axis(&p, pair, k);
         if ((axes & TRIBOX_AXES_BOX) && is_apart_on_axis(&p, k))
@@ -102,15 +101,9 @@ static bool overlaps_by_signs(const tribox_oriented_pair *pair, unsigned axes, e
     for (int i = 0; i < 3; i++) {
         exact_product product[2];
         set_normal(product, &p, i, NULL);
-        p.sign_of_n[i] = sign_of_products(precision, product, 2, 2);
+        p.sign_of_n[i] = sign_of_products(is_tame, product, 2, 2);
     }
     return are_sides_touching(&p, axes);
-}
-
-bool tribox_oriented_long(const tribox_oriented_pair *pair, unsigned axes)
-{
-    exact_precision precision = {false, false, false};
-    return overlaps_by_signs(pair, axes, &precision);
 }
 
 /* The power of two at most the largest of numbers; of zeros and subnormal numbers 2^-1023. */
@@ -153,12 +146,9 @@ static bool set_units(tribox_oriented_pair *pair)
     return divide_by_power(pair->box.axis[0], 9, of_axes) && divide_by_power(pair->box.half, 3, of_half) && are_positions_left;
 }
 
-bool tribox_oriented_in_double(const tribox_oriented_pair *pair, unsigned axes, bool *overlaps)
+bool tribox_oriented_long(const tribox_oriented_pair *pair, unsigned axes)
 {
-    exact_precision precision = {.is_short = true};
     tribox_oriented_pair same = *pair;
-    if (!is_tame_pair(pair) && !set_units(&same))
-        return false;
-    *overlaps = overlaps_by_signs(&same, axes, &precision);
-    return !precision.is_lost;
+    const bool is_tame = is_tame_pair(pair) || (set_units(&same) && is_tame_pair(&same));
+    return overlaps_by_signs(is_tame ? &same : pair, is_tame, axes);
 }

@@ -7,6 +7,7 @@
 
 /* Three places, each of products of two numbers. */
 #define ACCUMULATOR_FACTORS 6
+#include "base/floats.h"
 #include "exact/accumulator.h"
 
 /* A place in the frame: the sum of the products part[n][0] * part[n][1], none of which is zero. */
@@ -24,13 +25,6 @@ typedef struct exact_product {
     bool is_subtracted;
 } exact_product;
 
-/* Where sums are taken: in double alone, which may be too narrow for them. */
-typedef struct exact_precision {
-    bool is_tame;  /* no product underflows or overflows in double */
-    bool is_short; /* a sign that double cannot tell is not asked for: `is_lost` says that there was one */
-    bool is_lost;
-} exact_precision;
-
 /* Products of three places do not underflow or overflow in double (PROOFS.md 9.5). */
 static bool is_tame_in_frame(double number)
 {
@@ -46,15 +40,18 @@ static void add_part(exact_place *place, double a, double b)
     place->part[place->parts++][1] = b;
 }
 
-/* Adds axis * (from - less). */
+/* Adds axis * (from - less): one part where the difference is a double, as it is of most floats. */
 static void add_difference(exact_place *place, double axis, double from, double less)
 {
-    if (from == less)
-        return;
-    add_part(place, axis, from);
-    add_part(place, -axis, less);
-    place->value += axis * (from - less);
-    place->size += fabs(axis * (from - less));
+    const double difference = from - less;
+    if (tribox_lost_by_difference(from, less) == 0) {
+        add_part(place, axis, difference);
+    } else {
+        add_part(place, axis, from);
+        add_part(place, -axis, less);
+    }
+    place->value += axis * difference;
+    place->size += fabs(axis * difference);
 }
 
 static void add_number(exact_place *place, double number)
@@ -101,16 +98,12 @@ static void add_product(accumulator *sum, const exact_product *product, int plac
     }
 }
 
-static int sign_of_products(exact_precision *precision, const exact_product product[], int products, int places)
+/* is_tame: no product underflows or overflows in double. */
+static int sign_of_products(bool is_tame, const exact_product product[], int products, int places)
 {
     int sign = 0;
-    if (precision->is_short && precision->is_lost)
-        return 0;
-    if (precision->is_tame && is_sign_in_double(product, products, places, &sign))
+    if (is_tame && is_sign_in_double(product, products, places, &sign))
         return sign;
-    precision->is_lost = true;
-    if (precision->is_short)
-        return 0;
     accumulator sum;
     accumulator_clear(&sum);
     for (int k = 0; k < products; k++)
