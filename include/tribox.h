@@ -205,14 +205,18 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * tested there.
  *
  * EXACT is the true answer about the box given by these doubles, for every finite input: if rounding of the move could change the
- * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by what the move can have rounded. So it also reports a
- * triangle that overlaps if each half length is greater by 2^-17 of |axis| * |p - center|, where p is its own farthest vertex, or by
- * 2^-12 of |axis| times the greatest half / |axis|; no other triangle of the call matters. FAST moves and tests in single precision;
- * add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and slivers as tribox_overlap does, including
- * those that the move makes thin. A triangle that is outside along one axis of the box is mostly rejected while it is moved. EXACT
- * leaves every triangle that lies in a face of the box to the last stage, and every overlap with a flat box (a half length of zero).
- * That takes half a microsecond each, or some microseconds, rarely tens, if double cannot tell a sign, so a turned box that stands
- * on the floor of a model can take several times as long as one just above it.
+ * answer, exact signs decide. CONSERVATIVE never misses: the box is enlarged by what the move can have rounded. So it also reports
+ * a triangle that overlaps if each half length is greater by 2^-17 of |axis| * |p - center|, where p is its own farthest vertex,
+ * or by 2^-12 of |axis| times the greatest half / |axis|; no other triangle of the call matters. FAST moves and tests in single
+ * precision; add 2^-21 of |axis| * |p - center| to its rounding of contact. It misses segments and slivers as tribox_overlap does,
+ * including those that the move makes thin. A triangle that is outside along one axis of the box is mostly rejected while it is
+ * moved.
+ *
+ * An axis of the box that is an axis of space, of length 1, and 0 in the two other axes of the box, moves no float: a box that is
+ * turned about the vertical and stands on the floor of a model takes little longer than one just above it. Of other faces EXACT
+ * leaves every triangle that lies in one to the last stage, and of flat boxes (a half length of zero) every overlap. That takes
+ * half a microsecond each, or some microseconds, rarely tens, if double cannot tell a sign. Positions that are doubles are all
+ * moved.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is

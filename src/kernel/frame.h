@@ -1,10 +1,11 @@
 /*
  * frame.h - the frame of an oriented box, q_k = axis_k . (u - center), and a bound on what moving a point into it rounds.
- * After: axes.h. Needs: V_ETA.
+ * After: axes.h.
  *
  * The bound. d = u - center is rounded once, here or before, and axis_ka was, once a box; then three products and two sums are,
  * fused or not: five roundings on the longest path, so |q_k computed - q_k| <= 5.01 u S_k + 3 * 2^-150, S_k = sum over a of
- * |axis_ka| |d_a|. Used is 8 u S_k, from the largest |d_a| of the points that are moved together, plus V_ETA (PROOFS.md 8.1).
+ * |axis_ka| |d_a|. Used is 8 u S_k, from the largest |d_a| of the points that are moved together, plus what may underflow
+ * (PROOFS.md 8.1).
  */
 
 #define FRAME_K 8
@@ -13,15 +14,16 @@
 #define FRAME_LIMIT 0x1p100f
 
 typedef struct lane_frame {
-    vnum center[3], axis[3][3], size[3][3], eta[3];
-    vnum outer_lo[3], outer_hi[3], inner_lo[3], inner_hi[3];
+    vnum center[3], axis[3][3], size[3][3], lost[3];
+    vnum near[3], outer_lo[3], outer_hi[3], inner_lo[3], inner_hi[3];
 } lane_frame;
 
 TRIBOX_INLINE void splat_frame(lane_frame *frame, const tribox_rounded_frame *box)
 {
     for (int k = 0; k < 3; k++) {
         frame->center[k] = v_splat(box->center[k]);
-        frame->eta[k] = v_splat(V_ETA + box->lost[k]);
+        frame->lost[k] = v_splat(box->lost[k]);
+        frame->near[k] = v_splat(box->near[k]);
         frame->outer_lo[k] = v_splat(box->outer_lo[k]);
         frame->outer_hi[k] = v_splat(box->outer_hi[k]);
         frame->inner_lo[k] = v_splat(box->inner_lo[k]);
@@ -38,7 +40,7 @@ TRIBOX_INLINE vnum dot3(const vnum a[3], const vnum b[3]) { return v_fma(a[2], b
 /* The bound for points whose distances from the center are `most` or less on each axis. */
 TRIBOX_INLINE vnum frame_error(const lane_frame *frame, int k, const vnum most[3])
 {
-    return v_fma(v_splat(FRAME_K * V_UNIT), dot3(frame->size[k], most), frame->eta[k]);
+    return v_fma(v_splat(FRAME_K * V_UNIT), dot3(frame->size[k], most), frame->lost[k]);
 }
 
 /*

@@ -19,7 +19,8 @@
 #include "base/soup.h"
 
 /*
- * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round. Halves
+ * The box in its frame, enlarged by the error times `sign`, which is 1, 0 or -1, and by a little more than that can round; as it is
+ * on an axis that has no error. Halves
  * are cut off where they reach farther from any middle than a float. False if nothing is left of it.
  */
 static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved *moved, int sign, tribox_rounded_box *rounded)
@@ -28,7 +29,7 @@ static bool set_box_in_frame(const tribox_oriented_query *q, const tribox_moved 
     bool is_left = true;
     for (int k = 0; k < 3; k++) {
         const double error = (double)moved->error[k] + q->frame.slack[k];
-        const double half = (q->box->half[k] + sign * error) * (1 + sign * 0x1p-22);
+        const double half = (q->box->half[k] + sign * error) * (1 + (error > 0 ? sign * 0x1p-22 : 0));
         const double reach = half < 0x1p150 ? half : 0x1p150;
         box.lo[k] = q->frame.middle[k] - reach;
         box.hi[k] = q->frame.middle[k] + reach;
@@ -103,13 +104,13 @@ static size_t answer_lanes(const tribox_oriented_query *q, const tribox_moved *m
     return settled;
 }
 
-/* How far a triangle of the block reaches from the center of the frame on an axis of space. */
+/* How far a triangle of the block reaches from the center of the frame on an axis of space, of those that are moved. */
 static float reach_of(const tribox_oriented_query *q, const tribox_soup *block, size_t i)
 {
     float most = 0;
     for (int k = 0; k < 9; k++) {
         const float distance = fabsf(tribox_soup_axis(block, k / 3)[k % 3][i] - q->frame.center[k / 3]);
-        most = distance > most ? distance : most;
+        most = distance > most && q->frame.near[k / 3] < INFINITY ? distance : most;
     }
     return most;
 }

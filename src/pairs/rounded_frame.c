@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/floats.h"
 #include "base/rounded_box.h"
@@ -26,6 +27,18 @@ static void round_bounds(tribox_rounded_frame *frame, int k, double half)
     frame->inner_lo[k] = tribox_float_from(middle - half + slack);
 }
 
+/* The axis of space that axis k of the box is, up or down, if the others do not see it; else -1. */
+static int space_axis_of(const tribox_oriented_box *box, int k)
+{
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        if (fabs(box->axis[k][a]) == 1 && box->axis[k][b] == 0 && box->axis[k][c] == 0 && box->axis[(k + 1) % 3][a] == 0 &&
+            box->axis[(k + 2) % 3][a] == 0)
+            return a;
+    }
+    return -1;
+}
+
 /* Axis k, where `rest` is what of the center is left. */
 static void round_axis(const tribox_oriented_box *box, int k, const double rest[3], bool are_rounded, tribox_rounded_frame *frame)
 {
@@ -39,7 +52,17 @@ static void round_axis(const tribox_oriented_box *box, int k, const double rest[
     const bool is_narrow = !(reach <= FLT_MAX); /* a NaN too */
     frame->middle[k] = is_narrow ? 0 : middle;
     frame->slack[k] = is_narrow || reach == 0 ? 0 : 0x1p-49 * reach + 0x1p-51 * box->half[k];
-    frame->lost[k] = is_narrow ? INFINITY : are_rounded ? (float)(0x1p-149 * size) : 0;
+    frame->lost[k] = is_narrow ? INFINITY : 0x1p-120f + (are_rounded ? (float)(0x1p-149 * size) : 0);
+}
+
+/* The same of an axis of space, of which all of the center is left: a place is as exact as a coordinate. */
+static void forget_rounding(const tribox_oriented_box *box, int k, tribox_rounded_frame *frame)
+{
+    const double middle = frame->middle[k], half = box->half[k];
+    memset(frame->size[k], 0, sizeof frame->size[k]);
+    frame->lost[k] = frame->lost[k] < INFINITY ? 0 : INFINITY;
+    if (fabs(tribox_lost_by_difference(middle, half)) + fabs(tribox_lost_by_difference(middle, -half)) == 0)
+        frame->slack[k] = 0;
 }
 
 /*
@@ -61,20 +84,29 @@ static float near_of(const tribox_oriented_box *box)
 float tribox_frame_error(const tribox_rounded_frame *frame, int k, float reach)
 {
     const double size = (double)frame->size[k][0] + (double)frame->size[k][1] + (double)frame->size[k][2];
-    return tribox_float_from(0x1p-21 * size * (double)reach + 0x1p-120 + (double)frame->lost[k]);
+    return tribox_float_from(0x1p-21 * size * (double)reach + (double)frame->lost[k]);
 }
 
 void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bool are_rounded, tribox_rounded_frame *frame)
 {
     double rest[3];
-    frame->near = near_of(box);
+    int space_axis[3];
+    bool is_moved[3] = {true, true, true};
+    for (int k = 0; k < 3; k++) {
+        space_axis[k] = origin || are_rounded ? -1 : space_axis_of(box, k);
+        if (space_axis[k] >= 0)
+            is_moved[space_axis[k]] = false;
+    }
     for (int a = 0; a < 3; a++) {
         const double less = origin ? origin[a] : 0, difference = box->center[a] - less;
-        frame->center[a] = tribox_float_nearest(difference);
+        frame->near[a] = is_moved[a] ? near_of(box) : INFINITY;
+        frame->center[a] = is_moved[a] ? tribox_float_nearest(difference) : 0;
         rest[a] = (difference - (double)frame->center[a]) + tribox_lost_by_difference(box->center[a], less);
     }
     for (int k = 0; k < 3; k++) {
         round_axis(box, k, rest, are_rounded, frame);
+        if (space_axis[k] >= 0)
+            forget_rounding(box, k, frame);
         round_bounds(frame, k, box->half[k]);
     }
 }

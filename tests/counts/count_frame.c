@@ -32,7 +32,7 @@ static lane_frame frame_of(const double row[3])
             frame.axis[k][a] = count_rounded(count_input(ROW, row[a], false), 0);
             frame.size[k][a] = v_abs(frame.axis[k][a]);
         }
-        frame.eta[a] = v_splat(V_ETA);
+        frame.lost[a] = v_splat(V_ETA);
     }
     return frame;
 }

@@ -201,6 +201,29 @@ static void draw_whole_ulp(random_source *r, oriented_batch *batch)
     nudge(r, batch);
 }
 
+/* About one axis of space, which is an axis of the box: where it has length 1, all that touches there does so to the last bit. */
+static void draw_turned_about_an_axis(random_source *r, oriented_batch *batch)
+{
+    double frame[3][3], inverse[3][3], center[3];
+    upright up;
+    draw_lattice_scene(r, &up);
+    draw_right_angles(r, frame, inverse);
+    const int k = random_int(r, 3), l = (k + 1) % 3, m = (k + 2) % 3;
+    const double angle = random_double(r, -4, 4), c = cos(angle), s = sin(angle);
+    const double length = random_int(r, 2) ? 1 : random_double(r, 0.5, 2);
+    for (int a = 0; a < 3; a++) {
+        center[a] = up.center[a] + random_int_between(r, -64, 64);
+        const double of_l = frame[l][a], of_m = frame[m][a];
+        inverse[a][l] = frame[l][a] = c * of_l + s * of_m;
+        inverse[a][m] = frame[m][a] = c * of_m - s * of_l;
+        frame[k][a] *= length;
+        inverse[a][k] /= length;
+    }
+    place(&up, frame, inverse, 1, center, batch);
+    if (random_int(r, 2))
+        batch->box.half[k] = fabs(next_to(r, batch->box.half[k], batch->form == ORIENTED_FLOATS));
+}
+
 /* A scene of any kind about a box turned by any angles: within some ulps of contact where the scene is one of contact. */
 static void draw_turned(random_source *r, oriented_batch *batch)
 {
@@ -547,6 +570,7 @@ static void draw_any_upright(random_source *r, oriented_batch *batch)
 const oriented_scene oriented_scenes[ORIENTED_SCENES] = {
     {"identity", draw_identity, false, 1},
     {"right-angles", draw_turned_by_right_angles, false, 1},
+    {"about-an-axis", draw_turned_about_an_axis, false, 2},
     {"whole", draw_whole, false, 1},
     {"whole-ulp", draw_whole_ulp, false, 1},
     {"ordinary", draw_ordinary, true, 1},
