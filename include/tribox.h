@@ -213,10 +213,10 @@ TRIBOX_API tribox_status tribox_overlap(const tribox_soup *soup, const tribox_bo
  * moved.
  *
  * An axis of the box that is an axis of space, of length 1, and 0 in the two other axes of the box, moves no float: a box that is
- * turned about the vertical and stands on the floor of a model takes little longer than one just above it. Of other faces EXACT
- * leaves every triangle that lies in one to the last stage, and of flat boxes (a half length of zero) every overlap. That takes
- * half a microsecond each, or some microseconds, rarely tens, if double cannot tell a sign. Positions that are doubles are all
- * moved.
+ * turned about the vertical and stands on the floor of a model takes little longer than one just above it. With three such axes
+ * EXACT is tribox_overlap, of the same mask, where double holds the bounds of the box. Of other faces EXACT leaves every triangle
+ * that lies in one to the last stage, and of flat boxes (a half length of zero) every overlap. That takes half a microsecond each,
+ * or some microseconds, rarely tens, if double cannot tell a sign. Positions that are doubles are all moved.
  *
  * box: finite, or TRIBOX_BAD_BOX.
  * options: EXACT takes all thirteen axes, or TRIBOX_AXES_BOX alone (the triangle's bounding box in the frame); any other set is

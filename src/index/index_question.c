@@ -30,6 +30,8 @@ tribox_status tribox_question_check_options(tribox_question *q, const tribox_opt
     if (!(q->plan.axes & TRIBOX_AXES_BOX) || (q->oriented && !tribox_oriented_has_axes(&q->plan)))
         return TRIBOX_BAD_OPTION;
     const bool are_floats = !q->over.soup && tribox_mesh_has_floats(&q->over.mesh);
+    if (q->oriented && q->plan.accuracy == TRIBOX_EXACT && tribox_oriented_is_upright(q->oriented, &q->box))
+        q->oriented = NULL;
     q->asked = q->plan.accuracy;
     q->may_choose = q->plan.choice.is_adaptive;
     q->undecided = 0;

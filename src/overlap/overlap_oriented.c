@@ -20,6 +20,10 @@ static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, co
         return status;
     if (!tribox_oriented_has_axes(&plan))
         return TRIBOX_BAD_OPTION;
+    tribox_box upright;
+    if (plan.accuracy == TRIBOX_EXACT && tribox_oriented_is_upright(box, &upright)) /* others need not answer alike */
+        return soup ? tribox_overlap(soup, &upright, options, mask, report)
+                    : tribox_mesh_overlap(mesh, &upright, options, mask, report);
     if (!soup && !tribox_mesh_is_in_range(mesh, plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_VERTEX;
 

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/environment.h"
 #include "base/floats.h"
 #include "base/rounded_box.h"
 
@@ -55,13 +56,17 @@ static void round_axis(const tribox_oriented_box *box, int k, const double rest[
     frame->lost[k] = is_narrow ? INFINITY : 0x1p-120f + (are_rounded ? (float)(0x1p-149 * size) : 0);
 }
 
+static bool are_bounds_doubles(double middle, double half)
+{
+    return fabs(tribox_lost_by_difference(middle, half)) + fabs(tribox_lost_by_difference(middle, -half)) == 0;
+}
+
 /* The same of an axis of space, of which all of the center is left: a place is as exact as a coordinate. */
 static void forget_rounding(const tribox_oriented_box *box, int k, tribox_rounded_frame *frame)
 {
-    const double middle = frame->middle[k], half = box->half[k];
     memset(frame->size[k], 0, sizeof frame->size[k]);
     frame->lost[k] = frame->lost[k] < INFINITY ? 0 : INFINITY;
-    if (fabs(tribox_lost_by_difference(middle, half)) + fabs(tribox_lost_by_difference(middle, -half)) == 0)
+    if (are_bounds_doubles(frame->middle[k], box->half[k]))
         frame->slack[k] = 0;
 }
 
@@ -109,4 +114,20 @@ void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bo
             forget_rounding(box, k, frame);
         round_bounds(frame, k, box->half[k]);
     }
+}
+
+bool tribox_oriented_is_upright(const tribox_oriented_box *box, tribox_box *upright)
+{
+    const tribox_environment callers = tribox_environment_enter();
+    bool is = true;
+    for (int k = 0; is && k < 3; k++) {
+        const int a = space_axis_of(box, k);
+        is = a >= 0 && are_bounds_doubles(box->center[a], box->half[k]);
+        if (is) {
+            upright->lo[a] = box->center[a] - box->half[k];
+            upright->hi[a] = box->center[a] + box->half[k];
+        }
+    }
+    tribox_environment_leave(callers);
+    return is;
 }

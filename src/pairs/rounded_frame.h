@@ -32,6 +32,9 @@ typedef struct tribox_rounded_frame {
  */
 void tribox_frame_round(const tribox_oriented_box *box, const double *origin, bool are_rounded, tribox_rounded_frame *frame);
 
+/* Whether the axes of a finite box are those of space, and its bounds there doubles: it is that box then. In any environment. */
+bool tribox_oriented_is_upright(const tribox_oriented_box *box, tribox_box *upright);
+
 /* How far off on axis k a point can be that is moved into the frame, `reach` at most from the center on each axis of space. */
 float tribox_frame_error(const tribox_rounded_frame *frame, int k, float reach);
 

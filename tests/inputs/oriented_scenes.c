@@ -152,6 +152,12 @@ static void draw_identity(random_source *r, oriented_batch *batch)
     place(&up, unit, unit, 1, random_int(r, 2) ? origin : up.center, batch);
 }
 
+/* A bound that touched a triangle no longer does, and may need more digits than a double has. */
+static void nudge_half(random_source *r, oriented_batch *batch, int k)
+{
+    batch->box.half[k] = fabs(next_to(r, batch->box.half[k], batch->form == ORIENTED_FLOATS));
+}
+
 static void draw_turned_by_right_angles(random_source *r, oriented_batch *batch)
 {
     double frame[3][3], inverse[3][3];
@@ -159,6 +165,8 @@ static void draw_turned_by_right_angles(random_source *r, oriented_batch *batch)
     draw_lattice_scene(r, &up);
     draw_right_angles(r, frame, inverse);
     place(&up, frame, inverse, 1, up.center, batch);
+    if (random_int(r, 2))
+        nudge_half(r, batch, random_int(r, 3));
 }
 
 /* Sheared, mirrored and stretched: all is exact. */
@@ -221,7 +229,7 @@ static void draw_turned_about_an_axis(random_source *r, oriented_batch *batch)
     }
     place(&up, frame, inverse, 1, center, batch);
     if (random_int(r, 2))
-        batch->box.half[k] = fabs(next_to(r, batch->box.half[k], batch->form == ORIENTED_FLOATS));
+        nudge_half(r, batch, k);
 }
 
 /* A scene of any kind about a box turned by any angles: within some ulps of contact where the scene is one of contact. */
