@@ -86,14 +86,28 @@ static bool run_any(const contestant *self, uint64_t *mask, tribox_report *repor
     return is_answered;
 }
 
-/* The box of the scene turned by 0.5 about x, then by 0.7 about z. */
+/* The box of the scene turned about x by an angle of which e is the cosine and d the sine, then by 0.7 about z. */
+static bool run_turned(const contestant *self, float e, float d, uint64_t *mask, tribox_report *report)
+{
+    const float c = 0.76484219f, s = 0.64421769f;
+    tribox_oriented_box box = {.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
+    for (int a = 0; a < 3; a++) {
+        const double lo = job_of(self)->box.lo[a], hi = job_of(self)->box.hi[a];
+        box.center[a] = (lo + hi) / 2;
+        box.half[a] = (hi - lo) / 2;
+    }
+    return !tribox_overlap_oriented(&job_of(self)->soup, &box, &self->options, mask, report);
+}
+
 static bool run_oriented(const contestant *self, uint64_t *mask, tribox_report *report)
 {
-    const float c = 0.76484219f, s = 0.64421769f, e = 0.87758256f, d = 0.47942554f;
-    tribox_oriented_box box = {.axis = {{c, s * e, s * d}, {-s, c * e, c * d}, {0, -d, e}}};
-    memcpy(box.center, job_of(self)->center, sizeof box.center);
-    memcpy(box.half, job_of(self)->half, sizeof box.half);
-    return !tribox_overlap_oriented(&job_of(self)->soup, &box, &self->options, mask, report);
+    return run_turned(self, 0.87758256f, 0.47942554f, mask, report);
+}
+
+/* Its lower side stays in its plane, and so do triangles of scenes of contact. */
+static bool run_about_z(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    return run_turned(self, 1, 0, mask, report);
 }
 
 static bool run_classify(const contestant *self, uint64_t *mask, tribox_report *report)
@@ -174,6 +188,7 @@ static size_t enter(const forms *f, const char *kernel, input *inputs, contestan
         {"any", run_any, NULL, PROMISE_NOTHING},
         {"inside", run_classify, NULL, PROMISE_EXACT},
         {"oriented", run_oriented, NULL, PROMISE_NOTHING}, /* another box: its answer is its own */
+        {"oriented about z", run_about_z, NULL, PROMISE_NOTHING},
     };
     size_t count = 0;
     for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
@@ -259,7 +274,8 @@ int main(int argc, char **argv)
     static const struct {
         const char *scene;
         bool is_shared;
-    } plan[] = {{"paper", false}, {"paper", true}, {"cache", true}, {"sorted", false}, {"sparse", false}, {"hit", false}};
+    } plan[] = {{"paper", false},  {"paper", true}, {"cache", true}, {"sorted", false},
+                {"sparse", false}, {"hit", false},  {"cad", false},  {"touching", false}};
     options_found found;
     settings s = {.kernel = tribox_kernel_name(NULL), .how = {.rounds = 31, .seconds = 8, .sample = 2e-3}};
     message_set_program("inputs");
