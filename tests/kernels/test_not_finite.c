@@ -167,6 +167,28 @@ static void check_several(pair_list (*draw)(random_source *))
     }
 }
 
+/* A bad triangle, or one apart, in the second of two words in the cube, of which walks ask no more than that (inside.h). */
+static void test_bad_in_words_inside(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "inside");
+    const pair_list q = draw_hits(&r);
+    for (int s = 0; s < SOUP_STREAMS; s++)
+        for (int kind = 0; kind < BAD_KINDS + 2; kind++) {
+            const size_t bad = 64 + (size_t)random_int(&r, 64);
+            uint64_t expected[WORDS] = {~UINT64_C(0), ~(UINT64_C(1) << bad % 64), ~(~UINT64_C(0) << COUNT % 64)};
+            for (int k = 0; k < SOUP_STREAMS; k++)
+                for (size_t i = 0; i < COUNT; i++)
+                    numbers.stream[k][i] = (float)random_double(&r, -0.5, 0.5);
+            if (kind < BAD_KINDS)
+                numbers.stream[s][bad] = bad_number(kind);
+            for (int v = 0; kind >= BAD_KINDS && v < 3; v++)
+                numbers.stream[s / 3 * 3 + v][bad] = kind == BAD_KINDS ? -3 : 3;
+            check_everywhere(&q, expected);
+        }
+}
+
 static void test_several_in_a_triangle(void **state)
 {
     (void)state;
@@ -307,6 +329,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_sound_pairs_overlap),
         cmocka_unit_test(test_each_vertex_and_axis_alone),
         cmocka_unit_test(test_each_bound_alone),
+        cmocka_unit_test(test_bad_in_words_inside),
         cmocka_unit_test(test_several_in_a_triangle),
         cmocka_unit_test(test_several_in_a_box),
         cmocka_unit_test(test_bad_beside_undecided),

@@ -33,11 +33,21 @@ TRIBOX_INLINE bool may_look_again(walk_kind kind)
     return !(kind & (WALKS_BY_SIGN | LOOKS_AGAIN)) && sequence_has(groups_of(kind), 1) && groups_of(kind) != 1;
 }
 
+/*
+ * Whether a walk leaves out words that lie wholly in the box, after one that overlaps it altogether: in coherent soups they come in
+ * rows. They overlap (PROOFS.md 1, consequence 4). FAST may find them apart, and its answers would hang on neighbours.
+ */
+TRIBOX_INLINE bool may_lie_inside(walk_kind kind) { return (kind & (WALKS_SOUP | WALKS_MESH | WALKS_BY_SIGN)) == WALKS_SOUP; }
+
+/* Words of a walk that are not asked after one that was asked for nothing: that takes as long as to test a packet in part. */
+enum { WORDS_UNASKED = 16 };
+
 /* Pairs 64 * word + done to before 64 * word + count, or to that run. Returns how many are done. */
 TRIBOX_INLINE size_t walk_words(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
                                 uint64_t *undecided, walk_kind kind)
 {
     const size_t start = 64 * word, end = start + count;
+    size_t unasked = done;
     packet_run run;
     lane_pairs p;
     start_pairs(&p, from, kind);
@@ -49,6 +59,15 @@ TRIBOX_INLINE size_t walk_words(const tribox_query *from, size_t word, size_t do
             break;
         put_run(&hit[done / 64], done % 64, run_hit, &run);
         put_run(&undecided[done / 64], done % 64, run_open, &run);
+        if (may_lie_inside(kind) && run_hit == ~UINT64_C(0) && done >= unasked) {
+            size_t inside = words_inside(from->soup, from->box, start + done + 64, end);
+            unasked = inside ? done : done + 64 * (size_t)WORDS_UNASKED;
+            for (; inside; inside--) {
+                done += 64;
+                hit[done / 64] = ~UINT64_C(0);
+                undecided[done / 64] = 0;
+            }
+        }
     }
     return done;
 }
