@@ -305,6 +305,49 @@ TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_
                                           tribox_find_what what, size_t *triangle);
 
 /* ============================================================================================================================== */
+/*                                              Many triangles, the children of a box                                             */
+/* ============================================================================================================================== */
+
+/**
+ * Tests listed triangles against the eight children of a box at once: the inner loop of a program that builds an octree from lists
+ * of triangles or, with two equal planes, a quadtree or a k-d tree. Bit c of children[i] is set if triangle list[i] overlaps child c.
+ *
+ * Child c has on axis a the bounds lo .. middle where bit a of c is clear, and middle .. hi where it is set. Children are closed, so
+ * a triangle that touches the plane between two of them overlaps both. EXACT is tribox_overlap of each child, about the bounds as
+ * doubles; the other accuracies answer within the bounds of tribox_accuracy.
+ *
+ * For the cells of a uniform grid do not build top-down: tribox_bricks gives those of the lowest level many times as fast.
+ *
+ * soup: nine streams of soup->count floats.
+ * list: `count` triangle numbers, in any order, and any of them more than once; at any alignment of uint32_t. NULL for all triangles
+ *   of the soup: count is then soup->count.
+ * box: finite bounds, or TRIBOX_BAD_BOX. Nothing overlaps the empty box, nor any child of it, whatever its middle.
+ * middle: one plane on each axis, in lo .. hi; at an end a child is flat. NULL for the double nearest to (lo + hi) / 2.
+ * options: all axes or TRIBOX_AXES_BOX alone; any other set is TRIBOX_BAD_OPTION. NULL for the defaults. axis_order changes nothing.
+ * children: `count` bytes, all of them written; must not overlap the list. NULL if only the counts are wanted.
+ * report: overlapping counts bits, undecided pairs of a triangle and a child; NULL if not wanted.
+ *
+ * Returns TRIBOX_OK, TRIBOX_BAD_ARGUMENT (soup, box or a stream of a non-empty soup is NULL, count or soup->count floats exceed the
+ * address space, or there is no list and count is not soup->count), TRIBOX_BAD_BOX (also if the middle is not finite or not within
+ * the box), TRIBOX_BAD_OPTION, TRIBOX_NO_KERNEL, or TRIBOX_BAD_VERTEX if the list names a triangle that does not exist.
+ */
+TRIBOX_API tribox_status tribox_split(const tribox_soup *soup, const uint32_t *list, size_t count, const tribox_box *box,
+                                      const double middle[3], const tribox_options *options, uint8_t *children,
+                                      tribox_report *report);
+
+/**
+ * tribox_split for a mesh, of floats or doubles: EXACT is tribox_mesh_overlap of each child. Doubles take FAST as CONSERVATIVE, and
+ * their children are as fast as a child of tribox_mesh_overlap only if every side of a child is between 2^-36 and 2^36.
+ *
+ * mesh: only the indices of listed triangles are checked.
+ *
+ * Other arguments are as for tribox_split, as is the returned status, plus the mesh errors of tribox_mesh_overlap.
+ */
+TRIBOX_API tribox_status tribox_mesh_split(const tribox_mesh *mesh, const uint32_t *list, size_t count, const tribox_box *box,
+                                           const double middle[3], const tribox_options *options, uint8_t *children,
+                                           tribox_report *report);
+
+/* ============================================================================================================================== */
 /*                                                    One triangle, many boxes                                                    */
 /* ============================================================================================================================== */
 
@@ -312,9 +355,8 @@ TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_
  * Tests one triangle against many boxes, of any sizes and at any places.
  * Bit i % 64 of mask[i / 64] is set if the triangle overlaps box i; bits past count are zero.
  *
- * A call pays from some eight boxes on, so to divide an octree by it, a triangle and eight children a call, gains little. For the
- * cells of a grid tribox_voxelize is many times as fast, and for the leaves of an octree tribox_bricks, which hands out the cells
- * that are not empty: nodes above them follow from their numbers.
+ * A call pays from some eight boxes on. For many triangles against the children of a box there is tribox_split, for the cells of a
+ * grid tribox_voxelize and tribox_bricks, each many times as fast.
  *
  * triangle: triangle[3 * v + a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
  * boxes: six streams of boxes->count floats. A box that is empty, or has a NaN or infinite bound, overlaps nothing. This is not an

@@ -174,6 +174,26 @@ typedef struct tribox_moved {
 typedef void tribox_to_frame(const tribox_soup *soup, const tribox_rounded_frame *box, size_t first, size_t count,
                              tribox_moved *moved);
 
+/* The halves of a box on each axis, the lower and the upper: its eight children have either of each. */
+typedef struct tribox_halves {
+    tribox_rounded_box half[2];
+} tribox_halves;
+
+/*
+ * Answers all triangles of a soup, as many as the kernel has lanes at least, about eight children: bit c of bits[i] is a hit of child
+ * c, and bit 8 + c says that it is left undecided, as by a walk. Returns whether anything is. LOCAL: triangles and halves of doubles,
+ * less the point that all children share, and rounded (PROOFS.md 14.6).
+ */
+typedef enum tribox_split_kind {
+    TRIBOX_SPLIT_BY_MARGIN,
+    TRIBOX_SPLIT_BY_SIGN,
+    TRIBOX_SPLIT_LOCAL,
+    TRIBOX_SPLIT_BOX,
+    TRIBOX_SPLIT_LOCAL_BOX,
+    TRIBOX_SPLIT_KINDS
+} tribox_split_kind;
+typedef bool tribox_split_walk(const tribox_soup *soup, const tribox_halves *halves, int32_t *bits);
+
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
@@ -188,6 +208,7 @@ typedef struct tribox_kernel {
     tribox_gather *gather;
     tribox_is_apart *is_apart;
     tribox_to_frame *to_frame;
+    tribox_split_walk *split[TRIBOX_SPLIT_KINDS];
     tribox_in_double *in_double;
     const tribox_cells_kernel *cells;
     const tribox_rows_kernel *rows;

@@ -30,8 +30,7 @@ bool tribox_triangles_have_vertices(const tribox_triangles *triangles, const tri
 
 size_t tribox_triangles_at_once(const tribox_triangles *triangles) { return triangles->is_soup ? SIZE_MAX : TRIBOX_STREAMED; }
 
-/* Triangle `first` is the first. */
-static tribox_soup part_of_soup(const tribox_soup *soup, size_t first, size_t count)
+tribox_soup tribox_soup_part(const tribox_soup *soup, size_t first, size_t count)
 {
     tribox_soup part = {.count = count};
     for (int v = 0; v < 3; v++) {
@@ -47,7 +46,7 @@ tribox_soup tribox_triangles_stream(const tribox_triangles *triangles, const tri
 {
     float *to[9];
     if (triangles->is_soup && count >= kernel->lanes)
-        return part_of_soup(&triangles->soup, first, count);
+        return tribox_soup_part(&triangles->soup, first, count);
     for (int k = 0; k < 9; k++)
         to[k] = room->number[k];
     for (size_t k = 0; triangles->is_soup && k < 9; k++)

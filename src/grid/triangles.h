@@ -18,6 +18,9 @@ bool tribox_triangles_of_mesh(const tribox_mesh *mesh, tribox_triangles *triangl
 /* Whether all vertices are there. */
 bool tribox_triangles_have_vertices(const tribox_triangles *triangles, const tribox_kernel *kernel);
 
+/* Triangles first .. first + count - 1 of a soup. */
+tribox_soup tribox_soup_part(const tribox_soup *soup, size_t first, size_t count);
+
 /* Room for triangles as streams, which fit the nearest cache. Zero before it is first used. */
 enum { TRIBOX_STREAMED = 256 };
 typedef struct tribox_stream_room {

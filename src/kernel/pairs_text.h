@@ -13,4 +13,5 @@
 #include "frame.h"
 #include "kernel/pairs/move.h"
 #include "kernel/pairs/survey.h"
+#include "kernel/pairs/split.h"
 #include "kernel/pairs/batch.h"

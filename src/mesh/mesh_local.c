@@ -8,8 +8,7 @@
 /* Triangles that are copied at a time where they cannot be read from where they lie. */
 enum { COPIED = TRIBOX_MESH_STREAMED, BLOCK_WORDS = TRIBOX_MESH_BLOCK / 64 };
 
-/* Whether the float stage can tell: no product of lengths overflows or vanishes (PROOFS.md 14.4). */
-static bool is_ordinary(const tribox_box *box)
+bool tribox_is_ordinary(const tribox_box *box)
 {
     for (int a = 0; a < 3; a++) {
         const double length = box->hi[a] - box->lo[a];
@@ -21,7 +20,7 @@ static bool is_ordinary(const tribox_box *box)
 
 void tribox_local_box_make(const tribox_box *box, const tribox_plan *plan, tribox_local_box *local)
 {
-    const bool is_for_all = plan->axes == TRIBOX_AXES_ALL && is_ordinary(box);
+    const bool is_for_all = plan->axes == TRIBOX_AXES_ALL && tribox_is_ordinary(box);
     local->box = box;
     local->walk = is_for_all ? TRIBOX_LOCAL_ALL : TRIBOX_LOCAL_BOX;
     local->are_hits_certain = is_for_all || plan->axes == TRIBOX_AXES_BOX;

@@ -17,6 +17,9 @@ typedef struct tribox_local_box {
     bool are_hits_certain; /* else the walk tests the box normals alone, and all that they leave is undecided */
 } tribox_local_box;
 
+/* Whether the float stage can tell: no product of lengths overflows or vanishes (PROOFS.md 14.4). */
+bool tribox_is_ordinary(const tribox_box *box);
+
 /* A box of finite bounds. Every call is made in the environment of environment.h, and the accuracy of the plan is not FAST. */
 void tribox_local_box_make(const tribox_box *box, const tribox_plan *plan, tribox_local_box *local);
 

@@ -2,16 +2,9 @@
 #ifndef TRIBOX_BRICK_CALL_H
 #define TRIBOX_BRICK_CALL_H
 
-#include "grid/triangles.h"
+#include "grid/listed.h"
 #include "plan.h"
 #include "tiles.h"
-
-/* Triangles are gathered a block at a time, as nine streams and a number each; whole packets are read. */
-enum { TRIBOX_LISTED = 1024, TRIBOX_LISTED_STREAM = TRIBOX_LISTED + TRIBOX_LANES_MAX };
-typedef struct tribox_listed {
-    float u[9][TRIBOX_LISTED_STREAM];
-    int32_t number[TRIBOX_LISTED_STREAM];
-} tribox_listed;
 
 /* The ids of the cells of a tile, where they are asked for, and of those of one brick. */
 enum { TRIBOX_BRICK_IDS_ROOM = TRIBOX_BRICK_IDS + TRIBOX_LANES_MAX };
@@ -35,15 +28,8 @@ typedef struct tribox_bricks_call {
     tribox_report counts;
 } tribox_bricks_call;
 
-/* Whether the triangles have these numbers, and their vertices are there. */
-bool tribox_listed_are_there(const tribox_triangles *triangles, const uint32_t *list, size_t count);
-
 /* A sink of a tile's bricks that hands each on with its ids. Its data is the call. */
 int tribox_brick_ids_take(void *call, const uint32_t at[3], const uint64_t bits[8]);
-
-/* Triangles list[0] .. list[count - 1] into the block: floats as they are, doubles less `origin`, then rounded. */
-tribox_soup tribox_listed_gather(const tribox_triangles *triangles, const double origin[3], const uint32_t *list, size_t count,
-                                 tribox_listed *block);
 
 /* Voxelizes a tile of the grid, from those triangles, one at least, and emits its bricks. False if the sink ended the call. */
 bool tribox_bricks_of_tile(tribox_bricks_call *s, size_t number, const uint32_t *list, size_t count);

@@ -23,6 +23,10 @@
     S(mesh_classify, , "mesh box test vertices", a->mesh, a->box, a->options, a->mask, a->inside, a->report) \
     S(overlap_oriented, , "soup oriented test", a->soup, a->oriented, a->options, a->mask, a->report) \
     S(mesh_overlap_oriented, , "mesh oriented test vertices", a->mesh, a->oriented, a->options, a->mask, a->report) \
+    S(split, , "soup box test split", a->soup, a->order_in, a->the_soup.count, a->box, a->middle, a->options, a->children, \
+      a->report) \
+    S(mesh_split, , "mesh box test split vertices", a->mesh, a->order_in, a->the_mesh.count, a->box, a->middle, a->options, \
+      a->children, a->report) \
     S(overlap_boxes, , "triangle boxes test", a->triangle, a->boxes, a->options, a->mask, a->report) \
     S(mesh_to_soup, , "mesh range streams origin kernel vertices", a->mesh, a->origin, a->first, a->count, a->options, a->x, a->y, \
       a->z) \
@@ -213,7 +217,7 @@ static void point(asked *a)
     a->region = &a->the_region, a->turned = &a->the_turned, a->options = &a->the_options, a->grid = &a->the_grid;
     a->window = &a->the_window, a->tiles = &a->the_tiles, a->sink = &a->the_sink, a->ids_sink = &a->the_ids_sink;
     a->size = a->the_grid.size, a->order_in = a->orders, a->list_in = a->numbers, a->starts_in = a->tile_starts;
-    a->origin = a->the_origin, a->surface = a->cells, a->mask_in = a->bits, a->outside = a->joined;
+    a->origin = a->the_origin, a->middle = a->the_middle, a->surface = a->cells, a->mask_in = a->bits, a->outside = a->joined;
     a->side_a = a->labels[0], a->side_b = a->labels[1];
 }
 
@@ -228,7 +232,7 @@ void ask_into(asked *a, outputs *to)
     a->mask = to->mask, a->inside = to->inside, a->bits_out = to->bits, a->occupied = to->occupied, a->solid = to->solid;
     a->report = &to->report, a->found = &to->found, a->start = to->start, a->odd_rows = &to->odd_rows, a->places = to->places;
     a->list = to->list, a->order = to->order, a->ids = to->ids, a->listed = to->listed, a->label_count = &to->labels;
-    a->parents = to->parents, a->nodes = to->nodes, a->scratch = to->scratch, a->runs = to->runs;
+    a->parents = to->parents, a->children = to->children, a->nodes = to->nodes, a->scratch = to->scratch, a->runs = to->runs;
     a->the_sink = (tribox_sink){take_brick, &to->bricks};
     a->the_ids_sink = (tribox_ids_sink){take_ids, &to->bricks};
 }
@@ -265,6 +269,7 @@ void ask_rightly(unsigned position_bytes, asked *a, outputs *to)
                 .the_grid = {{0, 0, 0}, {1, 1, 1}, {SIDE, SIDE, SIDE}},
                 .the_window = {{0, 0, 0}, {SIDE, SIDE, SIDE}},
                 .the_tiles = {TILE, 0, TILES},
+                .the_middle = {1, SIDE / 2, SIDE},
                 .the_soup.count = COUNT,
                 .the_boxes.count = COUNT,
                 .count = COUNT,

@@ -34,6 +34,7 @@ typedef struct outputs {
     tribox_box cell;
     uint32_t face[6][ROWS], labels;
     unsigned char nodes[NODES];
+    uint8_t children[COUNT];
     size_t places[TILES + 1];          /* as a first pass left them, */
     uint32_t parents[2 * ROWS];        /* each its own, */
     uint64_t runs[RUNS];               /* as tribox_fill_labels left them, */
@@ -66,7 +67,7 @@ typedef struct asked {
     size_t first, count, total, room;
     uint32_t first_id;
     tribox_find_what what;
-    double the_origin[3];
+    double the_origin[3], the_middle[3];
 
     const tribox_soup *soup;
     const tribox_mesh *mesh;
@@ -85,7 +86,7 @@ typedef struct asked {
     const uint32_t *size, *order_in, *list_in, *side_a, *side_b;
     const uint64_t *surface, *mask_in, *outside;
     const size_t *starts_in;
-    const double *origin;
+    const double *origin, *middle;
 
     outputs *out; /* where the pointers below point to, and values are put */
     float *to[9], *const *x, *const *y, *const *z;
@@ -93,6 +94,7 @@ typedef struct asked {
     tribox_report *report;
     size_t *found, *start, *odd_rows, *places;
     uint32_t *list, *order, *ids, *listed, *label_count, *parents, *face[6], *const *faces;
+    uint8_t *children;
     void *nodes, *scratch, *runs;
 } asked;
 

@@ -17,12 +17,15 @@ TRIBOX_INLINE void local_box_at_zero(lane_box *box)
     }
 }
 
-/* The box's margin, for triangles that rounding moves by less than half its thinnest side. */
+/* The most of sigma where rounding moves triangles by less than half the thinnest side of a box. */
+TRIBOX_INLINE vnum local_most(vnum thinnest, vnum longest) { return v_fms(v_splat(1 / (16 * V_UNIT)), thinnest, longest); }
+
+/* The box's margin, for such triangles. */
 TRIBOX_INLINE lane_box_margin local_margin_of(const lane_box *box)
 {
     const vnum thinnest = lane_min3(box->H[0], box->H[1], box->H[2]), longest = lane_max3(box->H[0], box->H[1], box->H[2]);
     lane_box_margin margin = box_margin_of(box);
-    margin.most = v_min(margin.most, v_fms(v_splat(1 / (16 * V_UNIT)), thinnest, longest));
+    margin.most = v_min(margin.most, local_most(thinnest, longest));
     return margin;
 }
 

@@ -1,7 +1,8 @@
-/* brick_list.c - the triangles that a list names: whether they are there, and copied to where kernels read them. */
+/* listed.c - the triangles that a list names: whether they are there, and copied to where kernels read them. */
+#include "listed.h"
+
 #include <string.h>
 
-#include "brick_call.h"
 #include "mesh/mesh_input.h"
 
 static bool are_all_below(const uint32_t *list, size_t count, size_t end)
@@ -22,7 +23,7 @@ static bool have_vertices(const tribox_mesh *mesh, const uint32_t *list, size_t 
             const size_t number = tribox_vertex_number(mesh, bytes, 3 * (size_t)list[i] + v);
             greatest = number > greatest ? number : greatest;
         }
-    return greatest < mesh->vertices;
+    return !count || greatest < mesh->vertices;
 }
 
 bool tribox_listed_are_there(const tribox_triangles *triangles, const uint32_t *list, size_t count)

@@ -1,0 +1,257 @@
+/*
+ * test_split.c - each bit is that of a call of tribox_overlap, or tribox_mesh_overlap, about that child: EXACT alike, CONSERVATIVE
+ * never without one, and FAST of a soup as that says, or as EXACT does. For every scene, kernel, way to say which triangles, and middle.
+ */
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "common/arguments.h"
+#include "common/guard.h"
+#include "common/kernels_here.h"
+#include "common/scenes.h"
+#include "laid_mesh.h"
+#include "scenes_f64.h"
+
+enum { TRIANGLES = 100, LISTED_MOST = 2100 };
+
+static arguments args;
+static const char *names[KERNELS_MAX];
+static int kernels;
+static laid_fences fences;
+static guarded list_fence, bytes_fence;
+
+/* What is asked, in one of its forms; the truth about every triangle and child. */
+typedef struct asked {
+    tribox_soup soup;
+    tribox_mesh mesh;
+    tribox_box box;
+    double middle[3];
+    bool has_middle, is_mesh;
+    bool is_fast_known;                        /* a soup, and nothing underflows: then FAST depends on its kernel alone */
+    uint8_t truth[TRIANGLES], fast[TRIANGLES]; /* by the kernel that is asked */
+    float stream[9][TRIANGLES];
+} asked;
+
+static tribox_status split(const asked *q, const uint32_t *list, size_t count, const tribox_options *options, uint8_t *children,
+                           tribox_report *report)
+{
+    const double *const middle = q->has_middle ? q->middle : NULL;
+    return q->is_mesh ? tribox_mesh_split(&q->mesh, list, count, &q->box, middle, options, children, report)
+                      : tribox_split(&q->soup, list, count, &q->box, middle, options, children, report);
+}
+
+static double nearest_middle(double lo, double hi) { return (double)(((long double)lo + (long double)hi) / 2); }
+
+/* Of all triangles, by calls about each child. */
+static void ask_children(const asked *q, const tribox_options *options, uint8_t *bits)
+{
+    memset(bits, 0, TRIANGLES);
+    for (int c = 0; c < 8; c++) {
+        uint64_t mask[(TRIANGLES + 63) / 64];
+        tribox_box child = q->box;
+        for (int a = 0; a < 3; a++) {
+            const double middle = q->has_middle ? q->middle[a] : nearest_middle(q->box.lo[a], q->box.hi[a]);
+            *(c >> a & 1 ? &child.lo[a] : &child.hi[a]) = middle;
+        }
+        const tribox_status status = q->is_mesh ? tribox_mesh_overlap(&q->mesh, &child, options, mask, NULL)
+                                                : tribox_overlap(&q->soup, &child, options, mask, NULL);
+        assert_int_equal(status, TRIBOX_OK);
+        for (size_t i = 0; i < q->mesh.count; i++)
+            bits[i] |= (uint8_t)((mask[i / 64] >> i % 64 & 1) << c);
+    }
+}
+
+static bool is_right(const asked *q, size_t i, uint8_t got, tribox_accuracy accuracy)
+{
+    const uint8_t due = q->truth[i];
+    return accuracy == TRIBOX_EXACT                      ? got == due
+           : accuracy == TRIBOX_FAST && q->is_fast_known ? !((got ^ due) & (got ^ q->fast[i]))
+           : accuracy == TRIBOX_CONSERVATIVE             ? !(due & ~got)
+                                                         : true;
+}
+
+/* In pages of their own, at their end. */
+static void check_list(const asked *q, const uint32_t *numbers, size_t count, const tribox_options *options)
+{
+    uint32_t *const list = numbers ? guarded_tail(list_fence, count * sizeof *numbers) : NULL;
+    uint8_t *const children = guarded_tail(bytes_fence, count);
+    size_t bits = 0;
+    tribox_report report, alone;
+    if (list)
+        memcpy(list, numbers, count * sizeof *numbers);
+    memset(children, 0x5a, count);
+    assert_int_equal(split(q, list, count, options, children, &report), TRIBOX_OK);
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t due = q->truth[list ? list[i] : i], got = children[i];
+        if (!is_right(q, list ? list[i] : i, got, options->accuracy))
+            fail_msg("%s: %s, accuracy %d, axes %u: triangle %zu of %zu has %02x and not %02x", doing, options->kernel,
+                     (int)options->accuracy, options->axes, i, count, got, due);
+        for (int c = 0; c < 8; c++)
+            bits += got >> c & 1;
+    }
+    assert_int_equal(report.overlapping, bits);
+    assert_true(report.undecided <= (options->accuracy == TRIBOX_FAST ? 0 : 8 * count));
+    assert_int_equal(split(q, list, count, options, NULL, &alone), TRIBOX_OK);
+    assert_memory_equal(&alone, &report, sizeof report);
+}
+
+static void check(random_source *r, asked *q, bool has_long_lists)
+{
+    static uint32_t list[LISTED_MOST];
+    const unsigned axes = random_int(r, 5) ? 0 : TRIBOX_AXES_BOX;
+    ask_children(q, &(tribox_options){.axes = axes}, q->truth);
+    const size_t counts[] = {0, 1, random_below(r, 70), has_long_lists ? random_below(r, LISTED_MOST) : 17};
+    for (int k = 0; k < kernels; k++) {
+        const tribox_options exact = {.kernel = names[k], .axes = axes};
+        ask_children(q, &(tribox_options){.kernel = names[k], .axes = axes, .accuracy = TRIBOX_FAST}, q->fast);
+        for (size_t n = 0; n < sizeof counts / sizeof counts[0]; n++) {
+            for (size_t i = 0; i < counts[n]; i++)
+                list[i] = (uint32_t)(random_int(r, 8) ? (i + n) % q->mesh.count : random_below(r, q->mesh.count));
+            check_list(q, list, counts[n],
+                       n % 2 ? &exact
+                             : &(tribox_options){.kernel = names[k], .axes = axes, .accuracy = (tribox_accuracy)random_int(r, 3)});
+        }
+        check_list(q, NULL, q->mesh.count, &exact);
+    }
+}
+
+/* At an end, in the middle, on a vertex, an ulp beside it, or anywhere. */
+static void draw_middle(random_source *r, asked *q, const double (*u)[3][3])
+{
+    q->has_middle = random_int(r, 3);
+    for (int a = 0; a < 3; a++) {
+        const double lo = q->box.lo[a], hi = q->box.hi[a], at = u[random_below(r, q->mesh.count)][random_int(r, 3)][a];
+        const double middle = nearest_middle(lo, hi);
+        const double any[] = {lo, hi, middle, at, nextafter(at, hi), nextafterf((float)at, (float)hi), lo * 0.25 + hi * 0.75};
+        const double drawn = any[random_int(r, sizeof any / sizeof any[0])];
+        q->middle[a] = drawn >= lo && drawn <= hi ? drawn : middle;
+    }
+}
+
+/* As a soup, where they are floats, and as a mesh of any layout. */
+static void check_forms(random_source *r, const tribox_box *box, const double (*u)[3][3], size_t count, bool are_floats,
+                        bool is_ordinary)
+{
+    static asked q;
+    const mesh_form form = mesh_form_draw(r, are_floats);
+    if (box->lo[0] > box->hi[0] || box->lo[1] > box->hi[1] || box->lo[2] > box->hi[2])
+        return;
+    q.box = *box;
+    q.mesh = laid_mesh_of(r, &form, u, count, (const int[3]){0, 1, 2}, fences);
+    q.soup = (tribox_soup){.count = count};
+    for (int s = 0; s < 9; s++) {
+        (s < 3 ? q.soup.x : s < 6 ? q.soup.y : q.soup.z)[s % 3] = q.stream[s];
+        for (size_t i = 0; i < count; i++)
+            q.stream[s][i] = (float)u[i][s % 3][s / 3];
+    }
+    draw_middle(r, &q, u);
+    for (int is_mesh = !are_floats; is_mesh < 2; is_mesh++) {
+        q.is_mesh = is_mesh;
+        q.is_fast_known = !is_mesh && is_ordinary;
+        check(r, &q, !random_int(r, 8));
+    }
+}
+
+static void test_floats(void **state)
+{
+    (void)state;
+    catch_faults();
+    for (size_t i = 0; i < scene_count(); i++) {
+        random_source r = random_named(args.seed, scene_at(i)->name);
+        for (int round = 0; round < (arguments_are_short(&args) ? 2 : 12); round++) {
+            static scene_batch batch;
+            static double u[SCENE_TRIANGLES][3][3];
+            scene_draw_batch(scene_at(i), &r, &batch);
+            snprintf(doing, sizeof doing, "%s, seed %llu, round %d", scene_at(i)->name, (unsigned long long)args.seed, round);
+            for (int k = 0; k < 9 * SCENE_TRIANGLES; k++)
+                u[k / 9][k / 3 % 3][k % 3] = batch.u[k / 9][k / 3 % 3][k % 3];
+            for (int k = 0; k < 9 && round % 4 == 3; k++) /* some that are not finite */
+                u[7 * k][k / 3][k % 3] = k % 2 ? NAN : k % 4 ? INFINITY : -INFINITY;
+            check_forms(&r, &batch.box, (const double(*)[3][3])u, 1 + random_below(&r, SCENE_TRIANGLES), true,
+                        strcmp(scene_at(i)->family, "range") && strcmp(scene_at(i)->family, "scales"));
+        }
+    }
+}
+
+static void test_doubles(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < scene_f64_count(); i++) {
+        random_source r = random_named(args.seed, scene_f64_at(i)->name);
+        for (int round = 0; round < (arguments_are_short(&args) ? 2 : 12); round++) {
+            static batch_f64 batch;
+            scene_f64_at(i)->draw(&r, &batch);
+            snprintf(doing, sizeof doing, "doubles %s, seed %llu, round %d", scene_f64_at(i)->name, (unsigned long long)args.seed,
+                     round);
+            check_forms(&r, &batch.box, (const double(*)[3][3])batch.u, 1 + random_below(&r, BATCH_F64), false, false);
+        }
+    }
+}
+
+/* The nearest double to the middle, however large or small the bounds; middles that are not in the box; the empty box. */
+static void test_middles(void **state)
+{
+    (void)state;
+    static const double bounds[][2] = {{-DBL_MAX, DBL_MAX}, {DBL_MAX, DBL_MAX},       {0x1.fffffffffffffp1022, DBL_MAX},
+                                       {0, 0x1p-1074},      {0x1p-1074, 0x1.8p-1073}, {1, 1 + 0x1p-52},
+                                       {-0x1p-1074, 0}};
+    for (size_t n = 0; n < sizeof bounds / sizeof bounds[0]; n++) {
+        const double lo = bounds[n][0], hi = bounds[n][1], middle = nearest_middle(lo, hi);
+        const tribox_box box = {{lo, 0, 0}, {hi, 1, 1}};
+        double at[3][3][3] = {{{0}}};
+        for (int v = 0; v < 9; v++) {
+            at[v / 3][v % 3][0] = v < 3 ? middle : v < 6 ? nextafter(middle, -INFINITY) : nextafter(middle, INFINITY);
+            at[v / 3][v % 3][1] = at[v / 3][v % 3][2] = 0.25;
+        }
+        const tribox_mesh mesh = {.positions = at, .vertices = 9, .count = 3, .position_bytes = 8};
+        uint8_t children[3];
+        assert_int_equal(tribox_mesh_split(&mesh, NULL, 3, &box, NULL, NULL, children, NULL), TRIBOX_OK);
+        assert_int_equal(children[0], 3);
+        assert_int_equal(children[1], at[1][0][0] >= lo);
+        assert_int_equal(children[2], at[2][0][0] <= hi ? 2 : 0);
+        for (int side = 0; side < 2; side++) {
+            const double beside[3] = {side ? nextafter(hi, INFINITY) : nextafter(lo, -INFINITY), 0, 0};
+            tribox_report report = {9, 9};
+            memset(children, 0x5a, 3);
+            assert_int_equal(tribox_mesh_split(&mesh, NULL, 3, &box, beside, NULL, children, &report), TRIBOX_BAD_BOX);
+            assert_int_equal(children[0] + children[1] + children[2] + (int)report.overlapping, 3 * 0x5a + 9);
+            const tribox_box empty = {{0, 2, 0}, {1, 1, 1}};
+            assert_int_equal(tribox_mesh_split(&mesh, NULL, 3, &empty, side ? (const double[3]){9} : NULL, NULL, children, &report),
+                             TRIBOX_OK);
+            assert_int_equal(children[0] + children[1] + children[2] + (int)report.overlapping, 0);
+        }
+    }
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    fences = laid_fences_make(args.seed);
+    list_fence = guarded_make(LISTED_MOST * sizeof(uint32_t));
+    bytes_fence = guarded_make(LISTED_MOST);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    laid_fences_free(fences);
+    guarded_free(list_fence);
+    guarded_free(bytes_fence);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    args = arguments_parse(argc, argv);
+    kernels = kernels_here(names);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_floats), cmocka_unit_test(test_doubles),
+                                       cmocka_unit_test(test_middles)};
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
