@@ -4,9 +4,12 @@
  *
  *     cc -std=c11 -O2 octree.c $(pkg-config --cflags --libs tribox) -o octree && ./octree
  *
- * ./octree NAME.f32 LEVELS takes triangles of your own, nine floats each. Lists cost each triangle a test at every level. The index
- * is told a box and answers with what is in it, so that only the border of a node is tested; but it has to be made first. Who wants
- * only cells makes neither: tribox_bricks gives those of the lowest level, and the levels above are their numbers shifted.
+ * ./octree NAME.f32 LEVELS takes triangles of your own, nine floats each. Lists cost each triangle a test of eight children at every
+ * level, one call a node. The index is told a box and answers with what is in it, so that only the border of a node is tested; but it
+ * has to be made first.
+ *
+ * If you want the cells of a uniform grid, do not build top-down, take bricks: tribox_bricks gives those of the lowest level, and the
+ * levels above are their numbers shifted.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -47,6 +50,12 @@ static void *allocated(void *memory)
 
 static void *allocate(size_t count, size_t size) { return allocated(calloc(count + 1, size)); }
 
+static tribox_mesh mesh_of(const octree *tree)
+{
+    return (tribox_mesh){
+        .positions = tree->triangles, .stride = sizeof(float[3]), .vertices = 3 * tree->count, .count = tree->count};
+}
+
 /* Room at the end of the list for a leaf of so many triangles; returns where they go. */
 static uint32_t *leaf_room(octree *tree, size_t count)
 {
@@ -65,39 +74,16 @@ static void add_leaf(octree *tree, int depth, size_t count)
     tree->references[depth] += count;
 }
 
-/* Children share the planes in the middle, so nothing slips between them. */
+/* Children share the planes in the middle, so nothing slips between them: those of tribox_split. */
 static tribox_box child_of(const tribox_box *box, int child)
 {
     tribox_box own = *box;
-    for (int a = 0; a < 3; a++) {
-        const float middle = (float)((box->lo[a] + box->hi[a]) / 2); /* which six streams of floats can hold */
-        *(child >> a & 1 ? &own.lo[a] : &own.hi[a]) = middle;
-    }
+    for (int a = 0; a < 3; a++)
+        *(child >> a & 1 ? &own.lo[a] : &own.hi[a]) = (box->lo[a] + box->hi[a]) / 2;
     return own;
 }
 
 /* ------ by lists ------ */
-
-/* One call tests a triangle against all eight children: bit c of its byte is child c. */
-static void test_children(const octree *tree, const tribox_box *box, const uint32_t *list, size_t count, unsigned char *overlapped)
-{
-    float bound[2][3][8];
-    tribox_boxes children = {.count = 8};
-    for (int a = 0; a < 3; a++) {
-        for (int c = 0; c < 8; c++) {
-            const tribox_box child = child_of(box, c);
-            bound[0][a][c] = (float)child.lo[a];
-            bound[1][a][c] = (float)child.hi[a];
-        }
-        children.lo[a] = bound[0][a];
-        children.hi[a] = bound[1][a];
-    }
-    for (size_t i = 0; i < count; i++) {
-        uint64_t mask;
-        check(tribox_overlap_boxes((const float *)tree->triangles[list[i]], &children, NULL, &mask, NULL));
-        overlapped[i] = (unsigned char)mask;
-    }
-}
 
 static void divide_list(octree *tree, const tribox_box *box, const uint32_t *list, size_t count, int depth)
 {
@@ -107,9 +93,10 @@ static void divide_list(octree *tree, const tribox_box *box, const uint32_t *lis
         add_leaf(tree, depth, count);
         return;
     }
-    unsigned char *overlapped = allocate(count, 1);
+    const tribox_mesh mesh = mesh_of(tree);
+    unsigned char *overlapped = allocate(count, 1); /* bit c of each: child c */
     uint32_t *own = allocate(count, sizeof *own);
-    test_children(tree, box, list, count, overlapped);
+    check(tribox_mesh_split(&mesh, list, count, box, NULL, NULL, overlapped, NULL));
     for (int c = 0; c < 8; c++) {
         const tribox_box child = child_of(box, c);
         size_t own_count = 0;
@@ -143,8 +130,7 @@ typedef struct ordered {
 
 static void order_triangles(const octree *tree, ordered *o)
 {
-    const tribox_mesh mesh = {
-        .positions = tree->triangles, .stride = sizeof(float[3]), .vertices = 3 * tree->count, .count = tree->count};
+    const tribox_mesh mesh = mesh_of(tree);
     void *scratch = allocate(tree->count, 16);
     float *streams[9];
     o->order = allocate(tree->count, sizeof *o->order);
@@ -223,8 +209,8 @@ static triangle *read_surface(const char *name, size_t *count)
 static tribox_box bounds(const triangle *surface, size_t count)
 {
     tribox_box box;
-    memcpy(box.lo, surface[0][0], sizeof box.lo);
-    memcpy(box.hi, surface[0][0], sizeof box.hi);
+    for (int a = 0; a < 3; a++)
+        box.lo[a] = box.hi[a] = surface[0][0][a];
     for (size_t i = 0; i < 9 * count; i++) {
         const float at = surface[i / 9][i / 3 % 3][i % 3];
         box.lo[i % 3] = at < box.lo[i % 3] ? at : box.lo[i % 3];

@@ -100,7 +100,6 @@ TRIBOX_INLINE void find_edges(const lane_split *p, const lane_halves *h, int i, 
     edges->worst[i][first][second] = worst_edge_along(&s, i, v_splat(INFINITY), 132 | WALKS_SOUP | (kind & LOOKS_AGAIN));
 }
 
-/* Four calls, and below eight, and no loop: compilers keep one as large as this, and with it what it takes in memory. */
 TRIBOX_INLINE void find_edges_along(const lane_split *p, const lane_halves *h, int i, walk_kind kind, edges_of_children *edges)
 {
     find_edges(p, h, i, 0, 0, kind, edges);
@@ -114,105 +113,104 @@ TRIBOX_INLINE vnum edges_of_child(const edges_of_children *edges, int x, int y, 
     return lane_min3(edges->worst[0][y][z], edges->worst[1][z][x], edges->worst[2][x][y]);
 }
 
-/* What all children ask of a lane before it can be a hit. */
-typedef struct lane_condition {
-    lane_margin margin;
-    vnum below_edges, below_plane; /* the same, negative */
-    vmask certifiable;             /* its extents, which a hit by slacks needs */
-} lane_condition;
-
-/* Child c: its bits, those of hits and, 8 higher, those left undecided, to what the children before it have. */
-TRIBOX_INLINE vint add_child(vint bits, int c, vmask hit, vmask undecided)
+/* Children as bits: bit c of a lane is child c. Those of the lower half on an axis, and of the upper. */
+TRIBOX_INLINE vint children_of(vint low, vint high, int a)
 {
-    return i_or(i_or(bits, i_keep(hit, i_splat(1 << c))), i_keep(undecided, i_splat(256 << c)));
+    const int of_low[3] = {0x55, 0x33, 0x0f};
+    return i_or(i_and(low, i_splat(of_low[a])), i_and(high, i_splat(of_low[a] ^ 0xff)));
 }
 
-TRIBOX_INLINE vmask left_of_child(const lane_split *p, int x, int y, int z)
+/* Those in whose halves the masks are set, on all axes. */
+TRIBOX_INLINE vint children_in(vmask half[2][3])
 {
-    return m_not(m_or(m_or(p->apart[x][0], p->apart[y][1]), p->apart[z][2]));
+    const vint all = i_splat(0xff);
+    return i_and(children_of(i_keep(half[0][0], all), i_keep(half[1][0], all), 0),
+                 i_and(children_of(i_keep(half[0][1], all), i_keep(half[1][1], all), 1),
+                       children_of(i_keep(half[0][2], all), i_keep(half[1][2], all), 2)));
 }
 
-TRIBOX_INLINE vmask clear_of_child(const lane_split *p, int x, int y, int z, walk_kind kind)
+/* Children that box normals leave. */
+TRIBOX_INLINE vint children_left(const lane_split *p)
 {
-    return kind & WALKS_LOCAL ? m_and(m_and(p->clear[x][0], p->clear[y][1]), p->clear[z][2]) : m_all();
+    vmask left[2][3];
+    for (int half = 0; half < 2; half++)
+        for (int a = 0; a < 3; a++)
+            left[half][a] = m_not(p->apart[half][a]);
+    return children_in(left);
 }
 
-TRIBOX_INLINE vint compare_child(const lane_split *p, const lane_condition *asked, walk_kind kind, int c, vint bits)
-{
-    const int x = c & 1, y = c >> 1 & 1, z = c >> 2;
-    const vmask left = left_of_child(p, x, y, z);
-    const vmask hit = m_and(left, m_and(asked->margin.is_valid, clear_of_child(p, x, y, z, kind)));
-    return add_child(bits, c, hit, m_andnot(left, hit));
-}
+/* What slacks say of the children. */
+typedef struct lane_children {
+    vint apart, certain;
+} lane_children;
 
-TRIBOX_INLINE vint split_by_comparisons(const lane_split *p, const lane_condition *asked, walk_kind kind)
-{
-    vint bits = i_splat(0);
-    for (int c = 0; c < 8; c++)
-        bits = compare_child(p, asked, kind, c, bits);
-    return bits;
-}
-
-/* As certain_overlaps and overlaps_by_sign have it. */
-TRIBOX_INLINE vint test_child(const lane_split *p, const lane_halves *h, const edges_of_children *edges,
-                              const lane_condition *asked, walk_kind kind, int c, vint bits)
+TRIBOX_INLINE void test_child(const lane_split *p, const lane_halves *h, const edges_of_children *edges, const lane_margin *margin,
+                              walk_kind kind, int c, lane_children *said)
 {
     const int x = c & 1, y = c >> 1 & 1, z = c >> 2;
     const lane_shape s = shape_of_child(p, h, x, y, z);
     const vnum edge = edges_of_child(edges, x, y, z), plane = plane_slack_for(&s, plane_slack(&s, plane_reach(&s)), kind);
-    const vmask left = left_of_child(p, x, y, z), known = m_and(left, asked->margin.is_valid);
-    vmask apart, certain;
-    if (kind & WALKS_BY_SIGN) {
-        apart = v_gt(v_splat(0), v_min(edge, plane));
-        certain = m_not(apart);
-    } else {
-        apart = m_or(v_gt(asked->below_edges, edge), v_gt(asked->below_plane, plane));
-        certain = m_and(m_and(v_gt(edge, asked->margin.edges), v_gt(plane, asked->margin.plane)),
-                        m_and(asked->certifiable, clear_of_child(p, x, y, z, kind)));
+    const vnum zero = v_splat(0);
+    vmask apart = v_gt(zero, v_min(edge, plane));
+    if (!(kind & WALKS_BY_SIGN)) {
+        const vmask certain = m_and(v_gt(edge, margin->edges), v_gt(plane, margin->plane));
+        apart = m_or(v_gt(zero, v_add(edge, margin->edges)), v_gt(zero, v_add(plane, margin->plane)));
+        said->certain = i_or(said->certain, i_keep(certain, i_splat(1 << c)));
     }
-    const vmask hit = m_and(known, m_or(p->inside, certain)), miss = m_andnot(m_and(known, apart), p->inside);
-    return add_child(bits, c, hit, m_andnot(left, m_or(hit, miss)));
+    said->apart = i_or(said->apart, i_keep(apart, i_splat(1 << c)));
 }
 
-TRIBOX_INLINE vint split_by_slacks(lane_split *p, const lane_halves *h, const lane_condition *asked, walk_kind kind)
+/* Four calls above, eight here, and no loop: compilers keep one as large as this, and with it what it takes in memory. */
+TRIBOX_INLINE lane_children test_children(lane_split *p, const lane_halves *h, const lane_margin *margin, walk_kind kind)
 {
     edges_of_children edges;
-    vint bits = i_splat(0);
+    lane_children said = {i_splat(0), i_splat(0)};
     shape_normal(&p->s);
     find_edges_along(p, h, 0, kind, &edges);
     find_edges_along(p, h, 1, kind, &edges);
     find_edges_along(p, h, 2, kind, &edges);
-    bits = test_child(p, h, &edges, asked, kind, 0, bits);
-    bits = test_child(p, h, &edges, asked, kind, 1, bits);
-    bits = test_child(p, h, &edges, asked, kind, 2, bits);
-    bits = test_child(p, h, &edges, asked, kind, 3, bits);
-    bits = test_child(p, h, &edges, asked, kind, 4, bits);
-    bits = test_child(p, h, &edges, asked, kind, 5, bits);
-    bits = test_child(p, h, &edges, asked, kind, 6, bits);
-    return test_child(p, h, &edges, asked, kind, 7, bits);
+    test_child(p, h, &edges, margin, kind, 0, &said);
+    test_child(p, h, &edges, margin, kind, 1, &said);
+    test_child(p, h, &edges, margin, kind, 2, &said);
+    test_child(p, h, &edges, margin, kind, 3, &said);
+    test_child(p, h, &edges, margin, kind, 4, &said);
+    test_child(p, h, &edges, margin, kind, 5, &said);
+    test_child(p, h, &edges, margin, kind, 6, &said);
+    test_child(p, h, &edges, margin, kind, 7, &said);
+    if (kind & WALKS_BY_SIGN)
+        said.certain = i_andnot(i_splat(0xff), said.apart);
+    return said;
 }
 
+/* Hits, and 8 bits higher what is left undecided; as certain_overlaps and overlaps_by_sign have it. */
 TRIBOX_INLINE vint split_packet(const tribox_soup *soup, const lane_halves *h, size_t at, walk_kind kind)
 {
     lane_split p;
-    lane_condition asked;
     for (int a = 0; a < 3; a++) {
         const float *const *const stream = tribox_soup_axis(soup, a);
         const vnum u[3] = {v_load(stream[0] + at), v_load(stream[1] + at), v_load(stream[2] + at)};
         split_axis(&p, h, u, a, kind);
     }
-    asked.margin = margin_of(&p.s, &h->margin, true);
-    const vmask apart =
-        m_or(m_or(m_and(p.apart[0][0], p.apart[1][0]), m_and(p.apart[0][1], p.apart[1][1])), m_and(p.apart[0][2], p.apart[1][2]));
-    const uint64_t decided = m_bits(m_or(apart, m_and(p.inside, asked.margin.is_valid)));
-    if (!sequence_has(groups_of(kind), 3) || decided == LANES_ALL)
-        return split_by_comparisons(&p, &asked, kind);
-    asked.below_edges = v_sub(v_splat(0), asked.margin.edges);
-    asked.below_plane = v_sub(v_splat(0), asked.margin.plane);
-    asked.certifiable = kind & WALKS_BY_SIGN ? m_all() : are_extents_certifiable(&p.s, &h->margin);
-    for (int a = 0; kind & LOOKS_AGAIN && a < 3; a++)
-        drop_zero_lengths(&p.s, a);
-    return split_by_slacks(&p, h, &asked, kind);
+    const lane_margin margin = margin_of(&p.s, &h->margin, true);
+    const vint all = i_splat(0xff), left = children_left(&p), inside = i_keep(m_and(p.inside, margin.is_valid), left);
+    const vint open = i_andnot(left, inside), clear = kind & WALKS_LOCAL ? children_in(p.clear) : all;
+    if (!m_bits(m_has_bits(open)))
+        return left;
+    const vint valid = i_keep(margin.is_valid, all);
+    vint hit, miss = i_splat(0);
+    if (sequence_has(groups_of(kind), 3)) {
+        const vmask certifiable =
+            kind & WALKS_BY_SIGN ? margin.is_valid : m_and(margin.is_valid, are_extents_certifiable(&p.s, &h->margin));
+        for (int a = 0; kind & LOOKS_AGAIN && a < 3; a++)
+            drop_zero_lengths(&p.s, a);
+        const lane_children said = test_children(&p, h, &margin, kind);
+        miss = i_and(said.apart, valid);
+        hit = i_keep(certifiable, i_and(said.certain, clear));
+    } else {
+        hit = i_and(valid, clear);
+    }
+    const vint found = i_or(inside, i_and(open, hit)), undecided = i_andnot(i_andnot(open, hit), miss);
+    return i_or(found, i_shl(undecided, i_splat(8)));
 }
 
 /* The last packet ends with the last triangle, and writes again what the one before it has written. */
