@@ -4,12 +4,12 @@
  *
  *     cc -std=c11 -O2 octree.c $(pkg-config --cflags --libs tribox) -o octree && ./octree
  *
- * ./octree NAME.f32 LEVELS takes triangles of your own, nine floats each. Lists cost each triangle a test of eight children at every
- * level, one call a node. The index is told a box and answers with what is in it, so that only the border of a node is tested; but it
- * has to be made first.
+ * ./octree NAME.f32 LEVELS takes triangles of your own, nine floats each. Lists cost each triangle a test of eight children at each
+ * level, one call a node. The index is told a box and answers with what is in it, so that only the border of a node is tested; but
+ * it has to be made first.
  *
- * If you want the cells of a uniform grid, do not build top-down, take bricks: tribox_bricks gives those of the lowest level, and the
- * levels above are their numbers shifted.
+ * If you want the cells of a uniform grid, do not build top-down, take bricks: tribox_bricks gives those of the lowest level, and
+ * the levels above are their numbers shifted.
  */
 #include <stdbool.h>
 #include <stdio.h>

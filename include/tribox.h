@@ -310,20 +310,21 @@ TRIBOX_API tribox_status tribox_mesh_find(const tribox_mesh *mesh, const tribox_
 
 /**
  * Tests listed triangles against the eight children of a box at once: the inner loop of a program that builds an octree from lists
- * of triangles or, with two equal planes, a quadtree or a k-d tree. Bit c of children[i] is set if triangle list[i] overlaps child c.
+ * of triangles or, with a middle at an end of some axes, a quadtree or a k-d tree. Bit c of children[i] is set if triangle list[i]
+ * overlaps child c.
  *
- * Child c has on axis a the bounds lo .. middle where bit a of c is clear, and middle .. hi where it is set. Children are closed, so
- * a triangle that touches the plane between two of them overlaps both. EXACT is tribox_overlap of each child, about the bounds as
+ * Child c has on axis a the bounds lo .. middle where bit a of c is clear, and middle .. hi where it is set. Children are closed: a
+ * triangle that touches the plane between two of them overlaps both. EXACT is tribox_overlap of each child, about the bounds as
  * doubles; the other accuracies answer within the bounds of tribox_accuracy.
  *
  * For the cells of a uniform grid do not build top-down: tribox_bricks gives those of the lowest level many times as fast.
  *
  * soup: nine streams of soup->count floats.
- * list: `count` triangle numbers, in any order, and any of them more than once; at any alignment of uint32_t. NULL for all triangles
- *   of the soup: count is then soup->count.
+ * list: `count` triangle numbers, in any order, and any of them more than once. NULL for all triangles of the soup: count is then
+ *   soup->count.
  * box: finite bounds, or TRIBOX_BAD_BOX. Nothing overlaps the empty box, nor any child of it, whatever its middle.
  * middle: one plane on each axis, in lo .. hi; at an end a child is flat. NULL for the double nearest to (lo + hi) / 2.
- * options: all axes or TRIBOX_AXES_BOX alone; any other set is TRIBOX_BAD_OPTION. NULL for the defaults. axis_order changes nothing.
+ * options: all axes or TRIBOX_AXES_BOX alone; any other set is TRIBOX_BAD_OPTION. NULL for the defaults.
  * children: `count` bytes, all of them written; must not overlap the list. NULL if only the counts are wanted.
  * report: overlapping counts bits, undecided pairs of a triangle and a child; NULL if not wanted.
  *

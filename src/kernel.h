@@ -180,9 +180,9 @@ typedef struct tribox_halves {
 } tribox_halves;
 
 /*
- * Answers all triangles of a soup, as many as the kernel has lanes at least, about eight children: bit c of bits[i] is a hit of child
- * c, and bit 8 + c says that it is left undecided, as by a walk. Returns whether anything is. LOCAL: triangles and halves of doubles,
- * less the point that all children share, and rounded (PROOFS.md 14.6).
+ * Answers all triangles of a soup, at least as many as the kernel has lanes, about eight children: bit c of bits[i] is a hit of
+ * child c, and bit 8 + c says that it is left undecided, as by a walk. Returns whether anything is. LOCAL: triangles and halves of
+ * doubles, less the point that all children share, and rounded (PROOFS.md 14.6).
  */
 typedef enum tribox_split_kind {
     TRIBOX_SPLIT_BY_MARGIN,

@@ -34,7 +34,7 @@ typedef struct gathering {
 } gathering;
 
 /* No sum of two doubles that overflows has a half that is rounded. */
-static double middle_of(double lo, double hi)
+static double nearest_middle(double lo, double hi)
 {
     const double sum = lo + hi;
     return tribox_is_finite_double(sum) ? sum / 2 : lo / 2 + hi / 2;
@@ -45,7 +45,7 @@ static bool set_halves(split_call *s, const tribox_box *box, const double middle
 {
     s->half[0] = s->half[1] = *box;
     for (int a = 0; a < 3; a++) {
-        const double at = middle ? middle[a] : middle_of(box->lo[a], box->hi[a]);
+        const double at = middle ? middle[a] : nearest_middle(box->lo[a], box->hi[a]);
         s->half[0].hi[a] = s->half[1].lo[a] = s->middle[a] = at;
         if (!(box->lo[a] <= at && at <= box->hi[a]))
             return false;
@@ -85,7 +85,7 @@ static void choose_walk(split_call *s)
 }
 
 /* Adds those that overlap to the bytes of the block. */
-static void settle(split_call *s, gathering *g, uint8_t *hit)
+static void settle_children(split_call *s, gathering *g, uint8_t *hit)
 {
     const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, &s->plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
@@ -122,7 +122,7 @@ static void gather_child(split_call *s, gathering *g, const double number[9], si
     g->place[g->count] = place;
     g->child[g->count++] = (unsigned char)child;
     if (g->count == TRIBOX_BATCH)
-        settle(s, g, hit);
+        settle_children(s, g, hit);
 }
 
 static void settle_block(split_call *s, size_t first, size_t count, const int32_t *bits, uint8_t *hit)
@@ -138,7 +138,7 @@ static void settle_block(split_call *s, size_t first, size_t count, const int32_
             gather_child(s, &g, number, i, tribox_lowest_bit(left), hit);
     }
     if (g.count)
-        settle(s, &g, hit);
+        settle_children(s, &g, hit);
 }
 
 static size_t count_bits_of(const uint8_t *bytes, size_t count)
@@ -207,7 +207,7 @@ static void answer_block(split_call *s, size_t first, size_t count, split_block 
     s->counts.overlapping += count_bits_of(block->hit, count);
 }
 
-static void answer(split_call *s, uint8_t *children)
+static void split_blocks(split_call *s, uint8_t *children)
 {
     split_block block;
     choose_walk(s);
@@ -246,7 +246,7 @@ static tribox_status answer_checked(split_call *s, const tribox_box *box, const 
     if (!are_there(s))
         return TRIBOX_BAD_VERTEX;
     if (!is_empty)
-        answer(s, children);
+        split_blocks(s, children);
     else if (children && s->count)
         memset(children, 0, s->count);
     return TRIBOX_OK;

@@ -1,6 +1,7 @@
 /*
  * test_split.c - each bit is that of a call of tribox_overlap, or tribox_mesh_overlap, about that child: EXACT alike, CONSERVATIVE
- * never without one, and FAST of a soup as that says, or as EXACT does. For every scene, kernel, way to say which triangles, and middle.
+ * never without one, and FAST of a soup as that says, or as EXACT does. For every scene, kernel, form of the list, and
+ * middle.
  */
 #include <float.h>
 #include <math.h>

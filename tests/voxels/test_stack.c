@@ -153,10 +153,12 @@ static void *ask_box(const tribox_index *index, const tribox_options *options)
         assert_int_equal(tribox_overlap(index->soup, &box, options, mask, NULL), TRIBOX_OK);
         assert_int_equal(tribox_overlap_oriented(index->soup, &turned, options, mask, NULL), TRIBOX_OK);
         assert_int_equal(tribox_soup_sort(index->soup, list, scratch), TRIBOX_OK);
+        assert_int_equal(tribox_split(index->soup, list, TRIANGLES, &box, NULL, options, (uint8_t *)scratch, NULL), TRIBOX_OK);
     } else {
         assert_int_equal(tribox_mesh_overlap(index->mesh, &box, options, mask, NULL), TRIBOX_OK);
         assert_int_equal(tribox_mesh_overlap_oriented(index->mesh, &turned, options, mask, NULL), TRIBOX_OK);
         assert_int_equal(tribox_mesh_sort(index->mesh, list, scratch), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_split(index->mesh, list, TRIANGLES, &box, NULL, options, (uint8_t *)scratch, NULL), TRIBOX_OK);
     }
     assert_int_equal(tribox_index_build(index, options, scratch), TRIBOX_OK);
     assert_int_equal(tribox_index_list(index, &(tribox_region){.box = &box}, options, TRIANGLES, list, &found), TRIBOX_OK);

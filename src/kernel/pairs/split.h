@@ -91,7 +91,7 @@ typedef struct edges_of_children {
     vnum worst[3][2][2];
 } edges_of_children;
 
-TRIBOX_INLINE void find_edges(const lane_split *p, const lane_halves *h, int i, int first, int second, walk_kind kind,
+TRIBOX_INLINE void test_edges(const lane_split *p, const lane_halves *h, int i, int first, int second, walk_kind kind,
                               edges_of_children *edges)
 {
     const lane_shape s = i == 0   ? shape_of_child(p, h, 0, first, second)
@@ -100,12 +100,12 @@ TRIBOX_INLINE void find_edges(const lane_split *p, const lane_halves *h, int i, 
     edges->worst[i][first][second] = worst_edge_along(&s, i, v_splat(INFINITY), 132 | WALKS_SOUP | (kind & LOOKS_AGAIN));
 }
 
-TRIBOX_INLINE void find_edges_along(const lane_split *p, const lane_halves *h, int i, walk_kind kind, edges_of_children *edges)
+TRIBOX_INLINE void test_edges_along(const lane_split *p, const lane_halves *h, int i, walk_kind kind, edges_of_children *edges)
 {
-    find_edges(p, h, i, 0, 0, kind, edges);
-    find_edges(p, h, i, 0, 1, kind, edges);
-    find_edges(p, h, i, 1, 0, kind, edges);
-    find_edges(p, h, i, 1, 1, kind, edges);
+    test_edges(p, h, i, 0, 0, kind, edges);
+    test_edges(p, h, i, 0, 1, kind, edges);
+    test_edges(p, h, i, 1, 0, kind, edges);
+    test_edges(p, h, i, 1, 1, kind, edges);
 }
 
 TRIBOX_INLINE vnum edges_of_child(const edges_of_children *edges, int x, int y, int z)
@@ -166,9 +166,9 @@ TRIBOX_INLINE lane_children test_children(lane_split *p, const lane_halves *h, c
     edges_of_children edges;
     lane_children said = {i_splat(0), i_splat(0)};
     shape_normal(&p->s);
-    find_edges_along(p, h, 0, kind, &edges);
-    find_edges_along(p, h, 1, kind, &edges);
-    find_edges_along(p, h, 2, kind, &edges);
+    test_edges_along(p, h, 0, kind, &edges);
+    test_edges_along(p, h, 1, kind, &edges);
+    test_edges_along(p, h, 2, kind, &edges);
     test_child(p, h, &edges, margin, kind, 0, &said);
     test_child(p, h, &edges, margin, kind, 1, &said);
     test_child(p, h, &edges, margin, kind, 2, &said);
