@@ -144,9 +144,10 @@ TRIBOX_API const char *tribox_status_text(tribox_status status);
  * others. Rounding alone then decides whether it separates, and FAST can miss a triangle that runs straight through the box: most
  * of the segments that are much longer than the box, and some of the slivers that are more than 2^16 times as long as high, or
  * 2^16 / k times if they are k times as long as a side of the box. Use EXACT or CONSERVATIVE for these, and EXACT if triangles lie
- * in faces of boxes: in rounded coordinates, such as tenths, FAST is wrong about some of these contacts, and more often than the
- * paper's test in float. With TRIBOX_AXES_BOX | TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST about slivers, but
- * then also reports wider triangles that only the plane separates.
+ * in faces of boxes: in rounded coordinates, such as tenths, rounding alone has the sign of a tie, and FAST is wrong about some of
+ * these contacts, up to three times as often as the paper's test in float (PROOFS.md 10). With TRIBOX_AXES_BOX |
+ * TRIBOX_AXES_EDGES, CONSERVATIVE costs hardly more than FAST about slivers, but then also reports wider triangles that only the
+ * plane separates.
  */
 typedef enum tribox_accuracy {
     TRIBOX_EXACT = 0,    /* the true answer for every finite float input, the same on every processor */
