@@ -18,7 +18,9 @@ _Static_assert(sizeof 1.0 == sizeof(double), "tribox cannot be compiled with -fs
 
 /* What the flags say, to compilers that are given others, or that tell of no part of fast math but the finite one. */
 #if defined(__clang__)
+#if defined(__x86_64__) || defined(__i386__) /* others warn that they have no such pragma */
 #pragma float_control(precise, on)
+#endif
 #pragma STDC FP_CONTRACT OFF
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)

@@ -152,7 +152,7 @@ static bool is_blurred(const tribox_oriented_query *q, const tribox_moved *moved
 static size_t answer_moved(const tribox_oriented_query *q, const tribox_soup *block, tribox_moved *moved, const tribox_soup *soup,
                            size_t words, uint64_t *hit, uint64_t *undecided)
 {
-    uint64_t near[TRIBOX_MOVED_WORDS];
+    uint64_t near[TRIBOX_MOVED_WORDS] = {0};
     for (size_t w = 0; w < words; w++) {
         moved->far[w] = q->plan->accuracy == TRIBOX_FAST ? 0 : moved->far[w];
         near[w] = ~(moved->apart[w] | moved->wild[w] | moved->far[w]);
