@@ -15,6 +15,12 @@ static inline float tribox_float_at(const void *from)
     return number;
 }
 
+static inline void tribox_float_put(void *to, double number)
+{
+    const float rounded = (float)number;
+    memcpy(to, &rounded, sizeof rounded);
+}
+
 /* By way of memory: gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
 static inline float tribox_float_nearest(double number)
 {

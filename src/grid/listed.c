@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/floats.h"
 #include "mesh/mesh_input.h"
 
 static bool are_all_below(const uint32_t *list, size_t count, size_t end)
@@ -67,7 +68,7 @@ static void gather_soup(const tribox_soup *soup, const uint32_t *list, size_t co
     }
     for (; i < count; i++)
         for (size_t n = 0; n < 9; n++)
-            block->u[n][i] = stream[n][list[i]];
+            block->u[n][i] = tribox_float_at(stream[n] + list[i]);
 }
 
 static void gather_mesh(const tribox_mesh *mesh, const double origin[3], const uint32_t *list, size_t count, tribox_listed *block)

@@ -4,6 +4,7 @@
 #include "dispatch.h"
 #include "base/environment.h"
 #include "base/finite.h"
+#include "base/floats.h"
 #include "mesh_input.h"
 
 /* A part of the triangles, and streams for it. */
@@ -38,7 +39,7 @@ static void write_each_triangle(const tribox_mesh *mesh, const double origin[3],
         tribox_mesh_read_corners(mesh, 3 * (first + at), 3 * part, u);
         for (size_t k = 0; k < 9; k++)
             for (size_t i = 0; i < part; i++)
-                to[k][at + i] = (float)(u[3 * i + k % 3][k / 3] - origin[k / 3]);
+                tribox_float_put(to[k] + at + i, u[3 * i + k % 3][k / 3] - origin[k / 3]);
     }
 }
 

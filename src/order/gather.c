@@ -3,6 +3,7 @@
 
 #include "mesh/vertex_numbers.h"
 #include "base/environment.h"
+#include "base/floats.h"
 #include "mesh/mesh_input.h"
 #include "mesh/mesh_streams.h"
 #include "mesh/positions.h"
@@ -87,9 +88,9 @@ tribox_status tribox_mesh_gather(const tribox_mesh *mesh, const double origin[3]
                 continue;
             }
             tribox_position_read(&strided, vertex, u);
-            x[v][i] = (float)(u[0] - from[0]);
-            y[v][i] = (float)(u[1] - from[1]);
-            z[v][i] = (float)(u[2] - from[2]);
+            tribox_float_put(x[v] + i, u[0] - from[0]);
+            tribox_float_put(y[v] + i, u[1] - from[1]);
+            tribox_float_put(z[v] + i, u[2] - from[2]);
         }
     tribox_environment_leave(callers);
     return TRIBOX_OK;

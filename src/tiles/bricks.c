@@ -35,10 +35,10 @@ size_t tribox_bricks_ids_bytes(uint32_t side)
 static tribox_status emit_tiles(tribox_bricks_call *s)
 {
     for (size_t t = 0; t < s->tiling.end - s->tiling.first; t++) {
-        const uint32_t *const list = s->list + s->starts[t];
         const size_t count = s->starts[t + 1] - s->starts[t];
-        if (!count)
+        if (!count) /* there may be no list */
             continue;
+        const uint32_t *const list = s->list + s->starts[t];
         if (!tribox_listed_are_there(&s->triangles, list, count))
             return TRIBOX_BAD_VERTEX;
         if (!tribox_bricks_of_tile(s, s->tiling.first + t, list, count))

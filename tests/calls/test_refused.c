@@ -276,7 +276,7 @@ static void no_range(int n) { a.first = (size_t)n * (COUNT / 2), a.count = 0, me
 
 static void bad_origin(int n) { a.the_origin[n % 3] = not_finite[n / 3]; }
 
-static void bad_middle(int n) { a.the_middle[n % 3] = n < 12 ? not_finite[n / 3] : n < 15 ? -0x1p-1074 : SIDE + 0x1p-49; }
+static void bad_middle(int n) { a.the_middle[n % 3] = n < 12 ? not_finite[n / 3] : n < 15 ? -0x1p-1074 : (double)SIDE + 0x1p-49; }
 
 static void bad_order(int n) { a.orders[n] = n % 2 ? COUNT : UINT32_MAX; }
 
