@@ -115,7 +115,7 @@ FILE *named_file_open(const char *path, const char *mode)
 bool named_file_about(const char *path, file_about *about)
 {
     (void)path;
-    *about = (file_about){FILE_KIND_REGULAR, size};
+    *about = (file_about){.kind = FILE_KIND_REGULAR, .size = size};
     return true;
 }
 
