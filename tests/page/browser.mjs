@@ -3,6 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { settled } from './answer.mjs';
 
 const { chromium } = createRequire(join(process.env.PLAYWRIGHT, 'x'))('playwright-core');
 const executablePath = execFileSync('sh', ['-c', `command -v ${process.env.CHROMIUM}`], { encoding: 'utf8' }).trim();
@@ -56,6 +57,7 @@ export async function usualPage() {
     await usual.evaluate(() => (document.getElementById('command').textContent = ''));
     await usual.selectOption('#scene', 'coarse');
     await usual.waitForFunction(() => document.getElementById('command').textContent.includes('=0.2,-0.6,-1,2.2,1.4,1 '));
+    await settled(usual); // the mesh before may answer once more
     return usual;
 }
 
