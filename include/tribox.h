@@ -14,7 +14,7 @@
  *                 may make calls on the same input at once. Threads that share a mask should each own whole words of it.
  *   Environment   The caller's rounding mode and flush-to-zero setting change no answer and are restored on return.
  *   Memory        No alignment or padding is needed. Nothing is read outside the input or written outside the mask. Masks and
- *                 reports must not overlap the input or each other. No call takes more than 96 KB of stack.
+ *                 reports must not overlap the input or each other. No call takes more than 104 KB of stack.
  *   Not promised  FAST and CONSERVATIVE masks may differ between kernels, tribox_report.undecided between kernels and versions.
  *                 EXACT masks never differ.
  */
@@ -267,7 +267,9 @@ TRIBOX_API tribox_status tribox_classify(const tribox_soup *soup, const tribox_b
  * tribox_overlap for a mesh as it is, of floats or doubles: exact for every finite number, however far from the origin, without
  * memory for streams. Moving the mesh towards the origin first is unnecessary, and gains nothing.
  *
- * mesh: read from where it lies, in blocks that fit the cache.
+ * mesh: read from where it lies, in blocks that fit the cache. With indices each vertex is compared with the box once, and most
+ *   triangles are told by that, as long as the vertices that follow each other in the triangles are near each other in number: most
+ *   files list them so. FAST about floats does without.
  * box, options, mask, report: as for tribox_overlap, with mesh->count in place of soup->count. For floats the same bits as for the
  *   nine streams of the triangles, at every accuracy. For doubles, and floats with an axis_stride other than position_bytes, FAST
  *   is the same as CONSERVATIVE: it never misses, and reports too much only within the bounds of tribox_accuracy, for doubles with

@@ -11,10 +11,10 @@
 #include <stdbool.h>
 
 #include "base/ahead.h"
+#include "base/bits.h"
 #include "base/compiler.h"
 #include "base/rounded_box.h"
 #include "pairs/rounded_frame.h"
-#include "mesh/vertex_numbers.h"
 #include "voxels/kernel_voxels.h"
 #include "index/kernel_nodes.h"
 #include "mesh/positions.h"
@@ -160,6 +160,21 @@ typedef struct tribox_box_pattern {
 /* Whether the box normals separate all triangles of these vertices; false too where finding out costs as much as testing them. */
 typedef bool tribox_is_apart(const tribox_mesh *mesh, const tribox_box_pattern *box, tribox_vertices named);
 
+/*
+ * Codes of vertices, a byte each: bit a, that it is beyond the lower bound of axis a, bit 3 + a, beyond the upper one, and bit 7,
+ * that it is beyond none. NaN is beyond all of them. `count` positions of three numbers that follow each other, in floats and in
+ * doubles; the count is a multiple of TRIBOX_CODED.
+ */
+enum { TRIBOX_CODED = TRIBOX_LANES_MAX, TRIBOX_CODE_INSIDE = 128 };
+typedef union tribox_coded_bound {
+    float single[3 * TRIBOX_LANES_MAX];
+    double wide[3 * TRIBOX_DOUBLES_MAX];
+} tribox_coded_bound;
+typedef struct tribox_coded_box {
+    tribox_coded_bound below, above; /* the numbers beside the bounds, outside: number k is of axis k % 3 */
+} tribox_coded_box;
+typedef void tribox_code(const void *positions, size_t count, const tribox_coded_box *box, uint8_t *code);
+
 /* Words of triangles in the frame of an oriented box. */
 enum { TRIBOX_MOVED_WORDS = 8 };
 typedef struct tribox_moved {
@@ -207,6 +222,7 @@ typedef struct tribox_kernel {
     tribox_find_corners *find_corners;
     tribox_gather *gather;
     tribox_is_apart *is_apart;
+    tribox_code *code[2]; /* floats, doubles */
     tribox_to_frame *to_frame;
     tribox_split_walk *split[TRIBOX_SPLIT_KINDS];
     tribox_in_double *in_double;

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "compiler.h"
 
@@ -29,6 +30,15 @@ static inline unsigned tribox_set_bits(uint64_t *word, uint64_t bits)
     const uint64_t before = *word;
     *word = before | bits;
     return tribox_count_bits(bits & ~before);
+}
+
+/* The bytes of a word, the lowest first. */
+static inline void tribox_put_bytes(uint8_t *to, uint64_t word)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    word = __builtin_bswap64(word);
+#endif
+    memcpy(to, &word, sizeof word);
 }
 
 /* The index of the lowest bit of a word that has one. */

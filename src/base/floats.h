@@ -45,6 +45,16 @@ static inline float tribox_float_below(float number)
     return -above;
 }
 
+/* The same of a double. */
+static inline double tribox_double_above(double number)
+{
+    int64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    bits = number > 0 ? bits + 1 : number < 0 ? bits - 1 : 1;
+    memcpy(&number, &bits, sizeof bits);
+    return number;
+}
+
 /* What subtracting rounds off a difference, exactly (D. E. Knuth); NaN where the difference is not finite. */
 static inline double tribox_lost_by_difference(double from, double less)
 {

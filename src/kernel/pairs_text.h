@@ -10,6 +10,10 @@
 #include "kernel/pairs/inside.h"
 #include "kernel/pairs/gather.h"
 #include "kernel/pairs/apart_words.h"
+#define CODED_NUMBER float
+#define CODED_NUMBERS single
+#define CODED_READ v_load
+#include "codes.h"
 #include "frame.h"
 #include "kernel/pairs/move.h"
 #include "kernel/pairs/survey.h"

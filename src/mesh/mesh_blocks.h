@@ -31,6 +31,7 @@ struct tribox_mesh_query {
     tribox_answer_corners *answer_corners; /* NULL where corners cannot be walked */
     tribox_plan *plan;
     const tribox_box_pattern *pattern; /* NULL where vertices are not compared with the box, word by word */
+    struct tribox_codes *codes;        /* NULL where vertices are not coded (mesh_codes.h) */
     bool is_empty;                     /* nothing overlaps this box */
     bool in_double;                    /* of positions that are copied */
     const void *about;                 /* what `answer` knows of the box */

@@ -13,8 +13,8 @@ static void add(tribox_report *counts, tribox_report part)
 }
 
 /* At most TRIBOX_MESH_STREAMED triangles, by way of streams. */
-static tribox_report answer_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_rounded_box *box,
-                                    tribox_plan *plan, uint64_t *mask)
+TRIBOX_NOINLINE tribox_report answer_streams(const tribox_mesh *mesh, size_t first, size_t count, const tribox_rounded_box *box,
+                                             tribox_plan *plan, uint64_t *mask)
 {
     _Alignas(64) float streams[9][TRIBOX_MESH_STREAMED]; /* no packet in two lines of the cache */
     float *to[9];
@@ -54,19 +54,28 @@ tribox_answer_corners *tribox_mesh_floats_corners(const tribox_plan *plan)
     return are_corners_walked(plan) ? answer_float_corners : NULL;
 }
 
-/* From where they lie to registers if all of the block can be read so, else the first by way of streams. */
-size_t tribox_mesh_answer_floats(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
-                                 tribox_report *counts)
+/* Answers all of the block from where it lies to registers, if it can be read so; *is_there: whether its vertices are there. */
+TRIBOX_NOINLINE bool answer_in_place(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count,
+                                     uint64_t *mask, tribox_report *counts, bool *is_there)
 {
     uint32_t offset[3 * TRIBOX_MESH_BLOCK];
     tribox_corners corners;
-    tribox_plan *const plan = q->plan;
-    const tribox_rounded_box *const box = &((const tribox_float_box *)q->about)->box;
+    *is_there = q->plan->kernel->find_corners(mesh, first, count, offset, &corners) < mesh->vertices;
+    if (!*is_there || !are_corners_walked(q->plan) || !corners.base || !corners.has_all || count < q->plan->kernel->lanes)
+        return false;
+    const tribox_query pairs = {.corners = &corners, .box = &((const tribox_float_box *)q->about)->box, .count = count};
+    add(counts, tribox_pairs_answer(&pairs, q->plan, mask));
+    return true;
+}
+
+/* Else the first of them by way of streams: one after the other, so that the stack has only one of the two. */
+size_t tribox_mesh_answer_floats(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,
+                                 tribox_report *counts)
+{
+    bool is_there;
+    if (answer_in_place(q, mesh, first, count, mask, counts, &is_there) || !is_there)
+        return is_there ? count : 0;
     const size_t streamed = count < TRIBOX_MESH_STREAMED ? count : TRIBOX_MESH_STREAMED;
-    if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
-        return 0;
-    const tribox_query pairs = {.corners = &corners, .box = box, .count = count};
-    const bool is_direct = are_corners_walked(plan) && corners.base && corners.has_all && count >= plan->kernel->lanes;
-    add(counts, is_direct ? tribox_pairs_answer(&pairs, plan, mask) : answer_streams(mesh, first, streamed, box, plan, mask));
-    return is_direct ? count : streamed;
+    add(counts, answer_streams(mesh, first, streamed, &((const tribox_float_box *)q->about)->box, q->plan, mask));
+    return streamed;
 }

@@ -6,7 +6,7 @@
 #include "pairs/settle.h"
 
 /* Triangles that are copied at a time where they cannot be read from where they lie. */
-enum { COPIED = TRIBOX_MESH_STREAMED, BLOCK_WORDS = TRIBOX_MESH_BLOCK / 64 };
+enum { COPIED = 128, BLOCK_WORDS = TRIBOX_MESH_BLOCK / 64 };
 
 bool tribox_is_ordinary(const tribox_box *box)
 {
@@ -87,9 +87,9 @@ static size_t settle(gathering *g, const tribox_plan *plan, uint64_t *hit)
     return tribox_count_bits(verdict.finite);
 }
 
-/* Word w has the triangles from first[w] on. */
-static size_t settle_words(const tribox_mesh *mesh, const size_t *first, const tribox_local_box *local, const tribox_plan *plan,
-                           size_t words, const uint64_t *undecided, uint64_t *hit)
+/* Word w has the triangles from first[w] on. What is gathered lies on the stack only while it is used, as below. */
+TRIBOX_NOINLINE size_t settle_words(const tribox_mesh *mesh, const size_t *first, const tribox_local_box *local,
+                                    const tribox_plan *plan, size_t words, const uint64_t *undecided, uint64_t *hit)
 {
     gathering g;
     size_t settled = 0;
@@ -139,29 +139,45 @@ static void leave_undecided(size_t count, uint64_t *hit, uint64_t *undecided)
     }
 }
 
-/* Walks as much of the block as it can (tribox_answer_block): in place if all of it can be read so, else a copied prefix. */
-static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_local_box *local,
-                         const tribox_plan *plan, uint64_t *hit, uint64_t *undecided)
+/* Walks the block in place, if all of it can be read so; *is_there: whether its vertices are there. */
+TRIBOX_NOINLINE bool walk_in_place(const tribox_mesh *mesh, size_t first, size_t count, const tribox_local_box *local,
+                                   const tribox_plan *plan, uint64_t *hit, uint64_t *undecided, bool *is_there)
 {
     uint32_t offset[3 * TRIBOX_MESH_BLOCK];
     tribox_corners corners;
-    if (plan->kernel->find_corners(mesh, first, count, offset, &corners) >= mesh->vertices)
-        return 0;
+    *is_there = plan->kernel->find_corners(mesh, first, count, offset, &corners) < mesh->vertices;
+    if (!*is_there)
+        return false;
     if (!(plan->axes & TRIBOX_AXES_BOX)) {
         leave_undecided(count, hit, undecided);
-        return count;
+        return true;
     }
-    if (tribox_mesh_has_doubles(mesh) && corners.base && corners.has_all && count >= plan->kernel->lanes) {
-        corners.origin = local->origin;
-        walk(&corners, count, local, plan, hit, undecided);
-        return count;
-    }
-    _Alignas(64) double nine[COPIED][3][3];
-    count = count < COPIED ? count : COPIED;
-    copy_nines(mesh, first, count, plan->kernel->lanes, nine);
-    corners = (tribox_corners){.base = (const char *)nine, .origin = local->origin, .has_all = true};
+    if (!tribox_mesh_has_doubles(mesh) || !corners.base || !corners.has_all || count < plan->kernel->lanes)
+        return false;
+    corners.origin = local->origin;
     walk(&corners, count, local, plan, hit, undecided);
-    return count;
+    return true;
+}
+
+TRIBOX_NOINLINE void walk_copied(const tribox_mesh *mesh, size_t first, size_t count, const tribox_local_box *local,
+                                 const tribox_plan *plan, uint64_t *hit, uint64_t *undecided)
+{
+    _Alignas(64) double nine[COPIED][3][3];
+    copy_nines(mesh, first, count, plan->kernel->lanes, nine);
+    const tribox_corners corners = {.base = (const char *)nine, .origin = local->origin, .has_all = true};
+    walk(&corners, count, local, plan, hit, undecided);
+}
+
+/* Walks as much of the block as it can (tribox_answer_block): in place or a copied prefix. */
+static size_t walk_block(const tribox_mesh *mesh, size_t first, size_t count, const tribox_local_box *local,
+                         const tribox_plan *plan, uint64_t *hit, uint64_t *undecided)
+{
+    bool is_there;
+    if (walk_in_place(mesh, first, count, local, plan, hit, undecided, &is_there) || !is_there)
+        return is_there ? count : 0;
+    const size_t copied = count < COPIED ? count : COPIED;
+    walk_copied(mesh, first, copied, local, plan, hit, undecided);
+    return copied;
 }
 
 size_t tribox_mesh_answer_local(const tribox_mesh_query *query, const tribox_mesh *mesh, size_t first, size_t count, uint64_t *mask,

@@ -1,4 +1,7 @@
-/* positions.h - the numbers of a mesh's vertices, one by one. The strides of the mesh are set (mesh_input.h). */
+/*
+ * positions.h - which vertex stands at a corner of a mesh, corner 3 * i + v being vertex v of triangle i, and the numbers of
+ * vertices, one by one. The strides of the mesh are set (mesh_input.h).
+ */
 #ifndef TRIBOX_POSITIONS_H
 #define TRIBOX_POSITIONS_H
 
@@ -7,6 +10,25 @@
 #include "base/finite.h"
 #include "base/floats.h"
 #include "tribox.h"
+
+/* 0 where there are no indices. */
+static inline unsigned tribox_vertex_bytes(const tribox_mesh *mesh) { return mesh->indices ? mesh->index_bytes : 0; }
+
+/* index_bytes: that of the mesh, as an argument of its own so that it can be a constant. */
+static inline size_t tribox_vertex_number(const tribox_mesh *mesh, unsigned index_bytes, size_t corner)
+{
+    uint16_t narrow;
+    uint32_t wide;
+    if (index_bytes == 2) {
+        memcpy(&narrow, (const char *)mesh->indices + 2 * corner, sizeof narrow);
+        return narrow;
+    }
+    if (index_bytes == 4) {
+        memcpy(&wide, (const char *)mesh->indices + 4 * corner, sizeof wide);
+        return wide;
+    }
+    return corner;
+}
 
 static inline size_t tribox_position_bytes(const tribox_mesh *mesh)
 {

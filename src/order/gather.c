@@ -1,7 +1,6 @@
 /* gather.c - triangles in any order as nine streams. */
 #include <string.h>
 
-#include "mesh/vertex_numbers.h"
 #include "base/environment.h"
 #include "base/floats.h"
 #include "mesh/mesh_input.h"

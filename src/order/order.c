@@ -17,7 +17,6 @@
 #include "mesh/mesh_input.h"
 #include "mesh/mesh_streams.h"
 #include "mesh/positions.h"
-#include "mesh/vertex_numbers.h"
 #include "base/soup.h"
 #include "tribox_threads.h"
 

@@ -44,16 +44,14 @@ static tribox_report classify_blocks(tribox_overlap_call *c, uint64_t *mask, uin
     return counts;
 }
 
-static tribox_status classify(tribox_overlap_call *c, tribox_status checked, uint64_t *mask, uint64_t *inside,
-                              tribox_report *report)
+static tribox_status classify_with(tribox_overlap_call *c, tribox_codes *codes, uint64_t *mask, uint64_t *inside,
+                                   tribox_report *report)
 {
     tribox_report counts = {0, 0};
-    if (checked)
-        return checked;
     if (!c->soup && !tribox_mesh_is_in_range(&c->mesh, c->plan.kernel, 0, c->count))
         return TRIBOX_BAD_VERTEX;
     const tribox_environment callers = tribox_environment_enter();
-    tribox_call_start(c);
+    tribox_call_start(c, codes, true);
     if (c->is_empty) {
         tribox_pairs_write_none(c->count, mask);
         tribox_pairs_write_none(c->count, inside);
@@ -63,6 +61,21 @@ static tribox_status classify(tribox_overlap_call *c, tribox_status checked, uin
     tribox_environment_leave(callers);
     tribox_call_report(c, counts, report);
     return TRIBOX_OK;
+}
+
+TRIBOX_NOINLINE tribox_status classify_coded(tribox_overlap_call *c, uint64_t *mask, uint64_t *inside, tribox_report *report)
+{
+    tribox_codes codes;
+    return classify_with(c, &codes, mask, inside, report);
+}
+
+/* One that was checked. */
+static tribox_status classify(tribox_overlap_call *c, tribox_status checked, uint64_t *mask, uint64_t *inside,
+                              tribox_report *report)
+{
+    return checked                   ? checked
+           : tribox_call_may_code(c) ? classify_coded(c, mask, inside, report)
+                                     : classify_with(c, NULL, mask, inside, report);
 }
 
 tribox_status tribox_classify(const tribox_soup *soup, const tribox_box *box, const tribox_options *options, uint64_t *mask,

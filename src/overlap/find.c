@@ -27,16 +27,13 @@ static bool find_unlike(tribox_overlap_call *c, uint64_t usual, size_t *found)
     return true;
 }
 
-/* One that was checked. */
-static tribox_status find(tribox_overlap_call *c, tribox_status checked, tribox_find_what what, size_t *triangle)
+static tribox_status find_with(tribox_overlap_call *c, tribox_codes *codes, tribox_find_what what, size_t *triangle)
 {
     const uint64_t usual = what == TRIBOX_FIRST_HIT ? 0 : ~UINT64_C(0);
     size_t found = 0;
     bool is_found = true;
-    if (checked)
-        return checked;
     const tribox_environment callers = tribox_environment_enter();
-    tribox_call_start(c);
+    tribox_call_start(c, codes, false);
     if (c->is_empty)
         found = usual ? 0 : c->count;
     else
@@ -46,6 +43,18 @@ static tribox_status find(tribox_overlap_call *c, tribox_status checked, tribox_
         return TRIBOX_BAD_VERTEX;
     *triangle = found;
     return TRIBOX_OK;
+}
+
+TRIBOX_NOINLINE tribox_status find_coded(tribox_overlap_call *c, tribox_find_what what, size_t *triangle)
+{
+    tribox_codes codes;
+    return find_with(c, &codes, what, triangle);
+}
+
+/* One that was checked. */
+static tribox_status find(tribox_overlap_call *c, tribox_status checked, tribox_find_what what, size_t *triangle)
+{
+    return checked ? checked : tribox_call_may_code(c) ? find_coded(c, what, triangle) : find_with(c, NULL, what, triangle);
 }
 
 static bool is_known(tribox_find_what what, const size_t *triangle) { return triangle && (unsigned)what <= TRIBOX_FIRST_MISS; }

@@ -43,7 +43,7 @@ static void make_soup_query(tribox_overlap_call *c)
         .soup = tribox_pad_triangles(c->soup, c->plan.kernel, &c->partial), .box = &c->rounded.box, .count = c->count};
 }
 
-static void make_mesh_query(tribox_overlap_call *c)
+static void make_mesh_query(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked)
 {
     const bool are_floats = tribox_mesh_has_floats(&c->mesh), has_box = c->plan.axes & TRIBOX_AXES_BOX;
     const tribox_box_pattern *pattern = NULL;
@@ -59,24 +59,36 @@ static void make_mesh_query(tribox_overlap_call *c)
     c->query = (tribox_mesh_query){.answer = are_floats ? tribox_mesh_answer_floats : tribox_mesh_answer_local,
                                    .plan = &c->plan,
                                    .pattern = has_box ? pattern : NULL,
+                                   .codes = c->is_empty ? NULL : codes,
                                    .is_empty = c->is_empty,
                                    .in_double = !are_floats,
                                    .about = are_floats ? (const void *)&c->rounded : &c->local};
+    if (c->query.codes)
+        tribox_codes_start(codes, &c->mesh, c->box, is_all_asked);
 }
 
-void tribox_call_start(tribox_overlap_call *c)
+/* Of floats, FAST has the bits of their streams, and may miss a triangle that is inside. */
+bool tribox_call_may_code(const tribox_overlap_call *c)
+{
+    return !c->soup && c->plan.axes & TRIBOX_AXES_BOX && tribox_codes_help(&c->mesh) &&
+           (c->asked != TRIBOX_FAST || tribox_mesh_has_doubles(&c->mesh));
+}
+
+void tribox_call_start(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked)
 {
     c->is_empty = tribox_box_is_empty(c->box);
     if (c->soup)
         make_soup_query(c);
     else
-        make_mesh_query(c);
+        make_mesh_query(c, codes, is_all_asked);
 }
 
 size_t tribox_call_answer_block(tribox_overlap_call *c, size_t first, size_t count, uint64_t *hit, tribox_report *counts)
 {
-    if (!c->soup)
-        return c->query.answer(&c->query, &c->mesh, first, count < TRIBOX_MESH_BLOCK ? count : TRIBOX_MESH_BLOCK, hit, counts);
+    if (!c->soup) {
+        tribox_answer_block *const answer = c->query.codes ? tribox_mesh_answer_coded : c->query.answer;
+        return answer(&c->query, &c->mesh, first, count < TRIBOX_MESH_BLOCK ? count : TRIBOX_MESH_BLOCK, hit, counts);
+    }
     const size_t words = tribox_words_of(count);
     counts->undecided += tribox_pairs_answer_block(&c->pairs, &c->plan, first / 64, words, hit);
     for (size_t w = 0; w < words; w++)
@@ -97,8 +109,13 @@ bool tribox_call_answer(tribox_overlap_call *c, uint64_t *mask, tribox_report *c
 
 uint64_t tribox_call_inside(const tribox_overlap_call *c, size_t first, uint64_t candidates)
 {
-    return c->soup ? c->plan.kernel->inside(c->pairs.soup, c->pairs.box, first / 64, candidates)
-                   : tribox_mesh_inside(&c->mesh, c->box, first, candidates);
+    if (c->soup)
+        return c->plan.kernel->inside(c->pairs.soup, c->pairs.box, first / 64, candidates);
+    const tribox_codes *const codes = c->query.codes;
+    if (!codes)
+        return tribox_mesh_inside(&c->mesh, c->box, first, candidates);
+    const size_t w = (first - codes->answered) / 64;
+    return (candidates & codes->inside[w]) | tribox_mesh_inside(&c->mesh, c->box, first, candidates & codes->unknown[w]);
 }
 
 void tribox_call_report(const tribox_overlap_call *c, tribox_report counts, tribox_report *report)

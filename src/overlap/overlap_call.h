@@ -5,6 +5,7 @@
 #ifndef TRIBOX_OVERLAP_CALL_H
 #define TRIBOX_OVERLAP_CALL_H
 
+#include "mesh/mesh_codes.h"
 #include "mesh/mesh_floats.h"
 #include "mesh/mesh_local.h"
 #include "pairs/pairs.h"
@@ -34,8 +35,14 @@ bool tribox_call_take_mesh(tribox_overlap_call *c, const tribox_mesh *mesh);
 /* The checks of the box and the options, once the triangles are taken; is_taken: whether they could be. */
 tribox_status tribox_call_check(tribox_overlap_call *c, bool is_taken, const tribox_box *box, const tribox_options *options);
 
-/* Before the first block. Needs tribox_environment_enter(), as all that follows. */
-void tribox_call_start(tribox_overlap_call *c);
+/* Whether codes would help a call that was checked; they are a large part of the stack, so others have no room for them. */
+bool tribox_call_may_code(const tribox_overlap_call *c);
+
+/*
+ * Before the first block. Needs tribox_environment_enter(), as all that follows. codes: room for them, or NULL. is_all_asked: else
+ * the first triangles may do.
+ */
+void tribox_call_start(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked);
 
 /*
  * Answers triangles first .. first + count - 1, TRIBOX_CALL_BLOCK at most, or the first of them in whole words, and adds to the

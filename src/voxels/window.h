@@ -9,7 +9,6 @@
 #include "kernel_voxels.h"
 #include "mesh/positions.h"
 #include "grid/triangles.h"
-#include "mesh/vertex_numbers.h"
 
 /* The window in float, for triangles of floats as they are, and for those of doubles less the place of plane 0. */
 typedef struct tribox_float_lattice {

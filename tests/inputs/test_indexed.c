@@ -3,6 +3,7 @@
  *
  * Positions and indices end at a page that cannot be touched, or begin at one.
  */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -258,6 +259,94 @@ static void test_more_vertices_than_named(void **state)
     }
 }
 
+enum { WINDOW_TRIANGLES = 60000, WINDOW_VERTICES = 150000 };
+
+/* Numbers that mostly grow, some behind by less than 2^16 or more, and runs from anywhere, above all about multiples of 2^16. */
+static size_t draw_far_number(random_source *r, size_t i, size_t run)
+{
+    const size_t base = i * (WINDOW_VERTICES - 100) / WINDOW_TRIANGLES, behind = (size_t)random_int(r, 80000);
+    if (run)
+        return run - (size_t)random_int(r, 60);
+    return random_int(r, 400) == 0 && behind < base ? base - behind : base + (size_t)random_int(r, 100);
+}
+
+static struct {
+    float positions[WINDOW_VERTICES][3], apart[WINDOW_VERTICES][5], stream[9][WINDOW_TRIANGLES];
+    double wide[WINDOW_VERTICES][3];
+    uint32_t indices[WINDOW_TRIANGLES][3];
+    uint16_t narrow[WINDOW_TRIANGLES][3];
+    uint64_t mask[2][WINDOW_TRIANGLES / 64 + 1], inside[2][WINDOW_TRIANGLES / 64 + 1];
+} window;
+
+static void draw_window(random_source *r)
+{
+    for (size_t n = 0; n < 3 * (size_t)WINDOW_VERTICES; n++) {
+        const float number = 0.25f * (float)random_int_between(r, -9, 9), not_finite[] = {NAN, INFINITY, -INFINITY};
+        window.positions[n / 3][n % 3] = random_int(r, 500) ? number : not_finite[random_int(r, 3)];
+        window.wide[n / 3][n % 3] = window.apart[n / 3][n % 3] = window.positions[n / 3][n % 3];
+    }
+    for (size_t i = 0, run = 0; i < WINDOW_TRIANGLES; i++) {
+        if (i % 512 == 0)
+            run = random_int(r, 4) ? 0 : 60 + (size_t)random_int(r, 3) * 65536;
+        for (size_t v = 0; v < 3; v++)
+            window.narrow[i][v] = (uint16_t)(window.indices[i][v] = (uint32_t)draw_far_number(r, i, run));
+    }
+}
+
+/* The streams' answers, and a mesh of which the last triangle names no vertex changes nothing. */
+static void check_window(const tribox_soup *soup, tribox_mesh mesh, const tribox_box *box, const tribox_options *options)
+{
+    say("a mesh of many vertices", &mesh, options, 0, mesh.count);
+    size_t at[2];
+    assert_int_equal(tribox_classify(soup, box, options, window.mask[0], window.inside[0], NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_classify(&mesh, box, options, window.mask[1], window.inside[1], NULL), TRIBOX_OK);
+    assert_memory_equal(window.inside[1], window.inside[0], sizeof window.inside[0]);
+    if (options->accuracy != TRIBOX_FAST) /* which may answer parts as EXACT does */
+        assert_memory_equal(window.mask[1], window.mask[0], sizeof window.mask[0]);
+    for (int what = 0; what < 2; what++) {
+        assert_int_equal(tribox_find(soup, box, options, (tribox_find_what)what, &at[0]), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_find(&mesh, box, options, (tribox_find_what)what, &at[1]), TRIBOX_OK);
+        assert_int_equal(at[0], at[1]);
+    }
+    memset(window.mask[1], POISON, sizeof window.mask[1]);
+    memcpy(window.inside[0], window.mask[1], sizeof window.inside[0]);
+    window.indices[WINDOW_TRIANGLES - 1][1] += WINDOW_VERTICES;
+    if (mesh.index_bytes == 4)
+        assert_int_equal(tribox_mesh_overlap(&mesh, box, options, window.mask[1], NULL), TRIBOX_BAD_VERTEX);
+    assert_memory_equal(window.mask[1], window.inside[0], sizeof window.mask[1]);
+    window.indices[WINDOW_TRIANGLES - 1][1] -= WINDOW_VERTICES;
+    assert_int_equal(tribox_overlap(soup, box, options, window.mask[0], NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_overlap(&mesh, box, options, window.mask[1], NULL), TRIBOX_OK);
+    assert_memory_equal(window.mask[1], window.mask[0], sizeof window.mask[0]);
+}
+
+/* Far more vertices than any room for what is known of each, or with 16-bit indices just as many. */
+static void test_windows(void **state)
+{
+    (void)state;
+    random_source r = random_named(args.seed, "windows");
+    const tribox_box boxes_asked[] = {boxes[0], {{-2, -2, -2.25}, {2.25, 2, 2}}};
+    draw_window(&r);
+    for (int k = 0; k < 12 * kernels; k++) {
+        const bool is_narrow = k / 6 % 2;
+        const void *const positions[] = {window.positions, window.apart, window.wide};
+        const tribox_options options = {.kernel = names[k / 12], .accuracy = (tribox_accuracy)(k % 3 < 2 ? random_int(&r, 3) : 0)};
+        const tribox_mesh mesh = {.positions = positions[k % 3],
+                                  .vertices = is_narrow ? 65536 : WINDOW_VERTICES,
+                                  .indices = is_narrow ? (const void *)window.narrow : window.indices,
+                                  .index_bytes = is_narrow ? 2 : 4,
+                                  .count = WINDOW_TRIANGLES,
+                                  .stride = k % 3 == 1 ? sizeof window.apart[0] : 0,
+                                  .position_bytes = k % 3 == 2 ? 8 : 4};
+        float *to[9];
+        for (int s = 0; s < 9; s++)
+            to[s] = window.stream[s];
+        assert_int_equal(tribox_mesh_to_soup(&mesh, NULL, 0, mesh.count, NULL, to, to + 3, to + 6), TRIBOX_OK);
+        const tribox_soup soup = {{to[0], to[1], to[2]}, {to[3], to[4], to[5]}, {to[6], to[7], to[8]}, mesh.count};
+        check_window(&soup, mesh, &boxes_asked[k / 3 % 2], &options);
+    }
+}
+
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
@@ -270,6 +359,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_more_vertices_than_named),
         cmocka_unit_test(test_beside),
+        cmocka_unit_test(test_windows),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     mesh_fences_free(fences);

@@ -18,9 +18,11 @@
 
 static arguments args;
 
-enum { TRIANGLES = 5000, CELLS = 130, STATED = 96 * 1024 };
+enum { TRIANGLES = 5000, CELLS = 130, STATED = 104 * 1024 };
 
 static double positions[TRIANGLES][3][3];
+static float narrow[TRIANGLES][3][3];
+static uint32_t indices[3 * TRIANGLES];
 
 static float streams[9][TRIANGLES];
 static uint64_t occupied[CELLS * CELLS * ((CELLS + 63) / 64)];
@@ -45,8 +47,10 @@ static void draw_soup(random_source *r)
         }
         if (!random_int(r, 50))
             streams[0][t] = 1e30f;
-        for (int n = 0; n < 9; n++)
-            positions[t][n % 3][n / 3] = streams[n][t];
+        for (int n = 0; n < 9; n++) {
+            positions[t][n % 3][n / 3] = narrow[t][n % 3][n / 3] = streams[n][t];
+            indices[3 * t + n / 3] = (uint32_t)(3 * t + n / 3);
+        }
     }
 }
 
@@ -174,6 +178,26 @@ static void *ask_mesh(void *options)
     return ask_box(&(tribox_index){.mesh = &mesh, .nodes = scratch}, options);
 }
 
+/* A byte for each vertex is on the stack then. */
+static void *ask_indexed(void *options)
+{
+    static const tribox_box box = {{40, 40, 40}, {90, 80, 70}};
+    static uint64_t mask[(TRIANGLES + 63) / 64];
+    for (int is_double = 0; is_double < 2; is_double++) {
+        const tribox_mesh mesh = {.positions = is_double ? (const void *)positions : narrow,
+                                  .vertices = 3 * TRIANGLES,
+                                  .indices = indices,
+                                  .index_bytes = 4,
+                                  .count = TRIANGLES,
+                                  .position_bytes = is_double ? 8 : 4};
+        size_t found;
+        assert_int_equal(tribox_mesh_overlap(&mesh, &box, options, mask, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_classify(&mesh, &box, options, mask, NULL, NULL), TRIBOX_OK);
+        assert_int_equal(tribox_mesh_find(&mesh, &box, options, TRIBOX_FIRST_MISS, &found), TRIBOX_OK);
+    }
+    return NULL;
+}
+
 static const struct {
     const char *name;
     void *(*run)(void *);
@@ -184,7 +208,8 @@ static const struct {
              {"tribox_bricks_ids", make_bricks_of_ids},
              {"thin surfaces and fills", fill},
              {"boxes about a soup", ask_soup},
-             {"boxes about a mesh", ask_mesh}};
+             {"boxes about a mesh", ask_mesh},
+             {"boxes about an indexed mesh", ask_indexed}};
 
 static void check_stack(void *(*run)(void *), const char *name, tribox_options *options)
 {

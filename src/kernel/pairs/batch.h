@@ -124,6 +124,7 @@ static void walk_local_all(const tribox_query *pairs, size_t word, size_t count,
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
 tribox_in_double TRIBOX_SYMBOL(settle);
+tribox_code TRIBOX_SYMBOL(code_doubles);
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 extern const tribox_rows_kernel TRIBOX_SYMBOL(rows);
 extern const tribox_nodes_kernel TRIBOX_SYMBOL(nodes);
@@ -141,6 +142,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .find_corners = find_corners,
     .gather = gather,
     .is_apart = is_mesh_apart,
+    .code = {code_positions, TRIBOX_SYMBOL(code_doubles)},
     .to_frame = to_frame,
     .split = {[TRIBOX_SPLIT_BY_MARGIN] = split_by_margin,
               [TRIBOX_SPLIT_BY_SIGN] = split_by_sign,
