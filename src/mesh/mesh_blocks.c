@@ -32,7 +32,7 @@ static bool keep(kept_answers *kept, const uint64_t *word, size_t words)
         *full = (bit ? *full : 0) | is_full << bit;
         *mixed = (bit ? *mixed : 0) | is_mixed << bit;
         kept->mixed[kept->mixed_count] = word[w]; /* there is room for all of them */
-        kept->mixed_count += is_mixed;
+        kept->mixed_count += (size_t)is_mixed;
     }
     return true;
 }
@@ -42,7 +42,7 @@ static void write_kept(const kept_answers *kept, uint64_t *mask)
     for (size_t w = 0, m = 0; w < kept->words; w++) {
         const uint64_t is_full = kept->is_full[w / 64] >> w % 64 & 1, is_mixed = kept->is_mixed[w / 64] >> w % 64 & 1;
         mask[w] = (0 - is_full) | ((0 - is_mixed) & kept->mixed[m < KEPT_MIXED ? m : 0]);
-        m += is_mixed;
+        m += (size_t)is_mixed;
     }
 }
 
