@@ -146,10 +146,12 @@ typedef tribox_vertices tribox_find_vertices(const tribox_mesh *mesh, size_t fir
 typedef size_t tribox_find_corners(const tribox_mesh *mesh, size_t first, size_t count, uint32_t *offset, tribox_corners *corners);
 
 /*
- * These triangles, none of whose vertices is missing, as nine streams x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2: of a mesh of doubles
- * near what is given, else as they are.
+ * Triangles first .. first + count - 1, or list[first] .. of a list, none of whose vertices is missing, as nine streams x_0 x_1 x_2
+ * y_0 y_1 y_2 z_0 z_1 z_2: of a mesh of doubles near what is given, else as they are. Of a list whole packets may be
+ * written, the last of which ends with anything.
  */
-typedef void tribox_gather(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, float *const to[9]);
+typedef void tribox_gather(const tribox_mesh *mesh, const double *origin, const uint32_t *list, size_t first, size_t count,
+                           float *const to[9]);
 
 /* A box against positions x y z x y z ...: the bounds of axis k % 3 at place k. */
 typedef struct tribox_box_pattern {

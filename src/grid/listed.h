@@ -12,10 +12,13 @@ typedef struct tribox_listed {
 } tribox_listed;
 
 /* Whether the triangles have these numbers, and their vertices are there. */
-bool tribox_listed_are_there(const tribox_triangles *triangles, const uint32_t *list, size_t count);
+bool tribox_listed_are_there(const tribox_triangles *triangles, const tribox_kernel *kernel, const uint32_t *list, size_t count);
 
-/* Triangles list[0] .. list[count - 1] into the block: floats as they are, doubles less `origin`, then rounded. */
-tribox_soup tribox_listed_gather(const tribox_triangles *triangles, const double origin[3], const uint32_t *list, size_t count,
-                                 tribox_listed *block);
+/*
+ * Triangles list[first] .. list[first + count - 1] into the block, or first .. first + count - 1 where list is NULL: floats as they
+ * are, doubles less `origin`, then rounded.
+ */
+tribox_soup tribox_listed_gather(const tribox_triangles *triangles, const tribox_kernel *kernel, const double origin[3],
+                                 const uint32_t *list, size_t first, size_t count, tribox_listed *block);
 
 #endif

@@ -52,7 +52,7 @@ tribox_soup tribox_triangles_stream(const tribox_triangles *triangles, const tri
     for (size_t k = 0; triangles->is_soup && k < 9; k++)
         memcpy(to[k], tribox_soup_axis(&triangles->soup, (int)k / 3)[k % 3] + first, count * sizeof(float));
     if (!triangles->is_soup)
-        tribox_mesh_write_soup(&triangles->mesh, kernel, triangles->are_doubles ? origin : NULL, first, count, to);
+        tribox_mesh_write_soup(&triangles->mesh, kernel, triangles->are_doubles ? origin : NULL, NULL, first, count, to);
     return tribox_soup_of(&room->number[0][0], TRIBOX_STREAMED, count);
 }
 

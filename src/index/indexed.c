@@ -74,7 +74,7 @@ static void bound_mesh(const tribox_indexed *over, const tribox_kernel *kernel, 
         const size_t done = 64 * (size_t)child, left = done < count ? count - done : 0, some = left < TRIANGLES ? left : TRIANGLES;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], TRIANGLES, some);
         if (some)
-            tribox_mesh_write_soup(&over->mesh, kernel, origin, first + done, some, to);
+            tribox_mesh_write_soup(&over->mesh, kernel, origin, NULL, first + done, some, to);
         kernel->nodes->bound_words(&soup, 0, child, child + WORDS, node);
         if (some && origin && has_gaps(node, child)) {
             end_at_greatest(&over->mesh, origin, first + done, some, to);

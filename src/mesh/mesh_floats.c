@@ -21,7 +21,7 @@ TRIBOX_NOINLINE tribox_report answer_streams(const tribox_mesh *mesh, size_t fir
     tribox_partial_packet partial;
     for (int k = 0; k < 9; k++)
         to[k] = streams[k];
-    plan->kernel->gather(mesh, NULL, first, count, to);
+    plan->kernel->gather(mesh, NULL, NULL, first, count, to);
     const tribox_soup soup = tribox_soup_of(&streams[0][0], TRIBOX_MESH_STREAMED, count);
     const tribox_query pairs = {.soup = tribox_pad_triangles(&soup, plan->kernel, &partial), .box = box, .count = count};
     return tribox_pairs_answer(&pairs, plan, mask);

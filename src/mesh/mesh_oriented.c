@@ -23,7 +23,7 @@ static tribox_soup mesh_block(const tribox_oriented_query *q, size_t first, size
     float *to[9];
     for (int k = 0; k < 9; k++)
         to[k] = room->number[k];
-    tribox_mesh_write_soup(mesh, q->plan->kernel, has_doubles(mesh) ? q->box->center : NULL, first, count, to);
+    tribox_mesh_write_soup(mesh, q->plan->kernel, has_doubles(mesh) ? q->box->center : NULL, NULL, first, count, to);
     pad_streams(room, count, q->plan->kernel->lanes);
     return tribox_soup_of(room->number[0], TRIBOX_ORIENTED_BLOCK, count);
 }

@@ -30,35 +30,36 @@ static tribox_status find_kernel(const tribox_mesh *strided, size_t first, size_
 }
 
 /* Of floats, or of doubles that do not follow each other: number by number. */
-static void write_each_triangle(const tribox_mesh *mesh, const double origin[3], size_t first, size_t count, float *const to[9])
+static void write_each_triangle(const tribox_mesh *mesh, const double origin[3], const uint32_t *list, size_t first, size_t count,
+                                float *const to[9])
 {
     enum { SOME = 64 };
     double u[3 * SOME][3];
-    for (size_t at = 0; at < count; at += SOME) {
-        const size_t part = count - at < SOME ? count - at : SOME;
-        tribox_mesh_read_corners(mesh, 3 * (first + at), 3 * part, u);
+    for (size_t at = 0, part; at < count; at += part) {
+        part = list ? 1 : count - at < SOME ? count - at : SOME;
+        tribox_mesh_read_corners(mesh, 3 * (list ? list[first + at] : first + at), 3 * part, u);
         for (size_t k = 0; k < 9; k++)
             for (size_t i = 0; i < part; i++)
                 tribox_float_put(to[k] + at + i, u[3 * i + k % 3][k / 3] - origin[k / 3]);
     }
 }
 
-void tribox_mesh_write_soup(const tribox_mesh *mesh, const tribox_kernel *kernel, const double *origin, size_t first, size_t count,
-                            float *const to[9])
+void tribox_mesh_write_soup(const tribox_mesh *mesh, const tribox_kernel *kernel, const double *origin, const uint32_t *list,
+                            size_t first, size_t count, float *const to[9])
 {
     static const double zero[3] = {0, 0, 0};
     double origins[TRIBOX_LOCAL];
     if (!origin && tribox_mesh_has_floats(mesh)) {
-        kernel->gather(mesh, NULL, first, count, to);
+        kernel->gather(mesh, NULL, list, first, count, to);
         return;
     }
     if (!tribox_mesh_has_doubles(mesh)) {
-        write_each_triangle(mesh, origin ? origin : zero, first, count, to);
+        write_each_triangle(mesh, origin ? origin : zero, list, first, count, to);
         return;
     }
     for (int k = 0; k < TRIBOX_LOCAL; k++)
         origins[k] = origin ? origin[k % 3] : 0;
-    kernel->gather(mesh, origins, first, count, to);
+    kernel->gather(mesh, origins, list, first, count, to);
 }
 
 bool tribox_mesh_origin_of(const double *origin, double of[3])
@@ -82,7 +83,7 @@ tribox_status tribox_mesh_to_soup(const tribox_mesh *mesh, const double origin[3
     if (status)
         return status;
     const tribox_environment callers = tribox_environment_enter();
-    tribox_mesh_write_soup(&strided, kernel, origin ? from : NULL, first, count, to);
+    tribox_mesh_write_soup(&strided, kernel, origin ? from : NULL, NULL, first, count, to);
     tribox_environment_leave(callers);
     return TRIBOX_OK;
 }

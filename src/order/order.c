@@ -165,7 +165,7 @@ static void find_middles_of_mesh(const tribox_mesh *mesh, const tribox_kernel *k
         const size_t count = end - first < BLOCK ? end - first : BLOCK;
         const tribox_soup soup = tribox_soup_of(&streams[0][0], BLOCK, count);
         const tribox_sort_keys keys = tribox_sort_keys_in(scratch, mesh->count, first);
-        tribox_mesh_write_soup(mesh, kernel, are_doubles ? s.origin : NULL, first, count, to);
+        tribox_mesh_write_soup(mesh, kernel, are_doubles ? s.origin : NULL, NULL, first, count, to);
         kernel->nodes->find_middles(&soup, NULL, 0, count, first, &keys);
         if (are_doubles && (s.scale != 1 || !are_all_finite(&keys, count))) {
             write_seen(mesh, &s, first, count, to);

@@ -6,7 +6,6 @@
 #include "base/environment.h"
 #include "grid/listed.h"
 #include "mesh/mesh_local.h"
-#include "mesh/mesh_streams.h"
 #include "pairs/settle.h"
 
 #if !defined(TRIBOX_SMALL)
@@ -143,63 +142,47 @@ static void settle_block(split_call *s, size_t first, size_t count, const int32_
 
 static size_t count_bits_of(const uint8_t *bytes, size_t count)
 {
-    size_t found = 0, i = 0;
-    for (uint64_t word; count - i >= sizeof word; i += sizeof word) {
-        memcpy(&word, bytes + i, sizeof word);
+    size_t found = 0;
+    for (size_t i = 0; i < count; i += sizeof(uint64_t)) {
+        uint64_t word = 0;
+        memcpy(&word, bytes + i, count - i < sizeof word ? count - i : sizeof word);
         found += tribox_count_bits(word);
     }
-    for (; i < count; i++)
-        found += tribox_count_bits(bytes[i]);
     return found;
 }
 
-/* Triangles of a block as streams that fill a packet: what follows the last repeats it. Bits past the last are scratch. */
+/* Triangles of a block as streams that fill a packet. Bits past the last triangle are scratch. */
 typedef struct split_block {
     tribox_listed listed;
     int32_t bits[TRIBOX_LISTED_STREAM];
     uint8_t hit[TRIBOX_LISTED];
 } split_block;
 
-static void fill_packet(tribox_listed *listed, tribox_soup *soup, size_t lanes)
+/* Few triangles are gathered into a packet of zeros. */
+static void clear_packet(tribox_listed *listed)
 {
-    for (size_t n = 0; n < 9; n++)
-        for (size_t i = soup->count; i < lanes; i++)
-            listed->u[n][i] = listed->u[n][soup->count - 1];
-    soup->count = soup->count < lanes ? lanes : soup->count;
+    for (int n = 0; n < 9; n++)
+        memset(listed->u[n], 0, TRIBOX_LANES_MAX * sizeof(float));
 }
 
 static tribox_soup stream_block(const split_call *s, size_t first, size_t count, split_block *block)
 {
     const size_t lanes = s->plan.kernel->lanes;
-    uint32_t own[TRIBOX_LANES_MAX];
-    tribox_soup soup;
-    if (s->list) {
-        soup = tribox_listed_gather(&s->triangles, s->middle, s->list + first, count, &block->listed);
-    } else if (s->triangles.is_soup && count >= lanes) {
+    if (!s->list && s->triangles.is_soup && count >= lanes)
         return tribox_soup_part(&s->triangles.soup, first, count);
-    } else if (s->triangles.is_soup) {
-        for (size_t i = 0; i < count; i++)
-            own[i] = (uint32_t)(first + i);
-        soup = tribox_listed_gather(&s->triangles, s->middle, own, count, &block->listed);
-    } else {
-        float *to[9];
-        for (int n = 0; n < 9; n++)
-            to[n] = block->listed.u[n];
-        tribox_mesh_write_soup(&s->triangles.mesh, s->plan.kernel, s->triangles.are_doubles ? s->middle : NULL, first, count, to);
-        soup = tribox_soup_of(&block->listed.u[0][0], TRIBOX_LISTED_STREAM, count);
-    }
-    fill_packet(&block->listed, &soup, lanes);
+    if (count < lanes)
+        clear_packet(&block->listed);
+    tribox_soup soup = tribox_listed_gather(&s->triangles, s->plan.kernel, s->middle, s->list, first, count, &block->listed);
+    soup.count = count < lanes ? lanes : count;
     return soup;
 }
 
 static void answer_block(split_call *s, size_t first, size_t count, split_block *block)
 {
     const tribox_soup soup = stream_block(s, first, count, block);
-    bool any = s->plan.kernel->split[s->kind](&soup, &s->rounded, block->bits);
-    for (size_t i = 0; !s->are_hits_certain && i < count; i++) {
+    const bool any = s->plan.kernel->split[s->kind](&soup, &s->rounded, block->bits) || !s->are_hits_certain;
+    for (size_t i = 0; !s->are_hits_certain && i < count; i++)
         block->bits[i] = (block->bits[i] | block->bits[i] << 8) & 0xff00;
-        any = true;
-    }
     for (size_t i = 0; i < count; i++)
         block->hit[i] = (uint8_t)block->bits[i];
     if (any)
@@ -234,7 +217,7 @@ static tribox_status check(split_call *s, bool is_taken, const tribox_box *box, 
 
 static bool are_there(const split_call *s)
 {
-    return s->list ? tribox_listed_are_there(&s->triangles, s->list, s->count)
+    return s->list ? tribox_listed_are_there(&s->triangles, s->plan.kernel, s->list, s->count)
                    : tribox_triangles_have_vertices(&s->triangles, s->plan.kernel);
 }
 
@@ -272,14 +255,18 @@ static tribox_status split(split_call *s, bool is_taken, const tribox_box *box, 
 tribox_status tribox_split(const tribox_soup *soup, const uint32_t *list, size_t count, const tribox_box *box,
                            const double middle[3], const tribox_options *options, uint8_t *children, tribox_report *report)
 {
-    split_call s = {.list = list, .count = count};
+    split_call s;
+    s.list = list;
+    s.count = count;
     return split(&s, tribox_triangles_of_soup(soup, &s.triangles), box, middle, options, children, report);
 }
 
 tribox_status tribox_mesh_split(const tribox_mesh *mesh, const uint32_t *list, size_t count, const tribox_box *box,
                                 const double middle[3], const tribox_options *options, uint8_t *children, tribox_report *report)
 {
-    split_call s = {.list = list, .count = count};
+    split_call s;
+    s.list = list;
+    s.count = count;
     return split(&s, tribox_triangles_of_mesh(mesh, &s.triangles), box, middle, options, children, report);
 }
 #endif

@@ -61,7 +61,8 @@ static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *li
         tribox_voxels_ask_ids(v, s->ids.of_tile, 0);
     for (size_t at = 0; at < count; at += TRIBOX_LISTED) {
         const size_t some = count - at < TRIBOX_LISTED ? count - at : TRIBOX_LISTED;
-        const tribox_soup soup = tribox_listed_gather(&s->triangles, tribox_voxels_origin(v), list + at, some, s->block);
+        const tribox_soup soup =
+            tribox_listed_gather(&s->triangles, s->plan.kernel, tribox_voxels_origin(v), list, at, some, s->block);
         if (v->window.has_numbers)
             memcpy(s->block->number, list + at, some * sizeof *list);
         tribox_voxels_put(v, &soup, s->block->number);

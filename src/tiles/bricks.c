@@ -39,7 +39,7 @@ static tribox_status emit_tiles(tribox_bricks_call *s)
         if (!count) /* there may be no list */
             continue;
         const uint32_t *const list = s->list + s->starts[t];
-        if (!tribox_listed_are_there(&s->triangles, list, count))
+        if (!tribox_listed_are_there(&s->triangles, s->plan.kernel, list, count))
             return TRIBOX_BAD_VERTEX;
         if (!tribox_bricks_of_tile(s, s->tiling.first + t, list, count))
             return TRIBOX_STOPPED;

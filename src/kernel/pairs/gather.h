@@ -67,26 +67,65 @@ static size_t find_corners(const tribox_mesh *mesh, size_t first, size_t count, 
     return greatest;
 }
 
+/*
+ * The same for the triangles of a list, in whole packets: those past its end have vertex 0. Vertices are read once all are found,
+ * and come into the cache meanwhile.
+ */
+TRIBOX_INLINE size_t find_listed_offsets(const tribox_mesh *mesh, unsigned index_bytes, const uint32_t *list, size_t count,
+                                         uint32_t *restrict offset)
+{
+    const tribox_mesh from = *mesh;
+    const uint32_t stride = (uint32_t)from.stride, last = (uint32_t)(from.vertices - 1);
+    const char *const positions = from.positions;
+    uint32_t greatest = 0;
+    for (size_t i = 0; i < count; i++)
+        for (size_t v = 0; v < 3; v++) {
+            const uint32_t number = (uint32_t)tribox_vertex_number(&from, index_bytes, 3 * (size_t)list[i] + v);
+            greatest = number > greatest ? number : greatest;
+            offset[3 * i + v] = number < last ? number * stride : 0;
+            tribox_will_read(positions + offset[3 * i + v]);
+        }
+    for (size_t k = 3 * count; k % (3 * V_LANES); k++)
+        offset[k] = 0;
+    return greatest;
+}
+
+static void find_listed_corners(const tribox_mesh *mesh, const uint32_t *list, size_t count, uint32_t *offset,
+                                tribox_corners *corners)
+{
+    *corners = (tribox_corners){.offset = offset};
+    if (mesh->vertices < 2 || mesh->vertices > UINT32_MAX / mesh->stride)
+        return;
+    const size_t greatest = !mesh->indices           ? find_listed_offsets(mesh, 0, list, count, offset)
+                            : mesh->index_bytes == 2 ? find_listed_offsets(mesh, 2, list, count, offset)
+                                                     : find_listed_offsets(mesh, 4, list, count, offset);
+    corners->base = mesh->positions;
+    corners->has_all = greatest + 1 < mesh->vertices;
+}
+
 /* Where gathered triangles go: the streams x_0 x_1 x_2 y_0 .. z_2, from place `start` on. */
 typedef struct gather_to {
     float *const *streams;
     size_t start;
 } gather_to;
 
-/* Triangles to streams, number by number: vertices from `least` on. */
-static void gather_vertices(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, size_t least, gather_to to)
+/* Triangles of a list, or from `first` on, to streams, number by number: vertices from `least` on. */
+static void gather_vertices(const tribox_mesh *mesh, const double *origin, const uint32_t *list, size_t first, size_t count,
+                            size_t least, gather_to to)
 {
-    for (size_t corner = 0; corner < 3 * count; corner++) {
-        const size_t vertex = tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), 3 * first + corner);
-        const char *const from = (const char *)mesh->positions + vertex * mesh->stride;
-        for (size_t a = 0; vertex >= least && a < 3; a++) {
-            float *const number = to.streams[3 * a + corner % 3] + to.start + corner / 3;
-            if (origin)
-                *number = tribox_local_number(from + a * sizeof(double), origin[a]);
-            else
-                memcpy(number, from + a * sizeof(float), sizeof(float));
+    const unsigned bytes = tribox_vertex_bytes(mesh);
+    for (size_t i = 0; i < count; i++)
+        for (size_t v = 0; v < 3; v++) {
+            const size_t vertex = tribox_vertex_number(mesh, bytes, 3 * (list ? (size_t)list[i] : first + i) + v);
+            const char *const from = (const char *)mesh->positions + vertex * mesh->stride;
+            for (size_t a = 0; vertex >= least && a < 3; a++) {
+                float *const number = to.streams[3 * a + v] + to.start + i;
+                if (origin)
+                    *number = tribox_local_number(from + a * sizeof(double), origin[a]);
+                else
+                    memcpy(number, from + a * sizeof(float), sizeof(float));
+            }
         }
-    }
 }
 
 /* The packet at triangle `at` to the same place of the streams, after their start. */
@@ -106,26 +145,38 @@ TRIBOX_INLINE void gather_packets(const tribox_corners *corners, size_t count, g
         gather_packet(corners, count - V_LANES, to, is_local);
 }
 
-static void gather_word(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, gather_to to)
+static void gather_word(const tribox_mesh *mesh, const double *origin, const uint32_t *list, size_t first, size_t count,
+                        gather_to to)
 {
     uint32_t offset[3 * 64];
     tribox_corners corners;
-    find_corners(mesh, first, count, offset, &corners);
+    const bool are_few = count <= V_LANES / 2; /* a packet of them would take longer */
+    const size_t written = list && !are_few ? (count + V_LANES - 1) / V_LANES * V_LANES : count;
+    if (written < V_LANES) {
+        gather_vertices(mesh, origin, list, first, count, 0, to);
+        return;
+    }
+    if (list)
+        find_listed_corners(mesh, list, count, offset, &corners);
+    else
+        find_corners(mesh, first, count, offset, &corners);
     corners.origin = origin;
-    if (count < V_LANES || !corners.base) {
-        gather_vertices(mesh, origin, first, count, 0, to);
+    if (!corners.base) {
+        gather_vertices(mesh, origin, list, first, count, 0, to);
         return;
     }
     if (origin)
-        gather_packets(&corners, count, to, true);
+        gather_packets(&corners, written, to, true);
     else
-        gather_packets(&corners, count, to, false);
+        gather_packets(&corners, written, to, false);
     if (!corners.has_all)
-        gather_vertices(mesh, origin, first, count, mesh->vertices - 1, to);
+        gather_vertices(mesh, origin, list, first, count, mesh->vertices - 1, to);
 }
 
-static void gather(const tribox_mesh *mesh, const double *origin, size_t first, size_t count, float *const to[9])
+static void gather(const tribox_mesh *mesh, const double *origin, const uint32_t *list, size_t first, size_t count,
+                   float *const to[9])
 {
     for (size_t word = 0; word < count; word += 64)
-        gather_word(mesh, origin, first + word, count - word < 64 ? count - word : 64, (gather_to){to, word});
+        gather_word(mesh, origin, list ? list + first + word : NULL, first + word, count - word < 64 ? count - word : 64,
+                    (gather_to){to, word});
 }
