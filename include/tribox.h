@@ -43,6 +43,18 @@ extern "C" {
 #define TRIBOX_API
 #endif
 
+/*
+ * Which call: tribox_NAME of a soup, nine arrays of floats; tribox_mesh_NAME of a mesh, indexed or an array of structures.
+ *
+ *   one box                              overlap; also what is inside: classify; the first: find; an oriented box: overlap_oriented
+ *   very many boxes, the same triangles  tribox_index_build once, then tribox_index_list, _lists, _overlap or _any
+ *   a node of an octree, with its list   split: its eight children at once
+ *   a grid, or leaves of one size        voxelize; beyond memory tile_lists, then bricks
+ *   each cell: which triangles           voxelize_ids or bricks_ids for the lowest; cell_lists for all
+ *   what a surface encloses              voxelize, then tribox_fill_outside or fill_parity
+ *   one triangle, many boxes of floats   tribox_overlap_boxes
+ */
+
 /* ============================================================================================================================== */
 /*                                                      Triangles and boxes                                                       */
 /* ============================================================================================================================== */
@@ -361,6 +373,9 @@ TRIBOX_API tribox_status tribox_mesh_split(const tribox_mesh *mesh, const uint32
  *
  * A call pays from some eight boxes on. For many triangles against the children of a box there is tribox_split, for the cells of a
  * grid tribox_voxelize and tribox_bricks, each many times as fast.
+ *
+ * Bounds are floats, as the kernel has a box in each lane: doubles would fill twice as many. Rounding bounds changes answers: if
+ * yours are no floats, ask tribox_overlap about each box, or the calls just named, which all take doubles.
  *
  * triangle: triangle[3 * v + a] is axis a of vertex v. With a NaN or infinite coordinate it overlaps nothing.
  * boxes: six streams of boxes->count floats. A box that is empty, or has a NaN or infinite bound, overlaps nothing. This is not an
