@@ -90,7 +90,7 @@ from ._grids import Grid
 from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
-from ._overlap import classify, find, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented
+from ._overlap import classify, find, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented, split
 from ._partition import Partition, partition
 from ._tiles import tile_count
 from ._triangles import Mesh, Soup
@@ -105,5 +105,5 @@ __all__ = [
     "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "CellLists", "Cropped", "Error", "Grid", "Index",
     "InputError", "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Partition", "Soup", "Voxels", "bricks", "cell_lists",
     "classify", "crop", "find", "grid_around", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any",
-    "overlap_boxes", "overlap_oriented", "partition", "tile_count", "voxelize",
+    "overlap_boxes", "overlap_oriented", "partition", "split", "tile_count", "voxelize",
 ]

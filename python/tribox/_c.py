@@ -17,7 +17,7 @@ def of_both(name):
     return call
 
 
-overlap, overlap_oriented, classify, find = map(of_both, ("overlap", "overlap_oriented", "classify", "find"))
+overlap, overlap_oriented, classify, find, split = map(of_both, ("overlap", "overlap_oriented", "classify", "find", "split"))
 voxelize, voxelize_ids, voxelize_thin = map(of_both, ("voxelize", "voxelize_ids", "voxelize_thin"))
 tile_lists_part, cell_lists, fill_parity = map(of_both, ("tile_lists_part", "cell_lists", "fill_parity"))
 

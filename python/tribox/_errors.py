@@ -31,7 +31,7 @@ class InputTypeError(Error, TypeError):
 
 
 class BadIndexError(Error, IndexError):
-    """A face refers to a vertex that does not exist."""
+    """A face refers to a vertex, or a number to a triangle, that does not exist."""
 
 
 def shown(value):

@@ -5,15 +5,16 @@ from __future__ import annotations
 from typing import Literal, Optional, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _c
-from ._arguments import check, options_of, three_times_three
+from ._arguments import check, options_of, three, three_times_three
 from ._boxes import Rows, Streams, bounds_of_boxes, box_of, oriented_of
-from ._errors import InputError, check_indices, shown
+from ._errors import BadIndexError, InputError, InputTypeError, check_indices, shown
 from ._ffi import ffi
 from ._library import lib
 from ._masks import bools, check_out, new_words, rows_of_words, pointer_to
-from ._numbers import FLOAT
+from ._numbers import FLOAT, array_of, first_of, place_of
 from ._triangles import Mesh, held
 from ._typing import Accuracy, Answer, Boxes, Corners, Frame, TrianglesLike, Vector
 
@@ -101,6 +102,50 @@ def classify(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None,
     status = _c.classify(held_, box, options, pointer_to(mask), pointer_to(inside), ffi.NULL)
     check_answer(held_, status, lo=lo, hi=hi)
     return (mask, inside) if packed else (bools(mask, count), bools(inside, count))
+
+
+def triangle_numbers(value, count):
+    """Whole numbers as uint32. Those of the type are checked by the call."""
+    array = array_of("numbers", value)
+    if array.ndim != 1 or array.size and array.dtype.kind not in "iu":
+        raise InputTypeError(f"numbers is of {array.dtype} and shape {array.shape}; give whole numbers, those of triangles")
+    if array.dtype != np.uint32:
+        check_numbers(array, count)
+    return np.ascontiguousarray(array, np.uint32)
+
+
+def check_numbers(array, count):
+    wrong = (array < 0) | (array >= count)
+    if wrong.any():
+        raise BadIndexError(f"numbers[{place_of(wrong)}] is {first_of(array, wrong)}, but there are {count} triangles", "BAD_VERTEX")
+
+
+def split(triangles: TrianglesLike, lo: Corners, hi: Optional[Vector] = None, middle: Optional[Vector] = None,
+          numbers: Optional[ArrayLike] = None, *, accuracy: Accuracy = "exact", axes: int = ALL, axis_order: int = 0,
+          kernel: Optional[str] = None) -> NDArray[np.uint8]:
+    """Tells which of the eight children of a box each triangle overlaps, for octrees: an array of n uint8.
+
+    Bit c of a byte is child c: from lo to middle on axis a where bit a of c is 0, and from middle to hi where it is 1.
+
+    middle: where children meet, three numbers that are not outside the box; by default the doubles nearest to (lo + hi) / 2.
+    numbers: those of the triangles that are asked about, in any order, some perhaps more than once: n of them. By default all are.
+        uint32 is read in place. With children = split(..., numbers=numbers), numbers[children >> c & 1 == 1] are those of child c.
+    axes: AXES_ALL or AXES_BOX.
+
+    If all leaves have one size, voxelize or bricks are many times as fast. Other arguments and errors are as for overlap; a number
+    that no triangle has is a BadIndexError.
+    """
+    held_, box, options = held(triangles), box_of(lo, hi), options_of(accuracy, axes, axis_order, kernel)
+    at = ffi.NULL if middle is None else ffi.new("double[3]", three("middle", middle))
+    count = held_.struct.count
+    listed = None if numbers is None else triangle_numbers(numbers, count)
+    children = np.empty(count if listed is None else len(listed), np.uint8)
+    list_ = ffi.NULL if listed is None else ffi.from_buffer("uint32_t[]", listed)
+    status = _c.split(held_, list_, len(children), box, at, options, ffi.from_buffer("uint8_t[]", children), ffi.NULL)
+    if status == lib.TRIBOX_BAD_VERTEX and listed is not None:
+        check_numbers(listed, count)
+    check_answer(held_, status, lo=lo, hi=hi, middle=middle, axes=axes)
+    return children
 
 
 def overlap_oriented(triangles: TrianglesLike, center: Vector, half: Vector, axis: Frame, *, accuracy: Accuracy = "exact",

@@ -155,6 +155,27 @@ class Relatives(cases.TestCase):
             self.assert_same(overlapping, tribox.overlap(form, LO, HI, packed=True))
             self.assert_same(tribox.mask_indices(inside), np.flatnonzero(self.inside).astype(np.uint32))
 
+    def test_split(self):
+        numbers, middle = np.random.default_rng(1).integers(0, len(self.triangles), 700), (0.25, -0.5, 0.125)
+        for at in (None, middle):
+            planes = np.array([LO, np.add(LO, HI) / 2 if at is None else at, HI])
+            corners = [[planes[(c >> a & 1) + side, a] for a in range(3)] for c in range(8) for side in range(2)]
+            expected = sum(tribox.overlap(self.triangles, *corners[2 * c:2 * c + 2]).astype(np.uint8) << c for c in range(8))
+            for form in forms(self.triangles):
+                self.assert_same(tribox.split(form, LO, HI, at), expected, type(form))
+                for listed in (numbers, numbers.astype(np.uint32), numbers.tolist(), np.uint16(numbers)[::-1], []):
+                    order = np.array(listed, int)
+                    self.assert_same(tribox.split(form, (LO, HI), None, at, listed), expected[order], type(form))
+        for wrong, error, text in (([0, 500], tribox.BadIndexError, r"numbers\[1\] is 500, but there are 300 triangles"),
+                                   (np.array([7, 2**32 - 1], np.uint32), tribox.BadIndexError, r"numbers\[1\] is 4294967295"),
+                                   ([-1], tribox.BadIndexError, r"numbers\[0\] is -1"), ([0.5], tribox.InputTypeError, "whole"),
+                                   ([[1]], tribox.InputTypeError, r"of int64 and shape \(1, 1\)")):
+            with self.assertRaisesRegex(error, text):
+                tribox.split(self.triangles, LO, HI, numbers=wrong)
+        for arguments, text in (({"middle": (9, 0, 0)}, r"middle = \(9, 0, 0\)"), ({"axes": tribox.AXES_PLANE}, "axes = 2")):
+            with self.assertRaisesRegex(tribox.InputError, text):
+                tribox.split(self.triangles, LO, HI, **arguments)
+
     def test_boxes(self):
         bounds = self.triangles.reshape(-1, 3)[:500]
         lo, hi = (np.ascontiguousarray(part.T) for part in (np.minimum(bounds, bounds[::-1]), np.maximum(bounds, bounds[::-1])))

@@ -28,6 +28,7 @@ for form in forms:
     is_any: bool = tribox.overlap_any(form, lo, hi) and tribox.overlap_all(form, lo, hi)
     first: Optional[int] = tribox.find(form, lo, hi, "miss")
     overlaps, inside = tribox.classify(form, lo, hi)
+    children: NDArray[np.uint8] = tribox.split(form, lo, hi, numbers=[0])
     turned: NDArray[np.bool_] = tribox.overlap_oriented(form, lo, hi, np.eye(3))
     voxels: tribox.Voxels = tribox.voxelize(form, (lo, 0.5, (2, 2, 2)), threads=None, fill="outside", into=None)
     around: tribox.Voxels = tribox.voxelize(form, resolution=np.int64(64), threads=2, layers=(0, 1))
