@@ -18,8 +18,8 @@ trap 'rm -rf "$work"' EXIT
 # The calls that the module makes.
 cat >"$work/functions" <<'END'
 malloc free tribox_status_text tribox_kernel_name
-tribox_overlap tribox_overlap_oriented tribox_find tribox_classify
-tribox_mesh_overlap tribox_mesh_overlap_oriented tribox_mesh_find tribox_mesh_classify
+tribox_overlap tribox_overlap_oriented tribox_find tribox_classify tribox_split
+tribox_mesh_overlap tribox_mesh_overlap_oriented tribox_mesh_find tribox_mesh_classify tribox_mesh_split
 tribox_index_bytes tribox_index_build tribox_index_update tribox_index_overlap tribox_index_words tribox_index_list tribox_index_any
 tribox_soup_sort tribox_soup_gather tribox_mesh_sort
 tribox_grid_cell tribox_voxelize tribox_voxelize_ids tribox_tile_lists tribox_cell_lists tribox_bricks_bytes tribox_bricks sink_taker

@@ -63,6 +63,13 @@ export interface FindOptions extends Options {
     readonly what?: 'hit' | 'miss';
 }
 
+export interface SplitOptions extends Options {
+    /** Where the children meet, not outside the box; by default the doubles nearest to (lo + hi) / 2. */
+    readonly middle?: Vector;
+    /** The triangles that are asked about, in any order, some perhaps more than once; by default all. */
+    readonly list?: ArrayLike<number>;
+}
+
 export interface VoxelizeOptions extends Options {
     /** The cells that are wanted; by default the whole grid. */
     readonly window?: Window;
@@ -165,6 +172,12 @@ export interface Triangles extends Freeable {
     classify(box: Box, options?: ClassifyOptions): Classes;
     /** The first triangle that overlaps the box, or that does not; -1 if there is none. */
     find(box: Box, options?: FindOptions): number;
+    /**
+     * Which of the eight children of a box does each triangle overlap? For octrees: bit c of a byte is child c, from lo to the
+     * middle on axis a where bit a of c is 0, from there to hi where it is 1. Axes are all, or 'box'. If all leaves have one size,
+     * bricks() is many times as fast.
+     */
+    split(box: Box, options?: SplitOptions): Uint8Array;
     /** An index: bounds of groups of triangles, with which a query takes time only for its answer. Free it before the triangles. */
     index(): Index;
     /** The bounds of all triangles whose coordinates are finite; null if there are none. */

@@ -8,8 +8,6 @@
 #include "mesh/mesh_local.h"
 #include "pairs/settle.h"
 
-#if !defined(TRIBOX_SMALL)
-
 /* Child c has half c >> a & 1 on axis a. */
 typedef struct split_call {
     tribox_triangles triangles;
@@ -18,7 +16,7 @@ typedef struct split_call {
     tribox_box half[2]; /* of the box, on each axis */
     double middle[3];
     tribox_halves rounded;
-    tribox_plan plan; /* its accuracy is what runs: doubles take FAST as CONSERVATIVE */
+    tribox_plan plan; /* its accuracy is what runs: doubles, and small builds, take FAST as CONSERVATIVE */
     tribox_split_kind kind;
     bool are_hits_certain; /* else the kernel compares alone, and what that leaves is undecided */
     tribox_report counts;
@@ -68,6 +66,8 @@ static void move_halves(split_call *s)
 static void choose_walk(split_call *s)
 {
     const bool is_box_alone = s->plan.axes == TRIBOX_AXES_BOX;
+    if (s->plan.accuracy == TRIBOX_FAST && (s->triangles.are_doubles || TRIBOX_WALKS_SOUPS_ALONE))
+        s->plan.accuracy = TRIBOX_CONSERVATIVE;
     s->are_hits_certain = true;
     if (!s->triangles.are_doubles) {
         for (int half = 0; half < 2; half++)
@@ -79,8 +79,6 @@ static void choose_walk(split_call *s)
     move_halves(s);
     s->kind = is_for_all ? TRIBOX_SPLIT_LOCAL : TRIBOX_SPLIT_LOCAL_BOX;
     s->are_hits_certain = is_for_all || is_box_alone;
-    if (s->plan.accuracy == TRIBOX_FAST)
-        s->plan.accuracy = TRIBOX_CONSERVATIVE;
 }
 
 /* Adds those that overlap to the bytes of the block. */
@@ -269,4 +267,3 @@ tribox_status tribox_mesh_split(const tribox_mesh *mesh, const uint32_t *list, s
     s.count = count;
     return split(&s, tribox_triangles_of_mesh(mesh, &s.triangles), box, middle, options, children, report);
 }
-#endif

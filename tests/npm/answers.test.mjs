@@ -103,6 +103,30 @@ test('find', () => eachQuestion((question, { soup, box, count, what }) => {
     assert.equal(soup.find(box, { what: 'miss' }), placeOf(question.firstMiss, count), what);
 }));
 
+/** By a call about each child. */
+function expectSplit(triangles, box, middle, options, what) {
+    const at = middle ?? box.lo.map((lo, a) => (lo + box.hi[a]) / 2), expected = new Uint8Array(triangles.length);
+    for (let c = 0; c < 8; c++) {
+        const side = (a) => c >> a & 1, lo = box.lo.map((number, a) => (side(a) ? at[a] : number));
+        const hi = box.hi.map((number, a) => (side(a) ? number : at[a]));
+        triangles.overlap({ lo, hi }, options).mask.list().forEach((i) => expected[i] |= 1 << c);
+    }
+    const list = Array.from({ length: 2 * triangles.length + 1 }, (_, k) => 7 * k % triangles.length), given = middle && { middle };
+    assert.deepEqual(triangles.split(box, { ...options, ...given }), expected, what);
+    assert.deepEqual(triangles.split(box, { ...options, ...given, list }), Uint8Array.from(list, (i) => expected[i]), what);
+}
+
+test('split', () => eachQuestion((question, { soup, box, what, count }) => {
+    if (box.lo.some((lo, a) => !(lo <= box.hi[a] && Number.isFinite(lo + box.hi[a]))))
+        return;
+    const mesh = tribox.mesh({ positions: doubles(question.positions) });
+    for (const triangles of [soup, mesh]) {
+        expectSplit(triangles, box, undefined, {}, `${what}, ${count}`);
+        expectSplit(triangles, box, [box.lo[0], box.hi[1], box.lo[2]], { axes: ['box'] }, what);
+    }
+    mesh.free();
+}));
+
 test('oriented boxes', () => eachQuestion((question, { soup, oriented, what }) => {
     expectWords(soup.overlap(oriented).mask.words, question.orientedMask, what);
     expectWords(soup.overlap(oriented, { axes: ['box'] }).mask.words, question.orientedBounds, what);

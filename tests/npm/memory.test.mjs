@@ -290,6 +290,8 @@ test('calls leave nothing behind in the memory', async () => {
             asked.overlap(middleBox, { accuracy: 'fast' });
             asked.classify(middleBox);
         }
+        assert.throws(() => mesh.split(middleBox, { list: [COUNT] }));
+        soup.split(middleBox, { list: mesh.split(middleBox) });
         soup.overlap(oriented);
         index.list(oriented);
         index.list(middleBox, { ids: true });

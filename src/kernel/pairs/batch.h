@@ -145,7 +145,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .code = {code_positions, TRIBOX_SYMBOL(code_doubles)},
     .to_frame = to_frame,
     .split = {[TRIBOX_SPLIT_BY_MARGIN] = split_by_margin,
-              [TRIBOX_SPLIT_BY_SIGN] = split_by_sign,
+              [TRIBOX_SPLIT_BY_SIGN] = TRIBOX_WALKS_SOUPS_ALONE ? split_by_margin : split_by_sign,
               [TRIBOX_SPLIT_LOCAL] = split_local,
               [TRIBOX_SPLIT_BOX] = split_box,
               [TRIBOX_SPLIT_LOCAL_BOX] = split_local_box},

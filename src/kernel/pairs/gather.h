@@ -150,9 +150,8 @@ static void gather_word(const tribox_mesh *mesh, const double *origin, const uin
 {
     uint32_t offset[3 * 64];
     tribox_corners corners;
-    const bool are_few = count <= V_LANES / 2; /* a packet of them would take longer */
-    const size_t written = list && !are_few ? (count + V_LANES - 1) / V_LANES * V_LANES : count;
-    if (written < V_LANES) {
+    const size_t written = list ? (count + V_LANES - 1) / V_LANES * V_LANES : count;
+    if (list ? count <= V_LANES / 2 || TRIBOX_WALKS_SOUPS_ALONE : count < V_LANES) { /* where packets take longer, or much code */
         gather_vertices(mesh, origin, list, first, count, 0, to);
         return;
     }

@@ -25,7 +25,7 @@ TRIBOX_INLINE lane_box_margin margin_of_children(const lane_box box[2], walk_kin
         thinnest = v_min(thinnest, v_min(box[0].H[a], box[1].H[a]));
         longest = v_max(longest, v_max(box[0].H[a], box[1].H[a]));
     }
-    if (kind & WALKS_LOCAL && sequence_has(groups_of(kind), 3))
+    if (kind & WALKS_LOCAL && groups_of(kind) != 1)
         margin.most = v_min(margin.most, local_most(thinnest, longest));
     return margin;
 }
@@ -198,7 +198,7 @@ TRIBOX_INLINE vint split_packet(const tribox_soup *soup, const lane_halves *h, s
         return left;
     const vint valid = i_keep(margin.is_valid, all);
     vint hit, miss = i_splat(0);
-    if (sequence_has(groups_of(kind), 3)) {
+    if (groups_of(kind) != 1) {
         const vmask certifiable =
             kind & WALKS_BY_SIGN ? margin.is_valid : m_and(margin.is_valid, are_extents_certifiable(&p.s, &h->margin));
         for (int a = 0; kind & LOOKS_AGAIN && a < 3; a++)
@@ -218,8 +218,6 @@ TRIBOX_INLINE bool split_all(const tribox_soup *soup, const tribox_halves *from,
 {
     lane_halves h;
     vint any = i_splat(0);
-    if (TRIBOX_WALKS_SOUPS_ALONE)
-        return false;
     start_halves(&h, from, kind);
     for (size_t done = 0; done < soup->count; done += V_LANES) {
         const size_t at = soup->count - done < V_LANES ? soup->count - V_LANES : done;
@@ -230,10 +228,20 @@ TRIBOX_INLINE bool split_all(const tribox_soup *soup, const tribox_halves *from,
     return m_bits(m_has_bits(i_and(any, i_splat(0xff00))));
 }
 
+/* A small build has one instance, which asks as it runs what others know as they are compiled; it has no BY_SIGN. */
+#if defined(TRIBOX_SMALL)
+TRIBOX_NOINLINE bool split_any(const tribox_soup *soup, const tribox_halves *from, int32_t *bits, walk_kind kind)
+{
+    return split_all(soup, from, bits, (kind & ~WALKS_BY_SIGN) | WALKS_SOUP | LOOKS_AGAIN);
+}
+#else
+#define split_any split_all
+#endif
+
 #define SPLIT(name, kind) \
     static bool split_##name(const tribox_soup *soup, const tribox_halves *from, int32_t *bits) \
     { \
-        return split_all(soup, from, bits, kind); \
+        return split_any(soup, from, bits, kind); \
     }
 SPLIT(by_margin, 132 | WALKS_SOUP | LOOKS_AGAIN)
 SPLIT(by_sign, 132 | WALKS_SOUP | WALKS_BY_SIGN)
