@@ -1,6 +1,5 @@
 /*
- * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, against the paper's test? And
- * triangles against the eight children of a box, against eight calls?
+ * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, against the paper's test?
  *
  * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the
  * same rounds: a count that fills no packet is compared with the next one that does.
@@ -235,91 +234,10 @@ static bool run_shape(const timing_work *triangles, const box_work *boxes, tribo
     return true;
 }
 
-/* Triangles of the scene against the children of its box. */
-typedef struct split_work {
-    tribox_soup soup;
-    tribox_box box, child[8];
-    uint8_t *bytes; /* of tribox_split */
-} split_work;
-
-static bool run_eight_calls(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    const split_work *const work = self->question;
-    (void)report;
-    for (int c = 0; c < 8; c++, mask += tribox_mask_words(work->soup.count))
-        if (tribox_overlap(&work->soup, &work->child[c], &self->options, mask, NULL))
-            return false;
-    return true;
-}
-
-static bool run_split(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    const split_work *const work = self->question;
-    (void)mask;
-    return !tribox_split(&work->soup, NULL, work->soup.count, &work->box, NULL, &self->options, work->bytes, report);
-}
-
-static bool are_bytes_right(const split_work *work, const uint64_t *mask)
-{
-    for (size_t i = 0; i < work->soup.count; i++)
-        for (size_t c = 0; c < 8; c++)
-            if ((work->bytes[i] >> c & 1) != (mask[c * tribox_mask_words(work->soup.count) + i / 64] >> i % 64 & 1))
-                return false;
-    return true;
-}
-
-static bool run_splits(const timing_work *triangles, effort how)
-{
-    static samples taken;
-    const timing_job *const all = &triangles->jobs[0];
-    contestant list[CONTESTANTS_MAX];
-    size_t count = 0;
-    const char *kernel;
-    split_work work = {.soup = all->soup, .box = all->box};
-    for (int c = 0; c < 8; c++)
-        for (int a = 0; a < 3; a++) {
-            const double middle = (all->box.lo[a] + all->box.hi[a]) / 2;
-            work.child[c].lo[a] = c >> a & 1 ? middle : all->box.lo[a];
-            work.child[c].hi[a] = c >> a & 1 ? all->box.hi[a] : middle;
-        }
-    work.bytes = allocate(work.soup.count, 1);
-    uint64_t *const mask = allocate(8 * tribox_mask_words(work.soup.count), sizeof *mask);
-    bool is_right = true;
-    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
-        for (int a = 0; a < 2; a++)
-            for (int is_split = 0; is_split < 2; is_split++) {
-                contestant *const one = &list[count++];
-                *one = (contestant){
-                    .run = is_split ? run_split : run_eight_calls, .question = &work, .pairs = (double)work.soup.count};
-                one->options = (tribox_options){.accuracy = a ? TRIBOX_FAST : TRIBOX_EXACT, .kernel = kernel};
-                is_right = is_right && one->run(one, mask, NULL);
-            }
-    is_right = is_right && run_eight_calls(&list[0], mask, NULL) && run_split(&list[1], mask, NULL) && are_bytes_right(&work, mask);
-    if (is_right) {
-        generator order = {1};
-        measure(list, count, how, &order, mask, &taken);
-        printf("\nchildren of a box, %zu triangles: ns a triangle by eight calls, by tribox_split, times as fast; by least times\n",
-               work.soup.count);
-        for (size_t c = 0; c < count; c += 2) {
-            const double eight = measure_spread(&taken, c).least, split = measure_spread(&taken, c + 1).least;
-            printf("%8s %5s %8.2f %8.2f %6.2f\n", list[c].options.kernel, accuracy_word(list[c].options.accuracy), eight, split,
-                   eight / split);
-        }
-        measure_warn_if_disturbed(stdout, &taken);
-    } else {
-        message_say("tribox_split and eight calls differ; nothing is timed");
-    }
-    free(mask);
-    free(work.bytes);
-    return is_right;
-}
-
-static const char usage[] =
-    "Usage: calls [--quick] [--rounds N]\n"
-    "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, and tribox_split\n"
-    "against eight calls, on one thread.\n"
-    "  --quick      7 rounds\n"
-    "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
+static const char usage[] = "Usage: calls [--quick] [--rounds N]\n"
+                            "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, on one thread.\n"
+                            "  --quick      7 rounds\n"
+                            "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
 
 enum { OPTION_QUICK, OPTION_ROUNDS };
 
@@ -362,7 +280,6 @@ int main(int argc, char **argv)
     for (int shape = 0; shape < 2; shape++)
         for (int a = 0; a < 2; a++)
             is_right = is_right && run_shape(triangles, shape ? boxes : NULL, accuracies[a], how);
-    is_right = is_right && run_splits(&p.at.work, how);
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);

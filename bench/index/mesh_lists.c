@@ -35,13 +35,12 @@ static uint32_t vertex_of(weld *w, const float p[3])
     }
 }
 
-/* Vertices are numbered in the order of the file; then the triangles are put into theirs. Returns how many vertices there are. */
-static size_t weld_soup(const tribox_soup *file, const uint32_t *ids, mesh_lists *made)
+size_t mesh_lists_weld(const tribox_soup *file, const uint32_t *ids, float (*positions)[3], uint32_t *indices)
 {
     size_t places = 64;
     while (places < 6 * file->count)
         places *= 2;
-    weld w = {.place = calloc(places, sizeof *w.place), .mask = places - 1, .positions = made->floats};
+    weld w = {.place = calloc(places, sizeof *w.place), .mask = places - 1, .positions = positions};
     uint32_t(*const corners)[3] = malloc(file->count * sizeof *corners);
     const bool is_made = w.place && corners;
     for (size_t i = 0; is_made && i < file->count; i++) {
@@ -51,7 +50,7 @@ static size_t weld_soup(const tribox_soup *file, const uint32_t *ids, mesh_lists
             corners[i][v] = vertex_of(&w, u[v]);
     }
     for (size_t i = 0; is_made && i < file->count; i++)
-        memcpy(made->indices + 3 * i, corners[ids[i]], sizeof corners[0]);
+        memcpy(indices + 3 * i, corners[ids ? ids[i] : i], sizeof corners[0]);
     free(w.place);
     free(corners);
     return is_made ? w.vertices : 0;
@@ -92,7 +91,8 @@ bool mesh_lists_make(const index_scene *scene, const ordered_soup *soup, const t
 {
     const size_t triangles = soup->room.soup.count;
     *made = (mesh_lists){.soup = soup, .boxes = boxes, .count = count, .list = list};
-    const size_t vertices = make_room(triangles, count, made) ? weld_soup(&scene->room.soup, soup->ids, made) : 0;
+    const size_t vertices =
+        make_room(triangles, count, made) ? mesh_lists_weld(&scene->room.soup, soup->ids, made->floats, made->indices) : 0;
     bool is_made = vertices;
     move(made, vertices, index_scene_extent(scene));
     for (int k = 0; is_made && k < 2; k++) {

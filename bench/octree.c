@@ -1,0 +1,319 @@
+/*
+ * octree.c - what does an octree over a mesh cost, whose nodes hand lists of triangles down: by the paper's test in float at every
+ * child, by eight calls about triangles gathered by hand, and by tribox_split? And the same leaves as bricks of a grid.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/header.h"
+#include "common/mesh_list.h"
+#include "common/whole.h"
+#include "console/option_reader.h"
+#include "index/mesh_lists.h"
+#include "paper/paper.h"
+#include "timing/measure.h"
+
+static const char usage[] = "Usage: octree [--rounds N] [--fast] MESH...\n"
+                            "Times octrees whose leaves have one size, on one thread.\n"
+                            "  MESH        a mesh file; $TRIBOX_MESHES may name a folder to look in\n"
+                            "  --rounds N  rounds, of which the least times count, 5 to 1000; without it 5\n"
+                            "  --fast      FAST; without it EXACT\n";
+
+enum { SIDE = 128, DEPTH_MAX = 9 };
+
+/* A mesh in each form, the cube about it, and room for the lists of all nodes from the root to a leaf. */
+typedef struct octree {
+    tribox_soup soup;
+    tribox_mesh mesh;
+    float (*triangles)[3][3], (*own)[3][3]; /* of the mesh; of a node */
+    tribox_box cube;
+    int depth;
+    uint32_t *lists;
+    uint8_t *bytes;
+    uint64_t *mask;
+    tribox_options options;
+    size_t leaves;
+    uint64_t sum; /* of what they are, in any order */
+} octree;
+
+/* Which children each triangle of a list overlaps, as tribox_split says it. */
+typedef void divide(octree *o, const tribox_box *box, const uint32_t *list, size_t count, uint8_t *children);
+
+static tribox_box child_of(const tribox_box *box, int child)
+{
+    tribox_box own = *box;
+    for (int a = 0; a < 3; a++)
+        *(child >> a & 1 ? &own.lo[a] : &own.hi[a]) = (box->lo[a] + box->hi[a]) / 2;
+    return own;
+}
+
+static void add_child(const octree *o, size_t count, int child, uint8_t *children)
+{
+    for (size_t word = 0; 64 * word < count; word++)
+        for (uint64_t left = o->mask[word]; left; left &= left - 1)
+            children[64 * word + (size_t)__builtin_ctzll(left)] |= (uint8_t)(1 << child);
+}
+
+static void divide_by_paper(octree *o, const tribox_box *box, const uint32_t *list, size_t count, uint8_t *children)
+{
+    paper_walk *const walk = paper_in_order(PAPER_ORDER);
+    memset(children, 0, count);
+    for (size_t i = 0; i < count; i++)
+        memcpy(o->own[i], o->triangles[list[i]], sizeof o->own[i]);
+    for (int c = 0; c < 8; c++) {
+        const tribox_box child = child_of(box, c);
+        float center[3], half[3];
+        for (int a = 0; a < 3; a++) {
+            center[a] = (float)((child.lo[a] + child.hi[a]) / 2);
+            half[a] = (float)((child.hi[a] - child.lo[a]) / 2);
+        }
+        walk(center, half, (const float(*)[3][3])o->own, count, o->mask);
+        add_child(o, count, c, children);
+    }
+}
+
+static void divide_by_eight(octree *o, const tribox_box *box, const uint32_t *list, size_t count, uint8_t *children)
+{
+    float *const to = o->own[0][0];
+    const tribox_soup own = {{to, to + count, to + 2 * count},
+                             {to + 3 * count, to + 4 * count, to + 5 * count},
+                             {to + 6 * count, to + 7 * count, to + 8 * count},
+                             count};
+    memset(children, 0, count);
+    for (size_t i = 0; i < count; i++)
+        for (size_t n = 0; n < 9; n++)
+            to[n * count + i] = o->triangles[list[i]][n % 3][n / 3];
+    for (int c = 0; c < 8; c++) {
+        const tribox_box child = child_of(box, c);
+        tribox_overlap(&own, &child, &o->options, o->mask, NULL);
+        add_child(o, count, c, children);
+    }
+}
+
+static void divide_soup(octree *o, const tribox_box *box, const uint32_t *list, size_t count, uint8_t *children)
+{
+    tribox_split(&o->soup, list, count, box, NULL, &o->options, children, NULL);
+}
+
+static void divide_mesh(octree *o, const tribox_box *box, const uint32_t *list, size_t count, uint8_t *children)
+{
+    tribox_mesh_split(&o->mesh, list, count, box, NULL, &o->options, children, NULL);
+}
+
+static void add_leaf(octree *o, const uint32_t at[3])
+{
+    o->leaves++;
+    o->sum += at[0] * UINT64_C(0x9e3779b97f4a7c15) ^ at[1] * UINT64_C(0xbf58476d1ce4e5b9) ^ at[2] * UINT64_C(0x94d049bb133111eb);
+}
+
+/* A node whose list, and the room after it, are there. */
+static void descend(octree *o, divide *by, const tribox_box *box, const uint32_t at[3], uint32_t *list, size_t count,
+                    uint8_t *children, int depth)
+{
+    unsigned any = 0;
+    by(o, box, list, count, children);
+    for (size_t i = 0; i < count; i++)
+        any |= children[i];
+    for (unsigned c = 0; c < 8; c++) {
+        const uint32_t side[3] = {c & 1, c >> 1 & 1, c >> 2},
+                       own[3] = {2 * at[0] + side[0], 2 * at[1] + side[1], 2 * at[2] + side[2]};
+        const tribox_box child = child_of(box, (int)c);
+        size_t found = 0;
+        if (any >> c & 1 && depth == 1)
+            add_leaf(o, own);
+        for (size_t i = 0; depth > 1 && i < count; i++) {
+            list[count + found] = list[i];
+            found += children[i] >> c & 1;
+        }
+        if (found)
+            descend(o, by, &child, own, list + count, found, children + count, depth - 1);
+    }
+}
+
+static int take(void *o, const uint32_t at[3], const uint64_t bits[8])
+{
+    for (uint32_t k = 0; k < 8; k++)
+        for (uint64_t left = bits[k]; left; left &= left - 1) {
+            const uint32_t bit = (uint32_t)__builtin_ctzll(left);
+            add_leaf(o, (const uint32_t[3]){8 * at[0] + bit % 8, 8 * at[1] + bit / 8, 8 * at[2] + k});
+        }
+    return 0;
+}
+
+static bool make_bricks(octree *o)
+{
+    const uint32_t size = UINT32_C(1) << o->depth;
+    tribox_grid grid = {.size = {size, size, size}};
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = o->cube.lo[a];
+        grid.cell[a] = (o->cube.hi[a] - o->cube.lo[a]) / size;
+    }
+    const tribox_tiles all = {SIDE, 0, tribox_tile_count(grid.size, SIDE)};
+    const tribox_sink sink = {take, o};
+    size_t *const starts = malloc((all.count + 1) * sizeof *starts);
+    void *const scratch = malloc(tribox_bricks_bytes(SIDE));
+    bool is_made = starts && scratch && !tribox_mesh_tile_lists(&o->mesh, &grid, &all, &o->options, starts, NULL);
+    uint32_t *const list = is_made ? malloc((starts[all.count] + 1) * sizeof *list) : NULL;
+    is_made = list && !tribox_mesh_tile_lists(&o->mesh, &grid, &all, &o->options, starts, list) &&
+              !tribox_mesh_bricks(&o->mesh, &grid, &all, starts, list, &o->options, scratch, &sink, NULL);
+    free(list);
+    free(scratch);
+    free(starts);
+    return is_made;
+}
+
+typedef struct way {
+    const char *name;
+    divide *by; /* NULL for bricks */
+} way;
+
+enum { PAPER, EIGHT, SOUP, MESH, BRICKS, WAYS };
+static const way ways[WAYS] = {{"the paper's test", divide_by_paper},
+                               {"eight calls", divide_by_eight},
+                               {"tribox_split", divide_soup},
+                               {"tribox_mesh_split", divide_mesh},
+                               {"tribox_mesh_bricks", NULL}};
+
+/* The mask has no part in it; the octree is what changes. */
+static bool run_way(const contestant *self, uint64_t *room, tribox_report *report)
+{
+    octree *const o = (octree *)(void *)room;
+    const way *const w = self->question;
+    (void)report;
+    o->leaves = o->sum = 0;
+    if (!w->by)
+        return make_bricks(o);
+    for (size_t i = 0; i < o->mesh.count; i++)
+        o->lists[i] = (uint32_t)i;
+    descend(o, w->by, &o->cube, (const uint32_t[3]){0, 0, 0}, o->lists, o->mesh.count, o->bytes, o->depth);
+    return true;
+}
+
+static bool run_depth(octree *o, size_t rounds)
+{
+    static samples taken;
+    contestant list[WAYS];
+    size_t leaves[WAYS];
+    uint64_t sums[WAYS];
+    generator order = {1};
+    for (int w = 0; w < WAYS; w++) {
+        list[w] = (contestant){.run = run_way, .question = &ways[w], .pairs = 1};
+        if (!run_way(&list[w], (uint64_t *)(void *)o, NULL))
+            return message_failure("not enough memory") == EXIT_CODE_OK;
+        leaves[w] = o->leaves;
+        sums[w] = o->sum;
+        if (w > EIGHT && o->options.accuracy == TRIBOX_EXACT && (leaves[w] != leaves[EIGHT] || sums[w] != sums[EIGHT]))
+            return message_failure("%s makes other leaves; nothing is timed", ways[w].name) == EXIT_CODE_OK;
+    }
+    measure(list, WAYS, (effort){.rounds = rounds, .seconds = 1e9}, &order, (uint64_t *)(void *)o, &taken);
+    printf("  depth %d, %zu leaves; by the paper's test %zu\n", o->depth, leaves[EIGHT], leaves[PAPER]);
+    for (int w = 0; w < WAYS; w++) {
+        const double least = measure_spread(&taken, (size_t)w).least;
+        printf("    %-20s %9.1f ms %6.2f times the paper's speed %6.2f that of eight calls\n", ways[w].name, 1e-6 * least,
+               measure_spread(&taken, PAPER).least / least, measure_spread(&taken, EIGHT).least / least);
+    }
+    measure_warn_if_disturbed(stdout, &taken);
+    return true;
+}
+
+/* Planes of few bits, so that floats hold those of all nodes, and a grid has the same. */
+static void make_cube(const mesh *m, octree *o)
+{
+    double longest = 0;
+    int exponent;
+    for (int a = 0; a < 3; a++)
+        longest = fmax(longest, m->bounds.hi[a] - m->bounds.lo[a]);
+    frexp(longest, &exponent);
+    const double step = ldexp(1, exponent - 9), edge = (floor(longest / step) + 2) * step;
+    for (int a = 0; a < 3; a++) {
+        o->cube.lo[a] = floor(m->bounds.lo[a] / step) * step;
+        o->cube.hi[a] = o->cube.lo[a] + edge;
+    }
+}
+
+static bool make_octree(const mesh *m, octree *o)
+{
+    const size_t count = m->soup.count;
+    *o = (octree){.soup = m->soup};
+    float(*const positions)[3] = malloc(3 * count * sizeof *positions);
+    uint32_t *const indices = malloc(3 * count * sizeof *indices);
+    o->mesh = (tribox_mesh){.positions = positions, .indices = indices, .index_bytes = 4, .count = count};
+    o->triangles = malloc(count * sizeof *o->triangles);
+    o->own = malloc(count * sizeof *o->own);
+    o->lists = malloc((DEPTH_MAX + 1) * (count + 1) * sizeof *o->lists);
+    o->bytes = malloc((DEPTH_MAX + 1) * (count + 1));
+    o->mask = malloc(tribox_mask_words(count) * sizeof *o->mask);
+    o->mesh.vertices = positions && indices && o->triangles ? mesh_lists_weld(&m->soup, NULL, positions, indices) : 0;
+    for (size_t i = 0; o->mesh.vertices && i < count; i++)
+        for (int v = 0; v < 3; v++)
+            memcpy(o->triangles[i][v], positions[indices[3 * i + (size_t)v]], sizeof positions[0]);
+    make_cube(m, o);
+    return o->mesh.vertices && o->own && o->lists && o->bytes && o->mask;
+}
+
+static void free_octree(octree *o)
+{
+    free((void *)(uintptr_t)o->mesh.positions);
+    free((void *)(uintptr_t)o->mesh.indices);
+    free(o->triangles);
+    free(o->own);
+    free(o->lists);
+    free(o->bytes);
+    free(o->mask);
+}
+
+typedef struct settings {
+    uint64_t rounds;
+    tribox_options options;
+    mesh_list meshes;
+} settings;
+
+static bool run_mesh(const char *path, const settings *s)
+{
+    mesh m;
+    octree o;
+    if (!mesh_list_read(path, &m))
+        return false;
+    bool is_run = make_octree(&m, &o) || message_failure("not enough memory") == EXIT_CODE_OK;
+    printf("\n%s, %zu triangles\n", path, m.soup.count);
+    o.options = s->options;
+    for (o.depth = DEPTH_MAX - 2; is_run && o.depth <= DEPTH_MAX; o.depth += 2)
+        is_run = run_depth(&o, (size_t)s->rounds);
+    free_octree(&o);
+    mesh_free(&m);
+    return is_run;
+}
+
+enum { OPTION_ROUNDS, OPTION_FAST };
+static const option_entry options[] = {{"rounds", 0, true}, {"fast", 0, false}, {NULL, 0, false}};
+
+static int take_option(void *request, int which, const char *value)
+{
+    settings *const s = request;
+    if (which == OPTION_FAST)
+        s->options.accuracy = TRIBOX_FAST;
+    return which == OPTION_ROUNDS ? whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &s->rounds)
+           : which == OPTION_FAST ? EXIT_CODE_OK
+                                  : mesh_list_take(&s->meshes, value);
+}
+
+int main(int argc, char **argv)
+{
+    options_found found;
+    settings s = {.rounds = 5};
+    message_set_program("octree");
+    const int code = options_read(argc, argv, options, take_option, &s, &found);
+    if (code)
+        return code;
+    if (found.wants_help)
+        return fputs(usage, stdout) < 0;
+    if (!s.meshes.count)
+        return message_usage("name a mesh file");
+    header_text(stdout, "", &(run){argc, argv, 1, machine_here()});
+    for (size_t n = 0; n < s.meshes.count; n++)
+        if (!run_mesh(s.meshes.path[n], &s))
+            return EXIT_CODE_FAILURE;
+    return EXIT_CODE_OK;
+}
