@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "base/bits.h"
+#include "base/floats.h"
 #include "kernel.h"
 
 #define V_LANES 16
@@ -29,7 +30,7 @@ TRIBOX_INLINE vnum avx512_float(__m512i a) { return _mm512_castsi512_ps(a); }
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm512_loadu_ps(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
-    return _mm512_mask_loadu_ps(_mm512_set1_ps(*p), (vmask)((1u << count) - 1), p);
+    return _mm512_mask_loadu_ps(_mm512_set1_ps(tribox_float_at(p)), (vmask)((1u << count) - 1), p);
 }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm512_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm512_storeu_ps(p, a); }

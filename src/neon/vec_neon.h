@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "base/bits.h"
+#include "base/floats.h"
 #include "kernel.h"
 
 #define V_LANES 4
@@ -30,7 +31,8 @@ TRIBOX_INLINE vnum neon_number(vmask bits) { return vreinterpretq_f32_u32(bits);
 TRIBOX_INLINE vnum v_load(const float *p) { return vld1q_f32(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
-    return (vnum){p[0], p[count > 1 ? 1 : 0], p[count > 2 ? 2 : 0], p[0]};
+    const float first = tribox_float_at(p);
+    return (vnum){first, tribox_float_at(p + (count > 1)), tribox_float_at(p + 2 * (count > 2)), first};
 }
 TRIBOX_INLINE vnum v_splat(float a) { return vdupq_n_f32(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { vst1q_f32(p, a); }

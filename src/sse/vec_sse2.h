@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/floats.h"
 #include "kernel.h"
 
 #define V_LANES 4
@@ -26,7 +27,8 @@ typedef __m128i vint;
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm_loadu_ps(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
-    return _mm_setr_ps(p[0], p[count > 1 ? 1 : 0], p[count > 2 ? 2 : 0], p[0]);
+    const float first = tribox_float_at(p);
+    return _mm_setr_ps(first, tribox_float_at(p + (count > 1)), tribox_float_at(p + 2 * (count > 2)), first);
 }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm_storeu_ps(p, a); }

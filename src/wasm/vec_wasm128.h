@@ -11,6 +11,7 @@
 #include <wasm_simd128.h>
 
 #include "base/bits.h"
+#include "base/floats.h"
 #include "kernel.h"
 
 #define V_LANES 4
@@ -26,7 +27,8 @@ typedef v128_t vint;
 TRIBOX_INLINE vnum v_load(const float *p) { return wasm_v128_load(p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
-    return wasm_f32x4_make(p[0], p[count > 1 ? 1 : 0], p[count > 2 ? 2 : 0], p[0]);
+    const float first = tribox_float_at(p);
+    return wasm_f32x4_make(first, tribox_float_at(p + (count > 1)), tribox_float_at(p + 2 * (count > 2)), first);
 }
 TRIBOX_INLINE vnum v_splat(float a) { return wasm_f32x4_splat(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { wasm_v128_store(p, a); }
