@@ -76,6 +76,11 @@ class Pairs(support.TestCase):
         yield ("voxelize", mesh, *grid, *raw), [mesh], cells
         yield ("voxelize", "-", "--format", "f32", *grid, *raw), [stream], cells
         yield ("voxelize", obj, "--colours", *grid, "--out-format", "vox"), [obj, materials], cells[:1]
+        if support.has_libassimp():
+            document, data = meshes.gltf_document(triangles, [{}])
+            document["buffers"][0]["uri"] = "m.png"
+            scene, buffer = self.write("m.gltf", json.dumps(document)), self.write("m.png", data)
+            yield ("voxelize", scene, *grid, *raw), [scene, buffer], cells
         yield ("voxelize", tiles, *raw), [self.path("tiles", name) for name in ("index", "triangles", "numbers")], cells
         yield ("merge", *parts, *raw), parts, cells
 
@@ -102,7 +107,7 @@ class Pairs(support.TestCase):
             for one in reads:
                 for option in options:
                     first = () if option == "-o" else ("-o", self.path("x.ply"))
-                    self.refuse("is the (mesh|part|file of its materials) itself|is in .*, which is read", one, command, *first, option)
+                    self.refuse("is the (mesh|part|file of its .*) itself|is in .*, which is read", one, command, *first, option)
             if len(options) == 2:
                 self.refuse("-o and %s are one file, '.*'; give two names" % options[1], old, command, "-o", old, options[1])
 

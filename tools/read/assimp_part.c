@@ -1,4 +1,5 @@
 /* assimp_part.c - the part of the program that reads what libassimp can read, without any of its clean-up. */
+#include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -7,6 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "assimp_part.h"
@@ -229,10 +231,83 @@ static bool cut(const struct aiScene *scene, assimp_counts *counts, char *reason
     return true;
 }
 
-/* By its path, as a file may refer to others beside it. */
-static const void *open_scene(const char *path, assimp_counts *counts, char *reason)
+/* Files as libassimp opens them by itself, but their names are noted. */
+static FILE *stream_of(struct aiFile *file) { return (FILE *)(void *)file->UserData; }
+
+static size_t read_file(struct aiFile *file, char *to, size_t size, size_t count)
 {
-    const struct aiScene *const scene = aiImportFile(path, 0);
+    return fread(to, size, count, stream_of(file));
+}
+
+static size_t write_nothing(struct aiFile *file, const char *from, size_t size, size_t count)
+{
+    (void)file, (void)from, (void)size, (void)count;
+    return 0;
+}
+
+static void flush_nothing(struct aiFile *file) { (void)file; }
+
+static size_t tell_file(struct aiFile *file) { return (size_t)ftell(stream_of(file)); }
+
+static enum aiReturn seek_file(struct aiFile *file, size_t offset, enum aiOrigin origin)
+{
+    static const int from[] = {[aiOrigin_SET] = SEEK_SET, [aiOrigin_CUR] = SEEK_CUR, [aiOrigin_END] = SEEK_END};
+    return fseek(stream_of(file), (long)offset, from[origin]) ? aiReturn_FAILURE : aiReturn_SUCCESS;
+}
+
+static size_t size_file(struct aiFile *file)
+{
+    const size_t at = tell_file(file);
+    const size_t size = seek_file(file, 0, aiOrigin_END) == aiReturn_SUCCESS ? tell_file(file) : 0;
+    return seek_file(file, at, aiOrigin_SET) == aiReturn_SUCCESS ? size : 0;
+}
+
+typedef struct opened_names {
+    char *all;
+    size_t bytes; /* without the end of the list */
+} opened_names;
+
+static bool note(opened_names *names, const char *path)
+{
+    const size_t bytes = strlen(path) + 1;
+    char *const all = realloc(names->all, names->bytes + bytes + 1);
+    if (!all)
+        return false;
+    memcpy(all + names->bytes, path, bytes);
+    names->bytes += bytes;
+    all[names->bytes] = '\0';
+    names->all = all;
+    return true;
+}
+
+static struct aiFile *open_file(struct aiFileIO *system, const char *path, const char *mode)
+{
+    FILE *const stream = fopen(path, mode);
+    struct aiFile *const file = stream ? malloc(sizeof *file) : NULL;
+    if (file && note((void *)system->UserData, path)) {
+        *file = (struct aiFile){read_file, write_nothing, tell_file, size_file, seek_file, flush_nothing, (void *)stream};
+        return file;
+    }
+    free(file);
+    if (stream)
+        fclose(stream);
+    return NULL;
+}
+
+static void close_file(struct aiFileIO *system, struct aiFile *file)
+{
+    (void)system;
+    fclose(stream_of(file));
+    free(file);
+}
+
+/* By its path, as a file may refer to others beside it. */
+static const void *open_scene(const char *path, assimp_counts *counts, char **opened, char *reason)
+{
+    opened_names names = {.all = NULL};
+    struct aiFileIO system = {open_file, close_file, (void *)&names};
+    const struct aiScene *const scene = aiImportFileEx(path, 0, &system);
+    *opened = names.all;
     if (!scene) {
         refuse(reason);
         return NULL;

@@ -20,8 +20,11 @@ typedef struct assimp_colours {
 } assimp_colours;
 
 typedef struct assimp_part {
-    /* The scene in a file, and what is in it; NULL if it fails, with the reason. */
-    const void *(*open)(const char *path, assimp_counts *counts, char *reason);
+    /*
+     * The scene in a file, and what is in it; NULL if it fails, with the reason. *opened: the names of all files that were opened
+     * for it, each with its end, and then an empty one; NULL where memory fails before the first. For free().
+     */
+    const void *(*open)(const char *path, assimp_counts *counts, char **opened, char *reason);
 
     /* Writes its triangles, so many, as nine streams, one after another: x of the three vertices, then y, then z. */
     void (*put)(const void *scene, size_t triangles, float *streams);

@@ -27,6 +27,7 @@ typedef struct mesh {
     float *coordinates;      /* what the streams point into, from pages_take */
     void *positions;         /* and what `doubles` does */
     uint32_t *corners;
+    char *opened; /* by libassimp: names of files, each with its end, and then an empty one; or NULL */
 } mesh;
 
 /*

@@ -71,5 +71,6 @@ void mesh_free(mesh *m)
     mesh_drop_floats(m);
     free(m->positions);
     free(m->corners);
+    free(m->opened);
     *m = (mesh){.coordinates = NULL};
 }

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include <dlfcn.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #include "assimp_part.h"
 #include "console/message.h"
@@ -18,7 +19,7 @@ static const assimp_part *load(void)
 }
 
 /* NULL after a line. */
-static const void *open_scene(const char *path, const assimp_part **part, assimp_counts *counts)
+static const void *open_scene(const char *path, const assimp_part **part, assimp_counts *counts, char **opened)
 {
     char reason[ASSIMP_REASON];
     *part = load();
@@ -27,7 +28,7 @@ static const void *open_scene(const char *path, const assimp_part **part, assimp
                         dlerror());
         return NULL;
     }
-    const void *const scene = (*part)->open(path, counts, reason);
+    const void *const scene = (*part)->open(path, counts, opened, reason);
     if (!scene)
         message_failure("%s: %s", path, reason);
     return scene;
@@ -37,7 +38,9 @@ int read_colours_by_assimp(const char *path, size_t triangles, float (*of)[3], a
 {
     const assimp_part *part;
     assimp_counts counts;
-    const void *const scene = open_scene(path, &part, &counts);
+    char *opened = NULL;
+    const void *const scene = open_scene(path, &part, &counts, &opened);
+    free(opened);
     if (!scene)
         return EXIT_CODE_FAILURE;
     if (counts.triangles == triangles)
@@ -50,7 +53,7 @@ int read_by_assimp(const char *path, mesh *m)
 {
     const assimp_part *part;
     assimp_counts counts;
-    const void *const scene = open_scene(path, &part, &counts);
+    const void *const scene = open_scene(path, &part, &counts, &m->opened);
     if (!scene)
         return EXIT_CODE_FAILURE;
     m->left_out = counts.points_and_lines;

@@ -119,15 +119,28 @@ static int work_on_colours(const voxelize_request *r, voxelize_input *in, voxeli
     return code;
 }
 
+/* The mesh itself, whose name is known, was checked before it was read. */
+static int check_opened(const result_request *result, const char *opened)
+{
+    const file_out_names names = result_names(result);
+    int code = EXIT_CODE_OK;
+    for (const char *name = opened; !code && name && *name; name += strlen(name) + 1)
+        code = file_out_check(&names, "file of its data", &name, 1);
+    return code;
+}
+
 static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_input *in, voxelize_answer *a)
 {
     const char *const name = triangle_file_name(r->from.mesh_path);
     in->mesh = m;
+    int code = check_opened(&r->result, m->opened);
+    if (code)
+        return code;
     mesh_warn(name, m);
     a->triangles = m->triangles;
     a->not_finite = m->not_finite;
     a->is_double = m->is_double;
-    int code = r->result.options.has_ids ? partition_check_numbers(name, m->triangles) : EXIT_CODE_OK;
+    code = r->result.options.has_ids ? partition_check_numbers(name, m->triangles) : EXIT_CODE_OK;
     if (!code)
         code = grid_choose(&r->from.choice, name, m, &in->cells.grid);
     return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
