@@ -75,7 +75,7 @@ static int keep(void *data, const uint32_t at[3], const uint64_t bits[8])
     if (!t->last || t->in_last == CHUNK) {
         chunk *const next = malloc(sizeof *next);
         if (!next)
-            return 0;
+            return 1;
         next->before = t->last;
         t->last = next;
         t->in_last = 0;
@@ -84,14 +84,14 @@ static int keep(void *data, const uint32_t at[3], const uint64_t bits[8])
     memcpy(b->at, at, sizeof b->at);
     memcpy(b->bits, bits, sizeof b->bits);
     t->bricks++;
-    return 1;
+    return 0;
 }
 
 static int only_count(void *data, const uint32_t at[3], const uint64_t bits[8])
 {
     (void)at, (void)bits;
     ((taken *)data)->bricks++;
-    return 1;
+    return 0;
 }
 
 /* What was kept is summed up when the clock has stopped. */
