@@ -3,9 +3,12 @@
  *
  *     cc -std=c11 -O2 insides.c $(pkg-config --cflags --libs tribox) -o insides && ./insides
  */
+#define _DEFAULT_SOURCE
 #include <stdio.h>
 #include <stdlib.h>
 #include <tribox.h>
+
+#include "large_pages.h"
 
 enum { SIDES = 8 };
 
@@ -43,6 +46,8 @@ static int fill(size_t count)
     void *scratch = malloc(tribox_fill_bytes(grid.size));
     size_t inside, odd_rows;
     const char *failed = "out of memory";
+    want_large_pages(occupied, bytes);
+    want_large_pages(solid, bytes);
     if (occupied && solid && scratch) {
         tribox_status status = tribox_voxelize(&soup, &grid, NULL, NULL, occupied, NULL);
         if (!status)

@@ -3,11 +3,13 @@
  *
  *     cc -std=c11 -O2 voxels_threads.c $(pkg-config --cflags --libs tribox) -pthread -o voxels_threads && ./voxels_threads
  */
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <tribox.h>
+
+#include "large_pages.h"
 
 enum { SHELLS = 3, TRIANGLES = 8 * SHELLS, THREADS = 4 };
 
@@ -53,11 +55,13 @@ static void print_layer(const uint64_t *occupied, uint32_t k)
 
 int main(void)
 {
-    uint64_t *occupied = calloc(tribox_window_words(grid.size), sizeof *occupied); /* a bit for each cell, clear at first */
+    const size_t words = tribox_window_words(grid.size);
+    uint64_t *occupied = calloc(words, sizeof *occupied); /* a bit for each cell, clear at first */
     if (!occupied) {
         fprintf(stderr, "out of memory\n");
         return 1;
     }
+    want_large_pages(occupied, words * sizeof *occupied);
     make_soup();
 
     share shares[THREADS];

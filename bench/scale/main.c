@@ -30,7 +30,7 @@ typedef struct settings {
 
 static const char usage[] =
     "Usage: scale [--resolution N,N,...] [--rounds N] [--tile N] [--kernel NAME] [--quick] MESH...\n"
-    "Times a mesh as dense bits, as bricks that are kept, and as bricks that are counted, and prints a table.\n"
+    "Times a mesh as dense bits of calloc and on large pages, and as bricks that are kept, or counted, and prints a table.\n"
     "  MESH             a mesh file; $TRIBOX_MESHES may name a folder to look in\n"
     "  --resolution N   cells along the longest side, or several; without it 1024,2048,4096,16384\n"
     "  --rounds N       rounds, of which the least times count; without it 5\n"
@@ -64,18 +64,23 @@ static bool find_least(const scale_question *q, uint64_t rounds, bool has_dense,
     return true;
 }
 
+static bool is_same(const scale_answer *a, const scale_answer *b)
+{
+    return a->cells == b->cells && a->bricks == b->bricks && a->sum == b->sum;
+}
+
 static bool run_grid(const mesh *m, uint32_t resolution, const settings *s)
 {
     const scale_question q = {
         .soup = &m->soup, .grid = grid_about(m, resolution), .tile = (uint32_t)s->tile, .options = {.kernel = s->kernel}};
-    static const char *const names[WAYS] = {"dense", "kept", "counted"};
+    static const char *const names[WAYS] = {"dense", "large", "kept", "counted"};
     const bool has_dense = is_for_dense(&q.grid);
     scale_answer least[WAYS];
     if (!find_least(&q, s->rounds, has_dense, least))
         return false;
     const scale_answer *const kept = &least[WAY_KEPT], *const counted = &least[WAY_COUNTED], *const dense = &least[WAY_DENSE];
     if (kept->cells != counted->cells || kept->bricks != counted->bricks ||
-        (has_dense && (kept->cells != dense->cells || kept->bricks != dense->bricks || kept->sum != dense->sum)))
+        (has_dense && (!is_same(kept, dense) || !is_same(kept, &least[WAY_LARGE]))))
         return message_failure("%u cells: the ways differ", (unsigned)resolution) == 0;
     printf(" %5u: %ux%ux%u cells, %llu set, %llu bricks, %zu pairs of triangle and tile, sum %016llx\n", (unsigned)resolution,
            (unsigned)q.grid.size[0], (unsigned)q.grid.size[1], (unsigned)q.grid.size[2], (unsigned long long)kept->cells,

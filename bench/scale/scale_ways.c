@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "console/message.h"
+#include "console/pages.h"
 
 typedef struct brick {
     uint32_t at[3];
@@ -153,11 +154,12 @@ static void sum_dense(const scale_question *q, const uint64_t *bits, scale_answe
             }
 }
 
-static bool find_dense(const scale_question *q, scale_answer *answer, double megabytes_before)
+static bool find_dense(scale_way way, const scale_question *q, scale_answer *answer, double megabytes_before)
 {
     tribox_report report;
+    const size_t words = tribox_window_words(q->grid.size);
     const double begin = cpu_seconds();
-    uint64_t *const bits = calloc(tribox_window_words(q->grid.size), sizeof *bits);
+    uint64_t *const bits = way == WAY_LARGE ? pages_take(words * sizeof *bits) : calloc(words, sizeof *bits);
     if (!bits || tribox_voxelize(q->soup, &q->grid, NULL, &q->options, bits, &report))
         return false;
     answer->seconds = cpu_seconds() - begin;
@@ -171,8 +173,8 @@ static bool find(scale_way way, const scale_question *q, scale_answer *answer)
 {
     const double before = megabytes_of("VmRSS");
     *answer = (scale_answer){.seconds = 0};
-    if (way == WAY_DENSE)
-        return find_dense(q, answer, before);
+    if (way < WAY_KEPT)
+        return find_dense(way, q, answer, before);
     const bool is_found = find_bricks(way, q, answer);
     answer->megabytes = megabytes_of("VmHWM") - before;
     return is_found;

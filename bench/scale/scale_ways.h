@@ -6,7 +6,8 @@
 
 #include "tribox.h"
 
-typedef enum scale_way { WAY_DENSE, WAY_KEPT, WAY_COUNTED, WAYS } scale_way;
+/* Dense: from calloc, or on large pages. */
+typedef enum scale_way { WAY_DENSE, WAY_LARGE, WAY_KEPT, WAY_COUNTED, WAYS } scale_way;
 
 typedef struct scale_question {
     const tribox_soup *soup;

@@ -13,7 +13,7 @@ line=$(sed -n 's/^ \*     \(cc .*\)/\1/p' "$source")
 test -n "$line" || die "$source does not say how it is compiled"
 mkdir "$work/bin"
 ln -s "$PKG_CONFIG" "$work/bin/pkg-config"
-cp "$source" "$work"
+cp "$source" "$(dirname "$source")/large_pages.h" "$work"
 cd "$work"
 # The compiler of this build, and no warning from it.
 cc() { command $CC $SANITIZER -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Werror "$@"; }
