@@ -1,6 +1,7 @@
 /* index_calls.c - the calls that ask an index: what they check, and the form of the answer that they have found. */
 #include "base/box.h"
 #include "base/environment.h"
+#include "base/floats.h"
 #include "index_descent.h"
 
 /* A call: its question, and what becomes of the answers. */
@@ -85,7 +86,12 @@ tribox_status tribox_index_list(const tribox_index *index, const tribox_region *
 
 static tribox_box box_at(const tribox_boxes *boxes, size_t i)
 {
-    return (tribox_box){{boxes->lo[0][i], boxes->lo[1][i], boxes->lo[2][i]}, {boxes->hi[0][i], boxes->hi[1][i], boxes->hi[2][i]}};
+    tribox_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = tribox_float_at(boxes->lo[a] + i);
+        box.hi[a] = tribox_float_at(boxes->hi[a] + i);
+    }
+    return box;
 }
 
 tribox_status tribox_index_lists(const tribox_index *index, const tribox_boxes *boxes, const tribox_options *options, size_t room,

@@ -120,10 +120,8 @@ static void gather_vertices(const tribox_mesh *mesh, const double *origin, const
             const char *const from = (const char *)mesh->positions + vertex * mesh->stride;
             for (size_t a = 0; vertex >= least && a < 3; a++) {
                 float *const number = to.streams[3 * a + v] + to.start + i;
-                if (origin)
-                    *number = tribox_local_number(from + a * sizeof(double), origin[a]);
-                else
-                    memcpy(number, from + a * sizeof(float), sizeof(float));
+                const float local = origin ? tribox_local_number(from + a * sizeof(double), origin[a]) : 0;
+                memcpy(number, origin ? (const char *)&local : from + a * sizeof(float), sizeof(float));
             }
         }
 }
