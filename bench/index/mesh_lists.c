@@ -8,52 +8,19 @@
 
 #include "console/message.h"
 #include "index_forms.h"
+#include "timing/weld.h"
 
 static const char *const names[MESH_LISTS] = {"soup", "boxes of doubles", "mesh of floats", "mesh of doubles"};
 
-/* Vertices by what they are: a table with open places. */
-typedef struct weld {
-    uint32_t *place; /* vertex + 1; 0 where none is */
-    size_t mask;
-    float (*positions)[3];
-    size_t vertices;
-} weld;
-
-static uint32_t vertex_of(weld *w, const float p[3])
+/* Vertices are numbered in the order of the file; then the triangles are put into theirs. Returns how many vertices there are. */
+static size_t weld_in_order(const tribox_soup *file, const uint32_t *ids, mesh_lists *made)
 {
-    uint32_t bits[3];
-    memcpy(bits, p, sizeof bits);
-    uint64_t hash = (bits[0] * UINT64_C(0x9e3779b97f4a7c15)) ^ (bits[1] * UINT64_C(0xbf58476d1ce4e5b9)) ^
-                    (bits[2] * UINT64_C(0x94d049bb133111eb));
-    for (size_t at = (size_t)(hash ^ hash >> 29) & w->mask;; at = (at + 1) & w->mask) {
-        if (!w->place[at]) {
-            memcpy(w->positions[w->vertices++], p, sizeof w->positions[0]);
-            w->place[at] = (uint32_t)w->vertices;
-        }
-        if (!memcmp(w->positions[w->place[at] - 1], p, sizeof w->positions[0]))
-            return w->place[at] - 1;
-    }
-}
-
-size_t mesh_lists_weld(const tribox_soup *file, const uint32_t *ids, float (*positions)[3], uint32_t *indices)
-{
-    size_t places = 64;
-    while (places < 6 * file->count)
-        places *= 2;
-    weld w = {.place = calloc(places, sizeof *w.place), .mask = places - 1, .positions = positions};
     uint32_t(*const corners)[3] = malloc(file->count * sizeof *corners);
-    const bool is_made = w.place && corners;
-    for (size_t i = 0; is_made && i < file->count; i++) {
-        float u[3][3];
-        soup_triangle(file, i, u);
-        for (int v = 0; v < 3; v++)
-            corners[i][v] = vertex_of(&w, u[v]);
-    }
-    for (size_t i = 0; is_made && i < file->count; i++)
-        memcpy(indices + 3 * i, corners[ids ? ids[i] : i], sizeof corners[0]);
-    free(w.place);
+    const size_t vertices = corners ? weld_soup(file, made->floats, corners) : 0;
+    for (size_t i = 0; vertices && i < file->count; i++)
+        memcpy(made->indices + 3 * i, corners[ids[i]], sizeof corners[0]);
     free(corners);
-    return is_made ? w.vertices : 0;
+    return vertices;
 }
 
 /* As if the mesh came from a map, or from another model: farther away than it is long, where floats would not tell it. */
@@ -91,8 +58,7 @@ bool mesh_lists_make(const index_scene *scene, const ordered_soup *soup, const t
 {
     const size_t triangles = soup->room.soup.count;
     *made = (mesh_lists){.soup = soup, .boxes = boxes, .count = count, .list = list};
-    const size_t vertices =
-        make_room(triangles, count, made) ? mesh_lists_weld(&scene->room.soup, soup->ids, made->floats, made->indices) : 0;
+    const size_t vertices = make_room(triangles, count, made) ? weld_in_order(&scene->room.soup, soup->ids, made) : 0;
     bool is_made = vertices;
     move(made, vertices, index_scene_extent(scene));
     for (int k = 0; is_made && k < 2; k++) {

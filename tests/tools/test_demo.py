@@ -38,16 +38,17 @@ class Info(support.TestCase):
 class Demo(support.TestCase):
     def expected_rows(self):
         kernels = json.loads(self.succeed("info", "--json"))["kernels"]
-        return [("paper", None)] + [(kernel, accuracy) for kernel in kernels for accuracy in ACCURACIES]
+        return [("paper", None)] + [(kernel, accuracy) for k, kernel in enumerate(kernels)
+                                    for accuracy in ACCURACIES + ["mesh"] * (k < 2)]
 
     def check_scene(self, scene):
         rows = scene["rows"]
         self.assertEqual([(row["kernel"], row["accuracy"]) for row in rows], self.expected_rows())
-        exact = {row["overlapping"] for row in rows if row["accuracy"] == "exact"}
+        exact = {row["overlapping"] for row in rows if row["accuracy"] in ("exact", "mesh")}
         self.assertEqual(len(exact), 1)
         self.assertTrue(0 < min(exact) < scene["triangles"])
         for row in rows:
-            if row["accuracy"] == "exact":
+            if row["accuracy"] in ("exact", "mesh"):
                 self.assertEqual(row["unlike_exact"], 0)
             if row["accuracy"] == "conservative":
                 self.assertEqual(row["overlapping"] - row["unlike_exact"], min(exact))
@@ -75,7 +76,7 @@ class Demo(support.TestCase):
         self.assertLessEqual(max(map(len, lines)), 100)
         self.assertLessEqual(len(lines), 24)
         self.assertRegex(text, r"\A[\x20-\x7e\n]*\Z")
-        rows = re.findall(r"(?m)^(\w+) +(-|fast|conservative|exact)((?: +[\d.]+){6})$", text)
+        rows = re.findall(r"(?m)^(\w+) +(-|fast|conservative|exact|mesh)((?: +[\d.]+){6})$", text)
         expected = [(kernel, accuracy or "-") for kernel, accuracy in self.expected_rows()]
         self.assertEqual([row[:2] for row in rows], expected)
         self.assertEqual({column for row in rows if row[1] == "exact" for column in row[2].split()[2::3]}, {"0"})

@@ -5,10 +5,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "console/accuracy.h"
 #include "console/message.h"
 #include "console/terminal.h"
 #include "paper/paper.h"
+
+/* Of the rows of meshes those of the two widest kernels: the table is to fit a screen. */
+static size_t enter(const timing_work *work, contestant *list)
+{
+    contestant all[CONTESTANTS_MAX];
+    const size_t entered = contestants_enter(work, all);
+    size_t count = 0, meshes = 0;
+    list[count++] = contestant_paper(work, PAPER_ORDER);
+    for (size_t c = 0; c < entered; c++)
+        if (!strstr(all[c].name, "-mesh") || meshes++ < 2)
+            list[count++] = all[c];
+    return count;
+}
 
 int comparison_make(const scene *at, size_t rounds, comparison *c)
 {
@@ -16,8 +28,7 @@ int comparison_make(const scene *at, size_t rounds, comparison *c)
     const truth from = truth_of_work(&at->work);
     generator order = {SCENE_SEED};
     c->at = at;
-    c->list[0] = contestant_paper(&at->work, PAPER_ORDER);
-    c->count = 1 + contestants_enter(&at->work, &c->list[1]);
+    c->count = enter(&at->work, c->list);
     if (!verify(c->list, c->count, &from, c->scores, wrong))
         return message_failure("%s; nothing is timed", wrong);
     uint64_t *const mask = malloc(at->work.words * sizeof *mask);
@@ -33,7 +44,8 @@ static double speed_of(const comparison *c, size_t i) { return measure_ratio(&c-
 
 static const char *kernel_of(const contestant *one) { return one->options.kernel ? one->options.kernel : one->name; }
 
-static const char *accuracy_of(const contestant *one) { return one->options.kernel ? accuracy_word(one->options.accuracy) : "-"; }
+/* The last word of its name; a mesh is answered exactly. */
+static const char *accuracy_of(const contestant *one) { return one->options.kernel ? strchr(one->name, '-') + 1 : "-"; }
 
 static bool is_bold_wanted(void)
 {

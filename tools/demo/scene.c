@@ -18,10 +18,14 @@ static int allocate(scene *s, size_t count)
     return message_failure("out of memory for a scene of %zu triangles", count);
 }
 
-static void complete(scene *s, size_t count, const tribox_box *box)
+static int complete(scene *s, size_t count, const tribox_box *box)
 {
     const timing_job job = timing_work_soup(&s->work, count);
     timing_work_add(&s->work, &job, box);
+    if (timing_work_mesh(&s->work))
+        return EXIT_CODE_OK;
+    timing_work_free(&s->work);
+    return message_failure("out of memory for a mesh of %zu triangles", count);
 }
 
 int scene_make_random(scene *s)
@@ -36,8 +40,7 @@ int scene_make_random(scene *s)
         for (int v = 0; v < 3; v++)
             for (int a = 0; a < 3; a++)
                 s->work.triangles[i][v][a] = random_between(&g, -2, 2);
-    complete(s, RANDOM_TRIANGLES, &box);
-    return EXIT_CODE_OK;
+    return complete(s, RANDOM_TRIANGLES, &box);
 }
 
 /*
@@ -78,6 +81,5 @@ int scene_make_knot(scene *s)
             memcpy(triangle[1][0], quad[0], sizeof quad[0]);
             memcpy(triangle[1][1], quad[2], 2 * sizeof quad[0]);
         }
-    complete(s, COUNT, &box);
-    return EXIT_CODE_OK;
+    return complete(s, COUNT, &box);
 }

@@ -62,14 +62,31 @@ contestant contestant_kernel(const timing_work *work, const tribox_options *opti
     return one;
 }
 
+static bool run_mesh(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const timing_work *const work = self->question;
+    return !tribox_mesh_overlap(&work->mesh, &work->jobs[0].box, &self->options, mask, report);
+}
+
+contestant contestant_mesh(const timing_work *work, const char *kernel)
+{
+    contestant one = contestant_kernel(work, &(tribox_options){.kernel = kernel});
+    one.run = run_mesh;
+    snprintf(one.name, sizeof one.name, "%s-mesh", kernel);
+    return one;
+}
+
 size_t contestants_enter(const timing_work *work, contestant *list)
 {
     static const tribox_accuracy accuracies[] = {TRIBOX_FAST, TRIBOX_CONSERVATIVE, TRIBOX_EXACT};
     const char *kernel;
     size_t count = 0;
-    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++) {
         for (size_t a = 0; a < sizeof accuracies / sizeof accuracies[0]; a++)
             list[count++] = contestant_kernel(work, &(tribox_options){.accuracy = accuracies[a], .kernel = kernel});
+        if (work->mesh.count)
+            list[count++] = contestant_mesh(work, kernel);
+    }
     return count;
 }
 

@@ -36,7 +36,13 @@ contestant contestant_paper(const timing_work *work, unsigned order);
 /* tribox_overlap. The kernel has to be named; the contestant is called by kernel and accuracy: "avx2-exact". */
 contestant contestant_kernel(const timing_work *work, const tribox_options *options);
 
-/* Enters every kernel that runs here, the widest first, at each accuracy: fast, conservative, exact. Returns how many. */
+/* tribox_mesh_overlap of the work's mesh: "avx2-mesh". EXACT. */
+contestant contestant_mesh(const timing_work *work, const char *kernel);
+
+/*
+ * Enters every kernel that runs here, the widest first, at each accuracy: fast, conservative, exact; and then mesh if the work has
+ * one. Returns how many.
+ */
 size_t contestants_enter(const timing_work *work, contestant *list);
 
 /* The true answer to a timing_work on some axes, by the scalar kernel. */

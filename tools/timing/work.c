@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "weld.h"
+
 enum { CACHE_LINE = 64, LINE_FLOATS = CACHE_LINE / sizeof(float) };
 
 size_t timing_work_room(size_t triangles) { return (triangles + LINE_FLOATS - 1) / LINE_FLOATS * LINE_FLOATS; }
@@ -68,6 +70,21 @@ void timing_work_add(timing_work *work, const timing_job *job, const tribox_box 
     work->words += tribox_mask_words(job->soup.count);
 }
 
+bool timing_work_mesh(timing_work *work)
+{
+    const tribox_soup *const soup = &work->jobs[0].soup;
+    work->positions = malloc(9 * soup->count * sizeof(float));
+    work->corners = malloc(3 * soup->count * sizeof(uint32_t));
+    const bool has_room = work->positions && work->corners;
+    const size_t vertices = has_room ? weld_soup(soup, work->positions, work->corners) : 0;
+    work->mesh = (tribox_mesh){.positions = work->positions,
+                               .vertices = vertices,
+                               .indices = work->corners,
+                               .index_bytes = sizeof(uint32_t),
+                               .count = vertices ? soup->count : 0};
+    return vertices;
+}
+
 void timing_work_shorten(timing_work *work, size_t triangles)
 {
     work->pairs = work->words = 0;
@@ -83,5 +100,7 @@ void timing_work_free(timing_work *work)
 {
     free(work->jobs);
     free(work->memory);
+    free(work->positions);
+    free(work->corners);
     *work = (timing_work){.jobs = NULL};
 }

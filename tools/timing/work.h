@@ -30,6 +30,8 @@ typedef struct timing_work {
     float *streams;           /* what the soups point into */
     float (*triangles)[3][3]; /* what the jobs' triangles point into */
     size_t used;              /* of the room */
+    tribox_mesh mesh;         /* the one job's triangles with indices; none, but where timing_work_mesh has made it */
+    void *positions, *corners;
 } timing_work;
 
 /* The room that a soup takes: its streams begin on cache lines. */
@@ -49,6 +51,9 @@ timing_job timing_work_copy(timing_work *work, const tribox_soup *soup, const si
 
 /* Adds a job, whose soup the work holds, against a box. There has to be room for it. */
 void timing_work_add(timing_work *work, const timing_job *job, const tribox_box *box);
+
+/* Welds the triangles of its one job to a mesh. False if memory fails. */
+bool timing_work_mesh(timing_work *work);
 
 /* Leaves the first triangles of each job. */
 void timing_work_shorten(timing_work *work, size_t triangles);
