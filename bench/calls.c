@@ -234,10 +234,60 @@ static bool run_shape(const timing_work *triangles, const box_work *boxes, tribo
     return true;
 }
 
-static const char usage[] = "Usage: calls [--quick] [--rounds N]\n"
-                            "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, on one thread.\n"
-                            "  --quick      7 rounds\n"
-                            "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
+/* A call each about one triangle of the scene: of nine streams, of a mesh, and into 4 x 4 x 4 cells. */
+static bool run_voxelize(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const timing_work *const work = self->question;
+    const tribox_grid grid = {.origin = {-2, -2, -2}, .cell = {1, 1, 1}, .size = {4, 4, 4}};
+    for (size_t call = 0; call < work->count; call++)
+        if (tribox_voxelize(&work->jobs[call].soup, &grid, NULL, &self->options, mask, report))
+            return false;
+    return true;
+}
+
+static bool run_mesh(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    static const uint32_t corners[] = {0, 1, 2};
+    const timing_work *const work = self->question;
+    for (size_t call = 0; call < work->count; call++) {
+        const tribox_mesh mesh = {
+            .positions = work->jobs[call].triangles, .vertices = 3, .indices = corners, .index_bytes = 4, .count = 1};
+        if (tribox_mesh_overlap(&mesh, &work->jobs[call].box, &self->options, mask++, report))
+            return false;
+    }
+    return true;
+}
+
+static void run_ways(const timing_work *one, effort how)
+{
+    static samples taken;
+    contestant list[CONTESTANTS_MAX];
+    size_t count = 0;
+    const char *kernel;
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
+        for (int way = 0; way < 3; way++) {
+            list[count] = contestant_kernel(one, &(tribox_options){.kernel = kernel});
+            list[count].pairs = (double)one->count;
+            list[count].run = way == 0 ? list[count].run : way == 1 ? run_mesh : run_voxelize;
+            count++;
+        }
+    uint64_t *const mask = allocate(one->words + 4 * 4, sizeof *mask);
+    generator order = {1};
+    measure(list, count, how, &order, mask, &taken);
+    printf("\none triangle, exact: ns a call of tribox_overlap, tribox_mesh_overlap, tribox_voxelize; by least times\n");
+    for (size_t c = 0; c < count; c += 3)
+        printf("%8s %8.1f %8.1f %8.1f\n", list[c].options.kernel, measure_spread(&taken, c).least,
+               measure_spread(&taken, c + 1).least, measure_spread(&taken, c + 2).least);
+    measure_warn_if_disturbed(stdout, &taken);
+    free(mask);
+}
+
+static const char usage[] =
+    "Usage: calls [--quick] [--rounds N]\n"
+    "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, and calls about one\n"
+    "triangle of a mesh or into a grid, on one thread.\n"
+    "  --quick      7 rounds\n"
+    "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
 
 enum { OPTION_QUICK, OPTION_ROUNDS };
 
@@ -280,6 +330,12 @@ int main(int argc, char **argv)
     for (int shape = 0; shape < 2; shape++)
         for (int a = 0; a < 2; a++)
             is_right = is_right && run_shape(triangles, shape ? boxes : NULL, accuracies[a], how);
+<<<<<<< HEAD
+=======
+    is_right = is_right && run_splits(&p.at.work, how);
+    if (is_right)
+        run_ways(&triangles[0], how);
+>>>>>>> 8dfa5b9 (bench: Time a call about a mesh, and one into a grid)
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);
