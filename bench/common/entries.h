@@ -1,4 +1,7 @@
-/* entries.h - the usual field of a benchmark: the paper's test, the loads alone, and every kernel at every accuracy. */
+/*
+ * entries.h - the usual field of a benchmark: the paper's test, the loads alone, the paper's test for compilers to vectorize, and
+ * every kernel at every accuracy. If the work has a mesh, the paper's test by its indices, too.
+ */
 #ifndef BENCH_ENTRIES_H
 #define BENCH_ENTRIES_H
 

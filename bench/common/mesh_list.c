@@ -5,16 +5,44 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read/mesh_kind.h"
+#include "read/readers.h"
+
 const char *mesh_list_name(const char *path)
 {
     const char *const slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
 }
 
-bool mesh_list_read(const char *path, mesh *m)
+enum { PATH_ROOM = 4096 };
+
+static const char *find(const char *path, char whole[PATH_ROOM])
 {
     const char *const folder = strchr(path, '/') ? NULL : getenv("TRIBOX_MESHES");
-    char whole[4096];
-    snprintf(whole, sizeof whole, "%s%s%s", folder ? folder : "", folder ? "/" : "", path);
-    return mesh_read(whole, m) == EXIT_CODE_OK;
+    snprintf(whole, PATH_ROOM, "%s%s%s", folder ? folder : "", folder ? "/" : "", path);
+    return whole;
+}
+
+bool mesh_list_read(const char *path, mesh *m)
+{
+    char whole[PATH_ROOM];
+    return mesh_read(find(path, whole), m) == EXIT_CODE_OK;
+}
+
+bool mesh_list_read_indexed(const char *path, indexed_mesh *m)
+{
+    static int (*const readers[])(const char *, const whole_file *, indexed_mesh *) = {
+        [MESH_PLY] = read_ply, [MESH_OFF] = read_off, [MESH_OBJ] = read_obj, [MESH_OTHER] = NULL};
+    char whole[PATH_ROOM];
+    whole_file file;
+    const mesh_kind kind = mesh_kind_of(find(path, whole));
+    *m = (indexed_mesh){.positions = NULL};
+    if (!readers[kind])
+        return message_failure("%s: no PLY, OFF or OBJ file, which have indices", path) == EXIT_CODE_OK;
+    const bool is_read = !whole_file_read(whole, &file) && !readers[kind](whole, &file, m);
+    whole_file_free(&file);
+    indexed_mesh_narrow(m);
+    if (is_read && (m->position_bytes != sizeof(float) || !m->triangles))
+        return message_failure("%s: no triangles of floats", path) == EXIT_CODE_OK;
+    return is_read;
 }

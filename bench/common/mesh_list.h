@@ -3,6 +3,7 @@
 #define MESH_LIST_H
 
 #include "console/message.h"
+#include "read/indexed_mesh.h"
 #include "read/mesh.h"
 
 enum { MESH_LIST_MAX = 64 };
@@ -24,5 +25,8 @@ const char *mesh_list_name(const char *path);
 
 /* False after a line on standard error. */
 bool mesh_list_read(const char *path, mesh *m);
+
+/* The same with its vertices and indices, of floats: PLY, OFF and OBJ. indexed_mesh_free follows in any case. */
+bool mesh_list_read_indexed(const char *path, indexed_mesh *m);
 
 #endif

@@ -20,7 +20,7 @@ static const struct recipe {
     const char *name, *what;
     const tribox_box *box;
     size_t count;
-    draw_triangle *draw;
+    draw_triangle *draw; /* NULL: a surface, and a mesh of it */
     enum keep keep;
     bool is_sorted; /* in Morton order of the centroids, as a spatial tree would leave them */
 } recipes[] = {
@@ -32,6 +32,8 @@ static const struct recipe {
     {"sparse", "small triangles all over [-8, 8]^3, in random order", &unit_box, 1000000, draw_sparse, KEEP_ALL, false},
     {"sorted", "the triangles of sparse, in Morton order", &unit_box, 1000000, draw_sparse, KEEP_ALL, true},
     {"coherent", "the same, 4096 triangles: few enough for the second-level cache", &unit_box, 4096, draw_sparse, KEEP_ALL, true},
+    {"surface", "rows of a rough saddle, 1000 by 500 squares over [-2, 2]^2; as an indexed mesh, too", &unit_box, 1000000, NULL,
+     KEEP_ALL, false},
     {"hit", "those of paper that overlap the box", &unit_box, 100000, draw_paper, KEEP_OVERLAPPING, false},
     {"inside", "vertices uniform in the box", &unit_box, 100000, draw_inside, KEEP_ALL, false},
     {"edge-miss", "those of paper that only an edge axis separates", &unit_box, 100000, draw_paper, KEEP_EDGE_MISSES, false},
@@ -92,9 +94,33 @@ static bool draw_kept(const struct recipe *recipe, generator *g, timing_work *ba
     return true;
 }
 
+/* Two triangles to a square, row after row. */
+static bool draw_surface(size_t count, generator *g, triangle *triangles)
+{
+    enum { ALONG = 1000 };
+    const size_t rows = count / 2 / ALONG;
+    float(*const vertex)[ALONG + 1][3] = malloc((rows + 1) * sizeof *vertex);
+    for (size_t j = 0; vertex && j <= rows; j++)
+        for (size_t i = 0; i <= ALONG; i++) {
+            const float x = 4 * (float)i / ALONG - 2, y = 4 * (float)j / (float)rows - 2;
+            memcpy(vertex[j][i], (const float[3]){x, y, (x * x - y * y) / 2 + random_between(g, -0.004f, 0.004f)},
+                   sizeof vertex[j][i]);
+        }
+    for (size_t t = 0; vertex && t < count; t++) {
+        const size_t i = t / 2 % ALONG, j = t / 2 / ALONG;
+        memcpy(triangles[t][0], vertex[j][i], sizeof triangles[t][0]);
+        memcpy(triangles[t][1], vertex[j + t % 2][i + 1], sizeof triangles[t][1]);
+        memcpy(triangles[t][2], vertex[j + 1][i + 1 - t % 2], sizeof triangles[t][2]);
+    }
+    free(vertex);
+    return vertex;
+}
+
 static bool draw_all(const struct recipe *recipe, generator *g, triangle *triangles)
 {
     timing_work batch;
+    if (!recipe->draw)
+        return draw_surface(recipe->count, g, triangles);
     if (recipe->keep == KEEP_ALL) {
         for (size_t i = 0; i < recipe->count; i++)
             recipe->draw(g, triangles[i]);
@@ -129,7 +155,11 @@ bool scene_make(size_t index, uint64_t seed, scene *made)
     }
     const timing_job job = timing_work_soup(&made->work, recipe->count);
     timing_work_add(&made->work, &job, recipe->box);
-    return true;
+    if (recipe->draw || timing_work_mesh(&made->work))
+        return true;
+    fprintf(stderr, "bench: out of memory for the mesh of %s\n", recipe->name);
+    scene_free(made);
+    return false;
 }
 
 void scene_free(scene *made) { timing_work_free(&made->work); }

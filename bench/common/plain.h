@@ -1,0 +1,10 @@
+/* plain.h - the paper's test as C would have it for streams: no branches, for the compiler to vectorize, in float. */
+#ifndef BENCH_PLAIN_H
+#define BENCH_PLAIN_H
+
+#include "tribox.h"
+
+/* Bit i % 64 of mask[i / 64] is set if triangle i overlaps the box, but for rounding. center, half: of the box. */
+void plain_overlap(const tribox_soup *soup, const float center[3], const float half[3], uint64_t *mask);
+
+#endif
