@@ -330,12 +330,8 @@ int main(int argc, char **argv)
     for (int shape = 0; shape < 2; shape++)
         for (int a = 0; a < 2; a++)
             is_right = is_right && run_shape(triangles, shape ? boxes : NULL, accuracies[a], how);
-<<<<<<< HEAD
-=======
-    is_right = is_right && run_splits(&p.at.work, how);
     if (is_right)
         run_ways(&triangles[0], how);
->>>>>>> 8dfa5b9 (bench: Time a call about a mesh, and one into a grid)
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);

@@ -11,9 +11,9 @@
 #include "common/mesh_list.h"
 #include "common/whole.h"
 #include "console/option_reader.h"
-#include "index/mesh_lists.h"
 #include "paper/paper.h"
 #include "timing/measure.h"
+#include "timing/weld.h"
 
 static const char usage[] = "Usage: octree [--rounds N] [--fast] MESH...\n"
                             "Times octrees whose leaves have one size, on one thread.\n"
@@ -238,17 +238,17 @@ static bool make_octree(const mesh *m, octree *o)
     const size_t count = m->soup.count;
     *o = (octree){.soup = m->soup};
     float(*const positions)[3] = malloc(3 * count * sizeof *positions);
-    uint32_t *const indices = malloc(3 * count * sizeof *indices);
+    uint32_t(*const indices)[3] = malloc(count * sizeof *indices);
     o->mesh = (tribox_mesh){.positions = positions, .indices = indices, .index_bytes = 4, .count = count};
     o->triangles = malloc(count * sizeof *o->triangles);
     o->own = malloc(count * sizeof *o->own);
     o->lists = malloc((DEPTH_MAX + 1) * (count + 1) * sizeof *o->lists);
     o->bytes = malloc((DEPTH_MAX + 1) * (count + 1));
     o->mask = malloc(tribox_mask_words(count) * sizeof *o->mask);
-    o->mesh.vertices = positions && indices && o->triangles ? mesh_lists_weld(&m->soup, NULL, positions, indices) : 0;
+    o->mesh.vertices = positions && indices && o->triangles ? weld_soup(&m->soup, positions, indices) : 0;
     for (size_t i = 0; o->mesh.vertices && i < count; i++)
         for (int v = 0; v < 3; v++)
-            memcpy(o->triangles[i][v], positions[indices[3 * i + (size_t)v]], sizeof positions[0]);
+            memcpy(o->triangles[i][v], positions[indices[i][v]], sizeof positions[0]);
     make_cube(m, o);
     return o->mesh.vertices && o->own && o->lists && o->bytes && o->mask;
 }

@@ -7,7 +7,7 @@
 #include "console/message.h"
 #include "loads.h"
 #include "paper/paper.h"
-#include "plain.h"
+#include "unbranched.h"
 
 static bool run_loads(const contestant *self, uint64_t *mask, tribox_report *report)
 {
@@ -23,7 +23,7 @@ static bool run_plain(const contestant *self, uint64_t *mask, tribox_report *rep
 {
     const timing_work *const work = self->question;
     for (size_t i = 0; i < work->count; i++) {
-        plain_overlap(&work->jobs[i].soup, work->jobs[i].center, work->jobs[i].half, mask);
+        unbranched_overlap(&work->jobs[i].soup, work->jobs[i].center, work->jobs[i].half, mask);
         mask += tribox_mask_words(work->jobs[i].soup.count);
     }
     if (report)

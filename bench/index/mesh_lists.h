@@ -24,12 +24,6 @@ typedef struct mesh_lists {
     uint32_t *list;
 } mesh_lists;
 
-/*
- * A soup as a mesh: vertices as they come in the file, three a triangle in the order of the ids, NULL for that of the file. Returns
- * how many vertices there are, 0 if memory fails.
- */
-size_t mesh_lists_weld(const tribox_soup *file, const uint32_t *ids, float (*positions)[3], uint32_t *indices);
-
 /* boxes, and list, for all triangles of the soup: used until mesh_lists_free. False, with a message, if memory fails. */
 bool mesh_lists_make(const index_scene *scene, const ordered_soup *soup, const tribox_box *boxes, size_t count, uint32_t *list,
                      const char *kernel, mesh_lists *made);

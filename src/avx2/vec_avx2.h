@@ -29,8 +29,7 @@ TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
     static const int32_t is_present[2 * V_LANES] = {-1, -1, -1, -1, -1, -1, -1, -1};
     const __m256i present = _mm256_loadu_si256((const __m256i *)(is_present + V_LANES - count));
-    return _mm256_blendv_ps(_mm256_set1_ps(tribox_float_at(p)), _mm256_maskload_ps(p, present),
-                            _mm256_castsi256_ps(present));
+    return _mm256_blendv_ps(_mm256_set1_ps(tribox_float_at(p)), _mm256_maskload_ps(p, present), _mm256_castsi256_ps(present));
 }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm256_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm256_storeu_ps(p, a); }

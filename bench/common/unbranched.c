@@ -1,8 +1,8 @@
 /*
- * plain.c - thirteen axes over nine streams, 64 triangles at a time. After the box normals it asks whether any of the 64 is left;
- * there is no other branch, and no intrinsic: layout and compiler alone.
+ * unbranched.c - thirteen axes over nine streams, 64 triangles at a time. After the box normals it asks whether any of the 64 is
+ * left; there is no other branch, and no intrinsic: layout and compiler alone.
  */
-#include "plain.h"
+#include "unbranched.h"
 
 #include <math.h>
 #include <string.h>
@@ -84,7 +84,7 @@ static inline uint64_t word_of(const block *b)
     return word;
 }
 
-void plain_overlap(const tribox_soup *soup, const float center[3], const float half[3], uint64_t *mask)
+void unbranched_overlap(const tribox_soup *soup, const float center[3], const float half[3], uint64_t *mask)
 {
     const float c[3] = {center[0], center[1], center[2]}, h[3] = {half[0], half[1], half[2]};
     block b;
