@@ -13,6 +13,7 @@
 #include "base/ahead.h"
 #include "base/bits.h"
 #include "base/compiler.h"
+#include "base/inexact_flag.h"
 #include "base/rounded_box.h"
 #include "pairs/rounded_frame.h"
 #include "voxels/kernel_voxels.h"
@@ -56,6 +57,12 @@ enum { TRIBOX_LANES_MAX = 16, TRIBOX_DOUBLES_MAX = 8 };
 /* What doubles are read relative to, axis by axis, as often as the widest load needs it. */
 enum { TRIBOX_LOCAL = 3 * TRIBOX_LANES_MAX };
 
+/*
+ * From where on a walk of a soup asks whether it computes ties exactly; else it leaves them undecided. For EXACT alone, about a box
+ * whose bounds are floats.
+ */
+typedef enum tribox_ties { TRIBOX_TIES_LEFT, TRIBOX_TIES_WHERE_SEVERAL, TRIBOX_TIES_AT_ONCE } tribox_ties;
+
 /* What a call asks: a soup or corners against a box, or a triangle against boxes. The caller has checked them. */
 typedef struct tribox_query {
     const tribox_soup *soup;
@@ -64,6 +71,7 @@ typedef struct tribox_query {
     const float *triangle; /* [3 * v + a]: axis a of vertex v */
     const tribox_boxes *boxes;
     size_t count;
+    tribox_ties ties;
 } tribox_query;
 
 /*
@@ -88,6 +96,7 @@ typedef struct tribox_seen {
     unsigned packets;
     uint64_t apart[3];
     uint64_t rejected[TRIBOX_AXES_ALL];
+    bool has_ties, are_ties_exact; /* some were asked about; and nothing of the word is rounded */
 } tribox_seen;
 
 /* Answers a word whose pairs are all present, all axes asked, like a walk, and surveys it. Returns the hits. */

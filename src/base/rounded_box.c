@@ -25,10 +25,11 @@ static void round_for_signs(const tribox_rounded_box *rounded, tribox_box_floats
     }
 }
 
-void tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded)
+bool tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded)
 {
     tribox_box_floats *const of = &rounded->of;
     rounded->exact = *box;
+    bool are_floats = true;
     for (int a = 0; a < 3; a++) {
         const double lo = box->lo[a], hi = box->hi[a];
         const float l = tribox_float_from(lo), h = -tribox_float_from(-hi), origin = is_box_asked ? l : (float)lo;
@@ -38,10 +39,12 @@ void tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tr
         if ((double)l == lo && (double)h == hi) { /* of floats: rounded once */
             of->H[a] = of->C[a] = fabsf(h - l);
         } else {
+            are_floats = false;
             of->H[a] = (float)fabs(hi - lo);
             of->C[a] = (float)((hi - (double)origin) + (lo - (double)origin));
         }
     }
     if (is_fast)
         round_for_signs(rounded, &rounded->fast);
+    return are_floats;
 }

@@ -24,13 +24,13 @@ typedef struct tribox_rounded_box {
 
 /*
  * Of a finite box, in the environment of environment.h. The origin is lo; where the box normals are not asked, it is the float
- * nearest to lo: then no vertex is nearer to the bound than the origin is.
+ * nearest to lo: then no vertex is nearer to the bound than the origin is. Returns whether all bounds are floats.
  *
  * is_fast: what FAST takes, too. It trusts signs, and rounding alone has the sign of a tie. So its origin is the middle, from where
  * less is lost of vertices near the box, if the bounds are floats from there as well; and its H is longer by what the product of a
  * length and one edge can lose (PROOFS.md 10).
  */
-void tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded);
+bool tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded);
 
 /* The least float that is not below a number: infinite if there is none. */
 float tribox_float_from(double number);

@@ -38,9 +38,13 @@ tribox_status tribox_call_check(tribox_overlap_call *c, bool is_taken, const tri
 
 static void make_soup_query(tribox_overlap_call *c)
 {
-    tribox_box_round(c->box, c->plan.axes & TRIBOX_AXES_BOX, c->plan.accuracy == TRIBOX_FAST, &c->rounded.box);
-    c->pairs = (tribox_query){
-        .soup = tribox_pad_triangles(c->soup, c->plan.kernel, &c->partial), .box = &c->rounded.box, .count = c->count};
+    const bool are_floats =
+        tribox_box_round(c->box, c->plan.axes & TRIBOX_AXES_BOX, c->plan.accuracy == TRIBOX_FAST, &c->rounded.box);
+    const bool is_flag_asked = are_floats && c->plan.accuracy == TRIBOX_EXACT;
+    c->pairs = (tribox_query){.soup = tribox_pad_triangles(c->soup, c->plan.kernel, &c->partial),
+                              .box = &c->rounded.box,
+                              .count = c->count,
+                              .ties = is_flag_asked ? TRIBOX_TIES_WHERE_SEVERAL : TRIBOX_TIES_LEFT};
 }
 
 static void make_mesh_query(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked)

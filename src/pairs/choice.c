@@ -114,4 +114,6 @@ void tribox_choice_learn(tribox_choice *choice, const tribox_seen *seen, tribox_
     choice->best = cheapest(choice->cost);
     choice->sequence = orders[choice->best].sequence;
     choice->rest = rest_after(++choice->surveys);
+    if (seen->has_ties)
+        choice->ties = seen->are_ties_exact ? TRIBOX_TIES_AT_ONCE : TRIBOX_TIES_LEFT;
 }

@@ -18,6 +18,7 @@ typedef struct tribox_choice {
     size_t rest;                         /* words until the next survey */
     unsigned cost[TRIBOX_CHOICE_ORDERS]; /* of each order: of all surveys, the last counting most */
     bool is_adaptive;                    /* else the order is fixed */
+    tribox_ties ties;                    /* where walks ask about them: as the last survey that did found */
 } tribox_choice;
 
 /* The choice before the first survey: the order that most scenes want. Set field by field: gcc's copy of a struct costs 10 ns. */
@@ -30,6 +31,7 @@ static inline void tribox_choice_start(tribox_choice *choice)
     for (int o = 0; o < TRIBOX_CHOICE_ORDERS; o++)
         choice->cost[o] = 0;
     choice->is_adaptive = true;
+    choice->ties = TRIBOX_TIES_WHERE_SEVERAL;
 }
 
 /* No choice from now on. */

@@ -82,7 +82,10 @@ void tribox_pairs_walk_block(const tribox_query *p, tribox_plan *plan, size_t wo
         next = tribox_choice_next(&plan->choice, left / 64, words - done);
         if (next) {
             const size_t count = left < 64 * next ? left : 64 * next;
-            plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, at, count, hit + done,
+            tribox_query asked = *p;
+            if (p->ties != TRIBOX_TIES_LEFT)
+                asked.ties = plan->choice.ties;
+            plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](&asked, at, count, hit + done,
                                                                                            undecided + done);
         } else {
             answer_by_survey(p, plan, at, hit + done, undecided + done);

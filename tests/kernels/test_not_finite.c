@@ -210,7 +210,7 @@ static void check_undecided(const pair_list *q)
     const char *names[KERNELS_MAX];
     const int kernels = kernels_here(names);
     for (int k = 0; k < kernels; k++) {
-        const tribox_options options = {.kernel = names[k]};
+        const tribox_options options = {.accuracy = TRIBOX_CONSERVATIVE, .kernel = names[k]};
         uint64_t mask[WORDS];
         tribox_report report;
         pair_list_text(q, &options, doing);

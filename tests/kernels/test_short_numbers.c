@@ -2,7 +2,8 @@
  * test_short_numbers.c - where the inexact flag never rises, doubles.h decides ties of short numbers, and no pair wrongly.
  *
  * Triangles through a corner of their box, in whole numbers of all lengths, so that the plane or an edge axis touches it exactly;
- * then with a number moved by as little as it can be. Judged by integers.
+ * then with a number moved by as little as it can be. And where it rises, so do walks of soups in float, block by block. Judged by
+ * integers.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -13,6 +14,7 @@
 #include <cmocka.h>
 
 #include "common/arguments.h"
+#include "common/guard.h"
 #include "common/random_draws.h"
 #include "dispatch.h"
 #include "exact/exact.h"
@@ -144,6 +146,77 @@ static void test_ties(void **state)
     assert_true(ties > decided / 10);
 }
 
+/* Floats on a lattice of few bits, many of them on the box, in any unit; before the first of them, or none, anything. */
+static void draw_soup(random_source *r, size_t count, float *const number[9], tribox_box *box)
+{
+    const size_t lattice = random_int(r, 2) ? random_below(r, count) : 0;
+    const int bits = random_int_between(r, 2, 14), unit = random_int(r, 4) ? random_int_between(r, -30, 30) : -149;
+    for (int a = 0; a < 3; a++) {
+        box->lo[a] = ldexp(whole(r, bits), unit);
+        box->hi[a] = box->lo[a] + (random_int(r, 8) ? ldexp(fabs(whole(r, bits)), unit) : 0);
+        for (size_t i = 0; i < count; i++)
+            for (int j = 0; j < 3; j++)
+                number[3 * a + j][i] = (float)(i < lattice          ? ldexp(whole(r, 30), unit + bits - 30)
+                                               : random_int(r, 8) ? ldexp(whole(r, bits), unit)
+                                               : i % 2            ? box->lo[a]
+                                                                  : box->hi[a]);
+    }
+    const size_t first = random_below(r, count);
+    for (size_t i = first; i < count && random_int(r, 3); i += random_below(r, count) / 8) { /* long ones from somewhere on */
+        float *const moved = &number[random_int(r, 9)][i];
+        *moved = random_int(r, 9) ? nextafterf(*moved, i % 2 ? INFINITY : -INFINITY) : random_int(r, 2) ? NAN : INFINITY;
+    }
+    if (!random_int(r, 4)) /* no float any more */
+        box->hi[random_int(r, 3)] += ldexp(1, unit - 40);
+}
+
+static bool is_overlap(const tribox_pair *pair)
+{
+    for (int n = 0; n < 9; n++)
+        if (!isfinite(pair->u[n % 3][n / 3]))
+            return false;
+    return !is_apart_on_box_normals(pair) && tribox_exact_overlap(pair, TRIBOX_AXES_ALL);
+}
+
+static void test_walks(void **state)
+{
+    (void)state;
+    enum { MOST = 64 * 70 + 37 };
+    uint64_t mask[MOST / 64 + 1];
+    random_source r = random_named(args.seed, "short walks");
+    guarded memory[9];
+    for (int k = 0; k < 9; k++)
+        memory[k] = guarded_make(MOST * sizeof(float));
+    for (size_t round = arguments_rounds(&args, MOST / 8); round--;) {
+        const size_t count = random_int(&r, 2) ? MOST : 1 + random_below(&r, 300);
+        float *number[9];
+        tribox_box box;
+        for (int k = 0; k < 9; k++)
+            number[k] = guarded_tail(memory[k], count * sizeof(float));
+        draw_soup(&r, count, number, &box);
+        tribox_soup soup = {.count = count};
+        for (int v = 0; v < 3; v++) {
+            soup.x[v] = number[v];
+            soup.y[v] = number[3 + v];
+            soup.z[v] = number[6 + v];
+        }
+        assert_int_equal(tribox_overlap(&soup, &box, &(tribox_options){.kernel = KERNEL_NAME}, mask, NULL), TRIBOX_OK);
+        for (size_t i = 0; i < count; i++) {
+            tribox_pair pair;
+            for (int a = 0; a < 3; a++) {
+                for (int j = 0; j < 3; j++)
+                    pair.u[j][a] = number[3 * a + j][i];
+                pair.lo[a] = box.lo[a];
+                pair.hi[a] = box.hi[a];
+            }
+            if ((mask[i / 64] >> i % 64 & 1) != is_overlap(&pair))
+                fail_pair(&pair, "walked wrongly");
+        }
+    }
+    for (int k = 0; k < 9; k++)
+        guarded_free(memory[k]);
+}
+
 int main(int argc, char **argv)
 {
     args = arguments_parse(argc, argv);
@@ -151,6 +224,6 @@ int main(int argc, char **argv)
         puts("this processor cannot run " KERNEL_NAME ": skipped");
         return 77;
     }
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ties)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ties), cmocka_unit_test(test_walks)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /*
  * batch.h - the walks: a soup against one box, or one triangle against many boxes, in words of 64, each in packets of V_LANES.
- * After: packet.h and every other text of pairs_text.h: it ends with the table of what the kernel does. Needs: KERNEL.
+ * After: packet.h and every other text of pairs_text.h: it ends with the table of what the kernel does. Needs: KERNEL,
+ * inexact_flag.h.
  *
  * A walk is one text whose kind and sequence of groups (kernel.h) are constants: every instance below keeps only its own
  * tests. Where the box normals come first, x is loaded and tested, then y, then z, each only if a lane is left: far from the box a
@@ -78,16 +79,74 @@ TRIBOX_INLINE void walk_all_BY_SIGN(const tribox_query *from, size_t word, size_
     walk_words(from, word, 0, count, hit, undecided, kind | WALKS_BY_SIGN);
 }
 
+/* Whether the flag rises in this kernel's own arithmetic: as in settle/doubles.h, here in float. */
+TRIBOX_INLINE bool is_rounding_seen(void)
+{
+    const volatile float odd = 1 + 0x1p-23f;
+    tribox_exactness_watch();
+    const vnum a = v_splat(odd);
+    return !tribox_exactness_kept(m_bits(v_gt(v_fma(a, a, a), a)));
+}
+
+/* Of so many pairs at once the flag is asked: few at first, as most numbers are long, then each time more. */
+enum { WATCHED_FIRST = 64, WATCHED_MORE = 4 };
+
+/*
+ * The same pairs by sign for as long as nothing of them is rounded, ties included (PROOFS.md 6.7). In one order, as none changes an
+ * answer. Returns how many are done; what is written of others means nothing. So it begins with a whole word, or not at all: to the
+ * rest of one, bits are added.
+ */
+TRIBOX_NOINLINE size_t walk_exactly(const tribox_query *from, size_t word, size_t done, size_t count, uint64_t *hit,
+                                    uint64_t *undecided)
+{
+    if (done % 64 || !is_rounding_seen())
+        return done;
+    for (size_t watched = WATCHED_FIRST, end; done < count; done = end, watched *= WATCHED_MORE) {
+        uint64_t result = 0;
+        end = count - done > watched ? done + watched : count;
+        tribox_exactness_watch();
+        walk_words(from, word, done, end, hit, undecided, 132 | WALKS_SOUP | WALKS_BY_SIGN | ASKS_FLAG);
+        for (size_t w = done / 64; w < (end + 63) / 64; w++)
+            result |= hit[w] ^ undecided[w];
+        if (!tribox_exactness_kept(result))
+            break;
+    }
+    return done;
+}
+
+/* Whether a walk may ask the flag: soups alone, and of all axes. */
+TRIBOX_INLINE bool may_ask_flag(walk_kind kind) { return (kind & (WALKS_SOUP | WALKS_MESH)) == WALKS_SOUP && groups_of(kind) > 99; }
+
 /*
  * Two loops, so that scenes without ties keep fewer numbers. It changes no answer: a slower stage would decide the same
- * (PROOFS.md 5.3).
+ * (PROOFS.md 5.3). Where ties are common numbers are often short, and nothing of them is rounded: then signs decide.
  */
 TRIBOX_INLINE void walk_all_BY_MARGIN(const tribox_query *from, size_t word, size_t count, uint64_t *hit, uint64_t *undecided,
                                       walk_kind kind)
 {
-    const size_t done = walk_words(from, word, 0, count, hit, undecided, kind);
+    size_t done = 0;
+    if (!may_ask_flag(kind) || from->ties != TRIBOX_TIES_AT_ONCE)
+        done = walk_words(from, word, 0, count, hit, undecided, kind);
+    if (done == count)
+        return;
+    if (may_ask_flag(kind) && from->ties != TRIBOX_TIES_LEFT)
+        done = walk_exactly(from, word, done, count, hit, undecided);
     if (may_look_again(kind))
         walk_words(from, word, done, count, hit, undecided, kind | LOOKS_AGAIN);
+}
+
+/* A survey of a soup: where it would leave pairs undecided, the flag may decide the whole word. */
+TRIBOX_INLINE uint64_t survey_soup(const tribox_query *from, size_t word, walk_kind kind, tribox_seen *seen, uint64_t *undecided)
+{
+    uint64_t exact_hit = 0, exact_open = 0;
+    const uint64_t hit = survey_word(from, word, kind, seen, undecided);
+    if (kind & WALKS_BY_SIGN || from->ties == TRIBOX_TIES_LEFT || !*undecided)
+        return hit;
+    const bool is_exact = walk_exactly(from, word, 0, 64, &exact_hit, &exact_open);
+    seen->has_ties = true;
+    seen->are_ties_exact = is_exact;
+    *undecided = is_exact ? exact_open : *undecided;
+    return is_exact ? exact_hit : hit;
 }
 
 /*
@@ -106,6 +165,22 @@ TRIBOX_INLINE void walk_all_BY_MARGIN(const tribox_query *from, size_t word, siz
     }
 #define WALKS(sequence) WALK(BY_MARGIN, sequence) WALK(BY_SIGN, sequence)
 TRIBOX_FOR_EACH_SEQUENCE(WALKS)
+
+/*
+ * Surveys with the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed.
+ * Of a soup the flag is asked about what is left.
+ */
+#define SURVEY(by, looks) \
+    static uint64_t survey_##by(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided) \
+    { \
+        if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
+            return survey_soup(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP, seen, undecided); \
+        if (pairs->corners) \
+            return survey_word(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP | WALKS_MESH, seen, undecided); \
+        return survey_word(pairs, word, 123 | WALKS_##by | looks, seen, undecided); \
+    }
+SURVEY(BY_MARGIN, LOOKS_AGAIN)
+SURVEY(BY_SIGN, 0)
 
 static void walk_local_box(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {

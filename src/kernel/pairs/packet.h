@@ -34,6 +34,13 @@ TRIBOX_INLINE void splat_fast_box(lane_box *box, const tribox_rounded_box *from)
     }
 }
 
+/* Of bounds that are floats: so that the flag shows whether H is rounded. */
+TRIBOX_INLINE void splat_float_bounds(lane_box *box, const tribox_rounded_box *from)
+{
+    for (int a = 0; a < 3; a++)
+        set_bounds(box, a, v_splat(from->lo[a]), v_splat(from->hi[a]));
+}
+
 /* The lanes whose box has a point on this axis: finite bounds, lo <= hi. */
 TRIBOX_INLINE vmask has_points(vnum lo, vnum hi)
 {
@@ -52,7 +59,8 @@ enum {
     WALKS_SOUP = 1 << 11,  /* triangles and one box; else one triangle and boxes */
     WALKS_MESH = 1 << 12,  /* these triangles are corners */
     WALKS_LOCAL = 1 << 13, /* of doubles, relative to the box (local.h) */
-    LOOKS_AGAIN = 1 << 14  /* with the second look of ties.h, for which more numbers have to be kept */
+    LOOKS_AGAIN = 1 << 14, /* with the second look of ties.h, for which more numbers have to be kept */
+    ASKS_FLAG = 1 << 15    /* by sign, while the inexact flag is watched: the lengths of the box, too */
 };
 
 TRIBOX_INLINE unsigned groups_of(walk_kind kind) { return kind & 1023; }
@@ -68,13 +76,16 @@ typedef struct lane_pairs {
 TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kind kind)
 {
     if (kind & WALKS_SOUP) {
-        if (kind & WALKS_BY_SIGN)
+        if (kind & ASKS_FLAG)
+            splat_float_bounds(&p->box, from->box);
+        else if (kind & WALKS_BY_SIGN)
             splat_fast_box(&p->box, from->box);
         else
             splat_box(&p->box, from->box);
         if (kind & WALKS_LOCAL)
             local_box_at_zero(&p->box);
-        p->margin = kind & WALKS_LOCAL && sequence_has(groups_of(kind), 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
+        if (!(kind & WALKS_BY_SIGN))
+            p->margin = kind & WALKS_LOCAL && sequence_has(groups_of(kind), 3) ? local_margin_of(&p->box) : box_margin_of(&p->box);
     } else {
         splat_triangle(&p->t, from->triangle);
     }

@@ -75,16 +75,3 @@ TRIBOX_INLINE uint64_t survey_word(const tribox_query *from, size_t word, walk_k
     *undecided = word_open;
     return word_hit;
 }
-
-/* With the second look of ties.h where margins decide: it changes no answer, and a survey cannot know whether it is needed. */
-#define SURVEY(by, looks) \
-    static uint64_t survey_##by(const tribox_query *pairs, size_t word, tribox_seen *seen, uint64_t *undecided) \
-    { \
-        if (TRIBOX_WALKS_SOUPS_ALONE || pairs->soup) \
-            return survey_word(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP, seen, undecided); \
-        if (pairs->corners) \
-            return survey_word(pairs, word, 123 | WALKS_##by | looks | WALKS_SOUP | WALKS_MESH, seen, undecided); \
-        return survey_word(pairs, word, 123 | WALKS_##by | looks, seen, undecided); \
-    }
-SURVEY(BY_MARGIN, LOOKS_AGAIN)
-SURVEY(BY_SIGN, 0)
