@@ -111,6 +111,14 @@ typedef struct tribox_batch {
     _Alignas(64) double number[15][TRIBOX_BATCH];
 } tribox_batch;
 
+/* The triangles of a batch and of one more, as they lie in a soup: numbers of a triangle in the order of a batch. */
+typedef struct tribox_packed {
+    _Alignas(64) float number[9][2 * TRIBOX_BATCH + TRIBOX_LANES_MAX];
+} tribox_packed;
+
+/* These lanes of a word, out of `count` triangles in all, closed up from place `at` on, one of the first 64; and then anything. */
+typedef void tribox_pack(const tribox_soup *soup, size_t count, size_t word, uint64_t lanes, tribox_packed *to, size_t at);
+
 /*
  * Of the pairs of a batch, a bit each: those that overlap, those not decided, and those of a finite triangle, as all these are.
  * Wild are those not decided whose lengths are so small or so large that nothing is known of them; no pair of floats is.
@@ -120,10 +128,12 @@ typedef struct tribox_verdict {
 } tribox_verdict;
 
 /*
- * The first `count` pairs of a batch, at least one, in double.
+ * The first `count` pairs of a batch, at least one, in double. packed: if not NULL, their triangles, for
+ * the batch, which has boxes alone.
  * is_exact: ties may be decided where arithmetic happens to be exact, since integers decide the others as exactly.
  */
-typedef tribox_verdict tribox_in_double(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact);
+typedef tribox_verdict tribox_in_double(tribox_batch *batch, const tribox_packed *packed, unsigned count, unsigned axes,
+                                        bool is_exact);
 
 /*
  * Pairs that are fewer than the lanes of a kernel, spread over a packet, as whole packets are read: the numbers after them repeat
@@ -236,6 +246,7 @@ typedef struct tribox_kernel {
     tribox_code *code[2]; /* floats, doubles */
     tribox_to_frame *to_frame;
     tribox_split_walk *split[TRIBOX_SPLIT_KINDS];
+    tribox_pack *pack;
     tribox_in_double *in_double;
     const tribox_cells_kernel *cells;
     const tribox_rows_kernel *rows;

@@ -1,4 +1,6 @@
 /* pairs_text.h - the texts of a kernel in float, in order. After: a vocabulary of float, and KERNEL, the kernel's name. */
+#include "base/bits.h"
+#include "base/floats.h"
 #include "kernel/pairs/tail.h"
 #include "axes.h"
 #include "kernel/pairs/nine.h"
@@ -8,6 +10,7 @@
 #include "kernel/pairs/local.h"
 #include "kernel/pairs/packet.h"
 #include "kernel/pairs/inside.h"
+#include "kernel/pairs/pack.h"
 #include "kernel/pairs/gather.h"
 #include "kernel/pairs/apart_words.h"
 #define CODED_NUMBER float

@@ -16,12 +16,14 @@ static void answer_by_survey(const tribox_query *p, tribox_plan *plan, size_t wo
     tribox_choice_learn(&plan->choice, &seen, plan->accuracy);
 }
 
-/* Pairs that the walks left undecided, gathered until they fill a batch. */
+/* Pairs that the walks left undecided, gathered until they fill a batch: of a soup and a box as they lie in the soup. */
 typedef struct gathering {
     tribox_batch batch;
-    size_t pair[TRIBOX_BATCH]; /* the number of each among the pairs of the call, */
-    size_t lane[TRIBOX_BATCH]; /* and its lane among those of the words that are settled */
-    unsigned count;
+    tribox_packed packed;
+    size_t pair[2 * TRIBOX_BATCH]; /* the number of each among the pairs of the call, */
+    size_t lane[2 * TRIBOX_BATCH]; /* and its lane among those of the words that are settled */
+    unsigned count, boxes;         /* boxes: of so many in the batch */
+    bool is_packed;
 } gathering;
 
 /* Vertex v of every gathered triangle of a mesh. */
@@ -58,19 +60,42 @@ static void fill_batch(gathering *g, const tribox_query *p)
         fill_vertex(g, p->corners, v);
 }
 
+/* The box of those that are packed. */
+static void fill_boxes(gathering *g, const tribox_box *box, unsigned count)
+{
+    for (; g->boxes < count; g->boxes++)
+        for (int a = 0; a < 3; a++) {
+            g->batch.number[9 + a][g->boxes] = box->lo[a];
+            g->batch.number[12 + a][g->boxes] = box->hi[a];
+        }
+}
+
+/* The first `gone` of those gathered are done. */
+static void drop_settled(gathering *g, unsigned gone)
+{
+    g->count -= gone;
+    memmove(g->lane, g->lane + gone, g->count * sizeof *g->lane);
+    for (int k = 0; g->is_packed && k < 9; k++)
+        memmove(g->packed.number[k], g->packed.number[k] + gone, g->count * sizeof *g->packed.number[k]);
+}
+
 /*
- * Settles what is gathered, and adds the pairs that overlap to the hits of their words. Returns how many have finite numbers; the
- * others overlap nothing.
+ * Settles the first of what is gathered, a batch at most, and adds the pairs that overlap to the hits of their words. Returns how
+ * many have finite numbers; the others overlap nothing.
  */
 static size_t settle_gathered(gathering *g, const tribox_query *p, const tribox_plan *plan, uint64_t *hit)
 {
-    fill_batch(g, p);
-    const tribox_verdict verdict = tribox_settle_batch(&g->batch, g->count, plan);
+    const unsigned count = g->count < TRIBOX_BATCH ? g->count : TRIBOX_BATCH;
+    if (g->is_packed)
+        fill_boxes(g, &p->box->exact, count);
+    else
+        fill_batch(g, p);
+    const tribox_verdict verdict = tribox_settle_packed(&g->batch, g->is_packed ? &g->packed : NULL, count, plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const size_t lane = g->lane[tribox_lowest_bit(left)];
         hit[lane / 64] |= UINT64_C(1) << lane % 64;
     }
-    g->count = 0;
+    drop_settled(g, count);
     return tribox_count_bits(verdict.finite);
 }
 
@@ -94,20 +119,36 @@ void tribox_pairs_walk_block(const tribox_query *p, tribox_plan *plan, size_t wo
     }
 }
 
+/* Whether packets of these words have so many lanes undecided, as far as some of the words tell, that packing is quicker. */
+static bool have_several(const uint64_t *undecided, size_t words, unsigned lanes)
+{
+    enum { SEVERAL = 3, EVERY = 8 };
+    size_t open = 0;
+    for (size_t w = 0; w < words; w += EVERY)
+        open += tribox_count_bits(undecided[w]);
+    return open * lanes >= SEVERAL * 64 * ((words + EVERY - 1) / EVERY);
+}
+
 size_t tribox_pairs_settle_words(const tribox_query *p, const tribox_plan *plan, const size_t *number, size_t words,
                                  const uint64_t *undecided, uint64_t *hit)
 {
     gathering g;
     size_t settled = 0;
-    g.count = 0;
-    for (size_t w = 0; w < words; w++)
+    g.count = g.boxes = 0;
+    g.is_packed = p->soup && p->box && have_several(undecided, words, plan->kernel->lanes);
+    for (size_t w = 0; w < words; w++) {
+        if (g.is_packed && undecided[w])
+            plan->kernel->pack(p->soup, p->count, number[w], undecided[w], &g.packed, g.count);
         for (uint64_t left = undecided[w]; left; left &= left - 1) {
             const unsigned lane = tribox_lowest_bit(left);
             g.pair[g.count] = 64 * number[w] + lane;
             g.lane[g.count++] = 64 * w + lane;
-            if (g.count == TRIBOX_BATCH)
+            if (!g.is_packed && g.count == TRIBOX_BATCH)
                 settled += settle_gathered(&g, p, plan, hit);
         }
+        if (g.count >= TRIBOX_BATCH)
+            settled += settle_gathered(&g, p, plan, hit);
+    }
     if (g.count)
         settled += settle_gathered(&g, p, plan, hit);
     return settled;

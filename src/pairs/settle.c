@@ -17,19 +17,22 @@ static tribox_pair batch_pair_at(const tribox_batch *batch, unsigned i)
 }
 
 /* Lanes up to a whole packet repeat the last. Their answers are dropped, but arithmetic on garbage can be slow, or be reported. */
-static void fill_up_batch(tribox_batch *batch, unsigned count)
+static void fill_up_batch(tribox_batch *batch, tribox_packed *packed, unsigned count)
 {
-    for (int k = 0; k < 15; k++)
-        for (unsigned i = count; i % TRIBOX_DOUBLES_MAX; i++)
+    for (unsigned i = count; i % TRIBOX_DOUBLES_MAX; i++) {
+        for (int k = packed ? 9 : 0; k < 15; k++)
             batch->number[k][i] = batch->number[k][count - 1];
+        for (int k = 0; packed && k < 9; k++)
+            packed->number[k][i] = packed->number[k][count - 1];
+    }
 }
 
-tribox_verdict tribox_settle_batch(tribox_batch *batch, unsigned count, const tribox_plan *plan)
+tribox_verdict tribox_settle_packed(tribox_batch *batch, tribox_packed *packed, unsigned count, const tribox_plan *plan)
 {
     /* CONSERVATIVE counts undecided pairs as overlaps; wild ones are settled exactly. */
     const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
-    fill_up_batch(batch, count);
-    tribox_verdict verdict = plan->kernel->in_double(batch, count, plan->axes, is_exact);
+    fill_up_batch(batch, packed, count);
+    tribox_verdict verdict = plan->kernel->in_double(batch, packed, count, plan->axes, is_exact);
     if (!is_exact)
         verdict.overlapping |= verdict.undecided & ~verdict.wild;
     for (uint64_t undecided = is_exact ? verdict.undecided : verdict.wild; undecided; undecided &= undecided - 1) {

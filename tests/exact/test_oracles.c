@@ -57,13 +57,13 @@ static void gather(gathered_pairs *g, const pair_f32 *pair, int triangle)
 }
 
 /* What a kernel settles is right; what it leaves open it does not report. */
-static void check_settled(const origin *where, const judged_batch *judged, const gathered_pairs *g, const tribox_kernel *kernel,
+static void check_settled(const origin *where, const judged_batch *judged, gathered_pairs *g, const tribox_kernel *kernel,
                           unsigned axes, reached *count)
 {
     origin here = *where;
     here.function = "in_double";
     here.options = (tribox_options){.axes = axes, .kernel = kernel->name};
-    const tribox_verdict verdict = kernel->in_double(&g->pairs, g->count, axes, true);
+    const tribox_verdict verdict = kernel->in_double(&g->pairs, NULL, g->count, axes, true);
     const uint64_t overlapping = verdict.overlapping, open = verdict.undecided;
     assert_true(!(overlapping & open) && (g->count == TRIBOX_BATCH || (overlapping | open) >> g->count == 0));
     assert_true(verdict.finite == ~UINT64_C(0) >> (TRIBOX_BATCH - g->count));

@@ -224,6 +224,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
               [TRIBOX_SPLIT_LOCAL] = split_local,
               [TRIBOX_SPLIT_BOX] = split_box,
               [TRIBOX_SPLIT_LOCAL_BOX] = split_local_box},
+    .pack = pack,
     .in_double = TRIBOX_SYMBOL(settle),
     .cells = &TRIBOX_SYMBOL(cells),
     .rows = &TRIBOX_SYMBOL(rows),

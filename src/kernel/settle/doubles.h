@@ -174,9 +174,18 @@ TRIBOX_INLINE tribox_verdict packet_in_double(const tribox_batch *batch, unsigne
     return (tribox_verdict){finite & overlapping, undecided, finite, undecided & ~m_bits(range.is_certain)};
 }
 
-tribox_in_double TRIBOX_SYMBOL(settle);
-tribox_verdict TRIBOX_SYMBOL(settle)(const tribox_batch *batch, unsigned count, unsigned axes, bool is_exact)
+TRIBOX_INLINE void unpack(const tribox_packed *packed, tribox_batch *batch, unsigned count)
 {
+    for (int k = 0; k < 9; k++)
+        for (unsigned at = 0; at < count; at += V_LANES)
+            v_write(&batch->number[k][at], v_load(&packed->number[k][at]));
+}
+
+tribox_in_double TRIBOX_SYMBOL(settle);
+tribox_verdict TRIBOX_SYMBOL(settle)(tribox_batch *batch, const tribox_packed *packed, unsigned count, unsigned axes, bool is_exact)
+{
+    if (packed)
+        unpack(packed, batch, count);
     const exactness asked = !is_exact ? NOT_ASKED : is_rounding_told() ? BY_FLAG : BY_SHORT_NUMBERS;
     tribox_verdict all = {0, 0, 0, 0};
     for (unsigned at = 0; at < count; at += V_LANES) {
