@@ -21,10 +21,15 @@ static inline void tribox_float_put(void *to, double number)
     memcpy(to, &rounded, sizeof rounded);
 }
 
-/* By way of memory: gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
+/* Out of the compiler's sight, or gcc 12 takes doubles that a loop makes floats and doubles again for what they were. */
 static inline float tribox_float_nearest(double number)
 {
+#if defined(__GNUC__) && defined(__SSE2__)
+    float nearest = (float)number;
+    __asm__("" : "+x"(nearest));
+#else
     const volatile float nearest = (float)number;
+#endif
     return nearest;
 }
 

@@ -25,23 +25,31 @@ static void round_for_signs(const tribox_rounded_box *rounded, tribox_box_floats
     }
 }
 
+/* Bounds on axis a that are not both floats. */
+TRIBOX_NOINLINE void round_axis_bounds(const tribox_box *box, int a, bool is_box_asked, tribox_rounded_box *rounded)
+{
+    const double lo = box->lo[a], hi = box->hi[a];
+    const float l = tribox_float_from(lo), origin = is_box_asked ? l : (float)lo;
+    rounded->lo[a] = l;
+    rounded->hi[a] = -tribox_float_from(-hi);
+    rounded->of.origin[a] = origin;
+    rounded->of.H[a] = (float)fabs(hi - lo);
+    rounded->of.C[a] = (float)((hi - (double)origin) + (lo - (double)origin));
+}
+
 bool tribox_box_round(const tribox_box *box, bool is_box_asked, bool is_fast, tribox_rounded_box *rounded)
 {
     tribox_box_floats *const of = &rounded->of;
     rounded->exact = *box;
     bool are_floats = true;
     for (int a = 0; a < 3; a++) {
-        const double lo = box->lo[a], hi = box->hi[a];
-        const float l = tribox_float_from(lo), h = -tribox_float_from(-hi), origin = is_box_asked ? l : (float)lo;
-        rounded->lo[a] = l;
+        const float l = tribox_float_nearest(box->lo[a]), h = tribox_float_nearest(box->hi[a]);
+        rounded->lo[a] = of->origin[a] = l;
         rounded->hi[a] = h;
-        of->origin[a] = origin;
-        if ((double)l == lo && (double)h == hi) { /* of floats: rounded once */
-            of->H[a] = of->C[a] = fabsf(h - l);
-        } else {
+        of->H[a] = of->C[a] = fabsf(h - l); /* of floats: rounded once */
+        if ((double)l != box->lo[a] || (double)h != box->hi[a]) {
             are_floats = false;
-            of->H[a] = (float)fabs(hi - lo);
-            of->C[a] = (float)((hi - (double)origin) + (lo - (double)origin));
+            round_axis_bounds(box, a, is_box_asked, rounded);
         }
     }
     if (is_fast)
