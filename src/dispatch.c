@@ -1,5 +1,6 @@
 /* dispatch.c - which kernel runs: the widest that this processor and operating system can, or the one that was named. */
 #include "dispatch.h"
+#include "base/bits.h"
 #include "base/relaxed.h"
 
 /* Of those in kernels.txt, these are in this build. */
@@ -81,8 +82,10 @@ static unsigned kernels_here(void)
 const tribox_kernel *tribox_kernel_find(const char *name)
 {
     const unsigned here = kernels_here();
+    if (!name)
+        return table[tribox_lowest_bit(here)].kernel;
     for (size_t i = 0; i < tribox_kernel_count(); i++)
-        if (here >> i & 1 && (!name || is_name(name, table[i].kernel->name)))
+        if (here >> i & 1 && is_name(name, table[i].kernel->name))
             return table[i].kernel;
     return NULL;
 }

@@ -40,22 +40,16 @@ tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan)
     const tribox_options *const asked = options ? options : &defaults;
     plan->accuracy = asked->accuracy;
     plan->axes = asked->axes ? asked->axes : TRIBOX_AXES_ALL;
-    const unsigned sequence = sequence_of(asked->axis_order ? asked->axis_order : DEFAULT_ORDER, plan->axes);
+    const bool is_fixed = asked->axis_order || plan->axes != TRIBOX_AXES_ALL;
+    const unsigned order = asked->axis_order ? asked->axis_order : DEFAULT_ORDER;
+    const unsigned sequence = is_fixed ? sequence_of(order, plan->axes) : TRIBOX_SEQUENCE_132;
     if ((unsigned)plan->accuracy > TRIBOX_FAST || sequence == TRIBOX_SEQUENCES || !tribox_are_reserved_zero(asked->reserved))
         return TRIBOX_BAD_OPTION;
     tribox_choice_start(&plan->choice);
-    if (asked->axis_order || plan->axes != TRIBOX_AXES_ALL)
+    if (is_fixed)
         tribox_choice_fix(&plan->choice, sequence);
     plan->kernel = tribox_kernel_find(asked->kernel);
     return plan->kernel ? TRIBOX_OK : TRIBOX_NO_KERNEL;
-}
-
-void tribox_plan_report(const tribox_plan *plan, tribox_report counts, tribox_report *report)
-{
-    if (plan->accuracy == TRIBOX_FAST)
-        counts.undecided = 0;
-    if (report)
-        *report = counts;
 }
 
 const char *tribox_kernel_name(const tribox_options *options)

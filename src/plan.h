@@ -21,6 +21,12 @@ static inline bool tribox_are_reserved_zero(const uint32_t reserved[4])
 tribox_status tribox_plan_make(const tribox_options *options, tribox_plan *plan);
 
 /* Writes what a call counted; report may be NULL. FAST leaves undecided only what is not finite or overflows: reported as 0. */
-void tribox_plan_report(const tribox_plan *plan, tribox_report counts, tribox_report *report);
+static inline void tribox_plan_report(const tribox_plan *plan, tribox_report counts, tribox_report *report)
+{
+    if (plan->accuracy == TRIBOX_FAST)
+        counts.undecided = 0;
+    if (report)
+        *report = counts;
+}
 
 #endif
