@@ -49,6 +49,7 @@ typedef struct tribox_corners {
     const double *origin; /* NULL of floats; doubles are read less origin[k], of axis k % 3, and rounded: TRIBOX_LOCAL of them */
     bool has_all;         /* else another vertex stands for the last of the mesh */
     size_t ahead;         /* triangles of nine numbers that may come into the cache early: none where less than 2 MiB do */
+    const char *const *place; /* of a few of floats, in place of all else: those of vertex v of triangle i are at 3 * i + v */
 } tribox_corners;
 
 /* The most lanes of float, and of double. The lanes of every kernel divide them. */
@@ -77,9 +78,15 @@ typedef struct tribox_query {
 /*
  * Answers `count` pairs, one or more, from pair 64 * word on; bits past them are zero. Whole packets are read, the last of which
  * ends with the last pair: so a walk reads pairs before its first one, too. Where the streams have fewer pairs than the kernel has
- * lanes, there have to be numbers after them (tribox_partial_packet).
+ * lanes, there have to be numbers after them (tribox_partial_packet); tribox_walk_few needs none.
  */
 typedef void tribox_walk(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided);
+
+/*
+ * Answers the pairs of a query, 64 at most, about all axes, and returns the hits. Reads no other pair, however few they are. Of
+ * corners it takes places: of whole packets, the last of which may repeat a triangle.
+ */
+typedef uint64_t tribox_walk_few(const tribox_query *pairs, size_t count, uint64_t *undecided);
 
 /*
  * Walks of corners of doubles, rounded about the lower corner of their box, which begins at 0 (PROOFS.md 14). What rounding leaves
@@ -234,6 +241,7 @@ typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
+    tribox_walk_few *walk_few[TRIBOX_WALK_KINDS];
     tribox_survey *survey[TRIBOX_WALK_KINDS];
     tribox_walk *walk_local[TRIBOX_LOCAL_WALKS];
     tribox_spread_triangles *spread_triangles;

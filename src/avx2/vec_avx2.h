@@ -25,11 +25,15 @@ typedef __m256 vmask;
 typedef __m256i vint;
 
 TRIBOX_INLINE vnum v_load(const float *p) { return _mm256_loadu_ps(p); }
+TRIBOX_INLINE __m256i avx2_first(size_t count)
+{
+    static const int32_t is_first[2 * V_LANES] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    return _mm256_loadu_si256((const __m256i *)(is_first + V_LANES - count));
+}
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return _mm256_maskload_ps(p, avx2_first(count)); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
-    static const int32_t is_present[2 * V_LANES] = {-1, -1, -1, -1, -1, -1, -1, -1};
-    const __m256i present = _mm256_loadu_si256((const __m256i *)(is_present + V_LANES - count));
-    return _mm256_blendv_ps(_mm256_set1_ps(tribox_float_at(p)), _mm256_maskload_ps(p, present), _mm256_castsi256_ps(present));
+    return _mm256_blendv_ps(_mm256_set1_ps(tribox_float_at(p)), v_load_up_to(p, count), _mm256_castsi256_ps(avx2_first(count)));
 }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm256_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm256_storeu_ps(p, a); }

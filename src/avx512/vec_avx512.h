@@ -32,6 +32,7 @@ TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
 {
     return _mm512_mask_loadu_ps(_mm512_set1_ps(tribox_float_at(p)), (vmask)((1u << count) - 1), p);
 }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return _mm512_maskz_loadu_ps((vmask)((1u << count) - 1), p); }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm512_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm512_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm512_add_ps(a, b); }

@@ -6,19 +6,6 @@
 #include "finite.h"
 #include "floats.h"
 
-static bool has_streams(const tribox_soup *soup)
-{
-    for (int v = 0; v < 3; v++)
-        if (!soup->x[v] || !soup->y[v] || !soup->z[v])
-            return false;
-    return true;
-}
-
-bool tribox_soup_is_readable(const tribox_soup *soup)
-{
-    return soup && tribox_is_addressable(soup->count) && (!soup->count || has_streams(soup));
-}
-
 tribox_soup tribox_soup_tail(const tribox_soup *soup, float scratch[9][64])
 {
     const size_t tail = soup->count % 64, first = soup->count - tail;
@@ -39,7 +26,7 @@ static bool is_triangle_finite(const tribox_soup *soup, size_t i)
 
 size_t tribox_soup_not_finite(const tribox_soup *soup, size_t *first)
 {
-    const size_t count = soup && has_streams(soup) ? soup->count : 0;
+    const size_t count = soup && tribox_soup_has_streams(soup) ? soup->count : 0;
     size_t found = 0, lowest = count;
     for (size_t i = count; i-- > 0;)
         if (!is_triangle_finite(soup, i)) {

@@ -12,8 +12,19 @@ static inline bool tribox_is_addressable(size_t count) { return count <= PTRDIFF
 /* Whether 32-bit numbers can count `count` things. A size_t may have no more bits itself. */
 static inline bool tribox_has_numbers(uint64_t count) { return count <= UINT64_C(1) << 32; }
 
+static inline bool tribox_soup_has_streams(const tribox_soup *soup)
+{
+    bool are_all = true;
+    for (int v = 0; v < 3; v++)
+        are_all &= soup->x[v] && soup->y[v] && soup->z[v];
+    return are_all;
+}
+
 /* Whether the soup can be read: no NULL where triangles are, and a count that fits. */
-bool tribox_soup_is_readable(const tribox_soup *soup);
+static inline bool tribox_soup_is_readable(const tribox_soup *soup)
+{
+    return soup && tribox_is_addressable(soup->count) && (!soup->count || tribox_soup_has_streams(soup));
+}
 
 /* The three streams of axis a: one for each vertex. */
 static inline const float *const *tribox_soup_axis(const tribox_soup *soup, int a)

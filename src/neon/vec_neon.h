@@ -34,6 +34,7 @@ TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
     const float first = tribox_float_at(p);
     return (vnum){first, tribox_float_at(p + (count > 1)), tribox_float_at(p + 2 * (count > 2)), first};
 }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return count < V_LANES ? v_load_few(p, count) : v_load(p); }
 TRIBOX_INLINE vnum v_splat(float a) { return vdupq_n_f32(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { vst1q_f32(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return vaddq_f32(a, b); }

@@ -3,7 +3,6 @@
 #include "base/environment.h"
 #include "base/finite.h"
 #include "pairs/pairs.h"
-#include "pairs/partial_packet.h"
 
 #if !defined(TRIBOX_SMALL)
 tribox_status tribox_overlap_boxes(const float triangle[9], const tribox_boxes *boxes, const tribox_options *options,
@@ -15,9 +14,7 @@ tribox_status tribox_overlap_boxes(const float triangle[9], const tribox_boxes *
     const tribox_status status = tribox_plan_make(options, &plan);
     if (status)
         return status;
-    tribox_partial_packet partial;
-    const tribox_boxes *const packets = tribox_pad_boxes(boxes, plan.kernel, &partial);
-    const tribox_query pairs = {.triangle = triangle, .boxes = packets, .count = boxes->count};
+    const tribox_query pairs = {.triangle = triangle, .boxes = boxes, .count = boxes->count};
     tribox_report counts = {0, 0};
     const tribox_environment callers = tribox_environment_enter();
     if (tribox_are_finite(triangle, 9)) /* for others the walks would find nothing either */

@@ -4,16 +4,6 @@
 #include "base/bits.h"
 #include "base/box.h"
 #include "mesh/mesh_input.h"
-#include "pairs/partial_packet.h"
-
-bool tribox_call_take_soup(tribox_overlap_call *c, const tribox_soup *soup)
-{
-    if (!tribox_soup_is_readable(soup))
-        return false;
-    c->soup = soup;
-    c->count = soup->count;
-    return true;
-}
 
 bool tribox_call_take_mesh(tribox_overlap_call *c, const tribox_mesh *mesh)
 {
@@ -24,33 +14,17 @@ bool tribox_call_take_mesh(tribox_overlap_call *c, const tribox_mesh *mesh)
     return true;
 }
 
-tribox_status tribox_call_check(tribox_overlap_call *c, bool is_taken, const tribox_box *box, const tribox_options *options)
-{
-    if (!box || !is_taken)
-        return TRIBOX_BAD_ARGUMENT;
-    if (!tribox_box_is_finite(box))
-        return TRIBOX_BAD_BOX;
-    c->box = box;
-    const tribox_status status = tribox_plan_make(options, &c->plan);
-    c->asked = c->plan.accuracy;
-    return status;
-}
-
-static void make_soup_query(tribox_overlap_call *c)
-{
-    const bool are_floats =
-        tribox_box_round(c->box, c->plan.axes & TRIBOX_AXES_BOX, c->plan.accuracy == TRIBOX_FAST, &c->rounded.box);
-    const bool is_flag_asked = are_floats && c->plan.accuracy == TRIBOX_EXACT;
-    c->pairs = (tribox_query){.soup = tribox_pad_triangles(c->soup, c->plan.kernel, &c->partial),
-                              .box = &c->rounded.box,
-                              .count = c->count,
-                              .ties = is_flag_asked ? TRIBOX_TIES_WHERE_SEVERAL : TRIBOX_TIES_LEFT};
-}
-
-static void make_mesh_query(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked)
+void tribox_call_start_mesh(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked)
 {
     const bool are_floats = tribox_mesh_has_floats(&c->mesh), has_box = c->plan.axes & TRIBOX_AXES_BOX;
     const tribox_box_pattern *pattern = NULL;
+    c->is_few_of_mesh =
+        are_floats && !c->is_empty && c->count && c->count <= TRIBOX_MESH_FEW && tribox_mesh_are_corners_walked(&c->plan);
+    if (c->is_few_of_mesh) {
+        tribox_box_round(c->box, true, c->plan.accuracy == TRIBOX_FAST, &c->rounded.box);
+        c->query = (tribox_mesh_query){.answer = tribox_mesh_answer_few, .plan = &c->plan, .about = &c->rounded};
+        return;
+    }
     if (are_floats) {
         tribox_float_box_make(c->box, &c->plan, &c->rounded);
         pattern = &c->rounded.pattern;
@@ -78,16 +52,7 @@ bool tribox_call_may_code(const tribox_overlap_call *c)
            (c->asked != TRIBOX_FAST || tribox_mesh_has_doubles(&c->mesh));
 }
 
-void tribox_call_start(tribox_overlap_call *c, tribox_codes *codes, bool is_all_asked)
-{
-    c->is_empty = tribox_box_is_empty(c->box);
-    if (c->soup)
-        make_soup_query(c);
-    else
-        make_mesh_query(c, codes, is_all_asked);
-}
-
-size_t tribox_call_answer_block(tribox_overlap_call *c, size_t first, size_t count, uint64_t *hit, tribox_report *counts)
+size_t tribox_call_answer_part(tribox_overlap_call *c, size_t first, size_t count, uint64_t *hit, tribox_report *counts)
 {
     if (!c->soup) {
         tribox_answer_block *const answer = c->query.codes ? tribox_mesh_answer_coded : c->query.answer;
@@ -100,17 +65,6 @@ size_t tribox_call_answer_block(tribox_overlap_call *c, size_t first, size_t cou
     return count;
 }
 
-bool tribox_call_answer(tribox_overlap_call *c, uint64_t *mask, tribox_report *counts)
-{
-    if (!c->soup)
-        return tribox_mesh_answer(&c->query, &c->mesh, mask, counts);
-    if (c->is_empty)
-        tribox_pairs_write_none(c->count, mask);
-    else
-        *counts = tribox_pairs_answer(&c->pairs, &c->plan, mask);
-    return true;
-}
-
 uint64_t tribox_call_inside(const tribox_overlap_call *c, size_t first, uint64_t candidates)
 {
     if (c->soup)
@@ -120,11 +74,4 @@ uint64_t tribox_call_inside(const tribox_overlap_call *c, size_t first, uint64_t
         return tribox_mesh_inside(&c->mesh, c->box, first, candidates);
     const size_t w = (first - codes->answered) / 64;
     return (candidates & codes->inside[w]) | tribox_mesh_inside(&c->mesh, c->box, first, candidates & codes->unknown[w]);
-}
-
-void tribox_call_report(const tribox_overlap_call *c, tribox_report counts, tribox_report *report)
-{
-    if (c->asked == TRIBOX_FAST)
-        counts.undecided = 0;
-    tribox_plan_report(&c->plan, counts, report);
 }

@@ -5,6 +5,7 @@
 
 #include "base/bits.h"
 #include "base/floats.h"
+#include "partial_packet.h"
 #include "settle.h"
 #include "base/soup.h"
 
@@ -32,7 +33,10 @@ static void fill_vertex(gathering *g, const tribox_corners *corners, size_t v)
     for (unsigned i = 0; i < g->count; i++) {
         const size_t corner = 3 * g->pair[i] + v;
         float position[3];
-        memcpy(position, corners->base + (corners->offset ? corners->offset[corner] : sizeof position * corner), sizeof position);
+        const void *const from = corners->place    ? corners->place[corner]
+                                 : corners->offset ? corners->base + corners->offset[corner]
+                                                   : corners->base + sizeof position * corner;
+        memcpy(position, from, sizeof position);
         for (size_t a = 0; a < 3; a++)
             g->batch.number[3 * a + v][i] = position[a];
     }
@@ -179,6 +183,18 @@ void tribox_pairs_write_none(size_t count, uint64_t *mask)
         memset(mask, 0, tribox_words_of(count) * sizeof *mask);
 }
 
+/* A word at most, about some of the axes. */
+TRIBOX_NOINLINE void walk_word(const tribox_query *p, const tribox_plan *plan, uint64_t *hit, uint64_t *undecided)
+{
+    tribox_partial_packet partial;
+    tribox_query padded = *p;
+    if (p->soup)
+        padded.soup = tribox_pad_triangles(p->soup, plan->kernel, &partial);
+    if (p->boxes)
+        padded.boxes = tribox_pad_boxes(p->boxes, plan->kernel, &partial);
+    plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](&padded, 0, p->count, hit, undecided);
+}
+
 /* At most a word: what the blocks do, with less around it, as a few pairs take no longer than that. */
 static tribox_report answer_word(const tribox_query *p, const tribox_plan *plan, uint64_t *mask)
 {
@@ -186,7 +202,10 @@ static tribox_report answer_word(const tribox_query *p, const tribox_plan *plan,
     size_t settled = 0;
     if (!p->count)
         return (tribox_report){0, 0};
-    plan->kernel->walk[tribox_walk_kind_of(plan->accuracy)][plan->choice.sequence](p, 0, p->count, &hit, &undecided);
+    if (plan->axes == TRIBOX_AXES_ALL && (!p->corners || p->corners->place))
+        hit = plan->kernel->walk_few[tribox_walk_kind_of(plan->accuracy)](p, p->count, &undecided);
+    else
+        walk_word(p, plan, &hit, &undecided);
     if (undecided)
         settled = tribox_pairs_settle_block(p, plan, 0, 1, &undecided, &hit);
     if (mask)
@@ -194,10 +213,8 @@ static tribox_report answer_word(const tribox_query *p, const tribox_plan *plan,
     return (tribox_report){tribox_count_bits(hit), settled};
 }
 
-tribox_report tribox_pairs_answer(const tribox_query *p, tribox_plan *plan, uint64_t *mask)
+TRIBOX_NOINLINE tribox_report answer_many(const tribox_query *p, tribox_plan *plan, uint64_t *mask)
 {
-    if (p->count <= 64)
-        return answer_word(p, plan, mask);
     const size_t words = tribox_words_of(p->count);
     tribox_report counts = {0, 0};
     for (size_t word = 0; word < words; word += TRIBOX_BLOCK_WORDS) {
@@ -208,4 +225,9 @@ tribox_report tribox_pairs_answer(const tribox_query *p, tribox_plan *plan, uint
             counts.overlapping += tribox_count_bits(hit[w]);
     }
     return counts;
+}
+
+tribox_report tribox_pairs_answer(const tribox_query *p, tribox_plan *plan, uint64_t *mask)
+{
+    return p->count <= 64 ? answer_word(p, plan, mask) : answer_many(p, plan, mask);
 }

@@ -45,6 +45,7 @@ TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
     (void)count;
     return v_load(p);
 }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return v_load_few(p, count); }
 TRIBOX_INLINE vnum v_splat(float a) { return a; }
 TRIBOX_INLINE void v_write(void *p, vnum a) { memcpy(p, &a, sizeof a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return a + b; }

@@ -30,6 +30,7 @@ TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
     const float first = tribox_float_at(p);
     return _mm_setr_ps(first, tribox_float_at(p + (count > 1)), tribox_float_at(p + 2 * (count > 2)), first);
 }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return count < V_LANES ? v_load_few(p, count) : v_load(p); }
 TRIBOX_INLINE vnum v_splat(float a) { return _mm_set1_ps(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { _mm_storeu_ps(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return _mm_add_ps(a, b); }

@@ -30,6 +30,7 @@ TRIBOX_INLINE vnum v_load_few(const float *p, size_t count)
     const float first = tribox_float_at(p);
     return wasm_f32x4_make(first, tribox_float_at(p + (count > 1)), tribox_float_at(p + 2 * (count > 2)), first);
 }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return count < V_LANES ? v_load_few(p, count) : v_load(p); }
 TRIBOX_INLINE vnum v_splat(float a) { return wasm_f32x4_splat(a); }
 TRIBOX_INLINE void v_write(float *p, vnum a) { wasm_v128_store(p, a); }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return wasm_f32x4_add(a, b); }

@@ -441,5 +441,6 @@ TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
 static const vnum *count_memory;
 TRIBOX_INLINE vnum v_load(const float *p) { return count_memory ? count_memory[(int)*p] : count_constant(*p); }
 TRIBOX_INLINE vnum v_load_few(const float *p, size_t count) { return (void)count, v_load(p); }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return (void)count, v_load(p); }
 TRIBOX_INLINE vnum v_read(const double *p) { return count_constant(*p); }
 #define v_write(p, a) ((void)(*(p) = 0), (void)(a))

@@ -132,9 +132,11 @@ static void check_call(const pair_list *q, const tribox_options *options, const 
 static void check_count(const pair_list *all, size_t count, int place)
 {
     const pair_list q = between_guards(all, count, place);
-    for (int k = 0; k < kernels; k++)
+    for (int k = 0; k < kernels; k++) {
         for (tribox_accuracy accuracy = TRIBOX_EXACT; accuracy <= TRIBOX_FAST; accuracy++)
             check_call(&q, &(tribox_options){.accuracy = accuracy, .kernel = names[k]}, alone[k][accuracy], place);
+        ask_ok(&q, &(tribox_options){.axes = TRIBOX_AXES_BOX, .kernel = names[k]}, NULL, NULL); /* by a copy if there are few */
+    }
 }
 
 static void check_form(bool is_soup)

@@ -79,7 +79,11 @@ void lanes_cut(const lane_number *a, int32_t *out) { v_write_int(out, lanes_of(a
 #else
 void lanes_cut(const lane_number *a, int32_t *out) { i_write(out, i_cut(lanes_of(a))); }
 
-void lanes_load_few(const float *from, unsigned count, lane_number *out) { put(v_load_few(from, count), out); }
+void lanes_load_few(const float *from, unsigned count, lane_number *out, lane_number *first)
+{
+    put(count < V_LANES ? v_load_few(from, count) : v_load(from), out);
+    put(v_load_up_to(from, count), first);
+}
 
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out)
 {

@@ -82,7 +82,7 @@ void lanes_load(const float *from, lane_number *out);
 void lanes_number(number_word word, const lane_number *a, const lane_number *b, const lane_number *c, lane_number *out);
 void lanes_cut(const lane_number *a, int32_t *out); /* fractions cut off */
 #if !defined(LANES_OF_DOUBLE)
-void lanes_load_few(const float *from, unsigned count, lane_number *out); /* the first `count`, then the first again */
+void lanes_load_few(const float *from, unsigned count, lane_number *out, lane_number *first); /* filled with its first; or not */
 void lanes_permute(const float *a, const float *b, const int32_t *from, lane_number *out);
 void lanes_transpose(const void *const *from, lane_number out[4][LANES_MAX]);
 void lanes_near(const void *from, const double *lo, lane_number *out);

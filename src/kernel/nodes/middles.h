@@ -1,6 +1,6 @@
 /*
  * middles.h - where triangles and boxes lie: the middles of their bounding boxes.
- * After: axes.h. Needs: v_load_few.
+ * After: axes.h. Needs: v_load_up_to.
  */
 
 static const int32_t LANE_NUMBERS[TRIBOX_LANES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -13,19 +13,14 @@ TRIBOX_INLINE vnum half_way(vnum lo, vnum hi)
     return v_add(middle, v_splat(0)); /* one sign of zero */
 }
 
-/* The packet at triangle or box `at`, or as much of it as is there: `count` lanes. */
-TRIBOX_INLINE vnum load_up_to(const float *stream, size_t at, size_t count)
-{
-    return count < V_LANES ? v_load_few(stream + at, count) : v_load(stream + at);
-}
-
-/* The middles of a packet, and in which lanes all is finite. */
+/* The middles of a packet, or of as much of it as is there, `count` lanes; and in which lanes all is finite. */
 TRIBOX_INLINE vmask middles_of_triangles(const tribox_soup *soup, size_t at, size_t count, vnum middle[3])
 {
     vnum sum = v_splat(0);
     for (int a = 0; a < 3; a++) {
         const float *const *const stream = tribox_soup_axis(soup, a);
-        const vnum u = load_up_to(stream[0], at, count), v = load_up_to(stream[1], at, count), w = load_up_to(stream[2], at, count);
+        const vnum u = v_load_up_to(stream[0] + at, count), v = v_load_up_to(stream[1] + at, count),
+                   w = v_load_up_to(stream[2] + at, count);
         middle[a] = half_way(lane_min3(u, v, w), lane_max3(u, v, w));
         sum = v_add(sum, lane_lost3(u, v, w));
     }
@@ -36,7 +31,7 @@ TRIBOX_INLINE vmask middles_of_boxes(const tribox_boxes *boxes, size_t at, size_
 {
     vnum sum = v_splat(0);
     for (int a = 0; a < 3; a++) {
-        const vnum lo = load_up_to(boxes->lo[a], at, count), hi = load_up_to(boxes->hi[a], at, count);
+        const vnum lo = v_load_up_to(boxes->lo[a] + at, count), hi = v_load_up_to(boxes->hi[a] + at, count);
         middle[a] = half_way(lo, hi);
         sum = v_add(sum, v_add(v_sub(lo, lo), v_sub(hi, hi)));
     }

@@ -182,6 +182,48 @@ TRIBOX_FOR_EACH_SEQUENCE(WALKS)
 SURVEY(BY_MARGIN, LOOKS_AGAIN)
 SURVEY(BY_SIGN, 0)
 
+/* Pairs of a word at most, and nothing past them is read: what a short call asks, with as little around its packets as can be. */
+TRIBOX_INLINE uint64_t walk_packets_of_few(const tribox_query *from, size_t count, uint64_t *undecided, walk_kind kind)
+{
+    uint64_t hit = 0, open = 0;
+    lane_pairs p;
+    start_pairs(&p, from, kind);
+    for (size_t at = 0; at < count; at += V_LANES) {
+        uint64_t packet_open;
+        p.few = count - at < V_LANES ? count - at : V_LANES;
+        hit |= packet(&p, from, at, kind, &packet_open) << at;
+        open |= packet_open << at;
+    }
+    *undecided = open;
+    return hit;
+}
+
+/* In one order: another would gain nothing on few. */
+TRIBOX_INLINE uint64_t walk_few_of_any(const tribox_query *from, size_t count, uint64_t *undecided, walk_kind kind)
+{
+    if (TRIBOX_WALKS_SOUPS_ALONE || from->soup)
+        return walk_packets_of_few(from, count, undecided, 132 | WALKS_FEW | WALKS_SOUP | kind);
+    if (from->corners)
+        return walk_packets_of_few(from, count, undecided, 132 | WALKS_FEW | WALKS_SOUP | WALKS_MESH | kind);
+    return walk_packets_of_few(from, count, undecided, 132 | WALKS_FEW | kind);
+}
+
+TRIBOX_NOINLINE uint64_t look_again_at_few(const tribox_query *from, size_t count, uint64_t *undecided)
+{
+    return walk_few_of_any(from, count, undecided, LOOKS_AGAIN);
+}
+
+static uint64_t walk_few_BY_MARGIN(const tribox_query *from, size_t count, uint64_t *undecided)
+{
+    const uint64_t hit = walk_few_of_any(from, count, undecided, WALKS_BY_MARGIN);
+    return has_several(*undecided) ? look_again_at_few(from, count, undecided) : hit;
+}
+
+static uint64_t walk_few_BY_SIGN(const tribox_query *from, size_t count, uint64_t *undecided)
+{
+    return walk_few_of_any(from, count, undecided, WALKS_BY_SIGN);
+}
+
 static void walk_local_box(const tribox_query *pairs, size_t word, size_t count, uint64_t *hit, uint64_t *undecided)
 {
     walk_all_BY_MARGIN(pairs, word, count, hit, undecided, 1 | WALKS_SOUP | WALKS_MESH | WALKS_LOCAL);
@@ -208,6 +250,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .name = KERNEL_STRING(KERNEL),
     .lanes = V_LANES,
     .walk = {TRIBOX_FOR_EACH_SEQUENCE(ENTRIES)},
+    .walk_few = {[TRIBOX_BY_MARGIN] = walk_few_BY_MARGIN, [TRIBOX_BY_SIGN] = walk_few_BY_SIGN},
     .survey = {[TRIBOX_BY_MARGIN] = survey_BY_MARGIN, [TRIBOX_BY_SIGN] = survey_BY_SIGN},
     .walk_local = {[TRIBOX_LOCAL_BOX] = walk_local_box, [TRIBOX_LOCAL_ALL] = walk_local_all},
     .spread_triangles = spread_triangles,

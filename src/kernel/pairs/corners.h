@@ -50,6 +50,17 @@ TRIBOX_INLINE void load_offsets(lane_triangle *t, const char *base, const uint32
     load_vertex_at(t, base, offset, 2, numbers);
 }
 
+/* Vertices at places given one by one. */
+TRIBOX_INLINE void load_places(lane_triangle *t, const char *const *corner)
+{
+    for (int j = 0; j < 3; j++) {
+        const void *place[V_LANES];
+        for (int lane = 0; lane < V_LANES; lane++)
+            place[lane] = corner[3 * lane + j];
+        load_vertices(t, j, place, 0, (lane_numbers){false, NULL});
+    }
+}
+
 /*
  * Nine numbers each: a packet some way ahead comes into the cache while this one is tested, as tests keep the processor so busy
  * that it does not look that far by itself. Corners by offset are so many lines that to fetch them takes longer than to wait.

@@ -4,10 +4,11 @@
  */
 
 /* The lanes of `left` that lie in the box on axis a of the packet at triangle `at`. */
-TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left)
+TRIBOX_INLINE uint64_t inside_on_axis(const tribox_soup *soup, const lane_box *box, size_t at, int a, uint64_t left, walk_kind kind)
 {
     const float *const *const stream = tribox_soup_axis(soup, a);
-    const vnum u0 = v_load(stream[0] + at), u1 = v_load(stream[1] + at), u2 = v_load(stream[2] + at);
+    const vnum u0 = load_stream(stream[0] + at, soup->count, kind), u1 = load_stream(stream[1] + at, soup->count, kind),
+               u2 = load_stream(stream[2] + at, soup->count, kind);
     const vmask is_finite = v_is_zero(lane_lost3(u0, u1, u2));
     const vmask is_beyond = m_or(v_gt(box->lo[a], lane_min3(u0, u1, u2)), v_gt(lane_max3(u0, u1, u2), box->hi[a]));
     return left & m_bits(m_andnot(is_finite, is_beyond));
@@ -21,7 +22,7 @@ TRIBOX_INLINE void splat_bounds(lane_box *lanes, const tribox_rounded_box *box)
     }
 }
 
-static uint64_t inside(const tribox_soup *soup, const tribox_rounded_box *box, size_t word, uint64_t candidates)
+TRIBOX_NOINLINE uint64_t inside_of_packets(const tribox_soup *soup, const tribox_rounded_box *box, size_t word, uint64_t candidates)
 {
     uint64_t found = 0;
     lane_box lanes;
@@ -30,10 +31,25 @@ static uint64_t inside(const tribox_soup *soup, const tribox_rounded_box *box, s
         const packet_run run = run_of_packets(64 * word + lane, soup->count, V_LANES);
         uint64_t left = candidates >> lane << run.repeated & LANES_ALL;
         for (int a = 0; left && a < 3; a++)
-            left = inside_on_axis(soup, &lanes, run.at, a, left);
+            left = inside_on_axis(soup, &lanes, run.at, a, left, 0);
         found |= bits_of_run(left, &run) << lane;
     }
     return found;
+}
+
+/* Of a soup of fewer than V_LANES: nothing past them is read. */
+TRIBOX_NOINLINE uint64_t inside_of_few(const tribox_soup *soup, const tribox_rounded_box *box, uint64_t candidates)
+{
+    lane_box lanes;
+    splat_bounds(&lanes, box);
+    for (int a = 0; candidates && a < 3; a++)
+        candidates = inside_on_axis(soup, &lanes, 0, a, candidates, WALKS_FEW);
+    return candidates;
+}
+
+static uint64_t inside(const tribox_soup *soup, const tribox_rounded_box *box, size_t word, uint64_t candidates)
+{
+    return soup->count < V_LANES ? inside_of_few(soup, box, candidates) : inside_of_packets(soup, box, word, candidates);
 }
 
 /*

@@ -1,6 +1,6 @@
 /*
  * packet.h - one packet of V_LANES pairs, decided by sign or by margin, and in one sequence of groups: constants.
- * After: axes.h, corners.h, margin.h, ties.h, local.h.
+ * After: axes.h, corners.h, margin.h, ties.h, local.h. Needs: v_load_up_to.
  *
  * FAST trusts the sign of a computed slack (PROOFS.md 10). CONSERVATIVE and EXACT compare it with its error bound, and leave a
  * lane that has a slack within it to the next stage (doubles.h). What a hit then needs: `certain_overlaps`.
@@ -60,7 +60,8 @@ enum {
     WALKS_MESH = 1 << 12,  /* these triangles are corners */
     WALKS_LOCAL = 1 << 13, /* of doubles, relative to the box (local.h) */
     LOOKS_AGAIN = 1 << 14, /* with the second look of ties.h, for which more numbers have to be kept */
-    ASKS_FLAG = 1 << 15    /* by sign, while the inexact flag is watched: the lengths of the box, too */
+    ASKS_FLAG = 1 << 15,   /* by sign, while the inexact flag is watched: the lengths of the box, too */
+    WALKS_FEW = 1 << 16    /* packets of which the first lanes alone are pairs, and nothing past these is read */
 };
 
 TRIBOX_INLINE unsigned groups_of(walk_kind kind) { return kind & 1023; }
@@ -71,6 +72,7 @@ typedef struct lane_pairs {
     lane_box box;
     lane_box_margin margin;
     vmask clear; /* near: the lanes that a box normal does not leave in doubt */
+    size_t few;  /* lanes that are pairs, where not all need be */
 } lane_pairs;
 
 TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kind kind)
@@ -115,19 +117,26 @@ TRIBOX_INLINE bool has_joint_stage(unsigned sequence)
     return stage_at(sequence, 0) == EDGES_AND_PLANE || stage_at(sequence, 1) == EDGES_AND_PLANE;
 }
 
+TRIBOX_INLINE vnum load_stream(const float *from, size_t few, walk_kind kind)
+{
+    return kind & WALKS_FEW ? v_load_up_to(from, few) : v_load(from);
+}
+
 /* Axis a of the packet at pair `at`: its part of *s, and the lanes of `left` that have a box and are not apart on its normal. */
 TRIBOX_INLINE uint64_t load_axis(lane_pairs *p, const tribox_query *from, size_t at, int a, walk_kind kind, uint64_t left,
                                  lane_shape *s)
 {
     if (kind & WALKS_MESH) {
-        if (a == 0)
+        if (a == 0 && kind & WALKS_FEW)
+            load_places(&p->t, from->corners->place + 3 * at);
+        else if (a == 0)
             load_corners(&p->t, from->corners, at, kind & WALKS_LOCAL);
     } else if (kind & WALKS_SOUP) {
         const float *const *const stream = tribox_soup_axis(from->soup, a);
         for (int j = 0; j < 3; j++)
-            p->t.u[j][a] = v_load(stream[j] + at);
+            p->t.u[j][a] = load_stream(stream[j] + at, p->few, kind);
     } else {
-        const vnum lo = v_load(from->boxes->lo[a] + at), hi = v_load(from->boxes->hi[a] + at);
+        const vnum lo = load_stream(from->boxes->lo[a] + at, p->few, kind), hi = load_stream(from->boxes->hi[a] + at, p->few, kind);
         left &= m_bits(has_points(lo, hi));
         set_bounds(&p->box, a, lo, hi);
         if (kind & WALKS_BY_SIGN)
@@ -365,7 +374,7 @@ TRIBOX_INLINE uint64_t packet(lane_pairs *p, const tribox_query *from, size_t at
 {
     lane_shape s;
     *undecided = 0;
-    uint64_t left = load_axis(p, from, at, 0, kind, LANES_ALL, &s);
+    uint64_t left = load_axis(p, from, at, 0, kind, kind & WALKS_FEW ? LANES_ALL >> (V_LANES - p->few) : LANES_ALL, &s);
     if (!left)
         return 0;
     left = load_axis(p, from, at, 1, kind, left, &s);
