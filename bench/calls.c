@@ -1,8 +1,9 @@
 /*
- * calls.c - what does a call cost: a few triangles against a box, or a triangle against a few boxes, against the paper's test?
+ * calls.c - what does a call cost: a few triangles, as a soup or a mesh, against a box, or a triangle against a few boxes, compared
+ * with the paper's test?
  *
  * A pass makes many calls, each about other pairs, so that no processor learns them by heart. All counts of pairs are timed in the
- * same rounds: a count that fills no packet is compared with the next one that does.
+ * same rounds: a count that fills no packet is compared with the next one that does, and 0 is what lies around a walk.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,8 +19,8 @@
 #include "paper/paper.h"
 
 /* The last counts are there because they are full packets, after 100 and 1000, of 8 or of 16 lanes. */
-enum { COUNTS = 15, COUNTS_SHOWN = 12, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
-static const size_t counts[COUNTS] = {1, 2, 4, 8, 12, 16, 31, 32, 63, 64, 100, 1000, 104, 112, 1008};
+enum { COUNTS = 16, COUNTS_SHOWN = 13, PAIRS = 4096, CALLS_MOST = 1024, KERNELS_MOST = 5 };
+static const size_t counts[COUNTS] = {0, 1, 2, 4, 8, 12, 16, 31, 32, 63, 64, 100, 1000, 104, 112, 1008};
 
 /* One triangle and its boxes, as tribox and as the paper's test want them. */
 typedef struct box_job {
@@ -147,13 +148,29 @@ static bool run_boxes(const contestant *self, uint64_t *mask, tribox_report *rep
     return answer_boxes(self->question, &self->options, mask);
 }
 
+/* The same triangles as a mesh of nine floats each. */
+static bool run_meshes(const contestant *self, uint64_t *mask, tribox_report *report)
+{
+    const timing_work *const work = self->question;
+    bool is_right = true;
+    if (report)
+        *report = (tribox_report){0, 0};
+    for (size_t call = 0; call < work->count; mask += tribox_mask_words(work->jobs[call++].soup.count)) {
+        const timing_job *const job = &work->jobs[call];
+        const tribox_mesh mesh = {.positions = job->triangles, .vertices = 3 * job->soup.count, .count = job->soup.count};
+        is_right = is_right && !tribox_mesh_overlap(&mesh, &job->box, &self->options, mask, NULL);
+    }
+    return is_right;
+}
+
 static bool find_truth_of_boxes(const void *question, unsigned axes, uint64_t *mask)
 {
     return answer_boxes(question, &(tribox_options){.axes = axes, .kernel = "scalar"}, mask);
 }
 
 /* The paper's test, then each kernel, the widest first; times are those of a call. Returns how many there are. */
-static size_t enter(const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy, contestant *list)
+static size_t enter(const char *what, const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy,
+                    contestant *list)
 {
     const char *kernel;
     size_t count = 1;
@@ -162,6 +179,8 @@ static size_t enter(const timing_work *triangles, const box_work *boxes, tribox_
         list[count++] = contestant_kernel(triangles, &(tribox_options){.accuracy = accuracy, .kernel = kernel});
     for (size_t c = 0; c < count; c++) {
         list[c].pairs = (double)triangles->count;
+        if (c && !strcmp(what, "meshes"))
+            list[c].run = run_meshes;
         if (boxes) {
             list[c].question = boxes;
             list[c].run = c ? run_boxes : run_paper_boxes;
@@ -211,7 +230,7 @@ static void print(const char *what, tribox_accuracy accuracy, const contestant *
 }
 
 /* Everyone about each count answers for himself; then all are timed together. */
-static bool run_shape(const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy, effort how)
+static bool run_shape(const char *what, const timing_work *triangles, const box_work *boxes, tribox_accuracy accuracy, effort how)
 {
     static samples taken;
     contestant list[CONTESTANTS_MAX];
@@ -221,20 +240,20 @@ static bool run_shape(const timing_work *triangles, const box_work *boxes, tribo
         const box_work *const asked = boxes ? &boxes[n] : NULL;
         const size_t own_words = asked ? asked->words : triangles[n].words;
         const truth from = asked ? (truth){find_truth_of_boxes, asked, own_words} : truth_of_work(&triangles[n]);
-        of_each = enter(&triangles[n], asked, accuracy, list + n * of_each);
+        of_each = enter(what, &triangles[n], asked, accuracy, list + n * of_each);
         words = own_words > words ? own_words : words;
-        if (!entries_verify(list + n * of_each, of_each, boxes ? "boxes" : "triangles", &from, scores))
+        if (!entries_verify(list + n * of_each, of_each, what, &from, scores))
             return false;
     }
     uint64_t *const mask = allocate(words, sizeof *mask);
     generator order = {1};
     measure(list, COUNTS * of_each, how, &order, mask, &taken);
-    print(boxes ? "boxes" : "triangles", accuracy, list, of_each, &taken);
+    print(what, accuracy, list, of_each, &taken);
     free(mask);
     return true;
 }
 
-/* A call each about one triangle of the scene: of nine streams, of a mesh, and into 4 x 4 x 4 cells. */
+/* A call each about one triangle of the scene, into 4 x 4 x 4 cells. */
 static bool run_voxelize(const contestant *self, uint64_t *mask, tribox_report *report)
 {
     const timing_work *const work = self->question;
@@ -245,62 +264,42 @@ static bool run_voxelize(const contestant *self, uint64_t *mask, tribox_report *
     return true;
 }
 
-static bool run_mesh(const contestant *self, uint64_t *mask, tribox_report *report)
-{
-    static const uint32_t corners[] = {0, 1, 2};
-    const timing_work *const work = self->question;
-    for (size_t call = 0; call < work->count; call++) {
-        const tribox_mesh mesh = {
-            .positions = work->jobs[call].triangles, .vertices = 3, .indices = corners, .index_bytes = 4, .count = 1};
-        if (tribox_mesh_overlap(&mesh, &work->jobs[call].box, &self->options, mask++, report))
-            return false;
-    }
-    return true;
-}
-
-static void run_ways(const timing_work *one, effort how)
+static void run_cells(const timing_work *one, effort how)
 {
     static samples taken;
     contestant list[CONTESTANTS_MAX];
     size_t count = 0;
     const char *kernel;
-    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
-        for (int way = 0; way < 3; way++) {
-            list[count] = contestant_kernel(one, &(tribox_options){.kernel = kernel});
-            list[count].pairs = (double)one->count;
-            list[count].run = way == 0 ? list[count].run : way == 1 ? run_mesh : run_voxelize;
-            count++;
-        }
+    for (; (kernel = tribox_kernel_list(count)) != NULL; count++) {
+        list[count] = contestant_kernel(one, &(tribox_options){.kernel = kernel});
+        list[count].pairs = (double)one->count;
+        list[count].run = run_voxelize;
+    }
     uint64_t *const mask = allocate(one->words + 4 * 4, sizeof *mask);
     generator order = {1};
     measure(list, count, how, &order, mask, &taken);
-    printf("\none triangle, exact: ns a call of tribox_overlap, tribox_mesh_overlap, tribox_voxelize; by least times\n");
-    for (size_t c = 0; c < count; c += 3)
-        printf("%8s %8.1f %8.1f %8.1f\n", list[c].options.kernel, measure_spread(&taken, c).least,
-               measure_spread(&taken, c + 1).least, measure_spread(&taken, c + 2).least);
+    printf("\none triangle, exact: ns a call of tribox_voxelize; by least times\n");
+    for (size_t c = 0; c < count; c++)
+        printf("%8s %8.1f\n", list[c].options.kernel, measure_spread(&taken, c).least);
     measure_warn_if_disturbed(stdout, &taken);
     free(mask);
 }
 
 static const char usage[] =
-    "Usage: calls [--quick] [--rounds N]\n"
+    "Usage: calls [--rounds N]\n"
     "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, and calls about one\n"
-    "triangle of a mesh or into a grid, on one thread.\n"
-    "  --quick      7 rounds\n"
+    "triangle into a grid, on one thread.\n"
     "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
 
-enum { OPTION_QUICK, OPTION_ROUNDS };
-
-static const option_entry options[] = {
-    [OPTION_QUICK] = {"quick", 'q', false}, [OPTION_ROUNDS] = {"rounds", 'r', true}, {NULL, 0, false}};
+static const option_entry options[] = {{"rounds", 'r', true}, {NULL, 0, false}};
 
 static int take(void *request, int which, const char *value)
 {
     effort *const how = request;
-    uint64_t rounds = 7;
+    uint64_t rounds = 0;
     if (which == OPTION_OPERAND)
         return message_usage("unexpected '%s'", value);
-    if (which == OPTION_ROUNDS && whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
+    if (whole_read(value, "rounds", MEASURE_LEAST, MEASURE_MOST, &rounds))
         return EXIT_CODE_USAGE;
     how->rounds = (size_t)rounds;
     return EXIT_CODE_OK;
@@ -308,6 +307,7 @@ static int take(void *request, int which, const char *value)
 
 int main(int argc, char **argv)
 {
+    static const char *const shapes[] = {"triangles", "boxes", "meshes"};
     static const tribox_accuracy accuracies[] = {TRIBOX_EXACT, TRIBOX_FAST};
     static timing_work triangles[COUNTS];
     static box_work boxes[COUNTS];
@@ -327,11 +327,11 @@ int main(int argc, char **argv)
         make_boxes(&p, counts[n], &boxes[n]);
     }
     bool is_right = true;
-    for (int shape = 0; shape < 2; shape++)
+    for (int shape = 0; shape < 3; shape++)
         for (int a = 0; a < 2; a++)
-            is_right = is_right && run_shape(triangles, shape ? boxes : NULL, accuracies[a], how);
+            is_right = is_right && run_shape(shapes[shape], triangles, shape == 1 ? boxes : NULL, accuracies[a], how);
     if (is_right)
-        run_ways(&triangles[0], how);
+        run_cells(&triangles[1], how);
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);
