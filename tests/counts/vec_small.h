@@ -76,6 +76,7 @@ TRIBOX_INLINE double small_rounded(double a)
 }
 
 TRIBOX_INLINE vnum v_load(const float *p) { return (double)*p; }
+TRIBOX_INLINE vnum v_load_up_to(const float *p, size_t count) { return (void)count, v_load(p); }
 TRIBOX_INLINE vnum v_splat(double a) { return a; }
 TRIBOX_INLINE vnum v_add(vnum a, vnum b) { return small_rounded(a + b); }
 TRIBOX_INLINE vnum v_sub(vnum a, vnum b) { return small_rounded(a - b); }

@@ -77,6 +77,7 @@ typedef struct lane_pairs {
 
 TRIBOX_INLINE void start_pairs(lane_pairs *p, const tribox_query *from, walk_kind kind)
 {
+    p->few = V_LANES;
     if (kind & WALKS_SOUP) {
         if (kind & ASKS_FLAG)
             splat_float_bounds(&p->box, from->box);
