@@ -14,7 +14,7 @@
  *                 may make calls on the same input at once. Threads that share a mask should each own whole words of it.
  *   Environment   The caller's rounding mode and flush-to-zero setting change no answer and are restored on return.
  *   Memory        No alignment or padding is needed. Nothing is read outside the input or written outside the mask. Masks and
- *                 reports must not overlap the input or each other. No call takes more than 104 KB of stack.
+ *                 reports must not overlap the input or each other. No call takes more than 108 KB of stack.
  *   Not promised  FAST and CONSERVATIVE masks may differ between kernels, tribox_report.undecided between kernels and versions.
  *                 EXACT masks never differ.
  */
@@ -190,7 +190,7 @@ typedef struct tribox_options {
 /** What a call counted. */
 typedef struct tribox_report {
     size_t overlapping; /* bits set in the mask, or cells newly set by a voxelization */
-    size_t undecided;   /* pairs that a slower stage decided: a measure of cost; may differ by kernel and order (0 for FAST) */
+    size_t undecided;   /* pairs that a slower stage decided: what a call costs; differs by kernel, order and block (0 for FAST) */
 } tribox_report;
 
 /* ============================================================================================================================== */

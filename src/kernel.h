@@ -237,6 +237,12 @@ typedef enum tribox_split_kind {
 } tribox_split_kind;
 typedef bool tribox_split_walk(const tribox_soup *soup, const tribox_halves *halves, int32_t *bits);
 
+/* What is done in double. */
+typedef struct tribox_settle_kernel {
+    tribox_in_double *in_double;
+    tribox_code *code;
+} tribox_settle_kernel;
+
 typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
@@ -251,11 +257,11 @@ typedef struct tribox_kernel {
     tribox_find_corners *find_corners;
     tribox_gather *gather;
     tribox_is_apart *is_apart;
-    tribox_code *code[2]; /* floats, doubles */
+    tribox_code *code; /* of floats */
     tribox_to_frame *to_frame;
     tribox_split_walk *split[TRIBOX_SPLIT_KINDS];
     tribox_pack *pack;
-    tribox_in_double *in_double;
+    const tribox_settle_kernel *settle;
     const tribox_cells_kernel *cells;
     const tribox_rows_kernel *rows;
     const tribox_nodes_kernel *nodes;

@@ -7,8 +7,5 @@
 #define CODED_READ v_read
 #include "codes.h"
 
-tribox_code TRIBOX_SYMBOL(code_doubles);
-void TRIBOX_SYMBOL(code_doubles)(const void *positions, size_t count, const tribox_coded_box *box, uint8_t *code)
-{
-    code_positions(positions, count, box, code);
-}
+extern const tribox_settle_kernel TRIBOX_SYMBOL(settle);
+const tribox_settle_kernel TRIBOX_SYMBOL(settle) = {.in_double = in_double, .code = code_positions};

@@ -9,7 +9,7 @@
 #include "pairs/pairs.h"
 
 /* Triangles of a block at first, vertices that are copied, words of answers that are kept, and those that are no run. */
-enum { BLOCK_LEAST = 256, COPIED = 1024, KEPT_WORDS = 16384, KEPT_MIXED = 512 };
+enum { BLOCK_LEAST = 256, COPIED = 1024, KEPT_WORDS = 16384, KEPT_MIXED = 384 };
 
 /*
  * Answers from the first word on. Near in the mesh is near in space: most words are all zeros or all ones. Without branches, which

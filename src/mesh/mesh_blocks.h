@@ -8,7 +8,7 @@
 #include "plan.h"
 
 /* Triangles of a block at most, and those whose streams fit the first-level cache. */
-enum { TRIBOX_MESH_BLOCK = 1024, TRIBOX_MESH_STREAMED = 256 };
+enum { TRIBOX_MESH_BLOCK = 768, TRIBOX_MESH_STREAMED = 256 };
 
 typedef struct tribox_mesh_query tribox_mesh_query;
 

@@ -52,7 +52,7 @@ static void code(const tribox_mesh_query *q, const tribox_mesh *mesh, size_t fir
 {
     const size_t bytes = 3 * tribox_position_bytes(mesh);
     const bool is_packed = mesh->stride == bytes && (uintptr_t)mesh->positions % tribox_position_bytes(mesh) == 0;
-    tribox_code *const code_some = q->plan->kernel->code[bytes != 3 * sizeof(float)];
+    tribox_code *const code_some = bytes == 3 * sizeof(float) ? q->plan->kernel->code : q->plan->kernel->settle->code;
     for (size_t at = first, count; at < end; at += count) {
         const char *const from = (const char *)mesh->positions + at * mesh->stride;
         uint8_t *const to = q->codes->code + at % TRIBOX_CODES;

@@ -32,7 +32,7 @@ tribox_verdict tribox_settle_packed(tribox_batch *batch, tribox_packed *packed, 
     /* CONSERVATIVE counts undecided pairs as overlaps; wild ones are settled exactly. */
     const bool is_exact = plan->accuracy != TRIBOX_CONSERVATIVE;
     fill_up_batch(batch, packed, count);
-    tribox_verdict verdict = plan->kernel->in_double(batch, packed, count, plan->axes, is_exact);
+    tribox_verdict verdict = plan->kernel->settle->in_double(batch, packed, count, plan->axes, is_exact);
     if (!is_exact)
         verdict.overlapping |= verdict.undecided & ~verdict.wild;
     for (uint64_t undecided = is_exact ? verdict.undecided : verdict.wild; undecided; undecided &= undecided - 1) {

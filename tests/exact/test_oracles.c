@@ -63,7 +63,7 @@ static void check_settled(const origin *where, const judged_batch *judged, gathe
     origin here = *where;
     here.function = "in_double";
     here.options = (tribox_options){.axes = axes, .kernel = kernel->name};
-    const tribox_verdict verdict = kernel->in_double(&g->pairs, NULL, g->count, axes, true);
+    const tribox_verdict verdict = kernel->settle->in_double(&g->pairs, NULL, g->count, axes, true);
     const uint64_t overlapping = verdict.overlapping, open = verdict.undecided;
     assert_true(!(overlapping & open) && (g->count == TRIBOX_BATCH || (overlapping | open) >> g->count == 0));
     assert_true(verdict.finite == ~UINT64_C(0) >> (TRIBOX_BATCH - g->count));

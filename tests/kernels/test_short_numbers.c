@@ -19,7 +19,7 @@
 #include "dispatch.h"
 #include "exact/exact.h"
 
-tribox_in_double tribox_settle_unflagged;
+extern const tribox_settle_kernel tribox_settle_unflagged;
 
 static arguments args;
 
@@ -130,8 +130,8 @@ static void test_ties(void **state)
             pairs[i] = draw_pair(&r);
             put(&batch, i, &pairs[i]);
         }
-        const tribox_verdict verdict = tribox_settle_unflagged(&batch, NULL, TRIBOX_BATCH, TRIBOX_AXES_ALL, true);
-        const tribox_verdict by_bounds = tribox_settle_unflagged(&batch, NULL, TRIBOX_BATCH, TRIBOX_AXES_ALL, false);
+        const tribox_verdict verdict = tribox_settle_unflagged.in_double(&batch, NULL, TRIBOX_BATCH, TRIBOX_AXES_ALL, true);
+        const tribox_verdict by_bounds = tribox_settle_unflagged.in_double(&batch, NULL, TRIBOX_BATCH, TRIBOX_AXES_ALL, false);
         for (unsigned i = 0; i < TRIBOX_BATCH; i++) {
             const bool is_open = verdict.undecided >> i & 1;
             if (is_open && is_short(&pairs[i]))

@@ -18,7 +18,7 @@ import support
 BLOCK = 4096  # triangles, as in tools/read/triangle_file.h
 PACKED = {"stl": meshes.stl_binary, "f32": meshes.pack_floats}
 TRIANGLES = meshes.lattice_triangles(2 * BLOCK + 70, seed=6)
-OF_THE_TIME = ("mesh", "index", "runs", "seconds", "ns_per_triangle", "total_seconds")
+OF_THE_TIME = ("mesh", "index", "runs", "seconds", "ns_per_triangle", "total_seconds", "undecided")
 
 
 def any_triangles(count, seed):

@@ -240,8 +240,7 @@ static void walk_local_all(const tribox_query *pairs, size_t word, size_t count,
 #define KERNEL_STRING_(name) #name
 #define KERNEL_STRING(name) KERNEL_STRING_(name)
 
-tribox_in_double TRIBOX_SYMBOL(settle);
-tribox_code TRIBOX_SYMBOL(code_doubles);
+extern const tribox_settle_kernel TRIBOX_SYMBOL(settle);
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 extern const tribox_rows_kernel TRIBOX_SYMBOL(rows);
 extern const tribox_nodes_kernel TRIBOX_SYMBOL(nodes);
@@ -260,7 +259,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
     .find_corners = find_corners,
     .gather = gather,
     .is_apart = is_mesh_apart,
-    .code = {code_positions, TRIBOX_SYMBOL(code_doubles)},
+    .code = code_positions,
     .to_frame = to_frame,
     .split = {[TRIBOX_SPLIT_BY_MARGIN] = split_by_margin,
               [TRIBOX_SPLIT_BY_SIGN] = TRIBOX_WALKS_SOUPS_ALONE ? split_by_margin : split_by_sign,
@@ -268,7 +267,7 @@ const tribox_kernel TRIBOX_SYMBOL(kernel) = {
               [TRIBOX_SPLIT_BOX] = split_box,
               [TRIBOX_SPLIT_LOCAL_BOX] = split_local_box},
     .pack = pack,
-    .in_double = TRIBOX_SYMBOL(settle),
+    .settle = &TRIBOX_SYMBOL(settle),
     .cells = &TRIBOX_SYMBOL(cells),
     .rows = &TRIBOX_SYMBOL(rows),
     .nodes = &TRIBOX_SYMBOL(nodes),

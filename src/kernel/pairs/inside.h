@@ -42,6 +42,7 @@ TRIBOX_NOINLINE uint64_t inside_of_few(const tribox_soup *soup, const tribox_rou
 {
     lane_box lanes;
     splat_bounds(&lanes, box);
+    candidates &= LANES_ALL >> (V_LANES - soup->count);
     for (int a = 0; candidates && a < 3; a++)
         candidates = inside_on_axis(soup, &lanes, 0, a, candidates, WALKS_FEW);
     return candidates;

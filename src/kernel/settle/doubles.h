@@ -181,8 +181,7 @@ TRIBOX_INLINE void unpack(const tribox_packed *packed, tribox_batch *batch, unsi
             v_write(&batch->number[k][at], v_load(&packed->number[k][at]));
 }
 
-tribox_in_double TRIBOX_SYMBOL(settle);
-tribox_verdict TRIBOX_SYMBOL(settle)(tribox_batch *batch, const tribox_packed *packed, unsigned count, unsigned axes, bool is_exact)
+static tribox_verdict in_double(tribox_batch *batch, const tribox_packed *packed, unsigned count, unsigned axes, bool is_exact)
 {
     if (packed)
         unpack(packed, batch, count);
