@@ -247,7 +247,7 @@ typedef struct tribox_kernel {
     const char *name; /* as in tribox_options.kernel */
     unsigned lanes;   /* triangles in a vector: a divisor of 64 */
     tribox_walk *walk[TRIBOX_WALK_KINDS][TRIBOX_SEQUENCES];
-    tribox_walk_few *walk_few[TRIBOX_WALK_KINDS];
+    tribox_walk_few *walk_few[TRIBOX_WALK_KINDS]; /* NULL in a small build */
     tribox_survey *survey[TRIBOX_WALK_KINDS];
     tribox_walk *walk_local[TRIBOX_LOCAL_WALKS];
     tribox_spread_triangles *spread_triangles;

@@ -28,13 +28,14 @@ tribox_voxelize_thin tribox_mesh_voxelize_thin tribox_fill_bytes tribox_fill_out
 END
 
 # The kernel, and what hands pairs from one of its stages to the next, are compiled for speed; the walk over nodes is as fast and a
-# fiftieth of it all smaller at -O2. The rest, which is four times as small so and no slower, for size.
+# fiftieth of it all smaller at -O2, where codes of vertices are told, too. The rest, which is four times as small so and no slower,
+# for size.
 {
     cd "$root/src"
     find wasm pairs/pairs.c -name '*.c' ! -name 'nodes_*' -exec echo -O3 {} \;
-    echo -O2 wasm/nodes_wasm128.c
-    echo -Os "$root/packaging/npm/sink.c"
-    find ./*.c base pairs mesh overlap index order grid voxels tiles fill exact -name '*.c' ! -name pairs.c -exec echo -Os {} \;
+    printf '%s\n' '-O2 wasm/nodes_wasm128.c' '-O2 mesh/mesh_codes.c' "-Os $root/packaging/npm/sink.c"
+    find ./*.c base pairs mesh overlap index order grid voxels tiles fill exact -name '*.c' ! -name pairs.c \
+        ! -name mesh_codes.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

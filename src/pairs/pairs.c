@@ -202,7 +202,7 @@ static tribox_report answer_word(const tribox_query *p, const tribox_plan *plan,
     size_t settled = 0;
     if (!p->count)
         return (tribox_report){0, 0};
-    if (plan->axes == TRIBOX_AXES_ALL && (!p->corners || p->corners->place))
+    if (!TRIBOX_WALKS_SOUPS_ALONE && plan->axes == TRIBOX_AXES_ALL && (!p->corners || p->corners->place))
         hit = plan->kernel->walk_few[tribox_walk_kind_of(plan->accuracy)](p, p->count, &undecided);
     else
         walk_word(p, plan, &hit, &undecided);
