@@ -13,6 +13,9 @@ typedef int32_t pid_t;
 typedef uint16_t mode_t;
 typedef uint32_t socklen_t;
 typedef uint64_t rlim_t;
+struct timespec {
+    long tv_sec, tv_nsec;
+};
 
 /* inttypes.h: numbers of 64 bits are long long, but size_t is long */
 #define PRIu64 "llu"
@@ -132,9 +135,6 @@ _Noreturn void abort(void);
 /* fenv.h, sys/types.h, wchar.h */
 
 /* time.h */
-struct timespec {
-    long tv_sec, tv_nsec;
-};
 typedef enum { CLOCK_MONOTONIC = 6, CLOCK_THREAD_CPUTIME_ID = 16 } clockid_t;
 int clock_getres(clockid_t clock, struct timespec *step);
 int clock_gettime(clockid_t clock, struct timespec *now);
@@ -143,16 +143,22 @@ long time(long *now);
 /* signal.h */
 #define SIG_DFL ((void (*)(int))0)
 #define SIG_IGN ((void (*)(int))1)
-enum { SIGHUP = 1, SIGINT, SIGKILL = 9, SIGPIPE = 13, SIGTERM = 15, SIGXFSZ = 25, SA_RESTART = 2, SIG_BLOCK = 1, SIG_SETMASK = 3 };
+enum { SIGHUP = 1, SIGINT, SIGKILL = 9, SIGBUS, SIGPIPE = 13, SIGTERM = 15, SIGXFSZ = 25 };
+enum { SA_RESTART = 2, SA_SIGINFO = 0x40, SIG_BLOCK = 1, SIG_SETMASK = 3 };
 typedef uint32_t sigset_t;
+typedef struct siginfo {
+    void *si_addr;
+} siginfo_t;
 struct sigaction {
     union {
         void (*one)(int);
+        void (*told)(int, siginfo_t *, void *);
     } handler;
     sigset_t sa_mask;
     int sa_flags;
 };
 #define sa_handler handler.one
+#define sa_sigaction handler.told
 int sigaction(int number, const struct sigaction *action, struct sigaction *before);
 int sigaddset(sigset_t *set, int number);
 int sigemptyset(sigset_t *set);
@@ -233,8 +239,10 @@ struct stat {
     mode_t st_mode;
     uint16_t st_nlink;
     uint64_t st_ino;
+    struct timespec st_mtimespec;
     off_t st_size;
 };
+#define st_mtime st_mtimespec.tv_sec
 #define S_ISREG(mode) (((mode) & 0170000) == 0100000)
 #define S_ISDIR(mode) (((mode) & 0170000) == 0040000)
 #define S_ISLNK(mode) (((mode) & 0170000) == 0120000)

@@ -13,7 +13,7 @@ FILE *named_file_open(const char *path, const char *mode) { return fopen(path, m
 static void tell(const struct stat *found, file_about *about)
 {
 #ifdef __APPLE__
-    const long fraction = found->st_mtimensec;
+    const long fraction = found->st_mtimespec.tv_nsec;
 #else
     const long fraction = found->st_mtim.tv_nsec;
 #endif
