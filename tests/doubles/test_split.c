@@ -25,7 +25,7 @@ static arguments args;
 static const char *names[KERNELS_MAX];
 static int kernels;
 static laid_fences fences;
-static guarded list_fence, bytes_fence;
+static guarded list_fence, bytes_fence, stream_fences[9];
 
 /* What is asked, in one of its forms; the truth about every triangle and child. */
 typedef struct asked {
@@ -36,7 +36,6 @@ typedef struct asked {
     bool has_middle, is_mesh;
     bool is_fast_known;                        /* a soup, and nothing underflows: then FAST depends on its kernel alone */
     uint8_t truth[TRIANGLES], fast[TRIANGLES]; /* by the kernel that is asked */
-    float stream[9][TRIANGLES];
 } asked;
 
 static tribox_status split(const asked *q, const uint32_t *list, size_t count, const tribox_options *options, uint8_t *children,
@@ -148,9 +147,10 @@ static void check_forms(random_source *r, const tribox_box *box, const double (*
     q.mesh = laid_mesh_of(r, &form, u, count, (const int[3]){0, 1, 2}, fences);
     q.soup = (tribox_soup){.count = count};
     for (int s = 0; s < 9; s++) {
-        (s < 3 ? q.soup.x : s < 6 ? q.soup.y : q.soup.z)[s % 3] = q.stream[s];
+        float *const stream = guarded_tail(stream_fences[s], count * sizeof *stream);
+        (s < 3 ? q.soup.x : s < 6 ? q.soup.y : q.soup.z)[s % 3] = stream;
         for (size_t i = 0; i < count; i++)
-            q.stream[s][i] = (float)u[i][s % 3][s / 3];
+            stream[i] = (float)u[i][s % 3][s / 3];
     }
     draw_middle(r, &q, u);
     for (int is_mesh = !are_floats; is_mesh < 2; is_mesh++) {
@@ -268,6 +268,8 @@ static int set_up(void **state)
     (void)state;
     fences = laid_fences_make(args.seed);
     list_fence = guarded_make(LISTED_MOST * sizeof(uint32_t));
+    for (int s = 0; s < 9; s++)
+        stream_fences[s] = guarded_make(TRIANGLES * sizeof(float));
     bytes_fence = guarded_make(LISTED_MOST);
     return 0;
 }
@@ -277,6 +279,8 @@ static int tear_down(void **state)
     (void)state;
     laid_fences_free(fences);
     guarded_free(list_fence);
+    for (int s = 0; s < 9; s++)
+        guarded_free(stream_fences[s]);
     guarded_free(bytes_fence);
     return 0;
 }
