@@ -24,6 +24,39 @@ typedef struct whole_pair {
     small_axis of[3];
 } whole_pair;
 
+/* From one tiny float to the next, seen from a number of any length: those of a walk have a least one. */
+static inline whole spacing(whole a)
+{
+    const whole least = SMALL_HAS_LEAST ? 1 << MORE_BITS : 1;
+    return whole_most(small_spacing(a), least);
+}
+
+/* The least tiny float that is not below a number. */
+static inline whole float_from(whole a)
+{
+    const whole cut = whole_size(a) & -spacing(a);
+    return a < 0 ? -cut : cut < a ? cut + spacing(a) : cut;
+}
+
+/* A control forgets that V_0 is not taken from lo. */
+#if !defined(SMALL_FORGETS_ORIGIN)
+#define SMALL_FORGETS_ORIGIN 0
+#endif
+
+/* tribox_box_round, in tiny floats. */
+static inline void put_box(tribox_rounded_box *to, const whole_pair *p, bool is_box_asked)
+{
+    for (int a = 0; a < 3; a++) {
+        const whole lo = p->of[a].lo, hi = p->of[a].hi;
+        const double l = is_box_asked ? (double)float_from(lo) * STEP : small_rounded((double)lo * STEP);
+        to->lo[a] = (float)((double)float_from(lo) * STEP);
+        to->hi[a] = (float)((double)-float_from(-hi) * STEP);
+        to->of.origin[a] = (float)l;
+        to->of.H[a] = (float)small_rounded((double)(hi - lo) * STEP);
+        to->of.C[a] = SMALL_FORGETS_ORIGIN ? to->of.H[a] : (float)small_rounded((double)(hi + lo) * STEP - 2 * l);
+    }
+}
+
 /* Groups of axes that separate a pair. */
 typedef struct apart {
     bool by[4]; /* by the number of the paper's bullet: 1 the box normals, 2 the plane, 3 the edges */

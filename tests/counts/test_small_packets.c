@@ -30,20 +30,6 @@ static inline void load_places(lane_triangle *t, const char *const *corner) { (v
 #include "small_draws.h"
 #include "small_pairs.h"
 
-/* From one tiny float to the next, seen from a number of any length: those of a walk have a least one. */
-static whole spacing(whole a)
-{
-    const whole least = SMALL_HAS_LEAST ? 1 << MORE_BITS : 1;
-    return whole_most(small_spacing(a), least);
-}
-
-/* The least tiny float that is not below a number. */
-static whole float_from(whole a)
-{
-    const whole cut = whole_size(a) & -spacing(a);
-    return a < 0 ? -cut : cut < a ? cut + spacing(a) : cut;
-}
-
 /* The pair as a walk sees it, as a soup, as boxes and as a mesh of doubles. */
 typedef struct small_input {
     float streams[9], triangle[3][3], bounds[6];
@@ -64,25 +50,6 @@ static void put_near(small_input *to, const whole_pair *p)
         to->near[a] = (double)p->of[a].lo * STEP;
         to->box[1].of.origin[a] = 0;
         to->box[1].hi[a] = to->box[1].of.H[a] = (float)small_rounded((double)(p->of[a].hi - p->of[a].lo) * STEP);
-    }
-}
-
-/* A control forgets that V_0 is not taken from lo. */
-#if !defined(SMALL_FORGETS_ORIGIN)
-#define SMALL_FORGETS_ORIGIN 0
-#endif
-
-/* tribox_box_round, in tiny floats. */
-static void put_box(tribox_rounded_box *to, const whole_pair *p, bool is_box_asked)
-{
-    for (int a = 0; a < 3; a++) {
-        const whole lo = p->of[a].lo, hi = p->of[a].hi;
-        const double l = is_box_asked ? (double)float_from(lo) * STEP : small_rounded((double)lo * STEP);
-        to->lo[a] = (float)((double)float_from(lo) * STEP);
-        to->hi[a] = (float)((double)-float_from(-hi) * STEP);
-        to->of.origin[a] = (float)l;
-        to->of.H[a] = (float)small_rounded((double)(hi - lo) * STEP);
-        to->of.C[a] = SMALL_FORGETS_ORIGIN ? to->of.H[a] : (float)small_rounded((double)(hi + lo) * STEP - 2 * l);
     }
 }
 

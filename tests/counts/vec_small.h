@@ -59,6 +59,7 @@
 
 typedef double vnum;
 typedef bool vmask;
+typedef int32_t vint; /* children of split.h, no more */
 
 TRIBOX_INLINE double small_rounded(double a)
 {
@@ -101,3 +102,12 @@ TRIBOX_INLINE vmask m_or(vmask a, vmask b) { return a || b; }
 TRIBOX_INLINE vmask m_and(vmask a, vmask b) { return a && b; }
 TRIBOX_INLINE vmask m_andnot(vmask a, vmask b) { return a && !b; }
 TRIBOX_INLINE uint64_t m_bits(vmask a) { return a; }
+
+TRIBOX_INLINE vint i_splat(int32_t a) { return a; }
+TRIBOX_INLINE void i_write(int32_t *p, vint a) { *p = a; }
+TRIBOX_INLINE vint i_and(vint a, vint b) { return a & b; }
+TRIBOX_INLINE vint i_or(vint a, vint b) { return a | b; }
+TRIBOX_INLINE vint i_andnot(vint a, vint b) { return a & ~b; }
+TRIBOX_INLINE vint i_shl(vint a, vint n) { return a << n; }
+TRIBOX_INLINE vint i_keep(vmask m, vint a) { return m ? a : 0; }
+TRIBOX_INLINE vmask m_has_bits(vint a) { return a != 0; }
