@@ -181,6 +181,24 @@ TRIBOX_INLINE void unpack(const tribox_packed *packed, tribox_batch *batch, unsi
             v_write(&batch->number[k][at], v_load(&packed->number[k][at]));
 }
 
+/* The flag is one for a packet: pairs that are undecided in company are asked once more, each alone. Integers take far longer. */
+TRIBOX_NOINLINE void settle_alone(const tribox_batch *batch, unsigned axes, tribox_verdict *all)
+{
+    tribox_batch one;
+    for (uint64_t left = all->undecided; left; left &= left - 1) {
+        const unsigned i = tribox_lowest_bit(left);
+        for (int k = 0; k < 15; k++)
+            v_write(one.number[k], v_splat(batch->number[k][i]));
+        const tribox_verdict alone = packet_in_double(&one, 0, axes, BY_FLAG);
+        if (alone.undecided)
+            continue;
+        const uint64_t bit = UINT64_C(1) << i;
+        all->undecided &= ~bit;
+        all->wild &= ~bit;
+        all->overlapping |= alone.overlapping & 1 ? bit : 0;
+    }
+}
+
 static tribox_verdict in_double(tribox_batch *batch, const tribox_packed *packed, unsigned count, unsigned axes, bool is_exact)
 {
     if (packed)
@@ -195,5 +213,8 @@ static tribox_verdict in_double(tribox_batch *batch, const tribox_packed *packed
         all.wild |= packet.wild << at;
     }
     const uint64_t present = ~UINT64_C(0) >> (TRIBOX_BATCH - count);
-    return (tribox_verdict){all.overlapping & present, all.undecided & present, all.finite & present, all.wild & present};
+    all = (tribox_verdict){all.overlapping & present, all.undecided & present, all.finite & present, all.wild & present};
+    if (asked == BY_FLAG && all.undecided && V_LANES > 1)
+        settle_alone(batch, axes, &all);
+    return all;
 }
