@@ -109,6 +109,10 @@ typedef struct tribox_soup {
  *
  * For a matrix whose columns are x, y and z, axis_stride is the size of a column in bytes. The stride is then position_bytes, and 0
  * stands for that. An axis_stride of position_bytes means what 0 means, and then a stride of 0 stands for 12, or 24 for doubles.
+ *
+ * axes names the stored numbers anew: 321 takes the third for x and the first for z. Rows of a grid then run along others, and
+ * nothing is copied: with 321 the bits lie as in a C array occupied[x][y][z], and with 231, where y is up, a column is a row.
+ * Boxes and grids are of the axes so named. Voxelizing takes as long as without. About single boxes, rather turn the box's axes.
  */
 typedef struct tribox_mesh {
     const void *positions;   /* x, y, z of vertex 0; vertex n lies n * stride bytes after it, at any alignment */
@@ -119,6 +123,7 @@ typedef struct tribox_mesh {
     size_t count;            /* triangles */
     unsigned position_bytes; /* 4, or 0, for positions of float; 8 for double */
     size_t axis_stride;      /* bytes from x to y, and from y to z: at least position_bytes, or 0 if the three follow each other */
+    unsigned axes;           /* which stored number is x, which y and which z: 0 or 123 as stored, or another order of 1, 2 and 3 */
     uint32_t reserved[4];    /* zero, or TRIBOX_BAD_ARGUMENT */
 } tribox_mesh;
 

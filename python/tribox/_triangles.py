@@ -20,13 +20,21 @@ INDEX_BYTES = {np.dtype(np.uint16): 2, INDEX: 4, np.dtype(np.int32): 4}
 MESH, SOUP = ffi.typeof("tribox_mesh *"), ffi.typeof("tribox_soup *")
 
 
-def strides_of(count, stride, axis_stride, item):
-    """(stride, axis_stride) of a tribox_mesh for vertices so far apart; None if no mesh can be. 0, as there, is the usual."""
+USUAL = 0, 0, 0, 0
+
+
+def layout_of(count, stride, axis_stride, item):
+    """Where the lowest x, y or z begins, stride, axis_stride and axes of a tribox_mesh for vertices so far apart; None if no mesh
+    can be. 0, as there, is the usual."""
     if count <= 1:
         stride = 0
+    if axis_stride < 0:  # array[:, ::-1]
+        begin, axis_stride, axes = 2 * axis_stride, -axis_stride, 321
+    else:
+        begin, axes = 0, 0
     if axis_stride == item and (count <= 1 or stride >= 3 * item):
-        return stride, 0
-    return (stride, axis_stride) if axis_stride >= item and (count <= 1 or stride >= item) else None
+        return begin, stride, 0, axes
+    return (begin, stride, axis_stride, axes) if axis_stride >= item and (count <= 1 or stride >= item) else None
 
 
 def faces_of(name, faces, vertices):
@@ -48,11 +56,11 @@ def faces_of(name, faces, vertices):
     return np.ascontiguousarray(array, INDEX)
 
 
-def strides_of_triangles(triangles):
-    """strides_of() for an array of shape (n, 3, 3)."""
+def layout_of_triangles(triangles):
+    """layout_of() for an array of shape (n, 3, 3)."""
     count, (per_triangle, per_vertex, per_axis) = len(triangles), triangles.strides
     if count <= 1 or per_triangle == 3 * per_vertex:
-        return strides_of(3 * count, per_vertex, per_axis, triangles.itemsize)
+        return layout_of(3 * count, per_vertex, per_axis, triangles.itemsize)
     return None
 
 
@@ -60,7 +68,8 @@ class Mesh:
     """Vertices of shape (m, 3) and faces of shape (n, 3), the numbers of their vertices: Mesh(vertices, faces).
 
     vertices: arrays of float32 and float64 are read in place, with any distance between vertices and between axes: rows, columns
-        (order="F"), fields of a structured dtype. Other real numbers and lists are copied, without rounding.
+        (order="F"), fields of a structured dtype, axes turned round ([:, ::-1], for a grid whose rows run along z). Other real
+        numbers and lists are copied, without rounding.
     faces: arrays of uint16, uint32 and int32 are read in place if contiguous; other whole numbers and lists are copied.
 
     Mesh(mesh) takes a mesh of another library, once and for many calls: what has `vertices` and `faces` (trimesh), `vertices` and
@@ -100,25 +109,27 @@ class Mesh:
         if vertices.ndim != 2 or vertices.shape[1] != 3:
             raise InputError(f"{vertices_name} has shape {vertices.shape}; give (m, 3): vertex, axis")
         count = len(vertices)
-        strides = strides_of(count, *vertices.strides, vertices.itemsize)
-        if not strides:
-            vertices, strides = np.ascontiguousarray(vertices), (0, 0)
+        layout = layout_of(count, *vertices.strides, vertices.itemsize)
+        if not layout:
+            vertices, layout = np.ascontiguousarray(vertices), USUAL
+        begin, stride, axis_stride, axes = layout
         faces = faces_of(faces_name, faces, count)
         self._vertices, self._faces = vertices, faces
         if faces.dtype.kind == "i":
             count = min(count, 1 << 31)  # negative numbers, read as unsigned, refer to no vertex
-        start, first = ffi.cast("void *", address_of(vertices)), ffi.cast("void *", address_of(faces))
-        self.struct = ffi.new(MESH, (start, strides[0], count, first, faces.itemsize, len(faces), vertices.itemsize, strides[1]))
+        start, first = ffi.cast("void *", address_of(vertices) + begin), ffi.cast("void *", address_of(faces))
+        self.struct = ffi.new(MESH, (start, stride, count, first, faces.itemsize, len(faces), vertices.itemsize, axis_stride, axes))
 
     def _take(self, triangles):
         """An array of shape (n, 3, 3)."""
-        strides = (0, 0) if triangles.flags.c_contiguous else strides_of_triangles(triangles)
-        if not strides:
-            triangles, strides = np.ascontiguousarray(triangles), (0, 0)
+        layout = USUAL if triangles.flags.c_contiguous else layout_of_triangles(triangles)
+        if not layout:
+            triangles, layout = np.ascontiguousarray(triangles), USUAL
+        begin, stride, axis_stride, axes = layout
         count = len(triangles)
         self._vertices, self._faces = triangles, None
-        start = ffi.cast("void *", address_of(triangles)) if strides[0] else ffi.from_buffer(triangles)
-        self.struct = ffi.new(MESH, (start, strides[0], 3 * count, ffi.NULL, 0, count, triangles.itemsize, strides[1]))
+        start = ffi.cast("void *", address_of(triangles) + begin) if stride or begin else ffi.from_buffer(triangles)
+        self.struct = ffi.new(MESH, (start, stride, 3 * count, ffi.NULL, 0, count, triangles.itemsize, axis_stride, axes))
 
     @property
     def vertices(self) -> NDArray[Any]:
@@ -215,7 +226,7 @@ def held(triangles):
     if not isinstance(triangles, np.ndarray):
         return Mesh(triangles)
     array = array_of_triangles(triangles)
-    if array.dtype == FLOAT and array.strides[0] == 4 and not strides_of_triangles(array):
+    if array.dtype == FLOAT and array.strides[0] == 4 and not layout_of_triangles(array):
         return Soup(array.T)
     mesh = Mesh.__new__(Mesh)
     mesh._take(array)

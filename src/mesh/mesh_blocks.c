@@ -118,6 +118,7 @@ static tribox_mesh copied(const tribox_mesh *mesh, bool in_double, small_copy *c
     same.vertices++;
     same.position_bytes = in_double ? sizeof(double) : sizeof(float);
     same.axis_stride = same.position_bytes;
+    same.axes = TRIBOX_AXES_AS_STORED;
     return same;
 }
 

@@ -23,10 +23,17 @@ static size_t usual_stride(const tribox_mesh *mesh)
     return mesh->axis_stride > bytes ? bytes : 3 * bytes;
 }
 
+/* As bits of each axis (positions.h); 0 if they are no order of the three. */
+static unsigned stored_axes(unsigned axes)
+{
+    const unsigned digits = axes ? axes : 123, x = digits / 100 - 1, y = digits / 10 % 10 - 1, z = digits % 10 - 1;
+    return x < 3 && y < 3 && z < 3 && (1u << x | 1u << y | 1u << z) == 7 ? x | y << 2 | z << 4 : 0;
+}
+
 static bool is_mesh_readable(const tribox_mesh *mesh)
 {
     if (!mesh || (mesh->position_bytes && mesh->position_bytes != 4 && mesh->position_bytes != 8) ||
-        !tribox_are_reserved_zero(mesh->reserved))
+        !tribox_are_reserved_zero(mesh->reserved) || !stored_axes(mesh->axes))
         return false;
     const size_t least = least_stride(mesh), axis = mesh->axis_stride;
     if ((mesh->stride && mesh->stride < least) || !fits(mesh->vertices, mesh->stride ? mesh->stride : usual_stride(mesh)))
@@ -45,17 +52,24 @@ bool tribox_mesh_take(const tribox_mesh *mesh, tribox_mesh *strided)
     *strided = *mesh;
     strided->stride = mesh->stride ? mesh->stride : usual_stride(mesh);
     strided->axis_stride = mesh->axis_stride ? mesh->axis_stride : tribox_position_bytes(mesh);
+    strided->axes = stored_axes(mesh->axes);
     return true;
 }
 
-static bool has_triples(const tribox_mesh *mesh, size_t bytes)
+bool tribox_mesh_has_triples(const tribox_mesh *mesh)
 {
-    return tribox_position_bytes(mesh) == bytes && mesh->axis_stride == bytes && mesh->stride >= 3 * bytes;
+    const size_t bytes = tribox_position_bytes(mesh);
+    return mesh->axis_stride == bytes && mesh->stride >= 3 * bytes;
 }
 
-bool tribox_mesh_has_floats(const tribox_mesh *mesh) { return has_triples(mesh, sizeof(float)); }
+static bool has_plain_positions(const tribox_mesh *mesh, size_t bytes)
+{
+    return tribox_position_bytes(mesh) == bytes && tribox_mesh_has_triples(mesh) && mesh->axes == TRIBOX_AXES_AS_STORED;
+}
 
-bool tribox_mesh_has_doubles(const tribox_mesh *mesh) { return has_triples(mesh, sizeof(double)); }
+bool tribox_mesh_has_floats(const tribox_mesh *mesh) { return has_plain_positions(mesh, sizeof(float)); }
+
+bool tribox_mesh_has_doubles(const tribox_mesh *mesh) { return has_plain_positions(mesh, sizeof(double)); }
 
 /* The sizes, as arguments of their own, may be constants: then neither is asked of each corner. */
 static inline void read_corners(const tribox_mesh *mesh, unsigned index_bytes, unsigned position_bytes, size_t first, size_t count,

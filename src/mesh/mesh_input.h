@@ -9,10 +9,10 @@
 /* Whether the mesh can be read, but for vertex numbers that are too great. If so, the same mesh, its strides set. */
 bool tribox_mesh_take(const tribox_mesh *mesh, tribox_mesh *strided);
 
-/*
- * Of a mesh with strides, whether the three positions of a vertex follow each other, so that kernels read them where they lie: as
- * floats, or as doubles.
- */
+/* Of a mesh with strides: whether the three numbers of a vertex follow each other, in any order of the axes. */
+bool tribox_mesh_has_triples(const tribox_mesh *mesh);
+
+/* Whether they are x, y, z, so that kernels read them where they lie: as floats, or as doubles. */
 bool tribox_mesh_has_floats(const tribox_mesh *mesh);
 bool tribox_mesh_has_doubles(const tribox_mesh *mesh);
 

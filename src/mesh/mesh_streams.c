@@ -44,22 +44,25 @@ static void write_each_triangle(const tribox_mesh *mesh, const double origin[3],
     }
 }
 
+/* Kernels copy numbers as they are stored: what they write, and take from them, is of the axes that those are. */
 void tribox_mesh_write_soup(const tribox_mesh *mesh, const tribox_kernel *kernel, const double *origin, const uint32_t *list,
                             size_t first, size_t count, float *const to[9])
 {
     static const double zero[3] = {0, 0, 0};
     double origins[TRIBOX_LOCAL];
-    if (!origin && tribox_mesh_has_floats(mesh)) {
-        kernel->gather(mesh, NULL, list, first, count, to);
-        return;
-    }
-    if (!tribox_mesh_has_doubles(mesh)) {
+    float *stored[9];
+    if (!tribox_mesh_has_triples(mesh) || (origin && mesh->position_bytes != sizeof(double))) {
         write_each_triangle(mesh, origin ? origin : zero, list, first, count, to);
         return;
     }
-    for (int k = 0; k < TRIBOX_LOCAL; k++)
-        origins[k] = origin ? origin[k % 3] : 0;
-    kernel->gather(mesh, origins, list, first, count, to);
+    for (int a = 0; a < 3; a++) {
+        const size_t k = tribox_stored_axis(mesh, a);
+        for (size_t v = 0; v < 3; v++)
+            stored[3 * k + v] = to[3 * (size_t)a + v];
+        for (size_t n = k; n < TRIBOX_LOCAL; n += 3)
+            origins[n] = origin ? origin[a] : 0;
+    }
+    kernel->gather(mesh, mesh->position_bytes == sizeof(double) ? origins : NULL, list, first, count, stored);
 }
 
 bool tribox_mesh_origin_of(const double *origin, double of[3])

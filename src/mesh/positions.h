@@ -43,6 +43,16 @@ static inline float tribox_local_number(const void *from, double from_origin)
     return (float)(number - from_origin);
 }
 
+/* In a mesh that was taken: which stored number is the one of each axis, two bits each. */
+#define TRIBOX_AXES_AS_STORED (0u | 1u << 2 | 2u << 4)
+static inline size_t tribox_stored_axis(const tribox_mesh *mesh, int a) { return mesh->axes >> 2 * a & 3; }
+
+/* Where the number of axis a of vertex 0 lies. */
+static inline const char *tribox_axis_begin(const tribox_mesh *mesh, int a)
+{
+    return (const char *)mesh->positions + tribox_stored_axis(mesh, a) * mesh->axis_stride;
+}
+
 /* A number of either size. */
 static inline double tribox_number_read(const tribox_mesh *mesh, const void *from)
 {
@@ -57,19 +67,19 @@ static inline double tribox_number_read(const tribox_mesh *mesh, const void *fro
 /* The position of a vertex, of either size and with any strides. */
 static inline void tribox_position_read(const tribox_mesh *mesh, size_t vertex, double to[3])
 {
-    const char *from = (const char *)mesh->positions + vertex * mesh->stride;
-    for (int a = 0; a < 3; a++, from += mesh->axis_stride)
-        to[a] = tribox_number_read(mesh, from);
+    for (int a = 0; a < 3; a++)
+        to[a] = tribox_number_read(mesh, tribox_axis_begin(mesh, a) + vertex * mesh->stride);
 }
 
 /* Whether that position is neither NaN nor infinite, from the bits of each number (base/finite.h). */
 static inline bool tribox_position_is_finite(const tribox_mesh *mesh, size_t vertex)
 {
-    const char *from = (const char *)mesh->positions + vertex * mesh->stride;
     bool is_finite = true;
-    for (int a = 0; a < 3; a++, from += mesh->axis_stride)
+    for (int a = 0; a < 3; a++) {
+        const char *const from = tribox_axis_begin(mesh, a) + vertex * mesh->stride;
         is_finite &= mesh->position_bytes == sizeof(double) ? tribox_is_finite_double(tribox_number_read(mesh, from))
                                                             : tribox_is_finite(tribox_float_at(from));
+    }
     return is_finite;
 }
 

@@ -6,11 +6,11 @@
 #include "pairs/partial_packet.h"
 
 /* Triangles of a soup, or where that is NULL of a mesh whose strides are set; is_taken: whether they can be read. */
-static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, const tribox_mesh *mesh,
-                                      const tribox_oriented_box *box, const tribox_options *options, uint64_t *mask,
-                                      tribox_report *report)
+static tribox_status overlap_oriented(const tribox_soup *soup, const tribox_mesh *mesh, const tribox_oriented_box *box,
+                                      const tribox_options *options, uint64_t *mask, tribox_report *report)
 {
-    if (!box || !is_taken)
+    tribox_mesh strided;
+    if (!box || !(mesh ? tribox_mesh_take(mesh, &strided) : tribox_soup_is_readable(soup)))
         return TRIBOX_BAD_ARGUMENT;
     if (!tribox_oriented_is_finite(box))
         return TRIBOX_BAD_BOX;
@@ -24,7 +24,7 @@ static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, co
     if (plan.accuracy == TRIBOX_EXACT && tribox_oriented_is_upright(box, &upright)) /* others need not answer alike */
         return soup ? tribox_overlap(soup, &upright, options, mask, report)
                     : tribox_mesh_overlap(mesh, &upright, options, mask, report);
-    if (!soup && !tribox_mesh_is_in_range(mesh, plan.kernel, 0, mesh->count))
+    if (!soup && !tribox_mesh_is_in_range(&strided, plan.kernel, 0, mesh->count))
         return TRIBOX_BAD_VERTEX;
 
     tribox_partial_packet partial;
@@ -37,7 +37,7 @@ static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, co
         if (soup)
             tribox_oriented_ask_soup(&q, tribox_pad_triangles(soup, plan.kernel, &partial), box, &plan);
         else
-            tribox_oriented_ask_mesh(&q, mesh, box, &plan);
+            tribox_oriented_ask_mesh(&q, &strided, box, &plan);
         counts = tribox_oriented_answer_all(&q, mask);
     }
     tribox_environment_leave(callers);
@@ -48,12 +48,11 @@ static tribox_status overlap_oriented(bool is_taken, const tribox_soup *soup, co
 tribox_status tribox_overlap_oriented(const tribox_soup *soup, const tribox_oriented_box *box, const tribox_options *options,
                                       uint64_t *mask, tribox_report *report)
 {
-    return overlap_oriented(tribox_soup_is_readable(soup), soup, NULL, box, options, mask, report);
+    return overlap_oriented(soup, NULL, box, options, mask, report);
 }
 
 tribox_status tribox_mesh_overlap_oriented(const tribox_mesh *mesh, const tribox_oriented_box *box, const tribox_options *options,
                                            uint64_t *mask, tribox_report *report)
 {
-    tribox_mesh strided;
-    return overlap_oriented(tribox_mesh_take(mesh, &strided), NULL, &strided, box, options, mask, report);
+    return overlap_oriented(NULL, mesh, box, options, mask, report);
 }

@@ -54,7 +54,7 @@ typedef struct tribox_triangle {
 static inline void tribox_window_read_axis(const tribox_voxel_window *w, int32_t number, int a, double u[3])
 {
     const tribox_mesh *const mesh = w->doubles;
-    const char *const from = (const char *)mesh->positions + (size_t)a * mesh->axis_stride;
+    const char *const from = tribox_axis_begin(mesh, a);
     const size_t corner = 3 * (w->first_triangle + (uint32_t)number);
     for (size_t j = 0; j < 3; j++)
         memcpy(&u[j], from + tribox_vertex_number(mesh, tribox_vertex_bytes(mesh), corner + j) * mesh->stride, sizeof u[j]);

@@ -203,6 +203,12 @@ static void axis_stride(int n)
     a.the_mesh.stride = 3 * position_size();
 }
 
+static void mesh_axes(int n)
+{
+    static const unsigned no_orders[] = {1, 12, 111, 122, 124, 23, 321123, 1123, UINT_MAX, 3, 213 + 1000, 120};
+    a.the_mesh.axes = no_orders[n];
+}
+
 static void endless_vertices(int n)
 {
     static const size_t layouts[][2] = {{SIZE_MAX, 0},           {(size_t)PTRDIFF_MAX / 12 + 2, 0},
@@ -408,6 +414,7 @@ static const struct fault {
     {"stride of columns", "mesh in_mesh", TRIBOX_BAD_ARGUMENT, 7, stride_of_columns, NOTHING},
     {"columns", "-", TRIBOX_OK, 4, columns, EVERY},
     {"axis_stride", "mesh in_mesh", TRIBOX_BAD_ARGUMENT, 6, axis_stride, NOTHING},
+    {"mesh axes", "mesh in_mesh", TRIBOX_BAD_ARGUMENT, 12, mesh_axes, NOTHING},
     {"endless vertices", "mesh in_mesh", TRIBOX_BAD_ARGUMENT, 8, endless_vertices, NOTHING},
     {"missing vertex", "vertices&mesh vertices&in_mesh tested listed", TRIBOX_BAD_VERTEX, 43, missing_vertex, ALONE},
     {"missing last vertex", "vertices&mesh vertices&in_mesh", TRIBOX_BAD_VERTEX, 2, missing_last, ALONE},

@@ -7,6 +7,7 @@
 const mesh_form nine_doubles = {.position_bytes = 8};
 
 static const unsigned index_sizes[] = {0, 2, 4};
+static const unsigned axes_orders[] = {0, 123, 132, 213, 231, 312, 321};
 
 mesh_form mesh_form_draw(random_source *r, bool may_be_floats)
 {
@@ -14,6 +15,7 @@ mesh_form mesh_form_draw(random_source *r, bool may_be_floats)
     const bool is_plain = random_int(r, 3) == 0;
     mesh_form form = {.position_bytes = may_be_floats && random_int(r, 2) ? narrow[random_int(r, 2)] : 8,
                       .index_bytes = index_sizes[random_int(r, 3)],
+                      .axes = random_int(r, 3) ? 0 : axes_orders[random_int(r, 7)],
                       .is_at_end = random_int(r, 2),
                       .is_shared = random_int(r, 2)};
     if (is_plain)
@@ -72,7 +74,8 @@ static size_t vertex_number(const tribox_mesh *mesh, size_t corner)
 unsigned char *laid_mesh_at(const tribox_mesh *mesh, size_t corner, int a)
 {
     unsigned char *const positions = (unsigned char *)(uintptr_t)mesh->positions;
-    return positions + vertex_number(mesh, corner) * stride_of(mesh) + (size_t)a * axis_stride_of(mesh);
+    const unsigned axes = mesh->axes ? mesh->axes : 123, digit[3] = {axes / 100, axes / 10 % 10, axes % 10};
+    return positions + vertex_number(mesh, corner) * stride_of(mesh) + (digit[a] - 1) * axis_stride_of(mesh);
 }
 
 double laid_mesh_number(const tribox_mesh *mesh, size_t corner, int a)
@@ -155,7 +158,7 @@ static void share_vertices(const tribox_mesh *mesh)
 tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (*u)[3][3], size_t count, const int turn[3],
                          laid_fences f)
 {
-    tribox_mesh mesh = {.vertices = 3 * count, .count = count, .position_bytes = form->position_bytes};
+    tribox_mesh mesh = {.vertices = 3 * count, .count = count, .position_bytes = form->position_bytes, .axes = form->axes};
     put_strides(r, form, &mesh);
     if (form->index_bytes)
         lay_indices(r, form, &mesh, f);
@@ -172,7 +175,7 @@ tribox_mesh laid_mesh_of(random_source *r, const mesh_form *form, const double (
 
 const char *laid_mesh_text(const tribox_mesh *mesh, char text[LAID_TEXT])
 {
-    snprintf(text, LAID_TEXT, "%zu triangles of %u-byte numbers, stride %zu, axis stride %zu, indices of %u bytes", mesh->count,
-             mesh->position_bytes, mesh->stride, mesh->axis_stride, mesh->indices ? mesh->index_bytes : 0);
+    snprintf(text, LAID_TEXT, "%zu triangles of %u-byte numbers, stride %zu, axis stride %zu, axes %u, indices of %u bytes",
+             mesh->count, mesh->position_bytes, mesh->stride, mesh->axis_stride, mesh->axes, mesh->indices ? mesh->index_bytes : 0);
     return text;
 }

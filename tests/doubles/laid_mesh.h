@@ -20,6 +20,7 @@ typedef enum vertex_order {
 typedef struct mesh_form {
     unsigned position_bytes; /* as in tribox_mesh */
     unsigned index_bytes;    /* 0 for none */
+    unsigned axes;        /* as in tribox_mesh */
     vertex_order order;
     size_t gap;     /* bytes between what could be next to each other */
     int shift;      /* bytes by which positions and indices lie beside an aligned place */

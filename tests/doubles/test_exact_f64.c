@@ -82,7 +82,8 @@ static void check_answer(test_run *t, const tribox_mesh *mesh, const tribox_opti
 {
     const pair_f64 pair = batch_f64_pair(&t->batch, k);
     const bool overlaps = oracle_overlaps_f64(&pair, t->truth[k], o->axes), is_false = answer && !overlaps;
-    if (o->accuracy == TRIBOX_FAST && mesh->position_bytes != sizeof(double) && mesh->axis_stride <= sizeof(float))
+    if (o->accuracy == TRIBOX_FAST && mesh->position_bytes != sizeof(double) && mesh->axis_stride <= sizeof(float) &&
+        (!mesh->axes || mesh->axes == 123))
         return; /* as of a soup: it errs either way */
     if (overlaps && !answer)
         fail_pair_f64(t, mesh, o, k, answer);

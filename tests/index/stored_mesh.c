@@ -84,8 +84,8 @@ void stored_mesh_write(stored_mesh *m, const stored_soup *s, size_t first, size_
     for (size_t i = first; i < first + count; i++)
         for (size_t k = 0; k < 9; k++) {
             const size_t vertex = m->vertex[3 * i + k % 3], axis = k / 3;
-            write_number(from + vertex * m->mesh.stride + axis * m->mesh.axis_stride, m->layout.position_bytes,
-                         placed(&m->layout.place, (int)axis, s->stream[k][i]));
+            write_number(from + vertex * m->mesh.stride + (m->mesh.axes ? 2 - axis : axis) * m->mesh.axis_stride,
+                         m->layout.position_bytes, placed(&m->layout.place, (int)axis, s->stream[k][i]));
         }
 }
 
@@ -122,6 +122,7 @@ void stored_mesh_lay(random_source *r, stored_mesh *m, const mesh_layout *layout
                             .index_bytes = layout->index_bytes,
                             .count = count,
                             .position_bytes = layout->position_bytes,
+                            .axes = random_int(r, 4) ? 0 : 321,
                             .stride = (layout->is_columns ? 1 : 3 + padded) * number,
                             .axis_stride = (layout->is_columns ? vertices + padded : 1) * number};
     const size_t bytes = vertices == 0        ? 0

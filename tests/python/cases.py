@@ -46,6 +46,7 @@ def forms(triangles):
     """The same triangles in each form that calls take."""
     yield triangles
     yield tribox.Mesh(*shared_vertices(triangles, np.int32))
+    yield tribox.Mesh(triangles[..., ::-1].reshape(-1, 3).copy()[:, ::-1], np.arange(3 * len(triangles)).reshape(-1, 3))
     yield tribox.Mesh(np.asfortranarray(triangles.reshape(-1, 3)), np.arange(3 * len(triangles)).reshape(-1, 3))
     yield tribox.Soup.of(triangles)
     yield triangles.astype(float)

@@ -47,11 +47,14 @@ static void draw_lattice_mesh(random_source *r)
 typedef struct layout {
     unsigned position_bytes, index_bytes;
     bool is_column_major, has_gaps;
+    unsigned axes;
 } layout;
 
 static const layout layouts[] = {
-    {8, 0, false, false}, {8, 4, false, false}, {8, 2, false, true},  {8, 4, true, false}, {8, 0, true, true},
-    {4, 0, false, false}, {4, 4, false, true},  {0, 2, false, false}, {4, 4, true, false},
+    {8, 0, false, false, 0},   {8, 4, false, false, 0},   {8, 2, false, true, 0},  {8, 4, true, false, 0},
+    {8, 0, true, true, 0},     {4, 0, false, false, 123}, {4, 4, false, true, 0},  {0, 2, false, false, 0},
+    {4, 4, true, false, 0},    {8, 4, false, false, 231}, {8, 0, true, true, 321}, {4, 4, false, true, 312},
+    {0, 2, false, false, 213}, {4, 4, true, false, 132},
 };
 
 static double room[3 * 3 * TRIANGLE_LIST_MAX * 2];
@@ -63,6 +66,8 @@ static tribox_mesh lay_out(const layout *l, const double offset[3])
 {
     const size_t corners = 3 * triangles.count, bytes = l->position_bytes == 8 ? 8 : 4, gap = l->has_gaps ? 2 : 1;
     tribox_mesh laid = {.positions = room, .vertices = corners, .count = triangles.count, .position_bytes = l->position_bytes};
+    const size_t stored[3] = {l->axes ? l->axes / 100 - 1 : 0, l->axes ? l->axes / 10 % 10 - 1 : 1, l->axes ? l->axes % 10 - 1 : 2};
+    laid.axes = l->axes;
     laid.stride = bytes * gap * (l->is_column_major ? 1 : 3);
     laid.axis_stride = l->is_column_major ? bytes * gap * corners : 0;
     laid.index_bytes = l->index_bytes;
@@ -77,7 +82,7 @@ static tribox_mesh lay_out(const layout *l, const double offset[3])
         for (size_t a = 0; a < 3; a++) {
             const double place = (double)u[corner % 3][a] + offset[a];
             const float single = (float)place;
-            char *const to = (char *)room + vertex * laid.stride + a * (laid.axis_stride ? laid.axis_stride : bytes);
+            char *const to = (char *)room + vertex * laid.stride + stored[a] * (laid.axis_stride ? laid.axis_stride : bytes);
             memcpy(to, bytes == 8 ? (const void *)&place : &single, bytes);
         }
     }
