@@ -23,6 +23,7 @@ PEERS = {
     "vtk": "apt install python3-vtk9",
     "openvdb": "apt install python3-openvdb",
     "open3d": "apt install python3-open3d",
+    "recast": "apt install librecast-dev",
     "bvh": "npm install --prefix DIR three three-mesh-bvh, and set NODE_PATH=DIR/node_modules",
 }
 CELLS = "surface", "middles"  # questions about cells
@@ -45,7 +46,7 @@ def options():
     o.questions = o.questions.split(",") if o.questions else None
     if o.build:
         module = os.path.join(os.path.abspath(o.build), "python")
-        os.environ["TRIBOX_LIBRARY"] = os.path.join(os.path.abspath(o.build), "src", "libtribox.so.0")
+        os.environ["TRIBOX_LIBRARY"] = os.path.join(os.path.abspath(o.build), "src", "libtribox.so.1")
         os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [module, os.environ.get("PYTHONPATH")]))
     return o
 
