@@ -10,7 +10,7 @@ static double seconds()
 }
 
 // Processor time until the spans are there; cells[z][y][x] gets those that they hold. Negative if there is no memory.
-extern "C" double recast_cells(const float *vertices, int count, const int *faces, const unsigned char *areas, int triangles,
+extern "C" double recast_cells(const float *vertices, int count, const int *faces, int triangles, const unsigned char *areas,
                                const float *lo, const float *hi, float cell, const int *size, unsigned char *cells)
 {
     rcContext context(false);

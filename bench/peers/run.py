@@ -24,6 +24,7 @@ PEERS = {
     "openvdb": "apt install python3-openvdb",
     "open3d": "apt install python3-open3d",
     "recast": "apt install librecast-dev",
+    "itk": "apt install libinsighttoolkit5-dev",
     "bvh": "npm install --prefix DIR three three-mesh-bvh, and set NODE_PATH=DIR/node_modules",
 }
 CELLS = "surface", "middles"  # questions about cells
