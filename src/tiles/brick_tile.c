@@ -59,6 +59,7 @@ static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *li
     tribox_voxels_begin(v, &s->triangles, s->grid, w, s->bits);
     if (s->ids.sink.take)
         tribox_voxels_ask_ids(v, s->ids.of_tile, 0);
+    v->sinks.ids.has_room = true; /* they are ours, and followed by others */
     for (size_t at = 0; at < count; at += TRIBOX_LISTED) {
         const size_t some = count - at < TRIBOX_LISTED ? count - at : TRIBOX_LISTED;
         const tribox_soup soup =

@@ -15,6 +15,7 @@ typedef struct tribox_cell_ids {
     uint32_t first;     /* added to the number of a triangle */
     uint32_t row_words; /* of the bits, which have a gap after each row that ends within a word: */
     uint32_t gap;       /* so many bits */
+    bool has_room;      /* nobody else has the numbers before and after them, up to a vector */
 } tribox_cell_ids;
 
 /* Where those of a word of bits begin. */
@@ -23,9 +24,47 @@ static inline uint32_t *tribox_ids_of_word(const tribox_cell_ids *ids, uint32_t 
     return ids->of + 64 * (size_t)word - (ids->gap ? (size_t)(word / ids->row_words) * ids->gap : 0);
 }
 
-/* Of the cells that `bits` says, of which those of `before` have a number. */
-static inline void tribox_lower_ids(uint32_t *ids, uint64_t before, uint64_t bits, uint32_t id)
+/*
+ * As many at once as a vector has, where it has eight at least: runs are mostly short, and where a loop over their cells ends,
+ * nobody foresees. Vectors lie at multiples of their length, so that what one has written comes whole to the next.
+ */
+#if !defined(__GNUC__) && !defined(__clang__)
+#define TRIBOX_IDS_AT_ONCE 0
+#elif defined(__AVX512F__)
+#define TRIBOX_IDS_AT_ONCE 16
+#elif defined(__AVX2__)
+#define TRIBOX_IDS_AT_ONCE 8
+#else
+#define TRIBOX_IDS_AT_ONCE 0
+#endif
+
+/* Of the cells that the lowest bits say, of which those of `before` have a number. */
+static inline void tribox_lower_some(uint32_t *ids, uint64_t before, uint64_t bits, uint32_t id)
 {
+#if TRIBOX_IDS_AT_ONCE
+    typedef uint32_t vector __attribute__((vector_size(4 * TRIBOX_IDS_AT_ONCE), aligned(4), may_alias));
+    static const uint32_t bit_of[16] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                                        1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+    const vector bit = *(const vector *)bit_of, own = *(const vector *)ids, none = {0};
+    const vector has_none = (vector)((bit & (uint32_t)before) == 0), is_asked = (vector)((bit & (uint32_t)bits) != 0);
+    const vector is_greater = (vector)((own | has_none) > id) & is_asked;
+    *(vector *)ids = (is_greater & (none + id)) | (~is_greater & own);
+#else
+    (void)ids, (void)before, (void)bits, (void)id;
+#endif
+}
+
+/* Of the cells that `bits` says. */
+static inline void tribox_lower_ids(const tribox_cell_ids *of, uint32_t *ids, uint64_t before, uint64_t bits, uint32_t id)
+{
+    const unsigned some = TRIBOX_IDS_AT_ONCE;
+    if (some && of->has_room) {
+        for (unsigned n; bits; bits &= ~(((UINT64_C(1) << some) - 1) << n)) {
+            n = tribox_lowest_bit(bits) & ~(some - 1);
+            tribox_lower_some(ids + n, before >> n, bits >> n, id);
+        }
+        return;
+    }
     for (; bits; bits &= bits - 1) {
         const unsigned n = tribox_lowest_bit(bits);
         const uint32_t old = ids[n] | ((uint32_t)(before >> n & 1) - 1);
@@ -33,9 +72,17 @@ static inline void tribox_lower_ids(uint32_t *ids, uint64_t before, uint64_t bit
     }
 }
 
-/* Of cells that follow each other, 64 at most: bit n of `before` is that of the n-th. */
-static inline void tribox_lower_run(uint32_t *ids, uint64_t before, int64_t count, uint32_t id)
+/* Of cells that follow each other, at least one and 64 at most, none in another word: bit n of `before` is that of the n-th. */
+static inline void tribox_lower_run(const tribox_cell_ids *of, uint32_t *ids, uint64_t before, int64_t count, uint32_t id)
 {
+    const unsigned some = TRIBOX_IDS_AT_ONCE;
+    if (some && of->has_room) {
+        const unsigned from = (uintptr_t)ids / sizeof *ids & (some - 1);
+        tribox_lower_some(ids - from, before << from, ~UINT64_C(0) >> (64 - count) << from, id);
+        for (int64_t n = some - from; n < count; n += some)
+            tribox_lower_some(ids + n, before >> n, ~UINT64_C(0) >> (64 - (count - n)), id);
+        return;
+    }
     for (int64_t n = 0; n < count; n++, before >>= 1) {
         const uint32_t old = ids[n] | ((uint32_t)(before & 1) - 1);
         ids[n] = old < id ? old : id;
@@ -49,7 +96,7 @@ static inline void tribox_lower_row(const tribox_cell_ids *ids, const uint64_t *
     uint32_t *const to = tribox_ids_of_word(ids, (uint32_t)row);
     for (int64_t at = first, end; at <= last; at = end) {
         end = at / 64 < last / 64 ? (at / 64 + 1) * 64 : last + 1;
-        tribox_lower_run(to + at, occupied[row + (size_t)(at / 64)] >> at % 64, end - at, id);
+        tribox_lower_run(ids, to + at, occupied[row + (size_t)(at / 64)] >> at % 64, end - at, id);
     }
 }
 

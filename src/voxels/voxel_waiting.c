@@ -22,7 +22,7 @@ void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *tria
 static void lower_id(const tribox_voxels *v, const cell_bit *cell)
 {
     uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)(cell->word - v->sinks.occupied));
-    tribox_lower_ids(ids, *cell->word, cell->bit, tribox_voxels_id(v, cell->number));
+    tribox_lower_ids(&v->sinks.ids, ids, *cell->word, cell->bit, tribox_voxels_id(v, cell->number));
 }
 
 static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)

@@ -44,7 +44,8 @@ TRIBOX_INLINE void write_each(tribox_writes *w, uint64_t *occupied, bool is_far,
         const uint32_t after = before | (uint32_t)w->bits[n];
         memcpy(at, &after, sizeof after);
         if (ids)
-            tribox_lower_ids(ids_of_half(ids, (uint32_t)w->half[n]), before, (uint32_t)w->bits[n], first + (uint32_t)w->number[n]);
+            tribox_lower_ids(ids, ids_of_half(ids, (uint32_t)w->half[n]), before, (uint32_t)w->bits[n],
+                             first + (uint32_t)w->number[n]);
         if (is_counted)
             w->half[n] = (int32_t)before;
     }

@@ -185,7 +185,8 @@ TRIBOX_NOINLINE void lower_narrow_rows(const strip_place *p, const row_list *row
     for (unsigned n = 0; n < rows->count; n++) {
         const int from = bit + cells->first[n], count = cells->end[n] - cells->first[n];
         if (count > 0)
-            tribox_lower_run(tribox_ids_of_word(ids, (uint32_t)rows->word[n]) + from, occupied[rows->word[n]] >> from, count, id);
+            tribox_lower_run(ids, tribox_ids_of_word(ids, (uint32_t)rows->word[n]) + from, occupied[rows->word[n]] >> from, count,
+                             id);
     }
 }
 
