@@ -146,11 +146,11 @@ typedef tribox_verdict tribox_in_double(tribox_batch *batch, const tribox_packed
  * Pairs that are fewer than the lanes of a kernel, spread over a packet, as whole packets are read: the numbers after them repeat
  * the first pair. They are never asked about.
  */
-typedef struct tribox_partial_packet {
+struct tribox_partial_packet {
     _Alignas(64) float number[9][TRIBOX_LANES_MAX];
     tribox_soup soup;
     tribox_boxes boxes;
-} tribox_partial_packet;
+};
 
 /* One triangle or box at least; nothing else is read. */
 typedef void tribox_spread_triangles(const tribox_soup *soup, tribox_partial_packet *partial);

@@ -121,9 +121,25 @@ static bool has_rising_planes(const tribox_planes *planes, int a, int64_t size)
     return (low < 0 || is_run_rising(planes, a, 0, low, below)) && (high > size || is_run_rising(planes, a, high, size, above));
 }
 
+/*
+ * Whether axes of ordinary grids are certainly sound, without asking planes: no plane is farther off than `farthest`, but for
+ * rounding, where doubles are spaced by 2^-52 of it at most.
+ */
+static bool is_plainly_sound(const tribox_grid *grid)
+{
+    bool is_sound = true;
+    for (int a = 0; a < 3; a++) {
+        const double farthest = size_of(grid->origin[a]) + grid->size[a] * grid->cell[a];
+        is_sound &= grid->size[a] && grid->cell[a] >= 0x1p-900 && farthest <= 0x1p900 && grid->cell[a] > farthest * 0x1p-50;
+    }
+    return is_sound;
+}
+
 /* The last plane is finite only if the origin and the cell are. */
 bool tribox_grid_is_sound(const tribox_grid *grid)
 {
+    if (is_plainly_sound(grid))
+        return true;
     const tribox_planes planes = tribox_planes_of(grid, NULL);
     for (int a = 0; a < 3; a++)
         if (!(grid->cell[a] > 0) || !grid->size[a] || !tribox_is_finite_double(tribox_plane_at(&planes, a, grid->size[a])) ||

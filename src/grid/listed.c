@@ -94,9 +94,9 @@ tribox_soup tribox_listed_gather(const tribox_triangles *triangles, const tribox
     if (!triangles->is_soup)
         tribox_mesh_write_soup(&triangles->mesh, kernel, triangles->are_doubles ? origin : NULL, list, first, count, to);
     else if (list)
-        gather_soup(&triangles->soup, list + first, count, block);
+        gather_soup(triangles->soup, list + first, count, block);
     else
         for (int k = 0; k < 9; k++)
-            memcpy(to[k], tribox_soup_axis(&triangles->soup, k / 3)[k % 3] + first, count * sizeof(float));
+            memcpy(to[k], tribox_soup_axis(triangles->soup, k / 3)[k % 3] + first, count * sizeof(float));
     return tribox_soup_of(&block->u[0][0], TRIBOX_LISTED_STREAM, count);
 }

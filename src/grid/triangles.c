@@ -9,15 +9,18 @@ bool tribox_triangles_of_soup(const tribox_soup *soup, tribox_triangles *triangl
 {
     if (!tribox_soup_is_readable(soup))
         return false;
-    *triangles = (tribox_triangles){.is_soup = true, .soup = *soup, .count = soup->count};
+    triangles->is_soup = true;
+    triangles->are_doubles = false;
+    triangles->soup = soup;
+    triangles->count = soup->count;
     return true;
 }
 
 bool tribox_triangles_of_mesh(const tribox_mesh *mesh, tribox_triangles *triangles)
 {
-    *triangles = (tribox_triangles){.is_soup = false};
     if (!tribox_mesh_take(mesh, &triangles->mesh))
         return false;
+    triangles->is_soup = false;
     triangles->are_doubles = triangles->mesh.position_bytes == sizeof(double);
     triangles->count = triangles->mesh.count;
     return true;
@@ -45,14 +48,18 @@ tribox_soup tribox_triangles_stream(const tribox_triangles *triangles, const tri
                                     size_t first, size_t count, tribox_stream_room *room)
 {
     float *to[9];
-    if (triangles->is_soup && count >= kernel->lanes)
-        return tribox_soup_part(&triangles->soup, first, count);
+    if (triangles->is_soup) {
+        const tribox_soup part = tribox_soup_part(triangles->soup, first, count);
+        if (count >= kernel->lanes)
+            return part;
+        kernel->spread_triangles(&part, &room->few);
+        return room->few.soup;
+    }
     for (int k = 0; k < 9; k++)
         to[k] = room->number[k];
-    for (size_t k = 0; triangles->is_soup && k < 9; k++)
-        memcpy(to[k], tribox_soup_axis(&triangles->soup, (int)k / 3)[k % 3] + first, count * sizeof(float));
-    if (!triangles->is_soup)
-        tribox_mesh_write_soup(&triangles->mesh, kernel, triangles->are_doubles ? origin : NULL, NULL, first, count, to);
+    for (size_t k = 0; count < kernel->lanes && k < 9; k++)
+        memset(to[k], 0, sizeof(float[TRIBOX_LANES_MAX]));
+    tribox_mesh_write_soup(&triangles->mesh, kernel, triangles->are_doubles ? origin : NULL, NULL, first, count, to);
     return tribox_soup_of(&room->number[0][0], TRIBOX_STREAMED, count);
 }
 
@@ -81,7 +88,7 @@ static void read_mesh(const tribox_mesh *mesh, size_t first, size_t count, doubl
 void tribox_triangles_read(const tribox_triangles *triangles, size_t first, size_t count, double *to, size_t step)
 {
     if (triangles->is_soup)
-        read_soup(&triangles->soup, first, count, to, step);
+        read_soup(triangles->soup, first, count, to, step);
     else
         read_mesh(&triangles->mesh, first, count, to, step);
 }

@@ -6,8 +6,8 @@
 
 typedef struct tribox_triangles {
     bool is_soup, are_doubles;
-    tribox_soup soup; /* or */
-    tribox_mesh mesh; /* its strides set */
+    const tribox_soup *soup; /* or, not set where the other is: a copy of few words costs 10 ns where they were written just now */
+    tribox_mesh mesh;        /* its strides set */
     size_t count;
 } tribox_triangles;
 
@@ -21,10 +21,11 @@ bool tribox_triangles_have_vertices(const tribox_triangles *triangles, const tri
 /* Triangles first .. first + count - 1 of a soup. */
 tribox_soup tribox_soup_part(const tribox_soup *soup, size_t first, size_t count);
 
-/* Room for triangles as streams, which fit the nearest cache. Zero before it is first used. */
+/* Room for triangles of a mesh as streams, which fit the nearest cache, or for the few of a soup that fill no packet. */
 enum { TRIBOX_STREAMED = 256 };
-typedef struct tribox_stream_room {
+typedef union tribox_stream_room {
     _Alignas(64) float number[9][TRIBOX_STREAMED];
+    tribox_partial_packet few;
 } tribox_stream_room;
 
 /* How many triangles can be read as streams at a time: of a soup all. */

@@ -3,6 +3,7 @@
  */
 #include "voxels/voxelizing.h"
 #include "axes.h"
+#include "kernel/cells/lattices.h"
 #include "kernel/cells/reach.h"
 #include "kernel/cells/tile_ranges.h"
 #include "kernel/cells/ends.h"

@@ -167,7 +167,7 @@ static tribox_soup stream_block(const split_call *s, size_t first, size_t count,
 {
     const size_t lanes = s->plan.kernel->lanes;
     if (!s->list && s->triangles.is_soup && count >= lanes)
-        return tribox_soup_part(&s->triangles.soup, first, count);
+        return tribox_soup_part(s->triangles.soup, first, count);
     if (count < lanes)
         clear_packet(&block->listed);
     tribox_soup soup = tribox_listed_gather(&s->triangles, s->plan.kernel, s->middle, s->list, first, count, &block->listed);

@@ -18,6 +18,11 @@ typedef struct tribox_lattice {
     double error[3]; /* cells: how far off plane p and the place of a number near the window can be, together (PROOFS.md 7.2) */
 } tribox_lattice;
 
+/* What places and layers of a window of a sound grid are (window.h): of triangles of floats, or of these doubles. */
+typedef struct tribox_voxel_window tribox_voxel_window;
+typedef void tribox_make_window(tribox_voxel_window *w, const tribox_grid *grid, const tribox_window *asked,
+                                const tribox_mesh *doubles, unsigned axes);
+
 /* Triangles are limited row by row, this many at a time. */
 enum { TRIBOX_STRIP = 16 };
 
@@ -42,6 +47,10 @@ typedef struct tribox_strip {
  * have to be finite, and cells not zero.
  */
 typedef void tribox_set_strip(tribox_voxels *v);
+
+/* Triangles of nine numbers each, one at least, that fill no packet, as one: lanes past them repeat the first. */
+typedef struct tribox_partial_packet tribox_partial_packet;
+typedef void tribox_spread_nines(const float (*nine)[9], size_t count, tribox_partial_packet *partial);
 
 /*
  * Sorts the triangles of a soup, one at least, by their cells: those of lines are listed, larger ones join the strips, others wait
@@ -120,6 +129,8 @@ enum { TRIBOX_BRICK_IDS = 512 };
 typedef void tribox_take_ids(const tribox_brick_rows *rows, const uint64_t bits[8], uint32_t *to);
 
 typedef struct tribox_cells_kernel {
+    tribox_make_window *make_window;
+    tribox_spread_nines *spread_nines;
     tribox_sort_soup *sort;
     tribox_finish *finish;
     tribox_write *write;

@@ -11,8 +11,6 @@
 static void set_full_strip(tribox_voxels *v, tribox_shape shape)
 {
     tribox_strip *const strip = &v->sinks.strip[shape];
-    if (!strip->count)
-        return;
     for (unsigned t = strip->count; t % TRIBOX_DOUBLES_MAX; t++) {
         for (int n = 0; n < 9; n++)
             strip->u[n][t] = strip->u[n][strip->count - 1]; /* numbers are not read */
@@ -28,7 +26,8 @@ static void set_full_strip(tribox_voxels *v, tribox_shape shape)
 void tribox_voxels_set_strips(tribox_voxels *v)
 {
     for (tribox_shape shape = TRIBOX_SOLID; shape < TRIBOX_SHAPES; shape++)
-        set_full_strip(v, shape);
+        if (v->sinks.strip[shape].count)
+            set_full_strip(v, shape);
 }
 
 static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_t base[3], const int64_t cells[3],

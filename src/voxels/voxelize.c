@@ -53,16 +53,16 @@ static tribox_status voxelize(const tribox_triangles *triangles, const tribox_gr
     tribox_status status = tribox_plan_make(options, &v->plan);
     if (status)
         return status;
-    const tribox_window asked = window ? *window : tribox_whole_window(grid);
+    const tribox_window whole = tribox_whole_window(grid), *const asked = window ? window : &whole;
     const tribox_environment callers = tribox_environment_enter();
-    status = tribox_grid_check_window(grid, &asked);
-    if (!status && out->ids && !have_addresses(asked.size))
+    status = tribox_grid_check_window(grid, asked);
+    if (!status && out->ids && !have_addresses(asked->size))
         status = TRIBOX_BAD_GRID;
     if (!status && !tribox_triangles_have_vertices(triangles, v->plan.kernel))
         status = TRIBOX_BAD_VERTEX;
     if (!status) {
         const tribox_accuracy accuracy = v->plan.accuracy;
-        set_window(v, triangles, grid, &asked, out, report);
+        set_window(v, triangles, grid, asked, out, report);
         v->plan.accuracy = accuracy;
         tribox_plan_report(&v->plan, v->counts, report);
     }

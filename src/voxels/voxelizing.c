@@ -2,6 +2,7 @@
 #include "voxelizing.h"
 
 #include "base/floats.h"
+#include "pairs/partial_packet.h"
 
 /* FAST would save error bounds alone, which cost little where triangles are of doubles. */
 void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
@@ -9,7 +10,7 @@ void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, co
 {
     if (triangles->are_doubles && v->plan.accuracy == TRIBOX_FAST)
         v->plan.accuracy = TRIBOX_CONSERVATIVE;
-    tribox_voxel_window_make(&v->window, grid, window, triangles, v->plan.axes);
+    v->plan.kernel->cells->make_window(&v->window, grid, window, triangles->are_doubles ? &triangles->mesh : NULL, v->plan.axes);
     v->sinks.is_counted = false;
     tribox_voxels_empty_sinks(v, occupied);
 }
@@ -61,12 +62,22 @@ void tribox_voxels_put(tribox_voxels *v, const tribox_soup *streams, const int32
     }
 }
 
-/* Triangles have numbers of 32 bits in a part of a mesh, which is whole before the next one begins. */
-void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
+/* Triangles that have no numbers: as they lie in a soup. */
+static void put_soup(tribox_voxels *v, const tribox_soup *soup)
+{
+    tribox_partial_packet partial;
+    tribox_voxels_put(v, tribox_pad_triangles(soup, v->plan.kernel, &partial), NULL);
+}
+
+/*
+ * Triangles have numbers of 32 bits in a part of a mesh, which is whole before the next one begins. Room and numbers are not
+ * cleared: a call about few triangles would take longer for that than for all else.
+ */
+static void put_streams(tribox_voxels *v, const tribox_triangles *triangles)
 {
     enum { PART = 1 << 30 };
-    tribox_stream_room room = {0};
-    int32_t number[TRIBOX_STREAMED] = {0};
+    tribox_stream_room room;
+    int32_t number[TRIBOX_STREAMED];
     const size_t at_once = tribox_triangles_at_once(triangles);
     const size_t most = v->window.has_numbers && at_once > TRIBOX_STREAMED ? TRIBOX_STREAMED : at_once;
     for (size_t at = 0, some; at < triangles->count; at += some) {
@@ -83,10 +94,37 @@ void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
     }
 }
 
+/* Triangles that fill no packet, number by number. */
+static void put_few(tribox_voxels *v, const tribox_triangles *triangles)
+{
+    static const int32_t number[TRIBOX_LANES_MAX] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    double u[9][TRIBOX_LANES_MAX];
+    float nine[TRIBOX_LANES_MAX][9];
+    tribox_partial_packet partial;
+    tribox_triangles_read(triangles, 0, triangles->count, &u[0][0], TRIBOX_LANES_MAX);
+    for (size_t i = 0; i < triangles->count; i++)
+        for (int n = 0; n < 9; n++)
+            tribox_float_put(&nine[i][n], u[n][i] - (triangles->are_doubles ? tribox_voxels_origin(v)[n / 3] : 0));
+    v->plan.kernel->cells->spread_nines((const float(*)[9])nine, triangles->count, &partial);
+    tribox_voxels_put(v, &partial.soup, number);
+}
+
+void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
+{
+    const size_t few = triangles->are_doubles ? v->plan.kernel->lanes : 2; /* of more than one, floats are streams as soon */
+    if (triangles->is_soup && !v->window.has_numbers)
+        put_soup(v, triangles->soup);
+    else if (triangles->count && triangles->count < few)
+        put_few(v, triangles);
+    else
+        put_streams(v, triangles);
+}
+
 void tribox_voxels_end(tribox_voxels *v)
 {
     if (v->window.is_for_float)
         v->plan.kernel->cells->finish(v);
     tribox_voxels_set_strips(v);
-    tribox_voxels_settle_waiting(v);
+    if (v->sinks.waiting.count)
+        tribox_voxels_settle_waiting(v);
 }

@@ -21,7 +21,7 @@ typedef struct tribox_float_lattice {
 } tribox_float_lattice;
 
 /* A window of a grid as a grid of its own, and the layers of it that are written. */
-typedef struct tribox_voxel_window {
+struct tribox_voxel_window {
     tribox_planes planes;
     uint32_t size[3];
     int64_t first_layer, end_layer;
@@ -35,11 +35,7 @@ typedef struct tribox_voxel_window {
     size_t first_triangle;      /* the one with the number 0; */
     bool has_numbers;           /* whether triangles have any: those of doubles, and where ids are asked for; */
     const int32_t *number;      /* those of the soup that is sorted, or NULL */
-} tribox_voxel_window;
-
-/* Of a sound grid. */
-void tribox_voxel_window_make(tribox_voxel_window *w, const tribox_grid *grid, const tribox_window *asked,
-                              const tribox_triangles *triangles, unsigned axes);
+};
 
 /*
  * One triangle: x_0 x_1 x_2 y_0 y_1 y_2 z_0 z_1 z_2, as everywhere below, floats or doubles; and its number modulo 2^32, where

@@ -45,7 +45,7 @@ TRIBOX_NOINLINE void wait_for_columns(tribox_voxels *v, const tribox_queue *queu
         wait_for_lanes(v, queue, at, i_and(undecided, one), above);
 }
 
-TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
+TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsigned at, vmask asked, bool is_exact)
 {
     vnum base[3], cells[3];
     for (int a = 0; a < 3; a++) {
@@ -53,7 +53,6 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
         cells[a] = v_load(&queue->number[12 + a][at]);
     }
     const vmask is_x = v_is_zero(cells[0]), is_z = v_is_zero(cells[2]);
-    const vmask present = lanes_between(0, count);
     vmask wild = m_none();
     const lane_places q = flat_places(v, queue, at, is_x, 1, 0, &wild), p = flat_places(v, queue, at, is_z, 1, 2, &wild);
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
@@ -66,7 +65,7 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
     vint half = bits.half;
     for (int row = 0; row < TRIBOX_FLAT_MOST; row++, half = i_add(half, step)) {
         const vnum r = v_splat((float)row), z = v_fma(layers, r, base[2]);
-        const vmask has_row = m_andnot(m_and(present, v_gt(rows, r)), wild);
+        const vmask has_row = m_andnot(m_and(asked, v_gt(rows, r)), wild);
         const vmask in_window = m_andnot(m_andnot(has_row, v_gt(v_splat((float)v->window.first_layer), z)),
                                          m_not(v_gt(v_splat((float)v->window.end_layer), z)));
         if (!m_bits(has_row))
@@ -86,5 +85,5 @@ TRIBOX_INLINE void set_flats(tribox_voxels *v, const tribox_queue *queue, unsign
         list_bits(v, half, bits.from, i_keep(m_not(is_x), set), number);
         list_column(v, half, bits.from, i_keep(is_x, set), number);
     }
-    defer_queued(v, queue, at, m_bits(m_and(present, wild)));
+    defer_queued(v, queue, at, m_bits(m_and(asked, wild)));
 }

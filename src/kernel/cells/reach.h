@@ -132,14 +132,18 @@ typedef struct lane_window {
     vnum first_layer, end_layer; /* of those that are written */
 } lane_window;
 
-TRIBOX_INLINE lane_window lanes_of_window(const tribox_voxel_window *w)
+TRIBOX_INLINE void spread_window(const tribox_voxel_window *w, lane_window *lanes)
 {
     const tribox_float_lattice *const f = &w->in_float;
-    lane_window lanes = {.first_layer = v_splat((float)w->first_layer), .end_layer = v_splat((float)w->end_layer)};
-    for (int a = 0; a < 3; a++)
-        lanes.axis[a] = (lane_axis){v_splat(f->origin[a]), v_splat(f->per_cell[a]), v_splat(f->off_middle[a]), v_splat(f->size[a]),
-                                    v_splat(0.5f - f->doubt[a])};
-    return lanes;
+    lanes->first_layer = v_splat((float)w->first_layer);
+    lanes->end_layer = v_splat((float)w->end_layer);
+    for (int a = 0; a < 3; a++) {
+        lanes->axis[a].origin = v_splat(f->origin[a]);
+        lanes->axis[a].per_cell = v_splat(f->per_cell[a]);
+        lanes->axis[a].off_middle = v_splat(f->off_middle[a]);
+        lanes->axis[a].size = v_splat(f->size[a]);
+        lanes->axis[a].certain = v_splat(0.5f - f->doubt[a]);
+    }
 }
 
 /* The place of x less half a cell, so that the nearest whole number is its cell. */

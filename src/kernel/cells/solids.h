@@ -63,8 +63,8 @@ TRIBOX_INLINE lane_places queued_places(const tribox_voxels *v, const tribox_que
     return p;
 }
 
-/* Where is_exact, certain cells are listed and undecided ones wait; else all that may overlap are listed. */
-TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsigned at, unsigned count, bool is_exact)
+/* Of these lanes. Where is_exact, certain cells are listed and undecided ones wait; else all that may overlap are listed. */
+TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsigned at, vmask asked, bool is_exact)
 {
     const vnum bound_scale = v_splat(v->plan.accuracy == TRIBOX_FAST ? 0 : 1);
     const vmask has_edges = v->plan.axes & TRIBOX_AXES_EDGES ? m_all() : m_none();
@@ -86,10 +86,10 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
 
     const lane_bits bits = bits_at(v, base);
     const int32_t *const number = listed_numbers(v, &queue->triangle[at]);
-    const vmask present = m_andnot(lanes_between(0, count), wild);
+    const vmask present = m_andnot(asked, wild);
     lane_run in_row[TRIBOX_SOLID_MOST];
     int rows = 0;
-    for (; rows < TRIBOX_SOLID_MOST && m_bits(v_gt(cells[1], v_splat((float)rows))); rows++)
+    for (; rows < TRIBOX_SOLID_MOST && m_bits(m_and(present, v_gt(cells[1], v_splat((float)rows)))); rows++)
         in_row[rows] = run_within(&xy, cells[0], v_splat((float)rows), is_exact);
     for (int layer = 0; layer < TRIBOX_SOLID_MOST; layer++) {
         const vnum k = v_splat((float)layer), z = v_add(base[2], k);
@@ -131,5 +131,5 @@ TRIBOX_INLINE void set_solids(tribox_voxels *v, const tribox_queue *queue, unsig
             half = i_add(half, i_splat(v->sinks.row_halves));
         }
     }
-    defer_queued(v, queue, at, m_bits(m_and(lanes_between(0, count), wild)));
+    defer_queued(v, queue, at, m_bits(m_and(asked, wild)));
 }

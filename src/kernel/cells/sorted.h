@@ -46,18 +46,19 @@ TRIBOX_NOINLINE void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
 }
 
-TRIBOX_NOINLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, unsigned count)
+/* These lanes of the packet of a queue that begins at place `at`. */
+TRIBOX_NOINLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, vmask asked)
 {
     const tribox_queue *const queue = &v->sinks.queue[kind];
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
     if (kind == TRIBOX_FLATS && is_exact)
-        set_flats(v, queue, at, count, true);
+        set_flats(v, queue, at, asked, true);
     else if (kind == TRIBOX_FLATS)
-        set_flats(v, queue, at, count, false);
+        set_flats(v, queue, at, asked, false);
     else if (is_exact)
-        set_solids(v, queue, at, count, true);
+        set_solids(v, queue, at, asked, true);
     else
-        set_solids(v, queue, at, count, false);
+        set_solids(v, queue, at, asked, false);
 }
 
 /* Whole packets of a queue; the rest moves to its beginning. */
@@ -66,7 +67,7 @@ static void set_packets(tribox_voxels *v, tribox_class kind)
     tribox_queue *const queue = &v->sinks.queue[kind];
     unsigned at = 0;
     for (; at + V_LANES <= queue->count; at += V_LANES)
-        set_queued(v, kind, at, V_LANES);
+        set_queued(v, kind, at, m_all());
     queue->count -= at;
     for (int n = 0; n < TRIBOX_QUEUED; n++)
         v_write(queue->number[n], v_load(&queue->number[n][at]));
@@ -78,13 +79,15 @@ static void set_packets(tribox_voxels *v, tribox_class kind)
 static void finish_queue(tribox_voxels *v, tribox_class kind)
 {
     tribox_queue *const queue = &v->sinks.queue[kind];
-    set_packets(v, kind);
+    if (queue->count >= V_LANES)
+        set_packets(v, kind);
     if (!queue->count)
         return;
+    const vmask present = lanes_between(0, queue->count);
     for (int n = 0; n < TRIBOX_QUEUED; n++)
-        for (unsigned t = queue->count; t < V_LANES; t++)
-            queue->number[n][t] = queue->number[n][0];
-    set_queued(v, kind, 0, queue->count);
+        v_write(queue->number[n], v_select(present, v_load(queue->number[n]), v_splat(queue->number[n][0])));
+    set_queued(v, kind, 0, present);
+    queue->count = 0;
 }
 
 /* For flats, 0 on the axis across the layer. */
@@ -115,6 +118,24 @@ TRIBOX_INLINE void enqueue(tribox_voxels *v, tribox_class kind, vmask m, const l
     queue->count += m_count(m);
     if (queue->count > TRIBOX_QUEUE - TRIBOX_LANES_MAX)
         set_packets(v, kind);
+}
+
+/* The same lanes of a soup that fills no more than this packet: where others would wait, and at once. */
+TRIBOX_INLINE void set_lanes(tribox_voxels *v, tribox_class kind, vmask m, const lane_reach *r)
+{
+    tribox_queue *const queue = &v->sinks.queue[kind];
+    const unsigned at = queue->count;
+    if (!m_bits(m))
+        return;
+    if (v->window.has_numbers)
+        i_write(&queue->triangle[at], i_load(r->number));
+    for (int n = 0; n < 9; n++)
+        v_write(&queue->number[n][at], r->u[n]);
+    for (int a = 0; a < 3; a++) {
+        v_write(&queue->number[9 + a][at], r->base[a]);
+        v_write(&queue->number[12 + a][at], queued_cells(kind, r, a));
+    }
+    set_queued(v, kind, at, m);
 }
 
 /* Lines of cells, of the layers asked for alone. */
@@ -185,25 +206,36 @@ TRIBOX_INLINE vmask list_short_lines(tribox_voxels *v, const lane_reach *r, vmas
     return m_andnot(inside, lines);
 }
 
-/* Flats and solids of few cells join their queues. Returns the others. Without edges a shadow has no limits: only the plane has. */
-TRIBOX_INLINE vmask enqueue_by_class(tribox_voxels *v, const lane_reach *r, vmask left, lane_shapes shapes)
+/* Flats, and solids of few cells. */
+typedef struct lane_classes {
+    vmask flats, solids;
+    vnum most; /* cells along y or z */
+} lane_classes;
+
+/* Of these lanes. Without edges a shadow has no limits: only the plane has. */
+TRIBOX_INLINE lane_classes classes_of(const tribox_voxels *v, const lane_reach *r, vmask left, lane_shapes shapes)
 {
     const vmask flat = v->plan.axes & TRIBOX_AXES_EDGES ? m_andnot(shapes.wide, shapes.solid) : m_none();
     const vmask few = m_and(left, shapes.narrow);
-    const vmask flats =
-        m_and(m_and(few, flat), m_and(at_most(r->cells[1], TRIBOX_FLAT_MOST), at_most(r->cells[2], TRIBOX_FLAT_MOST)));
     const vnum most = v_max(r->cells[1], r->cells[2]);
-    const vmask solids = m_andnot(m_and(m_and(few, shapes.wide), at_most(most, TRIBOX_SOLID_MOST)), flat);
-    const vmask small = m_and(solids, at_most(most, 2)), middle = m_andnot(m_and(solids, at_most(most, 4)), small);
-    enqueue(v, TRIBOX_FLATS, flats, r);
-    enqueue(v, TRIBOX_SOLIDS_2, small, r);
-    enqueue(v, TRIBOX_SOLIDS_4, middle, r);
-    enqueue(v, TRIBOX_SOLIDS_8, m_andnot(solids, m_or(small, middle)), r);
-    return m_andnot(left, m_or(flats, solids));
+    return (lane_classes){.flats = m_and(m_and(few, flat), at_most(most, TRIBOX_FLAT_MOST)),
+                          .solids = m_andnot(m_and(m_and(few, shapes.wide), at_most(most, TRIBOX_SOLID_MOST)), flat),
+                          .most = most};
 }
 
-/* These lanes of the packet at triangle `at`. */
-static void sort_packet(tribox_voxels *v, const lane_window *lanes, const tribox_soup *soup, size_t at, vmask asked)
+/* They join their queues, solids by size. */
+TRIBOX_INLINE void enqueue_by_class(tribox_voxels *v, const lane_reach *r, lane_classes c)
+{
+    const vmask small = m_and(c.solids, at_most(c.most, 2)), middle = m_andnot(m_and(c.solids, at_most(c.most, 4)), small);
+    enqueue(v, TRIBOX_FLATS, c.flats, r);
+    enqueue(v, TRIBOX_SOLIDS_2, small, r);
+    enqueue(v, TRIBOX_SOLIDS_4, middle, r);
+    enqueue(v, TRIBOX_SOLIDS_8, m_andnot(c.solids, m_or(small, middle)), r);
+}
+
+/* These lanes of the packet at triangle `at`. Alone: no others of the soup will join them. */
+TRIBOX_INLINE void sort_packet(tribox_voxels *v, const lane_window *lanes, const tribox_soup *soup, size_t at, vmask asked,
+                               bool is_alone)
 {
     lane_reach r;
     r.number = v->window.number ? v->window.number + at : NULL;
@@ -221,23 +253,64 @@ static void sort_packet(tribox_voxels *v, const lane_window *lanes, const tribox
     if (!m_bits(left))
         return;
     /* One lane has nothing to gain: the rows in double are as fast, and fewer. */
-    if (V_LANES > 1)
-        left = enqueue_by_class(v, &r, left, shapes);
+    if (V_LANES > 1) {
+        const lane_classes c = classes_of(v, &r, left, shapes);
+        left = m_andnot(left, m_or(c.flats, c.solids));
+        if (is_alone) {
+            set_lanes(v, TRIBOX_FLATS, c.flats, &r);
+            set_lanes(v, TRIBOX_SOLIDS_8, c.solids, &r);
+        } else {
+            enqueue_by_class(v, &r, c);
+        }
+    }
     if (m_bits(left))
         defer(v, r, m_bits(left));
+}
+
+/* One of many. */
+static void sort_one_of_many(tribox_voxels *v, const lane_window *lanes, const tribox_soup *soup, size_t at, vmask asked)
+{
+    sort_packet(v, lanes, soup, at, asked, false);
+}
+
+/* In registers: a load of numbers that were stored one by one just now waits for them. */
+static void spread_nines(const float (*nine)[9], size_t count, tribox_partial_packet *partial)
+{
+    vnum number[9];
+    for (int n = 0; n < 9; n++)
+        number[n] = v_splat(nine[0][n]);
+    for (unsigned i = 1; i < count; i++) {
+        const vmask lane = lanes_between(i, i + 1);
+        for (int n = 0; n < 9; n++)
+            number[n] = v_select(lane, v_splat(nine[i][n]), number[n]);
+    }
+    for (int n = 0; n < 9; n++)
+        v_write(partial->number[n], number[n]);
+    partial->soup = tribox_soup_of(&partial->number[0][0], TRIBOX_LANES_MAX, count);
+}
+
+/* All of them. */
+static void sort_one(tribox_voxels *v, const tribox_soup *soup)
+{
+    lane_window lanes;
+    spread_window(&v->window, &lanes);
+    sort_packet(v, &lanes, soup, 0, lanes_between(0, (unsigned)soup->count), true);
 }
 
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */
 static void sort_soup(tribox_voxels *v, const tribox_soup *soup)
 {
     const unsigned last = soup->count % V_LANES;
-    const lane_window lanes = lanes_of_window(&v->window);
+    lane_window lanes;
+    if (soup->count <= V_LANES) {
+        sort_one(v, soup);
+        return;
+    }
+    spread_window(&v->window, &lanes);
     for (size_t at = 0; at + V_LANES <= soup->count; at += V_LANES)
-        sort_packet(v, &lanes, soup, at, m_all());
-    if (soup->count < V_LANES)
-        sort_packet(v, &lanes, soup, 0, lanes_between(0, last));
-    else if (last)
-        sort_packet(v, &lanes, soup, soup->count - V_LANES, lanes_between(V_LANES - last, V_LANES));
+        sort_one_of_many(v, &lanes, soup, at, m_all());
+    if (last)
+        sort_one_of_many(v, &lanes, soup, soup->count - V_LANES, lanes_between(V_LANES - last, V_LANES));
 }
 
 static void finish_cells(tribox_voxels *v)
@@ -249,6 +322,8 @@ static void finish_cells(tribox_voxels *v)
 
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
+    .make_window = make_window,
+    .spread_nines = spread_nines,
     .sort = sort_soup,
     .finish = finish_cells,
     .write = write_listed,
