@@ -15,7 +15,7 @@ from ._ffi import ffi
 from ._files import save_voxels
 from ._grids import SIZE_MAX, Grid
 from ._library import lib
-from ._masks import BOOL, MASK_WORDS_MAX, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
+from ._masks import BOOL, WORD, bools, labels_of, pointer_to, row_words, rows_of_words
 from ._bounds import point
 from ._typing import Window
 
@@ -174,24 +174,17 @@ class Voxels(NDArrayOperatorsMixin):
         """How many cells are set: in all, or along axes as arrays of bool are summed up."""
         if axis is not None or any(value is not None for value in keywords.values()):
             return np.asarray(self).sum(axis, **keywords)
-        return sum(lib.tribox_mask_indices(pointer_to(part), 64 * part.size, ffi.NULL) for _, part in self._parts())
+        return self._list(ffi.NULL)
 
-    def _parts(self):
-        """(start, words) of so many words as are listed at once."""
-        flat = self._words.reshape(-1)
-        for start in range(0, flat.size, MASK_WORDS_MAX):
-            yield start, flat[start:start + MASK_WORDS_MAX]
+    def _list(self, cells):
+        """Writes the set cells where there is room, and returns how many there are."""
+        return lib.tribox_window_cells(pointer_to(self._words), self.shape[::-1], cells)
 
     def cells(self) -> NDArray[np.int64]:
         """The cells that are set, (i, j, k) of the grid each: an array of int64 of shape (m, 3), in the order of k, j, i."""
-        places = [np.empty(0, np.int64)]
-        for start, part in self._parts():
-            bits = np.empty(lib.tribox_mask_indices(pointer_to(part), 64 * part.size, ffi.NULL), np.uint32)
-            lib.tribox_mask_indices(pointer_to(part), 64 * part.size, ffi.from_buffer("uint32_t[]", bits))
-            places.append(bits + np.int64(64 * start))
-        row, i = np.divmod(np.concatenate(places), max(1, 64 * self._words.shape[2]))
-        k, j = np.divmod(row, max(1, self.shape[1]))
-        return np.stack([i, j, k], 1) + np.array(self._window[0], np.int64)
+        cells = np.empty((self._list(ffi.NULL), 3), np.uint32)
+        self._list(ffi.from_buffer("uint32_t(*)[3]", cells) if cells.size else ffi.NULL)
+        return cells + np.array(self._window[0], np.int64)
 
     def points(self) -> NDArray[np.float64]:
         """The middles of the cells that are set: an array of float64 of shape (m, 3), in the order of cells()."""

@@ -14,4 +14,5 @@
 #include "kernel/cells/flats.h"
 #include "kernel/cells/bricks.h"
 #include "kernel/cells/brick_ids.h"
+#include "kernel/cells/cell_numbers.h"
 #include "kernel/cells/sorted.h"

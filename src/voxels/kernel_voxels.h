@@ -128,6 +128,9 @@ typedef struct tribox_brick_rows {
 enum { TRIBOX_BRICK_IDS = 512 };
 typedef void tribox_take_ids(const tribox_brick_rows *rows, const uint64_t bits[8], uint32_t *to);
 
+/* tribox_window_cells. */
+typedef size_t tribox_number_cells(const uint64_t *occupied, const uint32_t size[3], uint32_t (*cells)[3]);
+
 typedef struct tribox_cells_kernel {
     tribox_make_window *make_window;
     tribox_spread_nines *spread_nines;
@@ -138,6 +141,7 @@ typedef struct tribox_cells_kernel {
     tribox_find_ends *find_ends;
     tribox_emit *emit;
     tribox_take_ids *take_ids;
+    tribox_number_cells *number_cells;
 } tribox_cells_kernel;
 
 /* Turns a bit for each crossing of the first `count` triangles, in a grid that has places. Nothing of those that are not finite. */

@@ -89,6 +89,7 @@
     V(bricks_ids_bytes, "", value, TILE) \
     V(tile_count, "", value, a->the_grid.size, TILE) \
     V(window_words, "", value, a->the_grid.size) \
+    V(window_cells, "", value, a->surface ? a->surface : a->cells, a->the_grid.size, NULL) \
     V(grid_cell, "", cell, &a->the_grid, 1, 2, SIDE - 1) \
     V(index_bytes, "", value, a->count) \
     V(mask_words, "", value, a->count) \

@@ -1,7 +1,8 @@
-/* test_mask_indices.c - the set bits of a mask, in order, and no bit past the count. */
+/* test_mask_indices.c - the set bits of a mask, and the set cells of a window, in order, and no bit past the count or a row. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -19,7 +20,7 @@ static int set_up(void **state)
 {
     (void)state;
     mask_fence = guarded_make(WORDS * sizeof(uint64_t));
-    index_fence = guarded_make(COUNT_MAX * sizeof(uint32_t));
+    index_fence = guarded_make(COUNT_MAX * sizeof(uint32_t[3]));
     return 0;
 }
 
@@ -94,6 +95,40 @@ static void test_each_bit(void **state)
         }
 }
 
+/* Runs of all lengths, single cells, and garbage past the rows; room for the cells and none more. */
+static void check_window(random_source *r, const uint32_t size[3], int spread)
+{
+    const size_t row = tribox_mask_words(size[0]), words = tribox_window_words(size);
+    uint64_t *const bits = guarded_tail(mask_fence, words * sizeof *bits);
+    static uint32_t expected[COUNT_MAX][3];
+    size_t set = 0;
+    for (size_t w = 0; w < words; w++)
+        bits[w] = spread ? draw_word(r, spread) : ~UINT64_C(0) << random_int(r, 64) >> random_int(r, 64);
+    for (uint32_t k = 0; k < size[2]; k++)
+        for (uint32_t j = 0; j < size[1]; j++)
+            for (uint32_t i = 0; i < size[0]; i++)
+                if (bits[(k * size[1] + j) * row + i / 64] >> i % 64 & 1)
+                    memcpy(expected[set++], (const uint32_t[]){i, j, k}, sizeof *expected);
+    snprintf(doing, sizeof doing, "tribox_window_cells, %u x %u x %u, %zu cells set", size[0], size[1], size[2], set);
+    uint32_t(*const cells)[3] = (uint32_t(*)[3])(void *)guarded_tail(index_fence, set * sizeof *cells);
+    assert_int_equal(tribox_window_cells(bits, size, NULL), set);
+    assert_int_equal(tribox_window_cells(bits, size, cells), set);
+    if (set)
+        assert_memory_equal(cells, expected, set * sizeof *cells);
+}
+
+static void test_windows(void **state)
+{
+    (void)state;
+    catch_faults();
+    random_source r = random_named(args.seed, "windows");
+    for (uint32_t size = 0; size <= 200; size++)
+        for (int spread = 0; spread < 5; spread++)
+            for (uint32_t rows = 0; rows <= 6; rows++)
+                check_window(&r, (const uint32_t[]){size, rows, 1 + size % 6}, spread);
+    assert_int_equal(tribox_window_cells(NULL, (const uint32_t[]){5, 0, 5}, NULL), 0);
+}
+
 static void test_nothing(void **state)
 {
     (void)state;
@@ -108,6 +143,7 @@ int main(int argc, char **argv)
     args = arguments_parse(argc, argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_count),
+        cmocka_unit_test(test_windows),
         cmocka_unit_test(test_each_bit),
         cmocka_unit_test(test_nothing),
     };

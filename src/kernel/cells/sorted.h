@@ -331,4 +331,5 @@ const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .find_ends = find_ends,
     .emit = emit_bricks,
     .take_ids = take_ids,
+    .number_cells = number_cells,
 };
