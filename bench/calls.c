@@ -253,42 +253,58 @@ static bool run_shape(const char *what, const timing_work *triangles, const box_
     return true;
 }
 
-/* A call each about one triangle of the scene, into 4 x 4 x 4 cells. */
+/* A call each about some triangles of the scene, into 4 x 4 x 4 cells. */
+static const tribox_grid few_cells = {.origin = {-2, -2, -2}, .cell = {1, 1, 1}, .size = {4, 4, 4}};
 static bool run_voxelize(const contestant *self, uint64_t *mask, tribox_report *report)
 {
     const timing_work *const work = self->question;
-    const tribox_grid grid = {.origin = {-2, -2, -2}, .cell = {1, 1, 1}, .size = {4, 4, 4}};
     for (size_t call = 0; call < work->count; call++)
-        if (tribox_voxelize(&work->jobs[call].soup, &grid, NULL, &self->options, mask, report))
+        if (tribox_voxelize(&work->jobs[call].soup, &few_cells, NULL, &self->options, mask, report))
             return false;
     return true;
 }
 
-static void run_cells(const timing_work *one, effort how)
+static bool run_mesh_voxelize(const contestant *self, uint64_t *mask, tribox_report *report)
 {
+    const timing_work *const work = self->question;
+    for (size_t call = 0; call < work->count; call++) {
+        const size_t count = work->jobs[call].soup.count;
+        const tribox_mesh mesh = {.positions = work->jobs[call].triangles, .vertices = 3 * count, .count = count};
+        if (tribox_mesh_voxelize(&mesh, &few_cells, NULL, &self->options, mask, report))
+            return false;
+    }
+    return true;
+}
+
+static void run_cells(const timing_work *triangles, effort how)
+{
+    enum { SIZES = 3 };
+    static const size_t at[SIZES] = {1, 4, 10}; /* of counts: 1, 8, 64 */
     static samples taken;
     contestant list[CONTESTANTS_MAX];
     size_t count = 0;
     const char *kernel;
-    for (; (kernel = tribox_kernel_list(count)) != NULL; count++) {
-        list[count] = contestant_kernel(one, &(tribox_options){.kernel = kernel});
-        list[count].pairs = (double)one->count;
-        list[count].run = run_voxelize;
-    }
-    uint64_t *const mask = allocate(one->words + 4 * 4, sizeof *mask);
+    for (size_t k = 0; (kernel = tribox_kernel_list(k)) != NULL; k++)
+        for (size_t n = 0; n < 2 * SIZES; n++) {
+            list[count] = contestant_kernel(&triangles[at[n % SIZES]], &(tribox_options){.kernel = kernel});
+            list[count].pairs = (double)triangles[at[n % SIZES]].count;
+            list[count++].run = n < SIZES ? run_voxelize : run_mesh_voxelize;
+        }
+    uint64_t *const mask = allocate(triangles[1].words + 4 * 4, sizeof *mask);
     generator order = {1};
     measure(list, count, how, &order, mask, &taken);
-    printf("\none triangle, exact: ns a call of tribox_voxelize; by least times\n");
+    printf("\ncells, exact: ns a call about 1, 8, 64 triangles, of tribox_voxelize and tribox_mesh_voxelize; by least times\n");
     for (size_t c = 0; c < count; c++)
-        printf("%8s %8.1f\n", list[c].options.kernel, measure_spread(&taken, c).least);
+        printf("%s%8.1f%s", c % (2 * SIZES) ? "" : list[c].options.kernel, measure_spread(&taken, c).least,
+               (c + 1) % (2 * SIZES) ? "" : "\n");
     measure_warn_if_disturbed(stdout, &taken);
     free(mask);
 }
 
 static const char usage[] =
     "Usage: calls [--rounds N]\n"
-    "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, and calls about one\n"
-    "triangle into a grid, on one thread.\n"
+    "Times calls about few pairs, every kernel, EXACT and FAST, against the paper's test, and calls about few\n"
+    "triangles into a grid, on one thread.\n"
     "  --rounds N   measure N rounds, 5 to 1000; without it 31\n";
 
 static const option_entry options[] = {{"rounds", 'r', true}, {NULL, 0, false}};
@@ -331,7 +347,7 @@ int main(int argc, char **argv)
         for (int a = 0; a < 2; a++)
             is_right = is_right && run_shape(shapes[shape], triangles, shape == 1 ? boxes : NULL, accuracies[a], how);
     if (is_right)
-        run_cells(&triangles[1], how);
+        run_cells(triangles, how);
     for (size_t n = 0; n < COUNTS; n++)
         timing_work_free(&triangles[n]);
     free_pairs(&p);
