@@ -657,11 +657,12 @@ TRIBOX_API size_t tribox_window_cells(const uint64_t *occupied, const uint32_t s
  * The time grows with the triangles and the rows of cells that they cross, not with the cells of their bounding boxes; except that
  * axis sets without TRIBOX_AXES_BOX test every triangle against every cell of the window. Many triangles in one call are faster
  * than many calls, as small triangles are taken a packet at a time: with AVX2 or AVX-512 a call about one triangle and up to 8
- * cells takes 135 to 160 ns, about eight 170 to 275, and about 64 460 to 740 (AMD EPYC, Zen 5, virtual), where in large calls a
- * small triangle takes 5. So gather some hundred triangles first.
+ * cells takes 130 to 180 ns, about eight 160 to 280, and about 64 450 to 740 (AMD EPYC, Zen 5, virtual), where in large calls a
+ * small triangle takes 5 to 11. So gather some hundred triangles first.
  *
  * A bit for every cell has to be cleared, and read again by whoever wants cells, spans of them or a sparse tree. Where most are
- * clear, tribox_bricks hands over those that are set, in half to an eighth of the time (examples/bricks.c).
+ * clear, tribox_bricks hands over those that are set, in a quarter to an eighth of the time that bits in new memory take
+ * (examples/bricks.c).
  *
  * New memory costs more than its cells, as the system stops a program where it first touches a page: in 1024 cells along a mesh a
  * call into fresh memory of calloc takes 3 to 10 times as long as on pages of 2 MB (AMD EPYC, Zen 5, virtual, Linux). Ask for such
@@ -825,8 +826,8 @@ TRIBOX_API size_t tribox_bricks_bytes(uint32_t side);
 /**
  * tribox_voxelize for grids whose cells need not fit into memory, or are mostly clear: hands each brick that is not empty to a
  * sink, once. It is the call for hashes of cells, sparse trees, whose levels above are the numbers of bricks shifted, and spans:
- * with the height as x each row of a brick is a byte (examples/bricks.c). EXACT gives the cells of tribox_voxelize; the others may
- * differ from it within rounding of contact.
+ * with the height as x, by the axes of a mesh, each row of a brick is a byte (examples/bricks.c). EXACT gives the cells of
+ * tribox_voxelize; the others may differ from it within rounding of contact.
  *
  * Tiles come in the order of their numbers, and the bricks of each by z, then y, then x. Shares of the tiles together give the
  * bricks of the whole, so they may be spread over threads, tasks and machines. Tiles without triangles cost next to nothing. Their
