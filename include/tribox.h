@@ -791,9 +791,10 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
 
 /**
  * Lists which triangles overlap which cell of a window, in two passes like tribox_tile_lists with tiles of one cell: all triangles
- * of a cell, where tribox_voxelize_ids has the lowest. A grid beyond memory is listed window by window, from the triangles of each.
+ * of a cell, where tribox_voxelize_ids has the lowest, in about three times its time. A grid beyond memory is listed window by
+ * window, from the triangles of each, or sparse by tribox_bricks_lists.
  *
- * soup, grid, options: as for tribox_tile_lists.
+ * soup, grid, options: as for tribox_tile_lists; CONSERVATIVE lists a triangle where tribox_voxelize sets a cell for it.
  * window: NULL for the whole grid.
  * starts: one for each cell of the window, and one more: cell (i, j, k) has the triangles from starts[c] to before starts[c + 1] of
  *   the list, where c = (k * size[1] + j) * size[0] + i. Otherwise as for tribox_tile_lists.

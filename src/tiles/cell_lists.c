@@ -1,13 +1,164 @@
-/* cell_lists.c - which triangles overlap which cell of a window: lists by tiles of one cell. */
+/*
+ * cell_lists.c - which triangles overlap which cell of a window: pairs, which kernels list in place of bits, are counted, and then
+ * put into lists.
+ */
+#include "base/environment.h"
 #include "tile_lists.h"
+#include "voxels/voxelizing.h"
 
+/* One pass. Cells have the numbers that their ids would have. */
+typedef struct cells_call {
+    tribox_cell_ids cells; /* without ids: where the cells of a word begin */
+    char *counts;          /* the first pass: a number of 32 bits for each cell, at any alignment; */
+    const size_t *starts;  /* or the second */
+    uint32_t *list;
+} cells_call;
+
+/* Where memory is asked for before it is used, in entries. */
+enum { COUNT_AHEAD = 32, START_AHEAD = 48, LIST_AHEAD = 24, ROOM = sizeof(((tribox_writes *)0)->bits) / sizeof(int32_t) };
+
+/* The first cell of each entry; returns how many entries there are. */
+static unsigned find_cells(const cells_call *l, const tribox_writes *listed, size_t cell[ROOM])
+{
+    for (unsigned n = 0; n < listed->count; n++) {
+        const uint32_t half = (uint32_t)listed->half[n];
+        cell[n] = tribox_ids_at_word(&l->cells, half / 2) + half % 2 * 32 + tribox_lowest_bit((uint32_t)listed->bits[n]);
+    }
+    return listed->count;
+}
+
+static void count_one(char *count)
+{
+    uint32_t n;
+    memcpy(&n, count, sizeof n);
+    n++;
+    memcpy(count, &n, sizeof n);
+}
+
+static void count_pairs(void *call, const tribox_writes *listed, uint32_t first)
+{
+    const cells_call *const l = call;
+    size_t cell[ROOM];
+    const unsigned count = find_cells(l, listed, cell);
+    (void)first;
+    for (unsigned n = 0; n < count; n++) {
+        uint32_t bits = (uint32_t)listed->bits[n];
+        if (n + COUNT_AHEAD < count)
+            tribox_will_write(l->counts + sizeof bits * cell[n + COUNT_AHEAD]);
+        char *const to = l->counts + sizeof bits * cell[n];
+        for (bits >>= tribox_lowest_bit(bits); bits; bits &= bits - 1)
+            count_one(to + sizeof bits * tribox_lowest_bit(bits));
+    }
+}
+
+/*
+ * Into the list of a cell, which is zero before its first triangle, and in its last place counts those it has until it is full. Few
+ * have a greater number: only those that came while this one waited (PROOFS.md 7.14).
+ */
+static void put_in_cell(const cells_call *l, size_t cell, uint32_t number)
+{
+    uint32_t *const to = l->list + l->starts[cell], *const last = l->list + l->starts[cell + 1] - 1;
+    const uint32_t has = *last;
+    size_t at = has;
+    for (; at && to[at - 1] > number; at--)
+        to[at] = to[at - 1];
+    to[at] = number;
+    if (to + has != last)
+        *last = has + 1;
+}
+
+static void put_pairs(void *call, const tribox_writes *listed, uint32_t first)
+{
+    const cells_call *const l = call;
+    size_t cell[ROOM];
+    const unsigned count = find_cells(l, listed, cell);
+    for (unsigned n = 0; n < count; n++) {
+        uint32_t bits = (uint32_t)listed->bits[n];
+        if (n + START_AHEAD < count)
+            tribox_will_read(l->starts + cell[n + START_AHEAD]);
+        if (n + LIST_AHEAD < count)
+            tribox_will_write(l->list + l->starts[cell[n + LIST_AHEAD]]);
+        size_t at = cell[n];
+        for (bits >>= tribox_lowest_bit(bits); bits; bits &= bits - 1)
+            put_in_cell(l, at + tribox_lowest_bit(bits), first + (uint32_t)listed->number[n]);
+    }
+}
+
+/*
+ * Where lists begin, out of the counts, which are in the upper half of the same memory: the number that is written is never above
+ * the count that is read. Whether a list of all can be addressed.
+ */
+static bool sum_counts(size_t *starts, const char *counts, size_t cells)
+{
+    enum { BLOCK = 1 << 16 };
+    uint64_t sum = 0;
+    starts[0] = 0;
+    for (size_t at = 0, end; at < cells; at = end) {
+        end = cells - at < BLOCK ? cells : at + BLOCK;
+        for (size_t c = at; c < end; c++) {
+            uint32_t count;
+            memcpy(&count, counts + c * sizeof count, sizeof count);
+            sum += count;
+            starts[c + 1] = (size_t)sum;
+        }
+        if (sum > SIZE_MAX / sizeof(uint32_t))
+            return false;
+    }
+    return true;
+}
+
+static void pair_window(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
+                        cells_call *l)
+{
+    const tribox_pair_sink sink = {l->list ? put_pairs : count_pairs, l};
+    tribox_voxels_begin_window(v, triangles, grid, window, NULL);
+    l->cells.row_words = (uint32_t)v->sinks.row_words;
+    l->cells.gap = (uint32_t)(64 * (uint64_t)v->sinks.row_words - v->window.size[0]);
+    tribox_voxels_ask_pairs(v, &sink);
+    tribox_voxels_put_all(v, triangles);
+    tribox_voxels_end(v);
+}
+
+static tribox_status list_pairs(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid,
+                                const tribox_window *window, size_t cells, size_t *starts, uint32_t *list)
+{
+    cells_call l = {.counts = (char *)(starts + 1 + cells) - cells * sizeof(uint32_t), .starts = starts, .list = list};
+    if (!cells)
+        return starts[0] = 0, TRIBOX_OK;
+    if (list)
+        memset(list, 0, starts[cells] * sizeof *list);
+    else
+        memset(l.counts, 0, cells * sizeof(uint32_t));
+    pair_window(v, triangles, grid, window, &l);
+    return list || sum_counts(starts, l.counts, cells) ? TRIBOX_OK : TRIBOX_BAD_GRID;
+}
+
+/* Whether the kernel lists the pairs: those that it would set the bits of, each counted in 32 bits. */
+static bool are_pairs_listed(const tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid,
+                             const tribox_window *window)
+{
+    return v->plan.axes & TRIBOX_AXES_BOX && triangles->count <= UINT32_MAX && !tribox_grid_check_window(grid, window) &&
+           tribox_tile_count(window->size, 1) < SIZE_MAX && tribox_triangles_have_vertices(triangles, v->plan.kernel);
+}
+
+/* All others, and errors, are those of tiles of one cell. */
 static tribox_status list_cells(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
                                 const tribox_options *options, size_t *starts, uint32_t *list)
 {
+    tribox_voxels voxels, *const v = &voxels;
     if (!grid)
         return TRIBOX_BAD_ARGUMENT;
-    const tribox_tiles cells = {.side = 1, .count = tribox_tile_count(window ? window->size : grid->size, 1)};
-    return tribox_tiles_list(triangles, grid, window, &cells, options, starts, list);
+    const tribox_window asked = window ? *window : tribox_whole_window(grid);
+    const tribox_tiles cells = {.side = 1, .count = tribox_tile_count(asked.size, 1)};
+    if (!starts || tribox_plan_make(options, &v->plan))
+        return tribox_tiles_list(triangles, grid, &asked, &cells, options, starts, list);
+    v->plan.accuracy = v->plan.accuracy == TRIBOX_FAST ? TRIBOX_CONSERVATIVE : v->plan.accuracy;
+    const tribox_environment callers = tribox_environment_enter();
+    const tribox_status status = are_pairs_listed(v, triangles, grid, &asked)
+                                     ? list_pairs(v, triangles, grid, &asked, cells.count, starts, list)
+                                     : tribox_tiles_list(triangles, grid, &asked, &cells, options, starts, list);
+    tribox_environment_leave(callers);
+    return status;
 }
 
 tribox_status tribox_cell_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_window *window,

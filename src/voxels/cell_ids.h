@@ -18,10 +18,14 @@ typedef struct tribox_cell_ids {
     bool has_room;      /* nobody else has the numbers before and after them, up to a vector */
 } tribox_cell_ids;
 
-/* Where those of a word of bits begin. */
+/* Where those of a word of bits begin: the number of its first cell. */
+static inline size_t tribox_ids_at_word(const tribox_cell_ids *ids, uint32_t word)
+{
+    return 64 * (size_t)word - (ids->gap ? (size_t)(word / ids->row_words) * ids->gap : 0);
+}
 static inline uint32_t *tribox_ids_of_word(const tribox_cell_ids *ids, uint32_t word)
 {
-    return ids->of + 64 * (size_t)word - (ids->gap ? (size_t)(word / ids->row_words) * ids->gap : 0);
+    return ids->of + tribox_ids_at_word(ids, word);
 }
 
 /*

@@ -1,7 +1,10 @@
 /* sinks.c - empty sinks, and what kernels leave to others while they fill them. */
 #include "voxelizing.h"
 
+static void write_listed_bits(tribox_voxels *v) { v->plan.kernel->cells->write(v); }
+
 static const tribox_voxel_handlers handlers = {
+    .write = write_listed_bits,
     .take_triangle = tribox_voxels_take_triangle,
     .add_triangle = tribox_voxels_add_triangle,
     .settle_waiting = tribox_voxels_settle_waiting,
@@ -15,6 +18,7 @@ void tribox_voxels_empty_sinks(tribox_voxels *v, uint64_t *occupied)
     v->sinks.layer_halves = (int32_t)(uint32_t)(2 * v->sinks.row_words * v->window.size[1]);
     v->sinks.occupied = occupied;
     v->sinks.ids = (tribox_cell_ids){.of = NULL};
+    v->sinks.pairs = NULL;
     v->sinks.handlers = &handlers;
     v->sinks.is_far = v->sinks.row_words * v->window.size[1] * (size_t)layers > 1 << 17;
     v->counts = (tribox_report){0, 0};

@@ -11,8 +11,17 @@ enum { TRIBOX_WRITES = 1024, TRIBOX_WRITES_STEP = 320, TRIBOX_WRITES_AHEAD = 48 
 typedef struct tribox_writes {
     unsigned count;
     int32_t half[TRIBOX_WRITES + TRIBOX_WRITES_STEP + TRIBOX_WRITES_AHEAD], bits[TRIBOX_WRITES + TRIBOX_WRITES_STEP];
-    int32_t number[TRIBOX_WRITES + TRIBOX_WRITES_STEP]; /* of the triangle, where ids are asked for */
+    int32_t number[TRIBOX_WRITES + TRIBOX_WRITES_STEP]; /* of the triangle, where ids or pairs are asked for */
 } tribox_writes;
+
+/*
+ * Who takes what is listed, where pairs of cells and triangles are asked for in place of bits: each pair comes once (PROOFS.md
+ * 7.14). Triangle 0 has the number `first`.
+ */
+typedef struct tribox_pair_sink {
+    void (*take)(void *taker, const tribox_writes *listed, uint32_t first);
+    void *taker;
+} tribox_pair_sink;
 
 /*
  * Triangles that wait until they fill a packet, by the cells that their boxes touch: lines of few cells are set at once; flats and
@@ -56,6 +65,7 @@ typedef struct tribox_cell_range {
  * called, as most triangles and cells are decided where they are.
  */
 typedef struct tribox_voxel_handlers {
+    void (*write)(tribox_voxels *v); /* what is listed: there is room for more after */
     void (*take_triangle)(tribox_voxels *v, const tribox_triangle *triangle, const tribox_cell_range *range); /* touches these */
     void (*add_triangle)(tribox_voxels *v, const tribox_triangle *triangle); /* may touch any, and have any numbers */
     void (*settle_waiting)(tribox_voxels *v);                                /* `waiting` is full; is empty after */
@@ -68,6 +78,7 @@ typedef struct tribox_voxel_sinks {
     bool is_far;                      /* from the nearer caches: more than 1 MiB of bits */
     bool is_counted;                  /* how many cells are newly set */
     tribox_cell_ids ids;
+    const tribox_pair_sink *pairs; /* or NULL; there are no bits where they are asked for */
     tribox_writes writes;
     tribox_queue queue[TRIBOX_CLASSES];
     tribox_waiting waiting;

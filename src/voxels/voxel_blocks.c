@@ -16,6 +16,10 @@ static void set_cell(void *taker, const int64_t at[3])
     const asker *const a = taker;
     tribox_voxels *const v = a->v;
     const int64_t row = ((at[2] - v->window.first_layer) * v->window.size[1] + at[1]) * (int64_t)v->sinks.row_words;
+    if (v->sinks.pairs) {
+        tribox_voxels_pair_row(v, (size_t)row, at[0], at[0], a->number);
+        return;
+    }
     if (v->sinks.ids.of)
         tribox_lower_row(&v->sinks.ids, v->sinks.occupied, (size_t)row, at[0], at[0], tribox_voxels_id(v, a->number));
     v->counts.overlapping += tribox_set_cells(v->sinks.occupied + row, at[0], at[0]);

@@ -51,12 +51,17 @@ static void join(tribox_voxels *v, const tribox_triangle *triangle, const int64_
 }
 
 /* Of a line of cells from cell `first` of the row that begins with word `row`: more than one on one axis at most. */
-static void lower_line(const tribox_voxels *v, size_t row, int64_t first, const size_t cells[3], uint32_t id)
+static void name_line(tribox_voxels *v, size_t row, int64_t first, const size_t cells[3], int32_t number)
 {
+    const int64_t last = first + (int64_t)cells[0] - 1;
     for (size_t k = 0; k < cells[2]; k++)
-        for (size_t j = 0; j < cells[1]; j++)
-            tribox_lower_row(&v->sinks.ids, v->sinks.occupied, row + (k * v->window.size[1] + j) * v->sinks.row_words, first,
-                             first + (int64_t)cells[0] - 1, id);
+        for (size_t j = 0; j < cells[1]; j++) {
+            const size_t at = row + (k * v->window.size[1] + j) * v->sinks.row_words;
+            if (v->sinks.pairs)
+                tribox_voxels_pair_row(v, at, first, last, number);
+            else
+                tribox_lower_row(&v->sinks.ids, v->sinks.occupied, at, first, last, tribox_voxels_id(v, number));
+        }
 }
 
 /* Where its box spans one cell on two axes, a triangle overlaps every cell that it spans on the third. */
@@ -65,13 +70,13 @@ static void set_line(tribox_voxels *v, const tribox_triangle *triangle, const in
     const int64_t from = tribox_greatest(base[2], v->window.first_layer),
                   end = tribox_least(base[2] + cells[2], v->window.end_layer);
     const size_t layer_words = v->sinks.row_words * v->window.size[1];
-    uint64_t *const row =
-        v->sinks.occupied + (size_t)(from - v->window.first_layer) * layer_words + (size_t)base[1] * v->sinks.row_words;
+    const size_t first = (size_t)(from - v->window.first_layer) * layer_words + (size_t)base[1] * v->sinks.row_words;
     const uint64_t bit = UINT64_C(1) << base[0] % 64;
-    if (v->sinks.ids.of)
-        lower_line(v, (size_t)(row - v->sinks.occupied), base[0],
-                   (const size_t[3]){(size_t)cells[0], (size_t)cells[1], (size_t)(end - from)},
-                   tribox_voxels_id(v, triangle->number));
+    if (v->sinks.ids.of || v->sinks.pairs)
+        name_line(v, first, base[0], (const size_t[3]){(size_t)cells[0], (size_t)cells[1], (size_t)(end - from)}, triangle->number);
+    if (v->sinks.pairs)
+        return;
+    uint64_t *const row = v->sinks.occupied + first;
     if (cells[0] > 1)
         v->counts.overlapping += tribox_set_cells(row, base[0], base[0] + cells[0] - 1);
     else if (cells[1] > 1)

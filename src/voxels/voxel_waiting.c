@@ -6,7 +6,8 @@
 
 /* The word of a cell, its bit there, and the number of the triangle that it waits with. */
 typedef struct cell_bit {
-    uint64_t *word, bit;
+    size_t word;
+    uint64_t bit;
     int32_t number;
 } cell_bit;
 
@@ -21,8 +22,8 @@ void tribox_voxels_wait_everywhere(tribox_voxels *v, const tribox_triangle *tria
 
 static void lower_id(const tribox_voxels *v, const cell_bit *cell)
 {
-    uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)(cell->word - v->sinks.occupied));
-    tribox_lower_ids(&v->sinks.ids, ids, *cell->word, cell->bit, tribox_voxels_id(v, cell->number));
+    uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)cell->word);
+    tribox_lower_ids(&v->sinks.ids, ids, v->sinks.occupied[cell->word], cell->bit, tribox_voxels_id(v, cell->number));
 }
 
 static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, const cell_bit *cell)
@@ -31,25 +32,28 @@ static void settle_batch(tribox_voxels *v, tribox_batch *batch, unsigned count, 
     const tribox_verdict verdict = tribox_settle_batch(batch, count, &v->plan);
     for (uint64_t left = verdict.overlapping; left; left &= left - 1) {
         const unsigned i = tribox_lowest_bit(left);
+        if (v->sinks.pairs) {
+            tribox_voxels_pair(v, cell[i].word, cell[i].bit, cell[i].number);
+            continue;
+        }
         if (v->sinks.ids.of)
             lower_id(v, &cell[i]);
-        v->counts.overlapping += tribox_set_bits(cell[i].word, cell[i].bit);
+        v->counts.overlapping += tribox_set_bits(v->sinks.occupied + cell[i].word, cell[i].bit);
     }
 }
 
-/* The words of row n of those that wait. */
-static uint64_t *row_of(const tribox_voxels *v, unsigned n)
+/* The first word of row n of those that wait. */
+static size_t row_of(const tribox_voxels *v, unsigned n)
 {
     const int64_t layer = (uint32_t)v->sinks.waiting.at[2][n] - v->window.first_layer;
-    return v->sinks.occupied +
-           (layer * (int64_t)v->window.size[1] + (uint32_t)v->sinks.waiting.at[1][n]) * (int64_t)v->sinks.row_words;
+    return (size_t)(layer * (int64_t)v->window.size[1] + (uint32_t)v->sinks.waiting.at[1][n]) * v->sinks.row_words;
 }
 
 /* Those of these set cells whose id is greater than that of the triangle that they wait with. */
 static uint32_t cells_of_greater_id(const tribox_voxels *v, unsigned n, uint32_t cells)
 {
     const uint32_t i = (uint32_t)v->sinks.waiting.at[0][n], id = tribox_voxels_id(v, v->sinks.waiting.number[n]);
-    const uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)(row_of(v, n) - v->sinks.occupied)) + i;
+    const uint32_t *const ids = tribox_ids_of_word(&v->sinks.ids, (uint32_t)row_of(v, n)) + i;
     uint32_t greater = 0;
     for (; cells; cells &= cells - 1) {
         const unsigned b = tribox_lowest_bit(cells);
@@ -58,13 +62,19 @@ static uint32_t cells_of_greater_id(const tribox_voxels *v, unsigned n, uint32_t
     return greater;
 }
 
-/* Those of its cells that are to be settled, as they are not set by now: most rows have none. Cells may go on in the next word. */
+/*
+ * Those of its cells that are to be settled, as they are not set by now: most rows have none. Cells may go on in the next word. Of
+ * pairs all are.
+ */
 static uint32_t open_cells(const tribox_voxels *v, unsigned n)
 {
     const uint32_t i = (uint32_t)v->sinks.waiting.at[0][n], from = i % 64;
-    const uint64_t *const word = row_of(v, n) + i / 64;
+    const uint32_t bits = (uint32_t)v->sinks.waiting.bits[n];
+    if (v->sinks.pairs)
+        return bits;
+    const uint64_t *const word = v->sinks.occupied + row_of(v, n) + i / 64;
     const uint64_t next = word[(size_t)i / 64 + 1 < v->sinks.row_words];
-    const uint32_t bits = (uint32_t)v->sinks.waiting.bits[n], set = (uint32_t)(word[0] >> from | next << 1 << (63 - from));
+    const uint32_t set = (uint32_t)(word[0] >> from | next << 1 << (63 - from));
     return (bits & ~set) | (v->sinks.ids.of ? cells_of_greater_id(v, n, bits & set) : 0);
 }
 
@@ -117,4 +127,5 @@ void tribox_voxels_settle_waiting(tribox_voxels *v)
     if (count)
         settle_batch(v, &batch, count, cell);
     v->sinks.waiting.count = 0;
+    v->plan.kernel->cells->write(v); /* who lists goes on with as much room as before */
 }

@@ -20,22 +20,10 @@ static bool have_addresses(const uint32_t size[3])
     return left;
 }
 
-/* Whole layers are taken as layers of the whole grid, so that they have its bits at every accuracy (PROOFS.md 7.9). */
-static bool has_whole_layers(const tribox_grid *grid, const tribox_window *window)
-{
-    return window->size[0] == grid->size[0] && window->size[1] == grid->size[1] && grid->size[2] <= 1 << 30;
-}
-
 static void set_window(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
                        const cells_out *out, bool is_counted)
 {
-    if (has_whole_layers(grid, window)) {
-        const tribox_window whole = tribox_whole_window(grid);
-        tribox_voxels_begin(v, triangles, grid, &whole, out->occupied);
-        tribox_voxels_limit_layers(v, window->first[2], window->size[2]);
-    } else {
-        tribox_voxels_begin(v, triangles, grid, window, out->occupied);
-    }
+    tribox_voxels_begin_window(v, triangles, grid, window, out->occupied);
     v->sinks.is_counted = is_counted;
     if (out->ids)
         tribox_voxels_ask_ids(v, out->ids, out->first);

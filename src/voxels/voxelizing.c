@@ -22,6 +22,30 @@ void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layer
     tribox_voxels_empty_sinks(v, v->sinks.occupied);
 }
 
+static bool has_whole_layers(const tribox_grid *grid, const tribox_window *window)
+{
+    return window->size[0] == grid->size[0] && window->size[1] == grid->size[1] && grid->size[2] <= 1 << 30;
+}
+
+void tribox_voxels_begin_window(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid,
+                                const tribox_window *window, uint64_t *occupied)
+{
+    if (has_whole_layers(grid, window)) {
+        const tribox_window whole = tribox_whole_window(grid);
+        tribox_voxels_begin(v, triangles, grid, &whole, occupied);
+        tribox_voxels_limit_layers(v, window->first[2], window->size[2]);
+    } else {
+        tribox_voxels_begin(v, triangles, grid, window, occupied);
+    }
+}
+
+void tribox_voxels_ask_pairs(tribox_voxels *v, const tribox_pair_sink *pairs)
+{
+    v->sinks.pairs = pairs;
+    v->sinks.is_far = false; /* no words come into the cache */
+    v->window.has_numbers = true;
+}
+
 void tribox_voxels_ask_ids(tribox_voxels *v, uint32_t *ids, uint32_t first)
 {
     const uint32_t row_words = (uint32_t)v->sinks.row_words;

@@ -32,6 +32,10 @@ void tribox_voxels_begin(tribox_voxels *v, const tribox_triangles *triangles, co
                          uint64_t *occupied);
 void tribox_voxels_end(tribox_voxels *v);
 
+/* Begins a window of which whole layers have the cells that they have in the grid, at every accuracy (PROOFS.md 7.9). */
+void tribox_voxels_begin_window(tribox_voxels *v, const tribox_triangles *triangles, const tribox_grid *grid,
+                                const tribox_window *window, uint64_t *occupied);
+
 /* Right after the beginning: only these layers are written, the first of which is now that of `occupied`. */
 void tribox_voxels_limit_layers(tribox_voxels *v, uint32_t first, uint32_t layers);
 
@@ -45,6 +49,33 @@ void tribox_voxels_ask_ids(tribox_voxels *v, uint32_t *ids, uint32_t first);
 static inline uint32_t tribox_voxels_id(const tribox_voxels *v, int32_t number)
 {
     return v->sinks.ids.first + (uint32_t)v->window.first_triangle + (uint32_t)number;
+}
+
+/* Likewise, in place of bits: each pair of a cell and a triangle that overlaps it. */
+void tribox_voxels_ask_pairs(tribox_voxels *v, const tribox_pair_sink *pairs);
+
+/* Lists the cells of a word with a triangle. */
+static inline void tribox_voxels_pair(tribox_voxels *v, size_t word, uint64_t bits, int32_t number)
+{
+    tribox_writes *const w = &v->sinks.writes;
+    if (w->count > TRIBOX_WRITES)
+        v->sinks.handlers->write(v);
+    for (uint32_t half = 2 * (uint32_t)word; bits; half++, bits >>= 32) {
+        w->half[w->count] = (int32_t)half;
+        w->bits[w->count] = (int32_t)(uint32_t)bits;
+        w->number[w->count] = number;
+        w->count += (uint32_t)bits != 0;
+    }
+}
+
+/* Cells `first` to last of a row, none where that is before the first, counted from the first bit of word `row`. */
+static inline void tribox_voxels_pair_row(tribox_voxels *v, size_t row, int64_t first, int64_t last, int32_t number)
+{
+    const uint64_t full = ~UINT64_C(0);
+    for (int64_t at = first, end; at <= last; at = end) {
+        end = (at / 64 + 1) * 64;
+        tribox_voxels_pair(v, row + (size_t)(at / 64), full << at % 64 & full >> (end > last ? 63 - last % 64 : 0), number);
+    }
 }
 
 /*

@@ -73,7 +73,9 @@ TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
         return;
     for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
         w->half[w->count + n] = w->half[w->count - 1];
-    if (v->sinks.ids.of)
+    if (v->sinks.pairs)
+        v->sinks.pairs->take(v->sinks.pairs->taker, w, tribox_voxels_id(v, 0));
+    else if (v->sinks.ids.of)
         write_each(w, v->sinks.occupied, true, true, &v->sinks.ids, tribox_voxels_id(v, 0));
     else if (v->sinks.is_counted && v->sinks.is_far)
         write_each(w, v->sinks.occupied, true, true, NULL, 0);
@@ -98,7 +100,7 @@ TRIBOX_INLINE void make_room(tribox_voxels *v)
 /* The numbers of a packet of triangles, if they are to be listed. */
 TRIBOX_INLINE const int32_t *listed_numbers(const tribox_voxels *v, const int32_t *number)
 {
-    return v->sinks.ids.of ? number : NULL;
+    return v->sinks.ids.of || v->sinks.pairs ? number : NULL;
 }
 
 TRIBOX_INLINE void list(tribox_voxels *v, vmask m, vint half, vint bits, const int32_t *number)

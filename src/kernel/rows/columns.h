@@ -43,6 +43,13 @@ static void wait_for_layer_column(const strip_place *p, int64_t first, int64_t e
         wait_for_row(p, 0, 1, j, k);
 }
 
+/* Lists a column with the triangle. */
+TRIBOX_NOINLINE void pair_column(const strip_place *p, int64_t word, int64_t count)
+{
+    for (int64_t n = 0; n < count; n++, word += (int64_t)p->v->sinks.row_words)
+        tribox_voxels_pair(p->v, (size_t)word, UINT64_C(1) << p->strip->bit[p->t], p->strip->number[p->t]);
+}
+
 /* Returns how many cells of the column were not set before. */
 TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end, int64_t k)
 {
@@ -50,6 +57,10 @@ TRIBOX_INLINE size_t set_column(const strip_place *p, int64_t first, int64_t end
     if (first >= end)
         return 0;
     const int64_t word = p->strip->word[p->t] + (k - p->first) * layer + first * row;
+    if (p->v->sinks.pairs) {
+        pair_column(p, word, end - first);
+        return 0;
+    }
     if (p->v->sinks.ids.of)
         tribox_lower_column(&p->v->sinks.ids, p->v->sinks.occupied, (size_t)word, (unsigned)p->strip->bit[p->t], end - first,
                             tribox_voxels_id(p->v, p->strip->number[p->t]));

@@ -201,6 +201,14 @@ TRIBOX_NOINLINE void lower_wide_rows(const strip_place *p, const row_list *rows,
                              bit + cells->end[n] - 1, id);
 }
 
+/* Lists them with the triangle. */
+TRIBOX_NOINLINE void pair_rows(const strip_place *p, const row_list *rows, const row_cells *cells)
+{
+    const int bit = p->strip->bit[p->t];
+    for (unsigned n = 0; n < rows->count; n++)
+        tribox_voxels_pair_row(p->v, (size_t)rows->word[n], bit + cells->first[n], bit + cells->end[n] - 1, p->strip->number[p->t]);
+}
+
 static size_t set_listed_rows(uint64_t *occupied, const row_list *rows, const row_cells *cells, int bit, bool is_narrow)
 {
     return is_narrow ? set_narrow_rows(occupied, rows, cells, bit) : set_wide_rows(occupied, rows, cells, bit);

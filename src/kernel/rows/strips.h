@@ -15,7 +15,10 @@ TRIBOX_INLINE void set_rows(const strip_place *p, tribox_shape shape, bool has_c
             lower_narrow_rows(p, &rows, cells);
         else if (p->v->sinks.ids.of)
             lower_wide_rows(p, &rows, cells);
-        p->v->counts.overlapping += set_listed_rows(p->v->sinks.occupied, &rows, cells, bit, is_narrow);
+        if (p->v->sinks.pairs)
+            pair_rows(p, &rows, cells);
+        else
+            p->v->counts.overlapping += set_listed_rows(p->v->sinks.occupied, &rows, cells, bit, is_narrow);
         if (has_certain && may_be_undecided(&rows))
             wait_for_rows(p, &rows);
     }
