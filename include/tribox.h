@@ -52,7 +52,7 @@ extern "C" {
  *   a grid, or leaves of one size        voxelize: a bit a cell; tribox_window_cells lists those that are set
  *   the same beyond memory; as spans,    tile_lists, then bricks: what is set alone, to a function of yours (examples/bricks.c)
  *     a hash of cells or a sparse tree
- *   each cell: which triangles           voxelize_ids or bricks_ids for the lowest; cell_lists for all
+ *   each cell: which triangles           voxelize_ids or bricks_ids for the lowest; cell_lists or bricks_lists for all
  *   what a surface encloses              voxelize, then tribox_fill_outside or fill_parity
  *   one triangle, many boxes of floats   tribox_overlap_boxes
  */
@@ -791,7 +791,7 @@ TRIBOX_API tribox_status tribox_mesh_tile_lists(const tribox_mesh *mesh, const t
 
 /**
  * Lists which triangles overlap which cell of a window, in two passes like tribox_tile_lists with tiles of one cell: all triangles
- * of a cell, where tribox_voxelize_ids has the lowest, in about three times its time. A grid beyond memory is listed window by
+ * of a cell, where tribox_voxelize_ids has the lowest, in two to five times its time. A grid beyond memory is listed window by
  * window, from the triangles of each, or sparse by tribox_bricks_lists.
  *
  * soup, grid, options: as for tribox_tile_lists; CONSERVATIVE lists a triangle where tribox_voxelize sets a cell for it.
@@ -889,6 +889,45 @@ TRIBOX_API tribox_status tribox_bricks_ids(const tribox_soup *soup, const tribox
 TRIBOX_API tribox_status tribox_mesh_bricks_ids(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
                                                 const size_t *starts, const uint32_t *list, const tribox_options *options,
                                                 void *scratch, const tribox_ids_sink *sink, tribox_report *report);
+
+/**
+ * Receives bricks with the triangles of each cell: as tribox_sink, and cell (i, j, k) of the brick, which has the number
+ * c = 64 * k + 8 * j + i, is overlapped by triangles[starts[c]] .. triangles[starts[c + 1] - 1], in rising order. starts[512] is
+ * how many there are in all. They are valid until take returns.
+ */
+typedef struct tribox_lists_sink {
+    int (*take)(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513],
+                const uint32_t *triangles); /* 0 to go on */
+    void *data;                             /* what take is handed */
+} tribox_lists_sink;
+
+/**
+ * The bytes of scratch that tribox_bricks_lists needs for tiles of this side; SIZE_MAX if that overflows, or side is above 1024.
+ *
+ * most: the length of the longest list of a tile. Scratch has room for all of it in each cell of a brick, about 2 KB a triangle; of
+ *   that as much is touched as there are pairs.
+ */
+TRIBOX_API size_t tribox_bricks_lists_bytes(uint32_t side, size_t most);
+
+/**
+ * tribox_bricks with all triangles of each cell, as by tribox_cell_lists: with EXACT those of the list of its tile that overlap it,
+ * and of others those for which its bit is set. What a list names twice comes twice. Tiles of 64 cells a side suit the caches.
+ *
+ * soup: at most 2^32 triangles.
+ * scratch: tribox_bricks_lists_bytes(tiles->side, most) bytes, at any alignment; one for each thread.
+ * report: undecided counts pairs of cells and triangles.
+ *
+ * Other arguments and the returned status are as for tribox_bricks; TRIBOX_BAD_GRID also if a brick has 2^32 pairs or more, when
+ * bricks before it have already been handed to the sink.
+ */
+TRIBOX_API tribox_status tribox_bricks_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles,
+                                             const size_t *starts, const uint32_t *list, const tribox_options *options,
+                                             void *scratch, const tribox_lists_sink *sink, tribox_report *report);
+
+/** tribox_bricks_lists for a mesh, of floats or doubles. Returns what it does, plus the mesh errors of tribox_mesh_bricks. */
+TRIBOX_API tribox_status tribox_mesh_bricks_lists(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
+                                                  const size_t *starts, const uint32_t *list, const tribox_options *options,
+                                                  void *scratch, const tribox_lists_sink *sink, tribox_report *report);
 
 /* ============================================================================================================================== */
 /*                                                      Insides of surfaces                                                       */

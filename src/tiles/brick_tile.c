@@ -3,9 +3,8 @@
 
 #include "base/environment.h"
 #include "brick_call.h"
-#include "voxels/voxelizing.h"
 
-static tribox_window tile_window(const tribox_tiling *t, size_t tile)
+tribox_window tribox_brick_tile_window(const tribox_tiling *t, size_t tile)
 {
     const size_t at[3] = {tile % t->along[0], tile / t->along[0] % t->along[1], tile / t->along[0] / t->along[1]};
     tribox_window w;
@@ -50,16 +49,9 @@ static void cut_layers(const tribox_voxels *v, const tribox_ends *z, tribox_wind
     w->size[2] = z->least <= z->most && from < end ? (uint32_t)(end - from) : 0;
 }
 
-static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *list, size_t count)
+void tribox_bricks_put(tribox_bricks_call *s, tribox_voxels *v, const uint32_t *list, size_t count, tribox_ends *z)
 {
-    tribox_voxels voxels, *const v = &voxels;
-    tribox_ends z = {FLT_MAX, -FLT_MAX};
-    const tribox_environment callers = tribox_environment_enter();
-    v->plan = s->plan;
-    tribox_voxels_begin(v, &s->triangles, s->grid, w, s->bits);
-    if (s->ids.sink.take)
-        tribox_voxels_ask_ids(v, s->ids.of_tile, 0);
-    v->sinks.ids.has_room = true; /* they are ours, and followed by others */
+    *z = (tribox_ends){FLT_MAX, -FLT_MAX};
     for (size_t at = 0; at < count; at += TRIBOX_LISTED) {
         const size_t some = count - at < TRIBOX_LISTED ? count - at : TRIBOX_LISTED;
         const tribox_soup soup =
@@ -67,9 +59,22 @@ static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *li
         if (v->window.has_numbers)
             memcpy(s->block->number, list + at, some * sizeof *list);
         tribox_voxels_put(v, &soup, s->block->number);
-        find_ends_of_block(s, some, &z);
+        find_ends_of_block(s, some, z);
     }
     tribox_voxels_end(v);
+}
+
+static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *list, size_t count)
+{
+    tribox_voxels voxels, *const v = &voxels;
+    tribox_ends z;
+    const tribox_environment callers = tribox_environment_enter();
+    v->plan = s->plan;
+    tribox_voxels_begin(v, &s->triangles, s->grid, w, s->bits);
+    if (s->ids.sink.take)
+        tribox_voxels_ask_ids(v, s->ids.of_tile, 0);
+    v->sinks.ids.has_room = true; /* they are ours, and followed by others */
+    tribox_bricks_put(s, v, list, count, &z);
     s->counts.undecided += v->counts.undecided;
     cut_layers(v, &z, w);
     tribox_environment_leave(callers);
@@ -78,7 +83,7 @@ static void set_tile(tribox_bricks_call *s, tribox_window *w, const uint32_t *li
 /* The environment of the sink is the caller's. */
 bool tribox_bricks_of_tile(tribox_bricks_call *s, size_t number, const uint32_t *list, size_t count)
 {
-    const tribox_window all = tile_window(&s->tiling, number);
+    const tribox_window all = tribox_brick_tile_window(&s->tiling, number);
     tribox_window w = s->ids.tile = all;
     set_tile(s, &w, list, count);
     uint64_t *const bits = s->bits + (w.first[2] - all.first[2]) * all.size[1] * tribox_words_of(all.size[0]);

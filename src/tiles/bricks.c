@@ -32,6 +32,19 @@ size_t tribox_bricks_ids_bytes(uint32_t side)
     return others > SIZE_MAX - more || bytes > SIZE_MAX - more - others ? SIZE_MAX : bytes + more + others;
 }
 
+size_t tribox_bricks_lists_bytes(uint32_t side, size_t most)
+{
+    const size_t bytes = side > SIDE_MAX ? SIZE_MAX : tribox_brick_lists_bytes_of(side, most), block = sizeof(tribox_listed) + LINE;
+    return bytes > SIZE_MAX - block ? SIZE_MAX : bytes + block;
+}
+
+static tribox_status emit_tile(tribox_bricks_call *s, size_t number, const uint32_t *list, size_t count)
+{
+    if (s->lists.sink.take)
+        return tribox_brick_lists_of_tile(s, number, list, count);
+    return tribox_bricks_of_tile(s, number, list, count) ? TRIBOX_OK : TRIBOX_STOPPED;
+}
+
 static tribox_status emit_tiles(tribox_bricks_call *s)
 {
     for (size_t t = 0; t < s->tiling.end - s->tiling.first; t++) {
@@ -41,8 +54,9 @@ static tribox_status emit_tiles(tribox_bricks_call *s)
         const uint32_t *const list = s->list + s->starts[t];
         if (!tribox_listed_are_there(&s->triangles, s->plan.kernel, list, count))
             return TRIBOX_BAD_VERTEX;
-        if (!tribox_bricks_of_tile(s, s->tiling.first + t, list, count))
-            return TRIBOX_STOPPED;
+        const tribox_status status = emit_tile(s, s->tiling.first + t, list, count);
+        if (status)
+            return status;
     }
     return TRIBOX_OK;
 }
@@ -74,12 +88,24 @@ static tribox_status check_bricks(tribox_bricks_call *s, const tribox_tiles *til
     return are_listed || tribox_triangles_have_vertices(&s->triangles, s->plan.kernel) ? TRIBOX_OK : TRIBOX_BAD_VERTEX;
 }
 
+static size_t longest_list(const tribox_bricks_call *s)
+{
+    size_t longest = 0;
+    for (size_t t = 0; t < s->tiling.end - s->tiling.first; t++)
+        longest = s->starts[t + 1] - s->starts[t] > longest ? s->starts[t + 1] - s->starts[t] : longest;
+    return longest;
+}
+
 /* Bits, and ids where they are asked for, begin lines of the cache. */
 static void use_scratch(tribox_bricks_call *s, void *scratch)
 {
     uint32_t most[3];
     char *const aligned = (char *)scratch + (LINE - (uintptr_t)scratch % LINE) % LINE;
     s->block = (tribox_listed *)(void *)aligned;
+    if (s->lists.sink.take) {
+        tribox_brick_lists_use(&s->lists, s->tiling.side, longest_list(s), aligned + sizeof *s->block);
+        return;
+    }
     s->bits = (uint64_t *)(void *)(aligned + sizeof *s->block);
     for (int a = 0; a < 3; a++)
         most[a] = s->tiling.size[a] < s->tiling.side ? s->tiling.size[a] : s->tiling.side;
@@ -92,7 +118,7 @@ static void use_scratch(tribox_bricks_call *s, void *scratch)
 static tribox_status make_bricks(tribox_bricks_call *s, const tribox_tiles *tiles, const tribox_options *options, void *scratch,
                                  tribox_report *report)
 {
-    if (!s->grid || !tiles || !s->starts || !scratch || !s->outlet.sink.take)
+    if (!s->grid || !tiles || !s->starts || !scratch || !(s->outlet.sink.take || s->lists.sink.take))
         return TRIBOX_BAD_ARGUMENT;
     tribox_status status = tribox_plan_make(options, &s->plan);
     if (!status)
@@ -155,5 +181,33 @@ tribox_status tribox_mesh_bricks_ids(const tribox_mesh *mesh, const tribox_grid 
 {
     tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
     return tribox_triangles_of_mesh(mesh, &s.triangles) ? make_bricks_with_ids(&s, tiles, options, scratch, sink, report)
+                                                        : TRIBOX_BAD_ARGUMENT;
+}
+
+/* Numbers have 32 bits. */
+static tribox_status make_bricks_with_lists(tribox_bricks_call *s, const tribox_tiles *tiles, const tribox_options *options,
+                                            void *scratch, const tribox_lists_sink *sink, tribox_report *report)
+{
+    if (!sink || !tribox_has_numbers(s->triangles.count))
+        return TRIBOX_BAD_ARGUMENT;
+    s->lists.sink = *sink;
+    return make_bricks(s, tiles, options, scratch, report);
+}
+
+tribox_status tribox_bricks_lists(const tribox_soup *soup, const tribox_grid *grid, const tribox_tiles *tiles, const size_t *starts,
+                                  const uint32_t *list, const tribox_options *options, void *scratch, const tribox_lists_sink *sink,
+                                  tribox_report *report)
+{
+    tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
+    return tribox_triangles_of_soup(soup, &s.triangles) ? make_bricks_with_lists(&s, tiles, options, scratch, sink, report)
+                                                        : TRIBOX_BAD_ARGUMENT;
+}
+
+tribox_status tribox_mesh_bricks_lists(const tribox_mesh *mesh, const tribox_grid *grid, const tribox_tiles *tiles,
+                                       const size_t *starts, const uint32_t *list, const tribox_options *options, void *scratch,
+                                       const tribox_lists_sink *sink, tribox_report *report)
+{
+    tribox_bricks_call s = {.grid = grid, .starts = starts, .list = list};
+    return tribox_triangles_of_mesh(mesh, &s.triangles) ? make_bricks_with_lists(&s, tiles, options, scratch, sink, report)
                                                         : TRIBOX_BAD_ARGUMENT;
 }

@@ -59,12 +59,8 @@ static void put_in_cell(const cells_call *l, size_t cell, uint32_t number)
 {
     uint32_t *const to = l->list + l->starts[cell], *const last = l->list + l->starts[cell + 1] - 1;
     const uint32_t has = *last;
-    size_t at = has;
-    for (; at && to[at - 1] > number; at--)
-        to[at] = to[at - 1];
-    to[at] = number;
-    if (to + has != last)
-        *last = has + 1;
+    tribox_list_put(to, has, number);
+    *last = to + has == last ? *last : has + 1;
 }
 
 static void put_pairs(void *call, const tribox_writes *listed, uint32_t first)

@@ -35,6 +35,23 @@ typedef struct tribox_tiles_call {
 tribox_status tribox_tiles_list(const tribox_triangles *triangles, const tribox_grid *grid, const tribox_window *window,
                                 const tribox_tiles *tiles, const tribox_options *options, size_t *starts, uint32_t *list);
 
+/* What a share has from tile `at` on: layers, or else rows of one layer, or else tiles of one row. */
+tribox_tile_box tribox_tiling_part(const tribox_tiling *t, size_t at);
+
+/*
+ * A number into a list of `has` that rise, so that they still do. Most are the greatest; whether they are the first is asked
+ * without a branch, as nobody could foretell it.
+ */
+static inline void tribox_list_put(uint32_t *list, size_t has, uint32_t number)
+{
+    list[has] = number;
+    if (list[has - (has != 0)] <= number)
+        return;
+    for (; has && list[has - 1] > number; has--)
+        list[has] = list[has - 1];
+    list[has] = number;
+}
+
 /* Finds the boxes of the share. */
 void tribox_tiles_cut_share(tribox_tiles_call *l);
 

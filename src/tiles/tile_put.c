@@ -17,8 +17,7 @@ static void put_at(void *about, const int64_t at[3])
     tribox_tiles_put(l, ((size_t)at[2] * l->tiling.along[1] + (size_t)at[1]) * l->tiling.along[0] + (size_t)at[0]);
 }
 
-/* What the share has from tile `at` on: layers, or else rows of one layer, or else tiles of one row. */
-static tribox_tile_box part_from(const tribox_tiling *t, size_t at)
+tribox_tile_box tribox_tiling_part(const tribox_tiling *t, size_t at)
 {
     const size_t row = t->along[0], rows = t->along[1], layer = row * rows, left = t->end - at;
     const size_t first[3] = {at % row, at / row % rows, at / layer};
@@ -41,7 +40,7 @@ void tribox_tiles_cut_share(tribox_tiles_call *l)
     size_t tiles;
     l->parts = 0;
     for (size_t at = l->tiling.first; at < l->tiling.end; at += tiles) {
-        const tribox_tile_box part = part_from(&l->tiling, at);
+        const tribox_tile_box part = tribox_tiling_part(&l->tiling, at);
         tiles = (size_t)part.tiles[0] * (size_t)part.tiles[1] * (size_t)part.tiles[2];
         l->part[l->parts++] = part;
     }

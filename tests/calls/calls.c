@@ -72,6 +72,10 @@
       a->ids_sink, a->report) \
     S(mesh_bricks_ids, , "mesh ids_sink listed" BRICKS, a->mesh, a->grid, a->tiles, a->starts_in, a->list_in, a->options, \
       a->scratch, a->ids_sink, a->report) \
+    S(bricks_lists, , "soup lists_sink many" BRICKS, a->soup, a->grid, a->tiles, a->starts_in, a->list_in, a->options, a->scratch, \
+      a->lists_sink, a->report) \
+    S(mesh_bricks_lists, , "mesh lists_sink many listed" BRICKS, a->mesh, a->grid, a->tiles, a->starts_in, a->list_in, a->options, \
+      a->scratch, a->lists_sink, a->report) \
     S(fill_outside, , "size" FILLED, a->size, a->surface, a->scratch, a->solid, a->found) \
     S(fill_parity, , "soup grid" FILLED, a->soup, a->grid, a->surface, a->scratch, a->solid, a->found, a->odd_rows) \
     S(mesh_fill_parity, , "mesh vertices grid" FILLED, a->mesh, a->grid, a->surface, a->scratch, a->solid, a->found, a->odd_rows) \
@@ -87,6 +91,7 @@
     V(fill_labels_bytes, "", value, a->the_grid.size) \
     V(bricks_bytes, "", value, TILE) \
     V(bricks_ids_bytes, "", value, TILE) \
+    V(bricks_lists_bytes, "", value, TILE, COUNT) \
     V(tile_count, "", value, a->the_grid.size, TILE) \
     V(window_words, "", value, a->the_grid.size) \
     V(window_cells, "", value, a->surface ? a->surface : a->cells, a->the_grid.size, NULL) \
@@ -181,6 +186,11 @@ static int take_ids(void *bricks, const uint32_t at[3], const uint64_t bits[8], 
     return (void)ids, take_brick(bricks, at, bits);
 }
 
+static int take_lists(void *bricks, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
+{
+    return (void)starts, (void)list, take_brick(bricks, at, bits);
+}
+
 /* Small triangles all over the grid. */
 static void draw(asked *a)
 {
@@ -217,6 +227,7 @@ static void point(asked *a)
     a->triangle = a->the_triangle, a->soup_index = &a->the_soup_index, a->mesh_index = &a->the_mesh_index;
     a->region = &a->the_region, a->turned = &a->the_turned, a->options = &a->the_options, a->grid = &a->the_grid;
     a->window = &a->the_window, a->tiles = &a->the_tiles, a->sink = &a->the_sink, a->ids_sink = &a->the_ids_sink;
+    a->lists_sink = &a->the_lists_sink;
     a->size = a->the_grid.size, a->order_in = a->orders, a->list_in = a->numbers, a->starts_in = a->tile_starts;
     a->origin = a->the_origin, a->middle = a->the_middle, a->surface = a->cells, a->mask_in = a->bits, a->outside = a->joined;
     a->side_a = a->labels[0], a->side_b = a->labels[1];
@@ -236,6 +247,7 @@ void ask_into(asked *a, outputs *to)
     a->parents = to->parents, a->children = to->children, a->nodes = to->nodes, a->scratch = to->scratch, a->runs = to->runs;
     a->the_sink = (tribox_sink){take_brick, &to->bricks};
     a->the_ids_sink = (tribox_ids_sink){take_ids, &to->bricks};
+    a->the_lists_sink = (tribox_lists_sink){take_lists, &to->bricks};
 }
 
 void ask_follow(asked *a)
@@ -279,7 +291,8 @@ void ask_rightly(unsigned position_bytes, asked *a, outputs *to)
                 .bits = {UINT64_C(0x8000000000000001), UINT64_C(0xffffff000000000e)},
                 .joined = {1}};
     assert(tribox_index_bytes(COUNT) == NODES);
-    assert(tribox_bricks_ids_bytes(TILE) <= sizeof to->scratch && tribox_fill_labels_bytes(a->the_grid.size) <= sizeof to->runs);
+    assert(tribox_bricks_lists_bytes(TILE, COUNT) <= sizeof to->scratch &&
+           tribox_fill_labels_bytes(a->the_grid.size) <= sizeof to->runs);
     a->the_mesh = (tribox_mesh){.positions = position_bytes == 8 ? (const void *)a->corner : a->floats,
                                 .vertices = 3 * COUNT,
                                 .indices = a->index,

@@ -15,7 +15,7 @@ enum {
     CELLS = SIDE * ROWS,
     KEYS = 16 * COUNT, /* scratch of an order */
     NODES = 1600,
-    FIRST_BYTES = 3 << 14, /* of the largest scratch */
+    FIRST_BYTES = 19 << 14, /* of the largest scratch */
     RUNS = 1024            /* 64-bit words of tribox_fill_labels */
 };
 
@@ -64,6 +64,7 @@ typedef struct asked {
     tribox_tiles the_tiles;
     tribox_sink the_sink;
     tribox_ids_sink the_ids_sink;
+    tribox_lists_sink the_lists_sink;
     size_t first, count, total, room;
     uint32_t first_id;
     tribox_find_what what;
@@ -83,6 +84,7 @@ typedef struct asked {
     const tribox_tiles *tiles;
     const tribox_sink *sink;
     const tribox_ids_sink *ids_sink;
+    const tribox_lists_sink *lists_sink;
     const uint32_t *size, *order_in, *list_in, *side_a, *side_b;
     const uint64_t *surface, *mask_in, *outside;
     const size_t *starts_in;

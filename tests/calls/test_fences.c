@@ -73,6 +73,14 @@ static void list_places(void)
 
 static void **pointer(const struct place *p) { return (void **)(void *)((char *)&a + p->at); }
 
+static size_t longest_list(void)
+{
+    size_t longest = 0;
+    for (int t = 0; t < TILES; t++)
+        longest = a.tile_starts[t + 1] - a.tile_starts[t] > longest ? a.tile_starts[t + 1] - a.tile_starts[t] : longest;
+    return longest;
+}
+
 /* How many bytes a place has in a call. */
 static size_t bytes_of(const call *c, const struct place *p)
 {
@@ -92,10 +100,11 @@ static size_t bytes_of(const call *c, const struct place *p)
                                  : call_takes(c, "boxes")   ? COUNT + 1u
                                  : call_takes(c, "range")   ? TILES
                                                             : TILES + 1u);
-    return call_takes(c, "ids_sink") ? tribox_bricks_ids_bytes(TILE)
-           : call_takes(c, "sink")   ? tribox_bricks_bytes(TILE)
-           : call_takes(c, "sorted") ? KEYS
-                                     : tribox_fill_bytes(a.the_grid.size);
+    return call_takes(c, "ids_sink")     ? tribox_bricks_ids_bytes(TILE)
+           : call_takes(c, "lists_sink") ? tribox_bricks_lists_bytes(TILE, longest_list())
+           : call_takes(c, "sink")       ? tribox_bricks_bytes(TILE)
+           : call_takes(c, "sorted")     ? KEYS
+                                         : tribox_fill_bytes(a.the_grid.size);
 }
 
 /* At the end of their pages, or at the start. */
@@ -165,7 +174,7 @@ static void test_threads(void **state)
             worker *const w = t < 0 ? &alone : &workers[t];
             w->a = a;
             ask_into(&w->a, &w->out);
-            w->a.sink = &w->a.the_sink, w->a.ids_sink = &w->a.the_ids_sink;
+            w->a.sink = &w->a.the_sink, w->a.ids_sink = &w->a.the_ids_sink, w->a.lists_sink = &w->a.the_lists_sink;
             w->a.x = w->a.to, w->a.y = w->a.to + 3, w->a.z = w->a.to + 6;
             outputs_prepare(&a, 0, &w->out);
         }

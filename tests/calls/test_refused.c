@@ -78,6 +78,7 @@ static const struct needed {
     {"lists", {AT(starts_in), AT(list_in)}},
     {"sink", {AT(sink), AT(the_sink.take)}},
     {"ids_sink", {AT(ids_sink), AT(the_ids_sink.take)}},
+    {"lists_sink", {AT(lists_sink), AT(the_lists_sink.take)}},
     {"size", {AT(size)}},
     {"surface", {AT(surface)}},
     {"order_in", {AT(order_in)}},
@@ -633,6 +634,8 @@ static void test_bytes(void **state)
     assert_true(tribox_bricks_bytes(128) >= 128 * 128 * 2 * sizeof(uint64_t) && tribox_bricks_bytes(128) < 512 * 1024);
     assert_true(tribox_bricks_bytes(0) < 128 * 1024 && tribox_bricks_ids_bytes(64) > 64 * 64 * 64 * sizeof(uint32_t));
     assert_true(tribox_bricks_bytes(UINT32_MAX) == SIZE_MAX && tribox_bricks_ids_bytes(UINT32_MAX) == SIZE_MAX);
+    assert_true(tribox_bricks_lists_bytes(1032, 0) == SIZE_MAX && tribox_bricks_lists_bytes(8, SIZE_MAX / 2304) == SIZE_MAX);
+    assert_true(tribox_bricks_lists_bytes(64, 9) - tribox_bricks_lists_bytes(64, 8) >= 512 * sizeof(uint32_t));
     assert_true(tribox_window_words(endless) == SIZE_MAX && tribox_tile_count(endless, 1) == SIZE_MAX);
     assert_true(tribox_fill_labels_bytes(endless) == SIZE_MAX && tribox_index_bytes(SIZE_MAX) < SIZE_MAX);
 }

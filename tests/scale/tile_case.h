@@ -42,6 +42,8 @@ tribox_status tile_case_bricks(const tile_case *c, size_t from, size_t to, const
 /* The same with ids, which are written where a bit is set; those of the whole grid with its bits, which are zero before. */
 tribox_status tile_case_bricks_ids(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
                                    void *scratch, const tribox_ids_sink *sink, tribox_report *report);
+tribox_status tile_case_bricks_lists(const tile_case *c, size_t from, size_t to, const size_t *starts, const uint32_t *list,
+                                     void *scratch, const tribox_lists_sink *sink, tribox_report *report);
 void tile_case_dense_ids(const tile_case *c, const tribox_options *options, uint64_t *occupied, uint32_t *ids);
 
 /* The triangles as a mesh: of doubles, or of the floats of the soup. */

@@ -94,40 +94,52 @@ static int take_no_ids(void *data, const uint32_t at[3], const uint64_t bits[8],
     return take_none(data, at, bits);
 }
 
+static int take_no_lists(void *data, const uint32_t at[3], const uint64_t bits[8], const uint32_t ends[513],
+                         const uint32_t *numbers)
+{
+    (void)ends, (void)numbers;
+    return take_none(data, at, bits);
+}
+
+/* Of a soup: without ids, with them, and with lists. */
 static void *make_bricks(void *options)
 {
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    assert_true(tribox_bricks_bytes(TILE) <= sizeof scratch);
-    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, list), TRIBOX_OK);
-    assert_int_equal(tribox_bricks(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, starts, list, options, scratch,
-                                   &(tribox_sink){take_none, NULL}, NULL),
+    static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    static const tribox_tiles all = {TILE, 0, TILES};
+    static unsigned char room[16 * 1024 * 1024];
+    assert_true(tribox_bricks_lists_bytes(TILE, TRIANGLES) <= sizeof room);
+    assert_int_equal(tribox_tile_lists(&soup, &grid, &all, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_tile_lists(&soup, &grid, &all, options, starts, list), TRIBOX_OK);
+    assert_int_equal(tribox_bricks(&soup, &grid, &all, starts, list, options, room, &(tribox_sink){take_none, NULL}, NULL),
                      TRIBOX_OK);
+    assert_int_equal(
+        tribox_bricks_ids(&soup, &grid, &all, starts, list, options, room, &(tribox_ids_sink){take_no_ids, NULL}, NULL), TRIBOX_OK);
+    assert_int_equal(
+        tribox_bricks_lists(&soup, &grid, &all, starts, list, options, room, &(tribox_lists_sink){take_no_lists, NULL}, NULL),
+        TRIBOX_OK);
     return NULL;
 }
 
 static void *make_mesh_bricks(void *options)
 {
-    const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, list), TRIBOX_OK);
-    assert_int_equal(tribox_mesh_bricks(&mesh, &grid, &(tribox_tiles){TILE, 0, TILES}, starts, list, options, scratch,
-                                        &(tribox_sink){take_none, NULL}, NULL),
+    static const tribox_mesh mesh = {.positions = positions, .vertices = 3 * TRIANGLES, .count = TRIANGLES, .position_bytes = 8};
+    static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    static const tribox_tiles all = {TILE, 0, TILES};
+    assert_true(tribox_bricks_bytes(TILE) <= sizeof scratch);
+    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &all, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_tile_lists(&mesh, &grid, &all, options, starts, list), TRIBOX_OK);
+    assert_int_equal(tribox_mesh_bricks(&mesh, &grid, &all, starts, list, options, scratch, &(tribox_sink){take_none, NULL}, NULL),
                      TRIBOX_OK);
     return NULL;
 }
 
-static void *make_bricks_of_ids(void *options)
+/* Of some cells, of which each has all triangles at the most. */
+static void *list_cells(void *options)
 {
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
-    static unsigned char room[512 * 1024];
-    assert_true(tribox_bricks_ids_bytes(TILE) <= sizeof room);
-    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, NULL), TRIBOX_OK);
-    assert_int_equal(tribox_tile_lists(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, options, starts, list), TRIBOX_OK);
-    assert_int_equal(tribox_bricks_ids(&soup, &grid, &(tribox_tiles){TILE, 0, TILES}, starts, list, options, room,
-                                       &(tribox_ids_sink){take_no_ids, NULL}, NULL),
-                     TRIBOX_OK);
+    static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {CELLS, CELLS, CELLS}};
+    static const tribox_window some = {{30, 40, 50}, {8, 4, 2}};
+    assert_int_equal(tribox_cell_lists(&soup, &grid, &some, options, starts, NULL), TRIBOX_OK);
+    assert_int_equal(tribox_cell_lists(&soup, &grid, &some, options, starts, list), TRIBOX_OK);
     return NULL;
 }
 
@@ -205,7 +217,7 @@ static const struct {
              {"tribox_mesh_voxelize", voxelize_mesh},
              {"tribox_bricks", make_bricks},
              {"tribox_mesh_bricks", make_mesh_bricks},
-             {"tribox_bricks_ids", make_bricks_of_ids},
+             {"tribox_cell_lists", list_cells},
              {"thin surfaces and fills", fill},
              {"boxes about a soup", ask_soup},
              {"boxes about a mesh", ask_mesh},
