@@ -1,6 +1,6 @@
 /*
- * ids.c - what does it cost to know the triangle of each cell? A window at once, in memory that is new and in memory that is not,
- * and bricks, tile by tile. CPU time.
+ * ids.c - what does it cost to know the lowest triangle of each cell, or all of them? A window at once, in memory that is new and
+ * in memory that is not, and bricks, tile by tile. CPU time.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
@@ -16,12 +16,12 @@
 #include "console/option_reader.h"
 
 static const char usage[] = "Usage: ids [--rounds N] [--cells N] MESH...\n"
-                            "Times voxels and bricks of a mesh without ids, and with the lowest triangle of each cell.\n"
+                            "Times voxels and bricks of a mesh without ids, with the lowest triangle of each cell, and with all.\n"
                             "  MESH        a mesh file; $TRIBOX_MESHES may name a folder to look in\n"
                             "  --rounds N  rounds, of which the least times count; without it 5\n"
                             "  --cells N   along the longest side; without it 64, 256 and 1024\n";
 
-enum { SIDE = 128, SIDE_IDS = 64 };
+enum { SIDE = 128, SIDE_IDS = 64, LISTED_MOST = 1 << 28 };
 
 typedef struct settings {
     uint64_t rounds, cells;
@@ -30,7 +30,7 @@ typedef struct settings {
 
 /* Of a row of the table, in seconds. */
 typedef struct answer {
-    double window, window_ids, bricks, bricks_ids;
+    double window, window_ids, window_lists, bricks, bricks_ids, bricks_lists;
 } answer;
 
 static double processor_time(void)
@@ -59,6 +59,31 @@ static int take_ids(void *cells, const uint32_t at[3], const uint64_t bits[8], c
     return take(cells, at, bits);
 }
 
+static int take_lists(void *cells, const uint32_t at[3], const uint64_t bits[8], const uint32_t starts[513], const uint32_t *list)
+{
+    *(uint64_t *)cells += list[starts[512] - 1];
+    return take(cells, at, bits);
+}
+
+/* Both passes, in memory that is not new but in the first round. */
+static bool run_lists(const tribox_soup *soup, const tribox_grid *grid, uint64_t rounds, answer *a)
+{
+    const size_t cells = (size_t)grid->size[0] * grid->size[1] * grid->size[2];
+    size_t *const starts = malloc((cells + 1) * sizeof *starts);
+    bool is = starts && !tribox_cell_lists(soup, grid, NULL, NULL, starts, NULL);
+    uint32_t *const list = is ? malloc((starts[cells] + 1) * sizeof *list) : NULL;
+    for (uint64_t round = 0; list && round <= rounds; round++) {
+        const double from = processor_time();
+        is = is && !tribox_cell_lists(soup, grid, NULL, NULL, starts, NULL) &&
+             !tribox_cell_lists(soup, grid, NULL, NULL, starts, list);
+        keep_least(&a->window_lists, from);
+    }
+    is = is && list;
+    free(list);
+    free(starts);
+    return is;
+}
+
 /* first: with ids, of memory that was never touched. */
 static bool run_window(const tribox_soup *soup, const tribox_grid *grid, uint64_t rounds, double *first, answer *a)
 {
@@ -81,20 +106,34 @@ static bool run_window(const tribox_soup *soup, const tribox_grid *grid, uint64_
     return is;
 }
 
-static bool run_bricks(const tribox_soup *soup, const tribox_grid *grid, uint32_t side, double *least)
+static size_t longest_list(const size_t *starts, size_t count)
 {
+    size_t longest = 0;
+    for (size_t t = 0; t < count; t++)
+        longest = starts[t + 1] - starts[t] > longest ? starts[t + 1] - starts[t] : longest;
+    return longest;
+}
+
+/* Bits, ids or lists: where the least time goes says which. */
+static bool run_bricks(const tribox_soup *soup, const tribox_grid *grid, answer *a, double *least)
+{
+    const uint32_t side = least == &a->bricks ? SIDE : SIDE_IDS;
     const tribox_tiles all = {side, 0, tribox_tile_count(grid->size, side)};
     const double from = processor_time();
     size_t *const starts = malloc((all.count + 1) * sizeof *starts);
-    void *const scratch = malloc(side == SIDE ? tribox_bricks_bytes(side) : tribox_bricks_ids_bytes(side));
-    bool is = starts && scratch && !tribox_tile_lists(soup, grid, &all, NULL, starts, NULL);
+    bool is = starts && !tribox_tile_lists(soup, grid, &all, NULL, starts, NULL);
+    void *const scratch = !is                         ? NULL
+                          : least == &a->bricks_lists ? malloc(tribox_bricks_lists_bytes(side, longest_list(starts, all.count)))
+                                                      : malloc(tribox_bricks_ids_bytes(side));
     uint32_t *const list = is ? malloc((starts[all.count] + 1) * sizeof *list) : NULL;
     uint64_t cells = 0;
     const tribox_sink sink = {take, &cells};
     const tribox_ids_sink ids_sink = {take_ids, &cells};
-    is = list && !tribox_tile_lists(soup, grid, &all, NULL, starts, list) &&
-         !(side == SIDE ? tribox_bricks(soup, grid, &all, starts, list, NULL, scratch, &sink, NULL)
-                        : tribox_bricks_ids(soup, grid, &all, starts, list, NULL, scratch, &ids_sink, NULL));
+    const tribox_lists_sink lists_sink = {take_lists, &cells};
+    is = list && scratch && !tribox_tile_lists(soup, grid, &all, NULL, starts, list) &&
+         !(least == &a->bricks       ? tribox_bricks(soup, grid, &all, starts, list, NULL, scratch, &sink, NULL)
+           : least == &a->bricks_ids ? tribox_bricks_ids(soup, grid, &all, starts, list, NULL, scratch, &ids_sink, NULL)
+                                     : tribox_bricks_lists(soup, grid, &all, starts, list, NULL, scratch, &lists_sink, NULL));
     free(list);
     free(scratch);
     free(starts);
@@ -108,12 +147,17 @@ static bool run_grid(const mesh *m, uint32_t resolution, uint64_t rounds)
     answer a = {.window = 0};
     double first = 0;
     bool is = run_window(&m->soup, &grid, rounds, &first, &a);
+    if ((double)grid.size[0] * grid.size[1] * grid.size[2] <= LISTED_MOST)
+        is = is && run_lists(&m->soup, &grid, rounds, &a);
     for (uint64_t round = 0; is && round < rounds; round++)
-        is = run_bricks(&m->soup, &grid, SIDE, &a.bricks) && run_bricks(&m->soup, &grid, SIDE_IDS, &a.bricks_ids);
+        is = run_bricks(&m->soup, &grid, &a, &a.bricks) && run_bricks(&m->soup, &grid, &a, &a.bricks_ids) &&
+             run_bricks(&m->soup, &grid, &a, &a.bricks_lists);
     if (!is)
         return message_failure("%u cells: not enough memory", (unsigned)resolution) == 0;
-    printf("  %5u %9.1f %9.1f %6.2f %9.1f %6.1f %9.1f %9.1f %6.2f\n", (unsigned)resolution, 1e3 * a.window, 1e3 * a.window_ids,
-           a.window_ids / a.window, 1e3 * first, first / a.window, 1e3 * a.bricks, 1e3 * a.bricks_ids, a.bricks_ids / a.bricks);
+    printf("  %5u %9.1f %9.1f %6.2f %9.1f %6.1f %9.1f %6.2f %9.1f %9.1f %6.2f %9.1f %6.2f\n", (unsigned)resolution, 1e3 * a.window,
+           1e3 * a.window_ids, a.window_ids / a.window, 1e3 * first, first / a.window, 1e3 * a.window_lists,
+           a.window_lists / a.window_ids, 1e3 * a.bricks, 1e3 * a.bricks_ids, a.bricks_ids / a.bricks, 1e3 * a.bricks_lists,
+           a.bricks_lists / a.bricks_ids);
     fflush(stdout);
     return true;
 }
@@ -124,8 +168,8 @@ static bool run_mesh(const char *path, const settings *s)
     mesh m;
     if (!mesh_list_read(path, &m))
         return false;
-    printf("\n%s, %zu triangles\n  %5s %9s %9s %6s %9s %6s %9s %9s %6s\n", path, m.soup.count, "cells", "window", "ids", "x", "new",
-           "x", "bricks", "ids", "x");
+    printf("\n%s, %zu triangles\n  %5s %9s %9s %6s %9s %6s %9s %6s %9s %9s %6s %9s %6s\n", path, m.soup.count, "cells", "window",
+           "ids", "x", "new", "x", "lists", "x ids", "bricks", "ids", "x", "lists", "x ids");
     bool is_run = true;
     for (size_t n = 0; is_run && n < (s->cells ? 1 : sizeof cells / sizeof *cells); n++)
         is_run = run_grid(&m, s->cells ? (uint32_t)s->cells : cells[n], s->rounds);
@@ -163,9 +207,9 @@ int main(int argc, char **argv)
         return message_usage("name a mesh file");
     const run r = {argc, argv, 0, machine_here()};
     header_text(stdout, "", &r);
-    printf("ms of CPU time; with ids, and times that without: a window, in memory that is not new and that is; bricks with their "
-           "lists,\n"
-           "of tiles of %d, with ids of %d\n",
+    printf("ms of CPU time; with ids, and times that without: a window, in memory that is not new and that is; all "
+           "triangles of each cell,\n"
+           "and times ids, unless there are too many cells (0); bricks with their tiles' lists, of tiles of %d, with ids of %d\n",
            SIDE, SIDE_IDS);
     for (size_t n = 0; n < s.meshes.count; n++)
         if (!run_mesh(s.meshes.path[n], &s))
