@@ -27,15 +27,15 @@ tribox_mesh_voxelize tribox_mesh_voxelize_ids tribox_mesh_tile_lists tribox_mesh
 tribox_voxelize_thin tribox_mesh_voxelize_thin tribox_fill_bytes tribox_fill_outside tribox_fill_parity tribox_mesh_fill_parity
 END
 
-# The kernel, and what hands pairs from one of its stages to the next, are compiled for speed; the walk over nodes is as fast and a
-# fiftieth of it all smaller at -O2, where codes of vertices are told, too. The rest, which is four times as small so and no slower,
-# for size.
+# The kernel, and what hands pairs from one of its stages to the next, are compiled for speed; the walk over nodes and the cells of
+# small triangles are as fast and smaller at -O2, where codes of vertices are told, too. The rest, which is four times as small so
+# and no slower, for size.
 {
     cd "$root/src"
-    find wasm pairs/pairs.c -name '*.c' ! -name 'nodes_*' -exec echo -O3 {} \;
-    printf '%s\n' '-O2 wasm/nodes_wasm128.c' '-O2 mesh/mesh_codes.c' "-Os $root/packaging/npm/sink.c"
-    find ./*.c base pairs mesh overlap index order grid voxels tiles fill exact -name '*.c' ! -name pairs.c \
-        ! -name mesh_codes.c -exec echo -Os {} \;
+    find wasm pairs/pairs.c -name '*.c' ! -name 'nodes_*' ! -name 'cells_*' -exec echo -O3 {} \;
+    printf '%s\n' '-O2 wasm/nodes_wasm128.c' '-O2 wasm/cells_wasm128.c' '-O2 mesh/mesh_codes.c' "-Os $root/packaging/npm/sink.c"
+    find ./*.c base order overlap grid tiles -name '*.c' -exec echo -Oz {} \;
+    find pairs mesh index voxels fill exact -name '*.c' ! -name pairs.c ! -name mesh_codes.c -exec echo -Os {} \;
     cd "$from"
     for argument; do
         case $argument in

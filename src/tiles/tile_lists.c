@@ -29,7 +29,7 @@ static void put_found(tribox_tiles_call *l, size_t from, size_t count, const tri
 
 static void list_by_float(tribox_tiles_call *l, const tribox_tile_lattice *lattice)
 {
-    tribox_stream_room room = {0};
+    tribox_stream_room room;
     tribox_tile_range found;
     for (size_t at = l->from, some; at < l->to; at += some) {
         const size_t left = l->to - at;

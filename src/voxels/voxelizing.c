@@ -138,7 +138,7 @@ void tribox_voxels_put_all(tribox_voxels *v, const tribox_triangles *triangles)
     const size_t few = triangles->are_doubles ? v->plan.kernel->lanes : 2; /* of more than one, floats are streams as soon */
     if (triangles->is_soup && !v->window.has_numbers)
         put_soup(v, triangles->soup);
-    else if (triangles->count && triangles->count < few)
+    else if (!TRIBOX_WALKS_SOUPS_ALONE && triangles->count && triangles->count < few)
         put_few(v, triangles);
     else
         put_streams(v, triangles);
@@ -151,4 +151,6 @@ void tribox_voxels_end(tribox_voxels *v)
     tribox_voxels_set_strips(v);
     if (v->sinks.waiting.count)
         tribox_voxels_settle_waiting(v);
+    else if (v->sinks.pairs) /* strips list theirs, too */
+        v->plan.kernel->cells->write(v);
 }

@@ -2,7 +2,7 @@
 import { checkKeys, meshArrays } from './arguments.mjs';
 import { Triangles } from './triangles.mjs';
 
-const MESH_BYTES = 48;
+const MESH_BYTES = 56;
 const kinds = [Float64Array, Float32Array];
 
 export class Mesh extends Triangles {

@@ -46,11 +46,17 @@ TRIBOX_NOINLINE void add_each(tribox_voxels *v, lane_reach r, uint64_t lanes)
     }
 }
 
-/* These lanes of the packet of a queue that begins at place `at`. */
+/* These lanes of the packet of a queue that begins at place `at`. A small build asks as it runs what others know as compiled. */
 TRIBOX_NOINLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at, vmask asked)
 {
     const tribox_queue *const queue = &v->sinks.queue[kind];
     const bool is_exact = v->plan.accuracy == TRIBOX_EXACT;
+#if defined(TRIBOX_SMALL)
+    if (kind == TRIBOX_FLATS)
+        set_flats(v, queue, at, asked, is_exact);
+    else
+        set_solids(v, queue, at, asked, is_exact);
+#else
     if (kind == TRIBOX_FLATS && is_exact)
         set_flats(v, queue, at, asked, true);
     else if (kind == TRIBOX_FLATS)
@@ -59,6 +65,7 @@ TRIBOX_NOINLINE void set_queued(tribox_voxels *v, tribox_class kind, unsigned at
         set_solids(v, queue, at, asked, true);
     else
         set_solids(v, queue, at, asked, false);
+#endif
 }
 
 /* Whole packets of a queue; the rest moves to its beginning. */
@@ -273,6 +280,7 @@ static void sort_one_of_many(tribox_voxels *v, const lane_window *lanes, const t
     sort_packet(v, lanes, soup, at, asked, false);
 }
 
+#if !defined(TRIBOX_SMALL)
 /* In registers: a load of numbers that were stored one by one just now waits for them. */
 static void spread_nines(const float (*nine)[9], size_t count, tribox_partial_packet *partial)
 {
@@ -288,13 +296,19 @@ static void spread_nines(const float (*nine)[9], size_t count, tribox_partial_pa
         v_write(partial->number[n], number[n]);
     partial->soup = tribox_soup_of(&partial->number[0][0], TRIBOX_LANES_MAX, count);
 }
+#endif
 
-/* All of them. */
+/* All of them. A small build has them wait, as it has one instance. */
 static void sort_one(tribox_voxels *v, const tribox_soup *soup)
 {
     lane_window lanes;
+    const vmask all = lanes_between(0, (unsigned)soup->count);
     spread_window(&v->window, &lanes);
-    sort_packet(v, &lanes, soup, 0, lanes_between(0, (unsigned)soup->count), true);
+#if defined(TRIBOX_SMALL)
+    sort_one_of_many(v, &lanes, soup, 0, all);
+#else
+    sort_packet(v, &lanes, soup, 0, all, true);
+#endif
 }
 
 /* The last packet ends with the last triangle, unless they are fewer than a packet. */
@@ -323,7 +337,9 @@ static void finish_cells(tribox_voxels *v)
 extern const tribox_cells_kernel TRIBOX_SYMBOL(cells);
 const tribox_cells_kernel TRIBOX_SYMBOL(cells) = {
     .make_window = make_window,
+#if !defined(TRIBOX_SMALL)
     .spread_nines = spread_nines,
+#endif
     .sort = sort_soup,
     .finish = finish_cells,
     .write = write_listed,

@@ -71,7 +71,7 @@ TRIBOX_NOINLINE void write_listed(tribox_voxels *v)
     tribox_writes *const w = &v->sinks.writes;
     if (!w->count)
         return;
-    for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD; n++)
+    for (unsigned n = 0; n < TRIBOX_WRITES_AHEAD && (v->sinks.is_far || v->sinks.ids.of || v->sinks.pairs); n++)
         w->half[w->count + n] = w->half[w->count - 1];
     if (v->sinks.pairs)
         v->sinks.pairs->take(v->sinks.pairs->taker, w, tribox_voxels_id(v, 0));
