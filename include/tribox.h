@@ -687,7 +687,8 @@ TRIBOX_API tribox_status tribox_mesh_voxelize(const tribox_mesh *mesh, const tri
 /**
  * tribox_voxelize that also says, for each cell that it sets, which triangle: the lowest number of one that overlaps it. EXACT has
  * only one answer, the same on every kernel, in every order of the triangles and in every window. CONSERVATIVE and FAST give the
- * lowest number of those for which they set the bit, and may differ where bits do.
+ * lowest number of those for which they set the bit, and may differ where bits do. The triangle with the greatest area in a cell
+ * is no such answer: it takes all triangles of the cell, which tribox_bricks_lists gives, and cutting each at the cell's planes.
  *
  * Calls accumulate: where a bit is set before the call, its id stays if it is the lowest. So a soup may come in parts, in any
  * order.
