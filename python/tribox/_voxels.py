@@ -184,7 +184,7 @@ class Voxels(NDArrayOperatorsMixin):
         """The cells that are set, (i, j, k) of the grid each: an array of int64 of shape (m, 3), in the order of k, j, i."""
         cells = np.empty((self._list(ffi.NULL), 3), np.uint32)
         self._list(ffi.from_buffer("uint32_t(*)[3]", cells) if cells.size else ffi.NULL)
-        return cells + np.array(self._window[0], np.int64)
+        return cells.astype(np.int64) + np.array(self._window[0], np.int64)
 
     def points(self) -> NDArray[np.float64]:
         """The middles of the cells that are set: an array of float64 of shape (m, 3), in the order of cells()."""

@@ -46,13 +46,14 @@ static inline uint32_t *tribox_ids_of_word(const tribox_cell_ids *ids, uint32_t 
 static inline void tribox_lower_some(uint32_t *ids, uint64_t before, uint64_t bits, uint32_t id)
 {
 #if TRIBOX_IDS_AT_ONCE
-    typedef uint32_t vector __attribute__((vector_size(4 * TRIBOX_IDS_AT_ONCE), aligned(4), may_alias));
+    typedef uint32_t vector __attribute__((vector_size(4 * TRIBOX_IDS_AT_ONCE)));
+    typedef vector in_memory __attribute__((aligned(4), may_alias));
     static const uint32_t bit_of[16] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
                                         1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
-    const vector bit = *(const vector *)bit_of, own = *(const vector *)ids, none = {0};
+    const vector bit = *(const in_memory *)bit_of, own = *(const in_memory *)ids, none = {0};
     const vector has_none = (vector)((bit & (uint32_t)before) == 0), is_asked = (vector)((bit & (uint32_t)bits) != 0);
     const vector is_greater = (vector)((own | has_none) > id) & is_asked;
-    *(vector *)ids = (is_greater & (none + id)) | (~is_greater & own);
+    *(in_memory *)ids = (is_greater & (none + id)) | (~is_greater & own);
 #else
     (void)ids, (void)before, (void)bits, (void)id;
 #endif
