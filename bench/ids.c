@@ -30,7 +30,7 @@ typedef struct settings {
 
 /* Of a row of the table, in seconds. */
 typedef struct answer {
-    double window, window_ids, window_lists, bricks, bricks_ids, bricks_lists;
+    double window, cells, loop, window_ids, window_lists, bricks, bricks_ids, bricks_lists;
 } answer;
 
 static double processor_time(void)
@@ -84,6 +84,40 @@ static bool run_lists(const tribox_soup *soup, const tribox_grid *grid, uint64_t
     return is;
 }
 
+/* What anyone writes in place of tribox_window_cells. Returns how many cells are set. */
+static size_t list_by_loop(const uint64_t *occupied, const uint32_t size[3], uint32_t (*to)[3])
+{
+    const uint32_t words = (size[0] + 63) / 64;
+    size_t count = 0;
+    for (uint32_t k = 0; k < size[2]; k++)
+        for (uint32_t j = 0; j < size[1]; j++)
+            for (uint32_t w = 0; w < words; w++)
+                for (uint64_t left = *occupied++; left; left &= left - 1) { /* no bit is set past the end of a row */
+                    to[count][0] = 64 * w + (uint32_t)__builtin_ctzll(left);
+                    to[count][1] = j;
+                    to[count++][2] = k;
+                }
+    return count;
+}
+
+/* Into the same memory, which is not new. */
+static bool run_cells(const uint64_t *occupied, const uint32_t size[3], uint64_t rounds, answer *a)
+{
+    const size_t count = tribox_window_cells(occupied, size, NULL);
+    uint32_t(*const cells)[3] = malloc((count + 1) * sizeof *cells);
+    bool is = cells && list_by_loop(occupied, size, cells) == count;
+    for (uint64_t round = 0; is && round < rounds; round++) {
+        double from = processor_time();
+        is = tribox_window_cells(occupied, size, cells) == count;
+        keep_least(&a->cells, from);
+        from = processor_time();
+        is = is && list_by_loop(occupied, size, cells) == count;
+        keep_least(&a->loop, from);
+    }
+    free(cells);
+    return is;
+}
+
 /* first: with ids, of memory that was never touched. */
 static bool run_window(const tribox_soup *soup, const tribox_grid *grid, uint64_t rounds, double *first, answer *a)
 {
@@ -101,6 +135,7 @@ static bool run_window(const tribox_soup *soup, const tribox_grid *grid, uint64_
         is = is && !tribox_voxelize_ids(soup, 0, grid, NULL, NULL, occupied, ids, NULL);
         keep_least(round ? &a->window_ids : first, from);
     }
+    is = is && run_cells(occupied, grid->size, rounds, a);
     free(occupied);
     free(ids);
     return is;
@@ -154,10 +189,10 @@ static bool run_grid(const mesh *m, uint32_t resolution, uint64_t rounds)
              run_bricks(&m->soup, &grid, &a, &a.bricks_lists);
     if (!is)
         return message_failure("%u cells: not enough memory", (unsigned)resolution) == 0;
-    printf("  %5u %9.1f %9.1f %6.2f %9.1f %6.1f %9.1f %6.2f %9.1f %9.1f %6.2f %9.1f %6.2f\n", (unsigned)resolution, 1e3 * a.window,
-           1e3 * a.window_ids, a.window_ids / a.window, 1e3 * first, first / a.window, 1e3 * a.window_lists,
-           a.window_lists / a.window_ids, 1e3 * a.bricks, 1e3 * a.bricks_ids, a.bricks_ids / a.bricks, 1e3 * a.bricks_lists,
-           a.bricks_lists / a.bricks_ids);
+    printf("  %5u %9.1f %6.2f %6.2f %9.1f %6.2f %9.1f %6.1f %9.1f %6.2f %9.1f %9.1f %6.2f %9.1f %6.2f\n", (unsigned)resolution,
+           1e3 * a.window, 1e3 * a.cells, 1e3 * a.loop, 1e3 * a.window_ids, a.window_ids / a.window, 1e3 * first, first / a.window,
+           1e3 * a.window_lists, a.window_lists / a.window_ids, 1e3 * a.bricks, 1e3 * a.bricks_ids, a.bricks_ids / a.bricks,
+           1e3 * a.bricks_lists, a.bricks_lists / a.bricks_ids);
     fflush(stdout);
     return true;
 }
@@ -168,8 +203,8 @@ static bool run_mesh(const char *path, const settings *s)
     mesh m;
     if (!mesh_list_read(path, &m))
         return false;
-    printf("\n%s, %zu triangles\n  %5s %9s %9s %6s %9s %6s %9s %6s %9s %9s %6s %9s %6s\n", path, m.soup.count, "cells", "window",
-           "ids", "x", "new", "x", "lists", "x ids", "bricks", "ids", "x", "lists", "x ids");
+    printf("\n%s, %zu triangles\n  %5s %9s %6s %6s %9s %6s %9s %6s %9s %6s %9s %9s %6s %9s %6s\n", path, m.soup.count, "cells",
+           "window", "cells", "loop", "ids", "x", "new", "x", "lists", "x ids", "bricks", "ids", "x", "lists", "x ids");
     bool is_run = true;
     for (size_t n = 0; is_run && n < (s->cells ? 1 : sizeof cells / sizeof *cells); n++)
         is_run = run_grid(&m, s->cells ? (uint32_t)s->cells : cells[n], s->rounds);
@@ -207,10 +242,11 @@ int main(int argc, char **argv)
         return message_usage("name a mesh file");
     const run r = {argc, argv, 0, machine_here()};
     header_text(stdout, "", &r);
-    printf("ms of CPU time; with ids, and times that without: a window, in memory that is not new and that is; all "
-           "triangles of each cell,\n"
-           "and times ids, unless there are too many cells (0); bricks with their tiles' lists, of tiles of %d, with ids of %d\n",
-           SIDE, SIDE_IDS);
+    printf(
+        "ms of CPU time; a window's bits, to list its cells, and by a plain loop; with ids, and times that without: in memory\n"
+        "that is not new and that is; all triangles of each cell, and times ids, unless there are too many cells (0); bricks with\n"
+        "their tiles' lists, of tiles of %d, with ids of %d\n",
+        SIDE, SIDE_IDS);
     for (size_t n = 0; n < s.meshes.count; n++)
         if (!run_mesh(s.meshes.path[n], &s))
             return EXIT_CODE_FAILURE;
