@@ -50,7 +50,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const bool is_wide = data[0] & 64;
     write_file(endings[data[0] % ENDINGS], data + 2, size - 2);
     lines_forget();
-    const bool is_plain = mesh_read_plain(path, is_wide, threads[data[0] / ENDINGS % 4], 1 + (size_t)data[1], NULL, &plain);
+    const bool is_plain = mesh_read_plain(path, is_wide, threads[data[0] / ENDINGS % 4], 1 + (size_t)data[1], &plain);
     lines_fit("mesh_read_plain", 0);
     const int code = mesh_read_slowly(path, is_wide, 1, &slow);
     lines_fit("mesh_read_slowly", code);

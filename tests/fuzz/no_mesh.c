@@ -13,12 +13,6 @@ int mesh_read_as(const char *path, triangle_format format, unsigned threads, mes
     return message_failure("%s: no mesh of format %d", path, (int)format);
 }
 
-int mesh_read_into(const char *path, triangle_format format, unsigned threads, const mesh_taker *taker, mesh *m)
-{
-    (void)taker;
-    return mesh_read_as(path, format, threads, m);
-}
-
 int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m)
 {
     return mesh_read_as(path, format, threads, m);

@@ -34,7 +34,7 @@ static void write_file(const char *name, const void *bytes, size_t size)
 static bool compare(const mesh *slow, int code, bool is_wide, unsigned threads, size_t part)
 {
     mesh plain = {.coordinates = NULL};
-    const bool is_plain = mesh_read_plain(path, is_wide, threads, part, NULL, &plain);
+    const bool is_plain = mesh_read_plain(path, is_wide, threads, part, &plain);
     if (is_plain && (code || !mesh_is_same(&plain, slow) || !mesh_is_looked_at_well(&plain)))
         fail_msg("%s: %u threads and parts of %zu bytes make another mesh", path, threads, part);
     mesh_free(&plain);

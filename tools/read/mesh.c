@@ -114,9 +114,9 @@ int mesh_read_slowly(const char *path, bool is_wide, unsigned threads, mesh *m)
     return code;
 }
 
-bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t part_bytes, const mesh_taker *taker, mesh *m)
+bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t part_bytes, mesh *m)
 {
-    plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .part_bytes = part_bytes, .taker = taker};
+    plain_file file = {.path = path, .threads = threads, .is_wide = is_wide, .part_bytes = part_bytes};
     plain_reader *const read = plain_file_open(path, &file) ? find_plain_reader(path, &file) : NULL;
     const bool is_read = read && read(&file, m);
     plain_file_close(&file);
@@ -125,19 +125,19 @@ bool mesh_read_plain(const char *path, bool is_wide, unsigned threads, size_t pa
     return is_read;
 }
 
-static int read_whole(const char *path, bool is_wide, unsigned threads, const mesh_taker *taker, mesh *m)
+static int read_whole(const char *path, bool is_wide, unsigned threads, mesh *m)
 {
-    return mesh_read_plain(path, is_wide, threads, PLAIN_PART_BYTES, taker, m) ? EXIT_CODE_OK
-                                                                               : mesh_read_slowly(path, is_wide, threads, m);
+    return mesh_read_plain(path, is_wide, threads, PLAIN_PART_BYTES, m) ? EXIT_CODE_OK
+                                                                        : mesh_read_slowly(path, is_wide, threads, m);
 }
 
-static int read_mesh(const char *path, triangle_format format, bool is_wide, unsigned threads, const mesh_taker *taker, mesh *m)
+static int read_mesh(const char *path, triangle_format format, bool is_wide, unsigned threads, mesh *m)
 {
     triangle_file file;
     *m = (mesh){.coordinates = NULL};
     int code = triangle_file_open(path, format, &file);
     if (!code)
-        code = file.stream ? mesh_read_triangles(&file, threads, m) : read_whole(path, is_wide, threads, taker, m);
+        code = file.stream ? mesh_read_triangles(&file, threads, m) : read_whole(path, is_wide, threads, m);
     triangle_file_close(&file);
     if (code)
         mesh_free(m);
@@ -146,17 +146,12 @@ static int read_mesh(const char *path, triangle_format format, bool is_wide, uns
 
 int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m)
 {
-    return read_mesh(path, format, false, threads, NULL, m);
-}
-
-int mesh_read_into(const char *path, triangle_format format, unsigned threads, const mesh_taker *taker, mesh *m)
-{
-    return read_mesh(path, format, false, threads, taker, m);
+    return read_mesh(path, format, false, threads, m);
 }
 
 int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m)
 {
-    return read_mesh(path, format, true, threads, NULL, m);
+    return read_mesh(path, format, true, threads, m);
 }
 
 int mesh_read(const char *path, mesh *m)

@@ -5,7 +5,6 @@
 #include <stdbool.h>
 
 #include "indexed_mesh.h"
-#include "mesh_taker.h"
 #include "triangle_file.h"
 #include "tribox.h"
 
@@ -13,7 +12,6 @@ typedef struct mesh {
     size_t triangles;    /* all of them, in the order of the file; polygons are cut, degenerate triangles stay */
     tribox_soup soup;    /* as floats; empty if is_double */
     tribox_mesh doubles; /* as doubles if is_double */
-    bool is_taken;       /* by a mesh_taker, and here is neither */
     bool is_double;      /* a coordinate is no float, nor a decimal that the nearest float gives back, as it does 0.1; or .f64 */
     size_t left_out;     /* points and lines of the file */
     size_t uncut;        /* triangles missing, since libassimp could not cut a polygon that crosses itself */
@@ -38,12 +36,6 @@ typedef struct mesh {
  * is a failure. On success mesh_free gives the memory back.
  */
 int mesh_read_as(const char *path, triangle_format format, unsigned threads, mesh *m);
-
-/*
- * The same as mesh_read_as, but its triangles may go to the taker, where the file has a form in which that is faster: see is_taken.
- * All else that is known of the mesh is the same. taker: NULL for none.
- */
-int mesh_read_into(const char *path, triangle_format format, unsigned threads, const mesh_taker *taker, mesh *m);
 
 /* mesh_read_as, but numbers of a text stay doubles even where floats would do. */
 int mesh_read_wide(const char *path, triangle_format format, unsigned threads, mesh *m);

@@ -21,7 +21,6 @@ typedef struct plain_file {
     unsigned threads;
     bool is_wide; /* numbers of a text stay doubles */
     size_t part_bytes;
-    const mesh_taker *taker; /* of the triangles; NULL: they are stored. A reader may store them in any case */
 } plain_file;
 
 /* Opens a regular file; false, and silence, where that fails. plain_file_close may follow in any case. */

@@ -15,7 +15,6 @@ typedef struct voxelize_input {
     const mesh_colours *colours; /* of its triangles, where the cells get them; else NULL */
     const partition *partition;  /* NULL for a mesh */
     voxels cells;                /* the grid and the shift */
-    uint64_t *surface;           /* the words of the mesh in the grid; NULL: it is still to be voxelized */
 } voxelize_input;
 
 /* The files, open where they are wanted. */

@@ -24,7 +24,6 @@ typedef struct whole {
     const voxelize_input *in;
     voxels cells;
     size_t words;
-    bool is_taken;             /* the surface was voxelized while the mesh was read */
     uint64_t *surface, *solid; /* solid: NULL without a fill */
     cell_colours colours;
 } whole;
@@ -47,8 +46,7 @@ static int take_memory(whole *w)
     code = voxels_check_memory(grid, bytes, fewer);
     if (code)
         return code;
-    if (!w->is_taken)
-        w->surface = pages_take(w->words * sizeof *w->surface);
+    w->surface = pages_take(w->words * sizeof *w->surface);
     w->solid = is_filled ? pages_take(w->words * sizeof *w->solid) : NULL;
     return w->surface && (w->solid || !is_filled) ? EXIT_CODE_OK
                                                   : message_failure("out of memory for %zu words of cells", w->words);
@@ -155,9 +153,9 @@ static int write_files(const whole *w, voxelize_files *files, voxelize_answer *a
 
 int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize_files *files, voxelize_answer *a)
 {
-    whole w = {.r = r, .in = in, .cells = in->cells, .is_taken = in->surface, .surface = in->surface};
+    whole w = {.r = r, .in = in, .cells = in->cells};
     int code = take_memory(&w);
-    if (!code && !w.is_taken)
+    if (!code)
         code = voxelize(&w, a);
     if (!code)
         code = fill_if_wanted(&w, a);
@@ -167,7 +165,6 @@ int voxelize_whole(const voxelize_request *r, const voxelize_input *in, voxelize
         code = write_files(&w, files, a);
     cell_colours_free(&w.colours);
     pages_free(w.solid, w.words * sizeof *w.solid);
-    if (!w.is_taken)
-        pages_free(w.surface, w.words * sizeof *w.surface);
+    pages_free(w.surface, w.words * sizeof *w.surface);
     return code;
 }

@@ -10,7 +10,6 @@
 #include "console/memory.h"
 #include "console/message.h"
 #include "layers.h"
-#include "taken_cells.h"
 #include "voxelize_ways.h"
 
 /* Up to 2 MB of bits, which a core has at hand, and with many triangles up to what the last cache holds (bench/files.md). */
@@ -28,7 +27,7 @@ bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
     const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks && !r->result.options.has_ids;
-    const bool is_small = in->mesh && (in->surface || is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
+    const bool is_small = in->mesh && (is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
     return r->has_colours || r->is_thin || is_small;
 }
 
@@ -58,8 +57,8 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 /* Neither a filling nor a picture needs all cells, and the file takes layers in any order. */
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
-    const bool is_wanted = in->mesh && !in->surface && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids &&
-                           !r->is_count && !r->is_part && r->result.format->frame;
+    const bool is_wanted = in->mesh && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count &&
+                           !r->is_part && r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }
@@ -146,37 +145,18 @@ static int work_with_mesh(const voxelize_request *r, const mesh *m, voxelize_inp
     return code ? code : r->has_colours ? work_on_colours(r, in, a) : open_files(r, in, a);
 }
 
-/* Most small grids need no mesh that is stored: their cells are set while it is read. */
-static int work_while_reading(const voxelize_request *r, voxelize_answer *a)
-{
-    mesh m;
-    mesh_taker taker;
-    taken_cells taken;
-    voxelize_input in = {.mesh = NULL};
-    const bool may_take = taken_cells_start(r, &taken, &taker);
-    int code = mesh_read_into(r->from.mesh_path, r->from.format, r->threads, may_take ? &taker : NULL, &m);
-    if (!code) {
-        if (m.is_taken)
-            in.surface = taken_cells_end(&taken, a);
-        code = work_with_mesh(r, &m, &in, a);
-        mesh_free(&m);
-    }
-    taken_cells_free(&taken);
-    return code;
-}
-
 static int work_on_mesh(const voxelize_request *r, voxelize_answer *a)
 {
     mesh m;
     mesh_shift shift = r->from.shift;
     voxelize_input in = {.mesh = NULL};
-    if (!shift.is_wanted)
-        return work_while_reading(r, a);
-    int code = mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, &m);
+    int code = shift.is_wanted ? mesh_read_shifted(r->from.mesh_path, r->from.format, &shift, r->threads, &m)
+                               : mesh_read_as(r->from.mesh_path, r->from.format, r->threads, &m);
     if (code)
         return code;
-    a->is_shifted = true;
-    memcpy(in.cells.shift, shift.by, sizeof shift.by);
+    a->is_shifted = shift.is_wanted;
+    if (shift.is_wanted)
+        memcpy(in.cells.shift, shift.by, sizeof shift.by);
     code = work_with_mesh(r, &m, &in, a);
     mesh_free(&m);
     return code;
