@@ -196,9 +196,11 @@ export interface Triangles extends Freeable {
     cellLists(grid: Grid | Around | Voxels, options?: CellListsOptions): CellLists;
     /**
      * voxelize for grids whose cells need not fit into the memory: hands each brick of 8 x 8 x 8 cells that is not empty to take,
-     * in the order of tile numbers, then of z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 is a good choice.
+     * in the order of tile numbers, then of z, y, x. tiles: their side is a multiple of 8, at most 1024; 128 is a good choice, with
+     * lists 64, as they take about 2 KB for each triangle of the fullest tile.
      */
-    bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrick, options?: Options): Bricks;
+    bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrick, options?: Options & { readonly lists?: false }): Bricks;
+    bricks(grid: Grid | Around, tiles: Tiles, take: TakeBrickLists, options: Options & { readonly lists: true }): Bricks;
 }
 
 /** Triangles in the memory: nine streams of floats. */
@@ -313,6 +315,13 @@ export interface TileLists {
  * bits[2 * k + (j >> 2)]. Both arrays are yours to keep. Returning false ends the call; so does an exception, which is passed on.
  */
 export type TakeBrick = (at: [number, number, number], bits: Uint32Array) => unknown;
+
+/**
+ * The same with the triangles of each cell: cell i, j, k has those from triangles[starts[c]] to before triangles[starts[c + 1]], where
+ * c is i + 8 * j + 64 * k.
+ */
+export type TakeBrickLists =
+    (at: [number, number, number], bits: Uint32Array, starts: Uint32Array, triangles: Uint32Array) => unknown;
 
 export interface Bricks {
     readonly grid: Grid;

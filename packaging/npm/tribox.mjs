@@ -108,7 +108,7 @@ export async function load(source = new URL('./tribox.wasm', import.meta.url)) {
     try {
         const module = await moduleOf(typeof given === 'string' || given instanceof URL ? await fetched(addressOf(given)) : given);
         checkModule(module);
-        const takers = [], take = (number, at, bits) => takers[number](at >>> 0, bits >>> 0);
+        const takers = [], take = (number, ...addresses) => takers[number](...addresses.map((at) => at >>> 0));
         return new Tribox(module, await WebAssembly.instantiate(module, { tribox: { take } }), takers);
     } catch (error) {
         if (error instanceof WebAssembly.CompileError)

@@ -326,13 +326,32 @@ function checkCells(triangles, grid, window, what) {
     return boxes;
 }
 
+/** The lists of bricks are those of the cells of the whole grid. */
+function checkListsOfBricks(triangles, grid, side, what) {
+    const { cells, starts, list } = triangles.cellLists(grid), found = new Map();
+    const { overlapping, stopped } = triangles.bricks(grid, { side }, (at, bits, begins, numbers) => {
+        for (let c = 0; c < 512; c++)
+            if (bits[c >> 5] >>> (c & 31) & 1)
+                found.set([c & 7, c >> 3 & 7, c >> 6].map((place, a) => 8 * at[a] + place).join(), numbers.slice(begins[c], begins[c + 1]));
+            else
+                assert.equal(begins[c], begins[c + 1], what);
+    }, { lists: true });
+    assert.deepEqual([overlapping, found.size, stopped], [cells.length / 3, cells.length / 3, false], what);
+    for (let n = 0; n < found.size; n++)
+        expectWords(found.get(cells.subarray(3 * n, 3 * n + 3).join()), Array.from(list.subarray(starts[n], starts[n + 1])), what);
+}
+
 test('which triangle is in which cell', () => eachGrid((question, { soup, grid, count, what }) => {
+    checkListsOfBricks(soup, grid, 64, what);
     const window = { first: [5, 1, 2], size: [60, 7, 2] }, boxes = checkCells(soup, grid, undefined, what), index = soup.index();
     const some = boxes.filter((_, n) => n % 50 === 0), lists = index.lists(some);
     assert.equal(lists.starts.length, some.length + 1, what);
     some.forEach((box, n) => expectWords(lists.list.slice(lists.starts[n], lists.starts[n + 1]), Array.from(index.list(box)), what));
     index.free();
-    eachMesh(question, count, {}, (mesh) => checkCells(mesh, grid, window, what));
+    eachMesh(question, count, {}, (mesh) => {
+        checkCells(mesh, grid, window, what);
+        checkListsOfBricks(mesh, grid, 8, what);
+    });
 }));
 
 test('tiles are counted', () => {

@@ -26,6 +26,7 @@ const mesh: Mesh = tribox.mesh({ positions: new Float64Array(9), indices: null }
 const sorted: Mesh = tribox.mesh({ positions }, { sort: true });
 const lists: TileLists = sorted.tileLists(grid, { side: 1 }), set = new Map<string, Uint32Array>();
 const bricks: Bricks = mesh.bricks({ resolution: 64 }, { side: 128, first: 0, count: 1 }, (at, bits) => set.set(at.join(), bits));
+mesh.bricks(grid, { side: 64 }, (at, _, starts, triangles) => set.set(at.join(), triangles.slice(0, starts[1])), { lists: true });
 const byCell: CellLists = mesh.cellLists({ cell: 0.5 }, { accuracy: 'exact' }), many: Lists = mesh.index().lists([box, oriented], { ids: true });
 const children: Uint8Array = mesh.split(box, { middle: [0, 0, 0], list: byCell.list, accuracy: 'fast' });
 const thin: Voxels = mesh.voxelize(grid, { thin: true });

@@ -50,13 +50,22 @@ export function tileLists(memory, triangles, numbers, asked, options) {
     }));
 }
 
+/** What take is given of a brick. starts: of its lists; 0 without. */
+function brickOf(memory, at, bits, starts, list) {
+    const brick = [Array.from(memory.words(at, 3)), memory.words(bits, 16).slice()];
+    if (!starts)
+        return brick;
+    const places = memory.words(starts, 513).slice();
+    return [...brick, places, memory.words(list, places[512]).slice()];
+}
+
 /** Has bricks handed to take as long as work, which is told the number of that sink, goes on. Throws what take throws. */
 function withTaker(memory, take, work) {
     const { takers } = memory;
     let thrown = null, isStopped = false;
-    takers.push((at, bits) => {
+    takers.push((...addresses) => {
         try {
-            isStopped = take(Array.from(memory.words(at, 3)), memory.words(bits, 16).slice()) === false;
+            isStopped = take(...brickOf(memory, ...addresses)) === false;
         } catch (error) {
             thrown = { error };
         }
@@ -72,27 +81,40 @@ function withTaker(memory, take, work) {
     return isStopped;
 }
 
+/** The taker of a call and its scratch: with lists that has room for the longest of the tiles. */
+function takerOf(memory, { side, count }, starts, isListed) {
+    const { exports } = memory;
+    if (!isListed)
+        return { taker: exports.sink_taker(), bytes: exports.tribox_bricks_bytes(side) >>> 0 };
+    const longest = memory.words(starts, count + 1).reduce((most, end, t, all) => Math.max(most, t ? end - all[t - 1] : 0), 0);
+    return { taker: exports.lists_taker(), bytes: exports.tribox_bricks_lists_bytes(side, longest) >>> 0 };
+}
+
 export function bricks(memory, triangles, numbers, asked, take, options) {
-    checkKeys(options, optionKeys);
+    checkKeys(options, [...optionKeys, 'lists']);
     void triangles.address;
     if (typeof take !== 'function')
         throw new TypeError(`take = ${shown(take)}: give a function, of (at, bits)`);
     const grid = gridFor(memory, triangles, numbers), tiles = readTiles(grid, asked, 1024);
     if (tiles.side % 8)
         throw new RangeError(`tiles.side = ${tiles.side}: give a multiple of 8`);
-    const bytes = memory.exports.tribox_bricks_bytes(tiles.side) >>> 0;
-    return withLists(memory, triangles, { grid, tiles, options }, (about, starts, list) =>
-        memory.borrow(bytes, `bricks of tiles of ${tiles.side} cells a side`, (scratch) => {
+    return withLists(memory, triangles, { grid, tiles, options }, (about, starts, list) => {
+        const { taker, bytes } = takerOf(memory, tiles, starts, options?.lists);
+        return memory.borrow(bytes, `bricks of tiles of ${tiles.side} cells a side`, (scratch) => {
             const stopped = withTaker(memory, take, (number, hasEnded) => {
-                memory.words(about.sink, 2).set([memory.exports.sink_taker(), number]);
+                memory.words(about.sink, 2).set([taker, number]);
                 const args = [about.grid, about.tiles, starts, list, about.options, scratch, about.sink, about.report];
                 try {
-                    triangles.call(memory, 'bricks', ...args);
+                    if (options?.lists)
+                        triangles.call(memory, 'bricks_lists', ...args);
+                    else
+                        triangles.call(memory, 'bricks', ...args);
                 } catch (error) {
                     if (!hasEnded())
                         throw error;
                 }
             });
             return { grid, overlapping: memory.words(about.report, 1)[0], stopped };
-        }));
+        });
+    });
 }
