@@ -1,6 +1,4 @@
-/*
- * relaxed.h - a number that threads share: whoever reads it gets one that somebody wrote, and nothing follows about other memory.
- */
+/* relaxed.h - relaxed atomics: a number that threads share is never torn, and says nothing about other memory. */
 #ifndef TRIBOX_RELAXED_H
 #define TRIBOX_RELAXED_H
 

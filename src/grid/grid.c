@@ -86,9 +86,9 @@ static binade binade_of(double size)
 }
 
 /*
- * Planes first to last, of one binade, whose cells are not longer than its spacing: from one to the next it is one spacing or
- * none, so that it is enough to count. Where cell and spacing are one number it may also be two, after none, among the first three
- * (PROOFS.md 7.10).
+ * Planes first to last lie in one binade, and cells are no longer than its spacing: each step is 0 or 1 spacing, so that the two
+ * ends tell whether any repeats. Where cell and spacing are one number a step may be 2 after a 0, among the first three (PROOFS.md
+ * 7.10).
  */
 static bool is_run_rising(const tribox_planes *planes, int a, int64_t first, int64_t last, double spacing)
 {

@@ -43,8 +43,8 @@ bool tribox_question_start(tribox_question *q);
 tribox_touch tribox_question_touch(tribox_question *q, const tribox_node *node, unsigned children);
 
 /*
- * Answers `count` words, TRIBOX_BLOCK_WORDS at most, whose numbers ascend, but those where `full` is not 0. A triangle that has no
- * vertices overlaps nothing.
+ * Answers `count` words with rising numbers, TRIBOX_BLOCK_WORDS at most; skips those with full[i] != 0. A triangle without vertices
+ * overlaps nothing.
  */
 void tribox_question_answer(tribox_question *q, const size_t *word, const size_t *full, unsigned count, uint64_t *hit);
 

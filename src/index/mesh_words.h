@@ -14,8 +14,8 @@ static inline unsigned tribox_run_of_words(const size_t *word, const size_t *ful
 }
 
 /*
- * Answers `count` words, whose numbers ascend, but those where `full` is not 0. A triangle that has no vertices, as the mesh has
- * changed since it was indexed, overlaps nothing. Returns how many triangles were undecided.
+ * Answers `count` words with rising numbers; skips those with full[i] != 0. A triangle without vertices, as the mesh has changed
+ * since it was indexed, overlaps nothing. Returns how many triangles were undecided.
  */
 size_t tribox_mesh_words_answer(const tribox_mesh_query *query, const tribox_mesh *mesh, const size_t *word, const size_t *full,
                                 unsigned count, uint64_t *hit);

@@ -19,7 +19,7 @@ static inline uint64_t digits_load(const char *text)
     return bytes;
 }
 
-/* How many of eight bytes, with '0' taken from each, are digits before the first that is none: what is carried comes after it. */
+/* How many of eight bytes are digits before the first other one. values: each byte less '0'. Carries only reach later bytes. */
 static inline unsigned digits_leading(uint64_t values)
 {
     const uint64_t others = ((values + UINT64_C(0x7676767676767676)) | values) & UINT64_C(0x8080808080808080);

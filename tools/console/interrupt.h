@@ -13,7 +13,7 @@ void interrupt_forget(const char *path);
 void interrupt_hold(void);
 void interrupt_release(void);
 
-/* In a process that was forked between the two: signals end it as they would any, and what was watched is left to its parent. */
+/* Call in a forked child: signals end it as they do by default, and files of the parent are left alone. */
 void interrupt_leave(void);
 
 /* Does the same at once, of any thread and in a handler too, says this line, and ends the program as after a failure. */

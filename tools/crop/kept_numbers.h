@@ -11,7 +11,7 @@ typedef struct kept_numbers {
     uint64_t count, kept;
 } kept_numbers;
 
-/* None of `count` is kept. path: for the message. Returns an exit_code; kept_numbers_free may follow in any case. */
+/* Of `count` numbers none is kept yet. path: for the message. Returns an exit_code; kept_numbers_free may follow in any case. */
 int kept_numbers_make(const char *path, uint64_t count, kept_numbers *k);
 void kept_numbers_free(kept_numbers *k);
 

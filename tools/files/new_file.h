@@ -1,4 +1,4 @@
-/* new_file.h - files and folders under names for the time being, which end in XXXXXX when they come and then in other letters. */
+/* new_file.h - temporary files and folders. Their names are given ending in XXXXXX, and come back with other letters there. */
 #ifndef NEW_FILE_H
 #define NEW_FILE_H
 

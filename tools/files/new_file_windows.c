@@ -113,7 +113,7 @@ static char *name_of(HANDLE file)
     return name;
 }
 
-/* What is no link keeps its name where there is no other: there is no such file yet, or its drive tells none. */
+/* Follows links. The name as given if there is no such file, or if the drive cannot tell. */
 char *new_file_target(const char *path)
 {
     const HANDLE file = windows_file_behind(path);

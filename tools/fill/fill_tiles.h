@@ -10,7 +10,7 @@
  *
  * x: the bounds of the mesh along x, to fill by parity, for which the set has the mesh itself; NULL to fill what the outside does
  *   not reach. With a set without records parity is that of the middles alone.
- * cells: which go on.
+ * cells: which of them reach the sink: all, or those inside.
  * sink: NULL to count alone.
  *
  * Returns what the library does, or MESSAGE_NO_MEMORY.

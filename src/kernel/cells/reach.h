@@ -83,8 +83,8 @@ static lane_cells ask_planes(const tribox_voxel_window *w, lane_reach *r, int a,
 }
 
 /*
- * The same of floats, which are compared as they are: where planes take one operation all lanes, as loops over all of them become
- * vectors, and the answer is as right of those that are not in doubt.
+ * The same for planes of floats. Where a plane takes one operation it is asked in all lanes, as compilers make vectors of such
+ * loops; lanes that are not in doubt keep their answer.
  */
 static lane_cells ask_planes_of_floats(const tribox_voxel_window *w, int a, vmask in_doubt, lane_cells guess, lane_ends ends)
 {

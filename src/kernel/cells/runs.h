@@ -24,7 +24,7 @@ TRIBOX_INLINE vint set_bits(const lane_run *run, bool is_exact)
     return is_exact ? run_bits(run->first_certain, run->end_certain) : run_bits(run->first_maybe, run->end_maybe);
 }
 
-/* Where more may overlap than certainly do: no lane without them is left out, but for few the ends differ outside of all cells. */
+/* Lanes whose certain and possible runs differ. Says yes for a few that differ only outside the grid, too. */
 TRIBOX_INLINE vmask has_open_ends(const lane_run *run)
 {
     const vnum none = v_splat(0), most = v_splat(32);
