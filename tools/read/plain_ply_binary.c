@@ -1,14 +1,150 @@
 /* plain_ply_binary.c - binary PLY files of triangles: threads take blocks of vertices in turn, then of faces. */
 #include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/crew.h"
 #include "console/pages.h"
 #include "console/steps.h"
+#include "files/named_file.h"
+#include "little.h"
 #include "mesh_look.h"
 #include "plain_ply.h"
-#include "ply_records.h"
+#include "ply_header.h"
 #include "reading.h"
+
+typedef struct ply_records {
+    bool is_big;
+    uint64_t vertices_at, faces_at; /* in the file */
+    size_t vertices, vertex_bytes, axis_at[3];
+    size_t faces, face_bytes, count_at, count_bytes; /* if all faces are triangles */
+} ply_records;
+
+static bool lay_out_vertex(const ply_element *e, ply_records *r)
+{
+    for (int i = 0; i < e->property_count; i++) {
+        const ply_property *const property = &e->properties[i];
+        if (property->count || (property->role <= PLY_Z && property->type != PLY_FLOAT))
+            return false;
+        if (property->role <= PLY_Z)
+            r->axis_at[property->role] = r->vertex_bytes;
+        r->vertex_bytes += ply_type_size(property->type);
+    }
+    return true;
+}
+
+static bool lay_out_face(const ply_element *e, ply_records *r)
+{
+    for (int i = 0; i < e->property_count; i++) {
+        const ply_property *const property = &e->properties[i];
+        const bool is_corners = property->role == PLY_CORNERS;
+        if (is_corners ? property->type != PLY_INT32 && property->type != PLY_UINT32 : property->count)
+            return false;
+        if (is_corners) {
+            r->count_at = r->face_bytes;
+            r->count_bytes = ply_type_size(property->count);
+        }
+        r->face_bytes += is_corners ? r->count_bytes + sizeof(uint32_t[3]) : ply_type_size(property->type);
+    }
+    return true;
+}
+
+/*
+ * Finds the two elements of a binary file of `size` bytes. False where it lacks bytes that the header promises, or vertices or
+ * faces, or has others than those.
+ */
+static bool ply_records_of(const ply_header *h, uint64_t size, ply_records *r)
+{
+    const ply_element *const vertices = &h->elements[0], *const faces = &h->elements[1];
+    *r = (ply_records){.is_big = h->format == PLY_BIG_ENDIAN};
+    if (!vertices->count || !faces->count || !lay_out_vertex(vertices, r) || !lay_out_face(faces, r))
+        return false;
+    r->vertices_at = h->size;
+    const uint64_t left = size - h->size;
+    if (vertices->count > left / r->vertex_bytes)
+        return false;
+    r->faces_at = h->size + vertices->count * r->vertex_bytes;
+    if (faces->count > (size - r->faces_at) / r->face_bytes || faces->count > SIZE_MAX / sizeof(float[9]))
+        return false;
+    r->vertices = (size_t)vertices->count;
+    r->faces = (size_t)faces->count;
+    return true;
+}
+
+/* The order of the bytes of this machine is that of `is_big`, or not; either is right. */
+static inline uint32_t load(const unsigned char *from, bool is_big)
+{
+    return is_big ? (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3] : little_get32(from);
+}
+
+/* For free(). */
+static unsigned char *read_block(FILE *stream, uint64_t at, size_t bytes)
+{
+    size_t got;
+    unsigned char *const block = malloc(bytes);
+    if (block && (!named_file_read_at(stream, at, block, bytes, &got) || got < bytes)) {
+        free(block);
+        return NULL;
+    }
+    return block;
+}
+
+/* Whether vertices stand in the file as they do in memory. */
+static bool is_as_in_memory(const ply_records *r)
+{
+    const uint32_t one = 1;
+    unsigned char bytes[sizeof one];
+    memcpy(bytes, &one, sizeof one);
+    return r->vertex_bytes == sizeof(float[3]) && r->axis_at[1] == 4 && r->axis_at[2] == 8 && load(bytes, r->is_big) == one;
+}
+
+/* Reads a block of vertices to where all positions are; or of faces, of which none may have other than three corners. */
+static bool ply_records_vertices(const ply_records *r, FILE *stream, size_t first, size_t count, float *positions)
+{
+    const uint64_t at = r->vertices_at + first * r->vertex_bytes;
+    const size_t bytes = count * r->vertex_bytes;
+    size_t got;
+    if (is_as_in_memory(r))
+        return named_file_read_at(stream, at, positions + 3 * first, bytes, &got) && got == bytes;
+    unsigned char *const block = read_block(stream, at, bytes);
+    for (size_t i = 0; block && i < count; i++)
+        for (size_t a = 0; a < 3; a++) {
+            const uint32_t bits = load(block + i * r->vertex_bytes + r->axis_at[a], r->is_big);
+            memcpy(positions + 3 * (first + i) + a, &bits, sizeof bits);
+        }
+    free(block);
+    return block;
+}
+
+/* Returns whether all faces are triangles: their counts are 3 in the one byte, 0 in others. */
+static inline bool take_corners(const unsigned char *list, size_t count, size_t face_bytes, size_t count_bytes, bool is_big,
+                                uint32_t *corners)
+{
+    unsigned char other = 0;
+    const size_t lowest = is_big ? count_bytes - 1 : 0;
+    for (size_t i = 0; i < count; i++, list += face_bytes) {
+        for (size_t b = 0; b < count_bytes; b++)
+            other |= (unsigned char)(list[b] ^ (b == lowest ? 3 : 0));
+        for (size_t v = 0; v < 3; v++)
+            corners[3 * i + v] = load(list + count_bytes + 4 * v, is_big);
+    }
+    return !other;
+}
+
+static bool ply_records_faces(const ply_records *r, FILE *stream, size_t first, size_t count, uint32_t *corners)
+{
+    unsigned char *const block = read_block(stream, r->faces_at + first * r->face_bytes, count * r->face_bytes);
+    const unsigned char *const lists = block ? block + r->count_at : NULL;
+    bool is_taken = block;
+    if (block && r->count_bytes == 1 && !r->is_big)
+        is_taken = take_corners(lists, count, r->face_bytes, 1, false, corners);
+    else if (block)
+        is_taken = take_corners(lists, count, r->face_bytes, r->count_bytes, r->is_big, corners);
+    free(block);
+    return is_taken;
+}
 
 /* Vertices or faces: of a block, at least and at most, and so many that a thread takes less time to start than to read them. */
 enum { BLOCK_LEAST = 512, BLOCK = 4096, BLOCKS_EACH = 8, STARTED = 1 << 16 };

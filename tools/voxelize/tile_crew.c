@@ -4,10 +4,78 @@
 
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "console/crew.h"
+#include "console/memory.h"
 #include "console/message.h"
-#include "kept_bricks.h"
+#include "tile_set.h"
+#include "write/voxels.h"
+
+typedef struct kept_brick {
+    uint32_t at[3];
+    uint64_t bits[8];
+} kept_brick;
+
+typedef struct kept_bricks {
+    kept_brick *bricks;
+    size_t count, room;
+    uint32_t *ids; /* one brick's after another's */
+    size_t ids_count, ids_room;
+} kept_bricks;
+
+/* How much they take, counted in bricks. */
+static inline size_t kept_bricks_size(const kept_bricks *kept)
+{
+    return kept->count + kept->ids_count * sizeof *kept->ids / sizeof *kept->bricks;
+}
+
+static bool keep_ids(kept_bricks *k, const uint32_t *ids, size_t cells)
+{
+    uint32_t *const grown = memory_grow(k->ids, k->ids_count + cells, &k->ids_room, sizeof *ids);
+    if (!grown)
+        return false;
+    k->ids = grown;
+    memcpy(k->ids + k->ids_count, ids, cells * sizeof *ids);
+    k->ids_count += cells;
+    return true;
+}
+
+/* A tile_sink's take, of kept_bricks. It stops where there is no memory. */
+static int kept_bricks_take(void *kept, const uint32_t at[3], const uint64_t bits[8], const uint32_t *ids)
+{
+    kept_bricks *const k = kept;
+    kept_brick *const grown = memory_grow(k->bricks, k->count + 1, &k->room, sizeof *grown);
+    if (!grown)
+        return 1;
+    k->bricks = grown;
+    if (ids && !keep_ids(k, ids, (size_t)voxels_count(bits, 8)))
+        return 1;
+    kept_brick *const to = &k->bricks[k->count++];
+    memcpy(to->at, at, sizeof to->at);
+    memcpy(to->bits, bits, sizeof to->bits);
+    return 0;
+}
+
+/* Returns TRIBOX_STOPPED if the sink stopped. */
+static tribox_status kept_bricks_hand_on(const kept_bricks *kept, const tile_sink *sink)
+{
+    const uint32_t *ids = kept->ids_count ? kept->ids : NULL;
+    for (size_t i = 0; i < kept->count; i++) {
+        const kept_brick *const b = &kept->bricks[i];
+        if (sink->take(sink->data, b->at, b->bits, ids))
+            return TRIBOX_STOPPED;
+        if (ids)
+            ids += voxels_count(b->bits, 8);
+    }
+    return TRIBOX_OK;
+}
+
+static void kept_bricks_free(kept_bricks *kept)
+{
+    free(kept->bricks);
+    free(kept->ids);
+}
 
 /* A share ends with the tile that fills it: little enough to keep, and enough to be worth a lock. */
 enum { SHARE_TRIANGLES = 2048, SHARE_TILES = 4 };
