@@ -1,12 +1,11 @@
 /*
  * test_embree_parity.c - voxels of closed meshes keep inside and outside apart, even for neighbours by a corner; and a single cell
- * that is missing, or a mesh asked with open cells, is seen to leak.
+ * that is missing is seen to leak.
  */
 #include "common/ask.h"
 
 #include "common/arguments.h"
 #include "embree.h"
-#include "faulty.h"
 #include "zeroed.h"
 #include "parity.h"
 
@@ -120,28 +119,12 @@ static void test_missing_cell(void **state)
     assert_in_range(count_leaks(make_mesh("torus", model_torus(64, 32, 2.0 / 7), 24, false, seed), seed), LEAKS_LEAST, REMOVED);
 }
 
-/* A mesh on the planes of the grid, and cells without their borders: nothing is left of it. */
-static void test_open_cells(void **state)
-{
-    mesh m = make_mesh("cube with open cells", model_cube(8), 48, false, *(const uint64_t *)*state);
-    witness w = witness_make(&m.planes, &m.model, false);
-    faulty open = faulty_make(FAULT_OPEN, m.model.count, 1);
-    answerer *const list[] = {&open.base};
-    (void)compare(&w, list, 1, m.occupied);
-    const parity_verdict v = parity_judge(&m.planes, m.sides, m.occupied);
-    printf("%-22s %zu mixed, %zu inside at the border\n", m.name, v.mixed, v.border_inside);
-    assert_true(v.mixed > 0 && v.border_inside > 0);
-    witness_free(&w);
-    free_mesh(&m);
-}
-
 int main(int argc, char **argv)
 {
     arguments args = arguments_parse(argc, argv);
     if (!embree_is_usable())
         return SKIPPED;
     const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(test_closed_meshes, &args.seed),
-                                       cmocka_unit_test_prestate(test_missing_cell, &args.seed),
-                                       cmocka_unit_test_prestate(test_open_cells, &args.seed)};
+                                       cmocka_unit_test_prestate(test_missing_cell, &args.seed)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
