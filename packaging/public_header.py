@@ -1,4 +1,4 @@
-"""Takes include/tribox.h apart: for its manual page, made by man3.py beside this file, and for its web page, made in site/.
+"""Takes include/tribox.h apart for its manual page, made by man3.py beside this file.
 
 The header is written so that this is simple. A comment that begins at the left edge belongs to the declaration after it; in it,
 "name: ..." is about a parameter, and an empty line ends a paragraph. Comments at the end of a line are about a member. The comment

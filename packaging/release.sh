@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes all that is published of a version, from its tag alone and bit for bit again: packaging/release.sh TAG FOLDER, a new one.
-# PARTS are those that are made, all by default: source debian wheels npm windows site. They take what tests/run.sh and .ci/run
-# install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS and PAGE are those of debian.sh and site.sh.
+# PARTS are those that are made, all by default: source debian wheels npm windows. They take what tests/run.sh and .ci/run
+# install. OPTIMIZATION=0 builds quickly, for the tests; DEB_BUILD_OPTIONS are those of debian.sh.
 set -eu
 umask 022
 export LC_ALL=C TZ=UTC
@@ -67,13 +67,7 @@ make_windows() {
     (cd "$work" && python3 -m zipfile -c "$out/$name-windows-x64.zip" "$name-windows-x64")
 }
 
-make_site() {
-    packaging/site.sh "$work/$name-site"
-    tar -c -C "$work" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner "$name-site" |
-        xz >"$out/$name-site.tar.xz"
-}
-
-for part in ${PARTS:-source debian wheels npm windows site}; do
+for part in ${PARTS:-source debian wheels npm windows}; do
     "make_$part" >"$work/log" 2>&1
     echo "$part: made"
 done

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py ROOT: the house is as CONTRIBUTING.md and src/README.md say: rooms, who uses whom, names of files, width of lines."""
+"""house.py ROOT: the house is as CONTRIBUTING.md and src/README.md say: rooms, who uses whom, files, lines, links."""
 import collections
 import os
 import re
@@ -118,6 +118,19 @@ for name in FILES:
                 fail(f"{name}:{number}: (c ? f : g)(x) is not found by grep; write an if")
             if len(line) > COLUMNS:
                 fail(f"{name}:{number}: {len(line)} columns, more than {COLUMNS}")
+
+
+# A link leads to a file that is there, and to a heading that it has.
+def anchors(name):
+    return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in re.findall(r"(?m)^#+ (.*)", read(name))}
+
+
+for name in FILES:
+    links = re.findall(r"\]\(([^)\s]+)\)", re.sub(r"```.*?```|`[^`\n]*`", "", read(name), flags=re.S)) if name.endswith(".md") else []
+    for path, _, anchor in (link.partition("#") for link in links if not link.startswith("https:")):
+        to = os.path.normpath(os.path.join(os.path.dirname(name), path)) if path else name
+        if path.startswith("/") or not os.path.exists(os.path.join(ROOT, to)) or anchor and anchor not in anchors(to):
+            fail(f"{name}: the link {path}#{anchor} leads nowhere")
 
 print(*failures, sep="\n")
 print(f"{len(SOURCES)} sources in {len(rooms)} rooms, {len(failures)} faults")

@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 . "$here/snapshot.sh"
 . "$here/same_library.sh"
 export CCACHE_DISABLE=1 # or the second time would be a copy of the first
-export OPTIMIZATION=0 DEB_BUILD_OPTIONS='noopt nocheck' PAGE='' LC_ALL=C
+export OPTIMIZATION=0 DEB_BUILD_OPTIONS='noopt nocheck' LC_ALL=C
 
 # refuses MESSAGE TAG FOLDER
 refuses() {
