@@ -1,8 +1,4 @@
-"""Prints the knot of tribox demo as an OBJ mesh, for the picture in the README:
-
-python3 bench/voxels/knot.py > knot.obj
-tribox voxelize knot.obj --resolution 64 -o knot.npy --preview bench/results/voxels.png --view 28,38 --picture-size 900x440
-"""
+"""Prints the knot of tribox demo as an OBJ mesh, for bench/peers/run.py."""
 
 from math import cos, pi, sin, sqrt
 
