@@ -4,11 +4,15 @@
  * Every kernel that runs here is compared word for word: EXACT with the scalar kernel, FAST and CONSERVATIVE with the first kernel
  * of the same rounding. Depends on nothing.
  *
- *   masks [options of arguments.h]         prints a line for each digest: the scene, what of it, the digest
- *   masks FILE [options of arguments.h]    compares them with the lines of the file instead
+ *   masks [options of arguments.h]          prints a line for each scene: digests of what is drawn, of EXACT, and of CONSERVATIVE
+ *                                           and FAST, of kernels that round twice and of those that round once
+ *   masks FILE [options of arguments.h]     compares them with the lines of the file instead
+ *   masks parts [options of arguments.h]    prints besides the digests of every call, after each round: where a line of the file
+ *                                           differs, the first difference from what this prints elsewhere, or of an older library,
+ *                                           tells round and call; `--scenes NAME` keeps it short
  *
  * The first form, and after it the first form with --short, write masks.txt: emulated processors take a tenth of the pairs. Other
- * scenes or tighter margins need it rewritten; but a new margin may change lines of CONSERVATIVE and FAST alone.
+ * scenes or tighter margins need it rewritten; but a new margin may change the last two digests of a line alone.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -416,35 +420,64 @@ static void ask_round(const round_of_scene *round, const scene *s, digest digest
 static const char *expected_text;
 static size_t scenes_compared, drawn_otherwise, differing;
 
-/* Whether the file has this digest; says so if not. */
-static bool is_expected(const char *name, part p, digest d)
+/* What the file has of a scene: digests of parts that come one after the other. The last two depend on who runs here. */
+enum { GROUPS = 4 };
+static const part group_start[GROUPS + 1] = {DRAWN, EXACT, CONSERVATIVE_TWICE, CONSERVATIVE_ONCE, PARTS};
+static const char *const group_names[GROUPS] = {"drawn", "EXACT", "rounded twice", "rounded once"};
+
+enum { DIGEST_ROOM = 17 };
+
+static void write_group(const digest digests[PARTS], int g, char text[DIGEST_ROOM])
 {
-    char line[128];
-    const int length = snprintf(line, sizeof line, "\n%s %s ", name, part_names[p]);
-    const char *const found = strstr(expected_text, line);
-    snprintf(line, sizeof line, "%016" PRIx64, d);
-    if (found && !strncmp(found + length, line, strlen(line)))
-        return true;
-    fprintf(stderr, "%s %s: the digest is %s, expected was %.16s\n", name, part_names[p], line, found ? found + length : "none");
-    return false;
+    bool has_answers = false;
+    digest all = digest_start;
+    for (part p = group_start[g]; p < group_start[g + 1]; p++) {
+        has_answers |= digests[p] != digest_start;
+        digest_add(&all, &digests[p], 1);
+    }
+    snprintf(text, DIGEST_ROOM, has_answers ? "%016" PRIx64 : "-", all);
 }
 
-/* Prints the digests, or compares them: of a scene whose numbers another libm drew otherwise there is nothing to compare. */
+/* Compares the digests of a scene. Where another libm drew its numbers otherwise there is nothing to compare. */
+static void compare_scene(const char *name, char got[GROUPS][DIGEST_ROOM])
+{
+    char line[72], expected[GROUPS][DIGEST_ROOM] = {"none"};
+    const int length = snprintf(line, sizeof line, "\n%s ", name);
+    const char *const found = strstr(expected_text, line);
+    if (found)
+        sscanf(found + length, "%16s %16s %16s %16s", expected[0], expected[1], expected[2], expected[3]);
+    for (int g = 0; g < GROUPS; g++) {
+        if (!strcmp(got[g], expected[g]) || !strcmp(got[g], "-"))
+            continue;
+        fprintf(stderr, "%s, %s: the digest is %s, expected was %s\n", name, group_names[g], got[g], expected[g]);
+        if (!g) {
+            drawn_otherwise++;
+            return;
+        }
+        differing++;
+    }
+    scenes_compared++;
+}
+
 static void tell_scene(const char *name, const digest digests[PARTS])
 {
-    if (expected_text && !is_expected(name, DRAWN, digests[DRAWN])) {
-        drawn_otherwise++;
-        return;
-    }
-    scenes_compared += expected_text != NULL;
-    for (part p = 0; p < PARTS; p++) {
-        if (digests[p] == digest_start)
-            continue;
-        if (!expected_text)
-            printf("%s %s %016" PRIx64 "\n", name, part_names[p], digests[p]);
-        else if (!is_expected(name, p, digests[p]))
-            differing++;
-    }
+    char text[GROUPS][DIGEST_ROOM];
+    for (int g = 0; g < GROUPS; g++)
+        write_group(digests, g, text[g]);
+    if (expected_text)
+        compare_scene(name, text);
+    else
+        printf("%s %s %s %s %s\n", name, text[0], text[1], text[2], text[3]);
+}
+
+/* The digests so far, one a line. */
+static bool has_parts;
+
+static void tell_parts(const char *name, const digest digests[PARTS])
+{
+    for (part p = 0; has_parts && p < PARTS; p++)
+        if (digests[p] != digest_start)
+            printf("%s round %zu %s %016" PRIx64 "\n", name, round_number, part_names[p], digests[p]);
 }
 
 static void ask_scene(const scene *s, const arguments *args)
@@ -458,6 +491,7 @@ static void ask_scene(const scene *s, const arguments *args)
     for (round_number = 0; round_number < args->pairs / PAIRS_A_ROUND; round_number++) {
         draw_round(&r, s, &round);
         ask_round(&round, s, digests);
+        tell_parts(s->name, digests);
     }
     tell_scene(s->name, digests);
 }
@@ -475,6 +509,7 @@ static void ask_doubles(const scene_f64 *s, const arguments *args)
     digests[AXES] = of.axes;
     digests[MESHES] = of.meshes;
     snprintf(name, sizeof name, "f64-%s", s->name);
+    tell_parts(name, digests);
     tell_scene(name, digests);
 }
 
@@ -504,9 +539,10 @@ static const char *expected_for(const char *text, const arguments *args)
 
 int main(int argc, char **argv)
 {
-    const bool has_file = argc > 1 && argv[1][0] != '-';
+    has_parts = argc > 1 && !strcmp(argv[1], "parts");
+    const bool has_word = argc > 1 && argv[1][0] != '-', has_file = has_word && !has_parts;
     const char *const text = has_file ? text_of(argv[1]) : NULL;
-    const arguments args = arguments_parse(argc - has_file, argv + has_file);
+    const arguments args = arguments_parse(argc - has_word, argv + has_word);
     printf("pairs %zu\n", args.pairs);
     if (!scene_name_is_known(args.scenes))
         return 2;
@@ -523,5 +559,7 @@ int main(int argc, char **argv)
         ask_doubles(scene_f64_at(i), &args);
     if (has_file)
         printf("%zu scenes compared, %zu drawn otherwise; %zu digests differ\n", scenes_compared, drawn_otherwise, differing);
+    if (differing)
+        fputs("'masks parts --scenes NAME' here and where they agree tells the round and the call\n", stderr);
     return differing || scenes_compared < drawn_otherwise;
 }
