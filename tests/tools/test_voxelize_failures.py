@@ -4,8 +4,10 @@ import os
 import pty
 import re
 import resource
+import shutil
 import signal
 import subprocess
+import tempfile
 import time
 
 import meshes
@@ -204,6 +206,29 @@ class NothingHalfWritten(Failures):
             while is_running(child) and time.monotonic() < deadline:
                 time.sleep(0.01)
             self.assertFalse(is_running(child))
+
+    def test_openvdb_missing(self):
+        """The program that knows OpenVDB is not there, or a library that it needs, or the disk is full before it is whole."""
+        support.skip_without_openvdb(self)
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        alone, its = (os.path.join(place.name, name) for name in ("tribox", "tribox-vdb"))
+        shutil.copy(support.program(), alone)
+        environment = {**os.environ, "LD_LIBRARY_PATH": os.path.join(os.path.dirname(support.program()), "..", "src")}
+        for lines, reason in (("", r"cannot start \S+/tribox-vdb, which writes \.vdb: No such file or directory"),
+                              ("echo no libopenvdb.so >&2; exit 127", r"cannot load what writes \.vdb: no libopenvdb\.so"),
+                              ("exit 3", "OpenVDB failed: it broke off, most likely for lack of memory")):
+            if lines:
+                with open(its, "w") as file:
+                    file.write("#!/bin/sh\n" + lines + "\n")
+                os.chmod(its, 0o755)
+            done = subprocess.run([alone, "voxelize", self.mesh, "-r", "40", "-o", self.path("x.vdb")], env=environment,
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assert_one_line(done.stderr, r"x\.vdb: " + reason + r"; write \.npz$")
+        self.refuse(1, "x.vdb: cannot write all of it: File too large", "voxelize", self.mesh, "-r", "300", "-o", self.path("x.vdb"),
+                    limit=(resource.RLIMIT_FSIZE, 2000))
+        self.assertEqual(sorted(os.listdir(self.folder)), self.there)
 
     def test_binvox_of_a_long_grid(self):
         """The cube that binvox fills up a grid to is not written on where the disk is full, nor begun where it cannot be counted."""

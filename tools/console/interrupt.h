@@ -13,9 +13,6 @@ void interrupt_forget(const char *path);
 void interrupt_hold(void);
 void interrupt_release(void);
 
-/* Call in a forked child: signals end it as they do by default, and files of the parent are left alone. */
-void interrupt_leave(void);
-
 /* Does the same at once, of any thread and in a handler too, says this line, and ends the program as after a failure. */
 _Noreturn void interrupt_fail(const char *line);
 

@@ -121,15 +121,6 @@ void interrupt_release(void)
         raise_waiting();
 }
 
-void interrupt_leave(void)
-{
-    struct sigaction action;
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
-        if (!sigaction(ends[i], NULL, &action) && action.sa_handler == clean)
-            signal(ends[i], SIG_DFL);
-    raise_waiting();
-}
-
 void interrupt_watch(const char *path)
 {
     for (int i = 0; i < WATCHED_MOST; i++)

@@ -80,9 +80,6 @@ void interrupt_hold(void)
 
 void interrupt_release(void) { LeaveCriticalSection(&making); }
 
-/* Windows forks none. */
-void interrupt_leave(void) {}
-
 void interrupt_watch(const char *path)
 {
     for (int i = 0; i < WATCHED_MOST; i++)

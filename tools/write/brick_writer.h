@@ -27,7 +27,7 @@ extern const brick_writer bricks_cells;
 
 /*
  * OpenVDB's BoolGrid or MaskGrid. The check finds out whether OpenVDB is there, which takes a while: it may begin before there is a
- * grid, while no thread runs but the calling one.
+ * grid.
  */
 extern const brick_writer bricks_vdb;
 void bricks_begin_vdb(void);
