@@ -8,7 +8,6 @@ import support
 import volumes
 
 WIDTH, HEIGHT = 160, 120
-SIDE = ["--view", "0,0"]  # seen from the front, level
 
 
 def box(lo, hi):
@@ -92,23 +91,23 @@ class Preview(support.TestCase):
         self.assertEqual(len({self.draw("--resolution", "9", "--threads", n) for n in ("1", "2", "7")}), 1)
 
     def test_what_is_up(self):
-        """The L is open at its upper right where z is up and x to the right; other axes turn it, none mirrors it."""
-        for view, up, quarter in ((SIDE, "z", "upper right"), (SIDE, "-z", "lower right"),
-                                  (["--view", "180,0"], "z", "upper left"), (["--view", "180,0"], "-z", "lower left"),
-                                  (["--view", "90,0"], "x", "upper right"), (["--view", "-90,0"], "x", "upper left"),
-                                  (["--view", "0,90"], "y", "lower right"), (["--view", "0,-90"], "y", "upper right"),
-                                  (["--view", "0,90"], "-y", "upper right")):
-            picture = self.picture("--resolution", "40", *view, "--up", up)
-            self.assertEqual(picture.empty_quarter(), quarter, (view, up))
-            self.assertLess(min(picture.shares()), 0.1, (view, up))
-            self.assertGreater(sorted(picture.shares())[1], 0.4, (view, up))
+        """The L is open at its upper right; turned in space, with the axis up that it stands along, it looks the same."""
+        expected = self.picture("--resolution", "40")
+        self.assertEqual(expected.empty_quarter(), "upper right")
+        for word in ("z", "x", "y", "-x", "-y", "-z"):
+            axis, sign = "xyz".index(word[-1]), -1 if word[0] == "-" else 1
+            up, right = ([sign * (a == axis) for a in range(3)], [axis != 0, axis == 0, 0])
+            front = [right[(a + 1) % 3] * up[(a + 2) % 3] - right[(a + 2) % 3] * up[(a + 1) % 3] for a in range(3)]
+            turned = [tuple(tuple(x * right[a] - y * front[a] + z * up[a] for a in range(3)) for x, y, z in t) for t in LETTER_L]
+            picture = self.picture("--resolution", "40", "--up", word, mesh=self.write("turned.obj", meshes.obj(turned)))
+            self.assertLess(len(set(picture.clay) ^ set(expected.clay)), len(expected.clay) / 50, word)
 
     def test_what_a_format_says_is_up(self):
         """Of glTF y is up, and the summary says so; --up has the last word."""
         upright = [tuple((x, z, -y) for x, y, z in t) for t in LETTER_L]
         mesh, picture = self.write("upright.glb", meshes.glb(upright)), os.path.join(self.folder, "up.png")
         other = self.write("upright.stl", meshes.stl_binary(upright))
-        size = ["-r", "40", "--view", "0,0", "--picture-size", "%dx%d" % (WIDTH, HEIGHT), "-o", os.path.join(self.folder, "x.npy"),
+        size = ["-r", "40", "--picture-size", "%dx%d" % (WIDTH, HEIGHT), "-o", os.path.join(self.folder, "x.npy"),
                 "--preview", picture]
         for path, up, said, quarter in ((mesh, [], "y, as glTF has it; --up tells otherwise", "upper right"),
                                         (mesh, ["--up", "y"], "y", "upper right"), (mesh, ["--up", "-y"], "-y", "lower right"),
@@ -120,7 +119,7 @@ class Preview(support.TestCase):
 
     def test_default_view(self):
         """From the front, the right and above: three sides, of which the top is the brightest, and the right in shadow."""
-        self.assertEqual(self.draw("--resolution", "9"), self.draw("--resolution", "9", "--up", "z", "--view", "32,25"))
+        self.assertEqual(self.draw("--resolution", "9"), self.draw("--resolution", "9", "--up", "z"))
         picture = self.picture("--resolution", "20", mesh=self.cube())
         left, top, right, bottom = picture.bounds()
         sides = [sum(picture.rows[int(top + down * (bottom - top))][int(left + across * (right - left))])
@@ -153,8 +152,9 @@ class Preview(support.TestCase):
         wall = self.write("wall.obj", meshes.obj(box((0, 0, 0), (6, 1, 6))))
 
         def changes(resolution):
-            picture = self.picture("--resolution", resolution, *SIDE, mesh=wall)
-            row = [sum(p) for p in picture.rows[HEIGHT // 2 + 8][WIDTH // 4:3 * WIDTH // 4]]
+            picture = self.picture("--resolution", resolution, mesh=wall)
+            left, top, right, bottom = picture.bounds()
+            row = [sum(p) for p in picture.rows[(top + bottom) // 2][left + WIDTH // 16:(left + 2 * right) // 3]]
             return sum(abs(a - b) > 20 for a, b in zip(row, row[1:]))
         self.assertGreaterEqual(changes("6"), 6)
         self.assertEqual(changes("300"), 0)
@@ -163,7 +163,7 @@ class Preview(support.TestCase):
         parts = [self.path("%d.part" % n) for n in (1, 2, 3)]
         for n, part in enumerate(parts):
             self.succeed("voxelize", self.mesh, "--resolution", "7", "--shard", "%d/3" % (n + 1), "--quiet", "-o", part)
-        look = ["--up", "y", "--view", "-20,40", "--picture-size", "80x60"]
+        look = ["--up", "y", "--picture-size", "80x60"]
         self.succeed("merge", *parts, "-o", self.path("m.npy"), "--preview", self.path("m.png"), "--quiet", *look)
         self.assertEqual(volumes.read(self.path("m.png")), self.draw("--resolution", "7", *look, size=None))
 
@@ -173,23 +173,23 @@ class Preview(support.TestCase):
         self.assertFalse(picture.clay)
 
     def test_one_cell(self):
-        picture = self.picture("--cell", "8", *SIDE)
-        left, top, right, bottom = picture.bounds()
-        self.assertAlmostEqual(right - left, bottom - top, delta=2)
-        self.assertEqual(len(picture.clay), (right + 1 - left) * (bottom + 1 - top))
+        """It fills the height, and is as wide as a cube is from there."""
+        left, top, right, bottom = self.picture("--cell", "8").bounds()
+        self.assertAlmostEqual(bottom - top, 0.9 * HEIGHT, delta=3)
+        self.assertAlmostEqual((right - left) / (bottom - top), 1.38 / 1.49, delta=0.05)
 
     def test_shape_does_not_depend_on_cells(self):
         """Cells that are no cubes, and so fine that some are joined."""
-        cubes = self.picture("--cell", "0.05", *SIDE).bounds()
+        cubes = self.picture("--cell", "0.05").bounds()
         for cell in ("0.1,0.05,0.05", "0.05,0.05,0.1", "0.05,0.2,0.05", "0.05,0.05,0.001"):
-            for a, b in zip(self.picture("--cell", cell, *SIDE).bounds(), cubes):
+            for a, b in zip(self.picture("--cell", cell).bounds(), cubes):
                 self.assertAlmostEqual(a, b, delta=4, msg=cell)
 
-    def test_bar_from_its_end(self):
+    def test_long_bar(self):
         bar = self.write("bar.obj", meshes.obj(box((0, 0, 0), (0.5, 1500, 0.5))))
         for cell in ("1", "1,1,0.000001"):
-            self.assertTrue(self.picture("--cell", cell, "--size", "1,1501,1", *SIDE, mesh=bar).rows)
-        self.assertTrue(self.picture("--cell", "1", *SIDE, mesh=bar).clay)
+            self.assertTrue(self.picture("--cell", cell, "--size", "1,1501,1", mesh=bar).rows)
+        self.assertTrue(self.picture("--cell", "1", mesh=bar).clay)
 
     def test_names(self):
         for name in ("p.jpg", "png", ".png", ""):

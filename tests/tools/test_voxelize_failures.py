@@ -48,8 +48,8 @@ class WrongCommandLine(Failures):
         self.wrong("no grid given; give --resolution or --cell", self.mesh, "-o", "x.npy")
         self.wrong("no output given; give -o FILE", self.mesh, "--resolution", "8")
         self.wrong("'b.ply' is one file too many", self.mesh, "b.ply")
-        for look in (("--up", "y"), ("--view", "0,90"), ("--picture-size", "64x48")):
-            self.wrong("--up, --view and --picture-size need --preview", self.mesh, "--resolution", "8", "-o", "x.npy", *look)
+        for look in (("--up", "y"), ("--picture-size", "64x48")):
+            self.wrong("--up and --picture-size need --preview", self.mesh, "--resolution", "8", "-o", "x.npy", *look)
         for option in ("--resolution", "--cell", "--origin", "--size", "-o", "--preview", "--threads", "--shard", "--up"):
             self.wrong("option %s needs a value" % option, self.mesh, option)
 
@@ -75,9 +75,6 @@ class WrongCommandLine(Failures):
                                ("/2", "its I: ''"), ("1/", "its N: ''"), ("1/2/3", "its N: '2/3'")):
             self.wrong("--shard.*" + pattern, self.mesh, "--shard", value)
         self.wrong("--up: 'w' is none of x, y, z, -x, -y, -z", self.mesh, "--up", "w")
-        for value in ("361,0", "0,91", "0,-91"):
-            self.wrong("--view: '%s' is not AZIMUTH,ELEVATION" % value, self.mesh, "--view", value)
-        self.refuse(2, "--view: 1 number.* where 2 are needed", "voxelize", self.mesh, "--view", "3")
         for value in ("640", "x", "0x8", "8x0", "8x4097", "8x6x4", "8 x 6", "123456789x8"):
             self.wrong("--picture-size.*: '.*' is no", self.mesh, "--picture-size", value)
         for name in ("x", "x.txt", ".npy", "x.NPY", ""):
@@ -89,7 +86,7 @@ class WrongCommandLine(Failures):
         self.refuse(2, "no parts given; see 'tribox merge --help'", "merge", "-o", "x.npy")
         self.refuse(2, "no output given", "merge", self.part)
         self.refuse(2, "'x.part' does not end in .npz", "merge", self.part, "-o", "x.part")
-        self.refuse(2, "--up, --view and --picture-size need --preview", "merge", self.part, "-o", "x.npy", "--up", "x")
+        self.refuse(2, "--up and --picture-size need --preview", "merge", self.part, "-o", "x.npy", "--up", "x")
         self.refuse(2, "exclude each other", "merge", self.part, "-o", "x.npy", "--json", "--quiet")
 
 

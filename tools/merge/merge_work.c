@@ -128,7 +128,7 @@ static int take_words(merging *m)
     if (code || !result->preview_path)
         return code;
     const size_t words = voxels_layer_words(grid) * grid->size[2];
-    code = voxels_check_memory(grid, (uint64_t)words * sizeof *m->words + preview_memory(grid, &result->look), fewer);
+    code = voxels_check_memory(grid, (uint64_t)words * sizeof *m->words + preview_memory(&result->look), fewer);
     if (code)
         return code;
     m->words = calloc(words, sizeof *m->words);

@@ -1,4 +1,4 @@
-/* picture_voxels.h - a shaded picture of voxels. */
+/* picture_voxels.h - a shaded picture of voxels: one view, one light, and a shadow on the ground. */
 #ifndef PICTURE_VOXELS_H
 #define PICTURE_VOXELS_H
 
@@ -10,12 +10,11 @@ typedef enum picture_up { PICTURE_UP_X, PICTURE_UP_Y, PICTURE_UP_Z, PICTURE_DOWN
 
 typedef struct picture_look {
     picture_up up;
-    float azimuth, elevation; /* of the viewer, in degrees: to the right of the front, and up */
-    uint32_t size[2];         /* pixels: width and height */
+    uint32_t size[2]; /* pixels: width and height */
 } picture_look;
 
 /* Memory for drawing besides the cells, in bytes. */
-uint64_t picture_memory(const tribox_grid *grid, const picture_look *look);
+uint64_t picture_memory(const picture_look *look);
 
 /*
  * Draws rows of red, green, blue bytes. Returns false where memory does not suffice. The picture is the same for every number of

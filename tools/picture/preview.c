@@ -1,7 +1,6 @@
 /* preview.c - the picture of the cells as a PNG file, where there is libpng. */
 #include "preview.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,18 +36,6 @@ int preview_read_up(const char *text, picture_up *up)
     return message_usage("--up: '%s' is none of x, y, z, -x, -y, -z", text);
 }
 
-int preview_read_view(const char *text, picture_look *look)
-{
-    float angles[2];
-    if (!numbers_read_floats(text, "--view", "AZIMUTH,ELEVATION", 2, angles))
-        return EXIT_CODE_USAGE;
-    if (fabsf(angles[0]) > 360 || fabsf(angles[1]) > 90)
-        return message_usage("--view: '%s' is not AZIMUTH,ELEVATION from -360 to 360 and from -90 to 90 degrees", text);
-    look->azimuth = angles[0];
-    look->elevation = angles[1];
-    return EXIT_CODE_OK;
-}
-
 int preview_read_size(const char *text, picture_look *look)
 {
     char width[8] = "";
@@ -63,10 +50,7 @@ int preview_read_size(const char *text, picture_look *look)
 
 static size_t pixel_bytes(const picture_look *look) { return (size_t)3 * look->size[0] * look->size[1]; }
 
-uint64_t preview_memory(const tribox_grid *grid, const picture_look *look)
-{
-    return pixel_bytes(look) + picture_memory(grid, look);
-}
+uint64_t preview_memory(const picture_look *look) { return pixel_bytes(look) + picture_memory(look); }
 
 int preview_draw(file_out *out, const voxels *v, const picture_look *look, unsigned threads, bool wants_progress)
 {

@@ -33,8 +33,6 @@ int result_take(result_request *r, int which, const char *value)
     case RESULT_UP:
         r->up_source = RESULT_UP_GIVEN;
         return preview_read_up(value, &r->look.up);
-    case RESULT_VIEW:
-        return preview_read_view(value, &r->look);
     case RESULT_PICTURE_SIZE:
         return preview_read_size(value, &r->look);
     case RESULT_JSON:
@@ -106,10 +104,9 @@ file_out_names result_names(const result_request *r)
 int result_check(result_request *r, const options_found *found, bool takes_part, const char *what, const char *const *read,
                  size_t count)
 {
-    const bool has_look =
-        options_has(found, RESULT_UP) || options_has(found, RESULT_VIEW) || options_has(found, RESULT_PICTURE_SIZE);
+    const bool has_look = options_has(found, RESULT_UP) || options_has(found, RESULT_PICTURE_SIZE);
     if (has_look && !r->preview_path)
-        return message_usage("--up, --view and --picture-size need --preview");
+        return message_usage("--up and --picture-size need --preview");
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
     if (takes_part && r->format)

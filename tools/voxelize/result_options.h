@@ -16,7 +16,6 @@ enum {
     RESULT_VDB_GRID,
     RESULT_PREVIEW,
     RESULT_UP,
-    RESULT_VIEW,
     RESULT_PICTURE_SIZE,
     RESULT_JSON,
     RESULT_QUIET,
@@ -26,7 +25,7 @@ enum {
 #define RESULT_ENTRIES \
     [RESULT_OUT] = {"out", 'o', true}, [RESULT_OUT_FORMAT] = {"out-format", 0, true}, [RESULT_DEFLATE] = {"deflate", 0, false}, \
     [RESULT_VDB_GRID] = {"vdb-grid", 0, true}, [RESULT_PREVIEW] = {"preview", 'p', true}, [RESULT_UP] = {"up", 0, true}, \
-    [RESULT_VIEW] = {"view", 0, true}, [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, [RESULT_JSON] = {"json", 'j', false}, \
+    [RESULT_PICTURE_SIZE] = {"picture-size", 0, true}, [RESULT_JSON] = {"json", 'j', false}, \
     [RESULT_QUIET] = {"quiet", 'q', false}
 
 #define RESULT_HELP \
@@ -40,7 +39,6 @@ enum {
     "      --vdb-grid WORD     .vdb: bool (default), or mask: smaller, but not every program reads it\n" \
     "  -p, --preview FILE.png  draw a picture of the cells\n" \
     "      --up AXIS           which axis is up: x, y, z, -x, -y or -z; default: y of glTF, else z\n" \
-    "      --view A,E          seen from A degrees right of the front and E above it; default: 32,25\n" \
     "      --picture-size WxH  pixels of the picture; default: 1280x960\n" \
     "  -j, --json              print the summary as a JSON object\n" \
     "  -q, --quiet             print no summary and no progress\n"

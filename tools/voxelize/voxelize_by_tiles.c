@@ -186,7 +186,7 @@ static int take_words(const tile_job *j, uint64_t **words)
     if (code)
         return code;
     const size_t count = voxels_layer_words(grid) * grid->size[2];
-    code = voxels_check_memory(grid, (uint64_t)count * sizeof **words + preview_memory(grid, &result->look), instead_of_picture);
+    code = voxels_check_memory(grid, (uint64_t)count * sizeof **words + preview_memory(&result->look), instead_of_picture);
     if (code)
         return code;
     *words = calloc(count, sizeof **words);

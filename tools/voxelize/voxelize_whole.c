@@ -42,7 +42,7 @@ static int take_memory(whole *w)
     w->words = voxels_layer_words(grid) * grid->size[2];
     uint64_t bytes = (uint64_t)w->words * sizeof(uint64_t) * (is_filled ? 2 : 1);
     bytes += is_filled ? fill_whole_bytes(grid, w->r->threads) : 0;
-    bytes += w->r->result.preview_path ? preview_memory(grid, &w->r->result.look) : 0;
+    bytes += w->r->result.preview_path ? preview_memory(&w->r->result.look) : 0;
     code = voxels_check_memory(grid, bytes, fewer);
     if (code)
         return code;
