@@ -1,137 +1,187 @@
-/* cmd_demo.c - tribox demo: every kernel and the paper's algorithm on two generated scenes. */
+/* cmd_demo.c - tribox demo: every kernel and the paper's algorithm on two generated scenes, and the voxels of one. */
+#define _POSIX_C_SOURCE 200809L
 #include "cmd.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "console/clock.h"
 #include "console/message.h"
 #include "console/option_reader.h"
 #include "console/options.h"
 #include "console/output.h"
-#include "demo/comparison.h"
-#include "demo/demo_voxels.h"
+#include "console/processors.h"
+#include "demo/scene.h"
 #include "files/named_file.h"
 #include "paper/paper.h"
 #include "picture/picture_png.h"
 #include "picture/preview.h"
+#include "read/mesh_look.h"
+#include "timing/measure.h"
+#include "timing/verify.h"
+#include "voxelize/grid_choice.h"
+#include "voxelize/layers.h"
 
 static const char help[] = "tribox demo - speed and answers on two built-in scenes; needs no file\n"
                            "\n"
-                           "Usage: tribox demo [--quick] [--json] [--picture FILE.png]\n"
+                           "Usage: tribox demo [--quick] [--picture FILE.png]\n"
                            "\n"
                            "Tests 100,000 random triangles (the paper's experiment) and a mesh of 200,000 triangles, each\n"
-                           "against a box: with the paper's own algorithm, one triangle at a time, and with every\n"
-                           "kernel that this processor runs, fast, conservative and exact, all from nine arrays of floats;\n"
-                           "'mesh' reads vertices by 32-bit indices, and is exact. Then voxelizes the mesh and draws the\n"
-                           "voxels. Takes a few seconds.\n"
+                           "against a box: with the paper's own algorithm, and with every kernel that runs here, from nine\n"
+                           "arrays of floats; 'mesh' reads vertices by indices. Then voxelizes the mesh and draws the voxels.\n"
                            "\n"
                            "  --quick              3 rounds instead of 15: for a first look\n"
-                           "  --json               the tables as a JSON object\n"
                            "  --picture FILE.png   where the picture of the voxels goes; default: tribox-demo.png, or no\n"
-                           "                       picture with --quick or --json\n"
+                           "                       picture with --quick\n"
                            "  --help               this text\n"
                            "\n"
-                           "Columns:\n"
-                           "  ns/triangle     nanoseconds per triangle, median of the rounds, one thread\n"
-                           "  x paper         how many times as fast as the paper's algorithm: the median of the ratios\n"
-                           "                  within a round\n"
-                           "  unlike exact    triangles for which the answer is not the exact one\n"
-                           "\n"
-                           "All take turns in a fresh random order each round; a first round is not counted. 'paper' reads\n"
-                           "an array of structures and is compiled for the widest instruction set that this processor has,\n"
-                           "as in the benchmark ratios, so both give the same factors.\n"
+                           "ns/triangle is the median of the rounds, on one thread; x paper, how many times as fast as the\n"
+                           "paper's algorithm; unlike exact, how many triangles have another answer than the exact one.\n"
+                           "All take turns, after a first round that is not counted.\n"
                            "\n"
                            "Exit codes: 0 success; 1 failure (memory, output); 2 wrong command line.\n"
                            "\n"
                            "Example:\n"
                            "  tribox demo --quick\n";
 
-enum { OPTION_QUICK, OPTION_JSON, OPTION_PICTURE };
+enum { OPTION_QUICK, OPTION_PICTURE };
 
-static const option_entry options[] = {[OPTION_QUICK] = {"quick", 0, false},
-                                       [OPTION_JSON] = {"json", 'j', false},
-                                       [OPTION_PICTURE] = {"picture", 0, true},
-                                       {NULL, 0, false}};
+static const option_entry options[] = {
+    [OPTION_QUICK] = {"quick", 0, false}, [OPTION_PICTURE] = {"picture", 0, true}, {NULL, 0, false}};
 
-enum { ROUNDS = 15, QUICK_ROUNDS = 3 };
+enum { ROUNDS = 15, QUICK_ROUNDS = 3, VOXEL_ROUNDS = 5, RESOLUTION = 128 };
 
 typedef struct request {
     size_t rounds;
-    bool wants_json;
     const char *picture_path; /* NULL for none */
     file_out picture;
 } request;
 
-static void print_footer(size_t rounds)
+/* The paper's test, which is the first, and every kernel on a scene. */
+typedef struct comparison {
+    timing_work work;
+    size_t count;
+    contestant list[CONTESTANTS_MAX];
+    score scores[CONTESTANTS_MAX];
+    samples taken;
+} comparison;
+
+/* Of the rows of meshes those of the two widest kernels: the table is to fit a screen. */
+static void enter(comparison *c)
 {
-    printf("\nMedians of %zu rounds on one thread, interleaved. 'paper' is the algorithm of Akenine-Moller (2001),\n"
-           "a triangle at a time, compiled with -O3 -ffp-contract=fast for %s; see tribox demo --help.\n",
-           rounds, strcmp(paper_instruction_set(), "any") != 0 ? paper_instruction_set() : "any processor of this architecture");
+    contestant all[CONTESTANTS_MAX];
+    const size_t entered = contestants_enter(&c->work, all);
+    size_t meshes = 0;
+    c->list[c->count++] = contestant_paper(&c->work, PAPER_ORDER);
+    for (size_t n = 0; n < entered; n++)
+        if (!strstr(all[n].name, "-mesh") || meshes++ < 2)
+            c->list[c->count++] = all[n];
 }
 
-static const tribox_soup *mesh_of(const comparison c[2]) { return &c[1].at->work.jobs[0].soup; }
-
-static int print(request *r, const comparison c[2])
+static int compare(comparison *c, size_t rounds)
 {
-    comparison_print(c);
-    print_footer(r->rounds);
-    const int code = demo_voxels(mesh_of(c), &r->picture, NULL);
+    char wrong[VERIFY_TEXT];
+    const truth from = truth_of_work(&c->work);
+    generator order = {SCENE_SEED};
+    enter(c);
+    if (!verify(c->list, c->count, &from, c->scores, wrong))
+        return message_failure("%s; nothing is timed", wrong);
+    uint64_t *const mask = malloc(c->work.words * sizeof *mask);
+    if (!mask)
+        return message_failure("out of memory for the answers");
+    measure(c->list, c->count, (effort){.rounds = rounds, .seconds = 1e9, .sample = 2e-3}, &order, mask, &c->taken);
+    free(mask);
+    return EXIT_CODE_OK;
+}
+
+/* The two scenes beside each other. */
+static void print_table(const comparison c[2])
+{
+    printf("%22s    %-34s    %s\n%22s", "", "random triangles, as in the paper", "a mesh: a tube along a knot", "");
+    for (int s = 0; s < 2; s++)
+        printf("%*s%zu, %zu overlap", s ? 17 : 4, "", c[s].work.pairs, c[s].scores[c[s].count - 1].overlapping);
+    printf("\nkernel    accuracy        ns/triangle  x paper  unlike exact    ns/triangle  x paper  unlike exact\n");
+    for (size_t i = 0; i < c->count; i++) {
+        const contestant *const one = &c->list[i];
+        const char *const kernel = one->options.kernel; /* NULL of the paper's, which has no accuracy either */
+        printf("%-8s  %-12s", kernel ? kernel : one->name, kernel ? strchr(one->name, '-') + 1 : "-");
+        for (int s = 0; s < 2; s++)
+            printf("    %11.2f %8.2f %13zu", measure_spread(&c[s].taken, i).median, measure_ratio(&c[s].taken, 0, i).median,
+                   score_unlike(&c[s].scores[i]));
+        putchar('\n');
+    }
+}
+
+static bool voxelize(const tribox_soup *soup, const tribox_grid *grid, const char *kernel, unsigned threads, uint64_t *bits)
+{
+    const tribox_options how = {.kernel = kernel};
+    const voxel_task task = voxel_task_of_soup(soup, grid, &how);
+    memset(bits, 0, tribox_window_words(grid->size) * sizeof *bits);
+    return !voxelize_in_threads(&task, 0, grid->size[2], threads, bits, NULL, NULL, NULL);
+}
+
+/* bits: twice the words of the grid. Compares with the scalar kernel. Returns the seconds of the best round; 0 if they differ. */
+static double time_voxels(const tribox_soup *soup, const tribox_grid *grid, unsigned threads, uint64_t *bits)
+{
+    const size_t words = tribox_window_words(grid->size);
+    double seconds = INFINITY;
+    bool is_right = voxelize(soup, grid, "scalar", 1, bits + words);
+    for (int round = 0; round < VOXEL_ROUNDS && is_right; round++) {
+        const double start = clock_seconds();
+        is_right = voxelize(soup, grid, NULL, threads, bits);
+        seconds = fmin(seconds, clock_seconds() - start);
+        is_right = is_right && !memcmp(bits, bits + words, words * sizeof *bits);
+    }
+    return is_right ? seconds : 0;
+}
+
+static int show_voxels(request *r, const tribox_soup *soup)
+{
+    mesh m = {.soup = *soup, .triangles = soup->count};
+    tribox_grid grid;
+    const char *const path = r->picture.path;
+    const unsigned threads = processors_here();
+    mesh_look_all(threads, &m);
+    int code = grid_choose(&(grid_choice){.resolution = RESOLUTION}, "the mesh of the demo", &m, &grid);
+    if (code)
+        return code;
+    uint64_t *const bits = malloc(2 * tribox_window_words(grid.size) * sizeof *bits);
+    if (!bits)
+        return message_failure("out of memory for the voxels of the mesh");
+    const double seconds = time_voxels(soup, &grid, threads, bits);
+    const voxels_slab slab = {.layers = grid.size[2], .bits = bits};
+    const voxels v = {.grid = grid, .slab = &slab, .slabs = 1};
+    code = seconds > 0 ? preview_draw(&r->picture, &v, &PREVIEW_LOOK_DEFAULT, threads, true)
+                       : message_failure("the voxels of two kernels differ");
+    if (!code) {
+        printf("\nVoxels of the mesh: %u x %u x %u cells, %zu of them occupied; %.2f ms, %.1f ns per triangle\n", grid.size[0],
+               grid.size[1], grid.size[2], (size_t)voxels_occupied(&v), 1e3 * seconds, 1e9 * seconds / (double)soup->count);
+        printf("exact, %u thread%s%s%s\n", threads, threads == 1 ? "" : "s", path ? "; drawn in " : "", path ? path : "");
+    }
+    free(bits);
     return code ? code : output_flush();
 }
 
-static int print_json(request *r, const comparison c[2])
-{
-    json to = json_to(stdout);
-    json_open_object(&to, NULL);
-    json_string(&to, "version", CMD_VERSION);
-    json_whole(&to, "rounds", r->rounds);
-    json_whole(&to, "seed", SCENE_SEED);
-    json_open_array(&to, "scenes");
-    comparison_print_json(&to, &c[0]);
-    comparison_print_json(&to, &c[1]);
-    json_close(&to);
-    const int code = demo_voxels(mesh_of(c), &r->picture, &to);
-    json_close(&to);
-    return code ? code : output_flush();
-}
-
-/* What is timed, on both scenes: the random one, and the mesh. */
-static int show(request *r, const scene scenes[2])
+static int show(request *r)
 {
     static comparison c[2];
-    int code = comparison_make(&scenes[0], r->rounds, &c[0]);
+    int code = scene_make_random(&c[0].work);
     if (!code)
-        code = comparison_make(&scenes[1], r->rounds, &c[1]);
-    if (code)
-        return code;
-    return r->wants_json ? print_json(r, c) : print(r, c);
-}
-
-static int make_and_show(request *r)
-{
-    scene scenes[2];
-    int code = scene_make_random(&scenes[0]);
-    if (code)
-        return code;
-    code = scene_make_knot(&scenes[1]);
+        code = scene_make_knot(&c[1].work);
+    for (int s = 0; s < 2 && !code; s++)
+        code = compare(&c[s], r->rounds);
     if (!code) {
-        code = show(r, scenes);
-        timing_work_free(&scenes[1].work);
+        print_table(c);
+        printf("\nMedians of %zu rounds on one thread, interleaved. 'paper' is the algorithm of Akenine-Moller (2001),\n"
+               "a triangle at a time, compiled with -O3 -ffp-contract=fast for %s; see tribox demo --help.\n",
+               r->rounds, strcmp(paper_instruction_set(), "any") ? paper_instruction_set() : "any processor of this architecture");
+        code = show_voxels(r, &c[1].work.jobs[0].soup);
     }
-    timing_work_free(&scenes[0].work);
+    timing_work_free(&c[0].work);
+    timing_work_free(&c[1].work);
     return code;
-}
-
-/* Path of the default picture, or NULL if it cannot be written. */
-static const char *usual_picture(void)
-{
-    if (!picture_png_is_there)
-        return NULL;
-    if (named_file_is_writable_here())
-        return "tribox-demo.png";
-    message_say("note: no picture of the voxels: this folder is not writable; choose another place with --picture");
-    return NULL;
 }
 
 static int take(void *context, int which, const char *value)
@@ -141,8 +191,6 @@ static int take(void *context, int which, const char *value)
         return message_usage("unexpected '%s': demo takes no file", value);
     if (which == OPTION_QUICK)
         r->rounds = QUICK_ROUNDS;
-    else if (which == OPTION_JSON)
-        r->wants_json = true;
     else
         r->picture_path = value;
     return EXIT_CODE_OK;
@@ -160,11 +208,15 @@ int cmd_demo(int count, char **words)
     code = preview_check(r.picture_path, "--picture");
     if (code)
         return code;
-    if (!r.picture_path && r.rounds == ROUNDS && !r.wants_json)
-        r.picture_path = usual_picture();
+    if (!r.picture_path && r.rounds == ROUNDS && picture_png_is_there) {
+        if (named_file_is_writable_here())
+            r.picture_path = "tribox-demo.png";
+        else
+            message_say("note: no picture of the voxels: this folder is not writable; choose another place with --picture");
+    }
     code = file_out_open(&r.picture, r.picture_path);
     if (!code)
-        code = make_and_show(&r);
+        code = show(&r);
     file_out_drop(&r.picture);
     return code;
 }

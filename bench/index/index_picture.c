@@ -44,15 +44,15 @@ typedef struct picture {
 
 static int make_scene(index_scene *made)
 {
-    scene knot;
+    timing_work knot;
     int code = scene_make_knot(&knot);
     if (code)
         return code;
-    const timing_job *const job = &knot.work.jobs[0];
+    const timing_job *const job = &knot.jobs[0];
     code = soup_room_make(job->soup.count, &made->room) ? EXIT_CODE_OK : EXIT_CODE_FAILURE;
     for (size_t i = 0; !code && i < job->soup.count; i++)
         soup_room_put(&made->room, i, job->triangles[i]);
-    timing_work_free(&knot.work);
+    timing_work_free(&knot);
     return code;
 }
 

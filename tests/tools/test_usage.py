@@ -18,7 +18,7 @@ OPTIONS = {
     "partition": ["--format", "--shift", "--resolution", "--cell", "--origin", "--size", "--out", "--memory", "--threads",
                   "--json", "--quiet", "--help"],
     "info": ["--json", "--help"],
-    "demo": ["--quick", "--json", "--picture", "--help"],
+    "demo": ["--quick", "--picture", "--help"],
 }
 
 

@@ -11,36 +11,28 @@ enum { RANDOM_TRIANGLES = 100000, KNOT_RINGS = 1000, KNOT_CORNERS = 100 };
 
 static const double pi = 3.14159265358979323846;
 
-static int allocate(scene *s, size_t count)
+static int make(timing_work *work, size_t count, const tribox_box *box, void (*draw)(float (*triangle)[3][3]))
 {
-    if (timing_work_make(&s->work, 1, timing_work_room(count)))
-        return EXIT_CODE_OK;
+    if (timing_work_make(work, 1, timing_work_room(count))) {
+        draw(work->triangles);
+        const timing_job job = timing_work_soup(work, count);
+        timing_work_add(work, &job, box);
+        if (timing_work_mesh(work))
+            return EXIT_CODE_OK;
+    }
     return message_failure("out of memory for a scene of %zu triangles", count);
 }
 
-static int complete(scene *s, size_t count, const tribox_box *box)
+static void draw_random(float (*triangle)[3][3])
 {
-    const timing_job job = timing_work_soup(&s->work, count);
-    timing_work_add(&s->work, &job, box);
-    if (timing_work_mesh(&s->work))
-        return EXIT_CODE_OK;
-    timing_work_free(&s->work);
-    return message_failure("out of memory for a mesh of %zu triangles", count);
+    generator g = {SCENE_SEED};
+    for (size_t n = 0; n < 9 * RANDOM_TRIANGLES; n++)
+        triangle[n / 9][n / 3 % 3][n % 3] = random_between(&g, -2, 2);
 }
 
-int scene_make_random(scene *s)
+int scene_make_random(timing_work *work)
 {
-    static const tribox_box box = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
-    *s = (scene){.title = "random triangles, as in the paper"};
-    const int code = allocate(s, RANDOM_TRIANGLES);
-    if (code)
-        return code;
-    generator g = {SCENE_SEED};
-    for (size_t i = 0; i < RANDOM_TRIANGLES; i++)
-        for (int v = 0; v < 3; v++)
-            for (int a = 0; a < 3; a++)
-                s->work.triangles[i][v][a] = random_between(&g, -2, 2);
-    return complete(s, RANDOM_TRIANGLES, &box);
+    return make(work, RANDOM_TRIANGLES, &(tribox_box){{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}}, draw_random);
 }
 
 /*
@@ -63,15 +55,8 @@ static void knot_point(int ring, int corner, float point[3])
     }
 }
 
-int scene_make_knot(scene *s)
+static void draw_knot(float (*triangle)[3][3])
 {
-    enum { COUNT = 2 * KNOT_RINGS * KNOT_CORNERS };
-    static const tribox_box box = {{0.2f, -0.6f, -1.0f}, {2.2f, 1.4f, 1.0f}};
-    *s = (scene){.title = "a mesh: a tube along a knot"};
-    const int code = allocate(s, COUNT);
-    if (code)
-        return code;
-    float(*triangle)[3][3] = s->work.triangles;
     for (int ring = 0; ring < KNOT_RINGS; ring++)
         for (int corner = 0; corner < KNOT_CORNERS; corner++, triangle += 2) {
             float quad[4][3];
@@ -81,5 +66,9 @@ int scene_make_knot(scene *s)
             memcpy(triangle[1][0], quad[0], sizeof quad[0]);
             memcpy(triangle[1][1], quad[2], 2 * sizeof quad[0]);
         }
-    return complete(s, COUNT, &box);
+}
+
+int scene_make_knot(timing_work *work)
+{
+    return make(work, 2 * KNOT_RINGS * KNOT_CORNERS, &(tribox_box){{0.2f, -0.6f, -1.0f}, {2.2f, 1.4f, 1.0f}}, draw_knot);
 }
