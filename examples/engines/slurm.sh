@@ -1,6 +1,6 @@
 #!/bin/sh
-# A mesh into bricks on a Slurm cluster. Three arrays of N jobs: each cuts its piece out of the mesh; sorts it by tiles; voxelizes
-# its share of the tiles, from all pieces. Then one job merges. Each starts when all of those before have succeeded.
+# A mesh into bricks on a Slurm cluster; no test runs it. Three arrays of N jobs: each cuts its piece out of the mesh; sorts it by
+# tiles; voxelizes its share of the tiles, from all pieces. Then one job merges. Each starts when all before have succeeded.
 #
 #     sh slurm.sh MESH RESOLUTION N OUT.npz [--ids]
 #

@@ -2,9 +2,9 @@
 
     faults.py ENGINE [--kills N] [--seed N] [--limit SECONDS] [--workers N] [--rings N] [--resolution N]
 
-ENGINE is dask, mpi or slurm. Every fourth kill is of all processes of a run at once, with slurm of a job, as where the
-power fails. A run may end with the right cells, or with an error and no cells, after which the same command again
-has to give the right ones. Wrong cells, and a run that goes on for longer than the limit, are failures.
+ENGINE is dask or mpi. Every fourth kill is of all processes of a run at once, as where the power fails. A run may end with the
+right cells, or with an error and no cells, after which the same command again has to give the right ones. Wrong cells, and a run
+that goes on for longer than the limit, are failures.
 """
 
 import argparse
@@ -43,12 +43,10 @@ def below(found, root):
         family |= more
 
 
-def workers_of(engine, process, are_jobs):
-    """The processes that do the engine's work, and which part of it each does. are_jobs: of slurm's, the scripts."""
+def workers_of(engine, process):
+    """The processes that do the engine's work."""
     found = processes()
-    kinds = {number: engine.kind(found[number][1]) for number in (below(found, process.pid) if engine.owns_workers else found)}
-    return sorted((number, kind) for number, kind in kinds.items()
-                  if kind and (engine.owns_workers or (kind == runs.SCRIPT) == are_jobs))
+    return sorted(number for number in below(found, process.pid) if engine.word in found[number][1])
 
 
 def end(process):
@@ -71,16 +69,13 @@ def kill(numbers):
 
 
 def kill_some(engine, process, moment, pick, kills_all):
-    """Kills a worker, or all, when that moment has come and there is one; returns the run's age then and which it was, or None."""
+    """Kills a worker, or all, when that moment has come and there is one; returns the run's age and what it killed, or None."""
     begin = time.monotonic()
     while process.poll() is None:
         age = time.monotonic() - begin
-        workers = workers_of(engine, process, kills_all) if age >= moment else ()
-        if workers:
-            one, kind = pick.choice(workers)
-            is_whole = kills_all and engine.owns_workers
-            if kill([process.pid, *below(processes(), process.pid)] if is_whole else [one]):
-                return age, "all" if is_whole else kind
+        workers = workers_of(engine, process) if age >= moment else ()
+        if workers and kill([process.pid, *below(processes(), process.pid)] if kills_all else [pick.choice(workers)]):
+            return age, "all" if kills_all else "a worker"
         time.sleep(0.01)
     return None
 
@@ -147,9 +142,9 @@ def main():
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
     with tempfile.TemporaryDirectory() as folder, open(os.path.join(folder, "log"), "w+") as log:
-        with runs.engine_of(options.engine, folder, options.rings, options.resolution) as engine:
-            engine.workers = options.workers
-            ended = faults(engine, options.kills, random.Random(options.seed), options.limit, log)
+        engine = runs.engine_of(options.engine, folder, options.rings, options.resolution)
+        engine.workers = options.workers
+        ended = faults(engine, options.kills, random.Random(options.seed), options.limit, log)
         if not are_good(ended):
             log.seek(0)
             print(log.read()[-20000:], file=sys.stderr)

@@ -1,18 +1,14 @@
 """What the tests of engines share: a mesh, its cells in one piece, and the examples as commands that have to give the same."""
 
-import contextlib
 import functools
 import glob
 import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import tribox
-
-import slurm_cluster
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXAMPLES = os.path.join(HERE, "..", "..", "examples", "engines")
@@ -20,7 +16,6 @@ sys.path.insert(0, EXAMPLES)
 
 import pieces  # noqa: E402
 
-SCRIPT = "slurm_script"  # of a job of Slurm
 LEFT_OUT = 77  # the exit code of a test that cannot run here
 GRACE = 30  # seconds beyond its own limit after which a run hangs
 
@@ -38,7 +33,7 @@ def need(modules=(), programs=()):
         except ImportError as error:
             leave_out(error)
     for program in programs:
-        if not shutil.which(program, path=slurm_cluster.PATH):
+        if not shutil.which(program):
             leave_out(f"there is no {program}")
 
 
@@ -97,18 +92,10 @@ class Engine:
 
     needs, environment, numbers = {}, {}, (2,)  # numbers: of workers, to try
     has_ids = False
-    path_first = os.path.dirname(sys.executable)  # where python3 is this one
-    owns_workers = True  # they are processes that the command starts
 
     def __init__(self, case, workers=2):
         self.case, self.path, self.workers = case, os.path.join(case.folder, self.out), workers
         self.jobs = self.path + ".jobs"
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        pass
 
     def clear(self):
         """Removes what the last run left."""
@@ -116,10 +103,6 @@ class Engine:
             path = os.path.join(self.case.folder, name)
             if name.startswith(self.out):
                 shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
-
-    def kind(self, command):
-        """Which part of the engine's work a process with this command line does; None if none."""
-        return "a worker" if self.word in command else None
 
     def damage(self):
         """What a run may have left: a sorted piece, of which a bit is another."""
@@ -131,11 +114,7 @@ class Engine:
 
     def lies(self):
         """What whole files a run has left for the next."""
-        return [path for end in ("*.tiles", "*.part", "cells.done/*[0-9]") for path in glob.glob(os.path.join(self.jobs, end))]
-
-    def said(self, printed):
-        """All that a run has said."""
-        return printed
+        return [path for end in ("*.tiles", "cells.done/*[0-9]") for path in glob.glob(os.path.join(self.jobs, end))]
 
 
 class Dask(Engine):
@@ -185,64 +164,13 @@ class Mpi(Engine):
         return np.array_equal(bricks["at"], expected.at) and np.array_equal(bricks["bits"], expected.bits)
 
 
-class Slurm(Engine):
-    """slurm.sh on a cluster of one node; its workers are the jobs' scripts and the programs in them."""
-
-    needs = dict(programs=slurm_cluster.PROGRAMS)
-    name, out, owns_workers, suits, numbers = "slurm", "out.npz", False, (200, 2000), (4,)
-
-    def __init__(self, case, workers=4):
-        super().__init__(case, workers)
-
-    def __enter__(self):
-        self.cluster = slurm_cluster.Cluster()
-        try:
-            self.cluster.__enter__()
-        except slurm_cluster.CannotStart as error:
-            leave_out(error)
-        program = os.path.dirname(os.environ["TRIBOX_PROGRAM"])
-        path = f"{program}:{self.path_first}:{self.cluster.environment['PATH']}"
-        self.environment = {**self.cluster.environment, "PATH": path, "OUT_SECONDS": "1"}
-        return self
-
-    def kind(self, command):
-        is_ours = self.case.folder in command or self.cluster.folder in command
-        kinds = "tribox partition", "tribox voxelize", "tribox merge", "pieces.py cut", "pieces.py grid", SCRIPT
-        return next((kind for kind in kinds if kind in command), None) if is_ours else None
-
-    def __exit__(self, *_):
-        self.cluster.__exit__()
-
-    def damage(self):
-        """A part that is none."""
-        os.mkdir(self.jobs)
-        Path(self.jobs, "1.part").write_bytes(b"tribox part 3\n, damaged")
-
-    def said(self, printed):
-        logs = sorted(glob.glob(os.path.join(self.jobs, "*.log")))
-        return printed + "".join(Path(log).read_text() for log in logs)
-
-    def command(self, limit):
-        return ["timeout", str(limit), "sh", os.path.join(EXAMPLES, "slurm.sh"), self.case.path, str(self.case.resolution),
-                str(self.workers), self.path, *["--ids"] * self.has_ids]
-
-    def is_right(self):
-        bricks = tribox.Bricks.load(self.path)
-        if self.has_ids:
-            expected = tribox.bricks(self.case.mesh, self.case.grid, side=64, ids=True)  # as the program's tiles
-            return all(np.array_equal(getattr(bricks, name), getattr(expected, name)) for name in ("at", "bits", "ids"))
-        return same_bricks(bricks, self.case.bricks)
+ENGINES = {engine.name: engine for engine in (Dask, Mpi)}
 
 
-ENGINES = {engine.name: engine for engine in (Dask, Mpi, Slurm)}
-
-
-@contextlib.contextmanager
 def engine_of(name, folder, rings, resolution):
     """An engine that is ready; the test is left out where it cannot be."""
     need(**ENGINES[name].needs)
-    with ENGINES[name](Case(folder, rings, resolution)) as engine:
-        yield engine
+    return ENGINES[name](Case(folder, rings, resolution))
 
 
 def start(engine, limit, log):

@@ -1,7 +1,6 @@
 """An example of an engine gives the cells of one process, or an error and no cells: test_engine.py ENGINE [--seed N]"""
 
 import argparse
-import contextlib
 import os
 import random
 import sys
@@ -19,10 +18,9 @@ class Engines(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        with contextlib.ExitStack() as stack:
-            folder = stack.enter_context(tempfile.TemporaryDirectory())
-            cls.engine = stack.enter_context(runs.engine_of(cls.name, folder, *runs.ENGINES[cls.name].suits))
-            cls.addClassCleanup(stack.pop_all().close)
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.engine = runs.engine_of(cls.name, folder.name, *runs.ENGINES[cls.name].suits)
 
     def setUp(self):
         self.engine.clear()
@@ -67,13 +65,12 @@ class Engines(unittest.TestCase):
         self.engine.damage()
         how, _, said = self.run_once()
         self.assertEqual(how, "error", said)
-        self.assertRegex(self.engine.said(said), "damaged: the checksum|not a part file")
+        self.assertRegex(said, "damaged: the checksum")
 
     def test_limit(self):
         """A run that takes longer than it may ends, and without an answer unless it had just written it."""
-        if self.engine.owns_workers:
-            process = runs.start(self.engine, 1, self.log)
-            self.assertIn(faults.outcome(self.engine, process, runs.GRACE), ("error", "right"))
+        process = runs.start(self.engine, 1, self.log)
+        self.assertIn(faults.outcome(self.engine, process, runs.GRACE), ("error", "right"))
 
     def test_killed(self):
         self.kill(random.Random(self.seed), False)

@@ -83,7 +83,7 @@ class Pieces(unittest.TestCase):
             self.assertEqual(pieces.grid(boxes, 77), tribox.grid_around(each, 77))
 
     def test_cut(self):
-        """As the jobs of Slurm do it: the program's partitions of all pieces have the cells of the mesh."""
+        """The program's partitions of all pieces have the cells of the mesh."""
         path, command = self.path("a.stl", stl(self.mesh - 9)), [sys.executable, "-B", pieces.__file__]
         for n in "123":
             subprocess.run([*command, "cut", path, f"{n}/3", self.folder], check=True)

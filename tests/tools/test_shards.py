@@ -222,14 +222,6 @@ class Shards(support.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.check_merge([self.path("mpi.%d.part" % n) for n in range(1, 4)])
 
-    def test_slurm_array(self):
-        """The line of an array job, with the variables that Slurm sets."""
-        for task in range(1, 5):
-            subprocess.run(["sh", "-c", '"$0" voxelize "$@" --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" '
-                            '-o "%s.$SLURM_ARRAY_TASK_ID.part"' % self.path("array"), support.program(), self.mesh, *GRID, "--quiet"],
-                           env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task), "SLURM_ARRAY_TASK_COUNT": "4"}, check=True)
-        self.check_merge([self.path("array.%d.part" % n) for n in range(1, 5)])
-
 
 if __name__ == "__main__":
     support.main()
