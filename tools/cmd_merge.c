@@ -15,7 +15,7 @@ static const char help[] =
     "\n"
     "Usage: tribox merge PART... -o FILE [OPTION...]\n"
     "\n"
-    "PART... are the .part files of 'tribox voxelize --shard I/N' for all shards, in any order. The\n"
+    "PART... are the .npz files of 'tribox voxelize --shard I/N' for all shards, in any order. The\n"
     "result is that of a voxelization in one piece, bit for bit. If FILE is sparse, little memory is\n"
     "needed. For .npz without --deflate threads read several parts at once.\n"
     "\n" RESULT_HELP "  -t, --threads T         1 to 256; default: one for each processor. The file is the same\n" OPTIONS_HELP_HELP
@@ -23,7 +23,7 @@ static const char help[] =
     "Exit codes: 0 success; 1 failure (a file, parts that do not fit together); 2 wrong command line.\n"
     "\n"
     "Example:\n"
-    "  tribox merge big.*.part -o big.npz\n";
+    "  tribox merge big.*.npz -o big.npz\n";
 
 enum { OPTION_THREADS = RESULT_END };
 
@@ -46,7 +46,7 @@ static int check_request(merge_request *r, const options_found *found)
         return message_usage("no parts given");
     if (!r->result.out_path)
         return message_usage("no output given; give -o FILE");
-    return result_check(&r->result, found, false, "part", r->parts, r->count);
+    return result_check(&r->result, found, "part", r->parts, r->count);
 }
 
 int cmd_merge(int count, char **words)

@@ -31,8 +31,8 @@ static const char help[] = "tribox partition - sort the triangles of a mesh into
                            "\n"
                            "Example:\n"
                            "  tribox partition big.ply --resolution 16384 -o big.tiles\n"
-                           "  parallel tribox voxelize big.tiles --shard {}/64 -o big.{}.part ::: $(seq 64)\n"
-                           "  tribox merge big.*.part -o big.npz\n";
+                           "  parallel tribox voxelize big.tiles --shard {}/64 -o big.{}.npz ::: $(seq 64)\n"
+                           "  tribox merge big.*.npz -o big.npz\n";
 
 enum { OPTION_OUT = GRID_END, OPTION_IDS, OPTION_MEMORY, OPTION_THREADS, OPTION_JSON, OPTION_QUIET };
 

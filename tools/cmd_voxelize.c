@@ -33,8 +33,7 @@ static const char help[] =
     "      --colours           of MESH (not STL, .f32); for .vox .glb .ply .obj .vdb .npz, picture\n"
     "      --ids               the lowest triangle of each cell; for .npz .vdb .npy .nrrd .vti .raw\n"
     "  -t, --threads T         1 to 256; default: one for each processor. The answer is the same\n"
-    "      --shard I/N         part I (1 to N) of N, of about equal work: a .part for 'tribox merge',\n"
-    "                          or a .npz that says which part it is, for Python's tribox.Bricks.load\n" OPTIONS_TEST_HELP
+    "      --shard I/N         part I (1 to N) of N, of about equal work, as a .npz for 'tribox merge'\n" OPTIONS_TEST_HELP
         OPTIONS_HELP_HELP "\n"
     "Exit codes: 0 success; 1 failure (a file, memory, the output); 2 wrong command line.\n"
     "\n"

@@ -16,11 +16,13 @@
 #include "lines.h"
 #include "partition/partition.h"
 #include "read/boxes.h"
+#include "read/little.h"
 #include "read/readers.h"
 #include "read/triangle_file.h"
 #include "target.h"
 #include "write/checksum.h"
 #include "write/part.h"
+#include "write/zip_in.h"
 
 typedef struct bytes {
     const uint8_t *first;
@@ -119,7 +121,7 @@ static void read_boxes(bytes b)
 
 /* Files in a folder of their own, rewritten for each input. */
 enum { PARTS = 2, INDEX = PARTS, TRIANGLES, NUMBERS, FILES };
-static const char *const names[FILES] = {"a.stl", "a.part", "index", "triangles", "numbers"};
+static const char *const names[FILES] = {"a.stl", "a.npz", "index", "triangles", "numbers"};
 static char folder[64], file_name[FILES][80];
 
 static void remove_files(void)
@@ -167,67 +169,47 @@ static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
             const bool is_inside = cell[0] < size[0] && cell[1] < size[1] && cell[2] < size[2];
             ensure(is_inside || !(brick->bits[k] >> b & 1), "a cell is outside the grid");
         }
-    ensure(!ids == !read->p->header.whole.id_bytes, "ids are there where there are none, or are not");
+    ensure(!ids == !read->p->header.whole.has_ids, "ids are there where there are none, or are not");
     read->bricks++;
     read->cells += brick->cells;
     return EXIT_CODE_OK;
 }
 
-static void read_part(const part *p)
+static void read_part(part *p)
 {
     part_bricks read = {.p = p};
     lines_forget();
     const int code = part_read(p, take_brick, &read);
     lines_fit("part_read", code);
-    ensure(code || (read.bricks == p->end.bricks && read.cells == p->end.cells), "a part is not what it says");
+    ensure(code || (read.bricks == p->bricks && read.cells == p->cells), "a part is not what it says");
 }
 
-/* What the end of a part says whose bricks have ids: these are taken by themselves, and an odd number of them is padded. */
-static uint64_t sum_of_ids(const uint8_t *from, size_t size, part_end *end)
-{
-    uint64_t sum = checksum_bytes(CHECKSUM_EMPTY, from, sizeof(part_header));
-    part_brick brick;
-    end->bricks = end->cells = 0;
-    for (size_t at = sizeof(part_header); at + sizeof brick <= size; end->bricks++) {
-        memcpy(&brick, from + at, sizeof brick);
-        const size_t ids = at + sizeof brick, left = size - ids, cells = brick.cells <= left / 4 ? brick.cells : left / 4;
-        sum = checksum_bytes(checksum_bytes(sum, from + at, sizeof brick), from + ids, 4 * cells);
-        end->cells += cells;
-        at = ids + 4 * cells;
-    }
-    return checksum_bytes(sum, end, offsetof(part_end, checksum));
-}
-
-/* With the end that its bytes ask for, or nothing after it would ever be read. */
+/* With the checksums that its bytes ask for, or what stands there would never be looked at. */
 static const char *write_part(int i, bytes b)
 {
-    part_end end;
-    if (b.size < sizeof(part_header) + sizeof end)
-        return write_file(i, b);
-    uint8_t *const copy = malloc(b.size), *const last = copy + b.size - sizeof end;
-    ensure(copy, "no memory");
-    memcpy(copy, b.first, b.size);
-    memcpy(&end, last, sizeof end);
-    part_header header;
-    memcpy(&header, copy, sizeof header);
-    if (header.whole.id_bytes == 4) {
-        end.checksum = sum_of_ids(copy, b.size - sizeof end, &end);
-    } else {
-        end.bricks = (b.size - sizeof(part_header) - sizeof end) / sizeof(part_brick);
-        memcpy(last, &end, sizeof end);
-        end.checksum = checksum_bytes(CHECKSUM_EMPTY, copy, b.size - sizeof end.checksum);
-    }
-    memcpy(last, &end, sizeof end);
-    const char *const name = write_file(i, (bytes){copy, b.size});
-    free(copy);
+    zip_member members[ZIP_MEMBERS_MAX];
+    const char *const name = write_file(i, b);
+    FILE *const file = fopen(name, "r+b");
+    ensure(file, "cannot open %s", name);
+    const unsigned count = zip_in_list(file, b.size, members);
+    unsigned listed = 0;
+    for (size_t at = 0; at + 20 <= b.size && listed < count; at++)
+        if (little_get32(b.first + at) == 0x02014b50) {
+            const zip_member *const m = &members[listed++];
+            uint8_t crc[4];
+            little_put32(crc, zip_crc(0, b.first + m->start, (size_t)m->stored));
+            ensure(m->is_deflated || (!fseek(file, (long)at + 16, SEEK_SET) && fwrite(crc, sizeof crc, 1, file)), "cannot write");
+        }
+    fclose(file);
     return name;
 }
 
-/* The first byte cuts the input in two parts. */
+/* The first two bytes say how long the first of two parts is. */
 static void read_parts(bytes b)
 {
-    const size_t cut = !b.size ? 0 : b.first[0] == 255 ? b.size : b.first[0] * 8u < b.size ? 1 + b.first[0] * 8u : b.size;
-    const bytes halves[PARTS] = {{b.first + (b.size > 0), cut - (b.size > 0)}, {b.first + cut, b.size - cut}};
+    const size_t left = b.size < 2 ? 0 : b.size - 2, said = b.size < 2 ? 0 : b.first[0] + 256u * b.first[1];
+    const size_t cut = said < left ? said : left;
+    const bytes halves[PARTS] = {{b.first + b.size - left, cut}, {b.first + b.size - left + cut, left - cut}};
     part parts[PARTS];
     int opened = 0;
     for (int code = 0; !code && opened < PARTS && (!opened || halves[opened].size); opened += !code) {

@@ -3,11 +3,13 @@
 input.c and the targets say what the bytes mean. Inputs for which a fault was once found are kept in found/.
 """
 
+import io
 import os
 import random
 import shutil
 import struct
 import sys
+import zipfile
 
 BITS, LATTICE, FAR_LATTICE, NEAR_KNOWN, BETWEEN_KNOWN, NASTY, POWER, ANY_WAY = range(8)
 SEGMENT, POINT, FLAT_X = 1, 2, 3
@@ -315,16 +317,25 @@ def ply(form, line_end=b"\n", vertices=3, faces=1):
 FIRST_BRICK, LAST_BRICK = ((0, 0, 0), [1] + [0] * 7), ((8, 0, 0), [0x3f] + [0] * 7)
 
 
-def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), magic=b"tribox part 6\n", numbers=(0, 4), tile=8, tiles=None):
-    """Of a row of tiles of one brick each, of which every shard has as many."""
+def part(shard=1, shards=1, size=(70, 2, 3), bricks=(FIRST_BRICK, LAST_BRICK), position_bytes=4, tile=8, tiles=None, has_ids=False,
+         how=zipfile.ZIP_STORED, **others):
+    """Of a row of tiles of one brick each, of which every shard has as many. others: members in place of those that it has."""
     count = (size[0] + 7) // 8
     first, end = tiles or (count * (shard - 1) // shards, count * shard // shards)
-    cells = [(at, sum(bin(word).count("1") for word in bits), bits) for at, bits in bricks if first <= at[0] < end or tiles]
-    return (magic.ljust(16, b"\0") +
-            struct.pack("<2I9d10I5Q", 0x01020304, shard, 0, 0, 0, 1, 1, 1, 0, 0, 0, *size, shards, 0, 7, *numbers, tile, 80, 12, 34, 56,
-                        first, end) +
-            b"".join(struct.pack("<4I8Q", *at, n, *bits) + bytes(numbers[0] * n) for at, n, bits in cells) +
-            struct.pack("<3Q", len(cells), sum(n for at, n, bits in cells), 0))
+    there = [brick for brick in bricks if first <= brick[0][0] < end or tiles]
+    cells, file = sum(bin(word).count("1") for _, words in there for word in words), io.BytesIO()
+    members = dict(bits=("<u8", (len(there), 8), b"".join(struct.pack("<8Q", *words) for _, words in there)),
+                   at=("<u4", (len(there), 3), b"".join(struct.pack("<3I", *at) for at, _ in there)),
+                   origin=("<f8", (3,), bytes(24)), cell=("<f8", (3,), struct.pack("<3d", 1, 1, 1)),
+                   size=("<u4", (3,), struct.pack("<3I", *size)), shift=("<f8", (3,), bytes(24)),
+                   shard=("<u4", (2,), struct.pack("<2I", shard, shards)), tiles=("<u8", (2,), struct.pack("<2Q", first, end)),
+                   whole=("<u8", (7,), struct.pack("<7Q", 12, 34, 56, position_bytes, 0, 7, tile)))
+    members.update(dict(ids=("<u4", (cells,), bytes(4 * cells))) if has_ids else {}, **others)
+    with zipfile.ZipFile(file, "w", how) as to:
+        for name, (kind, shape, content) in members.items():
+            text = "{'descr': '%s', 'fortran_order': False, 'shape': %s, }" % (kind, shape)
+            to.writestr(zipfile.ZipInfo(name + ".npy"), b"\x93NUMPY\1\0v\0" + text.encode().ljust(117) + b"\n" + content, how)
+    return file.getvalue()
 
 
 def partition(records=((0, 0, 5, 0), (1, 1, 7, 0)), places=3, tile=64, numbers=(0, 4), size=(100, 50, 50), record_bytes=32,
@@ -387,20 +398,22 @@ def boxes_files():
 
 
 def part_files():
-    """The first byte is the offset of the second part in units of 8 bytes; 255 means that there is only one."""
-    whole, half = part(), part(1, 2)
+    """The first two bytes are the size of the first part; 65535 means that there is only one."""
+    whole, half, ids = part(), part(1, 2), part(has_ids=True)
     single = {"whole": whole, "one_of_two": half, "more_shards_than_tiles": part(2, 20), "cut": whole[:-1], "long": whole + b"\0",
-              "header_cut": whole[:160], "no_end": whole[:180], "shard_0": part(0, 1, tiles=(0, 9)),
-              "huge": part(size=(2**31, 64, 1), bricks=()), "magic": part(magic=b"tribox part 4\n"),
-              "doubles": part(numbers=(0, 8)), "three_bytes": part(numbers=(3, 4)), "ids": part(numbers=(4, 4)), "ids_cut": part(numbers=(4, 4))[:-5], "tile_of_12": part(tile=12), "no_tile": part(tile=0),
+              "half": whole[:len(whole) // 2], "shard_0": part(0, 1, tiles=(0, 9)), "huge": part(size=(2**31, 64, 1), bricks=()),
+              "old": b"tribox part 6\n" + bytes(200), "doubles": part(position_bytes=8), "three_bytes": part(position_bytes=3),
+              "ids": ids, "deflated": part(has_ids=True, how=zipfile.ZIP_DEFLATED), "few_ids": part(ids=("<u4", (1,), bytes(4))),
+              "many_ids": part(ids=("<u4", (99,), bytes(396))), "no_rows": part(at=("<u4", (0, 3), b"")),
+              "stranger": part(x=("<u4", (0,), b"")), "bits_of_7": part(bits=("<u8", (2, 7), bytes(112))), "tile_of_12": part(tile=12), "no_tile": part(tile=0),
               "out_of_order": part(bricks=(LAST_BRICK, FIRST_BRICK)), "twice": part(bricks=(FIRST_BRICK, FIRST_BRICK)),
               "one_tile": part(tile=128, tiles=(0, 1)), "other_tiles": part(tiles=(5, 9)), "too_many_tiles": part(tiles=(0, 10)),
               "backwards": part(tiles=(5, 3)), "stray_x": part(bricks=(((8, 0, 0), [0x40] + [0] * 7),)),
               "stray_y": part(bricks=(((0, 0, 0), [1 << 16] + [0] * 7),)), "stray_z": part(bricks=(((0, 0, 0), [0] * 7 + [1]),)),
               "outside": part(bricks=(((0, 1, 0), [1] * 8),))}
     second = {"two": part(2, 2), "same": half, "misfit": part(2, 2, size=(71, 2, 3)), "gap": part(2, 2, tiles=(7, 9))}
-    return {**{name: b"\xff" + content for name, content in single.items()},
-            **{name: bytes([len(half) // 8]) + half + content for name, content in second.items()}}
+    return {**{name: b"\xff\xff" + content for name, content in single.items()},
+            **{name: struct.pack("<H", len(half)) + half + content for name, content in second.items()}}
 
 
 def partition_files():
@@ -500,9 +513,9 @@ def command():
         "overlap_wrong_kernel": "overlap a.ply --kernel mmx",
         "voxelize": "voxelize a.ply --resolution 256 -o a.npy",
         "voxelize_cell": "voxelize a.ply --cell 0.5,0.25,1e-3 --origin -100,-100,0 --size 400,400,200 -o a.raw --quiet",
-        "voxelize_shard": "voxelize a.ply --cell 2 --shard 3/8 -o a.part --threads 2 --json",
+        "voxelize_shard": "voxelize a.ply --cell 2 --shard 3/8 -o a.npz --threads 2 --json",
         "voxelize_preview": "voxelize a.ply --resolution 9 -o a.vox --preview a.png --up -z",
-        "voxelize_long_shard": "voxelize a.ply --resolution 9 --shard 0000000000000001/2 -o a.part",
+        "voxelize_long_shard": "voxelize a.ply --resolution 9 --shard 0000000000000001/2 -o a.npz",
         "voxelize_too_large": "voxelize a.ply --resolution 99999999999999999999 -o a.binvox",
         "voxelize_negative": "voxelize a.ply --cell -1 -o a.npy",
         "voxelize_count": "voxelize a.ply --cell 2 --count --json --threads 3",
@@ -512,14 +525,14 @@ def command():
         "voxelize_labels": "voxelize a.ply -r 9 --fill outside --labels -o a.npz",
         "voxelize_inside": "voxelize a.ply -r 9 --fill middles --inside-only -o a.npz",
         "voxelize_fill_wrong": "voxelize a.ply -r 9 --fill inside -o a.npz",
-        "voxelize_fill_shard": "voxelize a.ply -r 9 --fill parity --shard 1/2 -o a.part",
-        "voxelize_folder": "voxelize /tmp --shard 1/2 -o a.part",
+        "voxelize_fill_shard": "voxelize a.ply -r 9 --fill parity --shard 1/2 -o a.npz",
+        "voxelize_folder": "voxelize /tmp --shard 1/2 -o a.npz",
         "voxelize_folder_grid": "voxelize /tmp -r 9 -o a.npz",
         "partition": "partition a.ply --resolution 256 -o folder",
         "partition_nothing": "partition a.ply --cell 1",
-        "merge": "merge a.part b.part -o c.npy",
+        "merge": "merge a.npz b.npz -o c.npy",
         "merge_nothing": "merge -o c.npy",
-        "merge_up": "merge a.part -o c.vox --up y",
+        "merge_up": "merge a.npz -o c.vox --up y",
     }
     return {name: "\n".join(line.split(" ")).encode() + b"\n" for name, line in lines.items()}
 

@@ -25,5 +25,5 @@ expect "$program help me" merge
 expect "$program --v" --version
 expect "$program voxelize --re" --resolution
 expect "$program overlap mesh.ply --l" --list
-expect "$program merge a.part" ''
+expect "$program merge a.npz" ''
 END

@@ -473,7 +473,7 @@ class Refusals(Colours):
     def test_options(self):
         self.refuse(2, "--fill", "--fill", "outside")
         self.refuse(2, "--count only prints: leave out --colours", out=("--count",))
-        self.refuse(2, "--colours needs all cells at once: leave out --shard", "--shard", "1/2", out=("-o", "no.part"))
+        self.refuse(2, "--colours needs all cells at once: leave out --shard", "--shard", "1/2", out=("-o", "no.part.npz"))
         for ending in ("npy", "vti", "nrrd", "binvox", "raw"):
             self.refuse(2, r"--colours: \.%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz" % ending,
                         out=("-o", "no." + ending))

@@ -4,6 +4,7 @@ import json
 import os
 import random
 import struct
+import zipfile
 
 import meshes
 import support
@@ -275,14 +276,15 @@ class Voxelize(support.TestCase):
         grid = ("--cell", "0.0625", "--origin", "557818,5108008,798", "--size", "65,64,63")
         for threads in ("1", "3"):
             self.assertEqual(self.cells(mesh, *grid, "--threads", threads)[1], expected)
-        parts = [self.path("%d.part" % shard) for shard in (1, 2, 3)]
+        parts = [self.path("%d.part.npz" % shard) for shard in (1, 2, 3)]
         for shard, part in enumerate(parts):
             self.succeed("voxelize", mesh, *grid, "--shard", "%d/3" % (shard + 1), "--quiet", "-o", part)
         found = json.loads(self.succeed("merge", *parts, "-o", self.path("all.npy"), "--json"))
         self.assertEqual(volumes.read_npy(self.path("all.npy")), ((65, 64, 63), expected))
         self.assertEqual(found["grid"]["origin"], [557818, 5108008, 798])
-        with open(parts[0], "rb") as file:
-            self.assertEqual(struct.unpack("=9d3I", file.read(108)[24:]), (557818, 5108008, 798, 0.0625, 0.0625, 0.0625, 0, 0, 0, 65, 64, 63))
+        with zipfile.ZipFile(parts[0]) as file:
+            self.assertEqual([struct.unpack("<3d", file.read(name)[128:]) for name in ("origin.npy", "cell.npy", "shift.npy")],
+                             [(557818, 5108008, 798), (0.0625,) * 3, (0,) * 3])
 
     def test_shift(self):
         """Subtracted before all else, and kept where a format has a place for it."""
@@ -300,12 +302,12 @@ class Voxelize(support.TestCase):
         self.assertEqual(translate, [x + s for x, s in zip(found["grid"]["origin"], shift)])
         for name in ("a.vox", "a.raw"):
             self.succeed_with_note("note: .*%s does not hold that" % name, *options, "-o", self.path(name), "--quiet")
-        parts = [self.path("%d.part" % shard) for shard in (1, 2)]
+        parts = [self.path("%d.part.npz" % shard) for shard in (1, 2)]
         for shard, part in enumerate(parts):
             self.succeed(*options, "--shard", "%d/2" % (shard + 1), "-o", part)
         self.assertEqual(json.loads(self.succeed("merge", *parts, "-o", self.path("b.binvox"), "--json"))["shift"], list(shift))
         self.assertEqual(volumes.read(self.path("b.binvox")), volumes.read(self.path("a.binvox")))
-        other = self.path("other.part")
+        other = self.path("other.part.npz")
         self.succeed("voxelize", mesh, "--cell", "0.9", "--origin", ",".join(map(repr, found["grid"]["origin"])), "--size",
                      ",".join(map(str, found["grid"]["size"])), "--shard", "2/2", "-o", other)
         self.fail_with(1, "they differ in the shift", "merge", parts[0], other, "-o", self.path("c.npy"))

@@ -249,8 +249,8 @@ class Ids(support.TestCase):
                 self.fail_with(1, "tiles: damaged: " + why, command[0], folder, *command[1:], "-o", self.path("x.npz"))
 
     def parts(self, mesh, count, *options):
-        """The .part files of all shards."""
-        names = [self.path("%d.part" % shard) for shard in range(1, count + 1)]
+        """The files of all shards."""
+        names = [self.path("%d.part.npz" % shard) for shard in range(1, count + 1)]
         for shard, name in enumerate(names, 1):
             self.succeed("voxelize", mesh, *options, "--ids", "-q", "--shard", "%d/%d" % (shard, count), "-o", name)
         return names
@@ -274,17 +274,17 @@ class Ids(support.TestCase):
                         self.assertEqual(READERS[ending](out), truth())
                     else:
                         self.assertEqual(volumes.read(out), whole, (ending, options))
-        self.fail_with(1, "1.part: has ids, and .glb holds none: write .npz", "merge", *names, "-o", self.path("x.glb"))
+        self.fail_with(1, "1.part.npz: has ids, and .glb holds none: write .npz", "merge", *names, "-o", self.path("x.glb"))
         self.fail_with(1, "has ids, a grid of whole numbers: leave out --vdb-grid", "merge", *names, "--vdb-grid", "mask",
                        "-o", self.path("x.vdb"))
         octets = volumes.read(names[1])
         self.succeed("voxelize", folder, "-q", "--shard", "2/3", "-o", names[1])
         self.fail_with(1, "they differ in the ids: some have none", "merge", *names, "-o", self.path("x.npz"))
-        for changed, why in ((octets[:-40], "do not fit its number of bricks"),
+        for changed, why in ((octets[:-40], "not a part, or only the beginning of one"),
                              (octets[:400] + bytes([octets[400] ^ 1]) + octets[401:], "damaged")):
             with open(names[1], "wb") as file:
                 file.write(changed)
-            self.fail_with(1, "2.part: .*" + why, "merge", *names, "-o", self.path("x.npz"))
+            self.fail_with(1, "2.part.npz: .*" + why, "merge", *names, "-o", self.path("x.npz"))
 
     def test_order(self):
         """Shards of one mesh in two orders have other ids: of its triangles, of those that are not finite, and of partitions."""
@@ -295,8 +295,8 @@ class Ids(support.TestCase):
         for one, other in (files[0], files[1]), (files[0], files[2]), (files[3], files[4]), (tiles, tiles[::-1]):
             for ids, second, is_sound in (("--ids",), one, True), ((), other, True), (("--ids",), other, False):
                 for shard, source in (1, one), (2, second):
-                    self.done("voxelize", *source, *ids, "-q", "--shard", "%d/2" % shard, "-o", self.path("%d.part" % shard))
-                merge = ("merge", self.path("1.part"), self.path("2.part"), "-q", "-o", self.path("x.npz"))
+                    self.done("voxelize", *source, *ids, "-q", "--shard", "%d/2" % shard, "-o", self.path("%d.part.npz" % shard))
+                merge = ("merge", self.path("1.part.npz"), self.path("2.part.npz"), "-q", "-o", self.path("x.npz"))
                 if is_sound:
                     self.succeed(*merge)
                 else:

@@ -68,7 +68,7 @@ class Pairs(support.TestCase):
         mesh, stream = self.write("m.ply", meshes.ply_binary(triangles)), self.write("s.f32", meshes.pack_floats(triangles))
         obj = self.write("m.obj", b"mtllib m.mtl\nusemtl a\n" + meshes.obj(triangles))
         materials, tiles, grid = self.write("m.mtl", "newmtl a\nKd 1 0 0\n"), self.path("tiles"), ("-r", "20")
-        parts, raw = [self.path("1.part"), self.path("2.part")], ("--out-format", "raw")
+        parts, raw = [self.path("1.part.npz"), self.path("2.part.npz")], ("--out-format", "raw")
         self.succeed("partition", mesh, *grid, "--ids", "-q", "-o", tiles)
         for n, part in enumerate(parts, 1):
             self.succeed("voxelize", mesh, *grid, "--shard", "%d/2" % n, "-q", "-o", part)
@@ -131,6 +131,9 @@ class Pairs(support.TestCase):
         process = subprocess.Popen([support.program(), *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         process.stdout.read(1000)
         time.sleep(0.1)
+        self.change_while_it_runs(process, path, change, there)
+
+    def change_while_it_runs(self, process, path, change, there):
         change(path)
         _, error = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1, error)
@@ -148,9 +151,12 @@ class Pairs(support.TestCase):
 
     def test_changed_partitions(self):
         mesh, tiles = self.write("m.ply", meshes.ply_binary(meshes.lattice_triangles(300, seed=1))), self.path("tiles")
-        self.succeed("partition", mesh, "-r", "600", "-q", "-o", tiles)
-        self.change(("voxelize", tiles, "-t", "1", "-o", "-", "--shard", "1/1"), self.path("tiles", "triangles"),
-                    lambda path: os.truncate(path, 0))
+        self.succeed("partition", mesh, "-r", "3000", "-q", "-o", tiles)
+        there = sorted(os.listdir(self.folder))
+        process = subprocess.Popen([support.program(), "voxelize", tiles, "-t", "1", "-q", "-o", self.path("x.npz")], stderr=subprocess.PIPE)
+        while process.poll() is None and sorted(os.listdir(self.folder)) == there:
+            time.sleep(0.001)
+        self.change_while_it_runs(process, self.path("tiles", "triangles"), lambda path: os.truncate(path, 0), there)
 
 
 class Json(support.TestCase):

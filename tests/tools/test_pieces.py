@@ -209,9 +209,9 @@ class Joined(Pieces):
         whole = self.partition(self.mesh, *GRID)[2]
         apart = [self.partition(piece, *GRID)[2] for piece in self.pieces]
         for shard in ("1/1", "1/3", "2/3", "3/3"):
-            for name, folders in (("whole.part", [whole]), ("apart.part", apart)):
+            for name, folders in (("whole.part.npz", [whole]), ("apart.part.npz", apart)):
                 self.succeed("voxelize", *folders, "--shard", shard, "--quiet", "-o", self.path(name))
-            self.assertEqual(volumes.read(self.path("whole.part")), volumes.read(self.path("apart.part")))
+            self.assertEqual(volumes.read(self.path("whole.part.npz")), volumes.read(self.path("apart.part.npz")))
 
     def test_doubles(self):
         wide = self.write("b.f64", f64(self.triangles[300:1600]))
@@ -227,7 +227,7 @@ class Joined(Pieces):
                                    ("shift", (*GRID, "--shift", "1,2,3"))):
             other = self.partition(self.pieces[1], *options)[2]
             for command in (("partition",), ("voxelize", "--shard", "1/2")):
-                self.refuse(1, "do not fit together: they differ in the " + differing, *command, here, other, "-o", self.path("x.part"))
+                self.refuse(1, "do not fit together: they differ in the " + differing, *command, here, other, "-o", self.path("x.part.npz"))
         self.refuse(2, "is a partition and .* is a mesh: give meshes alone or partitions alone", "partition", here, self.mesh, "-o",
                     self.path("x"), *GRID)
         self.refuse(2, "which has its grid: leave out --cell", "partition", here, here, "-o", self.path("x"), "--cell", "1")

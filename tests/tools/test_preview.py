@@ -160,7 +160,7 @@ class Preview(support.TestCase):
         self.assertEqual(changes("300"), 0)
 
     def test_merged(self):
-        parts = [self.path("%d.part" % n) for n in (1, 2, 3)]
+        parts = [self.path("%d.part.npz" % n) for n in (1, 2, 3)]
         for n, part in enumerate(parts):
             self.succeed("voxelize", self.mesh, "--resolution", "7", "--shard", "%d/3" % (n + 1), "--quiet", "-o", part)
         look = ["--up", "y", "--picture-size", "80x60"]

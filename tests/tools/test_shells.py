@@ -156,7 +156,7 @@ class Ways(Shells):
         for word in ("ply", "obj", "glb"):
             for threads in ("1", "4"):
                 self.succeed("voxelize", self.mesh, *self.GRID, "-q", "-t", threads, "-o", self.path(threads + "." + word))
-            parts = [self.path("%d.part" % n) for n in (1, 2, 3)]
+            parts = [self.path("%d.part.npz" % n) for n in (1, 2, 3)]
             for n, part in enumerate(parts):
                 self.succeed("voxelize", self.mesh, *self.GRID, "-q", "--shard", "%d/3" % (n + 1), "-o", part)
             self.succeed("merge", *parts, "-q", "-o", self.path("merged." + word))

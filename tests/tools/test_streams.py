@@ -218,9 +218,9 @@ class Voxels(support.TestCase):
             expected = self.file("file." + word, "voxelize", mesh, *self.GRID)
             self.assertEqual(self.through("voxelize", mesh, *self.GRID, "-o", "-", "--out-format", word), (expected, b""))
             self.assertEqual(self.file("other", "voxelize", mesh, *self.GRID, "--out-format", word), expected)
-            part = self.file("all.part", "voxelize", mesh, *self.GRID, "--shard", "1/1")
-            self.assertEqual(self.through("voxelize", mesh, *self.GRID, "--shard", "1/1", "-o", "-"), (part, b""))
-            self.assertEqual(self.through("merge", self.path("all.part"), "-o", "-", "--out-format", word), (expected, b""))
+            part = self.file("all.part.npz", "voxelize", mesh, *self.GRID, "--shard", "1/1")
+            self.assertEqual(self.through("voxelize", mesh, *self.GRID, "--shard", "1/1", "-o", "-", "--out-format", "npz"), (part, b""))
+            self.assertEqual(self.through("merge", self.path("all.part.npz"), "-o", "-", "--out-format", word), (expected, b""))
 
     def test_both(self):
         """The notes name standard input; the preview is a file as ever."""
@@ -235,9 +235,7 @@ class Voxels(support.TestCase):
                                    ("standard output needs its format, --out-format WORD: one of npz, ", (mesh, "-o", "-")),
                                    ("--out-format: 'png' is none of npz, vdb", (mesh, "-o", "-", "--out-format", "png")),
                                    ("--json and -o - exclude", (mesh, "-o", "-", "--out-format", "raw", "--json")),
-                                   ("a shard is written as a .part or a .npz, not as raw", (mesh, "-o", "-", "--out-format", "raw", "--shard", "1/2")),
-                                   ("--out-format and the name of a part exclude",
-                                    (mesh, "-o", "x.part", "--out-format", "npz", "--shard", "1/2")),
+                                   ("a shard is written as .npz, not as raw", (mesh, "-o", "-", "--out-format", "raw", "--shard", "1/2")),
                                    ("--preview: '-' does not end", (mesh, "-o", "-", "--out-format", "raw", "--preview", "-"))):
             self.fail_with(2, "^tribox voxelize: %s.*see 'tribox voxelize --help'" % pattern, "voxelize", *self.GRID, *arguments)
 

@@ -44,8 +44,8 @@ class Tiles(support.TestCase):
 
     def parts(self, mesh, grid, *options):
         """The bits that come out of bricks, by way of parts."""
-        found = [self.voxelize(mesh, *grid, *options, "--shard", "%d/2" % n, "-o", self.path("t%d.part" % n)) for n in (1, 2)]
-        self.succeed("merge", self.path("t1.part"), self.path("t2.part"), "--quiet", "-o", self.path("tiles.raw"))
+        found = [self.voxelize(mesh, *grid, *options, "--shard", "%d/2" % n, "-o", self.path("t%d.part.npz" % n)) for n in (1, 2)]
+        self.succeed("merge", self.path("t1.part.npz"), self.path("t2.part.npz"), "--quiet", "-o", self.path("tiles.raw"))
         return found, volumes.read(self.path("tiles.raw"))
 
 
@@ -100,8 +100,8 @@ class Answers(Tiles):
         for size, has_tiles in ((GRID[GRID.index("--size") + 1], False), ("1,1,1", False), ("64,512,512", False), ("65,512,512", True),
                                 ("129,127,136", False), ("8,9,70", False)):
             grid = [*GRID[:GRID.index("--size") + 1], size]
-            self.voxelize(self.mesh, *grid, "--shard", "1/1", "-o", self.path("t.part"))
-            self.succeed("merge", self.path("t.part"), "--quiet", "-o", self.path("t.npz"))
+            self.voxelize(self.mesh, *grid, "--shard", "1/1", "-o", self.path("t.part.npz"))
+            self.succeed("merge", self.path("t.part.npz"), "--quiet", "-o", self.path("t.npz"))
             for threads in (1, 2, 3, 7, 64):
                 found = self.voxelize(self.mesh, *grid, "--threads", str(threads), "-o", self.path("a.npz"))
                 self.assertEqual("tile" in found, has_tiles, size)
@@ -133,11 +133,10 @@ class Answers(Tiles):
         grid = ("--cell", "0.00617", "--origin=-2,-2,-2", "--size", "700,650,500")
         for mesh in several:
             for options in ((), ("--accuracy", "conservative"), ("--shard", "2/3")):
-                ending = "part" if "--shard" in options else "npz"
                 files = []
                 for threads in ("1", "2", "3", "7"):
-                    self.voxelize(mesh, *grid, *options, "--threads", threads, "-o", self.path("a." + ending))
-                    files.append(volumes.read(self.path("a." + ending)))
+                    self.voxelize(mesh, *grid, *options, "--threads", threads, "-o", self.path("a.npz"))
+                    files.append(volumes.read(self.path("a.npz")))
                 for other in files[1:]:
                     self.assertEqual(other, files[0], (mesh, options))
 
@@ -319,7 +318,7 @@ class Refusals(Tiles):
                 ("--count only prints: leave out --quiet", (self.mesh, *GRID, "--count", "-q")),
                 ("--fill: 'inside' is none of outside, parity and middles", (self.mesh, *GRID, "--fill", "inside")),
                 ("--fill needs all cells at once: leave out --shard",
-                 (self.mesh, *GRID, "--fill", "outside", "--shard", "1/2", "-o", "x.part")),
+                 (self.mesh, *GRID, "--fill", "outside", "--shard", "1/2", "-o", "x.part.npz")),
                 ("a folder, so a partition, which has its grid: leave out --resolution", (tiles, "-r", "9", "-o", "x.npz")),
                 ("a folder, so a partition, which has its grid: leave out --shift", (tiles, "--shift", "auto", "-o", "x.npz")),
                 ("a partition, which is for all axes: leave out --axes", (tiles, "--axes", "box", "-o", "x.npz")),
@@ -339,8 +338,6 @@ class Refusals(Tiles):
                     self.path("x"), limit=(resource.RLIMIT_FSIZE, 1000))
         self.refuse(1, "x.npz: cannot write all of it: File too large", "voxelize", self.path("tiles"), "-o", self.path("x.npz"),
                     limit=(resource.RLIMIT_FSIZE, 1000))
-        self.refuse(1, "x.part: cannot write all of it: File too large", "voxelize", self.path("tiles"), "--shard", "1/1", "-o",
-                    self.path("x.part"), limit=(resource.RLIMIT_FSIZE, 1000))
 
     def test_too_large(self):
         grid = ("--cell", "0.0001", "--origin", "-2,-2,-2", "--size", "16384,16384,16384")
@@ -407,7 +404,7 @@ class Killed(Tiles):
         pick = random.Random(os.environ.get("TRIBOX_SEED", 11))
         work = (("voxelize", self.mesh, *GRID, "--quiet", "-o", self.path("out.npz")),
                 ("partition", self.mesh, *GRID, "--quiet", "-o", self.path("out")),
-                ("voxelize", self.mesh, *GRID, "--quiet", "--shard", "1/1", "-o", self.path("out.part")))
+                ("voxelize", self.mesh, *GRID, "--quiet", "--shard", "1/1", "-o", self.path("out.part.npz")))
         for arguments in work:
             start = time.monotonic()
             self.succeed(*arguments)
@@ -425,7 +422,7 @@ class Killed(Tiles):
                         self.assertFalse([name for name in new if name.startswith(".tribox-")], (number, was_there))
 
     def forget(self):
-        subprocess.run(["rm", "-rf", self.path("out"), self.path("out.npz"), self.path("out.part")], check=True)
+        subprocess.run(["rm", "-rf", self.path("out"), self.path("out.npz"), self.path("out.part.npz")], check=True)
 
     def content(self, name):
         path = self.path(name)
@@ -436,7 +433,7 @@ class Killed(Tiles):
         triangles = meshes.lattice_triangles(400, seed=2)
         mesh = self.write("many.f32", meshes.pack_floats(triangles))
         grid = ("--cell", "0.001", "--origin", "-2,-2,-2", "--size", "4000,4000,4000")
-        process = subprocess.Popen([support.program(), "voxelize", mesh, *grid, "--quiet", "--shard", "2/3", "-o", self.path("2.part")],
+        process = subprocess.Popen([support.program(), "voxelize", mesh, *grid, "--quiet", "--shard", "2/3", "-o", self.path("2.part.npz")],
                                    stderr=subprocess.PIPE)
         deadline = time.monotonic() + 60
         while not any(name.startswith(".tribox-") for name in os.listdir(self.folder)) and time.monotonic() < deadline:

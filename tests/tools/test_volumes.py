@@ -272,8 +272,6 @@ class Options(Volumes):
         self.fail_with(2, "--vdb-grid is for .vdb alone", "voxelize", self.mesh, "-r", "8", "-o", "x.npz", "--vdb-grid", "mask")
         self.fail_with(2, "--vdb-grid: 'float' is neither bool nor mask", "voxelize", self.mesh, "-r", "8", "-o", "x.vdb",
                        "--vdb-grid", "float")
-        self.fail_with(2, "--deflate is for .npz alone", "voxelize", self.mesh, "-r", "8", "-o", "x.part", "--shard", "1/2",
-                       "--deflate")
 
 
 if __name__ == "__main__":

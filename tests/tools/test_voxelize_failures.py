@@ -27,7 +27,7 @@ class Failures(support.TestCase):
     def setUp(self):
         super().setUp()
         self.mesh = self.write("mesh.ply", meshes.ply_binary(meshes.lattice_triangles(24, seed=8)))
-        self.part = self.path("all.part")
+        self.part = self.path("all.part.npz")
         self.succeed("voxelize", self.mesh, "--resolution", "40", "--shard", "1/1", "--quiet", "-o", self.part)
         self.there = sorted(os.listdir(self.folder))
 
@@ -56,9 +56,8 @@ class WrongCommandLine(Failures):
     def test_what_excludes_each_other(self):
         self.wrong("--resolution and --cell exclude each other", self.mesh, "--resolution", "8", "--cell", "1", "-o", "x.npy")
         self.wrong("--json and --quiet exclude each other", self.mesh, "--cell", "1", "-o", "x.npy", "--json", "--quiet")
-        self.wrong("a shard is written as a .part or a .npz, not as npy", self.mesh, "--cell", "1", "-o", "x.npy", "--shard", "1/2")
-        self.wrong("'x.part' is the name of a part, which needs --shard", self.mesh, "--cell", "1", "-o", "x.part")
-        self.wrong("--preview needs all cells: give it to 'tribox merge'", self.mesh, "--cell", "1", "-o", "x.part", "--shard",
+        self.wrong("a shard is written as .npz, not as npy", self.mesh, "--cell", "1", "-o", "x.npy", "--shard", "1/2")
+        self.wrong("--preview needs all cells: give it to 'tribox merge'", self.mesh, "--cell", "1", "-o", "x.part.npz", "--shard",
                    "1/2", "--preview", "x.png")
 
     def test_values(self):
@@ -116,8 +115,8 @@ class NothingHalfWritten(Failures):
             for command in (("voxelize", self.mesh, "--resolution", "40"), ("merge", self.part)):
                 self.refuse(1, r"x\.%s: cannot write all of it: File too large; nothing of it was kept" % ending, *command,
                           "-o", self.path("x." + ending), limit=limit)
-        self.refuse(1, "x.part: cannot write all of it: File too large", "voxelize", self.mesh, "--resolution", "40", "--shard", "1/1",
-                  "-o", self.path("x.part"), limit=limit)
+        self.refuse(1, "x.part.npz: cannot write all of it: File too large", "voxelize", self.mesh, "--resolution", "40", "--shard", "1/1",
+                  "-o", self.path("x.part.npz"), limit=limit)
         self.refuse(1, "cannot write all of it", "voxelize", self.mesh, "--resolution", "40", "-o", self.path("x.npy"),
                   limit=(resource.RLIMIT_FSIZE, 0))
 
@@ -326,7 +325,7 @@ class LittleMemory(Failures):
         """Where one thread has the memory that it needs, eight do the work, or as many of them as have theirs."""
         least = self.least()
         grid = ("-r", "300")
-        for name, *arguments in (("x.npz", self.mesh, *grid), ("x.npz", self.tiles), ("x.part", self.mesh, *grid, "--shard", "1/2"),
+        for name, *arguments in (("x.npz", self.mesh, *grid), ("x.npz", self.tiles), ("x.part.npz", self.mesh, *grid, "--shard", "1/2"),
                                  ("x.raw", self.mesh, *grid), ("x.raw", self.mesh, *grid, "--fill", "outside")):
             whole = self.write_within(1 << 40, name, *arguments)
             for limit in range(least, least + self.SPAN, 6 * self.MIB):

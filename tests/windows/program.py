@@ -112,7 +112,7 @@ class Files(Windows):
         whole = self.assert_same_files("whole.npz", "voxelize", self.mesh, *GRID)
         tiles = self.assert_same_files("tiles", "partition", self.mesh, *GRID)
         for mesh, grid in ((self.mesh, GRID), (tiles, ())):
-            parts = [self.assert_same_files("%d.part" % n, "voxelize", mesh, *grid, "--shard", "%d/3" % n) for n in (1, 2, 3)]
+            parts = [self.assert_same_files("%d.part.npz" % n, "voxelize", mesh, *grid, "--shard", "%d/3" % n) for n in (1, 2, 3)]
             merged = self.assert_same_files("merged.npz", "merge", *parts)
             self.assertEqual(read(merged), read(whole))
 
@@ -193,11 +193,11 @@ class Refused(Windows):
         self.assertEqual(os.listdir(self.folder), ["mesh.f32"])
 
     def test_damaged_part(self):
-        self.succeed("voxelize", self.mesh, *GRID, "--quiet", "--shard", "1/1", "-o", self.path("1.part"))
-        with open(self.path("1.part"), "r+b") as part:
-            part.seek(-40, os.SEEK_END)
+        self.succeed("voxelize", self.mesh, *GRID, "--quiet", "--shard", "1/1", "-o", self.path("1.part.npz"))
+        with open(self.path("1.part.npz"), "r+b") as part:
+            part.seek(200)
             part.write(b"damage")
-        self.fail_with(1, "1.part: damaged", "merge", self.path("1.part"), "-o", self.path("x.npz"))
+        self.fail_with(1, "1.part.npz: damaged", "merge", self.path("1.part.npz"), "-o", self.path("x.npz"))
 
 
 class Interrupted(Windows):
@@ -226,7 +226,7 @@ class Interrupted(Windows):
     def test_ctrl_c(self):
         """wine makes Ctrl-C of SIGINT."""
         self.write("x.npz", "what was there")
-        for command in (("voxelize", "-o", self.path("x.npz")), ("voxelize", "--shard", "1/2", "-o", self.path("x.part")),
+        for command in (("voxelize", "-o", self.path("x.npz")), ("voxelize", "--shard", "1/2", "-o", self.path("x.part.npz")),
                         ("partition", "-o", self.path("x"))):
             left, said = self.end(signal.SIGINT, command[0], self.mesh, *self.GRID, "--quiet", *command[1:])
             self.assertEqual(self.what_stays(left), set(), command)

@@ -68,7 +68,7 @@ static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
     return brick_out_put(&m->out, brick->at, brick->bits);
 }
 
-static int read_parts(merging *m, const part *parts, size_t count)
+static int read_parts(merging *m, part *parts, size_t count)
 {
     int code = EXIT_CODE_OK;
     m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
@@ -86,7 +86,7 @@ static bool has_places(const merging *m)
            !file_out_is_stdout(result->out_path);
 }
 
-static int write_places(merging *m, const part *parts, size_t count, file_out *out)
+static int write_places(merging *m, part *parts, size_t count, file_out *out)
 {
     m->bar = progress_start_of("merging", "bricks", (double)m->all, !m->r->result.is_quiet);
     const int code = parts_npz_write(out, parts, count, &m->cells, m->r->threads, &m->bar);
@@ -94,7 +94,7 @@ static int write_places(merging *m, const part *parts, size_t count, file_out *o
     return code ? code : file_out_keep(out);
 }
 
-static int write_bricks(merging *m, const part *parts, size_t count, file_out *out)
+static int write_bricks(merging *m, part *parts, size_t count, file_out *out)
 {
     const result_request *const result = &m->r->result;
     if (has_places(m))
@@ -144,7 +144,7 @@ static int draw(const merging *m, file_out *picture)
     return preview_draw(picture, &v, &m->r->result.look, processors_here(), !m->r->result.is_quiet);
 }
 
-static int write_files(merging *m, const part *parts, size_t count)
+static int write_files(merging *m, part *parts, size_t count)
 {
     const result_request *const result = &m->r->result;
     file_out out, picture;
@@ -167,7 +167,7 @@ static int write_files(merging *m, const part *parts, size_t count)
 static int check_ids(const merge_request *r, const part *parts)
 {
     const volume_format *const format = r->result.format;
-    if (!parts[0].header.whole.id_bytes)
+    if (!parts[0].header.whole.has_ids)
         return EXIT_CODE_OK;
     if (r->result.options.is_mask)
         return message_failure("%s: has ids, a grid of whole numbers: leave out --vdb-grid", parts[0].path);
@@ -183,12 +183,9 @@ static int merge(const merge_request *r, part *parts, size_t count)
     if (code)
         return code;
     const part_whole *const whole = &parts[0].header.whole;
-    merging m = {.r = r, .cells = part_voxels(whole), .has_ids = whole->id_bytes};
-    uint64_t occupied = 0;
-    for (size_t i = 0; i < count; i++) {
-        m.all += parts[i].end.bricks;
-        occupied += parts[i].end.cells;
-    }
+    merging m = {.r = r, .cells = part_voxels(whole), .has_ids = whole->has_ids};
+    for (size_t i = 0; i < count; i++)
+        m.all += parts[i].bricks;
     code = check_ids(r, parts);
     if (!code && r->result.format->check_grid)
         code = r->result.format->check_grid(r->result.out_path, &m.cells.grid);
@@ -199,6 +196,9 @@ static int merge(const merge_request *r, part *parts, size_t count)
         code = write_files(&m, parts, count);
     }
     free(m.words);
+    uint64_t occupied = 0;
+    for (size_t i = 0; i < count; i++)
+        occupied += parts[i].cells;
     return code ? code : report(r, &m.cells, count, m.all, occupied);
 }
 

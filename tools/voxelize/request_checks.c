@@ -6,7 +6,6 @@
 #include "console/message.h"
 #include "partition/partition.h"
 #include "write/file_out.h"
-#include "write/part.h"
 
 /* A partition has its grid and its mesh, and lists of all axes. */
 static int check_partition(const voxelize_request *r, const options_found *found, const option_entry *options)
@@ -81,7 +80,7 @@ static int check_format(const voxelize_request *r)
         return message_usage("--labels: %s holds no labels; write " VOLUME_LABELLED ", or give --inside-only", format->word);
     if (r->has_colours && format->colours == VOLUME_NO_COLOURS)
         return message_usage("--colours: .%s holds none; write .vox, .glb, .ply, .obj, .vdb or .npz", format->word);
-    if (r->result.options.has_ids && !r->is_part && !volume_takes_ids(format))
+    if (r->result.options.has_ids && !volume_takes_ids(format))
         return message_usage("--ids: .%s holds none; write " VOLUME_WITH_IDS, format->word);
     return EXIT_CODE_OK;
 }
@@ -91,17 +90,12 @@ static int check_output(voxelize_request *r, const options_found *found)
     const char *const out = r->result.out_path;
     if (!out)
         return message_usage("no output given; give -o FILE, or --count");
-    const bool is_stdout = file_out_is_stdout(out);
-    if (!is_stdout && !r->has_shard && part_is_name(out))
-        return message_usage("-o: '%s' is the name of a part, which needs --shard", out);
     result_guess_up(&r->result, r->from.mesh_path);
-    r->is_part = r->has_shard && (is_stdout ? !r->result.format : part_is_name(out));
-    int code = result_check(&r->result, found, r->is_part, "mesh", r->paths, r->count);
+    int code = result_check(&r->result, found, "mesh", r->paths, r->count);
     if (!code)
         code = check_format(r);
-    if (!code && r->has_shard && !r->is_part && strcmp(r->result.format->word, "npz"))
-        return message_usage("a shard is written as a .part or a .npz, not as %s: -o FILE.part or FILE.npz",
-                             r->result.format->word);
+    if (!code && r->has_shard && strcmp(r->result.format->word, "npz"))
+        return message_usage("a shard is written as .npz, not as %s: -o FILE.npz", r->result.format->word);
     return code;
 }
 

@@ -73,9 +73,9 @@ const char *result_up(const result_request *r)
     }
 }
 
-static int check_stdout(const result_request *r, bool takes_part)
+static int check_stdout(const result_request *r)
 {
-    if (!takes_part && !r->format)
+    if (!r->format)
         return message_usage("standard output needs its format, --out-format WORD: one of " VOLUME_WORDS);
     if (r->wants_json)
         return message_usage("--json and -o - exclude each other, since both go to standard output");
@@ -101,23 +101,20 @@ file_out_names result_names(const result_request *r)
     return (file_out_names){{"-o", "--preview"}, {r->out_path, r->preview_path}};
 }
 
-int result_check(result_request *r, const options_found *found, bool takes_part, const char *what, const char *const *read,
-                 size_t count)
+int result_check(result_request *r, const options_found *found, const char *what, const char *const *read, size_t count)
 {
     const bool has_look = options_has(found, RESULT_UP) || options_has(found, RESULT_PICTURE_SIZE);
     if (has_look && !r->preview_path)
         return message_usage("--up and --picture-size need --preview");
     if (r->wants_json && r->is_quiet)
         return message_usage("--json and --quiet exclude each other");
-    if (takes_part && r->format)
-        return message_usage("--out-format and the name of a part exclude each other: -o FILE.part");
     const bool is_stdout = file_out_is_stdout(r->out_path);
-    if (is_stdout && check_stdout(r, takes_part))
+    if (is_stdout && check_stdout(r))
         return EXIT_CODE_USAGE;
     r->has_summary = !is_stdout && !r->is_quiet;
-    if (!takes_part && !r->format)
+    if (!r->format)
         r->format = volume_format_of(r->out_path);
-    if ((!takes_part && !r->format) || check_format(r, found))
+    if (!r->format || check_format(r, found))
         return EXIT_CODE_USAGE;
     const file_out_names names = result_names(r);
     const int code = file_out_check(&names, what, read, count);

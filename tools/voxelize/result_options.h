@@ -69,10 +69,9 @@ const char *result_up(const result_request *r);
 file_out_names result_names(const result_request *r);
 
 /*
- * Checks that the options fit together and that no file is one of those that are read, and finds the format. takes_part: whether
- * the file is a part. what: the word for what is read. Returns an exit_code.
+ * Checks that the options fit together and that no file is one of those that are read, and finds the format. what: the
+ * word for what is read. Returns an exit_code.
  */
-int result_check(result_request *r, const options_found *found, bool takes_part, const char *what, const char *const *read,
-                 size_t count);
+int result_check(result_request *r, const options_found *found, const char *what, const char *const *read, size_t count);
 
 #endif

@@ -1,6 +1,5 @@
-/* voxelize_by_tiles.c - a mesh or a partition tile by tile: sparse formats, parts of shards, and mere counts. */
+/* voxelize_by_tiles.c - a mesh or a partition tile by tile: sparse formats, shards, and mere counts. */
 #define _POSIX_C_SOURCE 200809L
-#include <errno.h>
 #include <stdlib.h>
 
 #include "console/clock.h"
@@ -17,7 +16,6 @@
 typedef struct brick_goals {
     const voxels *cells;
     brick_out *file;
-    part_writer *part;
     uint64_t *words; /* for the picture */
     int code;        /* of what failed */
 } brick_goals;
@@ -29,11 +27,9 @@ static int take_brick(void *data, const uint32_t at[3], const uint64_t bits[8], 
         g->file->ids = ids;
         g->code = brick_out_put(g->file, at, bits);
     }
-    if (g->part)
-        part_put(g->part, at, bits, ids);
     if (g->words)
         bricks_lay(&g->cells->grid, g->words, at, bits);
-    return g->code || (g->part && g->part->reason);
+    return g->code;
 }
 
 /* The tiles of a shard, or all. */
@@ -50,15 +46,13 @@ static part_header header_of(const tile_job *j)
     const voxelize_request *const r = j->r;
     const mesh *const m = j->in->mesh;
     const partition_header *const p = m ? NULL : &j->in->partition->header;
-    part_header header = {.magic = PART_MAGIC,
-                          .byte_order = PART_BYTE_ORDER,
-                          .shard = r->shard,
+    part_header header = {.shard = r->shard,
                           .whole = {.shards = r->shards,
                                     .accuracy = r->test.accuracy,
                                     .axes = r->test.axes ? r->test.axes : TRIBOX_AXES_ALL,
                                     .position_bytes = m ? (m->is_double ? sizeof(double) : sizeof(float)) : p->position_bytes,
                                     .tile = j->set->tile,
-                                    .id_bytes = r->result.options.has_ids ? sizeof(uint32_t) : 0,
+                                    .has_ids = r->result.options.has_ids,
                                     .triangles = m ? m->triangles : p->triangles,
                                     .sums = m ? mesh_sums_of(m) : p->sums},
                           .from = j->from_tile,
@@ -110,30 +104,17 @@ static tribox_status run_filled(const tile_job *j, const filled_sink *sink, voxe
 
 static int run_crew(const tile_job *j, brick_goals *goals, voxelize_answer *a)
 {
-    const bool has_goal = goals->file || goals->part || goals->words;
+    const bool has_goal = goals->file || goals->words;
     const tile_sink sink = {take_brick, goals};
     const filled_sink filled = {take_filled, goals};
     const tribox_status status =
         j->r->fill == FILL_NONE ? run_surface(j, has_goal ? &sink : NULL, a) : run_filled(j, has_goal ? &filled : NULL, a);
     if (goals->code)
         return goals->code;
-    if (goals->part && goals->part->reason)
-        return EXIT_CODE_OK; /* run_to_part says so */
     if (status == TRIBOX_BAD_VERTEX && j->in->partition)
         return message_failure("%s: damaged: the checksum of its triangles does not match; make the partition again",
                                partition_damaged(j->in->partition));
     return message_status(status);
-}
-
-static int run_to_part(const tile_job *j, voxelize_files *files, brick_goals *goals, voxelize_answer *a)
-{
-    const part_header header = header_of(j);
-    part_writer writer = part_start(files->out.stream, &header);
-    goals->part = &writer;
-    const int code = run_crew(j, goals, a);
-    part_finish(&writer);
-    errno = writer.reason;
-    return code ? code : writer.reason ? file_out_failure(&files->out) : file_out_keep(&files->out);
 }
 
 static int run_to_file(const tile_job *j, voxelize_files *files, brick_goals *goals, voxelize_answer *a)
@@ -200,9 +181,7 @@ static int run_job(const tile_job *j, voxelize_files *files, voxelize_answer *a)
     if (code)
         return code;
     brick_goals goals = {.cells = &j->in->cells, .words = words};
-    code = j->r->is_count  ? run_crew(j, &goals, a)
-           : j->r->is_part ? run_to_part(j, files, &goals, a)
-                           : run_to_file(j, files, &goals, a);
+    code = j->r->is_count ? run_crew(j, &goals, a) : run_to_file(j, files, &goals, a);
     if (!code && words)
         code = draw(j, files, words);
     free(words);

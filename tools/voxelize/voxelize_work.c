@@ -26,7 +26,7 @@ bool voxelize_is_small(const voxelize_request *r, const tribox_grid *grid, size_
 /* Formats of all cells take the whole grid, and so do small ones; all else goes tile by tile. */
 static bool takes_whole(const voxelize_request *r, const voxelize_input *in)
 {
-    const bool is_dense = !r->is_part && !r->is_count && !r->result.format->bricks && !r->result.options.has_ids;
+    const bool is_dense = !r->is_count && !r->result.format->bricks && !r->result.options.has_ids;
     const bool is_small = in->mesh && (is_dense || voxelize_is_small(r, &in->cells.grid, in->mesh->triangles));
     return r->has_colours || r->is_thin || is_small;
 }
@@ -58,7 +58,7 @@ void voxelize_note_fill(const voxelize_request *r, size_t odd_rows, voxelize_ans
 static bool takes_layers(const voxelize_request *r, const voxelize_input *in, const voxelize_files *files)
 {
     const bool is_wanted = in->mesh && r->fill == FILL_NONE && !r->is_thin && !r->result.options.has_ids && !r->is_count &&
-                           !r->is_part && r->result.format->frame;
+                           r->result.format->frame;
     const voxel_task task = voxelize_task(r, in);
     return is_wanted && !files->picture.stream && files->out.stream != stdout && layers_apart_pay(&task);
 }

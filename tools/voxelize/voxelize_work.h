@@ -11,7 +11,6 @@ typedef struct voxelize_request {
     const char **paths; /* of it, or of several partitions: `count` */
     size_t count;
     uint32_t threads;
-    bool is_part;           /* a shard, into a part */
     bool is_count;          /* nothing is written */
     uint32_t shard, shards; /* 1 of 1 without --shard */
     bool has_shard;

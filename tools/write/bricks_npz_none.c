@@ -11,8 +11,20 @@ int bricks_check_npz(const char *path, const tribox_grid *grid)
     return message_failure("%s: this tribox was built without zlib, which .npz needs; write .npy or .raw", path);
 }
 
-/* Is not called, as the check refuses. */
-int parts_npz_write(file_out *out, const part *parts, size_t count, const voxels *v, unsigned threads, progress *bar)
+int part_open(part *p, const char *path)
+{
+    (void)p;
+    return message_failure("%s: this tribox was built without zlib, which parts need", path);
+}
+
+/* These are not called, as the check and part_open refuse. */
+int part_read(part *p, part_take *take, void *data)
+{
+    (void)take, (void)data;
+    return part_open(p, p->path);
+}
+
+int parts_npz_write(file_out *out, part *parts, size_t count, const voxels *v, unsigned threads, progress *bar)
 {
     (void)parts, (void)count, (void)v, (void)threads, (void)bar;
     return bricks_check_npz(out->path, NULL);

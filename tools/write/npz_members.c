@@ -7,6 +7,8 @@
 
 #include "read/little.h"
 
+const npz_array npz_arrays[NPZ_ARRAYS] = {{"bits.npy", "<u8", 8, 64}, {"at.npy", "<u4", 3, 12}, {"ids.npy", "<u4", 0, 4}};
+
 void npz_rows(unsigned char header[NPY_HEADER], const char *type, uint64_t rows, int columns)
 {
     char shape[32];

@@ -30,12 +30,12 @@ static int check_alike(const part *a, const part *b)
                             : one->position_bytes != other->position_bytes || one->triangles != other->triangles ||
                                     one->sums.coordinates != other->sums.coordinates
                                 ? "mesh"
-                            : one->accuracy != other->accuracy                      ? "accuracy"
-                            : one->axes != other->axes                              ? "choice of axes"
-                            : one->id_bytes != other->id_bytes                      ? "ids: some have none"
-                            : one->tile != other->tile                              ? "size of tiles"
-                            : one->id_bytes && one->sums.order != other->sums.order ? order
-                                                                                    : NULL;
+                            : one->accuracy != other->accuracy                     ? "accuracy"
+                            : one->axes != other->axes                             ? "choice of axes"
+                            : one->has_ids != other->has_ids                       ? "ids: some have none"
+                            : one->tile != other->tile                             ? "size of tiles"
+                            : one->has_ids && one->sums.order != other->sums.order ? order
+                                                                                   : NULL;
     return differing ? message_failure("%s and %s do not fit together: they differ in the %s", a->path, b->path, differing)
                      : EXIT_CODE_OK;
 }

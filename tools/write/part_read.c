@@ -1,16 +1,97 @@
-/* part_read.c - reads a part, and checks that it is whole. */
+/* part_read.c - reads the .npz file of a part, and checks that it is whole. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "checksum.h"
 #include "console/message.h"
 #include "files/named_file.h"
+#include "npz_members.h"
 #include "part.h"
+#include "read/little.h"
+#include "zip_in.h"
 
-enum { BRICK = 8, TILE_MOST = 1024, BLOCK = 1024 };
+enum { BRICK = 8, BRICK_CELLS = 512, TILE_MOST = 1024, BLOCK = 1024 };
+
+/* The arrays that are read at once: what the file says of the whole, and of its place there. */
+enum { ORIGIN, CELL, SHIFT, SIZE, SHARD, TILES, WHOLE, ROWS, ROW_MOST = 7 };
+static const struct row {
+    const char *name, *type;
+    unsigned count, number_bytes;
+} rows[ROWS] = {{"origin.npy", "<f8", 3, 8},      {"cell.npy", "<f8", 3, 8},  {"shift.npy", "<f8", 3, 8},
+                {"size.npy", "<u4", 3, 4},        {"shard.npy", "<u4", 2, 4}, {"tiles.npy", "<u8", 2, 8},
+                {"whole.npy", "<u8", ROW_MOST, 8}};
+
+static const char again[] = "run that shard again";
+
+static FILE *open_file(const char *path, uint64_t *size)
+{
+    FILE *const file = named_file_open(path, "rb");
+    file_about about;
+    if (!file) {
+        message_failure("%s: cannot open the part: %s", path, strerror(errno));
+    } else if (!named_file_about_open(file, &about) || about.kind != FILE_KIND_REGULAR) {
+        message_failure("%s: not a regular file; give the .npz files that tribox voxelize --shard wrote", path);
+        fclose(file);
+        return NULL;
+    }
+    *size = file ? about.size : 0;
+    return file;
+}
+
+static const zip_member *member_named(const zip_member *members, unsigned count, const char *name)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (!strcmp(members[i].name, name))
+            return &members[i];
+    return NULL;
+}
+
+/* Whether a member is an array of so many rows. */
+static bool has_header(zip_reader *r, const char *type, uint64_t count, int columns)
+{
+    unsigned char found[NPY_HEADER], due[NPY_HEADER];
+    npz_rows(due, type, count, columns);
+    return zip_reader_read(r, found, sizeof found) && !memcmp(found, due, sizeof due);
+}
+
+static bool read_row(FILE *file, const zip_member *m, const struct row *row, uint64_t numbers[ROW_MOST])
+{
+    unsigned char bytes[8 * ROW_MOST];
+    zip_reader r;
+    const bool is_read = zip_reader_open(&r, file, m) && has_header(&r, row->type, row->count, 0) &&
+                         zip_reader_read(&r, bytes, (size_t)row->count * row->number_bytes) && zip_reader_is_whole(&r);
+    zip_reader_close(&r);
+    for (unsigned n = 0; n < row->count && is_read; n++)
+        numbers[n] = row->number_bytes == 4 ? little_get32(bytes + 4 * n) : little_get64(bytes + 8 * n);
+    return is_read;
+}
+
+static bool fits32(uint64_t number) { return number <= UINT32_MAX; }
+
+/* False where numbers make no sense even before they are looked at. */
+static bool take_rows(part_header *h, uint64_t of[ROWS][ROW_MOST])
+{
+    part_whole *const whole = &h->whole;
+    const uint64_t *const numbers = of[WHOLE];
+    memcpy(whole->origin, of[ORIGIN], sizeof whole->origin);
+    memcpy(whole->cell, of[CELL], sizeof whole->cell);
+    memcpy(whole->shift, of[SHIFT], sizeof whole->shift);
+    for (int a = 0; a < 3; a++)
+        whole->size[a] = (uint32_t)of[SIZE][a];
+    h->shard = (uint32_t)of[SHARD][0];
+    whole->shards = (uint32_t)of[SHARD][1];
+    h->from = of[TILES][0];
+    h->to = of[TILES][1];
+    whole->triangles = numbers[0];
+    whole->sums = (mesh_sums){numbers[1], numbers[2]};
+    whole->position_bytes = (uint32_t)numbers[3];
+    whole->accuracy = (uint32_t)numbers[4];
+    whole->axes = (uint32_t)numbers[5];
+    whole->tile = (uint32_t)numbers[6];
+    return fits32(numbers[3]) && fits32(numbers[4]) && fits32(numbers[5]) && fits32(numbers[6]);
+}
 
 static bool is_size(uint32_t bytes) { return bytes == sizeof(float) || bytes == sizeof(double); }
 
@@ -19,76 +100,95 @@ static bool is_sound(const part_header *header)
     const part_whole *const whole = &header->whole;
     const tribox_options options = {.accuracy = (tribox_accuracy)whole->accuracy, .axes = whole->axes};
     const voxels v = part_voxels(whole);
-    return header->shard && header->shard <= whole->shards && whole->axes &&
-           (!whole->id_bytes || whole->id_bytes == sizeof(uint32_t)) && is_size(whole->position_bytes) &&
-           isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && whole->brick_bytes == sizeof(part_brick) && whole->tile &&
-           whole->tile <= TILE_MOST && whole->tile % BRICK == 0 && voxels_are_served(&v.grid, &options) &&
-           header->from <= header->to && header->to <= tribox_tile_count(whole->size, whole->tile);
+    return header->shard && header->shard <= whole->shards && whole->axes && is_size(whole->position_bytes) &&
+           isfinite(v.shift[0] + v.shift[1] + v.shift[2]) && whole->tile && whole->tile <= TILE_MOST && whole->tile % BRICK == 0 &&
+           voxels_are_served(&v.grid, &options) && header->from <= header->to &&
+           header->to <= tribox_tile_count(whole->size, whole->tile);
 }
 
-static int check_header(const char *path, const part_header *header)
+/* A member that no part has may be one that it has, under a damaged name. */
+static int check_names(const part *p, const zip_member *members, unsigned count)
 {
-    static const char magic[sizeof header->magic] = PART_MAGIC, any_version[] = "tribox part ";
-    if (memcmp(header->magic, any_version, sizeof any_version - 1))
-        return message_failure("%s: not a part file; give the .part files that tribox voxelize --shard wrote (shards as .npz are "
-                               "read as one by tribox.Bricks.load of Python)",
-                               path);
-    if (memcmp(header->magic, magic, sizeof magic))
-        return message_failure("%s: damaged, or written by another version of tribox; run that shard again", path);
-    if (header->byte_order != PART_BYTE_ORDER)
-        return message_failure("%s: written on a machine of another byte order; merge it on a machine like that one", path);
-    return is_sound(header) ? EXIT_CODE_OK : message_failure("%s: damaged: its header makes no sense; run that shard again", path);
+    unsigned known = 0;
+    for (int a = 0; a < NPZ_ARRAYS; a++)
+        known += member_named(members, count, npz_arrays[a].name) != NULL;
+    for (int r = 0; r < ROWS; r++) {
+        const bool is_there = member_named(members, count, rows[r].name);
+        known += is_there;
+        if (!is_there)
+            return r == SHARD
+                       ? message_failure("%s: is no part of a whole; give the files that tribox voxelize --shard wrote", p->path)
+                       : message_failure("%s: damaged, or no part: it lacks %s; %s", p->path, rows[r].name, again);
+    }
+    return known == count ? EXIT_CODE_OK
+                          : message_failure("%s: damaged: it has members that parts do not have; %s", p->path, again);
+}
+
+/* How many rows an array has; UINT64_MAX where its header says otherwise. */
+static uint64_t count_rows(FILE *file, const zip_member *m, const npz_array *array)
+{
+    const uint64_t row_bytes = (uint64_t)array->row_bytes, count = m->bytes < NPY_HEADER ? 0 : (m->bytes - NPY_HEADER) / row_bytes;
+    zip_reader r;
+    const bool is_right = m->bytes == NPY_HEADER + count * row_bytes && zip_reader_open(&r, file, m);
+    const bool is_said = is_right && has_header(&r, array->type, count, array->columns);
+    if (is_right)
+        zip_reader_close(&r);
+    return is_said ? count : UINT64_MAX;
+}
+
+static int find_bricks(part *p, FILE *file, const zip_member *members, unsigned count)
+{
+    uint64_t found[NPZ_ARRAYS] = {0};
+    for (int a = 0; a < NPZ_ARRAYS; a++) {
+        const zip_member *const m = member_named(members, count, npz_arrays[a].name);
+        if (!m && a != NPZ_IDS)
+            return message_failure("%s: damaged: it lacks %s; %s", p->path, npz_arrays[a].name, again);
+        p->header.whole.has_ids |= a == NPZ_IDS && m;
+        p->arrays[a] = m ? *m : (zip_member){.bytes = 0};
+        found[a] = m ? count_rows(file, m, &npz_arrays[a]) : 0;
+    }
+    p->bricks = found[NPZ_BITS];
+    p->ids = found[NPZ_IDS];
+    if (found[NPZ_BITS] == UINT64_MAX || found[NPZ_AT] != found[NPZ_BITS] || found[NPZ_IDS] == UINT64_MAX)
+        return message_failure("%s: damaged: its arrays do not fit its bricks; %s", p->path, again);
+    return EXIT_CODE_OK;
+}
+
+static int read_about(part *p, FILE *file, uint64_t size)
+{
+    zip_member members[ZIP_MEMBERS_MAX];
+    uint64_t numbers[ROWS][ROW_MOST];
+    const unsigned count = zip_in_list(file, size, members);
+    if (!count)
+        return message_failure("%s: not a part, or only the beginning of one, or damaged; give the .npz files that tribox voxelize "
+                               "--shard wrote",
+                               p->path);
+    const int code = check_names(p, members, count);
+    if (code)
+        return code;
+    for (int r = 0; r < ROWS; r++)
+        if (!read_row(file, member_named(members, count, rows[r].name), &rows[r], numbers[r]))
+            return message_failure("%s: damaged: its %s is not what was written; %s", p->path, rows[r].name, again);
+    if (!take_rows(&p->header, numbers) || !is_sound(&p->header))
+        return message_failure("%s: damaged: what it says of the whole makes no sense; %s", p->path, again);
+    return find_bricks(p, file, members, count);
+}
+
+int part_open(part *p, const char *path)
+{
+    uint64_t size;
+    *p = (part){.path = path};
+    FILE *const file = open_file(path, &size);
+    if (!file)
+        return EXIT_CODE_FAILURE;
+    const int code = read_about(p, file, size);
+    fclose(file);
+    return code;
 }
 
 static int refuse(const part *p, const char *why)
 {
     return message_failure("%s: damaged: %s; run shard %u of %u again", p->path, why, p->header.shard, p->header.whole.shards);
-}
-
-static FILE *open_file(const char *path)
-{
-    FILE *const file = named_file_open(path, "rb");
-    file_about about;
-    if (!file) {
-        message_failure("%s: cannot open the part: %s", path, strerror(errno));
-    } else if (!named_file_about_open(file, &about) || about.kind != FILE_KIND_REGULAR) {
-        message_failure("%s: not a regular file; give the files that tribox voxelize --shard wrote", path);
-        fclose(file);
-        return NULL;
-    }
-    return file;
-}
-
-/* Where the end is follows from the size of the file. */
-static int read_ends(part *p, FILE *file)
-{
-    if (fread(&p->header, sizeof p->header, 1, file) != 1)
-        return message_failure("%s: not a part file, or only the beginning of one; run that shard again", p->path);
-    const int code = check_header(p->path, &p->header);
-    if (code)
-        return code;
-    file_about about;
-    if (!named_file_about_open(file, &about) || about.size < sizeof p->header + sizeof p->end ||
-        fseeko(file, (off_t)(about.size - sizeof p->end), SEEK_SET) || fread(&p->end, sizeof p->end, 1, file) != 1)
-        return refuse(p, "it ends early");
-    const uint64_t size = about.size - sizeof p->header - sizeof p->end, id_bytes = p->header.whole.id_bytes;
-    const bool has_room = !id_bytes || p->end.cells <= size / id_bytes;
-    const uint64_t bricks = has_room ? size - p->end.cells * id_bytes : 0;
-    if (!has_room || bricks % sizeof(part_brick) || bricks / sizeof(part_brick) != p->end.bricks)
-        return message_failure("%s: damaged: it has %llu bytes, which do not fit its number of bricks; run shard %u of %u again",
-                               p->path, (unsigned long long)about.size, p->header.shard, p->header.whole.shards);
-    return EXIT_CODE_OK;
-}
-
-int part_open(part *p, const char *path)
-{
-    *p = (part){.path = path};
-    FILE *const file = open_file(path);
-    if (!file)
-        return EXIT_CODE_FAILURE;
-    const int code = read_ends(p, file);
-    fclose(file);
-    return code;
 }
 
 /* Where the bricks of a part have come to: they lie in its tiles, in their order. */
@@ -168,78 +268,100 @@ static const char *check_brick(const part_header *h, const part_brick *b, place 
 }
 
 typedef struct reading {
-    const part *p;
+    part *p;
     place here;
-    uint64_t left, cells, sum;
+    uint64_t left, ids_left;
+    zip_reader from[NPZ_ARRAYS];
+    unsigned char at[BLOCK][12], bits[BLOCK][64];
+    part_brick bricks[BLOCK];
+    uint32_t ids[BLOCK * BRICK_CELLS];
 } reading;
 
-static int take_block(reading *r, const part_brick *bricks, size_t count, part_take *take, void *data)
+static part_brick brick_of(const unsigned char at[12], const unsigned char bits[64])
 {
-    int code = EXIT_CODE_OK;
-    r->sum = checksum_bytes(r->sum, bricks, count * sizeof *bricks);
-    for (size_t i = 0; i < count && !code; i++) {
-        const char *const why = check_brick(&r->p->header, &bricks[i], &r->here);
-        r->cells += bricks[i].cells;
-        code = why ? refuse(r->p, why) : take(data, &bricks[i], NULL);
+    part_brick b;
+    for (int a = 0; a < 3; a++)
+        b.at[a] = little_get32(at + 4 * a);
+    for (int k = 0; k < 8; k++)
+        b.bits[k] = little_get64(bits + 8 * k);
+    b.cells = (uint32_t)voxels_count(b.bits, 8);
+    return b;
+}
+
+static bool read_ids(reading *r, uint64_t count)
+{
+    if (!zip_reader_read(&r->from[NPZ_IDS], r->ids, (size_t)count * sizeof *r->ids))
+        return false;
+    for (uint64_t n = 0; n < count; n++)
+        r->ids[n] = little_get32((const unsigned char *)&r->ids[n]);
+    r->ids_left -= count;
+    return true;
+}
+
+static int take_block(reading *r, size_t count, part_take *take, void *data)
+{
+    const bool has_ids = r->p->header.whole.has_ids;
+    uint64_t cells = 0;
+    if (!zip_reader_read(&r->from[NPZ_AT], r->at, count * sizeof *r->at) ||
+        !zip_reader_read(&r->from[NPZ_BITS], r->bits, count * sizeof *r->bits))
+        return refuse(r->p, "it ends early, or its bricks are not what was written");
+    for (size_t i = 0; i < count; i++) {
+        r->bricks[i] = brick_of(r->at[i], r->bits[i]);
+        cells += r->bricks[i].cells;
     }
+    if (has_ids && (cells > r->ids_left || !read_ids(r, cells)))
+        return refuse(r->p, "its ids are not those of its cells");
+    r->p->cells += cells;
     r->left -= count;
+    int code = EXIT_CODE_OK;
+    const uint32_t *ids = has_ids ? r->ids : NULL;
+    for (size_t i = 0; i < count && !code; i++) {
+        const char *const why = check_brick(&r->p->header, &r->bricks[i], &r->here);
+        code = why ? refuse(r->p, why) : take(data, &r->bricks[i], ids);
+        ids = ids ? ids + r->bricks[i].cells : NULL;
+    }
     return code;
 }
 
-static int take_with_ids(reading *r, FILE *file, part_take *take, void *data)
+static int read_bricks(reading *r, FILE *file, part_take *take, void *data)
 {
-    part_brick brick;
-    uint32_t ids[512];
-    if (fread(&brick, sizeof brick, 1, file) != 1)
-        return refuse(r->p, "it ends early");
-    const char *const why = check_brick(&r->p->header, &brick, &r->here);
-    if (why)
-        return refuse(r->p, why);
-    if (brick.cells != voxels_count(brick.bits, 8))
-        return refuse(r->p, "its cells are not as many as it says");
-    if (fread(ids, sizeof *ids, brick.cells, file) != brick.cells)
-        return refuse(r->p, "it ends early");
-    r->sum = checksum_bytes(checksum_bytes(r->sum, &brick, sizeof brick), ids, brick.cells * sizeof *ids);
-    r->cells += brick.cells;
-    r->left--;
-    return take(data, &brick, ids);
-}
-
-static int read_bricks(reading *r, FILE *file, part_brick *block, part_take *take, void *data)
-{
-    int code = EXIT_CODE_OK;
-    part_header header;
-    if (fread(&header, sizeof header, 1, file) != 1 || memcmp(&header, &r->p->header, sizeof header))
-        return refuse(r->p, "it has changed meanwhile");
-    r->sum = checksum_bytes(r->sum, &header, sizeof header);
-    while (r->left && !code && r->p->header.whole.id_bytes)
-        code = take_with_ids(r, file, take, data);
-    while (r->left && !code) {
-        const size_t wanted = r->left < BLOCK ? (size_t)r->left : BLOCK;
-        code = fread(block, sizeof *block, wanted, file) == wanted ? take_block(r, block, wanted, take, data)
-                                                                   : refuse(r->p, "it ends early");
+    unsigned char header[NPY_HEADER];
+    const int arrays = r->p->header.whole.has_ids ? NPZ_ARRAYS : NPZ_IDS;
+    for (int a = 0; a < arrays; a++) {
+        if (!zip_reader_open(&r->from[a], file, &r->p->arrays[a]))
+            return message_failure("out of memory for %s", r->p->path);
+        if (!zip_reader_read(&r->from[a], header, sizeof header))
+            return refuse(r->p, "it ends early");
     }
-    if (code)
-        return code;
-    r->sum = checksum_bytes(r->sum, &r->p->end, offsetof(part_end, checksum));
-    if (r->sum != r->p->end.checksum)
-        return refuse(r->p, "its checksum does not match its content");
-    return r->cells == r->p->end.cells ? EXIT_CODE_OK : refuse(r->p, "its cells are not as many as it says");
+    int code = EXIT_CODE_OK;
+    while (r->left && !code)
+        code = take_block(r, r->left < BLOCK ? (size_t)r->left : BLOCK, take, data);
+    for (int a = 0; a < arrays && !code; a++)
+        if (!zip_reader_is_whole(&r->from[a]))
+            code = refuse(r->p, a == NPZ_IDS && r->ids_left ? "its ids are not those of its cells"
+                                                            : "its checksum does not match its content");
+    return code;
 }
 
-int part_read(const part *p, part_take *take, void *data)
+int part_read(part *p, part_take *take, void *data)
 {
-    reading r = {.p = p, .left = p->end.bricks, .sum = CHECKSUM_EMPTY};
-    FILE *const file = open_file(p->path);
-    part_brick *const block = file ? malloc(BLOCK * sizeof *block) : NULL;
+    uint64_t size;
+    FILE *const file = open_file(p->path, &size);
+    reading *const r = file ? calloc(1, sizeof *r) : NULL;
     int code = EXIT_CODE_FAILURE;
-    if (block) {
-        setvbuf(file, NULL, p->header.whole.id_bytes ? _IOFBF : _IONBF, p->header.whole.id_bytes ? BLOCK * sizeof *block : 0);
-        code = read_bricks(&r, file, block, take, data);
+    if (r) {
+        r->p = p;
+        r->left = p->bricks;
+        r->ids_left = p->ids;
+        p->cells = 0;
+        setvbuf(file, NULL, _IONBF, 0);
+        code = read_bricks(r, file, take, data);
+        for (int a = 0; a < NPZ_ARRAYS; a++)
+            zip_reader_close(&r->from[a]);
     } else if (file) {
         message_failure("out of memory for %s", p->path);
     }
-    free(block);
+    free(r);
     if (file)
         fclose(file);
     return code;

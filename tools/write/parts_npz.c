@@ -13,24 +13,19 @@
 #include "read/little.h"
 
 enum { AT_BYTES = 12, BITS_BYTES = 64, ID_BYTES = 4, BRICK_CELLS = 512, BLOCK = 4096, IDS_BLOCK = 1 << 18 };
-enum { BITS, AT, IDS, ARRAYS };
-static const struct {
-    const char *name, *type;
-    int columns, row_bytes;
-} arrays[ARRAYS] = {{"bits.npy", "<u8", 8, BITS_BYTES}, {"at.npy", "<u4", 3, AT_BYTES}, {"ids.npy", "<u4", 0, ID_BYTES}};
 
 typedef struct part_sums {
-    uint32_t crc[ARRAYS];
+    uint32_t crc[NPZ_ARRAYS];
 } part_sums;
 
 /* What the threads share. */
 typedef struct joining {
     file_out *out;
-    const part *parts;
+    part *parts;
     size_t count;
-    int arrays;             /* all, or those but for ids */
-    uint64_t rows[ARRAYS];  /* of all parts: bricks, and cells for ids */
-    uint64_t start[ARRAYS]; /* where in the file the rows begin */
+    int arrays;                 /* all, or those but for ids */
+    uint64_t rows[NPZ_ARRAYS];  /* of all parts: bricks, and cells for ids */
+    uint64_t start[NPZ_ARRAYS]; /* where in the file the rows begin */
     part_sums *sums;
     progress *bar;
     pthread_mutex_t lock; /* of what follows, and of the stream */
@@ -42,9 +37,9 @@ typedef struct joining {
 /* A part that is being read. */
 typedef struct rows {
     joining *j;
-    uint64_t place[ARRAYS]; /* of the first waiting row among all */
+    uint64_t place[NPZ_ARRAYS]; /* of the first waiting row among all */
     part_sums sums;
-    size_t waiting[ARRAYS];
+    size_t waiting[NPZ_ARRAYS];
     unsigned char at[BLOCK][AT_BYTES], bits[BLOCK][BITS_BYTES], ids[IDS_BLOCK][ID_BYTES];
 } rows;
 
@@ -61,15 +56,15 @@ static void write_at(joining *j, uint64_t at, const void *bytes, size_t size)
 static int write_waiting(rows *r)
 {
     joining *const j = r->j;
-    const void *const bytes[ARRAYS] = {r->bits, r->at, r->ids};
+    const void *const bytes[NPZ_ARRAYS] = {r->bits, r->at, r->ids};
     for (int a = 0; a < j->arrays; a++)
-        r->sums.crc[a] = zip_crc(r->sums.crc[a], bytes[a], r->waiting[a] * (size_t)arrays[a].row_bytes);
+        r->sums.crc[a] = zip_crc(r->sums.crc[a], bytes[a], r->waiting[a] * (size_t)npz_arrays[a].row_bytes);
     pthread_mutex_lock(&j->lock);
     for (int a = 0; a < j->arrays; a++)
-        write_at(j, j->start[a] + r->place[a] * (uint64_t)arrays[a].row_bytes, bytes[a],
-                 r->waiting[a] * (size_t)arrays[a].row_bytes);
-    j->done += r->waiting[BITS];
-    progress_tell(j->bar, (double)j->done / (double)j->rows[BITS]);
+        write_at(j, j->start[a] + r->place[a] * (uint64_t)npz_arrays[a].row_bytes, bytes[a],
+                 r->waiting[a] * (size_t)npz_arrays[a].row_bytes);
+    j->done += r->waiting[NPZ_BITS];
+    progress_tell(j->bar, (double)j->done / (double)j->rows[NPZ_BITS]);
     const int code = j->code;
     pthread_mutex_unlock(&j->lock);
     for (int a = 0; a < j->arrays; a++) {
@@ -82,32 +77,32 @@ static int write_waiting(rows *r)
 static int take_brick(void *data, const part_brick *brick, const uint32_t *ids)
 {
     rows *const r = data;
-    const size_t row = r->waiting[BITS];
+    const size_t row = r->waiting[NPZ_BITS];
     for (int a = 0; a < 3; a++)
         little_put32(r->at[row] + 4 * a, brick->at[a]);
     for (int k = 0; k < 8; k++)
         little_put64(r->bits[row] + 8 * k, brick->bits[k]);
     for (uint32_t n = 0; ids && n < brick->cells; n++)
-        little_put32(r->ids[r->waiting[IDS]++], ids[n]);
-    r->waiting[BITS] = r->waiting[AT] = row + 1;
-    return row + 1 < BLOCK && r->waiting[IDS] + BRICK_CELLS <= IDS_BLOCK ? EXIT_CODE_OK : write_waiting(r);
+        little_put32(r->ids[r->waiting[NPZ_IDS]++], ids[n]);
+    r->waiting[NPZ_BITS] = r->waiting[NPZ_AT] = row + 1;
+    return row + 1 < BLOCK && r->waiting[NPZ_IDS] + BRICK_CELLS <= IDS_BLOCK ? EXIT_CODE_OK : write_waiting(r);
 }
 
-static void add_rows(const part *p, uint64_t to[ARRAYS])
+static void add_rows(const part *p, uint64_t to[NPZ_ARRAYS])
 {
-    to[BITS] += p->end.bricks;
-    to[AT] += p->end.bricks;
-    to[IDS] += p->end.cells;
+    to[NPZ_BITS] += p->bricks;
+    to[NPZ_AT] += p->bricks;
+    to[NPZ_IDS] += p->ids;
 }
 
 /* Which part is next, and its first places. False where none is left. */
-static bool take_part(joining *j, size_t *number, uint64_t place[ARRAYS])
+static bool take_part(joining *j, size_t *number, uint64_t place[NPZ_ARRAYS])
 {
     pthread_mutex_lock(&j->lock);
     const bool is_left = !j->code && j->next < j->count;
     *number = is_left ? j->next++ : j->next;
     pthread_mutex_unlock(&j->lock);
-    memset(place, 0, ARRAYS * sizeof *place);
+    memset(place, 0, NPZ_ARRAYS * sizeof *place);
     for (size_t i = 0; i < *number; i++)
         add_rows(&j->parts[i], place);
     return is_left;
@@ -141,16 +136,16 @@ static void work(void *data, unsigned thread)
     free(r);
 }
 
-static uint64_t bytes_of(int array, uint64_t count) { return count * (uint64_t)arrays[array].row_bytes; }
+static uint64_t bytes_of(int array, uint64_t count) { return count * (uint64_t)npz_arrays[array].row_bytes; }
 
 /* Leaves room for an array whose rows come later. */
 static void skip_rows(joining *j, zip_out *zip, int array)
 {
     unsigned char header[NPY_HEADER];
-    zip_begin_member(zip, arrays[array].name);
+    zip_begin_member(zip, npz_arrays[array].name);
     j->start[array] = zip->written;
     zip_skip(zip, bytes_of(array, j->rows[array]));
-    npz_rows(header, arrays[array].type, j->rows[array], arrays[array].columns);
+    npz_rows(header, npz_arrays[array].type, j->rows[array], npz_arrays[array].columns);
     zip_end_member(zip, header);
 }
 
@@ -158,9 +153,9 @@ static void set_sums(const joining *j, zip_out *zip, int array)
 {
     uint32_t crc = 0;
     unsigned char header[NPY_HEADER];
-    npz_rows(header, arrays[array].type, j->rows[array], arrays[array].columns);
+    npz_rows(header, npz_arrays[array].type, j->rows[array], npz_arrays[array].columns);
     for (size_t i = 0; i < j->count; i++) {
-        uint64_t of_part[ARRAYS] = {0};
+        uint64_t of_part[NPZ_ARRAYS] = {0};
         add_rows(&j->parts[i], of_part);
         crc = zip_crc_of_both(crc, j->sums[i].crc[array], bytes_of(array, of_part[array]));
     }
@@ -185,12 +180,12 @@ static int join(joining *j, const voxels *v, unsigned threads)
     return ferror(j->out->stream) ? file_out_failure(j->out) : EXIT_CODE_OK;
 }
 
-int parts_npz_write(file_out *out, const part *parts, size_t count, const voxels *v, unsigned threads, progress *bar)
+int parts_npz_write(file_out *out, part *parts, size_t count, const voxels *v, unsigned threads, progress *bar)
 {
     joining j = {.out = out, .parts = parts, .count = count, .bar = bar, .sums = calloc(count, sizeof *j.sums)};
     if (!j.sums)
         return message_failure("%s: out of memory", out->path);
-    j.arrays = parts[0].header.whole.id_bytes ? ARRAYS : IDS;
+    j.arrays = parts[0].header.whole.has_ids ? NPZ_ARRAYS : NPZ_IDS;
     for (size_t i = 0; i < count; i++)
         add_rows(&parts[i], j.rows);
     pthread_mutex_init(&j.lock, NULL);

@@ -10,6 +10,6 @@
  * Writes the content of an open file that is not standard output: the bytes of brick_out for the bricks of all parts, stored and
  * not deflated. v: grid and shift. bar: of the share done. Returns an exit_code.
  */
-int parts_npz_write(file_out *out, const part *parts, size_t count, const voxels *v, unsigned threads, progress *bar);
+int parts_npz_write(file_out *out, part *parts, size_t count, const voxels *v, unsigned threads, progress *bar);
 
 #endif

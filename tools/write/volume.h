@@ -62,7 +62,7 @@ const volume_format *volume_format_named(const char *word);
 /* Whether it has a place for the id of each cell. */
 bool volume_takes_ids(const volume_format *format);
 
-/* Says where the cells are, if they are shifted and the format does not. NULL for a part, which does. */
+/* Says where the cells are, if they are shifted and the format does not. NULL: nothing is written. */
 void volume_note_shift(const volume_format *format, const char *path, const voxels *v);
 
 /* NumPy 1.0: one bool per cell, or label of uint8, shape (nz, ny, nx), so that array[k, j, i] is cell (i, j, k). */

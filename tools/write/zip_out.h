@@ -16,6 +16,7 @@ typedef struct zip_member {
     uint64_t start;         /* where in the file */
     uint64_t bytes, stored; /* as they are, and as they are written */
     uint32_t crc;
+    bool is_deflated; /* set by zip_in.h */
 } zip_member;
 
 typedef struct zip_out {
