@@ -1,14 +1,14 @@
-"""A mesh into a Zarr array of packed cells, with Dask: python3 dask_zarr.py MESH RESOLUTION OUT.zarr [--ids] [--workers N] [--pieces N]
+"""A mesh into a Zarr array of packed cells, with Dask: python3 dask_zarr.py MESH RESOLUTION OUT.zarr [--ids] [--workers N] [--shards N]
 
 Word [k, j, i // 64] of the array has cell (i, j, k) as its bit i % 64, as Voxels.words has it; with --ids number [k, j, i] is that
 of the lowest triangle in the cell, -1 where there is none. Chunks without cells are not stored.
 
-The shuffle goes through files, on a disk that all workers see: each task sorts its piece of the mesh by tiles into a folder; then
-each reads its tiles from the folders of all pieces. None asks another for what it holds, so that nobody waits for one that is gone.
-A tile is a chunk and a task owns its chunks and writes each whole: a task that a killed worker had begun is run again. OUT.zarr
-appears when all have ended. What a run that ends before leaves in OUT.zarr.jobs, the same command goes on with.
+One task sorts the mesh, which may be larger than memory, by tiles into a folder; then each voxelizes its share of the tiles, of
+about equal work, into a file of bricks, and writes these into the array. A tile is a chunk, and a task owns its chunks and writes
+each whole: a task that a killed worker had begun is run again. OUT.zarr appears when all have ended. What a run that ends before
+leaves in OUT.zarr.jobs, the same command goes on with.
 
-Workers import pieces.py: on other machines it has to be on their PYTHONPATH.
+Workers import shards.py: on other machines it has to be on their PYTHONPATH.
 """
 
 import argparse
@@ -19,75 +19,65 @@ import shutil
 import sys
 
 import numpy as np
-import pieces
+import shards
 import tribox
 import zarr
 from dask.distributed import Client, LocalCluster, as_completed
 
 
-def bounds_of(mesh, number, count):
-    return pieces.bounds(pieces.read(mesh, number, count))
+def tiles_of(bricks, side):
+    """The runs of bricks, first to before end, that are of one tile."""
+    tiles = bricks.at // (side // 8)
+    borders = (np.flatnonzero((tiles[1:] != tiles[:-1]).any(1)) + 1).tolist()
+    return zip([0, *borders], [*borders, len(tiles)]) if len(tiles) else ()
 
 
-def sort_piece(mesh, number, count, folder, grid, ids):
-    pieces.sort(pieces.read(mesh, number, count), folder, grid, ids)
-    return folder
+def chunk_of(at, values, side):
+    """The cells of a tile, side x side x side, of those of its bricks."""
+    chunk = np.full((side // 8,) * 3 + (8, 8, 8), -1 if values.dtype == np.int32 else 0, values.dtype)
+    i, j, k = at.T % (side // 8)
+    chunk[k, j, i] = values
+    return chunk.transpose(0, 3, 1, 4, 2, 5).reshape(side, side, side)
 
 
-def tiles_of(folders, number, count):
-    """The tiles of a share: (window, triangles, their numbers) of each. Every count-th of all, as neighbours take equally long."""
-    parts = [tribox.Partition(folder) for folder in folders]
-    before = np.cumsum([0] + [part.triangle_count for part in parts]).tolist()
-    for tile in np.unique(np.concatenate([part.numbers for part in parts])).tolist()[number - 1::count]:
-        for part in parts:
-            part.check((tile, 1))
-        numbers = [part.ids(tile) + np.uint32(first) for part, first in zip(parts, before) if part.has_ids]
-        yield parts[0].window(tile), np.concatenate([part.triangles(tile) for part in parts]), np.concatenate(numbers or [[]])
+def store(part, path, side, ids):
+    """Writes the chunks of the tiles of a part; returns how many cells they have."""
+    bricks, array, done = tribox.Bricks.load(part), zarr.open(path, mode="r+", write_empty_chunks=True), 0  # none is empty
+    for first, end in tiles_of(bricks, side):
+        cells = np.unpackbits(bricks.bits[first:end].astype("<u8").view(np.uint8).reshape(-1, 8, 8, 1), -1, bitorder="little")
+        count = np.count_nonzero(cells)
+        if ids:
+            values = np.full(cells.shape, -1, np.int32)
+            values[cells.astype(bool)] = bricks.ids[done:done + count]
+            chunk = chunk_of(bricks.at[first:end], values, side)
+        else:
+            chunk = np.packbits(chunk_of(bricks.at[first:end], cells, side), -1, bitorder="little").view("<u8")
+        x, y, z = bricks.at[first] // (side // 8) * side
+        corner = z, y, x if ids else x // 64
+        there = tuple(slice(start, start + most) for start, most in zip(corner, chunk.shape))
+        array[there] = chunk[tuple(slice(most - int(start)) for start, most in zip(corner, array.shape))]
+        done += count
+    return done
 
 
-def chunk_of(voxels, numbers, ids):
-    """What the array holds of a tile."""
-    if not ids:
-        return voxels.words
-    chunk = np.full(voxels.shape, -1, np.int32)
-    chunk[np.array(voxels)] = numbers[voxels.ids]
-    return chunk
-
-
-def voxelize_share(folders, number, count, path, grid, ids):
-    """Writes the chunks of its tiles; returns how many cells they have, which a file says when they are there."""
-    done = f"{path}.done/{number}"
-    if not os.path.exists(done):
-        array, cells = zarr.open(path, mode="r+", write_empty_chunks=True), 0  # none is empty: it need not look
-        for ((i, j, k), size), triangles, numbers in tiles_of(folders, number, count):
-            voxels = tribox.voxelize(triangles, grid, window=((i, j, k), size), ids=ids)
-            if some := voxels.sum():
-                chunk, x = chunk_of(voxels, numbers, ids), i if ids else i // 64
-                array[k:k + chunk.shape[0], j:j + chunk.shape[1], x:x + chunk.shape[2]] = chunk
-                cells += some
-        pieces.put(done, str(cells).encode())
-    with open(done) as file:
-        return int(file.read())
-
-
-def make_array(path, grid, ids, side=128):
-    """Makes it unless it is there."""
-    os.makedirs(f"{path}.done", exist_ok=True)
-    if not os.path.exists(f"{path}/.zattrs"):
-        shutil.rmtree(f"{path}.done"), os.mkdir(f"{path}.done")
-        nx, ny, nz = grid.size
-        cells = 1 if ids else 64  # in an element
-        array = zarr.open(path, mode="w", shape=(nz, ny, -(-nx // cells)), chunks=(side, side, side // cells),
-                          dtype="<i4" if ids else "<u8", fill_value=-1 if ids else 0)
-        array.attrs.update(origin=grid.origin, cell=grid.cell, size=grid.size)
+def make_array(path, part, ids):
+    """Of the grid that a part is of; returns how many cells the side of a tile has."""
+    with np.load(part) as file:
+        (nx, ny, nz), side = file["size"].tolist(), int(file["whole"][6])
+        grid = {name: file[name].tolist() for name in ("origin", "cell", "size")}
+    cells = 1 if ids else 64  # in an element
+    array = zarr.open(path, mode="w", shape=(nz, ny, -(-nx // cells)), chunks=(side, side, side // cells),
+                      dtype="<i4" if ids else "<u8", fill_value=-1 if ids else 0)
+    array.attrs.update(grid)
+    return side
 
 
 def run(each, mesh, resolution, count, jobs, ids):
-    """All tasks, step by step. each: runs one for every number. Returns how many cells there are."""
-    grid = pieces.grid(each(bounds_of, [(mesh, n, count) for n in range(1, count + 1)]), resolution)
-    folders = each(sort_piece, [(mesh, n, count, f"{jobs}/{n}.tiles", grid, ids) for n in range(1, count + 1)])
-    make_array(f"{jobs}/cells", grid, ids)
-    return sum(each(voxelize_share, [(folders, n, count, f"{jobs}/cells", grid, ids) for n in range(1, count + 1)]))
+    """All tasks, step by step. each: runs one for every call. Returns how many cells there are."""
+    each(shards.sort, [(mesh, resolution, jobs, ids)])
+    parts = each(shards.voxelize, [(jobs, n, count, ids) for n in range(1, count + 1)])
+    side = make_array(f"{jobs}/cells", parts[0], ids)
+    return sum(each(store, [(part, f"{jobs}/cells", side, ids) for part in parts]))
 
 
 def told(task, ends, count):
@@ -120,23 +110,22 @@ def dask(workers):
 
 def main():
     parser = argparse.ArgumentParser(description="A mesh into a Zarr array of packed cells, with Dask.")
-    parser.add_argument("mesh", help="binary .stl or .ply, .f32, .f64")
+    parser.add_argument("mesh", help="what tribox reads")
     parser.add_argument("resolution", type=int)
     parser.add_argument("out")
     parser.add_argument("--ids", action="store_true", help="the lowest triangle of each cell in place of its bit")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes; 0: this one, without Dask")
-    parser.add_argument("--pieces", type=int, default=16, help="of the mesh, and shares of tiles: what is lost with a worker")
+    parser.add_argument("--shards", type=int, default=16, help="shares of tiles: what is lost with a worker")
     parser.add_argument("--timeout", type=int, default=3600, help="seconds after which the run ends with an error")
     options = parser.parse_args()
     faulthandler.dump_traceback_later(options.timeout, exit=True)
     if os.path.exists(options.out):
         parser.error(f"{options.out} exists")
     mesh, jobs = os.path.abspath(options.mesh), os.path.abspath(options.out) + ".jobs"
-    pieces.take_up(jobs, mesh, options.resolution, options.pieces, *["--ids"] * options.ids)
+    shards.take_up(jobs, mesh, options.resolution, options.shards, *["--ids"] * options.ids)
     here = contextlib.nullcontext(lambda task, calls: list(told(task, (task(*call) for call in calls), len(calls))))
     with dask(options.workers) if options.workers else here as each:
-        cells = run(each, mesh, options.resolution, options.pieces, jobs, options.ids)
-    shutil.rmtree(f"{jobs}/cells.done")  # first, as they say that the chunks are there
+        cells = run(each, mesh, options.resolution, options.shards, jobs, options.ids)
     os.rename(f"{jobs}/cells", options.out)
     shutil.rmtree(jobs)
     print(f"{cells} cells")

@@ -13,8 +13,9 @@ import tribox
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXAMPLES = os.path.join(HERE, "..", "..", "examples", "engines")
 sys.path.insert(0, EXAMPLES)
+os.environ["PATH"] = f"{os.path.dirname(os.environ['TRIBOX_PROGRAM'])}:{os.environ['PATH']}"
 
-import pieces  # noqa: E402
+import shards  # noqa: E402
 
 LEFT_OUT = 77  # the exit code of a test that cannot run here
 GRACE = 30  # seconds beyond its own limit after which a run hangs
@@ -60,22 +61,12 @@ class Case:
         return tribox.voxelize(self.mesh, self.grid).words
 
     @functools.cached_property
-    def bricks(self):
-        return tribox.bricks(self.mesh, self.grid, ids=True)
-
-    @functools.cached_property
     def ids(self):
         """Of all cells, -1 where there is none."""
         voxels = tribox.voxelize(self.mesh, self.grid, ids=True)
         cells = np.full(voxels.shape, -1, np.int32)
         cells[np.array(voxels)] = voxels.ids
         return cells
-
-
-def same_bricks(bricks, expected):
-    """Whether they are the same, in whatever order."""
-    one, other = (np.lexsort(part.at.T) for part in (bricks, expected))
-    return np.array_equal(bricks.at[one], expected.at[other]) and np.array_equal(bricks.bits[one], expected.bits[other])
 
 
 def flip(path, place):
@@ -105,23 +96,22 @@ class Engine:
                 shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
 
     def damage(self):
-        """What a run may have left: a sorted piece, of which a bit is another."""
-        pieces.take_up(self.jobs, self.case.path, *self.told())
-        folder = os.path.join(self.jobs, "1.tiles")
-        pieces.sort(pieces.read(self.case.path, 1, self.told()[1]), folder, self.case.grid)
-        path = os.path.join(folder, "triangles")
+        """What a run may have left: the sorted mesh, of which a bit is another."""
+        shards.take_up(self.jobs, self.case.path, *self.told())
+        shards.sort(self.case.path, self.case.resolution, self.jobs)
+        path = os.path.join(self.jobs, "tiles", "triangles")
         flip(path, os.path.getsize(path) // 2)
 
     def lies(self):
         """What whole files a run has left for the next."""
-        return [path for end in ("*.tiles", "cells.done/*[0-9]") for path in glob.glob(os.path.join(self.jobs, end))]
+        return [path for end in ("tiles", "*.npz") for path in glob.glob(os.path.join(self.jobs, end))]
 
 
 class Dask(Engine):
     """dask_zarr.py; its workers are processes that it starts."""
 
     needs = dict(modules=("dask.distributed", "zarr"))
-    name, out, word, suits, numbers, pieces = "dask", "out.zarr", "spawn_main", (40, 300), (0, 2), 8
+    name, out, word, suits, numbers, shards = "dask", "out.zarr", "spawn_main", (40, 300), (0, 2), 8
 
     def __init__(self, case, workers=2):
         super().__init__(case, workers)
@@ -129,11 +119,11 @@ class Dask(Engine):
 
     def command(self, limit):
         return [sys.executable, os.path.join(EXAMPLES, "dask_zarr.py"), self.case.path, str(self.case.resolution), self.path,
-                "--workers", str(self.workers), "--pieces", str(self.pieces), "--timeout", str(limit),
+                "--workers", str(self.workers), "--shards", str(self.shards), "--timeout", str(limit),
                 *["--ids"] * self.has_ids]
 
     def told(self):
-        return self.case.resolution, self.pieces
+        return self.case.resolution, self.shards
 
     def is_right(self):
         import zarr
@@ -144,7 +134,7 @@ class Mpi(Engine):
     """mpi_bricks.py; its workers are the ranks."""
 
     needs = dict(modules=("mpi4py",), programs=("mpirun",))
-    name, out, word, suits, numbers = "mpi", "out.npy", "mpi_bricks.py", (60, 600), (1, 3)
+    name, out, word, suits, numbers = "mpi", "out.npz", "mpi_bricks.py", (60, 600), (1, 3)
     environment = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
 
     def command(self, limit):
@@ -156,12 +146,9 @@ class Mpi(Engine):
         return self.case.resolution, self.workers, "ranks"
 
     def is_right(self):
-        bricks, expected = np.load(self.path), self.case.bricks
-        if self.has_ids:
-            at, (brick, k, j, i) = expected.cells().T, np.nonzero(bricks["ids"] >= 0)
-            if not np.array_equal(bricks["ids"][brick, k, j, i], self.case.ids[at[2], at[1], at[0]]):
-                return False
-        return np.array_equal(bricks["at"], expected.at) and np.array_equal(bricks["bits"], expected.bits)
+        bricks = tribox.Bricks.load(self.path)
+        expected = tribox.bricks(self.case.mesh, self.case.grid, side=64 if self.has_ids else 128, ids=self.has_ids)  # as its tiles
+        return all(np.array_equal(getattr(bricks, name), getattr(expected, name)) for name in ("at", "bits", "ids"))
 
 
 ENGINES = {engine.name: engine for engine in (Dask, Mpi)}

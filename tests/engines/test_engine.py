@@ -3,9 +3,11 @@
 import argparse
 import os
 import random
+import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import faults
 import runs
@@ -59,6 +61,22 @@ class Engines(unittest.TestCase):
         process = runs.start(self.engine, LIMIT, self.log)
         self.assertNotEqual(process.wait(LIMIT + runs.GRACE), 0)
         self.assertEqual((self.left(), os.listdir(self.engine.path)), ([self.engine.out], []))
+
+    def test_other_command(self):
+        """What a failed run left is taken by the same command alone."""
+        runs.shards.take_up(self.engine.jobs, self.engine.case.path, 7)
+        how, _, said = self.run_once()
+        self.assertEqual(how, "error", said)
+        self.assertIn("jobs is of another command", said)
+
+    def test_sorted_twice(self):
+        """Whoever sorts a mesh that another has sorted meanwhile takes it as it is; a failure is one where it is not there."""
+        mesh, jobs = self.engine.case.path, self.engine.jobs
+        os.mkdir(jobs)
+        self.assertRaises(subprocess.CalledProcessError, runs.shards.sort, mesh, 0, jobs)
+        runs.shards.sort(mesh, 9, jobs)
+        with unittest.mock.patch("os.path.exists", side_effect=[False, True]):
+            runs.shards.sort(mesh, 9, jobs)
 
     def test_damaged(self):
         """What a task refuses ends the run, and says why."""
