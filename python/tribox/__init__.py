@@ -66,9 +66,8 @@ cell_lists() says which triangles are in which cell, in the order of voxels.cell
     (array([0, 2, 0], dtype=uint32), array([0], dtype=uint32))
     >>> lowest = lists.triangles[lists.start[:-1]]    # one for each cell: colours[lowest] are its colours
 
-Voxels and Bricks have save() for files; Bricks.load reads files of bricks, also many parts as one. For many machines partition()
-sorts a mesh by tiles of the grid into a folder, of which each task maps what it needs: see Partition, and examples/engines, which
-run it with Dask, MPI and Slurm.
+Voxels and Bricks have save() for files; Bricks.load reads files of bricks. Meshes larger than memory, and many machines, are for
+the program: see examples/engines, which run it with Dask, MPI and Slurm.
 
 Boxes and triangles contain their borders: touching is overlap. By default answers are exact for every finite input, float32 or
 float64. Bounds of boxes and planes of grids are doubles: 0.1 is the double, np.float32(0.1) the float. A Soup holds float32. A
@@ -91,7 +90,6 @@ from ._index import Index
 from ._library import VERSION, kernel_name, kernels, lib
 from ._masks import mask_indices
 from ._overlap import classify, find, overlap, overlap_all, overlap_any, overlap_boxes, overlap_oriented, split
-from ._partition import Partition, partition
 from ._tiles import tile_count
 from ._triangles import Mesh, Soup
 from ._typing import TrianglesLike as TrianglesLike
@@ -103,7 +101,7 @@ AXES_ALL = lib.TRIBOX_AXES_ALL
 __version__ = VERSION
 __all__ = [
     "AXES_ALL", "AXES_BOX", "AXES_EDGES", "AXES_PLANE", "BadIndexError", "Bricks", "CellLists", "Cropped", "Error", "Grid", "Index",
-    "InputError", "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Partition", "Soup", "Voxels", "bricks", "cell_lists",
+    "InputError", "InputTypeError", "Mesh", "OpenMeshWarning", "OrientedBox", "Soup", "Voxels", "bricks", "cell_lists",
     "classify", "crop", "find", "grid_around", "kernel_name", "kernels", "mask_indices", "overlap", "overlap_all", "overlap_any",
-    "overlap_boxes", "overlap_oriented", "partition", "split", "tile_count", "voxelize",
+    "overlap_boxes", "overlap_oriented", "split", "tile_count", "voxelize",
 ]

@@ -16,13 +16,13 @@ from ._arguments import options_of, range_of
 from ._files import save_bricks
 from ._grids import Grid
 from ._ids import bits_of_bricks, brick_ids, cells_of_ids, check_ids, set_with_ids
+from ._load import load_bricks
 from ._masks import BYTE, WORD, bools, row_words
 from ._overlap import ALL
-from ._parts import load_bricks
 from ._threads import in_threads, threads_of
 from ._tiles import NUMBER, Listed, Tiling, Workshop, set_padded_tile, side_of
 from ._triangles import held
-from ._typing import Accuracy, Cell, GridLike, Paths, Range, TrianglesLike
+from ._typing import Accuracy, Cell, GridLike, Range, TrianglesLike
 from ._voxels import middles
 
 BATCH_BYTES, BATCH_MAX = 1 << 20, 1 << 10  # of tiles that are cut into bricks at once
@@ -33,8 +33,8 @@ class Bricks:
     """Bricks of 8 x 8 x 8 cells, those that are not empty. Brick n has the cells 8 * at[n] + (i, j, k), for i, j, k = 0 .. 7.
 
     at: uint32 of shape (n, 3): x, y, z. bits: uint64 of shape (n, 8): bit i + 8 * j of bits[n, k] is that cell. grid: the Grid.
-    shift: what was subtracted from the mesh, if the bricks come from a file that says so. shard: (I, N) if load read only the file
-    of part I of N; else None. ids: if they were wanted, or a file has them, uint32: for each set cell the lowest number of a
+    shift: what was subtracted from the mesh, if the bricks come from a file that says so. shard: (I, N) if the file is only
+    part I of N; else None. ids: if they were wanted, or a file has them, uint32: for each set cell the lowest number of a
     triangle that overlaps it, in the order of cells(); else None. inside: if cells have labels, which of bits are inside, in the
     same shape; else None.
     """
@@ -52,16 +52,10 @@ class Bricks:
         return f"<tribox.Bricks: {len(self.at)} bricks that are not empty, of a grid of {self.grid.sides()}{part}>"
 
     @staticmethod
-    def load(path: Paths) -> Bricks:
-        """Reads a .npz file of bricks, or all parts of one whole, which tribox voxelize --shard I/N -o FILE.npz wrote.
+    def load(path: Union[str, "os.PathLike[str]"]) -> Bricks:
+        """Reads a .npz file of bricks. It may be a part, which tribox voxelize --shard I/N wrote, as shard then says.
 
-            bricks = tribox.Bricks.load("big.*.npz")
-
-        path: of one file, which may be a part, as shard then says; or the paths of all parts of a whole, in any order, or a pattern
-            of their names: the bricks are then those of a file written in one piece, in its order.
-
-        Raises InputError for a file that does not hold bricks or is damaged, and for parts that are missing, given twice, or of
-        different wholes: with ids also where the triangles of the mesh come in another order.
+        Raises InputError for a file that does not hold bricks or is damaged. `tribox merge` makes one file of all parts.
         """
         return Bricks(*load_bricks(path))
 
@@ -136,7 +130,7 @@ def little(words):
 
 
 def bricks_of(lists, tiling, options, threads):
-    """The bricks of the tiles that have triangles. lists: a Listed, or what has its numbers, places and of()."""
+    """The bricks of the tiles that have triangles. """
     nx, ny, nz = (-(-size // 8) * 8 for size in np.minimum(tiling.side, tiling.size).tolist())
     shape = nz, ny, row_words(nx)
     most = max(1, min(BATCH_MAX, BATCH_BYTES // (8 * shape[0] * shape[1] * shape[2])))
@@ -157,7 +151,7 @@ def bricks_of(lists, tiling, options, threads):
 
 
 def bricks_with_ids(listed, tiling, options, threads):
-    """Those of a Listed, or of what has its ids() too, tile by tile, with the ids of their cells."""
+    """The same tile by tile, with the ids of their cells."""
     first, size = tiling.windows(listed.numbers)
 
     def work(n):
@@ -190,7 +184,7 @@ def bricks(triangles: TrianglesLike, grid: Optional[GridLike] = None, *, cell: O
     Raises errors as voxelize does. Bricks take 76 bytes each; a surface has 64 to 69 cells in each, however fine the grid.
     """
     held_, options, threads_ = held(triangles), options_of(accuracy, axes, 0, kernel), threads_of(threads)
-    listing = options_of("exact", axes, 0, kernel)  # as a Partition's: cells that are not exact depend on which tiles are asked
+    listing = options_of("exact", axes, 0, kernel)  # cells that are not exact depend on which tiles are asked
     tiling = Tiling(grid_given(held_, grid, cell, resolution), side_of(side))
     first, count = range_of("tiles", tiles, tiling.count, "tiles")
     listed = Listed(held_, tiling, first, count, listing, threads_)

@@ -18,9 +18,9 @@ AT_ONCE = 1 << 23  # cells, of four bytes each: more layers are taken in turn
 TRIANGLES_MAX = 0xFFFFFFFF
 
 
-def check_ids(held_, most=TRIANGLES_MAX):
-    if held_.struct.count > most:
-        raise InputError(f"{held_.struct.count} triangles are too many for ids; give at most {most}")
+def check_ids(held_):
+    if held_.struct.count > TRIANGLES_MAX:
+        raise InputError(f"{held_.struct.count} triangles are too many for ids; give at most {TRIANGLES_MAX}")
 
 
 def set_with_ids(held_, grid, first, size, options, words, room=None):

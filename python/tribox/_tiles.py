@@ -54,11 +54,6 @@ class Tiling:
         first = np.stack([numbers % ni, numbers // ni % nj, numbers // (ni * nj)], 1) * self.side
         return first, np.minimum(self.side, self.size - first)
 
-    def window(self, number):
-        """The same of one tile, as tuples."""
-        first, size = self.windows(np.array([number]))
-        return tuple(first[0].tolist()), tuple(size[0].tolist())
-
 
 class Listed:
     """Triangles by tile, as lists of their numbers: those of `count` tiles of a tiling, from the first on."""

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, Protocol, Sequence, SupportsFloat, SupportsIndex, Tuple, Union
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Protocol, Sequence, SupportsFloat, SupportsIndex, Tuple, Union
 
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    import os
-
     from ._boxes import OrientedBox
     from ._grids import Grid
     from ._triangles import Mesh, Soup
@@ -69,4 +67,3 @@ Range = Tuple[SupportsIndex, SupportsIndex]  # first, count
 Accuracy = Literal["exact", "conservative", "fast"]
 Fill = Literal["outside", "parity", "middles"]
 Answer = NDArray[Any]  # of bool, or of uint64 for packed bits
-Paths = Union[str, "os.PathLike[str]", Iterable[Union[str, "os.PathLike[str]"]]]

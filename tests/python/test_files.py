@@ -141,6 +141,49 @@ class Files(cases.TestCase):
             self.assertTrue(path.is_symlink() and old.stat().st_size > 5000)
             path.unlink()
 
+    @unittest.skipUnless("TRIBOX_PROGRAM" in os.environ, "built without the program")
+    def test_load(self):
+        """A part and a shifted whole, of the program's and saved again; none that is damaged."""
+        mesh, part, whole = Path(self.folder, "m.f32"), Path(self.folder, "part.npz"), Path(self.folder, "whole.npz")
+        mesh.write_bytes(cases.lattice(40).tobytes())
+        for path, options in ((part, ("--shard", "2/5")), (whole, ("--shift", "1,0.5,-3", "--ids", "--deflate"))):
+            subprocess.run([os.environ["TRIBOX_PROGRAM"], "voxelize", mesh, "-r", "300", *options, "-q", "-o", path], timeout=120,
+                           check=True)
+        bricks, shifted = tribox.Bricks.load(part), tribox.Bricks.load(str(whole))
+        self.assertEqual((bricks.shard, bricks.ids, shifted.shard, shifted.shift), ((2, 5), None, None, (1, 0.5, -3)))
+        self.assertIn(", shard 2 of 5>", repr(bricks))
+        self.assertNotIn("shard", repr(shifted))
+        again = tribox.Bricks.load(self.saved(shifted, ".npz"))
+        self.assertEqual((again.grid, again.shift), (shifted.grid, shifted.shift))
+        for name in ("at", "bits", "ids"):
+            self.assert_same(getattr(again, name), getattr(shifted, name))
+        self.check_damaged(part, whole)
+
+    def check_damaged(self, part, whole):
+        path = Path(self.folder, "changed.npz")
+        for of, why, arrays in ((part, "its at is float64", dict(at=np.zeros((3, 3)))),
+                                (part, "its shard is", dict(shard=np.zeros(3, "<u4"))),
+                                (part, r"its bits is uint64 of shape \(3,\)", dict(bits=np.zeros(3, "<u8"))),
+                                (part, "damaged: .* places of 1 bricks", dict(bits=np.zeros((1, 8), "<u8"))),
+                                (part, "damaged: .* places of 2 bricks", dict(inside=np.zeros((2, 8), "<u8"))),
+                                (whole, "damaged: 3 ids of other cells", dict(ids=np.zeros(3, "<u4")))):
+            with np.load(of) as file:
+                np.savez(path, **{**{name: file[name] for name in file.files}, **arrays})
+            self.refuse(tribox.InputError, None, "changed.npz: .*" + why, tribox.Bricks.load, path)
+        data = part.read_bytes()
+        encrypted, newer, flipped = bytearray(data), bytearray(data), bytearray(data)
+        flipped[200] ^= 4
+        for at in [n for n in range(len(data) - 4) if data[n:n + 4] in (b"PK\3\4", b"PK\1\2")]:
+            is_member = data[at:at + 4] == b"PK\3\4"
+            encrypted[at + 8 - 2 * is_member] |= 1
+            newer[at + 6 - 2 * is_member] = 181
+        for content in (data[:-50], flipped, b"x\n", b"", encrypted, newer, self.saved(next(self.voxels()), ".npy").read_bytes()):
+            path.write_bytes(content)
+            self.refuse(tribox.InputError, None, "changed.npz: not a .npz file of bricks", tribox.Bricks.load, path)
+        for wrong in (None, 3, b"x.npz", [path]):
+            self.refuse(tribox.InputError, None, "^path = .*; give the path of a file", tribox.Bricks.load, wrong)
+        self.assertRaises(FileNotFoundError, tribox.Bricks.load, "no.npz")
+
     def test_refused(self):
         voxels, refuse = next(self.voxels()), self.refuse
         bricks = tribox.bricks(cases.lattice(9), GRIDS["tenths"])

@@ -150,8 +150,7 @@ class Grids(cases.TestCase):
             refuse(tribox.BadIndexError, "BAD_VERTEX", r"faces\[0, 2\] is 3", call, bad, 9)
         grid = (0, 0, 0), 1, (2, 2, 2)
         ways = r"give cell, .*, or resolution, .*; or a grid: tribox\.Grid\(origin, cell, size\)"
-        folder = os.path.join("no", "folder")
-        for call in (tribox.voxelize, tribox.bricks, lambda mesh, *rest, **given: tribox.partition(mesh, folder, *rest, **given)):
+        for call in (tribox.voxelize, tribox.bricks):
             refuse(tribox.InputError, None, f"^no grid; {ways}", call, triangles)
             for given in (dict(cell=1, resolution=2), dict(grid=grid, cell=1), dict(grid=grid, resolution=2)):
                 refuse(tribox.InputError, None, f"exclude each other; {ways}", call, triangles, **given)

@@ -1,7 +1,5 @@
 """Meshes of other libraries are taken as they are, wherever triangles are, and look like what they are."""
 
-import os
-import tempfile
 from types import SimpleNamespace
 
 import numpy as np
@@ -79,9 +77,6 @@ class Meshes(cases.TestCase):
             self.assertEqual(tribox.voxelize(mesh, resolution=9).grid, tribox.grid_around(mesh, 9))
             self.assertEqual(len(tribox.bricks(mesh, GRID).cells()), cells.sum())
             self.assert_same(tribox.overlap(tribox.Mesh(mesh), LO, HI), expected)
-            with tempfile.TemporaryDirectory() as folder:
-                parts = tribox.partition(mesh, os.path.join(folder, "tiles"), GRID)
-                self.assertEqual(len(parts.bricks().cells()), cells.sum())
 
     def test_mesh(self):
         """Mesh(...) takes whatever the calls take, without a copy where they need none."""
@@ -161,12 +156,6 @@ class Reprs(cases.TestCase):
         where = r"from \(0, 0, 0\) to \(1, 2, 0\.1\)"
         self.assertRegex(repr(tribox.Index(self.triangles)),
                          rf"^<tribox.Index: 2 triangles of float32 in order, \d+ bytes, {where}>$")
-
-    def test_partition(self):
-        with tempfile.TemporaryDirectory() as folder:
-            parts = tribox.partition(self.triangles, os.path.join(folder, "tiles"), ((0, 0, 0), (0.5, 1, 1), (16, 9, 9)), side=8)
-            self.assertRegex(repr(parts), r"^<tribox.Partition: 1 of 8 tiles have triangles, 1 in all, 16 x 9 x 9 cells "
-                                          r"from \(0, 0, 0\) to \(8, 9, 9\), '.*tiles'>$")
 
 
 if __name__ == "__main__":

@@ -36,7 +36,6 @@ for form in forms:
     cubes = tribox.voxelize(form, cell=0.1) | tribox.voxelize(form, cell=(1, 2, np.float32(3)), window=((0, 0, 0), (1, 1, 1)))
     bricks: tribox.Bricks = tribox.bricks(form, resolution=4096, side=64, tiles=(0, 1))
     by_cell: tribox.CellLists = tribox.cell_lists(form, resolution=np.int64(64), threads=None, accuracy="exact")
-    parts: tribox.Partition = tribox.partition(form, "tiles", voxels.grid)
     copied: tribox.Mesh = tribox.Mesh(form)
 
 cells: NDArray[np.bool_] = np.asarray(voxels)
@@ -48,8 +47,7 @@ middles: NDArray[np.float64] = by_cell.points()
 origin: Three = tribox.Grid(lo, 0.5, [1, 2, 3]).origin
 grid: tribox.Grid = tribox.grid_around(triangles, cell=0.5)
 voxels.save("voxels.npz")
-loaded: List[tribox.Bricks] = [tribox.Bricks.load("a.*.npz"), tribox.Bricks.load(["a.1.npz", "a.2.npz"])]
-shard: Optional[Tuple[int, int]] = loaded[0].shard
+shard: Optional[Tuple[int, int]] = tribox.Bricks.load("a.npz").shard
 index = tribox.Index(triangles, keep_order=True, threads=None)
 count: int = index.count(lo, hi) + len(index) + tribox.tile_count((8, 8, 8)) + index.count(box)
 listed: NDArray[np.uint32] = index.list(lo, hi)
@@ -59,7 +57,6 @@ part: tribox.Cropped = tribox.crop(meshes_of_others.trimesh, lo, hi, inside=True
 vertices, faces, face_numbers, vertex_numbers = tribox.crop(triangles, box, rest=True)
 chosen: NDArray[np.intp] = part.face_numbers
 many: NDArray[np.bool_] = tribox.overlap_boxes(triangles[0], np.zeros((5, 3)), np.ones((5, 3)))
-shares: List[Tuple[int, int]] = parts.shares(8)
 names: List[str] = tribox.kernels()
 version: str = tribox.__version__
 try:
